@@ -1,0 +1,1 @@
+//! Flying a model: integration with dense output, events, wind and batches.

@@ -1,0 +1,1 @@
+//! Measured flights: datasets, and the coefficients that fit them.

@@ -1,0 +1,1 @@
+//! The oracle, and every independent check of a model.

@@ -1,0 +1,65 @@
+//! Faults of a model file, each with its place and one message.
+
+use std::ops::Range;
+
+/// A place in the source: bytes from `start` up to, not including, `end`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Span {
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+    /// Which text: 0 is the model file; effects that are applied to it count on from 1.
+    pub source: u16,
+}
+
+impl Span {
+    /// The byte range inside its source.
+    pub fn range(self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+}
+
+/// What kind of fault it is; the slug is stable and shown in brackets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum Kind {
+    Lexical,
+    Grammar,
+    Name,
+    Unit,
+    Frame,
+    Shape,
+    Singular,
+    Cycle,
+    Missing,
+    Duplicate,
+    Value,
+    Limit,
+}
+
+/// A place that helps to understand a fault.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Where.
+    pub span: Span,
+    /// What is there, in a few words.
+    pub text: String,
+}
+
+/// One fault: what was found, what was expected, where, and what to do about it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// Its kind.
+    pub kind: Kind,
+    /// The place it is reported at.
+    pub span: Span,
+    /// One sentence: what is wrong.
+    pub message: String,
+    /// How it came about: the places that led to it.
+    pub labels: Vec<Label>,
+    /// Further explanation, one sentence each.
+    pub notes: Vec<String>,
+    /// A suggestion, where there is one ("did you mean `C_La`?").
+    pub help: Option<String>,
+}

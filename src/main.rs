@@ -1,0 +1,3 @@
+//! The `hyzer` program.
+
+fn main() {}
