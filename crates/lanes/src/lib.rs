@@ -1,13 +1,58 @@
 //! Real numbers one at a time or many at once: one text for `f64` and for the machine's widest vectors.
+//!
+//! Code that is written once over [`Real`] (or [`Lanes`], which adds loading and storing) runs on `f64`,
+//! and, handed to [`dispatch`] as a [`Kernel`], on the widest lanes that this machine has:
+//!
+//! ```
+//! use lanes::{dispatch, Kernel, Lanes};
+//!
+//! struct Sines<'a>(&'a [f64], &'a mut [f64]);
+//!
+//! impl Kernel for Sines<'_> {
+//!     type Output = ();
+//!     // Always inlined, and so must be whatever it calls: only so is it compiled for the wide lanes.
+//!     #[inline(always)]
+//!     fn run<T: Lanes>(self) {
+//!         for (from, to) in self.0.chunks(T::WIDTH).zip(self.1.chunks_mut(T::WIDTH)) {
+//!             T::load_part(from, 0.0).sin_cos().0.store_part(to);
+//!         }
+//!     }
+//! }
+//!
+//! let (angles, mut sines) = ([0.0, 0.5, 1.0, 1.5, 2.0], [0.0; 5]);
+//! dispatch(Sines(&angles, &mut sines));
+//! for (angle, sine) in angles.iter().zip(sines) {
+//!     assert_eq!(lanes::Real::sin_cos(*angle).0.to_bits(), sine.to_bits());
+//! }
+//! ```
+
+#![deny(unsafe_code)]
+
+mod dispatch;
+mod functions;
+mod portable;
+mod primitive;
+mod scalar;
+#[cfg(target_arch = "x86_64")]
+mod x86;
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+pub use dispatch::{Isa, Kernel, dispatch, dispatch_with};
 
 /// A number, or one number in each of several lanes. Generated code and the tape are written once, over this.
 ///
 /// Every implementation gives the same bits in every lane: no operation is contracted (no fused
 /// multiply-add), and the functions are computed by the same polynomials everywhere.
+/// A NaN goes in and a NaN comes out, of no particular sign; where a function below states a value
+/// for "0 or less", a NaN is neither.
 pub trait Real:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
 {
     /// The same number in every lane.
     fn splat(value: f64) -> Self;
@@ -19,19 +64,19 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// Angle of the point (`x`, `self`), within 2 ulp; 0 at the origin.
     fn atan2(self, x: Self) -> Self;
-    /// Exponential.
+    /// Exponential, within 2 ulp.
     fn exp(self) -> Self;
-    /// Natural logarithm; 0 where the argument is 0 or less.
+    /// Natural logarithm, within 2 ulp; 0 where the argument is 0 or less.
     fn log(self) -> Self;
-    /// Hyperbolic tangent.
+    /// Hyperbolic tangent, within 3 ulp.
     fn tanh(self) -> Self;
-    /// Arcsine of the argument held within -1 .. 1.
+    /// Arcsine of the argument held within -1 .. 1, within 3 ulp.
     fn asin(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
-    /// The smaller of two.
+    /// The smaller of two; `other` where they cannot be compared.
     fn min(self, other: Self) -> Self;
-    /// The greater of two.
+    /// The greater of two; `other` where they cannot be compared.
     fn max(self, other: Self) -> Self;
     /// -1, 0 or 1.
     fn sign(self) -> Self;
@@ -39,4 +84,49 @@ pub trait Real:
     fn step(self) -> Self;
     /// `then` where `|self| < 1e-75`, else `otherwise`.
     fn if_zero(self, then: Self, otherwise: Self) -> Self;
+}
+
+/// [`Real`] numbers that are loaded from and stored to slices, [`WIDTH`](Lanes::WIDTH) at a time.
+pub trait Lanes: Real {
+    /// How many lanes.
+    const WIDTH: usize;
+    /// The first `WIDTH` numbers of a slice.
+    ///
+    /// # Panics
+    /// Where the slice is shorter.
+    fn load(from: &[f64]) -> Self;
+    /// Writes the lanes to the first `WIDTH` places of a slice.
+    ///
+    /// # Panics
+    /// Where the slice is shorter.
+    fn store(self, to: &mut [f64]);
+    /// The number that `value` gives for each lane.
+    fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
+    /// One lane.
+    ///
+    /// # Panics
+    /// Where there is no such lane.
+    fn lane(self, lane: usize) -> f64;
+
+    /// Up to `WIDTH` numbers of a slice, and `fill` in the lanes beyond its end.
+    #[inline(always)]
+    fn load_part(from: &[f64], fill: f64) -> Self {
+        if from.len() >= Self::WIDTH {
+            Self::load(from)
+        } else {
+            Self::from_fn(|lane| from.get(lane).copied().unwrap_or(fill))
+        }
+    }
+
+    /// Writes as many lanes as the slice has room for.
+    #[inline(always)]
+    fn store_part(self, to: &mut [f64]) {
+        if to.len() >= Self::WIDTH {
+            self.store(to);
+        } else {
+            for (lane, place) in to.iter_mut().enumerate() {
+                *place = self.lane(lane);
+            }
+        }
+    }
 }

@@ -1,0 +1,100 @@
+//! Nanoseconds for each function on each kind of lanes: `cargo run --release -p lanes --example speed`.
+
+use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
+use std::hint::black_box;
+use std::time::Instant;
+
+trait Function: Copy {
+    const NAME: &'static str;
+    fn of<T: Real>(x: T) -> T;
+    fn standard(x: f64) -> f64;
+}
+
+macro_rules! functions {
+    ($($name:ident $x:ident $ours:expr, $standard:expr;)*) => {
+        $(
+            #[derive(Clone, Copy)]
+            struct $name;
+            impl Function for $name {
+                const NAME: &'static str = stringify!($name);
+                #[inline(always)]
+                fn of<T: Real>($x: T) -> T { $ours }
+                #[inline(always)]
+                fn standard($x: f64) -> f64 { $standard }
+            }
+        )*
+        fn all() { $(measure($name);)* }
+    };
+}
+functions! {
+    SinCos x { let (s, c) = x.sin_cos(); s + c }, { let (s, c) = x.sin_cos(); s + c };
+    Atan2 x x.atan2(T::splat(1.5)), x.atan2(1.5);
+    Exp x x.exp(), x.exp();
+    Log x x.log(), x.ln();
+    Tanh x x.tanh(), x.tanh();
+    Asin x x.asin(), x.asin();
+    Sqrt x Real::sqrt(x), x.sqrt();
+}
+
+const COUNT: usize = 4096;
+
+struct Pass<'a, F>(&'a [f64], &'a mut [f64], F);
+
+impl<F: Function> Kernel for Pass<'_, F> {
+    type Output = ();
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        for (from, to) in self
+            .0
+            .chunks_exact(T::WIDTH)
+            .zip(self.1.chunks_exact_mut(T::WIDTH))
+        {
+            F::of(T::load(from)).store(to);
+        }
+    }
+}
+
+/// Each argument waits for the last result: what a single evaluation costs.
+fn chained(from: &[f64], f: impl Fn(f64) -> f64) -> f64 {
+    from.iter().fold(0.0, |sum, x| f(x + sum * 1e-300))
+}
+
+fn nanoseconds(mut pass: impl FnMut()) -> f64 {
+    let one = |pass: &mut dyn FnMut()| {
+        let start = Instant::now();
+        pass();
+        start.elapsed().as_nanos() as f64 / COUNT as f64
+    };
+    (0..300)
+        .map(|_| one(&mut pass))
+        .fold(f64::INFINITY, f64::min)
+}
+
+fn measure<F: Function>(f: F) {
+    let from: Vec<f64> = (0..COUNT)
+        .map(|i| 6.0 * ((i as f64 * 0.618).fract() - 0.5))
+        .collect();
+    let mut to = vec![0.0; COUNT];
+    let standard = nanoseconds(|| {
+        from.iter()
+            .zip(&mut to)
+            .for_each(|(x, to)| *to = F::standard(*x))
+    });
+    let latency_standard = nanoseconds(|| _ = black_box(chained(black_box(&from), F::standard)));
+    let latency = nanoseconds(|| _ = black_box(chained(black_box(&from), F::of)));
+    print!(
+        "{:7} latency: std {latency_standard:5.1} ours {latency:5.1}; a number: std {standard:5.2}",
+        F::NAME
+    );
+    for isa in Isa::ALL {
+        if isa.is_supported() {
+            let ns = nanoseconds(|| _ = dispatch_with(isa, Pass(black_box(&from), &mut to, f)));
+            print!("  {} {ns:5.2}", isa.name());
+        }
+    }
+    println!();
+}
+
+fn main() {
+    all();
+}

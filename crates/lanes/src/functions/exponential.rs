@@ -1,0 +1,108 @@
+//! Exponential, logarithm and hyperbolic tangent.
+
+use super::{ROUNDER, polynomial};
+use crate::primitive::Primitive;
+use std::f64::consts::LOG2_E;
+
+/// ln 2 in 42 bits, so that its multiples are exact, and the rest.
+const LN_2: [f64; 2] = [
+    f64::from_bits(0x3fe6_2e42_fefa_3800),
+    5.497_923_018_708_371e-14,
+];
+
+/// (exp(r) - 1 - r)/r² for |r| up to ln(2)/2, by Remez exchange; relative error 4e-18.
+const EXPONENTIAL: [f64; 10] = [
+    0.5000000000000012,
+    0.166666666666667,
+    0.041666666666521864,
+    0.008333333333307887,
+    0.001388888894557187,
+    0.00019841269916111664,
+    2.4801491261949098e-05,
+    2.755721730485079e-06,
+    2.763085589515106e-07,
+    2.5117575382082537e-08,
+];
+
+/// 2 to the power of an integer from -1022 to 1023.
+#[inline(always)]
+fn power_of_two<T: Primitive>(integer: T) -> T {
+    (integer + T::all(ROUNDER + 1023.0)).bits_up::<52>()
+}
+
+#[inline(always)]
+pub(crate) fn exp<T: Primitive>(x: T) -> T {
+    // Beyond these the result is 0 or infinite. A NaN passes both, since it is not below anything.
+    let x = T::select(x.below(T::all(-746.0)), T::all(-746.0), x);
+    let x = T::select(T::all(710.0).below(x), T::all(710.0), x);
+    let twos = (x * T::all(LOG2_E) + T::all(ROUNDER)) - T::all(ROUNDER);
+    let r = (x - twos * T::all(LN_2[0])) - twos * T::all(LN_2[1]);
+    let e = T::all(1.0) + (r + r * r * polynomial(r, EXPONENTIAL));
+    // In two factors, for results that are subnormal or nearly too large.
+    let some = (twos * T::all(0.5) + T::all(ROUNDER)) - T::all(ROUNDER);
+    e * power_of_two(some) * power_of_two(twos - some)
+}
+
+// Coefficients of Sun's fdlibm (1993): (log(1+f) - 2s)/s in powers of s², s = f/(2+f).
+const LOGARITHM: [f64; 7] = [
+    6.666_666_666_666_735e-1,
+    3.999_999_999_940_942e-1,
+    2.857_142_874_366_239e-1,
+    2.222_219_843_214_978_4e-1,
+    1.818_357_216_161_805e-1,
+    1.531_383_769_920_937_3e-1,
+    1.479_819_860_511_658_6e-1,
+];
+
+#[inline(always)]
+pub(crate) fn log<T: Primitive>(x: T) -> T {
+    let one = T::all(1.0);
+    // Subnormal numbers are first made normal.
+    let tiny = x.below(T::all(f64::MIN_POSITIVE));
+    let scaled = T::select(tiny, x * T::all(18_014_398_509_481_984.0), x); // 2^54
+    let start = T::select(tiny, T::all(-54.0 - 1023.0), T::all(-1023.0));
+
+    // x = 2^twos (1 + f), with 1 + f between √½ and √2.
+    let two_52 = T::all(4_503_599_627_370_496.0);
+    let exponent = scaled.bits_down::<52>().bits_or(two_52) - two_52;
+    let mantissa = scaled.bits_and(T::bits((1 << 52) - 1)).bits_or(one);
+    let upper = T::all(std::f64::consts::SQRT_2).below(mantissa);
+    let f = T::select(upper, mantissa * T::all(0.5), mantissa) - one;
+    let twos = exponent + start + T::select(upper, one, T::all(0.0));
+
+    let s = f / (T::all(2.0) + f);
+    let z = s * s;
+    let r = z * polynomial(z, LOGARITHM);
+    let half_square = T::all(0.5) * f * f;
+    let log = twos * T::all(LN_2[0])
+        - ((half_square - (s * (half_square + r) + twos * T::all(LN_2[1]))) - f);
+
+    let log = T::select(x.below(T::all(f64::INFINITY)), log, x);
+    T::select(x.at_most(T::all(0.0)), T::all(0.0), log)
+}
+
+// Coefficients of Moshier's Cephes (1989): (tanh(x)/x - 1)/x² for |x| up to 0.625.
+const TANH_OVER: [f64; 3] = [
+    -1.614_687_684_417_084_5e3,
+    -9.928_772_310_019_185e1,
+    -9.643_991_794_250_523e-1,
+];
+const TANH_UNDER: [f64; 4] = [
+    4.844_063_053_251_255e3,
+    2.235_488_390_601_004_5e3,
+    1.128_116_784_916_319_4e2,
+    1.0,
+];
+
+#[inline(always)]
+pub(crate) fn tanh<T: Primitive>(x: T) -> T {
+    let one = T::all(1.0);
+    let size = x.magnitude();
+    let upper = T::all(0.625).below(size);
+    let z = x * x;
+    // One division serves both: x + x z P/Q near 0, and 1 - 2/(exp 2x + 1) beyond.
+    let over = T::select(upper, T::all(-2.0), size * z * polynomial(z, TANH_OVER));
+    let under = T::select(upper, exp(size + size) + one, polynomial(z, TANH_UNDER));
+    let near = T::select(upper, one, size) + over / under;
+    near.bits_xor(x.sign_bit())
+}

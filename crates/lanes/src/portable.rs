@@ -1,0 +1,117 @@
+//! Four lanes in an array, for machines whose vectors have no module of their own.
+
+use crate::primitive::{Primitive, real_by_primitives};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Four lanes.
+#[derive(Clone, Copy)]
+pub(crate) struct Four([f64; 4]);
+
+impl Four {
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Self {
+        let [a, b, c, d] = self.0;
+        Four([f(a), f(b), f(c), f(d)])
+    }
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let ([a, b, c, d], [i, j, k, l]) = (self.0, other.0);
+        Four([f(a, i), f(b, j), f(c, k), f(d, l)])
+    }
+    #[inline(always)]
+    fn compare(self, other: Self, f: impl Fn(f64, f64) -> u64) -> [u64; 4] {
+        let ([a, b, c, d], [i, j, k, l]) = (self.0, other.0);
+        [f(a, i), f(b, j), f(c, k), f(d, l)]
+    }
+}
+
+macro_rules! operator {
+    ($($trait:ident $method:ident)*) => {$(
+        impl $trait for Four {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.with(other, f64::$method)
+            }
+        }
+    )*};
+}
+operator!(Add add Sub sub Mul mul Div div);
+
+impl Neg for Four {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.each(f64::neg)
+    }
+}
+
+impl Primitive for Four {
+    type Mask = [u64; 4];
+    const WIDTH: usize = 4;
+
+    #[inline(always)]
+    fn all(value: f64) -> Self {
+        Four([value; 4])
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.each(Primitive::root)
+    }
+    #[inline(always)]
+    fn below(self, other: Self) -> [u64; 4] {
+        self.compare(other, Primitive::below)
+    }
+    #[inline(always)]
+    fn at_most(self, other: Self) -> [u64; 4] {
+        self.compare(other, Primitive::at_most)
+    }
+    #[inline(always)]
+    fn top_bit(self) -> [u64; 4] {
+        self.0.map(Primitive::top_bit)
+    }
+    #[inline(always)]
+    fn select([a, b, c, d]: [u64; 4], then: Self, otherwise: Self) -> Self {
+        let ([i, j, k, l], [m, n, o, p]) = (then.0, otherwise.0);
+        Four([
+            f64::select(a, i, m),
+            f64::select(b, j, n),
+            f64::select(c, k, o),
+            f64::select(d, l, p),
+        ])
+    }
+    #[inline(always)]
+    fn everywhere([a, b, c, d]: [u64; 4]) -> bool {
+        a & b & c & d != 0
+    }
+    #[inline(always)]
+    fn bits_and(self, other: Self) -> Self {
+        self.with(other, Primitive::bits_and)
+    }
+    #[inline(always)]
+    fn bits_or(self, other: Self) -> Self {
+        self.with(other, Primitive::bits_or)
+    }
+    #[inline(always)]
+    fn bits_xor(self, other: Self) -> Self {
+        self.with(other, Primitive::bits_xor)
+    }
+    #[inline(always)]
+    fn bits_up<const N: u32>(self) -> Self {
+        self.each(Primitive::bits_up::<N>)
+    }
+    #[inline(always)]
+    fn bits_down<const N: u32>(self) -> Self {
+        self.each(Primitive::bits_down::<N>)
+    }
+    #[inline(always)]
+    fn read(from: &[f64]) -> Self {
+        Four([from[0], from[1], from[2], from[3]])
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [f64]) {
+        to[..4].copy_from_slice(&self.0);
+    }
+}
+
+real_by_primitives!(Four);

@@ -1,0 +1,176 @@
+//! Every kind of lanes gives the bits that `f64` gives.
+
+// Numbers at which something changes, not constants of mathematics.
+#![allow(clippy::approx_constant)]
+
+use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
+
+/// What is computed of two numbers: every function and operation of `Real`.
+const RESULTS: usize = 22;
+
+#[inline(always)]
+fn everything<T: Real>(a: T, b: T) -> [T; RESULTS] {
+    let (sine, cosine) = a.sin_cos();
+    [
+        a + b,
+        a - b,
+        a * b,
+        a / b,
+        -a,
+        a.sqrt(),
+        a.recip_or_zero(),
+        sine,
+        cosine,
+        a.atan2(b),
+        b.atan2(a),
+        a.exp(),
+        a.log(),
+        a.tanh(),
+        a.asin(),
+        a.abs(),
+        a.min(b),
+        a.max(b),
+        a.sign(),
+        a.step(),
+        a.if_zero(b, T::splat(2.5)),
+        (a * b).exp().atan2((a + b).sin_cos().0),
+    ]
+}
+
+struct Map<'a> {
+    a: &'a [f64],
+    b: &'a [f64],
+    to: &'a mut [[f64; RESULTS]],
+}
+
+impl Kernel for Map<'_> {
+    type Output = usize;
+    #[inline(always)]
+    fn run<T: Lanes>(self) -> usize {
+        let chunks = self.a.chunks(T::WIDTH).zip(self.b.chunks(T::WIDTH));
+        for ((a, b), to) in chunks.zip(self.to.chunks_mut(T::WIDTH)) {
+            let results = everything(T::load_part(a, 1.0), T::load_part(b, 1.0));
+            for (i, result) in results.iter().enumerate() {
+                for (lane, to) in to.iter_mut().enumerate() {
+                    to[i] = result.lane(lane);
+                }
+            }
+        }
+        T::WIDTH
+    }
+}
+
+fn special() -> Vec<f64> {
+    let mut values = vec![
+        0.0,
+        f64::MIN_POSITIVE,
+        5e-324,
+        1e-310,
+        1e-76,
+        1e-75,
+        1e-74,
+        1e-9,
+        0.4999999999,
+        0.5,
+        0.625,
+    ];
+    values.extend([
+        0.7071067811865476,
+        0.75,
+        1.0,
+        1.0000000000000002,
+        1.5707963267948966,
+        2.0,
+        std::f64::consts::PI,
+        22.0,
+    ]);
+    values.extend([
+        709.78,
+        709.79,
+        710.5,
+        745.1,
+        746.5,
+        1e4,
+        99999.9,
+        1e5,
+        1e154,
+        1e299,
+        1e300,
+        f64::MAX,
+        f64::INFINITY,
+    ]);
+    if !cfg!(miri) {
+        // Sines of the standard library are random in their last bits there.
+        values.extend([1e5 + 1e-3, 2e5, 1e9, 1e22]);
+    }
+    let negative: Vec<f64> = values.iter().map(|v| -v).collect();
+    values.extend(negative);
+    values.push(f64::NAN);
+    values
+}
+
+/// Pairs of every special number with every other, and random ones of all sizes (splitmix64).
+fn pairs() -> (Vec<f64>, Vec<f64>) {
+    let special = special();
+    let step = if cfg!(miri) { 7 } else { 1 };
+    let (mut a, mut b): (Vec<f64>, Vec<f64>) = special
+        .iter()
+        .flat_map(|a| special.iter().map(move |b| (*a, *b)))
+        .step_by(step)
+        .unzip();
+    let mut seed = 1_u64;
+    let mut random = || {
+        seed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = seed;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    };
+    for _ in 0..if cfg!(miri) { 40 } else { 400_003 } {
+        for list in [&mut a, &mut b] {
+            // A size from 2^-20 to 2^16, where the model's numbers are.
+            let exponent = 1023 - 20 + random() % 37;
+            list.push(f64::from_bits(
+                random() >> 12 | exponent << 52 | random() << 63,
+            ));
+        }
+    }
+    (a, b)
+}
+
+#[test]
+fn every_kind_of_lanes_gives_the_bits_of_f64() {
+    let (a, b) = pairs();
+    let expected: Vec<[f64; RESULTS]> = a.iter().zip(&b).map(|(a, b)| everything(*a, *b)).collect();
+    let mut kinds = 0;
+    for isa in Isa::ALL {
+        let mut found = vec![[0.0; RESULTS]; a.len()];
+        let Some(width) = dispatch_with(
+            isa,
+            Map {
+                a: &a,
+                b: &b,
+                to: &mut found,
+            },
+        ) else {
+            continue;
+        };
+        kinds += 1;
+        assert_eq!(width, [8, 4, 4, 1][kinds_index(isa)]);
+        for (i, (expected, found)) in expected.iter().zip(&found).enumerate() {
+            for (k, (e, f)) in expected.iter().zip(found).enumerate() {
+                let same = e.to_bits() == f.to_bits() || e.is_nan() && f.is_nan();
+                assert!(
+                    same,
+                    "{isa:?}, result {k} of {:e}, {:e}: {f:e}, but {e:e} in f64",
+                    a[i], b[i]
+                );
+            }
+        }
+    }
+    assert!(kinds >= 2);
+}
+
+fn kinds_index(isa: Isa) -> usize {
+    Isa::ALL.iter().position(|i| *i == isa).unwrap()
+}
