@@ -42,7 +42,7 @@ KEYWORDS = {"return", "in", "let", "mut", "if", "else", "const", "as", "match"}
 def tokens(text):
     text = re.sub(r"static_cast<\w+>\(([^()]*)\)", r"(\1)", text)  # casts of numbers
     text = re.sub(r"\((\d+)i64\)\s*as\s+f64", r"\1.0", text)
-    text = re.sub(rf"\(({NUMBER})\)", r" \1 ", text)
+    text = re.sub(rf"(?<!\w)\(({NUMBER})\)", r" \1 ", text)
     text = re.sub(r"\bstd::(\w+)\(", r"\1(", text)
     return [(m.lastgroup, m.group()) for m in TOKEN.finditer(text) if m.lastgroup]
 

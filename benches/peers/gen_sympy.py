@@ -7,7 +7,6 @@ from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
 import chain as chains
-import count_ops
 import disc
 from unit import FUNCTIONS, NP, NX, Unit, dense_map, shapes
 
@@ -24,7 +23,7 @@ class Printer(C99CodePrinter):
 
 
 class Roots:
-    """Powers of n/2 as powers of a named root, so that each root is taken once."""
+    """Powers of n/2 as powers of a named root, so that each root is taken once and pow is never called."""
 
     def __init__(self):
         self.named = {}
@@ -59,11 +58,10 @@ def outputs(function, variant, chain):
     return x, p, defined, flat, maps
 
 
-def shared(assignments, flat, optimizations, prefix):
+def shared(assignments, flat):
     """CSE of named quantities and outputs together, each name defined before it is used."""
-    pairs, rest = sp.cse(
-        [e for _, e in assignments] + flat, symbols=sp.numbered_symbols(prefix), order="none", optimizations=optimizations
-    )
+    everything = [e for _, e in assignments] + flat
+    pairs, rest = sp.cse(everything, symbols=sp.numbered_symbols("t"), order="none")
     waiting = dict(pairs) | {s: e for (s, _), e in zip(assignments, rest)}
     ordered = []
 
@@ -79,37 +77,32 @@ def shared(assignments, flat, optimizations, prefix):
     return ordered, rest[len(assignments) :]
 
 
-def steps(defined, flat, name_roots, optimizations):
-    """Assignments, and the outputs by their names."""
+def steps(defined, flat):
+    """Assignments, and the outputs by their names. SymPy's own preprocessing, optimizations="basic", costs operations here."""
     roots = Roots()
-    if name_roots:
-        flat = [roots(e) for e in flat]
-        defined = [(s, roots(e)) for s, e in defined]
-        defined = defined + [(s, sp.sqrt(b)) for b, s in roots.named.items()]
-    return shared(defined, flat, optimizations, "t")
+    flat = [roots(e) for e in flat]
+    defined = [(s, roots(e)) for s, e in defined]
+    return shared(defined + [(s, sp.sqrt(b)) for b, s in roots.named.items()], flat)
 
 
 def body(x, p, pairs, outs, places, size):
     """C text; `places` are the indices of the outputs, every other of `size` is a zero."""
     printer = Printer()
     at = dict(zip(places, outs))
-    lines = [f"const double {s} = x[{i}];" for i, s in enumerate(x)]
-    lines += [f"const double {s} = p[{i}];" for i, s in enumerate(p)]
+    lines = [f"const double {s} = states[{i}];" for i, s in enumerate(x)]
+    lines += [f"const double {s} = params[{i}];" for i, s in enumerate(p)]
     lines += [f"const double {s} = {printer.doprint(e)};" for s, e in pairs]
     lines += [f"out[{i}] = {printer.doprint(at.get(i, sp.Integer(0)))};" for i in range(size)]
-    return "static inline void kernel(const double* x, const double* p, double* out) {\n  " + "\n  ".join(lines) + "\n}\n"
+    return "static inline void kernel(const double* states, const double* params, double* out) {\n  " + "\n  ".join(lines) + "\n}\n"
 
 
 WRAPPER = "void SYM(const double* x, const double* p, double* out) { kernel(x, p, out); }\n"
-# Naming the roots first or not; SymPy's own preprocessing or not.
-SETTINGS = [(roots, optimizations) for roots in (False, True) for optimizations in (None, "basic")]
 
 
 @functools.cache
 def leanest(function, variant, chain):
     x, p, defined, flat, maps = outputs(function, variant, chain)
-    made = [steps(defined, flat, *s) for s in SETTINGS]
-    return x, p, maps, *min(made, key=lambda m: count_ops.count(body(x, p, *m, range(len(flat)), len(flat)))["total"])
+    return x, p, maps, *steps(defined, flat)
 
 
 def generate(layouts):

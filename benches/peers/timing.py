@@ -1,5 +1,6 @@
 """Runs the C driver and reads medians."""
 
+import pathlib
 import statistics
 
 import build
@@ -9,7 +10,7 @@ import states
 def measure(entries, work, rounds, calls=1000):
     """`entries`: (library, symbol). Median and tenth percentile of ns per call, in that order."""
     driver, listing, data = work / "driver", work / "list.txt", work / "states.bin"
-    build.run(["gcc", "-O2", "-o", driver, build.os.path.join(build.os.path.dirname(__file__), "driver.c"), "-ldl"])
+    build.run(["gcc", "-O2", "-o", driver, pathlib.Path(__file__).with_name("driver.c"), "-ldl"])
     listing.write_text("".join(f"{lib} {sym}\n" for lib, sym in entries))
     states.draw(1000).tofile(data)
     text = build.run([driver, listing, data, str(rounds), str(calls)])
