@@ -136,7 +136,7 @@ def folded(toks, i):
 def functions(text):
     """Name and text of every function with a body."""
     found = {}
-    for m in re.finditer(r"\b(?:fn\s+(\w+)|(\w+))\s*(?:<[^{;]*?>)?\s*\([^{};]*\)\s*(?:->[^{;]*)?(?:\bwhere\b[^{;]*)?\{", text):
+    for m in re.finditer(r"\bfn\s+(\w+)[^{]*\{|\b(\w+)\s*\([^{};()]*\)\s*\{", text):
         name = m.group(1) or m.group(2)
         if name in KEYWORDS | {"for", "while", "switch"}:
             continue
