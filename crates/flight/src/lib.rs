@@ -1,1 +1,19 @@
 //! Flying a model: integration with dense output, events, wind and batches.
+
+#![forbid(unsafe_code)]
+
+mod control;
+mod dynamics;
+mod error;
+mod event;
+mod flight;
+mod integrate;
+mod method;
+mod root;
+
+pub use dynamics::{Dynamics, Equations, Storage, equations};
+pub use error::{Cause, FlightError};
+pub use event::{Event, Occurrence};
+pub use flight::{Flight, fly, fly_at, fly_to_end, fly_to_event};
+pub use integrate::{End, Options, Work};
+pub use method::Method;

@@ -1,0 +1,99 @@
+//! How long a flight takes: `cargo run --release -p flight --example speed`.
+
+#[path = "../tests/disc/mod.rs"]
+mod disc;
+
+use flight::{Dynamics, Event, Method, Options, fly, fly_at, fly_to_end};
+use std::hint::black_box;
+use std::time::Instant;
+
+fn microseconds(mut f: impl FnMut()) -> f64 {
+    let rounds = (0..200).map(|_| {
+        let start = Instant::now();
+        for _ in 0..20 {
+            f();
+        }
+        start.elapsed().as_secs_f64() * 1e6 / 20.0
+    });
+    rounds.fold(f64::INFINITY, f64::min)
+}
+
+fn main() {
+    let mut d = disc::disc();
+    let mut dx = [0.0; 12];
+    let ns = microseconds(|| {
+        (0..100).for_each(|_| d.derivative(0.0, black_box(&disc::THROW), black_box(&mut dx)))
+    }) * 10.0;
+    println!("rate of change: {ns:.1} ns");
+
+    let tight = Options {
+        method: Method::Dop853,
+        ..Options::tolerance(1e-13)
+    };
+    let truth = fly(&mut d, (0.0, &disc::THROW), 1.5, &tight, &mut []).unwrap();
+    let times: Vec<f64> = (0..=180).map(|i| f64::from(i) / 120.0).collect();
+    let mut samples = vec![0.0; 12 * times.len()];
+    for method in [Method::Tsit5, Method::Dop853] {
+        for tolerance in [1e-3, 1e-4, 1e-6, 1e-8, 1e-10] {
+            let options = Options {
+                method,
+                ..Options::tolerance(tolerance)
+            };
+            let end = fly_to_end(&mut d, (0.0, &disc::THROW), 1.5, &options, &mut []).unwrap();
+            let worst = (0..3)
+                .map(|i| (end.state[i] - truth.end_state[i]).abs())
+                .fold(0.0, f64::max);
+            let flight = fly(&mut d, (0.0, &disc::THROW), 1.5, &options, &mut []).unwrap();
+            let along = flight.at_rate(1000.0).map(|(t, x)| {
+                let exact = truth.sample(t).unwrap();
+                (0..3).map(|i| (x[i] - exact[i]).abs()).fold(0.0, f64::max)
+            });
+            let along = along.fold(0.0, f64::max);
+            let plain = microseconds(|| {
+                _ = black_box(fly_to_end(
+                    &mut d,
+                    (0.0, black_box(&disc::THROW)),
+                    1.5,
+                    &options,
+                    &mut [],
+                ))
+            });
+            let kept = microseconds(|| {
+                _ = black_box(fly(
+                    &mut d,
+                    (0.0, black_box(&disc::THROW)),
+                    1.5,
+                    &options,
+                    &mut [],
+                ))
+            });
+            let ground = microseconds(|| {
+                let ground = Event::falls_to("ground", 2, 0.0).ends_flight();
+                let apex = Event::peak_of("apex", 2);
+                _ = black_box(fly_to_end(
+                    &mut d,
+                    (0.0, black_box(&disc::THROW)),
+                    1.5,
+                    &options,
+                    &mut [ground, apex],
+                ));
+            });
+            let sampled = microseconds(|| {
+                _ = black_box(fly_at(
+                    &mut d,
+                    (0.0, black_box(&disc::THROW)),
+                    &times,
+                    &options,
+                    &mut [],
+                    &mut samples,
+                ))
+            });
+            let own = (plain * 1e3 - end.work.evaluations as f64 * ns) / end.work.steps as f64;
+            println!(
+                "{method:?} {tolerance:.0e}: {plain:.2} µs to the end ({kept:.2} with curve, {ground:.2} with events, {sampled:.2} at 181 times), {:?}; \
+                 besides the model {own:.0} ns a step; position within {worst:.1e} m at the end, {along:.1e} m along the curve",
+                end.work
+            );
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! Order 8 with error estimates of orders 5 and 3, and a curve of order 7.
+
+use super::dop853_table::*;
+use super::{Method, ROWS, Start, Stepper, Tolerance, slices};
+use crate::dynamics::{Dynamics, Storage};
+
+/// Stages of a step: twelve, the rate at its end, and three more where its curve is wanted.
+pub(crate) struct Dop853<X> {
+    k: [X; 16],
+    stage: X,
+    end: X,
+}
+
+/// `to = from + h Σ weight · k[stage]`
+#[inline(always)]
+fn combine<X: Storage, const M: usize>(to: &mut X, from: &X, h: f64, k: &[X; 16], terms: Terms<M>) {
+    let (mut weights, mut stages) = ([0.0; M], [&k[0]; M]);
+    for m in 0..M {
+        (stages[m], weights[m]) = (&k[terms[m].0], terms[m].1);
+    }
+    super::combine(to, from, h, weights, stages);
+}
+
+impl<X: Storage> Stepper<X> for Dop853<X> {
+    const METHOD: Method = Method::Dop853;
+    const EVALUATIONS: usize = 12;
+    const ORDER: i32 = 8;
+    const MEMORY: f64 = 0.0;
+    const FACTORS: (f64, f64) = (0.333, 6.0);
+
+    fn new(like: &X) -> Self {
+        Dop853 {
+            k: std::array::from_fn(|_| like.clone()),
+            stage: like.clone(),
+            end: like.clone(),
+        }
+    }
+
+    #[inline(always)]
+    fn attempt<D: Dynamics<State = X>>(
+        &mut self,
+        d: &mut D,
+        start: &Start<'_, X>,
+        h: f64,
+        within: &Tolerance,
+    ) -> f64 {
+        let Start { t, x, dx } = *start;
+        let Dop853 { k, stage, end } = self;
+        k[0].clone_from(dx);
+        macro_rules! stages {
+            ($($s:literal $terms:ident)*) => {$(
+                combine(stage, x, h, k, $terms);
+                d.derivative(t + C[$s] * h, stage, &mut k[$s]);
+            )*};
+        }
+        stages!(1 A1 2 A2 3 A3 4 A4 5 A5 6 A6 7 A7 8 A8 9 A9 10 A10 11 A11);
+        combine(end, x, h, k, B);
+
+        let n = x.as_ref().len().min(within.controlled);
+        let k = slices(k.each_ref(), n);
+        let (x, end) = (&x.as_ref()[..n], &end.as_ref()[..n]);
+        let (mut sum_5, mut sum_3) = (0.0, 0.0);
+        for i in 0..n {
+            let scale = within.scale(x[i], end[i]);
+            let (mut error_5, mut error_3) = (0.0, 0.0);
+            for (stage, weight) in E5 {
+                error_5 += weight * k[stage][i];
+            }
+            for (stage, weight) in E3 {
+                error_3 += weight * k[stage][i];
+            }
+            (error_5, error_3) = (error_5 / scale, error_3 / scale);
+            sum_5 += error_5 * error_5;
+            sum_3 += error_3 * error_3;
+        }
+        let both = sum_5 + 0.01 * sum_3;
+        if both == 0.0 {
+            0.0
+        } else {
+            h * sum_5 / (both * n as f64).sqrt()
+        }
+    }
+
+    #[inline(always)]
+    fn accept<D: Dynamics<State = X>>(&mut self, d: &mut D, t_end: f64) {
+        d.derivative(t_end, &self.end, &mut self.k[12]);
+    }
+
+    #[inline(always)]
+    fn end(&self) -> &X {
+        &self.end
+    }
+
+    #[inline(always)]
+    fn end_rate(&self) -> &X {
+        &self.k[12]
+    }
+
+    #[inline(always)]
+    fn rows<D: Dynamics<State = X>>(
+        &mut self,
+        d: &mut D,
+        start: &Start<'_, X>,
+        h: f64,
+        to: &mut Vec<f64>,
+    ) -> usize {
+        let Start { t, x, dx } = *start;
+        let Dop853 { k, stage, end } = self;
+        combine(stage, x, h, k, A13);
+        d.derivative(t + C[13] * h, stage, &mut k[13]);
+        combine(stage, x, h, k, A14);
+        d.derivative(t + C[14] * h, stage, &mut k[14]);
+        combine(stage, x, h, k, A15);
+        d.derivative(t + C[15] * h, stage, &mut k[15]);
+
+        let (x, dx, end, end_rate) = (x.as_ref(), dx.as_ref(), end.as_ref(), k[12].as_ref());
+        let n = x.len();
+        to.extend_from_slice(x);
+        to.extend((0..n).map(|i| end[i] - x[i]));
+        to.extend((0..n).map(|i| h * dx[i] - (end[i] - x[i])));
+        to.extend((0..n).map(|i| 2.0 * (end[i] - x[i]) - h * (end_rate[i] + dx[i])));
+        row(to, h, k, D0);
+        row(to, h, k, D1);
+        row(to, h, k, D2);
+        row(to, h, k, D3);
+        3
+    }
+}
+
+#[inline(always)]
+fn row<X: Storage, const M: usize>(to: &mut Vec<f64>, h: f64, k: &[X; 16], terms: Terms<M>) {
+    let n = k[0].as_ref().len();
+    let k = slices(k.each_ref(), n);
+    to.extend((0..n).map(|i| {
+        let mut sum = 0.0;
+        for (stage, weight) in terms {
+            sum += weight * k[stage][i];
+        }
+        h * sum
+    }));
+}
+
+/// The curve of order 7: a nest of `s` and `1 - s` in turns, multiplied out.
+pub(crate) fn weights(s: f64) -> [f64; ROWS] {
+    let r = 1.0 - s;
+    let sr = s * r;
+    [
+        1.0,
+        s,
+        sr,
+        s * sr,
+        sr * sr,
+        s * sr * sr,
+        sr * sr * sr,
+        s * sr * sr * sr,
+    ]
+}

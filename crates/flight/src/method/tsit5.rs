@@ -1,0 +1,174 @@
+//! Ch. Tsitouras, "Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying assumption",
+//! Computers & Mathematics with Applications 62 (2011).
+
+use super::{Method, ROWS, Start, Stepper, Tolerance, combine, slices};
+use crate::dynamics::{Dynamics, Storage};
+
+pub(crate) const C: [f64; 7] = [0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0];
+const A1: [f64; 1] = [0.161];
+const A2: [f64; 2] = [-0.008480655492356989, 0.335480655492357];
+const A3: [f64; 3] = [2.8971530571054935, -6.359448489975075, 4.3622954328695815];
+const A4: [f64; 4] = [
+    5.325864828439257,
+    -11.748883564062828,
+    7.4955393428898365,
+    -0.09249506636175525,
+];
+const A5: [f64; 5] = [
+    5.86145544294642,
+    -12.92096931784711,
+    8.159367898576159,
+    -0.071584973281401,
+    -0.028269050394068383,
+];
+/// The step, of order 5; its last stage is the next step's first.
+pub(crate) const B: [f64; 6] = [
+    0.09646076681806523,
+    0.01,
+    0.4798896504144996,
+    1.379008574103742,
+    -3.290069515436081,
+    2.324710524099774,
+];
+/// The step's weights less those of a method of order 4.
+pub(crate) const E: [f64; 7] = [
+    -0.001_780_011_052_225_777,
+    -0.0008164344596567469,
+    0.007880878010261995,
+    -0.1447110071732629,
+    0.5823571654525552,
+    -0.45808210592918697,
+    0.015151515151515152,
+];
+
+/// Stages of a step.
+pub(crate) struct Tsit5<X> {
+    k2: X,
+    k3: X,
+    k4: X,
+    k5: X,
+    k6: X,
+    k7: X,
+    stage: X,
+    end: X,
+}
+
+impl<X: Storage> Stepper<X> for Tsit5<X> {
+    const METHOD: Method = Method::Tsit5;
+    const EVALUATIONS: usize = 6;
+    const ORDER: i32 = 5;
+    const MEMORY: f64 = 0.04;
+    const FACTORS: (f64, f64) = (0.2, 10.0);
+
+    fn new(like: &X) -> Self {
+        let [k2, k3, k4, k5, k6, k7, stage, end] = std::array::from_fn(|_| like.clone());
+        Tsit5 {
+            k2,
+            k3,
+            k4,
+            k5,
+            k6,
+            k7,
+            stage,
+            end,
+        }
+    }
+
+    #[inline(always)]
+    fn attempt<D: Dynamics<State = X>>(
+        &mut self,
+        d: &mut D,
+        start: &Start<'_, X>,
+        h: f64,
+        within: &Tolerance,
+    ) -> f64 {
+        let Start { t, x, dx: k1 } = *start;
+        let Tsit5 {
+            k2,
+            k3,
+            k4,
+            k5,
+            k6,
+            k7,
+            stage,
+            end,
+        } = self;
+        combine(stage, x, h, A1, [k1]);
+        d.derivative(t + C[1] * h, stage, k2);
+        combine(stage, x, h, A2, [k1, k2]);
+        d.derivative(t + C[2] * h, stage, k3);
+        combine(stage, x, h, A3, [k1, k2, k3]);
+        d.derivative(t + C[3] * h, stage, k4);
+        combine(stage, x, h, A4, [k1, k2, k3, k4]);
+        d.derivative(t + C[4] * h, stage, k5);
+        combine(stage, x, h, A5, [k1, k2, k3, k4, k5]);
+        d.derivative(t + h, stage, k6);
+        combine(end, x, h, B, [k1, k2, k3, k4, k5, k6]);
+        d.derivative(t + h, end, k7);
+
+        let n = x.as_ref().len().min(within.controlled);
+        let k = slices([k1, k2, k3, k4, k5, k6, k7], n);
+        let (x, end) = (&x.as_ref()[..n], &end.as_ref()[..n]);
+        let mut sum = 0.0;
+        for i in 0..n {
+            let mut error = E[0] * k[0][i];
+            for m in 1..7 {
+                error += E[m] * k[m][i];
+            }
+            let part = error / within.scale(x[i], end[i]);
+            sum += part * part;
+        }
+        h * (sum / n as f64).sqrt()
+    }
+
+    #[inline(always)]
+    fn accept<D: Dynamics<State = X>>(&mut self, _: &mut D, _: f64) {}
+
+    #[inline(always)]
+    fn end(&self) -> &X {
+        &self.end
+    }
+
+    #[inline(always)]
+    fn end_rate(&self) -> &X {
+        &self.k7
+    }
+
+    #[inline(always)]
+    fn rows<D: Dynamics<State = X>>(
+        &mut self,
+        _: &mut D,
+        start: &Start<'_, X>,
+        h: f64,
+        to: &mut Vec<f64>,
+    ) -> usize {
+        to.extend_from_slice(start.x.as_ref());
+        for k in [
+            start.dx, &self.k2, &self.k3, &self.k4, &self.k5, &self.k6, &self.k7,
+        ] {
+            to.extend(k.as_ref().iter().map(|k| h * k));
+        }
+        0
+    }
+}
+
+/// The interpolant of order 4 that needs no further stages.
+pub(crate) fn weights(s: f64) -> [f64; ROWS] {
+    let s2 = s * s;
+    [
+        1.0,
+        -1.0530884977290216
+            * s
+            * (s - 1.329_989_018_975_141)
+            * (s2 - 1.4364028541716351 * s + 0.7139816917074209),
+        0.1017 * s2 * (s2 - 2.1966568338249754 * s + 1.294_985_250_737_463),
+        2.490_627_285_651_253 * s2 * (s2 - 2.385_356_454_720_616_5 * s + 1.578_034_682_080_924_8),
+        -16.548_102_889_244_902
+            * (s - 1.217_129_272_955_332_5)
+            * (s - 0.616_204_060_378_000_9)
+            * s2,
+        47.379_521_962_819_28 * (s - 1.203_071_208_372_362_7) * (s - 0.658_047_292_653_547_3) * s2,
+        -34.870_657_861_496_61 * (s - 1.2) * (s - 2.0 / 3.0) * s2,
+        2.5 * (s - 1.0) * (s - 0.6) * s2,
+    ]
+}
