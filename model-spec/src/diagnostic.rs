@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+pub use crate::render::{SHOWN, render};
+
 /// A place in the source: bytes from `start` up to, not including, `end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
@@ -17,6 +19,15 @@ impl Span {
     /// The byte range inside its source.
     pub fn range(self) -> Range<usize> {
         self.start as usize..self.end as usize
+    }
+
+    /// The place from the start of this one to the end of another.
+    #[must_use]
+    pub fn to(self, end: Span) -> Span {
+        Span {
+            end: end.end.max(self.start),
+            ..self
+        }
     }
 }
 
@@ -36,6 +47,26 @@ pub enum Kind {
     Duplicate,
     Value,
     Limit,
+}
+
+impl Kind {
+    /// The word that stands in brackets before a message.
+    pub fn slug(self) -> &'static str {
+        match self {
+            Kind::Lexical => "lexical",
+            Kind::Grammar => "grammar",
+            Kind::Name => "name",
+            Kind::Unit => "unit",
+            Kind::Frame => "frame",
+            Kind::Shape => "shape",
+            Kind::Singular => "singular",
+            Kind::Cycle => "cycle",
+            Kind::Missing => "missing",
+            Kind::Duplicate => "duplicate",
+            Kind::Value => "value",
+            Kind::Limit => "limit",
+        }
+    }
 }
 
 /// A place that helps to understand a fault.
@@ -62,4 +93,49 @@ pub struct Diagnostic {
     pub notes: Vec<String>,
     /// A suggestion, where there is one ("did you mean `C_La`?").
     pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// A fault with its kind, place and sentence.
+    pub fn new(kind: Kind, span: Span, message: impl Into<String>) -> Diagnostic {
+        Diagnostic {
+            kind,
+            span,
+            message: message.into(),
+            labels: Vec::new(),
+            notes: Vec::new(),
+            help: None,
+        }
+    }
+
+    /// Adds a place that helps to understand it.
+    #[must_use]
+    pub fn label(mut self, span: Span, text: impl Into<String>) -> Diagnostic {
+        self.labels.push(Label {
+            span,
+            text: text.into(),
+        });
+        self
+    }
+
+    /// Adds an explanation.
+    #[must_use]
+    pub fn note(mut self, text: impl Into<String>) -> Diagnostic {
+        self.notes.push(text.into());
+        self
+    }
+
+    /// Sets the suggestion.
+    #[must_use]
+    pub fn help(mut self, text: impl Into<String>) -> Diagnostic {
+        self.help = Some(text.into());
+        self
+    }
+
+    /// Sets the suggestion where there is one.
+    #[must_use]
+    pub fn help_if(mut self, text: Option<String>) -> Diagnostic {
+        self.help = text.or(self.help);
+        self
+    }
 }

@@ -2,6 +2,8 @@
 //!
 //! This is the seam that the compiler and the tree oracle read. Indices point into the vectors of [`Model`].
 
+mod walk;
+
 use crate::diagnostic::Span;
 use crate::unit::Unit;
 

@@ -3,6 +3,10 @@
 //! The angle is carried so that messages can say `rad/s`, but it never decides whether two units agree:
 //! the radian is 1, as in the SI.
 
+use std::fmt;
+
+pub mod symbol;
+
 /// Index of an exponent in [`Unit`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
@@ -22,4 +26,273 @@ pub enum Base {
 pub struct Unit {
     /// Twice the exponent of each [`Base`], in its order.
     pub doubled: [i8; 8],
+}
+
+/// How the base units are written, in the order of [`Base`].
+const SYMBOLS: [&str; 8] = ["m", "kg", "s", "A", "K", "mol", "cd", "rad"];
+
+/// The order in which a person writes the base units of a product.
+const WRITTEN: [usize; 8] = [1, 0, 2, 3, 4, 5, 6, 7];
+
+impl Unit {
+    /// The pure number.
+    pub const ONE: Unit = Unit { doubled: [0; 8] };
+    /// Metre.
+    pub const METRE: Unit = Unit::of([1, 0, 0, 0, 0, 0, 0, 0]);
+    /// Kilogram.
+    pub const KILOGRAM: Unit = Unit::of([0, 1, 0, 0, 0, 0, 0, 0]);
+    /// Second.
+    pub const SECOND: Unit = Unit::of([0, 0, 1, 0, 0, 0, 0, 0]);
+    /// Radian.
+    pub const RADIAN: Unit = Unit::of([0, 0, 0, 0, 0, 0, 0, 1]);
+    /// Metre per second.
+    pub const SPEED: Unit = Unit::of([1, 0, -1, 0, 0, 0, 0, 0]);
+    /// Radian per second.
+    pub const RATE: Unit = Unit::of([0, 0, -1, 0, 0, 0, 0, 1]);
+    /// Newton.
+    pub const NEWTON: Unit = Unit::of([1, 1, -2, 0, 0, 0, 0, 0]);
+    /// Newton metre.
+    pub const NEWTON_METRE: Unit = Unit::of([2, 1, -2, 0, 0, 0, 0, 0]);
+    /// Kilogram square metre.
+    pub const INERTIA: Unit = Unit::of([2, 1, 0, 0, 0, 0, 0, 0]);
+
+    /// A unit by its exponents, in the order of [`Base`].
+    pub const fn of(exponents: [i8; 8]) -> Unit {
+        let mut doubled = [0; 8];
+        let mut i = 0;
+        while i < 8 {
+            doubled[i] = exponents[i] * 2;
+            i += 1;
+        }
+        Unit { doubled }
+    }
+
+    /// The unit of a product; none if an exponent leaves the range.
+    pub fn checked_mul(self, other: Unit) -> Option<Unit> {
+        let mut doubled = [0; 8];
+        for (i, d) in doubled.iter_mut().enumerate() {
+            *d = self.doubled[i].checked_add(other.doubled[i])?;
+        }
+        Some(Unit { doubled })
+    }
+
+    /// The unit of a quotient; none if an exponent leaves the range.
+    pub fn checked_div(self, other: Unit) -> Option<Unit> {
+        self.checked_mul(other.checked_powi(-1)?)
+    }
+
+    /// The unit of a whole power; none if an exponent leaves the range.
+    pub fn checked_powi(self, n: i32) -> Option<Unit> {
+        self.checked_pow_half(n.checked_mul(2)?)
+    }
+
+    /// The unit of the power `twice / 2`; none if that is no half power or leaves the range.
+    pub fn checked_pow_half(self, twice: i32) -> Option<Unit> {
+        let mut doubled = [0; 8];
+        for (i, d) in doubled.iter_mut().enumerate() {
+            let product = i32::from(self.doubled[i]).checked_mul(twice)?;
+            if product % 2 != 0 {
+                return None;
+            }
+            *d = i8::try_from(product / 2).ok()?;
+        }
+        Some(Unit { doubled })
+    }
+
+    /// Whether both measure the same kind of quantity; the radian counts as 1.
+    pub fn agrees(self, other: Unit) -> bool {
+        self.doubled[..7] == other.doubled[..7]
+    }
+
+    /// Whether it is a pure number (or an angle).
+    pub fn is_pure(self) -> bool {
+        self.agrees(Unit::ONE)
+    }
+
+    /// Without the radian, unless it is an angle or a rate of one: `m*rad/s²` is plainly `m/s²`.
+    #[must_use]
+    pub fn tidy(self) -> Unit {
+        let mut tidied = self;
+        let others = [0, 1, 3, 4, 5, 6].iter().any(|&i| self.doubled[i] != 0);
+        if others || self.doubled[7] > 2 {
+            tidied.doubled[7] = 0;
+        }
+        tidied
+    }
+
+    /// For people: `kg·m²/s²`.
+    pub fn pretty(self) -> String {
+        self.written("·", |twice| {
+            if twice % 2 == 0 {
+                superscript(i32::from(twice) / 2)
+            } else {
+                format!("^({twice}/2)")
+            }
+        })
+    }
+
+    /// The SI's own name where there is one: `N` for `kg·m/s²`.
+    pub fn named(self) -> Option<&'static str> {
+        let unit = self.tidy();
+        [("N", Unit::NEWTON), ("N·m", Unit::NEWTON_METRE)]
+            .into_iter()
+            .chain([
+                ("Pa", Unit::of([-1, 1, -2, 0, 0, 0, 0, 0])),
+                ("W", Unit::of([2, 1, -3, 0, 0, 0, 0, 0])),
+                ("N·s/m", Unit::of([0, 1, -1, 0, 0, 0, 0, 0])),
+            ])
+            .find(|(_, u)| u.agrees(unit))
+            .map(|(name, _)| name)
+    }
+
+    /// What kind of quantity it measures, in one word or two, where people have a name for it.
+    pub fn quantity(self) -> Option<(&'static str, &'static str)> {
+        const NAMES: [([i8; 3], &str, &str); 18] = [
+            ([1, 0, 0], "a length", "lengths"),
+            ([2, 0, 0], "an area", "areas"),
+            ([3, 0, 0], "a volume", "volumes"),
+            ([0, 1, 0], "a mass", "masses"),
+            ([0, 0, 1], "a time", "times"),
+            ([1, 0, -1], "a velocity", "velocities"),
+            ([1, 0, -2], "an acceleration", "accelerations"),
+            ([1, 1, -2], "a force", "forces"),
+            ([2, 1, -2], "a moment", "moments"),
+            ([2, 1, 0], "a moment of inertia", "moments of inertia"),
+            ([2, 1, -1], "an angular momentum", "angular momenta"),
+            ([1, 1, -1], "a momentum", "momenta"),
+            ([2, 1, -3], "a power", "powers"),
+            ([-3, 1, 0], "a density", "densities"),
+            ([-1, 1, -2], "a pressure", "pressures"),
+            ([0, 0, -1], "a rate", "rates"),
+            (
+                [0, 0, -2],
+                "an angular acceleration",
+                "angular accelerations",
+            ),
+            ([0, 0, 0], "a pure number", "pure numbers"),
+        ];
+        if self.is_pure() && self.doubled[7] == 2 {
+            return Some(("an angle", "angles"));
+        }
+        NAMES
+            .iter()
+            .find(|([m, kg, s], _, _)| Unit::of([*m, *kg, *s, 0, 0, 0, 0, 0]).agrees(self))
+            .map(|&(_, one, many)| (one, many))
+    }
+
+    /// With the SI's name and the base units: `N = kg·m/s²`, or just `m/s²`.
+    pub fn explained(self) -> String {
+        let tidy = self.tidy();
+        match self.named() {
+            Some(name) => format!("{name} = {}", tidy.pretty()),
+            None => tidy.pretty(),
+        }
+    }
+
+    /// Numerator over denominator, with `times` between factors.
+    fn written(self, times: &str, power: impl Fn(i8) -> String) -> String {
+        let side = |sign: i8| -> Vec<String> {
+            WRITTEN
+                .iter()
+                .filter(|&&i| self.doubled[i].signum() == sign)
+                .map(|&i| {
+                    let twice = self.doubled[i].saturating_mul(sign);
+                    let power = if twice == 2 {
+                        String::new()
+                    } else {
+                        power(twice)
+                    };
+                    format!("{}{power}", SYMBOLS[i])
+                })
+                .collect()
+        };
+        let (above, below) = (side(1), side(-1));
+        let mut text = if above.is_empty() {
+            "1".to_owned()
+        } else {
+            above.join(times)
+        };
+        match below.len() {
+            0 => {}
+            1 => text += &format!("/{}", below[0]),
+            _ => text += &format!("/({})", below.join(times)),
+        }
+        text
+    }
+}
+
+/// As the language reads it: `kg*m^2/s^2`.
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.written("*", |twice| {
+            if twice % 2 == 0 {
+                format!("^{}", twice / 2)
+            } else {
+                format!("^({twice}/2)")
+            }
+        }))
+    }
+}
+
+/// A whole number in superscript digits.
+pub fn superscript(n: i32) -> String {
+    n.to_string()
+        .chars()
+        .map(|c| match c {
+            '-' => '⁻',
+            '0' => '⁰',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            other => char::from_u32('⁴' as u32 + (other as u32 - '4' as u32)).unwrap_or(other),
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_written_as_people_write_them() {
+        for (unit, plain, pretty) in [
+            (Unit::ONE, "1", "1"),
+            (Unit::NEWTON, "kg*m/s^2", "kg·m/s²"),
+            (Unit::of([0, 0, 0, 0, 0, 0, 0, -2]), "1/rad^2", "1/rad²"),
+            (
+                Unit::of([-1, 1, -2, 0, 0, 0, 0, 0]),
+                "kg/(m*s^2)",
+                "kg/(m·s²)",
+            ),
+            (
+                Unit {
+                    doubled: [1, 0, 0, 0, 0, 0, 0, 0],
+                },
+                "m^(1/2)",
+                "m^(1/2)",
+            ),
+            (Unit::of([12, 0, 0, 0, 0, 0, 0, 0]), "m^12", "m¹²"),
+        ] {
+            assert_eq!(unit.to_string(), plain);
+            assert_eq!(unit.pretty(), pretty);
+        }
+        assert_eq!(Unit::NEWTON.explained(), "N = kg·m/s²");
+    }
+
+    #[test]
+    fn the_radian_is_soft() {
+        let swept = Unit::SPEED.checked_mul(Unit::RATE).unwrap();
+        assert!(swept.agrees(Unit::of([1, 0, -2, 0, 0, 0, 0, 0])));
+        assert_eq!(swept.tidy().to_string(), "m/s^2");
+        assert_eq!(Unit::RATE.tidy(), Unit::RATE);
+        assert_eq!(swept.quantity().unwrap().0, "an acceleration");
+    }
+
+    #[test]
+    fn exponents_that_leave_the_range_are_refused() {
+        assert_eq!(Unit::METRE.checked_powi(64), None);
+        assert_eq!(Unit::METRE.checked_powi(i32::MAX), None);
+        assert!(Unit::METRE.checked_powi(63).is_some());
+        assert_eq!(Unit::METRE.checked_pow_half(1).unwrap().doubled[0], 1);
+    }
 }

@@ -1,0 +1,485 @@
+//! The body: its states, its mass and its moments of inertia.
+
+use super::elaborate::node;
+use super::{Checker, Typed};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{self, Expr, ExprKind, FrameKind, Shape};
+use crate::syntax::ast::{self, BodyClass, BodyPartKind, ItemKind, Name};
+use crate::unit::Unit;
+
+/// The statements about a body, each at most once.
+#[derive(Default)]
+struct Parts<'a> {
+    mass: Option<&'a ast::Expr>,
+    inertia: Option<(&'a ast::Inertia, Span)>,
+    fixed: Option<&'a Name>,
+    position: Option<(&'a [Name; 3], &'a Name)>,
+    velocity: Option<(&'a [Name; 3], &'a Name)>,
+    angular: Option<(&'a [Name; 3], &'a Name)>,
+}
+
+impl<'a> Checker<'a> {
+    /// Declares the states of a body, and what of the body needs no expressions.
+    pub fn body_states(&mut self, body: &'a ast::Body) {
+        let parts = self.parts(body, true);
+        self.missing_parts(body, &parts);
+        let rigid = body.class == BodyClass::Rigid;
+        let triple = |c: &mut Self, names: &[Name; 3], unit| {
+            names
+                .each_ref()
+                .map(|n| c.state(&n.text, n.span, unit, 0.0))
+        };
+        let position = parts.position.map(|(names, frame)| {
+            if let Some(other) = self.frame_of(frame).filter(|&f| f != 0) {
+                let (first, other) = (
+                    self.model.frames[0].name.clone(),
+                    self.model.frames[other].name.clone(),
+                );
+                let message = format!(
+                    "the position must be given in the inertial frame {first}, not in {other}"
+                );
+                let fault = Diagnostic::new(Kind::Frame, frame.span, message);
+                self.report(fault.help(format!("write `in {first}`")));
+            }
+            triple(self, names, Unit::METRE)
+        });
+        let velocity = parts
+            .velocity
+            .map(|(names, _)| triple(self, names, Unit::SPEED));
+        let velocity_frame = parts.velocity.and_then(|(_, frame)| self.frame_of(frame));
+
+        let frames = self.turned_frames();
+        for frame in frames.iter().filter(|_| rigid) {
+            match &frame.kind {
+                ast::FrameKind::Turned { angle, .. } => {
+                    self.state(&angle.text, angle.span, Unit::RADIAN, 0.0);
+                }
+                ast::FrameKind::Quaternion { states, .. } => {
+                    for (i, name) in states.iter().enumerate() {
+                        let value = if i == 0 { 1.0 } else { 0.0 };
+                        self.state(&name.text, name.span, Unit::ONE, value);
+                    }
+                }
+                ast::FrameKind::Inertial => {}
+            }
+        }
+        for frame in frames.iter().filter(|_| rigid) {
+            if let ast::FrameKind::Turned { angle, .. } = &frame.kind {
+                self.state(&format!("{}dot", angle.text), angle.span, Unit::RATE, 0.0);
+            }
+        }
+        let angular = parts
+            .angular
+            .map(|(names, _)| triple(self, names, Unit::RATE));
+        let angular_frame = parts.angular.and_then(|(_, frame)| self.frame_of(frame));
+
+        let rotation = if rigid {
+            let body_frame = parts.fixed.and_then(|f| self.frame_of(f));
+            let inertia_frame = parts.inertia.and_then(|(i, _)| self.frame_of(&i.frame));
+            let (Some(body_frame), Some(inertia_frame)) = (body_frame, inertia_frame) else {
+                return;
+            };
+            Some(model::Rotation {
+                body_frame,
+                inertia_frame,
+                inertia: std::array::from_fn(|_| std::array::from_fn(|_| zero(body.name.span))),
+                angular_velocity: angular.zip(angular_frame),
+            })
+        } else {
+            if let Some(frame) = frames.first() {
+                let message = format!(
+                    "a point does not turn: nothing determines how the frame `{}` moves",
+                    frame.name.text
+                );
+                self.report(
+                    Diagnostic::new(Kind::Missing, frame.name.span, message)
+                        .help("declare a `body` with moments of inertia"),
+                );
+            }
+            None
+        };
+        let (Some(position), Some(velocity), Some(velocity_frame)) =
+            (position, velocity, velocity_frame)
+        else {
+            return;
+        };
+        self.model.body = Some(model::Body {
+            name: body.name.text.clone(),
+            mass: zero(body.name.span),
+            position,
+            velocity,
+            velocity_frame,
+            rotation,
+            span: body.name.span,
+        });
+    }
+
+    fn turned_frames(&self) -> Vec<&'a ast::Frame> {
+        let file = self.file;
+        let frames = file.items.iter().filter_map(|i| match &i.kind {
+            ItemKind::Frame(frame) => Some(frame),
+            _ => None,
+        });
+        frames
+            .filter(|f| !matches!(f.kind, ast::FrameKind::Inertial))
+            .collect()
+    }
+
+    fn parts(&mut self, body: &'a ast::Body, report: bool) -> Parts<'a> {
+        let mut parts = Parts::default();
+        let mut seen: Vec<(&str, Span)> = Vec::new();
+        for part in &body.parts {
+            let word = match &part.kind {
+                BodyPartKind::Mass(_) => "mass",
+                BodyPartKind::Inertia(_) => "inertia",
+                BodyPartKind::Fixed(_) => "fixed in",
+                BodyPartKind::Position(..) => "position",
+                BodyPartKind::Velocity(..) => "velocity",
+                BodyPartKind::AngularVelocity(..) => "angular velocity",
+            };
+            if let Some(&(_, first)) = seen.iter().find(|s| s.0 == word) {
+                if report {
+                    self.second(word, first, part.span);
+                }
+                continue;
+            }
+            seen.push((word, part.span));
+            let turning = matches!(word, "inertia" | "fixed in" | "angular velocity");
+            if turning && body.class == BodyClass::Point {
+                if report {
+                    let message = format!("a point has no `{word}`");
+                    let fault = Diagnostic::new(Kind::Shape, part.span, message);
+                    self.report(fault.help("declare it as `body`, not as `point`, if it turns"));
+                }
+                continue;
+            }
+            match &part.kind {
+                BodyPartKind::Mass(mass) => parts.mass = Some(mass),
+                BodyPartKind::Inertia(inertia) => parts.inertia = Some((inertia, part.span)),
+                BodyPartKind::Fixed(frame) => parts.fixed = Some(frame),
+                BodyPartKind::Position(names, frame) => parts.position = Some((names, frame)),
+                BodyPartKind::Velocity(names, frame) => parts.velocity = Some((names, frame)),
+                BodyPartKind::AngularVelocity(names, frame) => parts.angular = Some((names, frame)),
+            }
+        }
+        parts
+    }
+
+    fn missing_parts(&mut self, body: &ast::Body, parts: &Parts<'_>) {
+        let rigid = body.class == BodyClass::Rigid;
+        let needed = [
+            ("mass …;", parts.mass.is_none()),
+            (
+                "inertia diag(…, …, …) in …;",
+                rigid && parts.inertia.is_none(),
+            ),
+            ("fixed in …;", rigid && parts.fixed.is_none()),
+            ("position (x, y, z) in N;", parts.position.is_none()),
+            ("velocity (u, v, w) in …;", parts.velocity.is_none()),
+        ];
+        let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
+        if !missing.is_empty() {
+            let message = format!(
+                "the body `{}` lacks {}",
+                body.name.text,
+                super::scope::listed(&missing)
+            );
+            self.report(
+                Diagnostic::new(Kind::Missing, body.name.span, message)
+                    .help("add it to the block of the body"),
+            );
+        }
+    }
+
+    /// Mass, inertia and attitude, once names can be resolved.
+    pub fn body(&mut self) {
+        let Some(body) = self.declared_body else {
+            return;
+        };
+        let parts = self.parts(body, false);
+        if let Some(mass) = parts.mass {
+            let expr = self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false);
+            if let (Some(expr), Some(made)) = (expr, self.model.body.as_mut()) {
+                made.mass = expr;
+            }
+        }
+        if body.class == BodyClass::Point {
+            return;
+        }
+        self.attitude(body, &parts);
+        if let Some((inertia, span)) = parts.inertia {
+            self.inertia(inertia, span);
+        }
+    }
+
+    /// A scalar of the body that depends on constants alone.
+    fn constant_of_body(
+        &mut self,
+        e: &ast::Expr,
+        unit: Unit,
+        what: &str,
+        signed: bool,
+    ) -> Option<Expr> {
+        let typed: Typed = self.scalar(e, what)?;
+        self.must_be(&typed, &super::term::Term::known(unit), what, e.span);
+        if let Some(culprit) = self.varying(&typed.expr) {
+            let message = format!(
+                "{what} must not change during a flight, but `{}` does",
+                self.text(culprit)
+            );
+            self.report(
+                Diagnostic::new(Kind::Value, e.span, message)
+                    .help("use parameters and coefficients only"),
+            );
+            return None;
+        }
+        if !signed
+            && let Some(value) = self.value(&typed.expr)
+            && (value <= 0.0 || value.is_nan())
+        {
+            let message = format!(
+                "{what} must be positive, but `{}` is {value} by default",
+                self.text(e.span)
+            );
+            let mut fault = Diagnostic::new(Kind::Value, e.span, message);
+            if let ExprKind::Param(i) = typed.expr.kind {
+                fault = fault.label(self.model.params[i].span, "declared here");
+            }
+            self.report(fault);
+        }
+        Some(typed.expr)
+    }
+
+    /// A part of an expression that changes during a flight.
+    pub fn varying(&self, e: &Expr) -> Option<Span> {
+        match &e.kind {
+            ExprKind::Time
+            | ExprKind::State(_)
+            | ExprKind::Input(_)
+            | ExprKind::Axis(..)
+            | ExprKind::Position
+            | ExprKind::Velocity
+            | ExprKind::AngularVelocity
+            | ExprKind::Marker => Some(e.span),
+            ExprKind::Let(i) => self.varies[*i].then_some(e.span),
+            _ => {
+                let mut found = None;
+                e.children(&mut |c| found = found.or_else(|| self.varying(c)));
+                found
+            }
+        }
+    }
+
+    /// The value of simple expressions of constants, by their defaults.
+    fn value(&self, e: &Expr) -> Option<f64> {
+        Some(match &e.kind {
+            ExprKind::Number { value, .. } => *value,
+            ExprKind::Param(i) => self.model.params[*i].value,
+            ExprKind::Coefficient(i) => self.model.coefficients[*i].value,
+            ExprKind::Neg(a) => -self.value(a)?,
+            ExprKind::Add(a, b) => self.value(a)? + self.value(b)?,
+            ExprKind::Sub(a, b) => self.value(a)? - self.value(b)?,
+            ExprKind::Mul(a, b) => self.value(a)? * self.value(b)?,
+            ExprKind::Div(a, b) => self.value(a)? / self.value(b)?,
+            _ => return None,
+        })
+    }
+
+    fn inertia(&mut self, inertia: &ast::Inertia, span: Span) {
+        let mut rows: [[Option<Expr>; 3]; 3] = Default::default();
+        for (i, row) in inertia.rows.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                rows[i][j] = match entry {
+                    None => Some(zero(span)),
+                    Some(e) => {
+                        self.constant_of_body(e, Unit::INERTIA, "a moment of inertia", i != j)
+                    }
+                };
+            }
+        }
+        let [
+            [Some(a), Some(b), Some(c)],
+            [Some(d), Some(e), Some(f)],
+            [Some(g), Some(h), Some(i)],
+        ] = rows
+        else {
+            return;
+        };
+        let matrix = [[a, b, c], [d, e, f], [g, h, i]];
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            if !matrix[i][j].same(&matrix[j][i]) {
+                let (a, b) = (self.text(matrix[i][j].span), self.text(matrix[j][i].span));
+                let message = format!(
+                    "moments of inertia are symmetric, but row {} column {} is `{a}` and row {} column {} is `{b}`",
+                    i + 1,
+                    j + 1,
+                    j + 1,
+                    i + 1
+                );
+                self.report(Diagnostic::new(Kind::Value, span, message));
+                return;
+            }
+        }
+        self.steady_inertia(&matrix, inertia.frame.span);
+        if let Some(rotation) = self.model.body.as_mut().and_then(|b| b.rotation.as_mut()) {
+            rotation.inertia = matrix;
+        }
+    }
+
+    /// The moments must be constant in their frame: it turns with the body, but for turns about an axis
+    /// about which the body is symmetric.
+    fn steady_inertia(&mut self, inertia: &[[Expr; 3]; 3], span: Span) {
+        let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
+            return;
+        };
+        let (body, frame) = (rotation.body_frame, rotation.inertia_frame);
+        let chain = self.chain(body);
+        let name = |i: usize| self.model.frames[i].name.clone();
+        let Some(steps) = chain.iter().chain([&0]).position(|&f| f == frame) else {
+            let message = format!(
+                "the frame {} does not move with the body, which is fixed in {}",
+                name(frame),
+                name(body)
+            );
+            let help = format!("give the moments of inertia in {}", name(body));
+            self.report(Diagnostic::new(Kind::Frame, span, message).help(help));
+            return;
+        };
+        for &step in &chain[..steps] {
+            let symmetric = match self.model.frames[step].kind {
+                FrameKind::Turned { axis, .. } => {
+                    let k = usize::from(axis) - 1;
+                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                    let off = [(0, 1), (0, 2), (1, 2)]
+                        .iter()
+                        .all(|&(a, b)| is_zero(&inertia[a][b]));
+                    off && inertia[i][i].same(&inertia[j][j])
+                }
+                _ => false,
+            };
+            if !symmetric {
+                let about = match self.model.frames[step].kind {
+                    FrameKind::Turned { axis, .. } => format!(
+                        "the body turns in it about axis {axis}, about which these moments are not symmetric"
+                    ),
+                    _ => "the body turns in it".to_owned(),
+                };
+                let message = format!(
+                    "moments of inertia in {} would change with time: {about}",
+                    name(frame)
+                );
+                let fault = Diagnostic::new(Kind::Frame, span, message).label(
+                    self.model.frames[step].span,
+                    format!("{} turns here", name(step)),
+                );
+                let help = format!("give them in {}, the frame fixed in the body", name(body));
+                self.report(fault.help(help));
+                return;
+            }
+        }
+    }
+
+    /// Three turns or one quaternion lead from the inertial frame to the body's, and nothing else turns.
+    fn attitude(&mut self, body: &ast::Body, parts: &Parts<'a>) {
+        let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
+            return;
+        };
+        let (body_frame, angular) = (rotation.body_frame, rotation.angular_velocity);
+        let chain = self.chain(body_frame);
+        let name = |i: usize| self.model.frames[i].name.clone();
+        if let Some(loose) = (1..self.model.frames.len()).find(|i| !chain.contains(i)) {
+            let message = format!(
+                "nothing determines how the frame {} moves: it does not lie between {} and the body's frame {}",
+                name(loose),
+                name(0),
+                name(body_frame)
+            );
+            self.report(Diagnostic::new(
+                Kind::Frame,
+                self.model.frames[loose].span,
+                message,
+            ));
+            return;
+        }
+        let axes: Vec<Option<u8>> = chain
+            .iter()
+            .rev()
+            .map(|&f| match self.model.frames[f].kind {
+                FrameKind::Turned { axis, .. } => Some(axis),
+                _ => None,
+            })
+            .collect();
+        match axes[..] {
+            [None] => {
+                let fixed = parts.fixed.map_or(body.name.span, |f| f.span);
+                match (angular, parts.angular) {
+                    (None, None) => {
+                        let message = "where the attitude is a quaternion the angular velocity has states of its own";
+                        let help = format!(
+                            "add `angular velocity (p, q, r) in {};` to the body",
+                            name(body_frame)
+                        );
+                        self.report(Diagnostic::new(Kind::Missing, fixed, message).help(help));
+                    }
+                    (Some((_, frame)), Some((_, written))) if frame != body_frame => {
+                        let message = format!(
+                            "the angular velocity must be given in the body's own frame {}",
+                            name(body_frame)
+                        );
+                        let help = format!("write `in {}`", name(body_frame));
+                        self.report(Diagnostic::new(Kind::Frame, written.span, message).help(help));
+                    }
+                    _ => {}
+                }
+            }
+            [Some(a), Some(b), Some(c)] => {
+                if a == b || b == c {
+                    let message = "two turns in a row about one axis are one turn";
+                    let help =
+                        "turn about three axes such as 1, 2, 3, each different from the one before";
+                    self.report(
+                        Diagnostic::new(Kind::Frame, self.model.frames[body_frame].span, message)
+                            .help(help),
+                    );
+                } else if let Some((names, _)) = parts.angular {
+                    let message = "where the attitude is by angles their rates are states, and the angular velocity follows from them";
+                    self.report(
+                        Diagnostic::new(Kind::Duplicate, names[0].span, message)
+                            .help("remove `angular velocity`"),
+                    );
+                }
+            }
+            _ => {
+                let turns = axes.len();
+                let message = format!(
+                    "a free body turns in three ways, but from {} to {} there {} {turns} turn{}",
+                    name(0),
+                    name(body_frame),
+                    if turns == 1 { "is" } else { "are" },
+                    if turns == 1 { "" } else { "s" },
+                );
+                let fixed = parts.fixed.map_or(body.name.span, |f| f.span);
+                let help =
+                    "declare three frames, each turned from the one before, or one `by quaternion`";
+                self.report(Diagnostic::new(Kind::Frame, fixed, message).help(help));
+            }
+        }
+    }
+}
+
+fn zero(span: Span) -> Expr {
+    let mut expr = node(
+        ExprKind::Number {
+            value: 0.0,
+            exact: Some((0, 1)),
+        },
+        Shape::Scalar,
+        span,
+    );
+    expr.unit = Unit::ONE;
+    expr
+}
+
+fn is_zero(e: &Expr) -> bool {
+    matches!(e.kind, ExprKind::Number { value: 0.0, .. })
+}

@@ -1,0 +1,352 @@
+//! Functions: how many arguments of what kind they take, and what they yield.
+
+use super::elaborate::node;
+use super::term::{Fraction, Term};
+use super::{Checker, Typed, UnitOf};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{ExprKind, Function, Shape};
+use crate::suggest;
+use crate::syntax::ast;
+use crate::unit::Unit;
+
+/// Functions of one scalar: what they take and what they yield.
+#[derive(Clone, Copy)]
+enum Rule {
+    /// An angle or a pure number; yields a pure number.
+    OfNumber,
+    /// A pure number; yields an angle.
+    ToAngle,
+    /// Any unit, which it keeps.
+    Keeps,
+    /// Any unit; yields a pure number.
+    Forgets,
+    /// Any unit; yields its root.
+    Root,
+}
+
+const SCALAR: [(&str, Function, Rule); 13] = [
+    ("sin", Function::Sin, Rule::OfNumber),
+    ("cos", Function::Cos, Rule::OfNumber),
+    ("tan", Function::Tan, Rule::OfNumber),
+    ("asin", Function::Asin, Rule::ToAngle),
+    ("acos", Function::Acos, Rule::ToAngle),
+    ("atan", Function::Atan, Rule::ToAngle),
+    ("sqrt", Function::Sqrt, Rule::Root),
+    ("exp", Function::Exp, Rule::OfNumber),
+    ("log", Function::Log, Rule::OfNumber),
+    ("abs", Function::Abs, Rule::Keeps),
+    ("sign", Function::Sign, Rule::Forgets),
+    ("step", Function::Step, Rule::Forgets),
+    ("tanh", Function::Tanh, Rule::OfNumber),
+];
+
+/// Other names that people know these functions by.
+const ALIASES: [(&str, &str); 12] = [
+    ("arcsin", "asin"),
+    ("arccos", "acos"),
+    ("arctan", "atan"),
+    ("arctan2", "atan2"),
+    ("ln", "log"),
+    ("magnitude", "norm"),
+    ("length", "norm"),
+    ("normalize", "unit"),
+    ("direction", "unit"),
+    ("pow", "^"),
+    ("heaviside", "step"),
+    ("sgn", "sign"),
+];
+
+impl Checker<'_> {
+    pub fn call(&mut self, name: &ast::Name, arguments: &[ast::Expr], span: Span) -> Option<Typed> {
+        let function = name.text.as_str();
+        if let Some(&(_, function, rule)) = SCALAR.iter().find(|f| f.0 == function) {
+            let [argument] = self.arguments(name, arguments, span, "one number")?;
+            let what = format!("the argument of `{}`", name.text);
+            let argument = self.scalar(argument, &what)?;
+            return self.of_scalar(function, rule, &what, argument, span);
+        }
+        match function {
+            "norm" => {
+                let [v] = self.arguments(name, arguments, span, "one vector")?;
+                let (v, _) = self.vector(v, "the argument of `norm`")?;
+                let unit = v.unit.clone();
+                Some(Typed {
+                    expr: node(ExprKind::Norm(Box::new(v.expr)), Shape::Scalar, span),
+                    unit,
+                })
+            }
+            "unit" => self.direction(name, arguments, span),
+            "dot" | "cross" => {
+                let [a, b] = self.arguments(name, arguments, span, "two vectors")?;
+                let what = format!("an argument of `{function}`");
+                let (a, b) = (self.vector(a, &what), self.vector(b, &what));
+                let ((a, _), (b, _)) = (a?, b?);
+                if function == "dot" {
+                    self.dot(a, b, span)
+                } else {
+                    self.cross(a, b, span)
+                }
+            }
+            "atan2" | "min" | "max" => {
+                let [a, b] = self.arguments(name, arguments, span, "two numbers")?;
+                let what = format!("an argument of `{function}`");
+                let (a, b) = (self.scalar(a, &what), self.scalar(b, &what));
+                self.of_two(function, a?, b?, span)
+            }
+            "ratio" => self.ratio(name, arguments, span),
+            _ => match function.strip_prefix("in_") {
+                Some(frame) if !frame.is_empty() => self.reexpress(frame, name, arguments, span),
+                _ => self.unknown_function(name, span),
+            },
+        }
+    }
+
+    /// Exactly as many arguments as the function takes.
+    fn arguments<'e, const N: usize>(
+        &mut self,
+        name: &ast::Name,
+        arguments: &'e [ast::Expr],
+        span: Span,
+        takes: &str,
+    ) -> Option<[&'e ast::Expr; N]> {
+        let found: Vec<&ast::Expr> = arguments.iter().collect();
+        if let Ok(exact) = found.try_into() {
+            return Some(exact);
+        }
+        let message = format!(
+            "`{}` takes {takes}, but here are {}",
+            name.text,
+            match arguments.len() {
+                0 => "none".to_owned(),
+                n => n.to_string(),
+            }
+        );
+        self.report(Diagnostic::new(Kind::Shape, span, message));
+        None
+    }
+
+    fn of_scalar(
+        &mut self,
+        function: Function,
+        rule: Rule,
+        what: &str,
+        a: Typed,
+        span: Span,
+    ) -> Option<Typed> {
+        let unit = match rule {
+            Rule::OfNumber | Rule::ToAngle => {
+                let out = if matches!(rule, Rule::ToAngle) {
+                    Unit::RADIAN
+                } else {
+                    Unit::ONE
+                };
+                // What comes out is known, whatever went in.
+                self.must_be(&a, &Term::one(), what, span);
+                UnitOf::of(out)
+            }
+            Rule::Forgets => UnitOf::of(Unit::ONE),
+            Rule::Keeps => a.unit.clone(),
+            Rule::Root => match a.unit.factor() {
+                Some(term) => {
+                    let root = term.power(Fraction::new(1, 2)?);
+                    self.in_range(root, span)
+                }
+                None => UnitOf::Faulty,
+            },
+        };
+        Some(Typed {
+            expr: node(
+                ExprKind::Call(function, Box::new(a.expr)),
+                Shape::Scalar,
+                span,
+            ),
+            unit,
+        })
+    }
+
+    fn of_two(&mut self, function: &str, a: Typed, b: Typed, span: Span) -> Option<Typed> {
+        let rule = format!("both arguments of `{function}` must have one unit");
+        let both = [a, b];
+        let unit = self.same_unit(&both, span, &rule);
+        let [a, b] = both.map(|t| Box::new(t.expr));
+        let (kind, unit) = match function {
+            "atan2" => (ExprKind::Atan2(a, b), UnitOf::of(Unit::RADIAN)),
+            "min" => (ExprKind::Min(a, b), unit),
+            _ => (ExprKind::Max(a, b), unit),
+        };
+        Some(Typed {
+            expr: node(kind, Shape::Scalar, span),
+            unit,
+        })
+    }
+
+    /// `unit(v)` or `unit(v, otherwise)`
+    fn direction(
+        &mut self,
+        name: &ast::Name,
+        arguments: &[ast::Expr],
+        span: Span,
+    ) -> Option<Typed> {
+        let what = "an argument of `unit`";
+        let (v, otherwise) = match arguments {
+            [v] => (self.vector(v, what)?.0, None),
+            [v, otherwise] => {
+                let (v, otherwise) = (self.vector(v, what), self.vector(otherwise, what));
+                (v?.0, Some(otherwise?.0))
+            }
+            _ => {
+                self.arguments::<1>(
+                    name,
+                    arguments,
+                    span,
+                    "a vector, and perhaps a second for where it is zero",
+                )?;
+                return None;
+            }
+        };
+        let shape = v.expr.shape;
+        let otherwise = match otherwise {
+            Some(other) => {
+                if other.expr.shape != shape {
+                    self.same_shape(&[v, other], span)?;
+                    return None;
+                }
+                self.must_be(
+                    &other,
+                    &Term::one(),
+                    "the direction to take where the first is zero",
+                    span,
+                );
+                Some(Box::new(other.expr))
+            }
+            None => None,
+        };
+        let kind = ExprKind::Direction(Box::new(v.expr), otherwise);
+        Some(Typed {
+            expr: node(kind, shape, span),
+            unit: UnitOf::of(Unit::ONE),
+        })
+    }
+
+    pub fn dot(&mut self, a: Typed, b: Typed, span: Span) -> Option<Typed> {
+        self.one_frame(&a, &b, span)?;
+        let unit = self.multiplied(&a.unit, &b.unit, Fraction::ONE, span);
+        let kind = ExprKind::Dot(Box::new(a.expr), Box::new(b.expr));
+        Some(Typed {
+            expr: node(kind, Shape::Scalar, span),
+            unit,
+        })
+    }
+
+    pub fn cross(&mut self, a: Typed, b: Typed, span: Span) -> Option<Typed> {
+        self.one_frame(&a, &b, span)?;
+        let unit = self.multiplied(&a.unit, &b.unit, Fraction::ONE, span);
+        let shape = a.expr.shape;
+        let kind = ExprKind::Cross(Box::new(a.expr), Box::new(b.expr));
+        Some(Typed {
+            expr: node(kind, shape, span),
+            unit,
+        })
+    }
+
+    fn one_frame(&mut self, a: &Typed, b: &Typed, span: Span) -> Option<()> {
+        match (a.expr.shape, b.expr.shape) {
+            (Shape::Vector(f), Shape::Vector(g)) if f != g => {
+                let fault = self.different_frames(a, f, b, g, span);
+                self.report(fault);
+                None
+            }
+            _ => Some(()),
+        }
+    }
+
+    /// `ratio(a, b, otherwise)`
+    fn ratio(&mut self, name: &ast::Name, arguments: &[ast::Expr], span: Span) -> Option<Typed> {
+        let takes = "three numbers: above, below, and the value where the one below is 0";
+        let [a, b, c] = self.arguments(name, arguments, span, takes)?;
+        let what = "an argument of `ratio`";
+        let (a, b, c) = (
+            self.scalar(a, what),
+            self.scalar(b, what),
+            self.scalar(c, what),
+        );
+        let (a, b, c) = (a?, b?, c?);
+        let quotient = self.multiplied(&a.unit, &b.unit, Fraction::new(-1, 1)?, span);
+        let mut unit = quotient.clone();
+        if let UnitOf::Term(expected) = &quotient {
+            let fits = self.must_be(
+                &c,
+                expected,
+                "the third argument of `ratio`, its value where the divisor is 0,",
+                span,
+            );
+            if !fits {
+                unit = UnitOf::Faulty;
+            }
+        }
+        let kind = ExprKind::Ratio(Box::new([a.expr, b.expr, c.expr]));
+        Some(Typed {
+            expr: node(kind, Shape::Scalar, span),
+            unit,
+        })
+    }
+
+    /// `in_F(v)`
+    fn reexpress(
+        &mut self,
+        frame: &str,
+        name: &ast::Name,
+        arguments: &[ast::Expr],
+        span: Span,
+    ) -> Option<Typed> {
+        let frame = self.frame_named(frame, name.span);
+        let [v] = self.arguments(name, arguments, span, "one vector")?;
+        let what = format!("the argument of `{}`", name.text);
+        let (v, from) = self.vector(v, &what)?;
+        let frame = frame?;
+        if frame == from {
+            return Some(v);
+        }
+        let kind = ExprKind::Reexpress(Box::new(v.expr));
+        Some(Typed {
+            expr: node(kind, Shape::Vector(frame), span),
+            unit: v.unit,
+        })
+    }
+
+    fn unknown_function(&mut self, name: &ast::Name, span: Span) -> Option<Typed> {
+        let text = name.text.as_str();
+        let mut fault = Diagnostic::new(
+            Kind::Name,
+            name.span,
+            format!("there is no function `{text}`"),
+        );
+        if self.scope.find(text).is_some() {
+            fault = Diagnostic::new(
+                Kind::Name,
+                span,
+                format!("`{text}` is a quantity, not a function"),
+            )
+            .help(format!("a product is written `{text}*(…)`"));
+        } else if let Some((_, known)) = ALIASES.iter().find(|(alias, _)| *alias == text) {
+            fault = fault.help(format!("it is written `{known}` here"));
+        } else {
+            let frames: Vec<String> = self
+                .model
+                .frames
+                .iter()
+                .map(|f| format!("in_{}", f.name))
+                .collect();
+            let known = super::scope::FUNCTIONS
+                .into_iter()
+                .filter(|f| !["der", "diag"].contains(f));
+            if let Some(near) =
+                suggest::nearest(text, known.chain(frames.iter().map(String::as_str)))
+            {
+                fault = fault.help(format!("did you mean `{near}`?"));
+            }
+        }
+        self.report(fault);
+        None
+    }
+}

@@ -1,0 +1,318 @@
+//! Declarations: everything that has a name and needs no expression.
+
+use super::quantity::Measure;
+use super::scope::Symbol;
+use super::term::Term;
+use super::{Checker, Definition};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{self, Model};
+use crate::syntax::ast::{self, ConstantClass, Item, ItemKind, Name, UnitExpr};
+use crate::unit::Unit;
+
+impl<'a> Checker<'a> {
+    /// Declares all names.
+    pub fn declare(&mut self) {
+        let file = self.file;
+        self.headings();
+        self.frame_names();
+        for item in &file.items {
+            match &item.kind {
+                ItemKind::Constant(constant) => self.constant(constant, item),
+                ItemKind::Input(input) => self.input(input, item),
+                _ => {}
+            }
+        }
+        self.declare_states();
+        self.frame_kinds();
+        let mut lets = 0;
+        for item in &file.items {
+            match &item.kind {
+                ItemKind::Let(binding) => {
+                    self.define(&binding.name, Symbol::Let(lets));
+                    self.definitions.push(Definition::Missing);
+                    lets += 1;
+                }
+                ItemKind::Marker(marker) => self.marker(marker),
+                _ => {}
+            }
+        }
+    }
+
+    /// `model` and `reference`.
+    fn headings(&mut self) {
+        let (mut model, mut reference): (Option<&Name>, Option<&Name>) = (None, None);
+        let file = self.file;
+        for item in &file.items {
+            let (slot, name, word) = match &item.kind {
+                ItemKind::Model(name) => (&mut model, name, "model"),
+                ItemKind::Reference(name) => (&mut reference, name, "reference"),
+                _ => continue,
+            };
+            match slot {
+                None => *slot = Some(name),
+                Some(first) => {
+                    let first = first.span;
+                    self.second(word, first, name.span);
+                }
+            }
+        }
+        self.model.reference = reference.map(|n| n.text.clone());
+        match model {
+            Some(name) => self.model.name.clone_from(&name.text),
+            None => {
+                let start = Span {
+                    end: file.end.start.min(1),
+                    start: 0,
+                    source: file.end.source,
+                };
+                let fault = Diagnostic::new(
+                    Kind::Missing,
+                    start,
+                    "the file does not say which model it is",
+                );
+                self.report(fault.help("begin with `model NAME;`"));
+            }
+        }
+    }
+
+    /// Reports what may be stated only once.
+    pub fn second(&mut self, what: &str, first: Span, again: Span) {
+        self.report(
+            Diagnostic::new(Kind::Duplicate, again, format!("`{what}` is stated twice"))
+                .label(first, "first stated here")
+                .label(again, "stated again here")
+                .help("keep one of them"),
+        );
+    }
+
+    /// Unit of a declared number: as stated, or an unknown that is found from its uses.
+    fn declared_unit(&mut self, name: &str, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
+        match unit {
+            Some(unit) => match self.measure(unit) {
+                Some(measure) => {
+                    let term = Term::known(measure.unit);
+                    (measure, term, false)
+                }
+                // Reported; an unknown keeps quiet about everything that follows from it.
+                None => (Measure::one(), self.unknown_unit_of(name), true),
+            },
+            None => (Measure::one(), self.unknown_unit_of(name), true),
+        }
+    }
+
+    fn unknown_unit_of(&mut self, name: &str) -> Term {
+        self.first_uses.push(None);
+        self.units.fresh(name)
+    }
+
+    fn constant(&mut self, constant: &ast::Constant, item: &Item) {
+        let (measure, term, inferred) =
+            self.declared_unit(&constant.name.text, constant.value.unit.as_ref());
+        let (value, _) = measure.of(&constant.value.number);
+        let bounds = constant.bounds.as_ref().and_then(|(least, greatest)| {
+            let least_value = self.bound(least, &measure, inferred)?;
+            let greatest_value = self.bound(greatest, &measure, inferred)?;
+            if least_value > greatest_value {
+                let message = format!(
+                    "the bounds of `{}` are the wrong way round",
+                    constant.name.text
+                );
+                let fault = Diagnostic::new(Kind::Value, least.span.to(greatest.span), message);
+                self.report(fault.help(format!("write `in {greatest} .. {least}`")));
+                return None;
+            }
+            if value < least_value || value > greatest_value {
+                let message = format!(
+                    "the default of `{}`, {}, lies outside its bounds {least} .. {greatest}",
+                    constant.name.text, constant.value
+                );
+                self.report(
+                    Diagnostic::new(Kind::Value, constant.value.span, message)
+                        .label(least.span.to(greatest.span), "its bounds"),
+                );
+            }
+            Some((least_value, greatest_value))
+        });
+        let made = model::Constant {
+            name: constant.name.text.clone(),
+            doc: item.doc.clone(),
+            unit: measure.unit,
+            unit_text: measure.text,
+            inferred,
+            value,
+            bounds,
+            span: constant.name.span,
+        };
+        let Checker {
+            model:
+                Model {
+                    params,
+                    coefficients,
+                    ..
+                },
+            params: p,
+            coefficients: c,
+            ..
+        } = self;
+        let (made_in, terms) = match constant.class {
+            ConstantClass::Param => (params, p),
+            ConstantClass::Coefficient => (coefficients, c),
+        };
+        let index = made_in.len();
+        made_in.push(made);
+        terms.push(term);
+        let symbol = match constant.class {
+            ConstantClass::Param => Symbol::Param(index),
+            ConstantClass::Coefficient => Symbol::Coefficient(index),
+        };
+        self.define(&constant.name, symbol);
+    }
+
+    /// A bound in SI; without a unit it is in that of the default.
+    fn bound(&mut self, bound: &ast::Quantity, of: &Measure, inferred: bool) -> Option<f64> {
+        let Some(unit) = &bound.unit else {
+            return Some(of.of(&bound.number).0);
+        };
+        let own = self.measure(unit)?;
+        if inferred || !own.unit.agrees(of.unit) {
+            let should = if inferred {
+                "no unit, as the default has none".to_owned()
+            } else {
+                format!("the unit {}", of.text)
+            };
+            let message = format!(
+                "this bound must have {should}, but it has {}",
+                own.unit.explained()
+            );
+            self.report(Diagnostic::new(Kind::Unit, bound.span, message));
+            return None;
+        }
+        Some(own.of(&bound.number).0)
+    }
+
+    fn input(&mut self, input: &ast::Input, item: &Item) {
+        let frame = self.frame_of(&input.frame);
+        let (measure, term, _) = self.declared_unit(&input.name.text, input.unit.as_ref());
+        let index = self.model.inputs.len();
+        self.model.inputs.push(model::Input {
+            name: input.name.text.clone(),
+            doc: item.doc.clone(),
+            frame: frame.unwrap_or(0),
+            unit: measure.unit,
+            unit_text: measure.text.clone(),
+            value: input.value.each_ref().map(|n| measure.of(n).0),
+            span: input.name.span,
+        });
+        self.inputs.push(term);
+        if self.define(&input.name, Symbol::Input(index)) {
+            for (part, axis) in [(1, "x"), (2, "y"), (3, "z")] {
+                let name = format!("{}_{axis}", input.name.text);
+                self.define_as(&name, input.name.span, Symbol::InputPart(index, part));
+            }
+        }
+    }
+
+    /// A state with a known unit; its index.
+    pub fn state(&mut self, name: &str, span: Span, unit: Unit, value: f64) -> usize {
+        let index = self.model.states.len();
+        self.model.states.push(model::State {
+            name: name.to_owned(),
+            unit,
+            unit_text: unit.to_string(),
+            value,
+            span,
+        });
+        self.states.push(Term::known(unit));
+        self.define_as(name, span, Symbol::State(index));
+        index
+    }
+
+    /// The states: of the body, or as they are declared.
+    fn declare_states(&mut self) {
+        let file = self.file;
+        let mut bodies: Vec<&'a ast::Body> = Vec::new();
+        let mut stated: Vec<&'a ast::State> = Vec::new();
+        for item in &file.items {
+            match &item.kind {
+                ItemKind::Body(body) => bodies.push(body),
+                ItemKind::State(state) => stated.push(state),
+                _ => {}
+            }
+        }
+        if let [first, second, ..] = bodies[..] {
+            let (a, b) = (first.name.span, second.name.span);
+            self.report(
+                Diagnostic::new(
+                    Kind::Duplicate,
+                    b,
+                    "a model has one body, but here is a second",
+                )
+                .label(a, "the first")
+                .label(b, "the second"),
+            );
+        }
+        if let Some(body) = bodies.first() {
+            if let Some(state) = stated.first() {
+                let message = "a model with a body has the states of the body and no others";
+                let fault = Diagnostic::new(Kind::Duplicate, state.name.span, message).label(
+                    body.name.span,
+                    "its equations of motion follow from this body",
+                );
+                self.report(
+                    fault.help("remove this state, or state all equations outright without a body"),
+                );
+            }
+            self.body_states(body);
+            return;
+        }
+        for state in &stated {
+            let (measure, term, _) =
+                self.declared_unit(&state.name.text, state.value.unit.as_ref());
+            let index = self.model.states.len();
+            self.model.states.push(model::State {
+                name: state.name.text.clone(),
+                unit: measure.unit,
+                value: measure.of(&state.value.number).0,
+                unit_text: measure.text,
+                span: state.name.span,
+            });
+            self.states.push(term);
+            self.define(&state.name, Symbol::State(index));
+        }
+        if stated.is_empty() {
+            let message = "the model has no body and no states";
+            let fault = Diagnostic::new(Kind::Missing, self.heading(), message);
+            self.report(fault.help(
+                "declare a `body` or a `point`, or state equations outright with `state x = 0 m;` and `der(x) = …;`",
+            ));
+        }
+    }
+
+    /// Where what is missing from the whole file is reported: at its `model`, or at its end.
+    pub fn heading(&self) -> Span {
+        self.file
+            .items
+            .iter()
+            .find_map(|i| match &i.kind {
+                ItemKind::Model(name) => Some(name.span),
+                _ => None,
+            })
+            .unwrap_or(self.file.end)
+    }
+
+    fn marker(&mut self, marker: &ast::Marker) {
+        if let Some(first) = &self.model.marker {
+            let first = first.span;
+            self.second("marker", first, marker.name.span);
+            return;
+        }
+        let frame = self.frame_of(&marker.frame);
+        if self.define(&marker.name, Symbol::Marker) {
+            self.model.marker = frame.map(|frame| model::Marker {
+                name: marker.name.text.clone(),
+                frame,
+                span: marker.name.span,
+            });
+        }
+    }
+}

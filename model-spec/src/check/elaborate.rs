@@ -1,0 +1,322 @@
+//! Expressions: names, shapes and frames resolved, units computed.
+
+use super::term::{Fraction, Term};
+use super::{Checker, Typed, UnitOf};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{Expr, ExprKind, Shape};
+use crate::syntax::ast::{self, BinaryOp};
+use crate::unit::{Unit, symbol};
+
+/// The greatest power, doubled.
+const MOST_DOUBLED: f64 = 128.0;
+
+/// An expression whose unit is filled in at the end.
+pub(super) fn node(kind: ExprKind, shape: Shape, span: Span) -> Expr {
+    Expr {
+        kind,
+        shape,
+        unit: Unit::ONE,
+        span,
+    }
+}
+
+impl UnitOf {
+    pub fn of(unit: Unit) -> UnitOf {
+        UnitOf::Term(Term::known(unit))
+    }
+
+    /// As a factor: a bare 0 counts as a pure number there.
+    pub fn factor(&self) -> Option<Term> {
+        match self {
+            UnitOf::Term(term) => Some(term.clone()),
+            UnitOf::Zero => Some(Term::one()),
+            UnitOf::Faulty => None,
+        }
+    }
+}
+
+impl Checker<'_> {
+    /// Resolves an expression; none where it is at fault other than by its units.
+    pub fn elaborate(&mut self, e: &ast::Expr) -> Option<Typed> {
+        match &e.kind {
+            ast::ExprKind::Number(q) => self.literal(q, e.span),
+            ast::ExprKind::Name(name) => self.name(name, e.span),
+            ast::ExprKind::Part(of, part) => self.part(of, *part, e.span),
+            ast::ExprKind::Derivative(state) => self.derivative(state, e.span),
+            ast::ExprKind::Components(parts, frame) => self.components(parts, frame, e.span),
+            ast::ExprKind::Neg(of) => {
+                let of = self.elaborate(of)?;
+                let shape = of.expr.shape;
+                let unit = of.unit.clone();
+                Some(Typed {
+                    expr: node(ExprKind::Neg(Box::new(of.expr)), shape, e.span),
+                    unit,
+                })
+            }
+            ast::ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => self.sum(e),
+            ast::ExprKind::Binary(op, a, b) => {
+                if self.unit_in_pieces(e) {
+                    return None;
+                }
+                match op {
+                    BinaryOp::Pow => self.power(a, b, e.span),
+                    BinaryOp::Div => self.quotient(a, b, e.span),
+                    _ => self.product(*op, a, b, e.span),
+                }
+            }
+            ast::ExprKind::Call(function, arguments) => self.call(function, arguments, e.span),
+        }
+    }
+
+    /// Resolves an expression that must be a number.
+    pub fn scalar(&mut self, e: &ast::Expr, what: &str) -> Option<Typed> {
+        let typed = self.elaborate(e)?;
+        if typed.expr.shape == Shape::Scalar {
+            return Some(typed);
+        }
+        let fault = Diagnostic::new(
+            Kind::Shape,
+            e.span,
+            format!("{what} must be a number, but this is a vector"),
+        );
+        self.report(fault.help(
+            "take its length `norm(…)`, one component `….1`, or its part along an axis `dot(…, …)`",
+        ));
+        None
+    }
+
+    /// Resolves an expression that must be a vector, with its frame.
+    pub fn vector(&mut self, e: &ast::Expr, what: &str) -> Option<(Typed, usize)> {
+        let typed = self.elaborate(e)?;
+        if let Shape::Vector(frame) = typed.expr.shape {
+            return Some((typed, frame));
+        }
+        let fault = Diagnostic::new(
+            Kind::Shape,
+            e.span,
+            format!("{what} must be a vector, but this is a number"),
+        );
+        self.report(fault.help("multiply it by a direction, such as `N.3`"));
+        None
+    }
+
+    fn literal(&mut self, q: &ast::Quantity, span: Span) -> Option<Typed> {
+        let measure = match &q.unit {
+            Some(unit) => self.measure(unit)?,
+            None => super::quantity::Measure::one(),
+        };
+        let (value, exact) = measure.of(&q.number);
+        let mut expr = node(ExprKind::Number { value, exact }, Shape::Scalar, span);
+        expr.unit = measure.unit;
+        let unit = match q.unit {
+            None if value == 0.0 => UnitOf::Zero,
+            _ => UnitOf::of(measure.unit),
+        };
+        Some(Typed { expr, unit })
+    }
+
+    /// `(a, b, c) in F`
+    fn components(
+        &mut self,
+        parts: &[ast::Expr; 3],
+        frame: &ast::Name,
+        span: Span,
+    ) -> Option<Typed> {
+        let frame = self.frame_of(frame);
+        let typed = parts
+            .each_ref()
+            .map(|p| self.scalar(p, "a component of a vector"));
+        let present: Vec<Typed> = typed.iter().flatten().cloned().collect();
+        let unit = self.same_unit(
+            &present,
+            span,
+            "the components of a vector must have one unit",
+        );
+        let [a, b, c] = typed;
+        let parts = Box::new([a?.expr, b?.expr, c?.expr]);
+        Some(Typed {
+            expr: node(ExprKind::Components(parts), Shape::Vector(frame?), span),
+            unit,
+        })
+    }
+
+    fn product(&mut self, op: BinaryOp, a: &ast::Expr, b: &ast::Expr, span: Span) -> Option<Typed> {
+        let (a, b) = (self.elaborate(a), self.elaborate(b));
+        let (a, b) = (a?, b?);
+        match (op, a.expr.shape, b.expr.shape) {
+            (BinaryOp::Dot, Shape::Vector(_), Shape::Vector(_)) => return self.dot(a, b, span),
+            (BinaryOp::Cross, Shape::Vector(_), Shape::Vector(_)) => return self.cross(a, b, span),
+            (_, Shape::Vector(_), Shape::Vector(_)) => {
+                let message = "two vectors are multiplied by `dot` or `cross`, not by `*`";
+                let (ta, tb) = (self.text(a.expr.span), self.text(b.expr.span));
+                let fault = Diagnostic::new(Kind::Shape, span, message)
+                    .label(a.expr.span, "a vector")
+                    .label(b.expr.span, "a vector")
+                    .help(format!("write `dot({ta}, {tb})` or `cross({ta}, {tb})`"));
+                self.report(fault);
+                return None;
+            }
+            _ => {}
+        }
+        let shape = if a.expr.shape == Shape::Scalar {
+            b.expr.shape
+        } else {
+            a.expr.shape
+        };
+        let unit = self.multiplied(&a.unit, &b.unit, Fraction::ONE, span);
+        let kind = ExprKind::Mul(Box::new(a.expr), Box::new(b.expr));
+        Some(Typed {
+            expr: node(kind, shape, span),
+            unit,
+        })
+    }
+
+    fn quotient(&mut self, a: &ast::Expr, b: &ast::Expr, span: Span) -> Option<Typed> {
+        let (a, b) = (self.elaborate(a), self.scalar(b, "a divisor"));
+        let (a, b) = (a?, b?);
+        let unit = self.multiplied(&a.unit, &b.unit, Fraction::new(-1, 1)?, span);
+        let shape = a.expr.shape;
+        let kind = ExprKind::Div(Box::new(a.expr), Box::new(b.expr));
+        Some(Typed {
+            expr: node(kind, shape, span),
+            unit,
+        })
+    }
+
+    /// The unit of `a * b^power`.
+    pub fn multiplied(&mut self, a: &UnitOf, b: &UnitOf, power: Fraction, span: Span) -> UnitOf {
+        let (Some(a), Some(b)) = (a.factor(), b.factor()) else {
+            return UnitOf::Faulty;
+        };
+        let (a, b) = (self.units.resolve(&a), self.units.resolve(&b));
+        self.in_range(a.times_power(&b, power), span)
+    }
+
+    /// A unit, or a fault where its exponents have left the range.
+    pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
+        match term {
+            Some(term) if term.has_unknowns() || term.unit().is_some() => UnitOf::Term(term),
+            _ => {
+                let message = format!("the unit of `{}` has a power out of range", self.text(span));
+                let fault = Diagnostic::new(Kind::Unit, span, message)
+                    .note("powers of units are whole or half numbers up to 63");
+                self.report(fault);
+                UnitOf::Faulty
+            }
+        }
+    }
+
+    fn power(&mut self, base: &ast::Expr, exponent: &ast::Expr, span: Span) -> Option<Typed> {
+        let typed = self.elaborate(base);
+        let Some(value) = constant(exponent) else {
+            let message = format!(
+                "the exponent `{}` is not a number",
+                self.text(exponent.span)
+            );
+            let fault = Diagnostic::new(Kind::Value, exponent.span, message);
+            let base = self.text(base.span);
+            self.report(fault.help(format!(
+                "write `exp({}*log({base}))`",
+                self.text(exponent.span)
+            )));
+            return None;
+        };
+        let doubled = value * 2.0;
+        if doubled.fract() != 0.0 || doubled.abs() > MOST_DOUBLED || !doubled.is_finite() {
+            let message = format!(
+                "the exponent `{}` is not one of the powers that can be taken",
+                self.text(exponent.span)
+            );
+            let fault = Diagnostic::new(Kind::Value, exponent.span, message);
+            self.report(fault.note("exponents are whole or half numbers between -64 and 64"));
+            return None;
+        }
+        let typed = typed?;
+        if typed.expr.shape != Shape::Scalar {
+            let text = self.text(base.span);
+            let fault = Diagnostic::new(Kind::Shape, span, "a vector has no powers");
+            self.report(fault.help(format!("write `dot({text}, {text})` or `norm({text})^2`")));
+            return None;
+        }
+        let doubled = doubled as i32;
+        let unit = match typed.unit.factor() {
+            Some(term) => {
+                let power = term.power(Fraction::new(i64::from(doubled), 2)?);
+                self.in_range(power, span)
+            }
+            None => UnitOf::Faulty,
+        };
+        let kind = ExprKind::Pow(Box::new(typed.expr), doubled);
+        Some(Typed {
+            expr: node(kind, Shape::Scalar, span),
+            unit,
+        })
+    }
+
+    /// Reports `5 m/s`, which reads as `(5 m)/s`, where `s` is no name.
+    fn unit_in_pieces(&mut self, e: &ast::Expr) -> bool {
+        let Some(number) = self.literal_with_units(e) else {
+            return false;
+        };
+        if number == e.span {
+            return false;
+        }
+        let text = self.text(e.span);
+        let Some((digits, unit)) = text.split_once(|c: char| !c.is_ascii_digit() && c != '.')
+        else {
+            return false;
+        };
+        let fault = Diagnostic::new(
+            Kind::Grammar,
+            e.span,
+            format!("in an expression `{text}` is read as a product"),
+        )
+        .note("a number takes one unit symbol there; several stand in square brackets")
+        .help(format!("write `{digits} [{}]`", unit.trim()));
+        self.report(fault);
+        true
+    }
+
+    /// The number at the head of a product whose other factors are units and no names.
+    fn literal_with_units(&self, e: &ast::Expr) -> Option<Span> {
+        match &e.kind {
+            ast::ExprKind::Number(q) => q.unit.as_ref().map(|_| e.span),
+            ast::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div | BinaryOp::Dot, a, b) => {
+                let symbol = match &b.kind {
+                    ast::ExprKind::Name(name) => name,
+                    ast::ExprKind::Binary(BinaryOp::Pow, base, _) => match &base.kind {
+                        ast::ExprKind::Name(name) => name,
+                        _ => return None,
+                    },
+                    _ => return None,
+                };
+                let unit = symbol::find(symbol).is_some() && self.scope.find(symbol).is_none();
+                if unit {
+                    self.literal_with_units(a)
+                } else {
+                    None
+                }
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The value of an expression of numbers alone.
+fn constant(e: &ast::Expr) -> Option<f64> {
+    match &e.kind {
+        ast::ExprKind::Number(q) if q.unit.is_none() => q.number.text.parse().ok(),
+        ast::ExprKind::Neg(of) => constant(of).map(|v| -v),
+        ast::ExprKind::Binary(op, a, b) => {
+            let (a, b) = (constant(a)?, constant(b)?);
+            match op {
+                BinaryOp::Add => Some(a + b),
+                BinaryOp::Sub => Some(a - b),
+                BinaryOp::Mul | BinaryOp::Dot | BinaryOp::Cross => Some(a * b),
+                BinaryOp::Div => Some(a / b),
+                BinaryOp::Pow => Some(a.powf(b)),
+            }
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,340 @@
+//! Named quantities, forces, moments, stated equations and what is observed.
+
+use std::collections::HashMap;
+
+use super::order::{Defining, uses};
+use super::scope::Symbol;
+use super::term::{Fraction, Term};
+use super::{Checker, Definition, UnitOf};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model;
+use crate::syntax::ast::{self, ItemKind, LoadClass};
+use crate::unit::Unit;
+
+impl<'a> Checker<'a> {
+    /// All `let`s, each after those that it uses, and the equations that are used as `der(STATE)`.
+    pub fn definitions(&mut self) {
+        let file = self.file;
+        let mut definitions: Vec<Defining<'a>> = Vec::new();
+        for item in &file.items {
+            if let ItemKind::Let(binding) = &item.kind {
+                definitions.push(Defining {
+                    name: &binding.name,
+                    unit: binding.unit.as_ref(),
+                    value: &binding.value,
+                    doc: &item.doc,
+                    effect: item.effect,
+                    state: None,
+                    span: binding.name.span,
+                });
+            }
+        }
+        if self.declared_body.is_none() {
+            self.used_derivatives(&mut definitions);
+        }
+        self.definitions
+            .resize_with(definitions.len(), || Definition::Missing);
+        for i in self.ordered(&definitions) {
+            self.define_value(i, &definitions[i]);
+        }
+    }
+
+    /// Adds the equations whose left sides are used in expressions.
+    fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
+        let file = self.file;
+        let mut used: Vec<usize> = Vec::new();
+        {
+            let scope = &self.scope;
+            let mut look = |e: &'a ast::Expr| {
+                uses(e, &mut |name, derivative, _| {
+                    if derivative
+                        && let Some(Symbol::State(i)) = scope.find(name)
+                        && !used.contains(&i)
+                    {
+                        used.push(i);
+                    }
+                });
+            };
+            for item in &file.items {
+                match &item.kind {
+                    ItemKind::Let(ast::Let { value, .. })
+                    | ItemKind::Equation(ast::Equation { value, .. })
+                    | ItemKind::Observe(ast::Observe { value, .. })
+                    | ItemKind::Limit(ast::Limit { value, .. }) => look(value),
+                    _ => {}
+                }
+            }
+        }
+        for item in &file.items {
+            if let ItemKind::Equation(equation) = &item.kind
+                && let Some(Symbol::State(state)) = self.scope.find(&equation.state.text)
+                && used.contains(&state)
+                && !self.derivatives.contains_key(&state)
+            {
+                self.derivatives.insert(state, definitions.len());
+                definitions.push(Defining {
+                    name: &equation.state,
+                    unit: None,
+                    value: &equation.value,
+                    doc: "",
+                    effect: item.effect,
+                    state: Some(state),
+                    span: equation.state.span,
+                });
+            }
+        }
+    }
+
+    /// The definition that stands for `der(STATE)`; none where its equation is missing, which is reported
+    /// with the other equations.
+    pub fn derivative_definition(&self, state: usize) -> Option<usize> {
+        self.derivatives.get(&state).copied()
+    }
+
+    fn define_value(&mut self, index: usize, defining: &Defining<'a>) {
+        let typed = match defining.state {
+            Some(_) => self.scalar(defining.value, "the derivative of a state"),
+            None => self.elaborate(defining.value),
+        };
+        let Some(mut typed) = typed else { return };
+        let name = match defining.state {
+            Some(state) => {
+                self.is_derivative(&typed, state);
+                format!("der_{}", defining.name.text)
+            }
+            None => defining.name.text.clone(),
+        };
+        if let Some(unit) = defining.unit {
+            let Some(measure) = self.measure(unit) else {
+                return;
+            };
+            if measure.factor != 1.0 {
+                let message = format!(
+                    "`{unit}` is not the SI's own unit, in which all quantities are computed"
+                );
+                let fault = Diagnostic::new(Kind::Value, unit.span, message);
+                self.report(fault.help(format!("write `{}`", measure.unit)));
+            }
+            let declared = Term::known(measure.unit);
+            self.must_be(
+                &typed,
+                &declared,
+                &format!("`{}`", defining.name.text),
+                defining.span,
+            );
+            // What was declared holds for those that use it.
+            typed.unit = UnitOf::Term(declared);
+        }
+        let made = self.model.lets.len();
+        let varies = self.varying(&typed.expr).is_some();
+        self.definitions[index] = Definition::Done(made, typed.expr.shape, typed.unit.clone());
+        self.let_units.push(typed.unit);
+        self.varies.push(varies);
+        self.model.lets.push(model::Let {
+            name,
+            doc: defining.doc.to_owned(),
+            value: typed.expr,
+            span: defining.span,
+            effect: defining.effect,
+        });
+    }
+
+    /// Unit of a named quantity, by its index in the model.
+    pub fn let_unit(&self, index: usize) -> UnitOf {
+        self.let_units[index].clone()
+    }
+
+    fn is_derivative(&mut self, typed: &super::Typed, state: usize) {
+        let Some(power) = Fraction::new(-1, 1) else {
+            return;
+        };
+        let Some(unit) = self.states[state].times_power(&Term::known(Unit::SECOND), power) else {
+            return;
+        };
+        let name = self.model.states[state].name.clone();
+        self.must_be(typed, &unit, &format!("`der({name})`"), typed.expr.span);
+    }
+
+    /// Forces, moments, stated equations, observations.
+    pub fn equations(&mut self) {
+        let file = self.file;
+        let mut loads: HashMap<(bool, &str), Span> = HashMap::new();
+        let mut equations: Vec<Option<(Span, Option<model::Equation>)>> =
+            vec![None; self.model.states.len()];
+        for item in &file.items {
+            match &item.kind {
+                ItemKind::Load(load) => {
+                    let key = (load.class == LoadClass::Force, load.name.text.as_str());
+                    if let Some(&first) = loads.get(&key) {
+                        let word = if key.0 { "force" } else { "moment" };
+                        self.second(&format!("{word} {}", key.1), first, load.name.span);
+                        continue;
+                    }
+                    loads.insert(key, load.name.span);
+                    self.load(load, item.effect);
+                }
+                ItemKind::Equation(equation) => self.equation(equation, &mut equations),
+                ItemKind::Observe(observe) => self.observe(observe),
+                _ => {}
+            }
+        }
+        if self.declared_body.is_some() {
+            return;
+        }
+        let missing: Vec<String> = equations
+            .iter()
+            .enumerate()
+            .filter(|e| e.1.is_none())
+            .map(|(i, _)| self.model.states[i].name.clone())
+            .collect();
+        if let Some(first) = missing.first() {
+            let place = self
+                .model
+                .states
+                .iter()
+                .find(|s| s.name == *first)
+                .map_or(self.heading(), |s| s.span);
+            let (verb, equations) = if missing.len() > 1 {
+                ("have", "equations")
+            } else {
+                ("has", "equation")
+            };
+            let message = format!("{} {verb} no {equations}", super::scope::listed(&missing));
+            self.report(
+                Diagnostic::new(Kind::Missing, place, message)
+                    .help(format!("state `der({first}) = …;`")),
+            );
+        }
+        self.model.equations = equations
+            .into_iter()
+            .flatten()
+            .filter_map(|e| e.1)
+            .collect();
+    }
+
+    fn load(&mut self, load: &'a ast::Load, effect: Option<usize>) {
+        let force = load.class == LoadClass::Force;
+        let word = if force { "force" } else { "moment" };
+        let Some(body) = self.declared_body else {
+            let message = format!("this {word} acts on nothing: the model has no body");
+            self.report(
+                Diagnostic::new(Kind::Missing, load.name.span, message).help(format!(
+                    "declare a `body`, or name the vector with `let {} = …;`",
+                    load.name.text
+                )),
+            );
+            return;
+        };
+        if !force && body.class == ast::BodyClass::Point {
+            let message = "a moment cannot act on a point";
+            let fault = Diagnostic::new(Kind::Shape, load.name.span, message)
+                .label(body.name.span, "declared as a point");
+            self.report(fault.help("declare it as `body`, with moments of inertia"));
+            return;
+        }
+        let what = format!("the {word} `{}`", load.name.text);
+        let Some((typed, _)) = self.vector(&load.value, &what) else {
+            return;
+        };
+        let unit = if force {
+            Unit::NEWTON
+        } else {
+            Unit::NEWTON_METRE
+        };
+        self.must_be(&typed, &Term::known(unit), &what, load.name.span);
+        let made = model::Load {
+            name: load.name.text.clone(),
+            value: typed.expr,
+            span: load.name.span,
+            effect,
+        };
+        if force {
+            self.model.forces.push(made)
+        } else {
+            self.model.moments.push(made)
+        }
+    }
+
+    fn equation(
+        &mut self,
+        equation: &'a ast::Equation,
+        equations: &mut [Option<(Span, Option<model::Equation>)>],
+    ) {
+        let name = &equation.state;
+        if let Some(body) = self.declared_body {
+            let message = format!(
+                "the equation for `{}` follows from the body and its forces",
+                name.text
+            );
+            let fault = Diagnostic::new(Kind::Duplicate, name.span, message)
+                .label(body.name.span, "the body whose equations are derived");
+            self.report(fault.help("remove this equation, or the body"));
+            return;
+        }
+        let Some(Symbol::State(state)) = self.scope.find(&name.text) else {
+            self.no_state(name);
+            let _ = self.elaborate(&equation.value);
+            return;
+        };
+        if let Some((first, _)) = equations[state] {
+            self.second(&format!("der({})", name.text), first, name.span);
+            return;
+        }
+        let value = match self.derivative_definition(state) {
+            // It has been checked as a quantity of its own, which the equation then is.
+            Some(definition) => match &self.definitions[definition] {
+                Definition::Done(index, shape, _) => {
+                    let kind = model::ExprKind::Let(*index);
+                    Some(super::elaborate::node(kind, *shape, equation.value.span))
+                }
+                Definition::Missing => None,
+            },
+            None => self
+                .scalar(&equation.value, "the derivative of a state")
+                .map(|typed| {
+                    self.is_derivative(&typed, state);
+                    typed.expr
+                }),
+        };
+        let made = value.map(|value| model::Equation {
+            state,
+            value,
+            span: name.span,
+        });
+        equations[state] = Some((name.span, made));
+    }
+
+    fn observe(&mut self, observe: &'a ast::Observe) {
+        if let Some(first) = &self.model.observation {
+            let first = first.span;
+            self.second("observe", first, observe.name.span);
+            return;
+        }
+        let what = "what is observed";
+        let Some((typed, frame)) = self.vector(&observe.value, what) else {
+            return;
+        };
+        if frame != 0 {
+            let name = |i: usize| {
+                self.model
+                    .frames
+                    .get(i)
+                    .map_or("N".to_owned(), |f| f.name.clone())
+            };
+            let message = format!(
+                "{what} must be a vector in the inertial frame {}, but this one is in {}",
+                name(0),
+                name(frame)
+            );
+            let help = format!("write `in_{}({})`", name(0), self.text(observe.value.span));
+            self.report(Diagnostic::new(Kind::Frame, observe.value.span, message).help(help));
+            return;
+        }
+        self.must_be(&typed, &Term::known(Unit::METRE), what, observe.name.span);
+        self.model.observation = Some(model::Observation {
+            name: observe.name.text.clone(),
+            value: typed.expr,
+            span: observe.name.span,
+        });
+    }
+}

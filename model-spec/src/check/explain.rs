@@ -1,0 +1,284 @@
+//! Faults of units in words: what each side is, and how that came about.
+
+use super::term::Term;
+use super::{Checker, Typed, UnitOf};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{Expr, ExprKind};
+use crate::unit::Unit;
+
+/// At most this many declarations are shown with a fault.
+const MOST_LABELS: usize = 8;
+
+/// A name in an expression, with its unit and the place of its declaration.
+struct Leaf {
+    name: String,
+    term: Term,
+    span: Span,
+}
+
+impl Checker<'_> {
+    /// What a unit is, as a noun: `a force (N = kg·m/s²)`.
+    pub fn described(&self, term: &Term) -> String {
+        self.described_as(term, false)
+    }
+
+    fn described_as(&self, term: &Term, many: bool) -> String {
+        let term = self.units.resolve(term);
+        let Some(unit) = term.unit() else {
+            let known = term.known_part().unit().unwrap_or_default();
+            let unknown: Vec<String> = term
+                .unknowns()
+                .map(|u| format!("`{}`", self.units.name(u)))
+                .collect();
+            return format!(
+                "{} with the still unknown unit of {}",
+                known.tidy().pretty(),
+                unknown.join(" and ")
+            );
+        };
+        match unit.quantity() {
+            Some(("a pure number", ..)) if unit == Unit::ONE && many => "pure numbers".to_owned(),
+            Some(("a pure number", ..)) if unit == Unit::ONE => "a pure number".to_owned(),
+            Some((_, noun)) if many => format!("{noun} ({})", unit.explained()),
+            Some((noun, _)) => format!("{noun} ({})", unit.explained()),
+            None => format!("in {}", unit.explained()),
+        }
+    }
+
+    /// The unit alone.
+    fn symbol_of(&self, term: &Term) -> String {
+        match self.units.resolve(term).unit() {
+            Some(unit) => unit.tidy().pretty(),
+            None => "still unknown".to_owned(),
+        }
+    }
+
+    /// The one fault of several quantities that should have one unit and have not.
+    pub fn mismatch(
+        &mut self,
+        terms: &[Typed],
+        groups: &[Vec<usize>],
+        span: Span,
+        rule: &str,
+    ) -> Diagnostic {
+        let sides: Vec<String> = groups
+            .iter()
+            .map(|group| {
+                let names: Vec<String> = group
+                    .iter()
+                    .map(|&i| self.text(terms[i].expr.span))
+                    .collect();
+                let verb = if group.len() > 1 { "are" } else { "is" };
+                let what = self.described_as(&term_of(&terms[group[0]]), group.len() > 1);
+                format!("{} {verb} {what}", super::scope::listed(&names))
+            })
+            .collect();
+        let message = format!("{rule}: {}", sides.join(", but "));
+        let mut fault = Diagnostic::new(Kind::Unit, span, message);
+        for group in groups {
+            for &i in group {
+                let what = self.described(&term_of(&terms[i]));
+                fault = fault.label(terms[i].expr.span, what);
+            }
+        }
+        let firsts: Vec<&Typed> = groups.iter().map(|g| &terms[g[0]]).collect();
+        fault = self.origins(fault, &firsts);
+        let advice = self.advice(terms, groups);
+        fault.help_if(advice)
+    }
+
+    /// A quantity that has not the unit it must have. `what` says which quantity that is.
+    pub fn must_be(&mut self, typed: &Typed, expected: &Term, what: &str, at: Span) -> bool {
+        let UnitOf::Term(found) = &typed.unit else {
+            return !matches!(typed.unit, UnitOf::Faulty);
+        };
+        if self.units.equate(found, expected, at).is_ok() {
+            return true;
+        }
+        let text = self.text(typed.expr.span);
+        let (should, is) = (self.described(expected), self.described(found));
+        let fault = Diagnostic::new(
+            Kind::Unit,
+            typed.expr.span,
+            format!("{what} must be {should}, but `{text}` is {is}"),
+        )
+        .label(typed.expr.span, is);
+        let mut fault = self.origins(fault, &[typed]);
+        if let (Some(found), Some(expected)) = (
+            self.units.resolve(found).unit(),
+            self.units.resolve(expected).unit(),
+        ) {
+            fault = fault.help_if(self.missing_factor(typed, found, expected));
+        }
+        self.report(fault);
+        false
+    }
+
+    /// Adds how the units came about: the names in each expression, and where they are declared.
+    fn origins(&self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
+        let mut shown: Vec<Span> = Vec::new();
+        for side in sides {
+            let mut leaves = Vec::new();
+            self.leaves(&side.expr, &mut leaves);
+            if !matches!(
+                side.expr.kind,
+                ExprKind::Let(_)
+                    | ExprKind::Param(_)
+                    | ExprKind::Coefficient(_)
+                    | ExprKind::State(_)
+                    | ExprKind::Input(_)
+            ) {
+                let parts: Vec<String> = leaves
+                    .iter()
+                    .filter(|l| {
+                        self.units
+                            .resolve(&l.term)
+                            .unit()
+                            .is_none_or(|u| !u.is_pure())
+                    })
+                    .map(|l| format!("`{}` in {}", l.name, self.symbol_of(&l.term)))
+                    .collect();
+                if !parts.is_empty() {
+                    let text = self.text(side.expr.span);
+                    fault = fault.note(format!("in `{text}`: {}", parts.join(", ")));
+                }
+            }
+            for leaf in leaves {
+                if shown.len() >= MOST_LABELS
+                    || shown.contains(&leaf.span)
+                    || leaf.span == fault.span
+                {
+                    continue;
+                }
+                if self
+                    .units
+                    .resolve(&leaf.term)
+                    .unit()
+                    .is_some_and(Unit::is_pure)
+                {
+                    continue;
+                }
+                shown.push(leaf.span);
+                let mut text = format!("`{}` is {}", leaf.name, self.described(&leaf.term));
+                if let Some(at) = leaf
+                    .term
+                    .unknowns()
+                    .find_map(|u| self.units.determined_at(u))
+                {
+                    text += &format!(", as follows from `{}`", self.text(at));
+                }
+                fault = fault.label(leaf.span, text);
+            }
+        }
+        fault
+    }
+
+    /// The names in an expression, each once, with their units.
+    fn leaves(&self, e: &Expr, out: &mut Vec<Leaf>) {
+        let (name, term, span) = match &e.kind {
+            ExprKind::Param(i) => {
+                let c = &self.model.params[*i];
+                (&c.name, self.params[*i].clone(), c.span)
+            }
+            ExprKind::Coefficient(i) => {
+                let c = &self.model.coefficients[*i];
+                (&c.name, self.coefficients[*i].clone(), c.span)
+            }
+            ExprKind::State(i) => {
+                let c = &self.model.states[*i];
+                (&c.name, self.states[*i].clone(), c.span)
+            }
+            ExprKind::Input(i) => {
+                let c = &self.model.inputs[*i];
+                (&c.name, self.inputs[*i].clone(), c.span)
+            }
+            ExprKind::Let(i) => {
+                let c = &self.model.lets[*i];
+                let UnitOf::Term(term) = self.let_unit(*i) else {
+                    return;
+                };
+                (&c.name, term, c.span)
+            }
+            _ => {
+                e.children(&mut |child| self.leaves(child, out));
+                return;
+            }
+        };
+        if !out.iter().any(|l| l.span == span && l.name == *name) {
+            out.push(Leaf {
+                name: name.clone(),
+                term,
+                span,
+            });
+        }
+    }
+
+    /// What would make the units of a sum agree.
+    fn advice(&self, terms: &[Typed], groups: &[Vec<usize>]) -> Option<String> {
+        let [a, b] = groups else { return None };
+        // The side with fewer terms is the odd one; the other says what is expected.
+        let (odd, even) = if a.len() <= b.len() { (a, b) } else { (b, a) };
+        let unit = |i: usize| self.units.resolve(&term_of(&terms[i])).unit();
+        self.missing_factor(&terms[odd[0]], unit(odd[0])?, unit(even[0])?)
+    }
+
+    /// A name whose unit is just what is missing, or one factor too many.
+    fn missing_factor(&self, typed: &Typed, found: Unit, expected: Unit) -> Option<String> {
+        let text = self.text(typed.expr.span);
+        let excess = found.checked_div(expected)?;
+        let mut leaves = Vec::new();
+        self.leaves(&typed.expr, &mut leaves);
+        let has = |term: &Term, unit: Unit| {
+            self.units
+                .resolve(term)
+                .unit()
+                .is_some_and(|u| u.agrees(unit))
+        };
+        let compound = leaves.len() > 1;
+        if compound && let Some(leaf) = leaves.iter().find(|l| has(&l.term, excess)) {
+            let noun = self.described(&Term::known(expected));
+            return Some(format!(
+                "without `{}` ({}) the term `{text}` would be {noun}",
+                leaf.name,
+                excess.tidy().pretty()
+            ));
+        }
+        let inverse = excess.checked_powi(-1)?;
+        let params = self.model.params.iter().zip(&self.params);
+        for (param, term) in params {
+            if has(term, excess) {
+                return Some(format!(
+                    "divided by `{}` ({}) it would agree: `{}`",
+                    param.name,
+                    excess.tidy().pretty(),
+                    self.quotient_text(typed, &param.name)
+                ));
+            }
+            if has(term, inverse) {
+                return Some(format!(
+                    "multiplied by `{}` ({}) it would agree",
+                    param.name,
+                    inverse.tidy().pretty()
+                ));
+            }
+        }
+        None
+    }
+
+    fn quotient_text(&self, typed: &Typed, by: &str) -> String {
+        let text = self.text(typed.expr.span);
+        match typed.expr.kind {
+            ExprKind::Add(..) | ExprKind::Sub(..) if !text.starts_with('(') => {
+                format!("({text})/{by}")
+            }
+            _ => format!("{text}/{by}"),
+        }
+    }
+}
+
+fn term_of(typed: &Typed) -> Term {
+    match &typed.unit {
+        UnitOf::Term(term) => term.clone(),
+        _ => Term::one(),
+    }
+}

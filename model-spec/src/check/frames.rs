@@ -1,0 +1,204 @@
+//! Frames: a tree with the inertial frame at its root.
+
+use super::Checker;
+use super::scope::Symbol;
+use crate::diagnostic::{Diagnostic, Kind};
+use crate::model::{self, FrameKind};
+use crate::suggest;
+use crate::syntax::ast::{self, ItemKind, Name};
+
+impl<'a> Checker<'a> {
+    fn declared_frames(&self) -> impl Iterator<Item = &'a ast::Frame> + use<'a> {
+        let file = self.file;
+        file.items.iter().filter_map(|i| match &i.kind {
+            ItemKind::Frame(frame) => Some(frame),
+            _ => None,
+        })
+    }
+
+    /// Declares the frames by name, parents before children.
+    pub fn frame_names(&mut self) {
+        let mut inertial: Option<&Name> = None;
+        for frame in self.declared_frames() {
+            let index = self.model.frames.len();
+            let parent = match &frame.kind {
+                ast::FrameKind::Inertial => {
+                    if let Some(first) = inertial {
+                        let message =
+                            format!("`{}` would be a second inertial frame", frame.name.text);
+                        let fault = Diagnostic::new(Kind::Frame, frame.name.span, message)
+                            .label(first.span, "the inertial frame")
+                            .help(format!(
+                                "say how it is turned: `frame {} = {} turned ANGLE about 1;`",
+                                frame.name.text, first.text
+                            ));
+                        self.report(fault);
+                    }
+                    inertial.get_or_insert(&frame.name);
+                    None
+                }
+                ast::FrameKind::Turned { parent, .. }
+                | ast::FrameKind::Quaternion { parent, .. } => Some(parent),
+            };
+            if index == 0 && parent.is_some() {
+                let message = "the first frame must be the inertial one";
+                let fault = Diagnostic::new(Kind::Frame, frame.name.span, message);
+                self.report(fault.help("declare `frame N;` first: at rest, third axis up"));
+            } else if let Some(parent) = parent {
+                self.parent(parent, &frame.name);
+            }
+            if self.define_frame(&frame.name, index) {
+                // Its place is filled in once the states are known.
+                self.model.frames.push(model::Frame {
+                    name: frame.name.text.clone(),
+                    kind: FrameKind::Inertial,
+                    span: frame.name.span,
+                });
+            }
+        }
+        if self.model.frames.is_empty() {
+            let fault = Diagnostic::new(Kind::Missing, self.heading(), "no frame is declared");
+            self.report(fault.help("declare `frame N;`: at rest, third axis up"));
+        }
+    }
+
+    /// A parent must have been declared before.
+    fn parent(&mut self, parent: &Name, child: &Name) {
+        if self.scope.frame(&parent.text).is_some() {
+            return;
+        }
+        let later = self.declared_frames().find(|f| f.name.text == parent.text);
+        match later {
+            Some(later) => {
+                let message = format!(
+                    "the frame `{}` is turned from `{}`, which is declared after it",
+                    child.text, parent.text
+                );
+                let fault = Diagnostic::new(Kind::Frame, parent.span, message)
+                    .label(later.name.span, "declared here");
+                self.report(fault.help("declare frames after those they are turned from"));
+            }
+            None => {
+                self.frame_of(parent);
+            }
+        }
+    }
+
+    /// Places the frames, now that their angles are states.
+    pub fn frame_kinds(&mut self) {
+        for frame in self.declared_frames() {
+            let Some(index) = self.scope.frame(&frame.name.text) else {
+                continue;
+            };
+            let kind = match &frame.kind {
+                ast::FrameKind::Inertial => Some(FrameKind::Inertial),
+                ast::FrameKind::Turned {
+                    parent,
+                    angle,
+                    axis,
+                } => self.turned(parent, angle, *axis),
+                ast::FrameKind::Quaternion { parent, states } => self.by_quaternion(parent, states),
+            };
+            if let Some(kind) = kind {
+                self.model.frames[index].kind = kind;
+            }
+        }
+    }
+
+    fn turned(&mut self, parent: &Name, angle: &Name, axis: u8) -> Option<FrameKind> {
+        let parent = self.scope.frame(&parent.text)?;
+        let state = self.frame_state(angle)?;
+        let rate = match self.scope.find(&format!("{}dot", angle.text)) {
+            Some(Symbol::State(rate)) => Some(rate),
+            _ => None,
+        };
+        Some(FrameKind::Turned {
+            parent,
+            angle: state,
+            rate,
+            axis,
+        })
+    }
+
+    fn by_quaternion(&mut self, parent: &Name, states: &[Name; 4]) -> Option<FrameKind> {
+        let parent = self.scope.frame(&parent.text)?;
+        let found = states.each_ref().map(|s| self.frame_state(s));
+        let [a, b, c, d] = found;
+        Some(FrameKind::Quaternion {
+            parent,
+            states: [a?, b?, c?, d?],
+        })
+    }
+
+    /// The state that an angle or a component of a quaternion is.
+    fn frame_state(&mut self, name: &Name) -> Option<usize> {
+        let Some(Symbol::State(index)) = self.scope.find(&name.text) else {
+            // Where a body is declared its own faults have been reported.
+            if self.declared_body.is_none() {
+                self.no_state(name);
+            }
+            return None;
+        };
+        if let Some(unit) = self.units.resolve(&self.states[index]).unit()
+            && !unit.is_pure()
+        {
+            let message = format!(
+                "`{}` turns a frame and must be an angle (rad) or a pure number, but it is {}",
+                name.text,
+                self.described(&self.states[index])
+            );
+            let declared = self.model.states[index].span;
+            self.report(
+                Diagnostic::new(Kind::Unit, name.span, message)
+                    .label(declared, format!("in {}", unit.explained())),
+            );
+        }
+        Some(index)
+    }
+
+    /// Reports a name that should be that of a state.
+    pub fn no_state(&mut self, name: &Name) {
+        let states: Vec<String> = self.model.states.iter().map(|s| s.name.clone()).collect();
+        let mut fault = match self.scope.find(&name.text) {
+            Some(_) => Diagnostic::new(
+                Kind::Name,
+                name.span,
+                format!("`{}` is not a state", name.text),
+            )
+            .label(
+                self.scope.place(&name.text).unwrap_or(name.span),
+                "declared here",
+            ),
+            None => Diagnostic::new(
+                Kind::Name,
+                name.span,
+                format!("there is no state `{}`", name.text),
+            ),
+        };
+        fault = match suggest::nearest(&name.text, states.iter().map(String::as_str)) {
+            Some(near) => fault.help(format!("did you mean `{near}`?")),
+            None if self.declared_body.is_none() => fault.help(format!(
+                "declare it: `state {} = 0 …;`, with its unit",
+                name.text
+            )),
+            None if states.is_empty() => fault,
+            None => fault.note(format!("the states are {}", states.join(", "))),
+        };
+        self.report(fault);
+    }
+
+    /// Frames from one up to the inertial one.
+    pub fn chain(&self, from: usize) -> Vec<usize> {
+        let mut chain = Vec::new();
+        let mut at = from;
+        // Parents come before children, but a faulty file may break that.
+        while at != 0 && chain.len() <= self.model.frames.len() {
+            chain.push(at);
+            at = match self.model.frames[at].kind {
+                FrameKind::Inertial => 0,
+                FrameKind::Turned { parent, .. } | FrameKind::Quaternion { parent, .. } => parent,
+            };
+        }
+        chain
+    }
+}

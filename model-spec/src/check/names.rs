@@ -1,0 +1,213 @@
+//! Names in expressions.
+
+use super::elaborate::node;
+use super::scope::Symbol;
+use super::term::{Fraction, Term};
+use super::{Checker, Definition, Typed, UnitOf};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{ExprKind, Shape};
+use crate::syntax::ast;
+use crate::unit::{Unit, symbol};
+
+impl Checker<'_> {
+    /// A name as an expression.
+    pub fn name(&mut self, name: &str, span: Span) -> Option<Typed> {
+        let scalar = |kind, term| Typed {
+            expr: node(kind, Shape::Scalar, span),
+            unit: UnitOf::Term(term),
+        };
+        if let Some(symbol) = self.scope.find(name) {
+            return match symbol {
+                Symbol::Param(i) => {
+                    let term = self.params[i].clone();
+                    self.used(&term, span);
+                    Some(scalar(ExprKind::Param(i), term))
+                }
+                Symbol::Coefficient(i) => {
+                    let term = self.coefficients[i].clone();
+                    self.used(&term, span);
+                    Some(scalar(ExprKind::Coefficient(i), term))
+                }
+                Symbol::State(i) => {
+                    let term = self.states[i].clone();
+                    self.used(&term, span);
+                    Some(scalar(ExprKind::State(i), term))
+                }
+                Symbol::Input(i) => {
+                    let term = self.inputs[i].clone();
+                    self.used(&term, span);
+                    let shape = Shape::Vector(self.model.inputs[i].frame);
+                    Some(Typed {
+                        expr: node(ExprKind::Input(i), shape, span),
+                        unit: UnitOf::Term(term),
+                    })
+                }
+                Symbol::InputPart(i, part) => {
+                    let term = self.inputs[i].clone();
+                    self.used(&term, span);
+                    let shape = Shape::Vector(self.model.inputs[i].frame);
+                    let input = node(ExprKind::Input(i), shape, span);
+                    Some(scalar(ExprKind::Component(Box::new(input), part), term))
+                }
+                Symbol::Let(i) => match self.definitions.get(i)? {
+                    Definition::Missing => None,
+                    Definition::Done(index, shape, unit) => Some(Typed {
+                        expr: node(ExprKind::Let(*index), *shape, span),
+                        unit: unit.clone(),
+                    }),
+                },
+                Symbol::Marker => {
+                    let frame = self.model.marker.as_ref()?.frame;
+                    let expr = node(ExprKind::Marker, Shape::Vector(frame), span);
+                    Some(Typed {
+                        expr,
+                        unit: UnitOf::of(Unit::METRE),
+                    })
+                }
+            };
+        }
+        match name {
+            "pi" => Some(scalar(ExprKind::Pi, Term::one())),
+            "time" => Some(scalar(ExprKind::Time, Term::known(Unit::SECOND))),
+            "position" | "velocity" | "angular_velocity" => self.of_body(name, span),
+            _ => self.unknown_name(name, span),
+        }
+    }
+
+    /// `position`, `velocity`, `angular_velocity`.
+    fn of_body(&mut self, name: &str, span: Span) -> Option<Typed> {
+        if self.declared_body.is_none() {
+            let message = format!("there is no body whose `{name}` this could be");
+            let fault = Diagnostic::new(Kind::Name, span, message);
+            self.report(fault.help(format!(
+                "declare a body, or name the vector: `let {name} = (…, …, …) in N;`"
+            )));
+            return None;
+        }
+        // A faulty body has been reported.
+        let body = self.model.body.as_ref()?;
+        let (kind, frame, unit) = match name {
+            "position" => (ExprKind::Position, 0, Unit::METRE),
+            "velocity" => (ExprKind::Velocity, body.velocity_frame, Unit::SPEED),
+            _ => match &body.rotation {
+                Some(rotation) => (
+                    ExprKind::AngularVelocity,
+                    rotation.inertia_frame,
+                    Unit::RATE,
+                ),
+                None => {
+                    let fault =
+                        Diagnostic::new(Kind::Name, span, "a point has no angular velocity");
+                    self.report(
+                        fault.help("declare a `body` with moments of inertia, or an `input`"),
+                    );
+                    return None;
+                }
+            },
+        };
+        Some(Typed {
+            expr: node(kind, Shape::Vector(frame), span),
+            unit: UnitOf::of(unit),
+        })
+    }
+
+    fn unknown_name(&mut self, name: &str, span: Span) -> Option<Typed> {
+        let mut fault = Diagnostic::new(Kind::Name, span, format!("there is no `{name}`"));
+        if name == crate::effect::PREVIOUS {
+            fault =
+                fault.note("`previous` stands for what is replaced, in a `replace` of an effect");
+        } else if self.scope.frame(name).is_some() {
+            fault = Diagnostic::new(
+                Kind::Name,
+                span,
+                format!("`{name}` is a frame, not a quantity"),
+            )
+            .help(format!(
+                "its axes are `{name}.1`, `{name}.2` and `{name}.3`"
+            ));
+        } else if let Some(near) = self.nearest(name) {
+            fault = fault.help(format!("did you mean `{near}`?"));
+        } else if symbol::find(name).is_some() {
+            fault = fault.help(format!(
+                "`{name}` is a unit; to give a number this unit write `5 {name}`, or `5 [m/s]` for one of \
+                 several factors"
+            ));
+        } else {
+            fault = fault
+                .note("names are declared with `param`, `coefficient`, `input`, `state` or `let`");
+        }
+        self.report(fault);
+        None
+    }
+
+    /// Remembers where a quantity of unknown unit was first used.
+    fn used(&mut self, term: &Term, span: Span) {
+        for unknown in term.unknowns() {
+            let place = &mut self.first_uses[unknown as usize];
+            place.get_or_insert(span);
+        }
+    }
+
+    /// `F.k` or `v.k`
+    pub fn part(&mut self, of: &ast::Expr, part: u8, span: Span) -> Option<Typed> {
+        if let ast::ExprKind::Name(name) = &of.kind
+            && let Some(frame) = self.scope.frame(name)
+        {
+            let expr = node(ExprKind::Axis(frame, part), Shape::Vector(frame), span);
+            return Some(Typed {
+                expr,
+                unit: UnitOf::of(Unit::ONE),
+            });
+        }
+        if let ast::ExprKind::Name(name) = &of.kind
+            && self.scope.find(name).is_none()
+            && !super::scope::OF_BODY.contains(&name.as_str())
+        {
+            self.frame_named(name, of.span);
+            return None;
+        }
+        let of_typed = self.elaborate(of)?;
+        if of_typed.expr.shape == Shape::Scalar {
+            let message = format!("`{}` is a number and has no components", self.text(of.span));
+            self.report(Diagnostic::new(Kind::Shape, span, message));
+            return None;
+        }
+        let expr = node(
+            ExprKind::Component(Box::new(of_typed.expr), part),
+            Shape::Scalar,
+            span,
+        );
+        Some(Typed {
+            expr,
+            unit: of_typed.unit,
+        })
+    }
+
+    /// `der(STATE)` inside an expression: the right side of the equation for it.
+    pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
+        if self.declared_body.is_some() {
+            let message = format!(
+                "`der({})` follows from the forces and cannot be used here",
+                state.text
+            );
+            self.report(Diagnostic::new(Kind::Cycle, span, message));
+            return None;
+        }
+        let Some(Symbol::State(i)) = self.scope.find(&state.text) else {
+            self.no_state(state);
+            return None;
+        };
+        let definition = self.derivative_definition(i)?;
+        // Its unit is known from the state, whatever may be wrong with the equation.
+        let per_second =
+            self.states[i].times_power(&Term::known(Unit::SECOND), Fraction::new(-1, 1)?);
+        let unit = per_second.map_or(UnitOf::Faulty, UnitOf::Term);
+        match self.definitions.get(definition)? {
+            Definition::Missing => None,
+            Definition::Done(index, shape, _) => Some(Typed {
+                expr: node(ExprKind::Let(*index), *shape, span),
+                unit,
+            }),
+        }
+    }
+}

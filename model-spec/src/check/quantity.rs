@@ -1,0 +1,181 @@
+//! Numbers with units, in SI and, where possible, as exact fractions.
+
+use super::Checker;
+use crate::diagnostic::{Diagnostic, Kind};
+use crate::syntax::ast::{Number, UnitExpr};
+use crate::unit::{Unit, symbol};
+
+/// A unit as it was written: its exponents, and how much of the SI's one of it is.
+#[derive(Clone, Debug)]
+pub(super) struct Measure {
+    pub unit: Unit,
+    pub factor: f64,
+    pub exact: Option<(i128, i128)>,
+    /// As it was written, or the SI's unit where a factor has been taken into the value.
+    pub text: String,
+}
+
+impl Measure {
+    /// The pure number.
+    pub fn one() -> Measure {
+        Measure {
+            unit: Unit::ONE,
+            factor: 1.0,
+            exact: Some((1, 1)),
+            text: "1".to_owned(),
+        }
+    }
+
+    /// SI value of a number in this unit, and as a fraction where it is one.
+    pub fn of(&self, number: &Number) -> (f64, Option<(i64, i64)>) {
+        let decimal = number.text.parse::<f64>().unwrap_or(0.0);
+        let exact = self.exact.and_then(|(above, below)| {
+            let (n, d) = fraction(&number.text)?;
+            reduced(n.checked_mul(above)?, d.checked_mul(below)?)
+        });
+        const WHOLE: u64 = 1 << 53;
+        let value = match exact {
+            // The quotient of two whole numbers that are exact in binary is rounded once only.
+            Some((n, d)) if n.unsigned_abs() <= WHOLE && d.unsigned_abs() <= WHOLE => {
+                n as f64 / d as f64
+            }
+            _ => decimal * self.factor,
+        };
+        (value, exact)
+    }
+}
+
+/// A decimal as a fraction.
+fn fraction(text: &str) -> Option<(i128, i128)> {
+    let (mantissa, exponent) = match text.find(['e', 'E']) {
+        Some(i) => (&text[..i], text[i + 1..].parse::<i32>().ok()?),
+        None => (text, 0),
+    };
+    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    if whole.len() + decimals.len() > 30 || exponent.abs() > 30 {
+        return None;
+    }
+    let digits: i128 = format!("{whole}{decimals}").parse().ok()?;
+    let shift = exponent - decimals.len() as i32;
+    let power = 10_i128.checked_pow(shift.unsigned_abs())?;
+    if shift >= 0 {
+        Some((digits.checked_mul(power)?, 1))
+    } else {
+        Some((digits, power))
+    }
+}
+
+/// In lowest terms, where both parts fit.
+fn reduced(above: i128, below: i128) -> Option<(i64, i64)> {
+    let (mut a, mut b) = (above.unsigned_abs(), below.unsigned_abs());
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    let divisor = i128::try_from(a.max(1)).ok()?;
+    Some((
+        i64::try_from(above / divisor).ok()?,
+        i64::try_from(below / divisor).ok()?,
+    ))
+}
+
+impl Checker<'_> {
+    /// What a unit means; none (and a fault) where a symbol is unknown.
+    pub fn measure(&mut self, unit: &UnitExpr) -> Option<Measure> {
+        let mut out = Measure::one();
+        for factor in &unit.factors {
+            let Some(found) = symbol::find(&factor.symbol) else {
+                self.unknown_unit(&factor.symbol, factor.span);
+                return None;
+            };
+            let product = found
+                .unit
+                .checked_pow_half(factor.doubled)
+                .and_then(|u| out.unit.checked_mul(u));
+            let Some(product) = product else {
+                let message = format!("the unit `{unit}` has a power out of range");
+                let fault = Diagnostic::new(Kind::Value, unit.span, message);
+                self.report(fault.note("powers of units are whole or half numbers up to 63"));
+                return None;
+            };
+            out.unit = product;
+            if factor.doubled % 2 == 0 {
+                let power = factor.doubled / 2;
+                out.factor *= found.factor.powi(power);
+                out.exact = out
+                    .exact
+                    .zip(found.exact)
+                    .and_then(|((n, d), (above, below))| {
+                        let p = power.unsigned_abs();
+                        let (above, below) = (above.checked_pow(p)?, below.checked_pow(p)?);
+                        let (above, below) = if power < 0 {
+                            (below, above)
+                        } else {
+                            (above, below)
+                        };
+                        Some((n.checked_mul(above)?, d.checked_mul(below)?))
+                    });
+            } else {
+                out.factor *= found.factor.powf(f64::from(factor.doubled) / 2.0);
+                out.exact = out.exact.filter(|_| found.factor == 1.0);
+            }
+        }
+        // The fraction is the better of the two.
+        if let Some((n, d)) = out.exact {
+            out.factor = n as f64 / d as f64;
+        }
+        if out.factor == 0.0 || !out.factor.is_finite() {
+            let message = format!("the unit `{unit}` is too small or too large for a number");
+            self.report(Diagnostic::new(Kind::Value, unit.span, message));
+            return None;
+        }
+        out.text = if out.factor == 1.0 {
+            unit.to_string()
+        } else {
+            out.unit.to_string()
+        };
+        Some(out)
+    }
+
+    fn unknown_unit(&mut self, symbol: &str, span: crate::diagnostic::Span) {
+        let mut fault = Diagnostic::new(Kind::Name, span, format!("there is no unit `{symbol}`"));
+        let name = crate::syntax::spelling::plain(symbol);
+        if self.scope.find(&name).is_some() {
+            let note = "a name right behind a number is read as its unit";
+            fault = fault
+                .note(note)
+                .help(format!("to multiply, write `*` before `{symbol}`"));
+        } else if let Some(near) = symbol::suggest(symbol) {
+            fault = fault.help(format!("did you mean `{near}`?"));
+        } else {
+            fault = fault.note(
+                "units are made of m, g, s, A, K, mol, cd, rad, N, J, W, Pa, Hz with prefixes, and deg, rev, \
+                 rpm, min, h",
+            );
+        }
+        self.report(fault);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Span;
+
+    #[test]
+    fn decimals_are_exact() {
+        let number = |t: &str| Number {
+            text: t.to_owned(),
+            span: Span::default(),
+        };
+        let one = Measure::one();
+        assert_eq!(one.of(&number("0.175")), (0.175, Some((7, 40))));
+        assert_eq!(one.of(&number("-3.4e-5")), (-3.4e-5, Some((-17, 500_000))));
+        assert_eq!(one.of(&number("1e300")), (1e300, None));
+        let gram = Measure {
+            factor: 0.001,
+            exact: Some((1, 1000)),
+            ..Measure::one()
+        };
+        assert_eq!(gram.of(&number("175")), (0.175, Some((7, 40))));
+    }
+}

@@ -1,0 +1,176 @@
+//! Names and what they stand for.
+
+use std::collections::HashMap;
+
+use super::Checker;
+use crate::diagnostic::{Diagnostic, Kind, SHOWN, Span};
+use crate::suggest;
+use crate::syntax::ast::Name;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Symbol {
+    Param(usize),
+    Coefficient(usize),
+    Input(usize),
+    /// `wind_x`: a component (1 to 3) of an input.
+    InputPart(usize, u8),
+    State(usize),
+    /// Index into the checker's definitions.
+    Let(usize),
+    Marker,
+}
+
+/// All names of a model.
+#[derive(Default)]
+pub(super) struct Scope {
+    values: HashMap<String, (Symbol, Span)>,
+    frames: HashMap<String, (usize, Span)>,
+    /// Names in order of declaration, for suggestions.
+    order: Vec<String>,
+}
+
+/// Names that belong to the language and cannot be declared.
+pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
+
+/// Names that a body provides; where there is none they are free.
+pub(super) const OF_BODY: [&str; 3] = ["position", "velocity", "angular_velocity"];
+
+/// Functions of the language.
+pub(super) const FUNCTIONS: [&str; 23] = [
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "log", "abs", "sign",
+    "step", "tanh", "min", "max", "norm", "unit", "dot", "cross", "ratio", "der", "diag",
+];
+
+impl Scope {
+    pub fn find(&self, name: &str) -> Option<Symbol> {
+        self.values.get(name).map(|v| v.0)
+    }
+
+    pub fn place(&self, name: &str) -> Option<Span> {
+        self.values.get(name).map(|v| v.1)
+    }
+
+    pub fn frame(&self, name: &str) -> Option<usize> {
+        self.frames.get(name).map(|f| f.0)
+    }
+}
+
+impl Checker<'_> {
+    /// Gives a name its meaning; false (and a fault) where it has one already.
+    pub fn define(&mut self, name: &Name, symbol: Symbol) -> bool {
+        self.define_as(&name.text, name.span, symbol)
+    }
+
+    pub fn define_as(&mut self, name: &str, span: Span, symbol: Symbol) -> bool {
+        let reserved = if FIXED.contains(&name) {
+            Some(format!("`{name}` has a fixed meaning in this language"))
+        } else if FUNCTIONS.contains(&name) {
+            Some(format!("`{name}` is a function of this language"))
+        } else if OF_BODY.contains(&name) && self.declared_body.is_some() {
+            Some(format!(
+                "`{name}` is that of the body, and cannot be declared again"
+            ))
+        } else {
+            None
+        };
+        if let Some(message) = reserved {
+            self.report(
+                Diagnostic::new(Kind::Duplicate, span, message).help("choose another name"),
+            );
+            return false;
+        }
+        if let Some(&(_, first)) = self.scope.values.get(name) {
+            self.report(
+                Diagnostic::new(Kind::Duplicate, span, format!("`{name}` is declared twice"))
+                    .label(first, "first declared here")
+                    .label(span, "declared again here")
+                    .help("rename one of them, or remove it"),
+            );
+            return false;
+        }
+        self.scope.values.insert(name.to_owned(), (symbol, span));
+        self.scope.order.push(name.to_owned());
+        true
+    }
+
+    pub fn define_frame(&mut self, name: &Name, index: usize) -> bool {
+        if let Some(&(_, first)) = self.scope.frames.get(&name.text) {
+            self.report(
+                Diagnostic::new(
+                    Kind::Duplicate,
+                    name.span,
+                    format!("the frame `{}` is declared twice", name.text),
+                )
+                .label(first, "first declared here")
+                .label(name.span, "declared again here")
+                .help("rename one of them, or remove it"),
+            );
+            return false;
+        }
+        self.scope
+            .frames
+            .insert(name.text.clone(), (index, name.span));
+        true
+    }
+
+    /// The frame of a name, or a fault.
+    pub fn frame_of(&mut self, name: &Name) -> Option<usize> {
+        self.frame_named(&name.text, name.span)
+    }
+
+    pub fn frame_named(&mut self, name: &str, span: Span) -> Option<usize> {
+        if let Some(index) = self.scope.frame(name) {
+            return Some(index);
+        }
+        let names: Vec<String> = self.model.frames.iter().map(|f| f.name.clone()).collect();
+        let message = format!("there is no frame `{name}`");
+        let mut fault = Diagnostic::new(Kind::Name, span, message);
+        if let Some(near) = suggest::nearest(name, names.iter().map(String::as_str)) {
+            fault = fault.help(format!("did you mean `{near}`?"));
+        }
+        if names.is_empty() {
+            fault = fault.note("no frame is declared; the first is `frame N;`");
+        } else {
+            fault = fault.note(format!("the frames are {}", listed(&names)));
+        }
+        self.report(fault);
+        None
+    }
+
+    /// The known name that was probably meant. Looked for only while faults are still shown.
+    pub fn nearest(&self, wrong: &str) -> Option<String> {
+        if self.diagnostics.len() >= SHOWN {
+            return None;
+        }
+        let body = if self.declared_body.is_some() {
+            &OF_BODY[..]
+        } else {
+            &[]
+        };
+        let names = self.scope.order.iter().map(String::as_str);
+        suggest::nearest(
+            wrong,
+            names.chain(["pi", "time"]).chain(body.iter().copied()),
+        )
+        .map(str::to_owned)
+    }
+}
+
+/// Names as a list in a sentence: `a`, `b` and `c`.
+pub(super) fn listed(names: &[impl AsRef<str>]) -> String {
+    const MOST: usize = 8;
+    let quoted: Vec<String> = names
+        .iter()
+        .take(MOST)
+        .map(|n| format!("`{}`", n.as_ref()))
+        .collect();
+    if names.len() > MOST {
+        return format!("{} and {} more", quoted.join(", "), names.len() - MOST);
+    }
+    match quoted.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
+        None => String::new(),
+    }
+}

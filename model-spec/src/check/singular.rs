@@ -1,0 +1,385 @@
+//! Singular points: where a quotient, a root or a direction has no derivative, and what happens there.
+
+use super::Checker;
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{Expr, ExprKind, Function, Model};
+
+/// A place of a model where a function is singular, and how the model behaves there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SingularPoint {
+    /// Where it is written.
+    pub span: Span,
+    /// The expression as written.
+    pub text: String,
+    /// When it is reached, and what happens then.
+    pub what: String,
+}
+
+/// What is known about the sign of an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Sign {
+    Unknown,
+    NotNegative,
+    NotZero,
+    Positive,
+}
+
+impl Sign {
+    fn never_zero(self) -> bool {
+        matches!(self, Sign::NotZero | Sign::Positive)
+    }
+
+    fn never_negative(self) -> bool {
+        matches!(self, Sign::NotNegative | Sign::Positive)
+    }
+
+    fn times(self, other: Sign) -> Sign {
+        match (self, other) {
+            (Sign::Positive, s) | (s, Sign::Positive) => s,
+            (Sign::NotZero, Sign::NotZero) => Sign::NotZero,
+            (Sign::NotNegative, Sign::NotNegative) => Sign::NotNegative,
+            _ => Sign::Unknown,
+        }
+    }
+
+    fn plus(self, other: Sign) -> Sign {
+        match (self.never_negative(), other.never_negative()) {
+            (true, true) if self == Sign::Positive || other == Sign::Positive => Sign::Positive,
+            (true, true) => Sign::NotNegative,
+            _ => Sign::Unknown,
+        }
+    }
+}
+
+/// Signs of the named quantities, computed once.
+struct Signs<'m> {
+    model: &'m Model,
+    lets: Vec<Sign>,
+}
+
+impl<'m> Signs<'m> {
+    fn new(model: &'m Model) -> Signs<'m> {
+        let mut signs = Signs {
+            model,
+            lets: Vec::with_capacity(model.lets.len()),
+        };
+        for named in &model.lets {
+            let sign = signs.of(&named.value);
+            signs.lets.push(sign);
+        }
+        signs
+    }
+
+    fn of(&self, e: &Expr) -> Sign {
+        use ExprKind as K;
+        if limited(self.model, e) {
+            return Sign::Positive;
+        }
+        let bounded = |bounds: Option<(f64, f64)>| match bounds {
+            Some((least, _)) if least > 0.0 => Sign::Positive,
+            _ => Sign::NotZero,
+        };
+        match &e.kind {
+            K::Number { value, .. } if *value > 0.0 => Sign::Positive,
+            K::Number { value, .. } if *value < 0.0 => Sign::NotZero,
+            K::Number { .. } => Sign::NotNegative,
+            K::Pi | K::Call(Function::Exp, _) => Sign::Positive,
+            // That constants are not 0 is checked when they are given.
+            K::Param(i) => bounded(self.model.params[*i].bounds),
+            K::Coefficient(i) => bounded(self.model.coefficients[*i].bounds),
+            K::Let(i) => self.lets.get(*i).copied().unwrap_or(Sign::Unknown),
+            K::Neg(a) if self.of(a).never_zero() => Sign::NotZero,
+            K::Mul(a, b) | K::Div(a, b) => self.of(a).times(self.of(b)),
+            K::Add(a, b) => self.of(a).plus(self.of(b)),
+            K::Pow(a, doubled) => match self.of(a) {
+                _ if *doubled == 0 => Sign::Positive,
+                Sign::Positive => Sign::Positive,
+                Sign::NotZero if doubled % 4 == 0 => Sign::Positive,
+                Sign::NotZero if doubled % 2 == 0 => Sign::NotZero,
+                Sign::NotNegative => Sign::NotNegative,
+                _ if doubled % 4 == 0 || doubled % 2 != 0 => Sign::NotNegative,
+                _ => Sign::Unknown,
+            },
+            K::Norm(_) | K::Call(Function::Step, _) => Sign::NotNegative,
+            K::Call(Function::Sqrt, a) if self.of(a) == Sign::Positive => Sign::Positive,
+            K::Call(Function::Sqrt, _) => Sign::NotNegative,
+            K::Call(Function::Abs, a) if self.of(a).never_zero() => Sign::Positive,
+            K::Call(Function::Abs, _) => Sign::NotNegative,
+            K::Max(a, b) => match (self.of(a), self.of(b)) {
+                (Sign::Positive, _) | (_, Sign::Positive) => Sign::Positive,
+                (a, b) if a.never_negative() || b.never_negative() => Sign::NotNegative,
+                _ => Sign::Unknown,
+            },
+            K::Min(a, b) => match (self.of(a), self.of(b)) {
+                (Sign::Positive, Sign::Positive) => Sign::Positive,
+                (a, b) if a.never_negative() && b.never_negative() => Sign::NotNegative,
+                _ => Sign::Unknown,
+            },
+            _ => Sign::Unknown,
+        }
+    }
+
+    /// The factor of an expression that may be zero.
+    fn culprit<'e>(&self, e: &'e Expr) -> &'e Expr {
+        match &e.kind {
+            ExprKind::Mul(a, b) if !self.of(a).never_zero() && self.of(b).never_zero() => {
+                self.culprit(a)
+            }
+            ExprKind::Mul(a, b) if self.of(a).never_zero() => self.culprit(b),
+            ExprKind::Neg(a) => self.culprit(a),
+            ExprKind::Pow(a, doubled) if *doubled > 0 => self.culprit(a),
+            _ => e,
+        }
+    }
+}
+
+/// Whether an expression is one that a limit keeps above a bound of 0 or more.
+pub(super) fn limited(model: &Model, e: &Expr) -> bool {
+    model.limits.iter().filter(|l| l.bound >= 0.0).any(|limit| {
+        let (a, b) = (named(model, e), named(model, &limit.value));
+        e.same(&limit.value) || a.same(b) || e.same(b) || a.same(&limit.value)
+    })
+}
+
+/// What a name stands for, one step.
+fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
+    match &e.kind {
+        ExprKind::Let(i) => model.lets.get(*i).map_or(e, |l| &l.value),
+        _ => e,
+    }
+}
+
+/// All expressions of a model.
+fn roots(model: &Model) -> Vec<&Expr> {
+    let mut all: Vec<&Expr> = Vec::new();
+    if let Some(body) = &model.body {
+        all.push(&body.mass);
+        if let Some(rotation) = &body.rotation {
+            all.extend(rotation.inertia.iter().flatten());
+        }
+    }
+    all.extend(model.lets.iter().map(|l| &l.value));
+    all.extend(model.forces.iter().chain(&model.moments).map(|l| &l.value));
+    all.extend(model.equations.iter().map(|e| &e.value));
+    all.extend(model.observation.iter().map(|o| &o.value));
+    all.extend(model.limits.iter().map(|l| &l.value));
+    all
+}
+
+fn walk<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
+    visit(e);
+    e.children(&mut |child| walk(child, visit));
+}
+
+/// What an expression divides by, if it does: a divisor, the base of a negative power.
+fn divisor(e: &Expr) -> Option<&Expr> {
+    match &e.kind {
+        ExprKind::Div(_, b) => Some(b),
+        ExprKind::Pow(a, doubled) if *doubled < 0 => Some(a),
+        _ => None,
+    }
+}
+
+impl Checker<'_> {
+    /// Reports divisions by what may be zero, and tangents without a limit.
+    pub fn singularities(&mut self) {
+        let mut faults: Vec<Diagnostic> = Vec::new();
+        let signs = Signs::new(&self.model);
+        for root in roots(&self.model) {
+            walk(root, &mut |e| {
+                if let Some(divisor) = divisor(e) {
+                    if !signs.of(divisor).never_zero() {
+                        faults.push(self.division(e, divisor, signs.culprit(divisor)));
+                    } else if let Some(zero) = self.zero_default(divisor) {
+                        faults.push(zero);
+                    }
+                }
+                if let ExprKind::Call(Function::Tan, angle) = &e.kind {
+                    let mut cosine = e.clone();
+                    cosine.kind = ExprKind::Call(Function::Cos, angle.clone());
+                    if !self.limited(&cosine) {
+                        let text = self.text(angle.span);
+                        let message =
+                            format!("`{}` is infinite where cos({text}) = 0", self.text(e.span));
+                        faults.push(Diagnostic::new(Kind::Singular, e.span, message).help(
+                            format!("say where the model ends: `limit cos({text}) > 0.01 \"…\";`"),
+                        ));
+                    }
+                }
+            });
+        }
+        self.diagnostics.extend(faults);
+    }
+
+    fn division(&self, e: &Expr, divisor: &Expr, culprit: &Expr) -> Diagnostic {
+        let (whole, what) = (self.text(e.span), self.text(culprit.span));
+        let message = format!("`{whole}` divides by `{what}`, which may be zero");
+        let mut fault = Diagnostic::new(Kind::Singular, e.span, message)
+            .label(divisor.span, "the divisor")
+            .note(
+                "a divisor is made of numbers, constants, exp(…) and what a `limit` keeps above 0",
+            );
+        if let ExprKind::Let(i) = culprit.kind {
+            fault = fault.label(self.model.lets[i].span, format!("`{what}` is defined here"));
+        }
+        fault = match &e.kind {
+            ExprKind::Div(a, b) => fault.help(format!(
+                "say what holds there: `ratio({}, {}, 0)`, or where the model ends: `limit {what} > 0 \"…\";`",
+                self.text(a.span),
+                self.text(b.span)
+            )),
+            _ => fault.help(format!("say where the model ends: `limit {what} > 0 \"…\";`")),
+        };
+        fault
+    }
+
+    /// A constant whose default is 0 and that is divided by.
+    fn zero_default(&self, divisor: &Expr) -> Option<Diagnostic> {
+        let mut found = None;
+        factors(divisor, &mut |factor| {
+            let constant = match factor.kind {
+                ExprKind::Param(i) => &self.model.params[i],
+                ExprKind::Coefficient(i) => &self.model.coefficients[i],
+                _ => return,
+            };
+            if constant.value == 0.0 {
+                let message = format!("`{}` is 0 by default, but it is divided by", constant.name);
+                found = Some(
+                    Diagnostic::new(Kind::Singular, factor.span, message)
+                        .label(constant.span, "declared as 0")
+                        .label(factor.span, "divided by here")
+                        .help("give it a default other than 0, or use `ratio(…)`"),
+                );
+            }
+        });
+        found
+    }
+}
+
+/// The factors of a divisor.
+fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
+    match &e.kind {
+        ExprKind::Mul(a, b) => {
+            factors(a, visit);
+            factors(b, visit);
+        }
+        ExprKind::Neg(a) | ExprKind::Pow(a, _) => factors(a, visit),
+        _ => visit(e),
+    }
+}
+
+/// Parameters and coefficients that a model divides by: they must not be 0 when they are given.
+/// First indices into [`Model::params`], then into [`Model::coefficients`].
+pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
+    let (mut params, mut coefficients) = (Vec::new(), Vec::new());
+    let mut lets = vec![false; model.lets.len()];
+    let mut look = |e: &Expr, lets: &mut Vec<bool>| {
+        factors(e, &mut |factor| match factor.kind {
+            ExprKind::Param(i) => params.push(i),
+            ExprKind::Coefficient(i) => coefficients.push(i),
+            ExprKind::Let(i) => lets[i] = true,
+            _ => {}
+        });
+    };
+    // The equations of motion divide by mass and moments of inertia.
+    if let Some(body) = &model.body {
+        look(&body.mass, &mut lets);
+        if let Some(rotation) = &body.rotation {
+            (0..3).for_each(|i| look(&rotation.inertia[i][i], &mut lets));
+        }
+    }
+    for root in roots(model) {
+        walk(root, &mut |e| {
+            if let Some(divisor) = divisor(e) {
+                look(divisor, &mut lets);
+            }
+        });
+    }
+    // Quantities are listed after those that they use.
+    for i in (0..model.lets.len()).rev() {
+        if lets[i] {
+            look(&model.lets[i].value, &mut lets);
+        }
+    }
+    for list in [&mut params, &mut coefficients] {
+        list.sort_unstable();
+        list.dedup();
+    }
+    (params, coefficients)
+}
+
+/// Where a model is singular, and what happens there, in the order of the places.
+pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
+    let signs = Signs::new(model);
+    let text = |span: Span| {
+        let source = model.sources.get(usize::from(span.source));
+        let raw = source.and_then(|s| s.text.get(span.range())).unwrap_or("");
+        crate::syntax::token::clip(&raw.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let mut points: Vec<SingularPoint> = Vec::new();
+    for root in roots(model) {
+        walk(root, &mut |e| {
+            let what = match &e.kind {
+                ExprKind::Norm(a) => {
+                    format!("0 with derivative 0 where `{}` is zero", text(a.span))
+                }
+                ExprKind::Direction(a, otherwise) => match otherwise {
+                    Some(other) => {
+                        format!("`{}` where `{}` is zero", text(other.span), text(a.span))
+                    }
+                    None => format!("the zero vector where `{}` is zero", text(a.span)),
+                },
+                ExprKind::Atan2(y, x) => {
+                    format!(
+                        "0 with derivative 0 where `{}` and `{}` are both 0",
+                        text(y.span),
+                        text(x.span)
+                    )
+                }
+                ExprKind::Ratio(parts) => {
+                    format!(
+                        "`{}` where `{}` is 0",
+                        text(parts[2].span),
+                        text(parts[1].span)
+                    )
+                }
+                ExprKind::Call(Function::Sqrt, a) if signs.of(a) != Sign::Positive => {
+                    format!("0 with derivative 0 where `{}` is 0 or less", text(a.span))
+                }
+                ExprKind::Pow(a, doubled) if doubled % 2 != 0 && signs.of(a) != Sign::Positive => {
+                    format!("0 with derivative 0 where `{}` is 0 or less", text(a.span))
+                }
+                ExprKind::Call(Function::Log, a) if signs.of(a) != Sign::Positive => {
+                    format!("0 with derivative 0 where `{}` is 0 or less", text(a.span))
+                }
+                ExprKind::Call(Function::Asin | Function::Acos, a) => {
+                    format!(
+                        "`{}` is held within -1 .. 1, with derivative 0 beyond",
+                        text(a.span)
+                    )
+                }
+                ExprKind::Call(Function::Abs, a) => {
+                    format!("derivative 0 where `{}` is 0", text(a.span))
+                }
+                ExprKind::Call(Function::Sign | Function::Step, a) => {
+                    format!(
+                        "jumps, with derivative 0, where `{}` passes 0",
+                        text(a.span)
+                    )
+                }
+                ExprKind::Min(a, b) | ExprKind::Max(a, b) => {
+                    format!("a kink where `{}` equals `{}`", text(a.span), text(b.span))
+                }
+                _ => return,
+            };
+            points.push(SingularPoint {
+                span: e.span,
+                text: text(e.span),
+                what,
+            });
+        });
+    }
+    points.sort_by_key(|p| p.span);
+    points.dedup();
+    points
+}

@@ -1,0 +1,150 @@
+//! Walking over expressions, and the places of a model in its texts.
+
+use super::{Expr, ExprKind, Limit, Model};
+use crate::diagnostic::Span;
+
+impl Expr {
+    /// Hands each expression directly under this one to `visit`, from left to right.
+    pub fn children<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
+        use ExprKind as K;
+        match &self.kind {
+            K::Number { .. }
+            | K::Pi
+            | K::Time
+            | K::Param(_)
+            | K::Coefficient(_)
+            | K::Input(_)
+            | K::State(_)
+            | K::Let(_)
+            | K::Axis(..)
+            | K::Position
+            | K::Velocity
+            | K::AngularVelocity
+            | K::Marker => {}
+            K::Components(parts) | K::Ratio(parts) => parts.iter().for_each(visit),
+            K::Neg(a)
+            | K::Pow(a, _)
+            | K::Norm(a)
+            | K::Component(a, _)
+            | K::Reexpress(a)
+            | K::Call(_, a) => {
+                visit(a);
+            }
+            K::Add(a, b)
+            | K::Sub(a, b)
+            | K::Mul(a, b)
+            | K::Div(a, b)
+            | K::Dot(a, b)
+            | K::Cross(a, b)
+            | K::Atan2(a, b)
+            | K::Min(a, b)
+            | K::Max(a, b) => {
+                visit(a);
+                visit(b);
+            }
+            K::Direction(a, otherwise) => {
+                visit(a);
+                if let Some(otherwise) = otherwise {
+                    visit(otherwise);
+                }
+            }
+        }
+    }
+
+    /// Hands each expression directly under this one to `visit`, from left to right, to be changed.
+    pub fn each_child(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
+        use ExprKind as K;
+        match &mut self.kind {
+            K::Number { .. }
+            | K::Pi
+            | K::Time
+            | K::Param(_)
+            | K::Coefficient(_)
+            | K::Input(_)
+            | K::State(_)
+            | K::Let(_)
+            | K::Axis(..)
+            | K::Position
+            | K::Velocity
+            | K::AngularVelocity
+            | K::Marker => {}
+            K::Components(parts) | K::Ratio(parts) => parts.iter_mut().for_each(visit),
+            K::Neg(a)
+            | K::Pow(a, _)
+            | K::Norm(a)
+            | K::Component(a, _)
+            | K::Reexpress(a)
+            | K::Call(_, a) => {
+                visit(a);
+            }
+            K::Add(a, b)
+            | K::Sub(a, b)
+            | K::Mul(a, b)
+            | K::Div(a, b)
+            | K::Dot(a, b)
+            | K::Cross(a, b)
+            | K::Atan2(a, b)
+            | K::Min(a, b)
+            | K::Max(a, b) => {
+                visit(a);
+                visit(b);
+            }
+            K::Direction(a, otherwise) => {
+                visit(a);
+                if let Some(otherwise) = otherwise {
+                    visit(otherwise);
+                }
+            }
+        }
+    }
+
+    /// Whether two expressions say the same, wherever they were written.
+    pub fn same(&self, other: &Expr) -> bool {
+        use ExprKind as K;
+        let kinds = match (&self.kind, &other.kind) {
+            (K::Number { value: a, .. }, K::Number { value: b, .. }) => {
+                a == b && self.unit.agrees(other.unit)
+            }
+            (K::Param(a), K::Param(b))
+            | (K::Coefficient(a), K::Coefficient(b))
+            | (K::Input(a), K::Input(b))
+            | (K::State(a), K::State(b))
+            | (K::Let(a), K::Let(b)) => a == b,
+            (K::Axis(f, a), K::Axis(g, b)) => f == g && a == b,
+            (K::Pow(_, a), K::Pow(_, b)) => a == b,
+            (K::Component(_, a), K::Component(_, b)) => a == b,
+            (K::Call(f, _), K::Call(g, _)) => f == g,
+            (a, b) => std::mem::discriminant(a) == std::mem::discriminant(b),
+        };
+        if !kinds || self.shape != other.shape {
+            return false;
+        }
+        let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+        self.children(&mut |c| ours.push(c));
+        other.children(&mut |c| theirs.push(c));
+        ours.len() == theirs.len() && ours.iter().zip(theirs).all(|(a, b)| a.same(b))
+    }
+}
+
+impl Model {
+    /// A place as it was written, on one line.
+    pub fn text(&self, span: Span) -> String {
+        let source = self.sources.get(usize::from(span.source));
+        let raw = source.and_then(|s| s.text.get(span.range())).unwrap_or("");
+        raw.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    /// The line of a place in its text, from 1.
+    pub fn line(&self, span: Span) -> usize {
+        let source = self.sources.get(usize::from(span.source));
+        let before = source
+            .and_then(|s| s.text.get(..span.range().start))
+            .unwrap_or("");
+        before.matches('\n').count() + 1
+    }
+
+    /// Whether a limit was not stated but follows from the choice of angles.
+    pub fn is_automatic(&self, limit: &Limit) -> bool {
+        self.frames.iter().any(|f| f.span == limit.span)
+    }
+}

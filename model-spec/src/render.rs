@@ -1,0 +1,196 @@
+//! Faults as text for people.
+
+use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
+
+use crate::diagnostic::{Diagnostic, Span};
+use crate::model::Source;
+
+/// At most this many faults are shown; the rest is counted.
+pub const SHOWN: usize = 50;
+
+/// Lines longer than this are not drawn.
+const LONGEST_LINE: usize = 300;
+
+/// All faults, each with its place, in the order of their places.
+pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> String {
+    let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
+    ordered.sort_by_key(|d| d.span);
+    let texts: Vec<(String, ariadne::Source<&str>)> = sources
+        .iter()
+        .map(|s| (s.name.clone(), ariadne::Source::from(s.text.as_str())))
+        .collect();
+    let mut out = String::new();
+    for diagnostic in ordered.iter().take(SHOWN) {
+        if !out.is_empty() {
+            out.push('\n');
+        }
+        if drawable(diagnostic, sources) {
+            draw(diagnostic, &texts, color, &mut out);
+        } else {
+            tell(diagnostic, sources, &mut out);
+        }
+    }
+    if let Some(more) = ordered.len().checked_sub(SHOWN).filter(|&n| n > 0) {
+        let noun = if more == 1 { "fault" } else { "faults" };
+        out.push_str(&format!("\n… and {more} more {noun}\n"));
+    }
+    out
+}
+
+/// Line and column, both from 1, of a byte of a text.
+pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
+    let mut byte = byte.min(text.len());
+    while !text.is_char_boundary(byte) {
+        byte -= 1;
+    }
+    let before = &text[..byte];
+    let line = before.matches('\n').count() + 1;
+    let column = before[before.rfind('\n').map_or(0, |i| i + 1)..]
+        .chars()
+        .count()
+        + 1;
+    (line, column)
+}
+
+/// Whether all its places exist and lie on lines that a terminal can show.
+fn drawable(diagnostic: &Diagnostic, sources: &[Source]) -> bool {
+    let fits = |span: Span| {
+        let Some(source) = sources.get(usize::from(span.source)) else {
+            return false;
+        };
+        let text = &source.text;
+        let range = span.range();
+        if text.is_empty() || range.end > text.len() || text.get(range.clone()).is_none() {
+            return false;
+        }
+        let start = text[..range.start].rfind('\n').map_or(0, |i| i + 1);
+        let end = text[range.end..]
+            .find('\n')
+            .map_or(text.len(), |i| range.end + i);
+        end - start <= LONGEST_LINE || text[start..end].lines().all(|l| l.len() <= LONGEST_LINE)
+    };
+    fits(diagnostic.span) && diagnostic.labels.iter().all(|l| fits(l.span))
+}
+
+fn draw(
+    diagnostic: &Diagnostic,
+    texts: &[(String, ariadne::Source<&str>)],
+    color: bool,
+    out: &mut String,
+) {
+    let place = |span: Span| {
+        let mut range = span.range();
+        // Nothing can be drawn under no characters.
+        if range.is_empty() {
+            range.start = range.start.saturating_sub(1);
+        }
+        (span.source, range)
+    };
+    let config = Config::default()
+        .with_color(color)
+        .with_index_type(IndexType::Byte)
+        .with_char_set(CharSet::Unicode)
+        .with_tab_width(4);
+    let mut report = Report::build(ReportKind::Error, place(diagnostic.span))
+        .with_config(config)
+        .with_code(diagnostic.kind.slug())
+        .with_message(&diagnostic.message);
+    // A label at the place itself says more than a bare underline.
+    let own = diagnostic.labels.iter().any(|l| l.span == diagnostic.span);
+    if !own {
+        report.add_label(
+            Label::new(place(diagnostic.span))
+                .with_color(Color::Red)
+                .with_order(-1),
+        );
+    }
+    // First what stands at the place itself, then the declarations that explain it, as they are written.
+    let mut labels: Vec<&crate::diagnostic::Label> = diagnostic.labels.iter().collect();
+    labels.sort_by_key(|l| (!within(l.span, diagnostic.span), l.span));
+    for (i, label) in labels.into_iter().enumerate() {
+        let color = if label.span == diagnostic.span {
+            Color::Red
+        } else {
+            Color::Blue
+        };
+        report.add_label(
+            Label::new(place(label.span))
+                .with_message(&label.text)
+                .with_color(color)
+                .with_order(i as i32),
+        );
+    }
+    for note in &diagnostic.notes {
+        report.add_note(note);
+    }
+    if let Some(help) = &diagnostic.help {
+        report.add_help(help);
+    }
+    let mut bytes = Vec::new();
+    if report.finish().write(Texts(texts), &mut bytes).is_ok() {
+        let text = String::from_utf8_lossy(&bytes);
+        let mut lines = text.lines().peekable();
+        let mut place = String::new();
+        while let Some(line) = lines.next() {
+            // The second part of a drawing repeats the place of the first; that says nothing.
+            if let Some((_, at)) = line.split_once("─[") {
+                if at == place {
+                    lines.next();
+                    continue;
+                }
+                at.clone_into(&mut place);
+            }
+            out.push_str(line.trim_end());
+            out.push('\n');
+        }
+    }
+}
+
+fn within(inner: Span, outer: Span) -> bool {
+    inner.source == outer.source && inner.start >= outer.start && inner.end <= outer.end
+}
+
+/// The texts as ariadne fetches them, by their numbers.
+struct Texts<'a>(&'a [(String, ariadne::Source<&'a str>)]);
+
+impl<'a> ariadne::Cache<u16> for Texts<'a> {
+    type Storage = &'a str;
+
+    fn fetch(&mut self, id: &u16) -> Result<&ariadne::Source<&'a str>, impl std::fmt::Debug> {
+        self.0
+            .get(usize::from(*id))
+            .map(|(_, source)| source)
+            .ok_or("no such text")
+    }
+
+    fn display<'b>(&self, id: &'b u16) -> Option<impl std::fmt::Display + 'b> {
+        self.0.get(usize::from(*id)).map(|(name, _)| name.clone())
+    }
+}
+
+/// A fault without a drawing.
+fn tell(diagnostic: &Diagnostic, sources: &[Source], out: &mut String) {
+    let at = |span: Span| match sources.get(usize::from(span.source)) {
+        Some(source) if source.text.is_empty() => source.name.clone(),
+        Some(source) => {
+            let (line, column) = line_and_column(&source.text, span.range().start);
+            format!("{}:{line}:{column}", source.name)
+        }
+        None => String::new(),
+    };
+    out.push_str(&format!(
+        "[{}] Error: {}\n",
+        diagnostic.kind.slug(),
+        diagnostic.message
+    ));
+    out.push_str(&format!("   at {}\n", at(diagnostic.span)));
+    for label in &diagnostic.labels {
+        out.push_str(&format!("   at {}: {}\n", at(label.span), label.text));
+    }
+    for note in &diagnostic.notes {
+        out.push_str(&format!("   Note: {note}\n"));
+    }
+    if let Some(help) = &diagnostic.help {
+        out.push_str(&format!("   Help: {help}\n"));
+    }
+}

@@ -1,0 +1,84 @@
+//! What was probably meant by a name that is not known.
+
+/// Longer names are not compared.
+const LONGEST: usize = 40;
+
+/// The nearest of some names: the same but for case, or a few letters away.
+pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    if wrong.chars().count() > LONGEST {
+        return None;
+    }
+    let allowed = match wrong.chars().count() {
+        0..=2 => 1,
+        3..=5 => 2,
+        _ => 3,
+    };
+    let mut best: Option<(usize, &str)> = None;
+    for name in names {
+        if name.len().abs_diff(wrong.len()) > 8 || name == wrong {
+            continue;
+        }
+        let distance = if name.eq_ignore_ascii_case(wrong) {
+            0
+        } else {
+            distance(wrong, name)
+        };
+        // Half of a short name must agree, or `a` would be taken for `b`.
+        let most = allowed.min(name.chars().count().max(wrong.chars().count()).div_ceil(2));
+        let most = if wrong.chars().count() == 1 && name.chars().count() == 1 {
+            0
+        } else {
+            most
+        };
+        if distance <= most && best.is_none_or(|(d, _)| distance < d) {
+            best = Some((distance, name));
+        }
+    }
+    best.map(|(_, name)| name)
+}
+
+/// Edits between two names: insertion, deletion, exchange, and the swap of two neighbours.
+fn distance(a: &str, b: &str) -> usize {
+    let a: Vec<char> = a.chars().flat_map(char::to_lowercase).collect();
+    let b: Vec<char> = b.chars().flat_map(char::to_lowercase).collect();
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for (i, row) in rows.iter_mut().enumerate() {
+        row[0] = i;
+    }
+    for (j, cell) in rows[0].iter_mut().enumerate() {
+        *cell = j;
+    }
+    for i in 1..=a.len() {
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            let mut best = (rows[i - 1][j - 1] + change)
+                .min(rows[i - 1][j] + 1)
+                .min(rows[i][j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[i - 2][j - 2] + 1);
+            }
+            rows[i][j] = best;
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_names_are_found_and_far_ones_are_not() {
+        let names = ["C_L0", "C_La", "C_D0", "air_velocity", "alpha", "V"];
+        for (wrong, right) in [
+            ("C_LA", Some("C_La")),
+            ("air_velocty", Some("air_velocity")),
+            ("alhpa", Some("alpha")),
+            ("v", Some("V")),
+            ("q", None),
+            ("thrust", None),
+        ] {
+            assert_eq!(nearest(wrong, names.into_iter()), right, "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! What a model says, for people.
+
+use std::fmt::Write;
+
+use crate::check::singular_points;
+use crate::model::{Constant, FrameKind, Model};
+
+/// A summary of a model: states, constants with their units, forces, limits, singular points, effects.
+pub fn summary(model: &Model) -> String {
+    let mut out = String::new();
+    let _ = write(&mut out, model);
+    out
+}
+
+fn write(out: &mut String, model: &Model) -> std::fmt::Result {
+    writeln!(out, "model {}", model.name)?;
+    if let Some(line) = model.doc.lines().next() {
+        writeln!(out, "  {line}")?;
+    }
+    if let Some(reference) = &model.reference {
+        writeln!(out, "  verified against {reference}")?;
+    }
+    states(out, model)?;
+    frames(out, model)?;
+    constants(out, "parameters", &model.params)?;
+    constants(out, "coefficients", &model.coefficients)?;
+    if !model.inputs.is_empty() {
+        writeln!(out, "\ninputs")?;
+        for input in &model.inputs {
+            let [x, y, z] = input.value;
+            let frame = &model.frames[input.frame].name;
+            writeln!(
+                out,
+                "  {} = ({x}, {y}, {z}) {} in {frame}   {}",
+                input.name,
+                input.unit_text,
+                first(&input.doc)
+            )?;
+        }
+    }
+    if let Some(body) = &model.body {
+        let loads = |loads: &[crate::model::Load]| {
+            loads
+                .iter()
+                .map(|l| l.name.as_str())
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        let kind = if body.rotation.is_some() {
+            "rigid body"
+        } else {
+            "point"
+        };
+        writeln!(out, "\n{kind} {}", body.name)?;
+        writeln!(out, "  forces   {}", loads(&model.forces))?;
+        if body.rotation.is_some() {
+            writeln!(out, "  moments  {}", loads(&model.moments))?;
+        }
+    } else {
+        writeln!(
+            out,
+            "\nequations stated outright for all {} states",
+            model.equations.len()
+        )?;
+    }
+    if let (Some(observation), Some(marker)) = (&model.observation, &model.marker) {
+        let frame = &model.frames[marker.frame].name;
+        writeln!(
+            out,
+            "\nobserved: {} of a marker fixed in {frame}",
+            observation.name
+        )?;
+    } else if let Some(observation) = &model.observation {
+        writeln!(out, "\nobserved: {}", observation.name)?;
+    }
+    if !model.limits.is_empty() {
+        writeln!(out, "\nlimits")?;
+        for limit in &model.limits {
+            let text = model.text(limit.value.span);
+            let text = if model.is_automatic(limit) {
+                automatic(model, limit)
+            } else {
+                text
+            };
+            writeln!(out, "  {text} > {}   {}", limit.bound, limit.reason)?;
+        }
+    }
+    let points = singular_points(model);
+    if !points.is_empty() {
+        writeln!(out, "\nsingular points")?;
+        for point in points {
+            let line = model.line(point.span);
+            writeln!(out, "  line {line}: {} is {}", point.text, point.what)?;
+        }
+    }
+    if !model.checks.is_empty() {
+        writeln!(out, "\nchecks in the file: {}", model.checks.len())?;
+    }
+    for effect in &model.effects {
+        writeln!(
+            out,
+            "\neffect {} ({})   {}",
+            effect.name,
+            effect.site,
+            first(&effect.doc)
+        )?;
+        for coefficient in &effect.coefficients {
+            let constant = &model.coefficients[coefficient.index];
+            write!(
+                out,
+                "  {} vanishes at {}",
+                constant.name, coefficient.vanishes_at
+            )?;
+            if let Some(size) = coefficient.negligible {
+                write!(out, ", negligible below {size}")?;
+            }
+            writeln!(out, " {}", unit(&constant.unit_text))?;
+        }
+    }
+    Ok(())
+}
+
+fn automatic(model: &Model, limit: &crate::model::Limit) -> String {
+    use crate::model::{ExprKind, Function};
+    match &limit.value.kind {
+        ExprKind::Call(function, angle) => match angle.kind {
+            ExprKind::State(i) => {
+                let name = if *function == Function::Cos {
+                    "cos"
+                } else {
+                    "sin"
+                };
+                format!("{name}({})", model.states[i].name)
+            }
+            _ => String::new(),
+        },
+        _ => String::new(),
+    }
+}
+
+fn first(doc: &str) -> &str {
+    doc.lines().next().unwrap_or("")
+}
+
+fn unit(text: &str) -> &str {
+    if text == "1" { "" } else { text }
+}
+
+fn states(out: &mut String, model: &Model) -> std::fmt::Result {
+    writeln!(out, "\nstates")?;
+    let width = model.states.iter().map(|s| s.name.len()).max().unwrap_or(0);
+    for state in &model.states {
+        writeln!(out, "  {:width$}  {}", state.name, state.unit_text)?;
+    }
+    Ok(())
+}
+
+fn frames(out: &mut String, model: &Model) -> std::fmt::Result {
+    writeln!(out, "\nframes")?;
+    for frame in &model.frames {
+        let state = |i: usize| model.states[i].name.as_str();
+        let name = |i: usize| model.frames[i].name.as_str();
+        match &frame.kind {
+            FrameKind::Inertial => writeln!(out, "  {}: inertial, axis 3 up", frame.name)?,
+            FrameKind::Turned {
+                parent,
+                angle,
+                axis,
+                ..
+            } => {
+                writeln!(
+                    out,
+                    "  {}: {} turned {} about {axis}",
+                    frame.name,
+                    name(*parent),
+                    state(*angle)
+                )?;
+            }
+            FrameKind::Quaternion {
+                parent,
+                states: [a, b, c, d],
+            } => writeln!(
+                out,
+                "  {}: {} by quaternion ({}, {}, {}, {})",
+                frame.name,
+                name(*parent),
+                state(*a),
+                state(*b),
+                state(*c),
+                state(*d)
+            )?,
+        }
+    }
+    Ok(())
+}
+
+fn constants(out: &mut String, title: &str, constants: &[Constant]) -> std::fmt::Result {
+    if constants.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{title}")?;
+    let width = constants.iter().map(|c| c.name.len()).max().unwrap_or(0);
+    for c in constants {
+        let mut value = format!("{} {}", c.value, c.unit_text);
+        if c.inferred {
+            value += " (unit inferred)";
+        }
+        if let Some((least, greatest)) = c.bounds {
+            value += &format!(" in {least} .. {greatest}");
+        }
+        writeln!(out, "  {:width$} = {value:36} {}", c.name, first(&c.doc))?;
+    }
+    Ok(())
+}

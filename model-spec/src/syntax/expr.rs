@@ -1,0 +1,276 @@
+//! Expressions, by precedence: `^` binds tightest and to the right, then signs, then products, then sums.
+
+use super::ast::{BinaryOp, Expr, ExprKind, Number, Quantity, UnitExpr};
+use super::parser::{Parser, Read, Reported};
+use super::quantity::superscript_value;
+use super::token::Token;
+use crate::diagnostic::{Diagnostic, Kind, Span};
+
+/// How high the tree of one expression may grow; every later stage descends it.
+pub(crate) const HIGHEST: u32 = 200;
+
+const SIGN: u8 = 25;
+const POWER: u8 = 31;
+
+/// An expression and the height of its tree.
+struct Tree {
+    expr: Expr,
+    height: u32,
+}
+
+fn binding(token: Token) -> Option<(BinaryOp, u8, u8)> {
+    Some(match token {
+        Token::Plus => (BinaryOp::Add, 10, 11),
+        Token::Minus => (BinaryOp::Sub, 10, 11),
+        Token::Star => (BinaryOp::Mul, 20, 21),
+        Token::Dot => (BinaryOp::Dot, 20, 21),
+        Token::Times => (BinaryOp::Cross, 20, 21),
+        Token::Slash => (BinaryOp::Div, 20, 21),
+        Token::Caret => (BinaryOp::Pow, POWER, POWER - 1),
+        _ => return None,
+    })
+}
+
+impl Parser<'_> {
+    /// An expression.
+    pub fn expr(&mut self) -> Read<Expr> {
+        self.tree(0).map(|t| t.expr)
+    }
+
+    fn tree(&mut self, least: u8) -> Read<Tree> {
+        self.nested(|p| p.tree_inner(least))
+    }
+
+    fn tree_inner(&mut self, least: u8) -> Read<Tree> {
+        let mut left = self.prefix()?;
+        loop {
+            if self.peek() == Token::Superscript && POWER >= least {
+                left = self.superscript(left)?;
+                continue;
+            }
+            if self.peek() == Token::StarStar {
+                let help = "a power is written `^`";
+                return self.expected_help("an operator", Some(help.to_owned()));
+            }
+            let Some((op, from, to)) = binding(self.peek()) else {
+                break;
+            };
+            if from < least {
+                break;
+            }
+            self.advance();
+            let right = self.tree(to)?;
+            let span = left.expr.span.to(right.expr.span);
+            let height = left.height.max(right.height);
+            let kind = ExprKind::Binary(op, Box::new(left.expr), Box::new(right.expr));
+            left = self.grown(kind, span, height)?;
+        }
+        Ok(left)
+    }
+
+    /// A tree one level higher, unless that is too high.
+    fn grown(&mut self, kind: ExprKind, span: Span, below: u32) -> Read<Tree> {
+        if below + 1 > HIGHEST {
+            let message = format!("this expression has more than {HIGHEST} operations in a row");
+            let fault = Diagnostic::new(Kind::Limit, self.behind(), message);
+            self.report(fault.help("give parts of it names with `let`"));
+            return Err(Reported);
+        }
+        Ok(Tree {
+            expr: Expr { kind, span },
+            height: below + 1,
+        })
+    }
+
+    fn superscript(&mut self, base: Tree) -> Read<Tree> {
+        let span = self.here();
+        let value = superscript_value(self.raw()).unwrap_or(f64::INFINITY);
+        self.advance();
+        let number = Number {
+            text: value.to_string(),
+            span,
+        };
+        let exponent = ExprKind::Number(Quantity {
+            number,
+            unit: None,
+            span,
+        });
+        let whole = base.expr.span.to(span);
+        let exponent = Box::new(Expr {
+            kind: exponent,
+            span,
+        });
+        let kind = ExprKind::Binary(BinaryOp::Pow, Box::new(base.expr), exponent);
+        self.grown(kind, whole, base.height)
+    }
+
+    fn prefix(&mut self) -> Read<Tree> {
+        let start = self.here();
+        if self.eat(Token::Minus) {
+            let inner = self.tree(SIGN)?;
+            let span = start.to(inner.expr.span);
+            return self.grown(ExprKind::Neg(Box::new(inner.expr)), span, inner.height);
+        }
+        if self.eat(Token::Plus) {
+            return self.tree(SIGN);
+        }
+        let mut tree = self.primary()?;
+        while self.eat(Token::Point) {
+            let part = self.axis("the number of an axis or component: 1, 2 or 3")?;
+            let span = tree.expr.span.to(self.behind());
+            tree = self.grown(ExprKind::Part(Box::new(tree.expr), part), span, tree.height)?;
+        }
+        Ok(tree)
+    }
+
+    /// 1, 2 or 3.
+    pub fn axis(&mut self, what: &str) -> Read<u8> {
+        match (self.peek(), self.raw()) {
+            (Token::Number, raw @ ("1" | "2" | "3")) => {
+                self.advance();
+                Ok(raw.as_bytes()[0] - b'0')
+            }
+            (Token::Name, "x" | "y" | "z") => {
+                let help = "components are numbered: `.1`, `.2`, `.3`";
+                self.expected_help(what, Some(help.to_owned()))
+            }
+            _ => self.expected(what),
+        }
+    }
+
+    fn primary(&mut self) -> Read<Tree> {
+        let start = self.here();
+        match self.peek() {
+            Token::Number => self.literal(),
+            Token::Open => self.bracket(start),
+            Token::Name if self.peek_at(1) == Token::Open => self.call(start),
+            Token::Name => {
+                let name = self.name("a name")?;
+                self.grown(ExprKind::Name(name.text), start, 0)
+            }
+            _ => self.expected("an expression"),
+        }
+    }
+
+    /// A number, with one unit or a unit in square brackets.
+    fn literal(&mut self) -> Read<Tree> {
+        let number = self.digits("a number")?;
+        let unit = match self.peek() {
+            Token::OpenSquare => Some(self.square_unit()?),
+            Token::Name
+                if !self.first_on_line()
+                    && !["in", "within"].contains(&self.raw())
+                    && self.peek_at(1) != Token::Open =>
+            {
+                let factor = self.unit_power()?;
+                let span = factor.span;
+                Some(UnitExpr {
+                    factors: vec![factor],
+                    span,
+                })
+            }
+            Token::Name if self.peek_at(1) == Token::Open && !self.first_on_line() => {
+                let help = format!("write `{}*{}(…)`", number.text, self.raw());
+                return self.expected_help("an operator", Some(help));
+            }
+            _ => None,
+        };
+        let span = number.span.to(self.behind());
+        self.grown(ExprKind::Number(Quantity { number, unit, span }), span, 0)
+    }
+
+    fn bracket(&mut self, start: Span) -> Read<Tree> {
+        self.advance();
+        let first = self.tree(0)?;
+        if self.peek() != Token::Comma {
+            self.closing(start)?;
+            let span = start.to(self.behind());
+            return Ok(Tree {
+                expr: Expr {
+                    kind: first.expr.kind,
+                    span,
+                },
+                height: first.height,
+            });
+        }
+        self.advance();
+        let second = self.tree(0)?;
+        if self.peek() == Token::Close {
+            return self.expected("`,` and the third component of a vector");
+        }
+        self.need(Token::Comma, "`,` between the components of a vector")?;
+        let third = self.tree(0)?;
+        self.closing(start)?;
+        let triple = start.to(self.behind());
+        if !self.eat_word("in") {
+            let message = "a vector in components must say in which frame they are";
+            let fault = Diagnostic::new(Kind::Grammar, triple, message).help(format!(
+                "write `{} in B`, with the name of a frame for `B`",
+                self.slice(triple)
+            ));
+            self.report(fault);
+            return Err(Reported);
+        }
+        let frame = self.name("the name of a frame after `in`")?;
+        let span = start.to(frame.span);
+        let height = first.height.max(second.height).max(third.height);
+        let parts = Box::new([first.expr, second.expr, third.expr]);
+        self.grown(ExprKind::Components(parts, frame), span, height)
+    }
+
+    fn closing(&mut self, open: Span) -> Read<()> {
+        if self.eat(Token::Close) {
+            return Ok(());
+        }
+        let found = super::token::name_of(self.lexeme(), self.slice_all());
+        let help = match self.peek() {
+            Token::Name | Token::Number | Token::Open => {
+                Some("a product is written with `*` or `·`".to_owned())
+            }
+            _ => None,
+        };
+        if self.peek() != Token::OpenText {
+            let message = format!("expected an operator or `)`, found {found}");
+            let fault = Diagnostic::new(Kind::Grammar, self.here(), message)
+                .label(
+                    Span {
+                        end: open.start + 1,
+                        ..open
+                    },
+                    "this bracket is open",
+                )
+                .help_if(help);
+            self.report(fault);
+        }
+        Err(Reported)
+    }
+
+    fn call(&mut self, start: Span) -> Read<Tree> {
+        let name = self.name("a function")?;
+        let open = self.here();
+        self.advance();
+        if name.text == "der" {
+            let state = self.name("the name of a state")?;
+            self.closing(open)?;
+            return self.grown(ExprKind::Derivative(state), start.to(self.behind()), 0);
+        }
+        let mut arguments = Vec::new();
+        let mut height = 0;
+        if self.peek() != Token::Close {
+            loop {
+                let argument = self.tree(0)?;
+                height = height.max(argument.height);
+                arguments.push(argument.expr);
+                if !self.eat(Token::Comma) {
+                    break;
+                }
+            }
+        }
+        self.closing(open)?;
+        self.grown(
+            ExprKind::Call(name, arguments),
+            start.to(self.behind()),
+            height,
+        )
+    }
+}

@@ -1,0 +1,367 @@
+//! The cursor that all parts of the parser share, and how it recovers from a fault.
+
+use super::ast::{File, Name};
+use super::token::{self, Lexed, Lexeme, Token};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+
+/// How deep brackets, calls, signs and powers may nest.
+const DEEPEST: u32 = 64;
+
+/// Words that begin a statement.
+pub(super) const STATEMENTS: [&str; 24] = [
+    "model",
+    "reference",
+    "param",
+    "coefficient",
+    "input",
+    "state",
+    "frame",
+    "body",
+    "point",
+    "let",
+    "force",
+    "moment",
+    "der",
+    "marker",
+    "observe",
+    "limit",
+    "check",
+    "effect",
+    "set",
+    "expect",
+    "replace",
+    "site",
+    "source",
+    "negligible",
+];
+
+/// A fault that has been reported; what was being read is given up.
+pub(super) struct Reported;
+
+/// What a part of the parser yields.
+pub(super) type Read<T> = Result<T, Reported>;
+
+/// The tokens of a text, and a place among them.
+pub(super) struct Parser<'a> {
+    text: &'a str,
+    source: u16,
+    lexed: Lexed,
+    at: usize,
+    next_doc: usize,
+    depth: u32,
+}
+
+impl<'a> Parser<'a> {
+    pub fn new(text: &'a str, source: u16) -> Parser<'a> {
+        Parser {
+            text,
+            source,
+            lexed: token::lex(text, source),
+            at: 0,
+            next_doc: 0,
+            depth: 0,
+        }
+    }
+
+    /// Reads the whole file.
+    pub fn file(&mut self) -> File {
+        let mut items = Vec::new();
+        while self.peek() != Token::End {
+            if self.peek() == Token::CloseBrace {
+                let span = self.here();
+                let fault = Diagnostic::new(Kind::Grammar, span, "this `}` closes nothing");
+                self.report(fault.help("remove it, or look for a `{` that is missing before it"));
+                self.at += 1;
+                continue;
+            }
+            let before = self.at;
+            match self.statement() {
+                Ok(item) => items.push(item),
+                Err(Reported) => self.recover(before),
+            }
+        }
+        let doc = std::mem::take(&mut self.lexed.file_doc);
+        File {
+            doc,
+            items,
+            applied: Vec::new(),
+            end: self.here(),
+        }
+    }
+
+    /// All faults, in the order of their places.
+    pub fn finish(mut self) -> Vec<Diagnostic> {
+        self.lexed.diagnostics.sort_by_key(|d| d.span);
+        self.lexed.diagnostics
+    }
+
+    pub fn lexeme(&self) -> Lexeme {
+        self.lexed.tokens[self.at]
+    }
+
+    pub fn peek(&self) -> Token {
+        self.lexeme().token
+    }
+
+    pub fn peek_at(&self, ahead: usize) -> Token {
+        self.lexed
+            .tokens
+            .get(self.at + ahead)
+            .map_or(Token::End, |l| l.token)
+    }
+
+    pub fn first_on_line(&self) -> bool {
+        self.lexeme().first
+    }
+
+    /// The text of the next token.
+    pub fn raw(&self) -> &'a str {
+        let lexeme = self.lexeme();
+        &self.text[lexeme.start as usize..lexeme.end as usize]
+    }
+
+    /// The whole text.
+    pub fn slice_all(&self) -> &'a str {
+        self.text
+    }
+
+    /// The text of a place.
+    pub fn slice(&self, span: Span) -> &'a str {
+        &self.text[span.range()]
+    }
+
+    pub fn here(&self) -> Span {
+        let Lexeme { start, end, .. } = self.lexeme();
+        Span {
+            start,
+            end,
+            source: self.source,
+        }
+    }
+
+    /// The place of the token before.
+    pub fn behind(&self) -> Span {
+        match self.at.checked_sub(1) {
+            Some(i) => {
+                let Lexeme { start, end, .. } = self.lexed.tokens[i];
+                Span {
+                    start,
+                    end,
+                    source: self.source,
+                }
+            }
+            None => self.here(),
+        }
+    }
+
+    pub fn advance(&mut self) {
+        if self.peek() != Token::End {
+            self.at += 1;
+        }
+    }
+
+    pub fn eat(&mut self, token: Token) -> bool {
+        let found = self.peek() == token;
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    pub fn at_word(&self, word: &str) -> bool {
+        self.peek() == Token::Name && self.raw() == word
+    }
+
+    pub fn eat_word(&mut self, word: &str) -> bool {
+        let found = self.at_word(word);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    pub fn report(&mut self, fault: Diagnostic) {
+        self.lexed.diagnostics.push(fault);
+    }
+
+    /// Reports that something else was expected here.
+    pub fn expected<T>(&mut self, what: &str) -> Read<T> {
+        self.expected_help(what, None)
+    }
+
+    pub fn expected_help<T>(&mut self, what: &str, help: Option<String>) -> Read<T> {
+        let found = token::name_of(self.lexeme(), self.text);
+        // A text without an end has been reported by the lexer.
+        if self.peek() != Token::OpenText {
+            let message = format!("expected {what}, found {found}");
+            let fault = Diagnostic::new(Kind::Grammar, self.here(), message).help_if(help);
+            self.report(fault);
+        }
+        Err(Reported)
+    }
+
+    pub fn need(&mut self, token: Token, what: &str) -> Read<()> {
+        if self.eat(token) {
+            Ok(())
+        } else {
+            self.expected(what)
+        }
+    }
+
+    pub fn need_word(&mut self, word: &str, after: &str) -> Read<()> {
+        if self.eat_word(word) {
+            Ok(())
+        } else {
+            self.expected(&format!("`{word}` after {after}"))
+        }
+    }
+
+    /// The `;` that ends a statement.
+    pub fn semicolon(&mut self, after: &str) -> Read<()> {
+        if self.eat(Token::Semicolon) {
+            return Ok(());
+        }
+        if self.first_on_line() || self.peek() == Token::CloseBrace {
+            let end = self.behind();
+            let place = Span {
+                start: end.end.saturating_sub(1).max(end.start),
+                ..end
+            };
+            self.report(
+                Diagnostic::new(
+                    Kind::Grammar,
+                    place,
+                    format!("expected `;` at the end of {after}"),
+                )
+                .help("end the statement with `;`"),
+            );
+            return Err(Reported);
+        }
+        let help = match self.peek() {
+            Token::Name | Token::Number | Token::Open => {
+                Some("a product is written with `*` or `·`".to_owned())
+            }
+            Token::StarStar => Some("a power is written `^`".to_owned()),
+            _ => None,
+        };
+        self.expected_help(&format!("`;` at the end of {after}"), help)
+    }
+
+    pub fn name(&mut self, what: &str) -> Read<Name> {
+        if self.peek() != Token::Name {
+            return self.expected(what);
+        }
+        let name = Name {
+            text: token::plain_name(self.raw()),
+            span: self.here(),
+        };
+        self.advance();
+        Ok(name)
+    }
+
+    /// A text between quotation marks.
+    pub fn quoted(&mut self, what: &str) -> Read<String> {
+        if self.peek() != Token::Text {
+            return self.expected(&format!("{what} between quotation marks"));
+        }
+        let text = self.raw().trim_matches('"').to_owned();
+        self.advance();
+        Ok(text)
+    }
+
+    /// The `///` lines right before the next token.
+    pub fn doc(&mut self) -> String {
+        let mut lines: Vec<&str> = Vec::new();
+        while let Some((at, line)) = self.lexed.docs.get(self.next_doc) {
+            match at.cmp(&self.at) {
+                std::cmp::Ordering::Less => {}
+                std::cmp::Ordering::Equal => lines.push(line),
+                std::cmp::Ordering::Greater => break,
+            }
+            self.next_doc += 1;
+        }
+        lines.join("\n")
+    }
+
+    /// Reads something one level deeper.
+    pub fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
+        if self.depth >= DEEPEST {
+            let message = format!("this is nested more than {DEEPEST} levels deep");
+            let fault = Diagnostic::new(Kind::Limit, self.here(), message);
+            self.report(fault.help("give parts of it names with `let`"));
+            return Err(Reported);
+        }
+        self.depth += 1;
+        let result = read(self);
+        self.depth -= 1;
+        result
+    }
+
+    /// Goes on after a fault: behind the next `;` or block of this level, before a `}` that closes the
+    /// level above, or at a line that begins like a statement.
+    pub fn recover(&mut self, started: usize) {
+        let mut open = 0_u32;
+        loop {
+            match self.peek() {
+                Token::End => return,
+                Token::Semicolon if open == 0 => {
+                    self.advance();
+                    return;
+                }
+                Token::OpenBrace => open += 1,
+                Token::CloseBrace if open == 0 => return,
+                Token::CloseBrace => {
+                    open -= 1;
+                    if open == 0 {
+                        self.advance();
+                        return;
+                    }
+                }
+                Token::Name
+                    if open == 0
+                        && self.at > started
+                        && self.first_on_line()
+                        && STATEMENTS.contains(&self.raw()) =>
+                {
+                    return;
+                }
+                _ => {}
+            }
+            self.advance();
+        }
+    }
+
+    /// `{ statement… }`, going on after faults inside.
+    pub fn braces<T>(
+        &mut self,
+        what: &str,
+        mut read: impl FnMut(&mut Self) -> Read<T>,
+    ) -> Read<Vec<T>> {
+        let open = self.here();
+        self.need(Token::OpenBrace, &format!("`{{` after {what}"))?;
+        let mut parts = Vec::new();
+        loop {
+            match self.peek() {
+                Token::CloseBrace => {
+                    self.advance();
+                    return Ok(parts);
+                }
+                Token::End => {
+                    let fault = Diagnostic::new(
+                        Kind::Grammar,
+                        open,
+                        format!("the block of {what} is not closed"),
+                    );
+                    self.report(fault.help("close it with `}`"));
+                    return Ok(parts);
+                }
+                _ => {}
+            }
+            let before = self.at;
+            match read(self) {
+                Ok(part) => parts.push(part),
+                Err(Reported) => self.recover(before),
+            }
+        }
+    }
+}

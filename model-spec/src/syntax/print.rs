@@ -1,0 +1,130 @@
+//! Expressions as text again, for messages about trees that were changed after they were read.
+
+use std::fmt;
+
+use super::ast::{BinaryOp, Expr, ExprKind, Quantity, UnitExpr};
+
+impl BinaryOp {
+    /// How it is written.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            BinaryOp::Add => " + ",
+            BinaryOp::Sub => " - ",
+            BinaryOp::Mul => "*",
+            BinaryOp::Dot => "·",
+            BinaryOp::Cross => "×",
+            BinaryOp::Div => "/",
+            BinaryOp::Pow => "^",
+        }
+    }
+
+    fn strength(self) -> u8 {
+        match self {
+            BinaryOp::Add | BinaryOp::Sub => 10,
+            BinaryOp::Mul | BinaryOp::Dot | BinaryOp::Cross | BinaryOp::Div => 20,
+            BinaryOp::Pow => 30,
+        }
+    }
+}
+
+impl fmt::Display for UnitExpr {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut any = false;
+        for factor in self.factors.iter().filter(|u| u.doubled > 0) {
+            write!(f, "{}{}", if any { "*" } else { "" }, factor.symbol)?;
+            power(f, factor.doubled)?;
+            any = true;
+        }
+        if !any {
+            f.write_str("1")?;
+        }
+        for factor in self.factors.iter().filter(|u| u.doubled < 0) {
+            write!(f, "/{}", factor.symbol)?;
+            power(f, -factor.doubled)?;
+        }
+        Ok(())
+    }
+}
+
+fn power(f: &mut fmt::Formatter<'_>, doubled: i32) -> fmt::Result {
+    match doubled {
+        2 => Ok(()),
+        even if even % 2 == 0 => write!(f, "^{}", even / 2),
+        odd => write!(f, "^({odd}/2)"),
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.number.text)?;
+        match &self.unit {
+            Some(unit) => write!(f, " {unit}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// As a person would write it; reading it again gives the same tree.
+impl fmt::Display for Expr {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_expr(f, self, 0)
+    }
+}
+
+fn write_expr(f: &mut fmt::Formatter<'_>, expr: &Expr, least: u8) -> fmt::Result {
+    let strength = match &expr.kind {
+        ExprKind::Binary(op, ..) => op.strength(),
+        ExprKind::Neg(_) => 25,
+        // A number with a sign or a unit is no single word.
+        ExprKind::Number(q) if q.number.text.starts_with('-') => 25,
+        ExprKind::Number(q) if q.unit.is_some() => 35,
+        _ => 40,
+    };
+    if strength < least {
+        f.write_str("(")?;
+    }
+    match &expr.kind {
+        ExprKind::Number(q) => match &q.unit {
+            Some(unit) => write!(f, "{} [{unit}]", q.number.text)?,
+            None => f.write_str(&q.number.text)?,
+        },
+        ExprKind::Name(name) => f.write_str(name)?,
+        ExprKind::Part(of, part) => {
+            write_expr(f, of, 40)?;
+            write!(f, ".{part}")?;
+        }
+        ExprKind::Derivative(state) => write!(f, "der({})", state.text)?,
+        ExprKind::Components(parts, frame) => {
+            write!(
+                f,
+                "({}, {}, {}) in {}",
+                parts[0], parts[1], parts[2], frame.text
+            )?;
+        }
+        ExprKind::Neg(of) => {
+            f.write_str("-")?;
+            write_expr(f, of, 25)?;
+        }
+        ExprKind::Binary(op, a, b) => {
+            // `^` groups to the right, all others to the left.
+            let (left, right) = match op {
+                BinaryOp::Pow => (31, 30),
+                _ => (op.strength(), op.strength() + 1),
+            };
+            write_expr(f, a, left)?;
+            f.write_str(op.symbol())?;
+            write_expr(f, b, right)?;
+        }
+        ExprKind::Call(name, arguments) => {
+            write!(f, "{}(", name.text)?;
+            for (i, argument) in arguments.iter().enumerate() {
+                write!(f, "{}{argument}", if i > 0 { ", " } else { "" })?;
+            }
+            f.write_str(")")?;
+        }
+    }
+    if strength < least {
+        f.write_str(")")?;
+    }
+    Ok(())
+}

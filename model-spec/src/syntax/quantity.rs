@@ -1,0 +1,208 @@
+//! Numbers with units.
+
+use super::ast::{Number, Quantity, UnitExpr, UnitFactor};
+use super::parser::{Parser, Read, Reported};
+use super::token::Token;
+use crate::diagnostic::{Diagnostic, Kind, Span};
+
+/// Words that follow a quantity and are no units.
+const FOLLOWING: [&str; 4] = ["in", "within", "about", "on"];
+
+/// The greatest exponent of a unit, doubled.
+const MOST_DOUBLED: i32 = 126;
+
+impl Parser<'_> {
+    /// A number without its sign.
+    pub fn digits(&mut self, what: &str) -> Read<Number> {
+        if self.peek() != Token::Number {
+            return self.expected(what);
+        }
+        let number = Number {
+            text: self.raw().replace('−', "-"),
+            span: self.here(),
+        };
+        self.advance();
+        if !number.text.parse::<f64>().is_ok_and(f64::is_finite) {
+            let message = format!("the number {} is too large", number.text);
+            let fault = Diagnostic::new(Kind::Value, number.span, message);
+            self.report(fault.note("the largest number is about 1.8e308"));
+        }
+        Ok(number)
+    }
+
+    /// A number with its sign.
+    pub fn number(&mut self, what: &str) -> Read<Number> {
+        let start = self.here();
+        let negative = self.eat(Token::Minus);
+        if !negative {
+            self.eat(Token::Plus);
+        }
+        if self.peek() == Token::Name || self.peek() == Token::Open {
+            let help = "a quantity that is computed is named with `let`";
+            return self.expected_help(what, Some(help.to_owned()));
+        }
+        let digits = self.digits(what)?;
+        let text = if negative {
+            format!("-{}", digits.text)
+        } else {
+            digits.text
+        };
+        Ok(Number {
+            text,
+            span: start.to(digits.span),
+        })
+    }
+
+    /// A number and the unit that follows it: `0.175 kg`, `2.4 /rad`.
+    pub fn quantity(&mut self, what: &str) -> Read<Quantity> {
+        let number = self.number(what)?;
+        let unit = self.optional_unit()?;
+        let span = unit
+            .as_ref()
+            .map_or(number.span, |u| number.span.to(u.span));
+        Ok(Quantity { number, unit, span })
+    }
+
+    /// Whether a unit begins here.
+    fn at_unit(&self) -> bool {
+        match self.peek() {
+            Token::Name => !FOLLOWING.contains(&self.raw()) && !self.first_on_line(),
+            Token::Slash | Token::OpenSquare => true,
+            Token::Number => self.raw() == "1" && self.peek_at(1) == Token::Slash,
+            _ => false,
+        }
+    }
+
+    /// The unit after a number in a declaration, if there is one.
+    pub fn optional_unit(&mut self) -> Read<Option<UnitExpr>> {
+        if !self.at_unit() {
+            return Ok(None);
+        }
+        if self.peek() == Token::OpenSquare {
+            return self.square_unit().map(Some);
+        }
+        let unit = self.unit()?;
+        if self.at_unit() && self.peek() == Token::Name {
+            let help = "write `*` or `·` between units, as in `kg*m^2`";
+            return self.expected_help("the end of the unit", Some(help.to_owned()));
+        }
+        Ok(Some(unit))
+    }
+
+    /// `[m/s^2]`
+    pub fn square_unit(&mut self) -> Read<UnitExpr> {
+        let start = self.here();
+        self.need(Token::OpenSquare, "`[`")?;
+        let mut unit = self.unit()?;
+        self.need(Token::CloseSquare, "`]` after the unit")?;
+        unit.span = start.to(self.behind());
+        Ok(unit)
+    }
+
+    /// A product of powers of units; it may begin with `/`.
+    pub fn unit(&mut self) -> Read<UnitExpr> {
+        let start = self.here();
+        let mut factors = Vec::new();
+        let mut sign = if self.eat(Token::Slash) { -1 } else { 1 };
+        loop {
+            self.unit_factor(sign, &mut factors)?;
+            sign = match self.peek() {
+                Token::Star | Token::Dot => 1,
+                Token::Slash => -1,
+                _ => break,
+            };
+            self.advance();
+        }
+        Ok(UnitExpr {
+            factors,
+            span: start.to(self.behind()),
+        })
+    }
+
+    fn unit_factor(&mut self, sign: i32, factors: &mut Vec<UnitFactor>) -> Read<()> {
+        match self.peek() {
+            Token::Number if self.raw() == "1" => {
+                self.advance();
+                Ok(())
+            }
+            Token::Open => {
+                self.advance();
+                let inner = self.nested(Self::unit)?;
+                self.need(Token::Close, "`)` in the unit")?;
+                factors.extend(inner.factors.into_iter().map(|f| UnitFactor {
+                    doubled: f.doubled * sign,
+                    ..f
+                }));
+                Ok(())
+            }
+            Token::Name => {
+                let factor = self.unit_power()?;
+                factors.push(UnitFactor {
+                    doubled: factor.doubled * sign,
+                    ..factor
+                });
+                Ok(())
+            }
+            _ => self.expected("a unit such as `kg` or `m/s^2`"),
+        }
+    }
+
+    /// One symbol and its power: `m`, `m^2`, `s⁻¹`, `m^(1/2)`.
+    pub fn unit_power(&mut self) -> Read<UnitFactor> {
+        let symbol = self.raw().to_owned();
+        let start = self.here();
+        self.need(Token::Name, "a unit")?;
+        let mut doubled = 2;
+        if self.peek() == Token::Superscript {
+            let n = superscript_value(self.raw());
+            self.advance();
+            doubled = self.unit_exponent(n.map(|n| n * 2.0), self.behind())?;
+        } else if self.eat(Token::Caret) {
+            let at = self.here();
+            let bracket = self.eat(Token::Open);
+            let mut n: Option<f64> = self.number("the power of a unit")?.text.parse().ok();
+            if bracket {
+                if self.eat(Token::Slash) {
+                    let below: Option<f64> = self.digits("a number")?.text.parse().ok();
+                    n = n.zip(below).map(|(a, b)| a / b);
+                }
+                self.need(Token::Close, "`)` after the power")?;
+            }
+            doubled = self.unit_exponent(n.map(|n| n * 2.0), at.to(self.behind()))?;
+        }
+        Ok(UnitFactor {
+            symbol,
+            doubled,
+            span: start.to(self.behind()),
+        })
+    }
+
+    fn unit_exponent(&mut self, doubled: Option<f64>, span: Span) -> Read<i32> {
+        match doubled {
+            Some(d) if d.fract() == 0.0 && d.abs() <= f64::from(MOST_DOUBLED) => Ok(d as i32),
+            _ => {
+                let message = format!("a unit cannot have the power `{}`", self.slice(span));
+                let fault = Diagnostic::new(Kind::Value, span, message);
+                self.report(fault.note("powers of units are whole or half numbers up to 63"));
+                Err(Reported)
+            }
+        }
+    }
+}
+
+/// The number that superscript digits stand for.
+pub(super) fn superscript_value(raw: &str) -> Option<f64> {
+    let plain: String = raw
+        .chars()
+        .filter_map(|c| match c {
+            '⁺' => None,
+            '⁻' => Some('-'),
+            '¹' => Some('1'),
+            '²' => Some('2'),
+            '³' => Some('3'),
+            '⁰' => Some('0'),
+            other => char::from_digit(other as u32 - '⁴' as u32 + 4, 10),
+        })
+        .collect();
+    plain.parse().ok()
+}

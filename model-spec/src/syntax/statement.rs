@@ -1,0 +1,304 @@
+//! The statements of a file.
+
+use super::ast::{
+    Constant, ConstantClass, Equation, Frame, FrameKind, Input, Item, ItemKind, Let, Limit, Load,
+    LoadClass, Marker, Name, Observe, State,
+};
+use super::parser::{Parser, Read, Reported, STATEMENTS};
+use super::token::Token;
+use crate::diagnostic::{Diagnostic, Kind};
+use crate::suggest;
+
+impl Parser<'_> {
+    /// A statement of a file.
+    pub fn statement(&mut self) -> Read<Item> {
+        let doc = self.doc();
+        let start = self.here();
+        if self.peek() != Token::Name {
+            return self.expected("a statement");
+        }
+        let word = self.raw();
+        let kind = match word {
+            "model" => self.named("model", ItemKind::Model)?,
+            "reference" => self.named("reference", ItemKind::Reference)?,
+            "param" | "coefficient" => self.constant()?,
+            "input" => self.input()?,
+            "state" => self.state()?,
+            "frame" => self.frame()?,
+            "body" | "point" => self.body()?,
+            "let" => self.binding()?,
+            "force" | "moment" => self.load()?,
+            "der" => self.equation()?,
+            "marker" => self.marker()?,
+            "observe" => self.observe()?,
+            "limit" => self.limit()?,
+            "check" => self.check_case()?,
+            "effect" => self.effect()?,
+            _ => return self.no_statement(word),
+        };
+        Ok(Item {
+            kind,
+            doc,
+            span: start.to(self.behind()),
+            effect: None,
+        })
+    }
+
+    /// Reports a word that begins no statement here.
+    pub fn no_statement<T>(&mut self, word: &str) -> Read<T> {
+        let span = self.here();
+        let fault = match word {
+            "set" | "expect" => Diagnostic::new(
+                Kind::Grammar,
+                span,
+                format!("`{word}` stands inside `check \"…\" {{ }}`, not here"),
+            ),
+            "replace" | "site" | "source" | "negligible" => Diagnostic::new(
+                Kind::Grammar,
+                span,
+                format!("`{word}` stands inside `effect NAME {{ }}`, not here"),
+            ),
+            "mass" | "inertia" | "fixed" | "position" | "velocity" | "angular" => Diagnostic::new(
+                Kind::Grammar,
+                span,
+                format!("`{word}` stands inside `body NAME {{ }}`, not here"),
+            ),
+            _ => {
+                let fault = Diagnostic::new(
+                    Kind::Grammar,
+                    span,
+                    format!("no statement begins with `{word}`"),
+                );
+                match suggest::nearest(word, STATEMENTS.into_iter()) {
+                    Some(near) => fault.help(format!("did you mean `{near}`?")),
+                    None if self.peek_at(1) == Token::Equals => {
+                        fault.help(format!("a quantity is named with `let {word} = …;`"))
+                    }
+                    None => fault,
+                }
+            }
+        };
+        self.report(fault);
+        Err(Reported)
+    }
+
+    fn named(&mut self, word: &str, make: impl Fn(Name) -> ItemKind) -> Read<ItemKind> {
+        self.advance();
+        let name = self.name(&format!("a name after `{word}`"))?;
+        self.semicolon(&format!("this `{word}`"))?;
+        Ok(make(name))
+    }
+
+    /// `param NAME = value unit in lo .. hi;`
+    pub fn constant(&mut self) -> Read<ItemKind> {
+        let class = match self.raw() {
+            "param" => ConstantClass::Param,
+            _ => ConstantClass::Coefficient,
+        };
+        let word = self.raw();
+        self.advance();
+        let name = self.name(&format!("a name after `{word}`"))?;
+        self.need(
+            Token::Equals,
+            &format!("`=` and the default of `{}`", name.text),
+        )?;
+        let value = self.quantity("a number")?;
+        let bounds = if self.eat_word("in") {
+            let least = self.quantity("the least value")?;
+            self.need(
+                Token::Range,
+                "`..` between the least and the greatest value",
+            )?;
+            Some((least, self.quantity("the greatest value")?))
+        } else {
+            None
+        };
+        self.semicolon(&format!("this `{word}`"))?;
+        Ok(ItemKind::Constant(Constant {
+            class,
+            name,
+            value,
+            bounds,
+        }))
+    }
+
+    /// `input NAME in FRAME = (a, b, c) unit;`
+    fn input(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let name = self.name("a name after `input`")?;
+        self.need_word(
+            "in",
+            "the name of the input, with the frame of its components",
+        )?;
+        let frame = self.name("the name of a frame after `in`")?;
+        self.need(Token::Equals, "`=` and the default components")?;
+        let value = self.triple_of_numbers()?;
+        let unit = self.optional_unit()?;
+        self.semicolon("this `input`")?;
+        Ok(ItemKind::Input(Input {
+            name,
+            frame,
+            value,
+            unit,
+        }))
+    }
+
+    /// `(1, 2, 3)`
+    pub fn triple_of_numbers(&mut self) -> Read<[super::ast::Number; 3]> {
+        self.need(Token::Open, "`(` and three numbers")?;
+        let a = self.number("a number")?;
+        self.need(Token::Comma, "`,` and the second component")?;
+        let b = self.number("a number")?;
+        self.need(Token::Comma, "`,` and the third component")?;
+        let c = self.number("a number")?;
+        self.need(Token::Close, "`)` after three components")?;
+        Ok([a, b, c])
+    }
+
+    /// `state NAME = value unit;`
+    fn state(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let name = self.name("a name after `state`")?;
+        let what = format!("`=` and the value of `{}` at the start", name.text);
+        self.need(Token::Equals, &what)?;
+        let value = self.quantity("a number")?;
+        self.semicolon("this `state`")?;
+        Ok(ItemKind::State(State { name, value }))
+    }
+
+    /// `frame N;`, `frame A = N turned ANGLE about AXIS;`, `frame C = N by quaternion (a, b, c, d);`
+    fn frame(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let name = self.name("a name after `frame`")?;
+        if self.eat(Token::Semicolon) {
+            return Ok(ItemKind::Frame(Frame {
+                name,
+                kind: FrameKind::Inertial,
+            }));
+        }
+        self.need(Token::Equals, "`;` or `=` after the name of the frame")?;
+        let parent = self.name("the frame that this one is turned from")?;
+        let kind = if self.eat_word("turned") {
+            let angle = self.name("the name of the angle after `turned`")?;
+            self.need_word("about", "the angle")?;
+            let axis = self.axis("the axis: 1, 2 or 3")?;
+            FrameKind::Turned {
+                parent,
+                angle,
+                axis,
+            }
+        } else if self.eat_word("by") {
+            self.need_word("quaternion", "`by`")?;
+            self.need(
+                Token::Open,
+                "`(` and the four components, scalar part first",
+            )?;
+            let a = self.name("the name of a state")?;
+            self.need(Token::Comma, "`,` and the second component")?;
+            let b = self.name("the name of a state")?;
+            self.need(Token::Comma, "`,` and the third component")?;
+            let c = self.name("the name of a state")?;
+            self.need(Token::Comma, "`,` and the fourth component")?;
+            let d = self.name("the name of a state")?;
+            self.need(Token::Close, "`)` after four components")?;
+            FrameKind::Quaternion {
+                parent,
+                states: [a, b, c, d],
+            }
+        } else {
+            return self.expected("`turned ANGLE about AXIS` or `by quaternion (…)`");
+        };
+        self.semicolon("this `frame`")?;
+        Ok(ItemKind::Frame(Frame { name, kind }))
+    }
+
+    /// `let NAME: unit = …;`
+    pub fn binding(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let name = self.name("a name after `let`")?;
+        self.binding_rest(name).map(ItemKind::Let)
+    }
+
+    /// What follows the name of a `let`.
+    pub fn binding_rest(&mut self, name: Name) -> Read<Let> {
+        let unit = if self.eat(Token::Colon) {
+            Some(self.unit()?)
+        } else {
+            None
+        };
+        self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
+        let value = self.expr()?;
+        self.semicolon(&format!("the definition of `{}`", name.text))?;
+        Ok(Let { name, unit, value })
+    }
+
+    /// `force NAME = …;` or `moment NAME = …;`
+    pub fn load(&mut self) -> Read<ItemKind> {
+        let class = match self.raw() {
+            "force" => LoadClass::Force,
+            _ => LoadClass::Moment,
+        };
+        let word = self.raw();
+        self.advance();
+        let name = self.name(&format!("a name after `{word}`"))?;
+        self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
+        let value = self.expr()?;
+        self.semicolon(&format!("this `{word}`"))?;
+        Ok(ItemKind::Load(Load { class, name, value }))
+    }
+
+    /// `der(STATE) = …;`
+    fn equation(&mut self) -> Read<ItemKind> {
+        self.advance();
+        self.need(Token::Open, "`(` after `der`")?;
+        let state = self.name("the name of a state")?;
+        self.need(Token::Close, "`)` after the state")?;
+        self.need(Token::Equals, &format!("`=` after `der({})`", state.text))?;
+        let value = self.expr()?;
+        self.semicolon("this equation")?;
+        Ok(ItemKind::Equation(Equation { state, value }))
+    }
+
+    /// `marker NAME in FRAME;`
+    fn marker(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let name = self.name("a name after `marker`")?;
+        self.need_word(
+            "in",
+            "the name of the marker, with the frame it is fixed in",
+        )?;
+        let frame = self.name("the name of a frame after `in`")?;
+        self.semicolon("this `marker`")?;
+        Ok(ItemKind::Marker(Marker { name, frame }))
+    }
+
+    /// `observe NAME = …;`
+    pub fn observe(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let name = self.name("a name after `observe`")?;
+        self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
+        let value = self.expr()?;
+        self.semicolon("this `observe`")?;
+        Ok(ItemKind::Observe(Observe { name, value }))
+    }
+
+    /// `limit EXPR > bound "reason";`
+    fn limit(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let value = self.expr()?;
+        if self.peek() == Token::Less {
+            let help =
+                "a limit says what must stay above a bound: write `limit -x > -bound` instead";
+            return self.expected_help("`>`", Some(help.to_owned()));
+        }
+        self.need(Token::Greater, "`>` and the bound of the limit")?;
+        let bound = self.quantity("a number, the bound")?;
+        let reason = self.quoted("the reason of the limit")?;
+        self.semicolon("this `limit`")?;
+        Ok(ItemKind::Limit(Limit {
+            value,
+            bound,
+            reason,
+        }))
+    }
+}
