@@ -9,7 +9,10 @@ mod event;
 mod flight;
 mod integrate;
 mod method;
+pub mod release;
 mod root;
+mod table;
+pub mod wind;
 
 pub use dynamics::{Dynamics, Equations, Storage, equations};
 pub use error::{Cause, FlightError};
@@ -17,3 +20,4 @@ pub use event::{Event, Occurrence};
 pub use flight::{Flight, fly, fly_at, fly_to_end, fly_to_event};
 pub use integrate::{End, Options, Work};
 pub use method::Method;
+pub use table::{trajectory_csv, write_whole};

@@ -1,0 +1,448 @@
+//! Reading a release: everything wrong with it is found in one pass, and nothing is guessed.
+
+use super::fault::{place, suggestion};
+use super::{Fault, Name, Release, ReleaseError, Stop, Vocabulary};
+use std::ops::Range;
+use std::path::Path;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Largest file that is read, bytes.
+const LARGEST: u64 = 1 << 20;
+
+/// Parameters without which there is no body, by the names that all models give them.
+const ABOVE_ZERO: [&str; 6] = ["m", "I_a", "I_d", "d", "A", "radius"];
+/// Parameters that may be 0 but no less.
+const NOT_BELOW_ZERO: [&str; 2] = ["rho", "g"];
+
+/// Reads a release from a file; see [`read`].
+pub fn read_file(
+    path: &Path,
+    model: impl FnOnce(&str) -> Result<Vocabulary, String>,
+) -> Result<Release, ReleaseError> {
+    let file = path.display().to_string();
+    let refuse = |place, message: String| ReleaseError {
+        file: file.clone(),
+        faults: vec![Fault { place, message }],
+    };
+    let size = std::fs::metadata(path)
+        .map_err(|e| refuse(None, format!("cannot be read: {e}")))?
+        .len();
+    if size > LARGEST {
+        return Err(refuse(
+            None,
+            format!("has {size} bytes; a release has at most {LARGEST}"),
+        ));
+    }
+    let bytes = std::fs::read(path).map_err(|e| refuse(None, format!("cannot be read: {e}")))?;
+    match std::str::from_utf8(&bytes) {
+        Ok(text) => read(&file, text, model),
+        Err(e) => {
+            let good = String::from_utf8_lossy(&bytes[..e.valid_up_to()]);
+            let message = format!(
+                "found the byte {:#04x}; expected UTF-8 text",
+                bytes[e.valid_up_to()]
+            );
+            Err(refuse(Some(place(&good, good.len())), message))
+        }
+    }
+}
+
+/// Reads a release from a text; `file` is its name in messages. `model` gives the names of the model that the
+/// release asks for, or says in one sentence why there is no such model.
+pub fn read(
+    file: &str,
+    text: &str,
+    model: impl FnOnce(&str) -> Result<Vocabulary, String>,
+) -> Result<Release, ReleaseError> {
+    let mut reader = Reader {
+        text,
+        faults: Vec::new(),
+    };
+    let release = reader.release(model);
+    reader.faults.sort_by_key(|fault| fault.place);
+    match release {
+        Some(release) if reader.faults.is_empty() => Ok(release),
+        _ => Err(ReleaseError {
+            file: file.into(),
+            faults: reader.faults,
+        }),
+    }
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    faults: Vec<Fault>,
+}
+
+type Value<'t> = Spanned<DeValue<'t>>;
+
+impl<'t> Reader<'t> {
+    fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
+        self.faults.push(Fault {
+            place: Some(place(self.text, span.start)),
+            message: message.into(),
+        });
+    }
+
+    fn missing(&mut self, message: impl Into<String>) {
+        self.faults.push(Fault {
+            place: None,
+            message: message.into(),
+        });
+    }
+
+    fn release(
+        &mut self,
+        model: impl FnOnce(&str) -> Result<Vocabulary, String>,
+    ) -> Option<Release> {
+        let document = match DeTable::parse(self.text) {
+            Ok(document) => document,
+            Err(e) => {
+                let span = e.span().unwrap_or(0..0);
+                self.fault(
+                    span,
+                    format!("this is no TOML: {}", e.message().replace('\n', "; ")),
+                );
+                return None;
+            }
+        };
+        let document = document.get_ref();
+        const KEYS: [&str; 8] = [
+            "model",
+            "duration",
+            "until",
+            "parameters",
+            "coefficients",
+            "initial",
+            "wind",
+            "known",
+        ];
+        self.known_keys(document, "", KEYS.into_iter());
+
+        let stop = self.stop(document);
+        let Some(name) = document.get("model") else {
+            self.missing("found no model; expected one, as in model = \"disc\"");
+            return None;
+        };
+        let Some(model_name) = name.get_ref().as_str() else {
+            self.wrong_type(name, "model", "a name or a path, as in model = \"disc\"");
+            return None;
+        };
+        let vocabulary = match model(model_name) {
+            Ok(vocabulary) => vocabulary,
+            Err(why) => {
+                self.fault(name.span(), why);
+                return None;
+            }
+        };
+        let parameters = self.constants(
+            document,
+            "parameters",
+            &vocabulary.parameters,
+            &vocabulary.coefficients,
+        );
+        let coefficients = self.constants(
+            document,
+            "coefficients",
+            &vocabulary.coefficients,
+            &vocabulary.parameters,
+        );
+        let initial = self.initial(document, &vocabulary);
+        let wind = self.wind(document);
+        let known = self.known(document, &vocabulary);
+        Some(Release {
+            model: model_name.into(),
+            stop: stop?,
+            parameters,
+            coefficients,
+            initial,
+            wind,
+            known,
+        })
+    }
+
+    fn stop(&mut self, document: &DeTable<'t>) -> Option<Stop> {
+        match (document.get("duration"), document.get("until")) {
+            (None, None) => {
+                self.missing("found no end; expected duration = … (s) or until = \"ground\"");
+                None
+            }
+            (Some(_), Some(until)) => {
+                self.fault(
+                    until.span(),
+                    "found until beside duration; expected one of the two",
+                );
+                None
+            }
+            (Some(value), None) => {
+                let duration = self.number(value, "duration")?;
+                if !(duration > 0.0 && duration <= Release::LONGEST) {
+                    self.fault(
+                        value.span(),
+                        format!(
+                            "duration is {duration}; expected a time above 0 s and up to {} s",
+                            Release::LONGEST
+                        ),
+                    );
+                }
+                Some(Stop::Duration(duration))
+            }
+            (None, Some(value)) => {
+                if value.get_ref().as_str() != Some("ground") {
+                    self.wrong_type(value, "until", "\"ground\"");
+                }
+                Some(Stop::Ground)
+            }
+        }
+    }
+
+    /// A table of the document; an empty one where there is none.
+    fn table<'d>(
+        &mut self,
+        document: &'d DeTable<'t>,
+        key: &str,
+    ) -> Vec<(&'d str, Range<usize>, &'d Value<'t>)> {
+        let Some(value) = document.get(key) else {
+            return Vec::new();
+        };
+        let Some(table) = value.get_ref().as_table() else {
+            self.wrong_type(value, key, &format!("a table, as in [{key}]"));
+            return Vec::new();
+        };
+        table
+            .iter()
+            .map(|(key, value)| (&**key.get_ref(), key.span(), value))
+            .collect()
+    }
+
+    fn known_keys<'n>(
+        &mut self,
+        table: &DeTable<'t>,
+        place: &str,
+        names: impl Iterator<Item = &'n str> + Clone,
+    ) {
+        for key in table.keys() {
+            let name = key.get_ref();
+            if !names.clone().any(|n| n == name) {
+                self.fault(
+                    key.span(),
+                    format!(
+                        "unknown key {name:?}{place}{}",
+                        suggestion(name, names.clone())
+                    ),
+                );
+            }
+        }
+    }
+
+    /// Parameters or coefficients; `others` are those of the other kind.
+    fn constants(
+        &mut self,
+        document: &DeTable<'t>,
+        key: &str,
+        names: &[Name],
+        others: &[Name],
+    ) -> Vec<(String, f64)> {
+        let mut found = Vec::new();
+        for (name, span, value) in self.table(document, key) {
+            let Some(known) = names.iter().find(|n| n.name == name) else {
+                if others.iter().any(|n| n.name == name) {
+                    let other = if key == "parameters" {
+                        "coefficients"
+                    } else {
+                        "parameters"
+                    };
+                    self.fault(
+                        span,
+                        format!("{name} is one of the model's {other}; expected it in [{other}]"),
+                    );
+                } else {
+                    let hint = suggestion(name, names.iter().map(|n| &*n.name));
+                    self.fault(
+                        span,
+                        format!("the model has no {name:?} among its {key}{hint}"),
+                    );
+                }
+                continue;
+            };
+            let Some(number) = self.number(value, name) else {
+                continue;
+            };
+            if let Some(expected) = outside(known, number) {
+                self.fault(
+                    value.span(),
+                    format!("{name} is {number}; expected {expected}"),
+                );
+            }
+            found.push((name.to_string(), number));
+        }
+        found
+    }
+
+    fn initial(&mut self, document: &DeTable<'t>, vocabulary: &Vocabulary) -> Vec<(String, f64)> {
+        let states = &vocabulary.states;
+        let mut values = vec![None; states.len()];
+        for (name, span, value) in self.table(document, "initial") {
+            let Some(i) = states.iter().position(|s| s == name) else {
+                let hint = suggestion(name, states.iter().map(|s| &**s));
+                self.fault(span, format!("the model has no state {name:?}{hint}"));
+                continue;
+            };
+            // A number that is refused has its own message.
+            values[i] = Some(self.number(value, name).unwrap_or(f64::NAN));
+        }
+        let absent: Vec<&str> = states
+            .iter()
+            .zip(&values)
+            .filter(|(_, v)| v.is_none())
+            .map(|(s, _)| &**s)
+            .collect();
+        let is_table = document
+            .get("initial")
+            .is_none_or(|t| t.get_ref().is_table());
+        if !absent.is_empty() && is_table {
+            let message = format!(
+                "found no {} in [initial]; expected every state of the model",
+                absent.join(", ")
+            );
+            match document.get("initial") {
+                Some(table) => self.fault(table.span(), message),
+                None => self.missing(message),
+            }
+        }
+        let initial: Vec<(String, f64)> = states
+            .iter()
+            .zip(values)
+            .map(|(name, v)| (name.clone(), v.unwrap_or(f64::NAN)))
+            .collect();
+        for quaternion in &vocabulary.quaternions {
+            let length = quaternion
+                .iter()
+                .map(|i| initial[*i].1.powi(2))
+                .sum::<f64>()
+                .sqrt();
+            if (length - 1.0).abs() > 1e-6 {
+                let names: Vec<&str> = quaternion.iter().map(|i| &*states[*i]).collect();
+                let span = document.get("initial").map_or(0..0, |table| table.span());
+                self.fault(
+                    span,
+                    format!(
+                        "the quaternion {} has length {length}; expected 1",
+                        names.join(", ")
+                    ),
+                );
+            }
+        }
+        initial
+    }
+
+    fn wind(&mut self, document: &DeTable<'t>) -> [f64; 3] {
+        let mut wind = [0.0; 3];
+        for (name, span, value) in self.table(document, "wind") {
+            if name == "constant" {
+                wind = self.vector(value, "constant wind").unwrap_or(wind);
+            } else {
+                let hint = suggestion(name, ["constant"].into_iter());
+                self.fault(span, format!("unknown key {name:?} in [wind]{hint}"));
+            }
+        }
+        wind
+    }
+
+    fn known(
+        &mut self,
+        document: &DeTable<'t>,
+        vocabulary: &Vocabulary,
+    ) -> Vec<(String, [f64; 3])> {
+        let mut found = Vec::new();
+        for (name, span, value) in self.table(document, "known") {
+            let inputs = vocabulary
+                .inputs
+                .iter()
+                .map(|i| &**i)
+                .filter(|i| *i != "wind");
+            if inputs.clone().any(|input| input == name) {
+                found.extend(self.vector(value, name).map(|v| (name.to_string(), v)));
+            } else {
+                self.fault(
+                    span,
+                    format!(
+                        "the model has no input {name:?}{}",
+                        suggestion(name, inputs)
+                    ),
+                );
+            }
+        }
+        found
+    }
+
+    fn vector(&mut self, value: &Value<'t>, name: &str) -> Option<[f64; 3]> {
+        let items: Vec<&Value<'t>> = value
+            .get_ref()
+            .as_array()
+            .map(|a| a.iter().collect())
+            .unwrap_or_default();
+        let [x, y, z] = items[..] else {
+            self.wrong_type(value, name, "three numbers, as in [0.0, 0.0, 0.0]");
+            return None;
+        };
+        let numbers = [x, y, z].map(|item| self.number(item, name));
+        Some([numbers[0]?, numbers[1]?, numbers[2]?])
+    }
+
+    /// A finite number; what else it is, is a fault.
+    fn number(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
+        let number = match value.get_ref() {
+            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+                .map(|i| i as f64)
+                // Beyond 64 bits.
+                .or_else(|_| integer.as_str().parse())
+                .ok(),
+            _ => None,
+        };
+        match number {
+            Some(number) if number.is_finite() => Some(number),
+            Some(number) => {
+                self.fault(
+                    value.span(),
+                    format!("{name} is {number}; expected a finite number"),
+                );
+                None
+            }
+            None => {
+                self.wrong_type(value, name, "a number");
+                None
+            }
+        }
+    }
+
+    fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
+        let found = match value.get_ref() {
+            DeValue::String(text) if text.len() <= 40 => format!("the text {text:?}"),
+            DeValue::Integer(number) => number.to_string(),
+            DeValue::Float(number) => number.to_string(),
+            DeValue::Boolean(b) => b.to_string(),
+            DeValue::Array(items) => format!("a list of {}", items.len()),
+            other => format!("a {}", other.type_str()),
+        };
+        self.fault(
+            value.span(),
+            format!("{name} is {found}; expected {expected}"),
+        );
+    }
+}
+
+/// What is expected of a constant that is not so.
+fn outside(name: &Name, value: f64) -> Option<String> {
+    let named = |names: &[&str]| names.contains(&&*name.name);
+    match name.bounds {
+        Some((least, greatest)) if value < least || value > greatest => {
+            Some(format!("a number from {least} to {greatest}"))
+        }
+        _ if named(&ABOVE_ZERO) && value <= 0.0 => Some("a number above 0".into()),
+        _ if named(&NOT_BELOW_ZERO) && value < 0.0 => Some("0 or a number above".into()),
+        _ => None,
+    }
+}

@@ -1,0 +1,89 @@
+//! The table of a flight, and files written whole.
+
+mod disc;
+
+use flight::{Event, Options, equations, fly, fly_to_event, trajectory_csv, write_whole};
+
+fn stone(_: f64, x: &[f64; 2], dx: &mut [f64; 2]) {
+    *dx = [x[1], -10.0];
+}
+
+#[test]
+fn a_trajectory_has_the_rate_and_the_end() {
+    let mut ground = [Event::falls_to("ground", 0, 0.0).ends_flight()];
+    let flight = fly_to_event(
+        &mut equations(&[], stone),
+        (0.0, &[0.45, 1e-9]),
+        9.0,
+        &Options::default(),
+        &mut ground,
+    )
+    .unwrap();
+    let csv = trajectory_csv(&flight, &["z", "vz"], 8.0);
+    let rows: Vec<Vec<f64>> = csv
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    assert_eq!(csv.lines().next(), Some("t,z,vz"));
+    assert_eq!(
+        rows.iter().map(|row| row[0]).collect::<Vec<_>>(),
+        [0.0, 0.125, 0.25, flight.end]
+    );
+    assert_eq!(rows[0], [0.0, 0.45, 1e-9]);
+    assert_eq!(
+        rows[3][1..],
+        flight.end_state,
+        "numbers give themselves back"
+    );
+    assert!((rows[1][1] - (0.45 - 5.0 / 64.0)).abs() < 1e-8);
+}
+
+#[test]
+fn an_end_on_the_rate_is_one_row() {
+    let flight = fly(
+        &mut disc::disc(),
+        (0.0, &disc::THROW),
+        1.0,
+        &Options::default(),
+        &mut [],
+    )
+    .unwrap();
+    let csv = trajectory_csv(&flight, &disc::NAMES, 120.0);
+    assert_eq!(csv.lines().count(), 1 + 121);
+    assert!(csv.lines().last().unwrap().starts_with("1.0,"));
+    // 0.7 s at 10/s: 0.7 * 10 is a little less than 7.
+    let flight = fly(
+        &mut disc::disc(),
+        (0.0, &disc::THROW),
+        0.7,
+        &Options::default(),
+        &mut [],
+    )
+    .unwrap();
+    assert_eq!(
+        trajectory_csv(&flight, &disc::NAMES, 10.0).lines().count(),
+        1 + 8
+    );
+}
+
+#[test]
+fn a_file_is_whole_or_as_it_was() {
+    let folder = std::env::temp_dir().join(format!("hyzer-table-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("trajectory.csv");
+    write_whole(&path, "old").unwrap();
+    write_whole(&path, "new").unwrap();
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
+    assert!(write_whole(&folder.join("absent/trajectory.csv"), "x").is_err());
+    // A folder of that name cannot be replaced, and nothing else is left.
+    std::fs::create_dir(folder.join("taken")).unwrap();
+    assert!(write_whole(&folder.join("taken"), "x").is_err());
+    let mut names: Vec<_> = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|e| e.unwrap().file_name())
+        .collect();
+    names.sort();
+    assert_eq!(names, ["taken", "trajectory.csv"]);
+    std::fs::remove_dir_all(&folder).unwrap();
+}
