@@ -1,0 +1,103 @@
+//! Turns as unit quaternions: products, the vector they carry, and nothing else.
+
+use crate::scalar::{Field, Real};
+use nalgebra::{Matrix3, Vector3};
+
+/// A quaternion, scalar part first: v_N = q v q*.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quaternion<T> {
+    /// Scalar part.
+    pub w: T,
+    /// Vector part.
+    pub v: Vector3<T>,
+}
+
+impl<T: Field> Quaternion<T> {
+    /// No turn.
+    pub fn identity() -> Self {
+        Self {
+            w: T::one(),
+            v: Vector3::zeros(),
+        }
+    }
+
+    /// From four numbers, scalar part first.
+    pub fn from_parts([w, x, y, z]: [T; 4]) -> Self {
+        Self {
+            w,
+            v: Vector3::new(x, y, z),
+        }
+    }
+
+    /// Four numbers, scalar part first.
+    pub fn parts(self) -> [T; 4] {
+        [self.w, self.v.x, self.v.y, self.v.z]
+    }
+
+    /// Hamilton's product.
+    pub fn times(self, o: Self) -> Self {
+        Self {
+            w: self.w * o.w - self.v.dot(&o.v),
+            v: o.v * self.w + self.v * o.w + self.v.cross(&o.v),
+        }
+    }
+
+    /// The opposite turn.
+    pub fn conjugate(self) -> Self {
+        Self {
+            w: self.w,
+            v: -self.v,
+        }
+    }
+
+    /// The vector with components `v` in the turned frame, in components of the frame that was turned.
+    pub fn carry(self, v: Vector3<T>) -> Vector3<T> {
+        self.times(Self { w: T::zero(), v })
+            .times(self.conjugate())
+            .v
+    }
+
+    /// Components in the turned frame of a vector given in the frame that was turned.
+    pub fn bring_back(self, v: Vector3<T>) -> Vector3<T> {
+        self.conjugate().carry(v)
+    }
+
+    /// Unit vector along axis 1, 2 or 3 of the turned frame.
+    pub fn axis(self, axis: u8) -> Vector3<T> {
+        self.carry(unit(axis))
+    }
+
+    /// The axes as columns.
+    pub fn matrix(self) -> Matrix3<T> {
+        Matrix3::from_columns(&[self.axis(1), self.axis(2), self.axis(3)])
+    }
+}
+
+impl<T: Real> Quaternion<T> {
+    /// A turn about axis 1, 2 or 3.
+    pub fn turn(axis: u8, angle: T) -> Self {
+        let half = angle * T::lit(0.5);
+        Self {
+            w: half.cos(),
+            v: unit::<T>(axis) * half.sin(),
+        }
+    }
+}
+
+impl Quaternion<f64> {
+    /// The quaternion of a proper rotation matrix.
+    pub fn from_matrix(m: &Matrix3<f64>) -> Self {
+        let q = nalgebra::UnitQuaternion::from_matrix(m);
+        Self {
+            w: q.w,
+            v: q.imag(),
+        }
+    }
+}
+
+/// Unit vector along axis 1, 2 or 3.
+pub fn unit<T: Field>(axis: u8) -> Vector3<T> {
+    let mut e = Vector3::zeros();
+    e[usize::from(axis) - 1] = T::one();
+    e
+}

@@ -1,0 +1,25 @@
+//! A ball as a point mass: its weight, and drag against its motion through the air.
+
+use crate::physical::{Motion, Physical};
+use crate::scalar::Real;
+use crate::tree::norm;
+use nalgebra::Vector3;
+
+pub(super) const CONSTANTS: [&str; 5] = ["m", "radius", "rho", "g", "C_D"];
+
+pub(super) fn motion<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3<T>) -> Motion<T> {
+    let &[m, radius, rho, g, drag] = constants else {
+        unreachable!("bound to {CONSTANTS:?}")
+    };
+    let through_air = body.velocity - wind;
+    // D = ρ V² A C_D / 2 against the velocity, so the force is −(D / V) v = −ρ A C_D V v / 2.
+    let area = T::lit(std::f64::consts::PI) * radius * radius;
+    let force = -through_air * (rho * area * drag * norm(&through_air) / T::lit(2.0));
+    let force = force + Vector3::new(T::zero(), T::zero(), -m * g);
+    Motion {
+        force,
+        moment: Vector3::zeros(),
+        acceleration: force / m,
+        angular_acceleration: Vector3::zeros(),
+    }
+}

@@ -1,0 +1,113 @@
+//! The dual numbers of the crate num-dual, which are not of our making.
+
+use super::{Field, Real};
+use num_dual::{Dual64, DualNum};
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A dual number of num-dual.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NumDual(pub Dual64);
+
+impl NumDual {
+    /// The variable itself.
+    pub fn variable(value: f64) -> Self {
+        Self(Dual64::new(value, 1.0))
+    }
+
+    /// Its derivative.
+    pub fn slope(self) -> f64 {
+        self.0.eps
+    }
+}
+
+super::wrapped_ops!(NumDual(Dual64));
+super::assign_ops!([] NumDual);
+
+impl Zero for NumDual {
+    fn zero() -> Self {
+        Self::lit(0.0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.re == 0.0 && self.0.eps == 0.0
+    }
+}
+
+impl One for NumDual {
+    fn one() -> Self {
+        Self::lit(1.0)
+    }
+}
+
+impl Field for NumDual {
+    fn whole(value: i64) -> Self {
+        Self::lit(value as f64)
+    }
+
+    fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
+        Some(Self::lit(value))
+    }
+}
+
+impl Real for NumDual {
+    fn lit(value: f64) -> Self {
+        Self(Dual64::new(value, 0.0))
+    }
+
+    fn re(self) -> f64 {
+        self.0.re
+    }
+
+    fn sqrt(self) -> Self {
+        if self.0.re <= 0.0 {
+            Self::zero()
+        } else {
+            Self(self.0.sqrt())
+        }
+    }
+
+    fn sin(self) -> Self {
+        Self(self.0.sin())
+    }
+
+    fn cos(self) -> Self {
+        Self(self.0.cos())
+    }
+
+    fn asin(self) -> Self {
+        if self.0.re.abs() >= 1.0 {
+            Self::lit(self.0.re.asin())
+        } else {
+            Self(self.0.asin())
+        }
+    }
+
+    fn atan(self) -> Self {
+        Self(self.0.atan())
+    }
+
+    fn exp(self) -> Self {
+        Self(self.0.exp())
+    }
+
+    fn ln(self) -> Self {
+        if self.0.re <= 0.0 {
+            Self::zero()
+        } else {
+            Self(self.0.ln())
+        }
+    }
+
+    fn tanh(self) -> Self {
+        Self(self.0.tanh())
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        if self.0.re == 0.0 && x.0.re == 0.0 {
+            Self::zero()
+        } else {
+            Self(self.0.atan2(x.0))
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Operators that follow from others.
+
+/// `+=` and its kin from `+` and its kin.
+macro_rules! assign_ops {
+    ([$($generics:tt)*] $type:ty) => {
+        impl<$($generics)*> AddAssign for $type {
+            fn add_assign(&mut self, o: Self) {
+                *self = *self + o;
+            }
+        }
+        impl<$($generics)*> SubAssign for $type {
+            fn sub_assign(&mut self, o: Self) {
+                *self = *self - o;
+            }
+        }
+        impl<$($generics)*> MulAssign for $type {
+            fn mul_assign(&mut self, o: Self) {
+                *self = *self * o;
+            }
+        }
+        impl<$($generics)*> DivAssign for $type {
+            fn div_assign(&mut self, o: Self) {
+                *self = *self / o;
+            }
+        }
+    };
+}
+
+/// `+` and its kin of a number that wraps another.
+macro_rules! wrapped_ops {
+    ($type:ident($inner:ty)) => {
+        impl Add for $type {
+            type Output = Self;
+            fn add(self, o: Self) -> Self {
+                Self(self.0 + o.0)
+            }
+        }
+        impl Sub for $type {
+            type Output = Self;
+            fn sub(self, o: Self) -> Self {
+                Self(self.0 - o.0)
+            }
+        }
+        impl Mul for $type {
+            type Output = Self;
+            fn mul(self, o: Self) -> Self {
+                Self(self.0 * o.0)
+            }
+        }
+        impl Div for $type {
+            type Output = Self;
+            fn div(self, o: Self) -> Self {
+                Self(self.0 / o.0)
+            }
+        }
+        impl Neg for $type {
+            type Output = Self;
+            fn neg(self) -> Self {
+                Self(-self.0)
+            }
+        }
+    };
+}
+
+pub(super) use {assign_ops, wrapped_ops};

@@ -1,0 +1,139 @@
+//! The field of the integers modulo 2^61 − 1.
+//!
+//! Two rational functions that agree at a random point of this field are the same function, but for a
+//! chance of at most (degree / 2^61): Schwartz and Zippel's lemma.
+
+use super::Field;
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// 2^61 − 1, a Mersenne prime.
+pub const PRIME: u64 = (1 << 61) - 1;
+
+/// An element of the field; always below [`PRIME`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Prime(u64);
+
+impl Prime {
+    /// The element of a whole number.
+    pub fn new(value: u64) -> Self {
+        Self(value % PRIME)
+    }
+
+    /// Its representative below [`PRIME`].
+    pub fn value(self) -> u64 {
+        self.0
+    }
+
+    /// The inverse; 0 for 0, as a quotient is stated to behave.
+    pub fn inverse(self) -> Self {
+        let (mut power, mut product, mut exponent) = (self, Self(1), PRIME - 2);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                product *= power;
+            }
+            power *= power;
+            exponent >>= 1;
+        }
+        product
+    }
+}
+
+impl Add for Prime {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self::new(self.0 + o.0)
+    }
+}
+
+impl Sub for Prime {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        Self::new(self.0 + PRIME - o.0)
+    }
+}
+
+impl Mul for Prime {
+    type Output = Self;
+    fn mul(self, o: Self) -> Self {
+        let product = u128::from(self.0) * u128::from(o.0);
+        Self::new((product as u64 & PRIME) + (product >> 61) as u64)
+    }
+}
+
+impl Div for Prime {
+    type Output = Self;
+    #[allow(clippy::suspicious_arithmetic_impl)]
+    fn div(self, o: Self) -> Self {
+        self * o.inverse()
+    }
+}
+
+impl Neg for Prime {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(PRIME - self.0)
+    }
+}
+
+super::assign_ops!([] Prime);
+
+impl Zero for Prime {
+    fn zero() -> Self {
+        Self(0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0 == 0
+    }
+}
+
+impl One for Prime {
+    fn one() -> Self {
+        Self(1)
+    }
+}
+
+impl Field for Prime {
+    fn whole(value: i64) -> Self {
+        let size = Self::new(value.unsigned_abs());
+        if value < 0 { -size } else { size }
+    }
+
+    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
+        match exact {
+            Some((n, d)) => Some(Self::whole(n) / Self::whole(d)),
+            None if value.fract() == 0.0 && value.abs() < 1e15 => Some(Self::whole(value as i64)),
+            None => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_element_but_zero_has_an_inverse() {
+        for v in [1, 2, 3, 0x1234_5678_9abc_def0, PRIME - 1] {
+            assert_eq!(Prime::new(v) * Prime::new(v).inverse(), Prime::one());
+        }
+        assert_eq!(Prime::zero().inverse(), Prime::zero());
+    }
+
+    #[test]
+    fn it_is_a_ring() {
+        let (a, b, c) = (
+            Prime::new(u64::MAX),
+            Prime::new(PRIME - 7),
+            Prime::new(1 << 60),
+        );
+        assert_eq!(a * (b + c), a * b + a * c);
+        assert_eq!(a - b, -(b - a));
+        assert_eq!(
+            Field::literal(0.375, Some((3, 8))),
+            Some(Prime::whole(3) / Prime::whole(8))
+        );
+        assert_eq!(Prime::literal(0.1, None), None);
+    }
+}
