@@ -66,12 +66,10 @@ pub fn newton_euler<T: Field>(
 ) -> Motion<T> {
     let turning = body.rotation.as_ref().zip(properties.inertia.as_ref());
     let answer = turning.and_then(|(rotation, inertia)| {
-        let inertia = inertia_in_n(&frames[rotation.inertia_frame].axes, inertia);
-        Some(angular_acceleration(
-            &inertia,
-            &frames[rotation.body_frame].turning?,
-            &moment,
-        ))
+        let frame = &frames[rotation.inertia_frame];
+        let inertia = inertia_in_n(&frame.axes, inertia);
+        let omega = frames[rotation.body_frame].turning?;
+        Some(angular_acceleration(&inertia, &frame.turning?, &omega, &moment))
     });
     Motion {
         force,

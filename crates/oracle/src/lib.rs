@@ -13,6 +13,7 @@ pub mod dynamics;
 pub mod frames;
 pub mod physical;
 pub mod point;
+pub mod rational;
 pub mod reference;
 pub mod rigid;
 pub mod scalar;

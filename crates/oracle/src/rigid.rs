@@ -17,15 +17,17 @@ pub fn inertia_in_n<T: Field>(axes: &Matrix3<T>, inertia: &Matrix3<T>) -> Matrix
     axes * inertia * axes.transpose()
 }
 
-/// The angular acceleration that a moment gives: with the inertia turning with the body,
-/// dH/dt = I dω/dt + ω × I ω.
+/// The angular acceleration that a moment gives, the inertia being constant in a frame that turns at
+/// `carried`: dH/dt = I dω/dt + carried × I ω − I (carried × ω).
 pub fn angular_acceleration<T: Field>(
     inertia: &Matrix3<T>,
+    carried: &Vector3<T>,
     omega: &Vector3<T>,
     moment: &Vector3<T>,
 ) -> Vector3<T> {
     let momentum = inertia * omega;
-    solve(inertia, &(moment - omega.cross(&momentum)))
+    let turned = inertia * carried.cross(omega);
+    solve(inertia, &(moment - carried.cross(&momentum) + turned))
 }
 
 #[cfg(test)]

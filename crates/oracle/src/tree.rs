@@ -33,6 +33,11 @@ pub struct Tree<'a, T> {
 impl<'a, T: Real> Tree<'a, T> {
     /// Places the frames and evaluates the named quantities in their order.
     pub fn new(model: &'a Model, point: &'a Point<T>) -> Self {
+        Self::overriding(model, point, &[])
+    }
+
+    /// The same with some named quantities, by index, at values of one's own.
+    pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
         let frames = place_real(model, &point.states);
         let mut tree = Self {
             model,
@@ -40,8 +45,9 @@ impl<'a, T: Real> Tree<'a, T> {
             frames,
             lets: Vec::with_capacity(model.lets.len()),
         };
-        for named in &model.lets {
-            let value = tree.value(&named.value);
+        for (index, named) in model.lets.iter().enumerate() {
+            let own = given.iter().find(|(i, _)| *i == index).map(|(_, value)| *value);
+            let value = own.unwrap_or_else(|| tree.value(&named.value));
             tree.lets.push(value);
         }
         tree

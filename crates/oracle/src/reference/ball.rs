@@ -1,5 +1,6 @@
 //! A ball as a point mass: its weight, and drag against its motion through the air.
 
+use crate::dynamics::MassProperties;
 use crate::physical::{Motion, Physical};
 use crate::scalar::Real;
 use crate::tree::norm;
@@ -22,4 +23,8 @@ pub(super) fn motion<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3
         acceleration: force / m,
         angular_acceleration: Vector3::zeros(),
     }
+}
+
+pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {
+    MassProperties { mass: constants[0], inertia: None }
 }

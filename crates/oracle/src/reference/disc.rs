@@ -3,6 +3,7 @@
 //! Written with vectors and without the model's formulas: the lift acts along v × d2, the drag against
 //! the velocity, and the body answers by its momenta in the inertial frame.
 
+use crate::dynamics::MassProperties;
 use crate::physical::{Motion, Physical};
 use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::Real;
@@ -69,12 +70,19 @@ pub(super) fn motion<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3
     let moment =
         (d1 * (C_Rr * spin) + d2 * (C_Ma * alpha) + damped * C_Mq) * lever + normal * (C_Nr * spin);
 
-    let principal = Matrix3::from_diagonal(&Vector3::new(I_d, I_d, I_a));
-    let inertia = inertia_in_n(&body.attitude.matrix(), &principal);
+    let inertia = inertia_in_n(&body.attitude.matrix(), &principal(I_a, I_d));
     Motion {
         force,
         moment,
         acceleration: force / m,
-        angular_acceleration: angular_acceleration(&inertia, &omega, &moment),
+        angular_acceleration: angular_acceleration(&inertia, &omega, &omega, &moment),
     }
+}
+
+pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {
+    MassProperties { mass: constants[0], inertia: Some(principal(constants[1], constants[2])) }
+}
+
+fn principal<T: Real>(axial: T, diametral: T) -> Matrix3<T> {
+    Matrix3::from_diagonal(&Vector3::new(diametral, diametral, axial))
 }

@@ -4,6 +4,7 @@ mod ball;
 mod disc;
 
 use crate::chart::{Chart, Step};
+use crate::dynamics::MassProperties;
 use crate::physical::{Motion, Physical};
 use crate::point::Point;
 use crate::scalar::Real;
@@ -145,17 +146,30 @@ impl Reference {
 
     /// The same, at a physical state of one's own; constants and wind are taken from the point.
     pub fn motion_at<T: Real>(&self, physical: &Physical<T>, point: &Point<T>) -> Motion<T> {
-        let value = |slot: &Slot| match *slot {
-            Slot::Param(i) => point.params[i],
-            Slot::Coefficient(i) => point.coefficients[i],
-        };
-        let constants: Vec<T> = self.constants.iter().map(value).collect();
+        let constants = self.values(point);
         // The contract fixes the wind's components as inertial ones.
         let wind = point.inputs[self.wind];
         match self.law {
             Law::Disc => disc::motion(&constants, physical, wind),
             Law::Ball => ball::motion(&constants, physical, wind),
         }
+    }
+
+    /// Mass, and inertia in the frame that is fixed in the body.
+    pub fn mass_properties<T: Real>(&self, point: &Point<T>) -> MassProperties<T> {
+        let constants = self.values(point);
+        match self.law {
+            Law::Disc => disc::mass_properties(&constants),
+            Law::Ball => ball::mass_properties(&constants),
+        }
+    }
+
+    fn values<T: Real>(&self, point: &Point<T>) -> Vec<T> {
+        let value = |slot: &Slot| match *slot {
+            Slot::Param(i) => point.params[i],
+            Slot::Coefficient(i) => point.coefficients[i],
+        };
+        self.constants.iter().map(value).collect()
     }
 
     /// The derivative of every state.

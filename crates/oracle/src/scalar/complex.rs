@@ -13,9 +13,9 @@ pub const STEP: f64 = 1e-120;
 pub struct ComplexStep(pub Complex<f64>);
 
 impl ComplexStep {
-    /// The variable itself, a step away from the real line.
-    pub fn variable(value: f64) -> Self {
-        Self(Complex::new(value, STEP))
+    /// A value that moves at `slope`, a step away from the real line.
+    pub fn moving(value: f64, slope: f64) -> Self {
+        Self(Complex::new(value, slope * STEP))
     }
 
     /// The derivative that the step has left.

@@ -23,12 +23,9 @@ impl<T: Field> Dual<T> {
         }
     }
 
-    /// The variable itself.
-    pub fn variable(value: T) -> Self {
-        Self {
-            value,
-            slope: T::one(),
-        }
+    /// A value that moves at `slope`.
+    pub fn moving(value: T, slope: T) -> Self {
+        Self { value, slope }
     }
 
     fn chain(self, value: T, slope: T) -> Self {

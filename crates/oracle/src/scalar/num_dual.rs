@@ -10,9 +10,9 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 pub struct NumDual(pub Dual64);
 
 impl NumDual {
-    /// The variable itself.
-    pub fn variable(value: f64) -> Self {
-        Self(Dual64::new(value, 1.0))
+    /// A value that moves at `slope`.
+    pub fn moving(value: f64, slope: f64) -> Self {
+        Self(Dual64::new(value, slope))
     }
 
     /// Its derivative.

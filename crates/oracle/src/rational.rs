@@ -1,0 +1,63 @@
+//! Rigid-body dynamics over any field: what is left of a model when its loads are symbols.
+
+use crate::dynamics::{MassProperties, Unsupported, newton_euler, state_derivatives};
+use crate::frames::place;
+use crate::point::Point;
+use crate::scalar::Field;
+use model_spec::model::{Body, Expr, ExprKind, Model};
+use nalgebra::{Matrix3, Vector3};
+
+/// The derivative of every state under a force and a moment in inertial components, where `circle` gives
+/// the sine and cosine of a state.
+pub fn derivatives<T: Field>(
+    model: &Model,
+    point: &Point<T>,
+    circle: impl Fn(usize) -> (T, T),
+    force: Vector3<T>,
+    moment: Vector3<T>,
+) -> Result<Vec<T>, Unsupported> {
+    let body = model.body.as_ref().ok_or_else(|| Unsupported("its equations are stated".into()))?;
+    let frames = place(model, &point.states, circle);
+    let properties = mass_properties(model, body, point)
+        .ok_or_else(|| Unsupported("mass or inertia are not rational".into()))?;
+    let motion = newton_euler(body, &frames, &properties, force, moment);
+    state_derivatives(model, body, &point.states, &frames, &motion)
+}
+
+fn mass_properties<T: Field>(model: &Model, body: &Body, point: &Point<T>) -> Option<MassProperties<T>> {
+    let inertia = match &body.rotation {
+        None => None,
+        Some(rotation) => {
+            let mut matrix = Matrix3::zeros();
+            for (row, expressions) in rotation.inertia.iter().enumerate() {
+                for (column, e) in expressions.iter().enumerate() {
+                    matrix[(row, column)] = rational(model, e, point)?;
+                }
+            }
+            Some(matrix)
+        }
+    };
+    Some(MassProperties { mass: rational(model, &body.mass, point)?, inertia })
+}
+
+/// A scalar that depends rationally on constants.
+fn rational<T: Field>(model: &Model, e: &Expr, point: &Point<T>) -> Option<T> {
+    let part = |e: &Expr| rational(model, e, point);
+    Some(match &e.kind {
+        ExprKind::Number { value, exact } => T::literal(*value, *exact)?,
+        ExprKind::Param(i) => point.params[*i],
+        ExprKind::Coefficient(i) => point.coefficients[*i],
+        ExprKind::Let(i) => part(&model.lets[*i].value)?,
+        ExprKind::Neg(a) => -part(a)?,
+        ExprKind::Add(a, b) => part(a)? + part(b)?,
+        ExprKind::Sub(a, b) => part(a)? - part(b)?,
+        ExprKind::Mul(a, b) => part(a)? * part(b)?,
+        ExprKind::Div(a, b) => part(a)? / part(b)?,
+        ExprKind::Pow(a, doubled) if doubled % 2 == 0 => {
+            let a = part(a)?;
+            let power = (0..doubled.unsigned_abs() / 2).fold(T::one(), |product, _| product * a);
+            if *doubled < 0 { T::one() / power } else { power }
+        }
+        _ => return None,
+    })
+}
