@@ -69,7 +69,12 @@ pub fn newton_euler<T: Field>(
         let frame = &frames[rotation.inertia_frame];
         let inertia = inertia_in_n(&frame.axes, inertia);
         let omega = frames[rotation.body_frame].turning?;
-        Some(angular_acceleration(&inertia, &frame.turning?, &omega, &moment))
+        Some(angular_acceleration(
+            &inertia,
+            &frame.turning?,
+            &omega,
+            &moment,
+        ))
     });
     Motion {
         force,

@@ -16,7 +16,10 @@ pub fn derivatives<T: Field>(
     force: Vector3<T>,
     moment: Vector3<T>,
 ) -> Result<Vec<T>, Unsupported> {
-    let body = model.body.as_ref().ok_or_else(|| Unsupported("its equations are stated".into()))?;
+    let body = model
+        .body
+        .as_ref()
+        .ok_or_else(|| Unsupported("its equations are stated".into()))?;
     let frames = place(model, &point.states, circle);
     let properties = mass_properties(model, body, point)
         .ok_or_else(|| Unsupported("mass or inertia are not rational".into()))?;
@@ -24,7 +27,11 @@ pub fn derivatives<T: Field>(
     state_derivatives(model, body, &point.states, &frames, &motion)
 }
 
-fn mass_properties<T: Field>(model: &Model, body: &Body, point: &Point<T>) -> Option<MassProperties<T>> {
+fn mass_properties<T: Field>(
+    model: &Model,
+    body: &Body,
+    point: &Point<T>,
+) -> Option<MassProperties<T>> {
     let inertia = match &body.rotation {
         None => None,
         Some(rotation) => {
@@ -37,7 +44,10 @@ fn mass_properties<T: Field>(model: &Model, body: &Body, point: &Point<T>) -> Op
             Some(matrix)
         }
     };
-    Some(MassProperties { mass: rational(model, &body.mass, point)?, inertia })
+    Some(MassProperties {
+        mass: rational(model, &body.mass, point)?,
+        inertia,
+    })
 }
 
 /// A scalar that depends rationally on constants.
@@ -56,7 +66,11 @@ fn rational<T: Field>(model: &Model, e: &Expr, point: &Point<T>) -> Option<T> {
         ExprKind::Pow(a, doubled) if doubled % 2 == 0 => {
             let a = part(a)?;
             let power = (0..doubled.unsigned_abs() / 2).fold(T::one(), |product, _| product * a);
-            if *doubled < 0 { T::one() / power } else { power }
+            if *doubled < 0 {
+                T::one() / power
+            } else {
+                power
+            }
         }
         _ => return None,
     })

@@ -46,7 +46,10 @@ impl<'a, T: Real> Tree<'a, T> {
             lets: Vec::with_capacity(model.lets.len()),
         };
         for (index, named) in model.lets.iter().enumerate() {
-            let own = given.iter().find(|(i, _)| *i == index).map(|(_, value)| *value);
+            let own = given
+                .iter()
+                .find(|(i, _)| *i == index)
+                .map(|(_, value)| *value);
             let value = own.unwrap_or_else(|| tree.value(&named.value));
             tree.lets.push(value);
         }

@@ -12,8 +12,9 @@ fn the_manifest_names_nothing_of_the_compiler() {
         .lines()
         .skip_while(|line| *line != "[dependencies]")
         .skip(1)
+        .take_while(|line| !line.starts_with('['))
         .filter_map(|line| line.split(['.', ' ', '=']).next())
-        .filter(|name| !name.is_empty() && !name.starts_with('[') && !name.starts_with('#'))
+        .filter(|name| !name.is_empty() && !name.starts_with('#'))
         .collect();
     for name in &dependencies {
         let known = ["model-spec", "nalgebra", "num-dual", "num-traits"];

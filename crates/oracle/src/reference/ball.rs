@@ -26,5 +26,8 @@ pub(super) fn motion<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3
 }
 
 pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {
-    MassProperties { mass: constants[0], inertia: None }
+    MassProperties {
+        mass: constants[0],
+        inertia: None,
+    }
 }

@@ -80,7 +80,10 @@ pub(super) fn motion<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3
 }
 
 pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {
-    MassProperties { mass: constants[0], inertia: Some(principal(constants[1], constants[2])) }
+    MassProperties {
+        mass: constants[0],
+        inertia: Some(principal(constants[1], constants[2])),
+    }
 }
 
 fn principal<T: Real>(axial: T, diametral: T) -> Matrix3<T> {
