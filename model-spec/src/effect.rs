@@ -31,21 +31,16 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
         diagnostics: Vec::new(),
     };
     change.is_for_this_model(effect);
+    if !change.diagnostics.is_empty() {
+        return Err(change.diagnostics);
+    }
     let mut applied = Applied {
         name: effect.name.clone(),
-        doc: String::new(),
+        doc: effect.doc.clone(),
         site: String::new(),
         citation: String::new(),
         negligible: Vec::new(),
     };
-    applied.doc = file
-        .items
-        .iter()
-        .find_map(|i| match &i.kind {
-            ItemKind::Effect(e) if e.name == effect.name => Some(i.doc.clone()),
-            _ => None,
-        })
-        .unwrap_or_default();
     let mut site: Option<Span> = None;
     for part in &effect.parts {
         match part {

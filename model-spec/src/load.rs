@@ -11,20 +11,23 @@ use crate::suggest;
 use crate::syntax::ast::{Effect, File, ItemKind};
 use crate::syntax::{self, MOST_BYTES, Parsed};
 
+/// A table of the texts of a folder, by name.
+macro_rules! texts {
+    ($folder:literal: $($name:literal),*) => {
+        &[$(($name, include_str!(concat!("../", $folder, "/", $name, ".hyz")))),*]
+    };
+}
+
 /// The models that are built in, by name.
-pub const MODELS: &[(&str, &str)] = &[
-    ("ball", include_str!("../models/ball.hyz")),
-    ("disc", include_str!("../models/disc.hyz")),
-];
+pub const MODELS: &[(&str, &str)] =
+    texts!("models": "ball", "disc", "disc_appendix", "disc_quaternion", "discus");
 
 /// The effects that are built in, by name.
-pub const EFFECTS: &[(&str, &str)] = &[];
+pub const EFFECTS: &[(&str, &str)] =
+    texts!("effects": "side_force_by_spin", "zero_lift_drag_angle");
 
 /// Models that are wrong on purpose, by name: the checks must refute them.
-pub const REFUTED: &[(&str, &str)] = &[(
-    "disc_appendix_printed",
-    include_str!("../refuted/disc_appendix_printed.hyz"),
-)];
+pub const REFUTED: &[(&str, &str)] = texts!("refuted": "disc_appendix_printed");
 
 /// Why there is no model.
 #[derive(Clone, Debug)]

@@ -100,6 +100,7 @@ fn draw(
     if !own {
         report.add_label(
             Label::new(place(diagnostic.span))
+                .with_message("here")
                 .with_color(Color::Red)
                 .with_order(-1),
         );

@@ -373,6 +373,8 @@ pub enum CheckPart {
 pub struct Effect {
     /// Its name.
     pub name: Name,
+    /// Its `///` lines.
+    pub doc: String,
     /// The models it is made for; any where none is said.
     pub on: Vec<Name>,
     /// Its statements.

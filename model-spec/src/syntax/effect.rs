@@ -6,7 +6,7 @@ use super::token::Token;
 
 impl Parser<'_> {
     /// `effect NAME on MODEL, MODEL { … }`
-    pub fn effect(&mut self) -> Read<ItemKind> {
+    pub fn effect(&mut self, doc: String) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `effect`")?;
         let mut on = Vec::new();
@@ -19,7 +19,12 @@ impl Parser<'_> {
             }
         }
         let parts = self.braces(&format!("`effect {}`", name.text), Self::effect_part)?;
-        Ok(ItemKind::Effect(Effect { name, on, parts }))
+        Ok(ItemKind::Effect(Effect {
+            name,
+            doc,
+            on,
+            parts,
+        }))
     }
 
     fn effect_part(&mut self) -> Read<EffectPart> {

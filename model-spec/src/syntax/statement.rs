@@ -33,7 +33,7 @@ impl Parser<'_> {
             "observe" => self.observe()?,
             "limit" => self.limit()?,
             "check" => self.check_case()?,
-            "effect" => self.effect()?,
+            "effect" => self.effect(doc.clone())?,
             _ => return self.no_statement(word),
         };
         Ok(Item {
