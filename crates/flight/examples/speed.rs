@@ -3,6 +3,7 @@
 #[path = "../tests/disc/mod.rs"]
 mod disc;
 
+use flight::sensitivity::{Linearised, Sensitivities};
 use flight::{Dynamics, Event, Method, Options, fly, fly_at, fly_to_end};
 use std::hint::black_box;
 use std::time::Instant;
@@ -18,7 +19,61 @@ fn microseconds(mut f: impl FnMut()) -> f64 {
     rounds.fold(f64::INFINITY, f64::min)
 }
 
+/// The disc with 55 and 40 entries of its derivatives that cost nothing: what the variational equations cost besides.
+struct Entries([(usize, usize); 55], [(usize, usize); 40]);
+
+impl Linearised for Entries {
+    fn states(&self) -> usize {
+        12
+    }
+    fn state_pattern(&self) -> &[(usize, usize)] {
+        &self.0
+    }
+    fn constant_pattern(&self) -> &[(usize, usize)] {
+        &self.1
+    }
+    fn linearise(&mut self, _: f64, x: &[f64], dx: &mut [f64], j: &mut [f64], jp: &mut [f64]) {
+        let (x, dx) = (x.try_into().unwrap(), dx.try_into().unwrap());
+        disc::rate(x, &disc::DISC, &disc::AIR, dx);
+        j.fill(1e-3);
+        jp.fill(1e-3);
+    }
+}
+
+fn sensitivities() {
+    let entries = Entries(
+        std::array::from_fn(|i| (i % 12, i * 5 / 12 % 12)),
+        std::array::from_fn(|i| (3 + i % 9, i / 5)),
+    );
+    let mut both = Sensitivities::new(
+        entries,
+        &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11],
+        &[0, 1, 2, 3, 4, 5, 6, 7],
+    );
+    let start = both.start(&disc::THROW);
+    let times: Vec<f64> = (0..=180).map(|i| f64::from(i) / 120.0).collect();
+    let mut samples = vec![0.0; both.len() * times.len()];
+    for tolerance in [1e-4, 1e-6] {
+        let options = Options::tolerance(tolerance);
+        let mut work = None;
+        let us = microseconds(|| {
+            work = fly_at(
+                &mut both,
+                (0.0, &start),
+                &times,
+                &options,
+                &mut [],
+                &mut samples,
+            )
+            .ok()
+            .map(|end| end.work);
+        });
+        println!("with 20 sensitivities at {tolerance:.0e}, 181 times: {us:.0} µs, {work:?}");
+    }
+}
+
 fn main() {
+    sensitivities();
     let mut d = disc::disc();
     let mut dx = [0.0; 12];
     let ns = microseconds(|| {

@@ -1,8 +1,9 @@
 //! What is looked for while flying: the ground, the apex, where the model ends.
 
 use crate::dynamics::{Dynamics, Storage};
-use crate::method::{Method, ROWS};
+use crate::method::{Method, ROWS, WIDE};
 use crate::root::just_past;
+use lanes::{Kernel, Lanes};
 use std::borrow::Cow;
 
 /// Something that happens where a quantity passes through 0.
@@ -285,11 +286,43 @@ impl Curve<'_> {
         let n = to.len();
         debug_assert_eq!(self.rows.len(), ROWS * n);
         let weights = self.method.weights(s);
+        if n >= WIDE {
+            return lanes::dispatch(Weighted {
+                rows: self.rows,
+                weights,
+                to,
+            });
+        }
         to.copy_from_slice(&self.rows[..n]);
         for (row, weight) in self.rows.chunks_exact(n).zip(weights).skip(1) {
             for (to, value) in to.iter_mut().zip(row) {
                 *to += weight * value;
             }
+        }
+    }
+}
+
+/// The same sum on the machine's widest lanes, for long states; with the same bits.
+struct Weighted<'a> {
+    rows: &'a [f64],
+    weights: [f64; ROWS],
+    to: &'a mut [f64],
+}
+
+impl Kernel for Weighted<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let n = self.to.len();
+        for i in (0..n).step_by(T::WIDTH) {
+            let end = n.min(i + T::WIDTH);
+            let mut sum = T::load_part(&self.rows[i..end], 0.0);
+            for row in 1..ROWS {
+                let values = T::load_part(&self.rows[row * n + i..row * n + end], 0.0);
+                sum = sum + T::splat(self.weights[row]) * values;
+            }
+            sum.store_part(&mut self.to[i..end]);
         }
     }
 }

@@ -285,8 +285,8 @@ fn locate<D: Dynamics>(
 }
 
 fn not_finite<X: Storage>(x: &X) -> Option<usize> {
-    // A sum of products with 0 is one pass without branches.
-    if x.as_ref().iter().fold(0.0, |sum, v| sum + v * 0.0) == 0.0 {
+    // First without branches: it is asked of every step.
+    if x.as_ref().iter().fold(true, |all, v| all & v.is_finite()) {
         return None;
     }
     x.as_ref().iter().position(|v| !v.is_finite())

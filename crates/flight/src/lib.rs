@@ -11,6 +11,7 @@ mod integrate;
 mod method;
 pub mod release;
 mod root;
+pub mod sensitivity;
 mod table;
 pub mod wind;
 

@@ -5,6 +5,7 @@ mod dop853_table;
 pub(crate) mod tsit5;
 
 use crate::dynamics::{Dynamics, Storage};
+use lanes::{Kernel, Lanes};
 
 /// Which method flies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -105,12 +106,57 @@ pub(crate) fn combine<X: Storage, const M: usize>(
     let n = to.len();
     let from = &from.as_ref()[..n];
     let k = slices(k, n);
+    if n >= WIDE {
+        return lanes::dispatch(Combine {
+            to,
+            from,
+            h,
+            weights,
+            k,
+        });
+    }
     for i in 0..n {
         let mut sum = weights[0] * k[0][i];
         for m in 1..M {
             sum += weights[m] * k[m][i];
         }
         to[i] = from[i] + h * sum;
+    }
+}
+
+/// States of so many numbers are combined on the machine's widest lanes; shorter ones are quicker as they are.
+pub(crate) const WIDE: usize = 64;
+
+/// The same for long states, with the same bits.
+struct Combine<'a, const M: usize> {
+    to: &'a mut [f64],
+    from: &'a [f64],
+    h: f64,
+    weights: [f64; M],
+    k: [&'a [f64]; M],
+}
+
+impl<const M: usize> Kernel for Combine<'_, M> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let Combine {
+            to,
+            from,
+            h,
+            weights,
+            k,
+        } = self;
+        let n = to.len();
+        for i in (0..n).step_by(T::WIDTH) {
+            let end = n.min(i + T::WIDTH);
+            let mut sum = T::splat(weights[0]) * T::load_part(&k[0][i..end], 0.0);
+            for m in 1..M {
+                sum = sum + T::splat(weights[m]) * T::load_part(&k[m][i..end], 0.0);
+            }
+            (T::load_part(&from[i..end], 0.0) + T::splat(h) * sum).store_part(&mut to[i..end]);
+        }
     }
 }
 
