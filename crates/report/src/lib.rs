@@ -1,1 +1,5 @@
 //! Figures and tables of flights.
+
+#![forbid(unsafe_code)]
+
+pub mod figures;

@@ -1,0 +1,207 @@
+//! A flight, like Figures 5 and 6 of Hubbard & Hummel (2000): its path, and its states in time.
+
+use super::panel::{Line, Mark, Panel, figure};
+use flight::Flight;
+
+/// A state, as a figure names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StateLabel<'a> {
+    /// Name, as in the model.
+    pub name: &'a str,
+    /// Unit, as the model spells it.
+    pub unit: &'a str,
+}
+
+/// Points of a line.
+const SAMPLES: usize = 400;
+/// Lines share a panel unless one of them varies so many times more than another.
+const APART: f64 = 8.0;
+
+/// A flight as SVG: seen from the side and from above, where its states have `x`, `y` and `z`, and then all
+/// states in time, those of one unit and like size in one panel.
+///
+/// # Panics
+/// Where there are not as many labels as states.
+pub fn flight(title: &str, flight: &Flight, states: &[StateLabel<'_>]) -> String {
+    assert_eq!(states.len(), flight.states(), "a label for each state");
+    let (rows, times) = sampled(flight);
+    let place = |name: &str| states.iter().position(|s| s.name == name);
+    let mut panels = Vec::new();
+    if let (Some(x), Some(y), Some(z)) = (place("x"), place("y"), place("z")) {
+        for (title, up) in [
+            ("Seen from the side: z, m", z),
+            ("Seen from above: y, m (left is up)", y),
+        ] {
+            let points = rows.iter().map(|row| (row[x], row[up])).collect();
+            let line = Line {
+                name: String::new(),
+                points,
+            };
+            let starts = std::iter::once(("release", &rows[0]));
+            let events = flight.events.iter().map(|e| (&*e.event, &e.state));
+            let marks = starts.chain(events).map(|(name, state)| Mark {
+                name: name.into(),
+                at: (state[x], state[up]),
+            });
+            let marks = marks.collect();
+            panels.push(Panel {
+                title: title.into(),
+                across: "x, m".into(),
+                lines: vec![line],
+                marks,
+                map: true,
+            });
+        }
+    }
+    let marks: Vec<Mark> = flight
+        .events
+        .iter()
+        .map(|e| Mark {
+            name: e.event.clone(),
+            at: (e.time, f64::NAN),
+        })
+        .collect();
+    for group in groups(states, &rows) {
+        let unit = states[group[0]].unit;
+        let names: Vec<String> = group.iter().map(|i| symbol(states[*i].name)).collect();
+        let what = match unit {
+            "m" => "Position",
+            "m/s" => "Velocity",
+            "rad" => "Angle",
+            "rad/s" => "Rate",
+            _ => "State",
+        };
+        let unit = if unit == "1" {
+            String::new()
+        } else {
+            format!(", {unit}")
+        };
+        let line = |i: &usize| Line {
+            name: symbol(states[*i].name),
+            points: times
+                .iter()
+                .zip(&rows)
+                .map(|(t, row)| (*t, row[*i]))
+                .collect(),
+        };
+        panels.push(Panel {
+            title: format!("{what} {}{unit}", names.join(", ")),
+            across: "time, s".into(),
+            lines: group.iter().map(line).collect(),
+            marks: marks.clone(),
+            map: false,
+        });
+    }
+    figure(title, &panels)
+}
+
+fn sampled(flight: &Flight) -> (Vec<Vec<f64>>, Vec<f64>) {
+    let rate = SAMPLES as f64 / (flight.end - flight.start);
+    let (times, rows) = flight.at_rate(rate).unzip();
+    (rows, times)
+}
+
+/// States of one unit together, at most four, those that vary far more apart from those that vary less.
+fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>]) -> Vec<Vec<usize>> {
+    let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (i, state) in states.iter().enumerate() {
+        let fits = |group: &Vec<usize>| {
+            let alike = |j: &usize| {
+                let (a, b) = (reach(i), reach(*j));
+                a.max(b) <= APART * a.min(b)
+                    || a.max(b) < 1e-9
+                    || state.unit == "m"
+                    || state.unit == "m/s"
+            };
+            group.len() < 4 && states[group[0]].unit == state.unit && group.iter().all(alike)
+        };
+        match groups.iter_mut().find(|group| fits(group)) {
+            Some(group) => group.push(i),
+            None => groups.push(vec![i]),
+        }
+    }
+    groups
+}
+
+/// A state's name in the paper's letters.
+fn symbol(name: &str) -> String {
+    let (base, dot) = match name.strip_suffix("dot") {
+        Some(base) if !base.is_empty() => (base, "\u{307}"),
+        _ => (name, ""),
+    };
+    let letter = match base {
+        "phi" => "φ",
+        "theta" => "θ",
+        "gamma" => "γ",
+        "psi" => "ψ",
+        "omega" => "ω",
+        other => other,
+    };
+    format!("{letter}{dot}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ::flight::{Event, Options, equations, fly_to_event};
+
+    fn stone(names: &[StateLabel<'_>]) -> String {
+        let mut d = equations(&[], |_, x: &[f64; 4], dx: &mut [f64; 4]| {
+            *dx = [x[3], 0.0, x[2] * 0.0 - 1.0, 0.0]
+        });
+        let ground = Event::falls_to("ground <1>", 2, 0.0).ends_flight();
+        let flown = fly_to_event(
+            &mut d,
+            (0.0, &[0.0, 0.5, 2.0, 3.0]),
+            9.0,
+            &Options::default(),
+            &mut [ground],
+        );
+        flight("A stone & more", &flown.unwrap(), names)
+    }
+
+    #[test]
+    fn a_flight_shows_its_path_and_every_state_with_units() {
+        let [x, y, z] = ["x", "y", "z"].map(|name| StateLabel { name, unit: "m" });
+        let svg = stone(&[
+            x,
+            y,
+            z,
+            StateLabel {
+                name: "thetadot",
+                unit: "rad/s",
+            },
+        ]);
+        for text in [
+            "A stone &amp; more",
+            "ground &lt;1&gt;",
+            "from the side: z, m",
+            "from above",
+            "Position x, y, z, m",
+            "θ\u{307}, rad/s",
+            "time, s",
+        ] {
+            assert!(svg.contains(text), "{text}");
+        }
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
+        assert_eq!(svg.matches("<path").count(), 2 + 4);
+    }
+
+    #[test]
+    fn without_a_place_there_is_no_map_and_apart_sizes_get_their_own_panels() {
+        let svg = stone(&["a", "b", "c", "d"].map(|name| StateLabel { name, unit: "1" }));
+        assert!(!svg.contains("Seen from"));
+        let rows = vec![vec![1.0, 2.0, 100.0, 0.0], vec![0.5, 1.0, 50.0, 0.0]];
+        let labels = ["a", "b", "c", "d"].map(|name| StateLabel { name, unit: "rad" });
+        assert_eq!(groups(&labels, &rows), [vec![0, 1], vec![2], vec![3]]);
+    }
+
+    #[test]
+    fn names_are_the_paper_s() {
+        assert_eq!(
+            ["phi", "thetadot", "x", "dot", "q0"].map(symbol),
+            ["φ", "θ\u{307}", "x", "dot", "q0"]
+        );
+    }
+}
