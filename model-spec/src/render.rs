@@ -95,9 +95,15 @@ fn draw(
         .with_config(config)
         .with_code(diagnostic.kind.slug())
         .with_message(&diagnostic.message);
-    // A label at the place itself says more than a bare underline.
-    let own = diagnostic.labels.iter().any(|l| l.span == diagnostic.span);
-    if !own {
+    // Labels on the line of the place itself say more than a bare underline.
+    let line = |span: Span| {
+        let text = texts[usize::from(span.source)].1.text();
+        text[..span.range().start].matches('\n').count()
+    };
+    let own = |l: &crate::diagnostic::Label| {
+        l.span.source == diagnostic.span.source && line(l.span) == line(diagnostic.span)
+    };
+    if !diagnostic.labels.iter().any(own) {
         report.add_label(
             Label::new(place(diagnostic.span))
                 .with_message("here")
@@ -107,7 +113,7 @@ fn draw(
     }
     // First what stands at the place itself, then the declarations that explain it, as they are written.
     let mut labels: Vec<&crate::diagnostic::Label> = diagnostic.labels.iter().collect();
-    labels.sort_by_key(|l| (!within(l.span, diagnostic.span), l.span));
+    labels.sort_by_key(|l| (!within(l.span, diagnostic.span) && !own(l), l.span));
     for (i, label) in labels.into_iter().enumerate() {
         let color = if label.span == diagnostic.span {
             Color::Red

@@ -9,8 +9,8 @@ pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<
         return None;
     }
     let allowed = match wrong.chars().count() {
-        0..=2 => 1,
-        3..=5 => 2,
+        0..=4 => 1,
+        5..=6 => 2,
         _ => 3,
     };
     let mut best: Option<(usize, &str)> = None;
@@ -18,8 +18,11 @@ pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<
         if name.len().abs_diff(wrong.len()) > 8 || name == wrong {
             continue;
         }
+        let shorter = name.len().min(wrong.len());
         let distance = if name.eq_ignore_ascii_case(wrong) {
             0
+        } else if shorter >= 4 && (name.starts_with(wrong) || wrong.starts_with(name)) {
+            1
         } else {
             distance(wrong, name)
         };

@@ -156,7 +156,7 @@ impl Unit {
             ([1, 0, -1], "a velocity", "velocities"),
             ([1, 0, -2], "an acceleration", "accelerations"),
             ([1, 1, -2], "a force", "forces"),
-            ([2, 1, -2], "a moment", "moments"),
+            ([2, 1, -2], "a moment or an energy", "moments or energies"),
             ([2, 1, 0], "a moment of inertia", "moments of inertia"),
             ([2, 1, -1], "an angular momentum", "angular momenta"),
             ([1, 1, -1], "a momentum", "momenta"),

@@ -86,7 +86,13 @@ impl<'a> Checker<'a> {
                 angular_velocity: angular.zip(angular_frame),
             })
         } else {
-            if let Some(frame) = frames.first() {
+            let moving = |f: &&&ast::Frame| {
+                // Faults of the first frame and of double names have been reported.
+                self.scope
+                    .frame(&f.name.text)
+                    .is_some_and(|i| i > 0 && self.model.frames[i].span == f.name.span)
+            };
+            if let Some(frame) = frames.iter().find(moving) {
                 let message = format!(
                     "a point does not turn: nothing determines how the frame `{}` moves",
                     frame.name.text
@@ -186,7 +192,7 @@ impl<'a> Checker<'a> {
             );
             self.report(
                 Diagnostic::new(Kind::Missing, body.name.span, message)
-                    .help("add it to the block of the body"),
+                    .help("add what is missing to the block of the body"),
             );
         }
     }
@@ -221,7 +227,8 @@ impl<'a> Checker<'a> {
         signed: bool,
     ) -> Option<Expr> {
         let typed: Typed = self.scalar(e, what)?;
-        self.must_be(&typed, &super::term::Term::known(unit), what, e.span);
+        let rule = format!("{what} must be in {}", unit.pretty());
+        self.must_be(&typed, &super::term::Term::known(unit), &rule);
         if let Some(culprit) = self.varying(&typed.expr) {
             let message = format!(
                 "{what} must not change during a flight, but `{}` does",
@@ -437,10 +444,9 @@ impl<'a> Checker<'a> {
                     let message = "two turns in a row about one axis are one turn";
                     let help =
                         "turn about three axes such as 1, 2, 3, each different from the one before";
-                    self.report(
-                        Diagnostic::new(Kind::Frame, self.model.frames[body_frame].span, message)
-                            .help(help),
-                    );
+                    let second = chain[usize::from(a == b)];
+                    let place = self.model.frames[second].span;
+                    self.report(Diagnostic::new(Kind::Frame, place, message).help(help));
                 } else if let Some((names, _)) = parts.angular {
                     let message = "where the attitude is by angles their rates are states, and the angular velocity follows from them";
                     self.report(

@@ -114,10 +114,11 @@ impl Checker<'_> {
             return Some(exact);
         }
         let message = format!(
-            "`{}` takes {takes}, but here are {}",
+            "`{}` takes {takes}, but is given {}",
             name.text,
             match arguments.len() {
                 0 => "none".to_owned(),
+                1 => "only one".to_owned(),
                 n => n.to_string(),
             }
         );
@@ -141,7 +142,11 @@ impl Checker<'_> {
                     Unit::ONE
                 };
                 // What comes out is known, whatever went in.
-                self.must_be(&a, &Term::one(), what, span);
+                let should = match function {
+                    Function::Sin | Function::Cos | Function::Tan => "an angle or a pure number",
+                    _ => "a pure number",
+                };
+                self.must_be(&a, &Term::one(), &format!("{what} must be {should}"));
                 UnitOf::of(out)
             }
             Rule::Forgets => UnitOf::of(Unit::ONE),
@@ -211,12 +216,8 @@ impl Checker<'_> {
                     self.same_shape(&[v, other], span)?;
                     return None;
                 }
-                self.must_be(
-                    &other,
-                    &Term::one(),
-                    "the direction to take where the first is zero",
-                    span,
-                );
+                let rule = "the direction to take where the first is zero must be a pure number";
+                self.must_be(&other, &Term::one(), rule);
                 Some(Box::new(other.expr))
             }
             None => None,
@@ -274,12 +275,11 @@ impl Checker<'_> {
         let quotient = self.multiplied(&a.unit, &b.unit, Fraction::new(-1, 1)?, span);
         let mut unit = quotient.clone();
         if let UnitOf::Term(expected) = &quotient {
-            let fits = self.must_be(
-                &c,
-                expected,
-                "the third argument of `ratio`, its value where the divisor is 0,",
-                span,
+            let should = self.described(expected);
+            let rule = format!(
+                "the third argument of `ratio`, its value where the second is 0, must be {should}"
             );
+            let fits = self.must_be(&c, expected, &rule);
             if !fits {
                 unit = UnitOf::Faulty;
             }

@@ -128,6 +128,7 @@ impl<'a> Checker<'a> {
                 );
                 self.report(
                     Diagnostic::new(Kind::Value, constant.value.span, message)
+                        .label(constant.value.span, "the default")
                         .label(least.span.to(greatest.span), "its bounds"),
                 );
             }

@@ -255,34 +255,27 @@ impl Checker<'_> {
 
     /// Reports `5 m/s`, which reads as `(5 m)/s`, where `s` is no name.
     fn unit_in_pieces(&mut self, e: &ast::Expr) -> bool {
-        let Some(number) = self.literal_with_units(e) else {
-            return false;
-        };
-        if number == e.span {
+        if self.literal_with_units(e) != Some(true) {
             return false;
         }
         let text = self.text(e.span);
-        let Some((digits, unit)) = text.split_once(|c: char| !c.is_ascii_digit() && c != '.')
-        else {
+        let Some((digits, unit)) = text.split_once(' ') else {
             return false;
         };
-        let fault = Diagnostic::new(
-            Kind::Grammar,
-            e.span,
-            format!("in an expression `{text}` is read as a product"),
-        )
-        .note("a number takes one unit symbol there; several stand in square brackets")
-        .help(format!("write `{digits} [{}]`", unit.trim()));
+        let message = format!("in an expression `{text}` is read as a product");
+        let fault = Diagnostic::new(Kind::Grammar, e.span, message)
+            .note("a number takes one unit there; several stand in square brackets")
+            .help(format!("write `{digits} [{unit}]`"));
         self.report(fault);
         true
     }
 
-    /// The number at the head of a product whose other factors are units and no names.
-    fn literal_with_units(&self, e: &ast::Expr) -> Option<Span> {
+    /// For a product of a number with a unit and of what could be units: whether one of those is no name.
+    fn literal_with_units(&self, e: &ast::Expr) -> Option<bool> {
         match &e.kind {
-            ast::ExprKind::Number(q) => q.unit.as_ref().map(|_| e.span),
+            ast::ExprKind::Number(q) => q.unit.as_ref().map(|_| false),
             ast::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div | BinaryOp::Dot, a, b) => {
-                let symbol = match &b.kind {
+                let name = match &b.kind {
                     ast::ExprKind::Name(name) => name,
                     ast::ExprKind::Binary(BinaryOp::Pow, base, _) => match &base.kind {
                         ast::ExprKind::Name(name) => name,
@@ -290,12 +283,8 @@ impl Checker<'_> {
                     },
                     _ => return None,
                 };
-                let unit = symbol::find(symbol).is_some() && self.scope.find(symbol).is_none();
-                if unit {
-                    self.literal_with_units(a)
-                } else {
-                    None
-                }
+                symbol::find(name)?;
+                Some(self.literal_with_units(a)? || self.scope.find(name).is_none())
             }
             _ => None,
         }

@@ -113,15 +113,14 @@ impl<'a> Checker<'a> {
                     "`{unit}` is not the SI's own unit, in which all quantities are computed"
                 );
                 let fault = Diagnostic::new(Kind::Value, unit.span, message);
-                self.report(fault.help(format!("write `{}`", measure.unit)));
+                let named = measure.unit.named().map(|n| n.replace('·', "*"));
+                let plain = named.unwrap_or_else(|| measure.unit.to_string());
+                self.report(fault.help(format!("write `{plain}`")));
             }
             let declared = Term::known(measure.unit);
-            self.must_be(
-                &typed,
-                &declared,
-                &format!("`{}`", defining.name.text),
-                defining.span,
-            );
+            let should = self.described(&declared);
+            let rule = format!("`{}` is declared to be {should}", defining.name.text);
+            self.must_be(&typed, &declared, &rule);
             // What was declared holds for those that use it.
             typed.unit = UnitOf::Term(declared);
         }
@@ -152,7 +151,8 @@ impl<'a> Checker<'a> {
             return;
         };
         let name = self.model.states[state].name.clone();
-        self.must_be(typed, &unit, &format!("`der({name})`"), typed.expr.span);
+        let rule = format!("`der({name})` is {}", self.described(&unit));
+        self.must_be(typed, &unit, &rule);
     }
 
     /// Forces, moments, stated equations, observations.
@@ -241,7 +241,8 @@ impl<'a> Checker<'a> {
         } else {
             Unit::NEWTON_METRE
         };
-        self.must_be(&typed, &Term::known(unit), &what, load.name.span);
+        let rule = format!("{what} must be in {}", unit.explained());
+        self.must_be(&typed, &Term::known(unit), &rule);
         let made = model::Load {
             name: load.name.text.clone(),
             value: typed.expr,
@@ -330,7 +331,11 @@ impl<'a> Checker<'a> {
             self.report(Diagnostic::new(Kind::Frame, observe.value.span, message).help(help));
             return;
         }
-        self.must_be(&typed, &Term::known(Unit::METRE), what, observe.name.span);
+        self.must_be(
+            &typed,
+            &Term::known(Unit::METRE),
+            "what is observed must be a length (m)",
+        );
         self.model.observation = Some(model::Observation {
             name: observe.name.text.clone(),
             value: typed.expr,

@@ -9,11 +9,14 @@ use crate::unit::Unit;
 /// At most this many declarations are shown with a fault.
 const MOST_LABELS: usize = 8;
 
-/// A name in an expression, with its unit and the place of its declaration.
+/// A name or a number in an expression, with its unit.
 struct Leaf {
     name: String,
     term: Term,
+    /// Where a name is declared, or where a number stands.
     span: Span,
+    /// Whether it is declared in the file, so that the place can be shown.
+    declared: bool,
 }
 
 impl Checker<'_> {
@@ -73,7 +76,8 @@ impl Checker<'_> {
                 format!("{} {verb} {what}", super::scope::listed(&names))
             })
             .collect();
-        let message = format!("{rule}: {}", sides.join(", but "));
+        let sides = sides.join(if sides.len() == 2 { ", but " } else { "; " });
+        let message = format!("{rule}: {sides}");
         let mut fault = Diagnostic::new(Kind::Unit, span, message);
         for group in groups {
             for &i in group {
@@ -87,128 +91,144 @@ impl Checker<'_> {
         fault.help_if(advice)
     }
 
-    /// A quantity that has not the unit it must have. `what` says which quantity that is.
-    pub fn must_be(&mut self, typed: &Typed, expected: &Term, what: &str, at: Span) -> bool {
+    /// A quantity that has not the unit it must have. `rule` says what must be, as in
+    /// "the argument of `exp` must be a pure number".
+    pub fn must_be(&mut self, typed: &Typed, expected: &Term, rule: &str) -> bool {
         let UnitOf::Term(found) = &typed.unit else {
             return !matches!(typed.unit, UnitOf::Faulty);
         };
-        if self.units.equate(found, expected, at).is_ok() {
+        let span = typed.expr.span;
+        if self.units.equate(found, expected, span).is_ok() {
             return true;
         }
-        let text = self.text(typed.expr.span);
-        let (should, is) = (self.described(expected), self.described(found));
-        let fault = Diagnostic::new(
-            Kind::Unit,
-            typed.expr.span,
-            format!("{what} must be {should}, but `{text}` is {is}"),
-        )
-        .label(typed.expr.span, is);
+        let is = self.described(found);
+        let message = format!("{rule}, but `{}` is {is}", self.text(span));
+        let fault = Diagnostic::new(Kind::Unit, span, message).label(span, is);
         let mut fault = self.origins(fault, &[typed]);
         if let (Some(found), Some(expected)) = (
             self.units.resolve(found).unit(),
             self.units.resolve(expected).unit(),
         ) {
-            fault = fault.help_if(self.missing_factor(typed, found, expected));
+            let advice = self.missing_factor(typed, found, expected);
+            fault = fault.help_if(advice);
         }
         self.report(fault);
         false
     }
 
-    /// Adds how the units came about: the names in each expression, and where they are declared.
+    /// Adds how the units came about: what each expression is made of, and where that is declared.
     fn origins(&self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
         let mut shown: Vec<Span> = Vec::new();
         for side in sides {
             let mut leaves = Vec::new();
             self.leaves(&side.expr, &mut leaves);
-            if !matches!(
-                side.expr.kind,
-                ExprKind::Let(_)
-                    | ExprKind::Param(_)
-                    | ExprKind::Coefficient(_)
-                    | ExprKind::State(_)
-                    | ExprKind::Input(_)
-            ) {
-                let parts: Vec<String> = leaves
-                    .iter()
-                    .filter(|l| {
-                        self.units
-                            .resolve(&l.term)
-                            .unit()
-                            .is_none_or(|u| !u.is_pure())
-                    })
-                    .map(|l| format!("`{}` in {}", l.name, self.symbol_of(&l.term)))
-                    .collect();
-                if !parts.is_empty() {
-                    let text = self.text(side.expr.span);
-                    fault = fault.note(format!("in `{text}`: {}", parts.join(", ")));
-                }
-            }
-            for leaf in leaves {
-                if shown.len() >= MOST_LABELS
-                    || shown.contains(&leaf.span)
-                    || leaf.span == fault.span
-                {
-                    continue;
-                }
-                if self
+            // Angles and pure numbers contribute nothing.
+            leaves.retain(|l| {
+                !self
                     .units
-                    .resolve(&leaf.term)
+                    .resolve(&l.term)
                     .unit()
                     .is_some_and(Unit::is_pure)
+            });
+            let alone = matches!(&leaves[..], [leaf] if leaf.name == self.text(side.expr.span));
+            if !alone && !leaves.is_empty() {
+                let parts: Vec<String> = leaves
+                    .iter()
+                    .map(|l| format!("`{}` in {}", l.name, self.symbol_of(&l.term)))
+                    .collect();
+                let text = self.text(side.expr.span);
+                fault = fault.note(format!("in `{text}`: {}", parts.join(", ")));
+            }
+            for leaf in leaves {
+                if !leaf.declared {
+                    if !alone {
+                        fault = self.unit_or_name(fault, &leaf);
+                    }
+                } else if shown.len() < MOST_LABELS
+                    && !shown.contains(&leaf.span)
+                    && leaf.span != fault.span
                 {
-                    continue;
+                    shown.push(leaf.span);
+                    let mut text = format!("`{}` is {}", leaf.name, self.described(&leaf.term));
+                    let determined = leaf
+                        .term
+                        .unknowns()
+                        .find_map(|u| self.units.determined_at(u));
+                    if let Some(at) = determined {
+                        text += &format!(", as follows from `{}`", self.text(at));
+                    }
+                    fault = fault.label(leaf.span, text);
                 }
-                shown.push(leaf.span);
-                let mut text = format!("`{}` is {}", leaf.name, self.described(&leaf.term));
-                if let Some(at) = leaf
-                    .term
-                    .unknowns()
-                    .find_map(|u| self.units.determined_at(u))
-                {
-                    text += &format!(", as follows from `{}`", self.text(at));
-                }
-                fault = fault.label(leaf.span, text);
             }
         }
         fault
     }
 
-    /// The names in an expression, each once, with their units.
+    /// Says that `2 g` is two grams, where a name `g` might have been meant.
+    fn unit_or_name(&self, fault: Diagnostic, leaf: &Leaf) -> Diagnostic {
+        match leaf.name.split_once(' ') {
+            Some((number, symbol)) if self.scope.find(symbol).is_some() => fault
+                .note(format!(
+                    "a name behind a number is its unit: `{}` is {}",
+                    leaf.name,
+                    self.described(&leaf.term)
+                ))
+                .help(format!(
+                    "if the quantity `{symbol}` is meant, write `{number}*{symbol}`"
+                )),
+            _ => fault,
+        }
+    }
+
+    /// The names and numbers in an expression, each once, with their units.
     fn leaves(&self, e: &Expr, out: &mut Vec<Leaf>) {
-        let (name, term, span) = match &e.kind {
-            ExprKind::Param(i) => {
-                let c = &self.model.params[*i];
-                (&c.name, self.params[*i].clone(), c.span)
-            }
+        let model = &self.model;
+        let written = |term: Term| (self.text(e.span), term, e.span, false);
+        let (name, term, span, declared) = match &e.kind {
+            ExprKind::Param(i) => (
+                model.params[*i].name.clone(),
+                self.params[*i].clone(),
+                model.params[*i].span,
+                true,
+            ),
             ExprKind::Coefficient(i) => {
-                let c = &self.model.coefficients[*i];
-                (&c.name, self.coefficients[*i].clone(), c.span)
+                let c = &model.coefficients[*i];
+                (c.name.clone(), self.coefficients[*i].clone(), c.span, true)
             }
-            ExprKind::State(i) => {
-                let c = &self.model.states[*i];
-                (&c.name, self.states[*i].clone(), c.span)
-            }
-            ExprKind::Input(i) => {
-                let c = &self.model.inputs[*i];
-                (&c.name, self.inputs[*i].clone(), c.span)
-            }
+            ExprKind::State(i) => (
+                model.states[*i].name.clone(),
+                self.states[*i].clone(),
+                model.states[*i].span,
+                true,
+            ),
+            ExprKind::Input(i) => (
+                model.inputs[*i].name.clone(),
+                self.inputs[*i].clone(),
+                model.inputs[*i].span,
+                true,
+            ),
             ExprKind::Let(i) => {
-                let c = &self.model.lets[*i];
                 let UnitOf::Term(term) = self.let_unit(*i) else {
                     return;
                 };
-                (&c.name, term, c.span)
+                (model.lets[*i].name.clone(), term, model.lets[*i].span, true)
             }
+            ExprKind::Number { .. } => written(Term::known(e.unit)),
+            ExprKind::Time => written(Term::known(Unit::SECOND)),
+            ExprKind::Position | ExprKind::Marker => written(Term::known(Unit::METRE)),
+            ExprKind::Velocity => written(Term::known(Unit::SPEED)),
+            ExprKind::AngularVelocity => written(Term::known(Unit::RATE)),
             _ => {
                 e.children(&mut |child| self.leaves(child, out));
                 return;
             }
         };
-        if !out.iter().any(|l| l.span == span && l.name == *name) {
+        if !out.iter().any(|l| l.name == name) {
             out.push(Leaf {
-                name: name.clone(),
+                name,
                 term,
                 span,
+                declared,
             });
         }
     }
@@ -235,7 +255,7 @@ impl Checker<'_> {
                 .is_some_and(|u| u.agrees(unit))
         };
         let compound = leaves.len() > 1;
-        if compound && let Some(leaf) = leaves.iter().find(|l| has(&l.term, excess)) {
+        if compound && let Some(leaf) = leaves.iter().find(|l| l.declared && has(&l.term, excess)) {
             let noun = self.described(&Term::known(expected));
             return Some(format!(
                 "without `{}` ({}) the term `{text}` would be {noun}",

@@ -58,6 +58,10 @@ impl Checker<'_> {
             let Some(used) = first_use.filter(|_| term.unit().is_none()) else {
                 continue;
             };
+            // What follows from another unknown is reported with that one.
+            if term.has_unknowns() && !term.unknowns().any(|u| u as usize == unknown) {
+                continue;
+            }
             let name = self.units.name(unknown as u32).to_owned();
             let declared = self.scope.place(&name).unwrap_or(file.end);
             let mut fault = if term.has_unknowns() {
@@ -73,7 +77,7 @@ impl Checker<'_> {
             fault = fault
                 .label(declared, "declared without a unit")
                 .label(used, "used here");
-            self.report(fault.help(format!("state its unit, such as `{name} = 1 kg;`")));
+            self.report(fault.help("write its unit behind the number where it is declared"));
         }
     }
 

@@ -42,6 +42,15 @@ pub struct Checked {
 
 /// Checks a file; `sources` are the texts that its places refer to.
 pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
+    if file.items.is_empty() {
+        let fault = Diagnostic::new(Kind::Missing, file.end, "the file declares nothing").help(
+            "a model begins with `model NAME;`, a frame `frame N;` and a `body` or a `point`",
+        );
+        return Checked {
+            model: None,
+            diagnostics: vec![fault],
+        };
+    }
     let mut checker = Checker::new(file, sources);
     checker.declare();
     checker.definitions();
@@ -163,8 +172,23 @@ impl<'a> Checker<'a> {
             .and_then(|s| s.text.get(span.range()))
             .unwrap_or("this expression");
         let line = raw.split_whitespace().collect::<Vec<_>>().join(" ");
-        crate::syntax::token::clip(&line)
+        crate::syntax::token::clip(unwrapped(&line))
     }
+}
+
+/// A text without brackets around the whole of it.
+fn unwrapped(text: &str) -> &str {
+    let Some(inner) = text.strip_prefix('(').and_then(|t| t.strip_suffix(')')) else {
+        return text;
+    };
+    let mut open = 0_i32;
+    for c in inner.chars() {
+        open += i32::from(c == '(') - i32::from(c == ')');
+        if open < 0 {
+            return text;
+        }
+    }
+    inner
 }
 
 fn empty_model(file: &ast::File, sources: &[Source]) -> Model {

@@ -6,6 +6,7 @@ use super::term::{Fraction, Term};
 use super::{Checker, Definition, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{ExprKind, Shape};
+use crate::suggest;
 use crate::syntax::ast;
 use crate::unit::{Unit, symbol};
 
@@ -163,7 +164,13 @@ impl Checker<'_> {
             && self.scope.find(name).is_none()
             && !super::scope::OF_BODY.contains(&name.as_str())
         {
-            self.frame_named(name, of.span);
+            let message = format!("there is no frame or vector `{name}`");
+            let frames = self.model.frames.iter().map(|f| f.name.as_str());
+            let near = suggest::nearest(name, frames)
+                .map(str::to_owned)
+                .or_else(|| self.nearest(name));
+            let fault = Diagnostic::new(Kind::Name, of.span, message);
+            self.report(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
             return None;
         }
         let of_typed = self.elaborate(of)?;

@@ -132,7 +132,12 @@ impl Checker<'_> {
         if names.is_empty() {
             fault = fault.note("no frame is declared; the first is `frame N;`");
         } else {
-            fault = fault.note(format!("the frames are {}", listed(&names)));
+            let frames = if names.len() == 1 {
+                "the only frame is"
+            } else {
+                "the frames are"
+            };
+            fault = fault.note(format!("{frames} {}", listed(&names)));
         }
         self.report(fault);
         None

@@ -53,7 +53,10 @@ impl Parser<'_> {
             _ => {
                 let what =
                     "`mass`, `inertia`, `fixed in`, `position`, `velocity` or `angular velocity`";
-                return self.expected(what);
+                const WORDS: [&str; 6] = [
+                    "mass", "inertia", "fixed", "position", "velocity", "angular",
+                ];
+                return self.expected_word(what, &WORDS);
             }
         };
         self.semicolon("this statement")?;
@@ -143,7 +146,7 @@ impl Parser<'_> {
             });
         }
         if !self.eat_word("expect") {
-            return self.expected("`set` or `expect`");
+            return self.expected_word("`set` or `expect`", &["set", "expect"]);
         }
         let mut name = self.name("what is expected: a named quantity or `der(STATE)`")?;
         let derivative = name.text == "der" && self.eat(Token::Open);
@@ -153,7 +156,10 @@ impl Parser<'_> {
         }
         self.need(Token::Equals, "`=` and the expected value")?;
         let value = self.quantity("a number")?;
-        self.need_word("within", "the expected value, with the greatest difference")?;
+        if !self.eat_word("within") {
+            let help = "add the greatest difference: `within 1e-9`".to_owned();
+            return self.expected_help("`within` after the expected value", Some(help));
+        }
         let within = self.quantity("the greatest difference")?;
         self.semicolon("this `expect`")?;
         Ok(CheckPart::Expect {

@@ -61,7 +61,17 @@ impl Parser<'_> {
             _ => {
                 let what = "`source`, `site`, `coefficient`, `replace`, `let`, `force`, `moment` or \
                             `negligible`";
-                return self.expected(what);
+                const WORDS: [&str; 8] = [
+                    "source",
+                    "site",
+                    "coefficient",
+                    "replace",
+                    "let",
+                    "force",
+                    "moment",
+                    "negligible",
+                ];
+                return self.expected_word(what, &WORDS);
             }
         };
         let item = Item {

@@ -229,7 +229,7 @@ impl Parser<'_> {
             }
             _ => None,
         };
-        if self.peek() != Token::OpenText {
+        if !self.reported_by_lexer() {
             let message = format!("expected an operator or `)`, found {found}");
             let fault = Diagnostic::new(Kind::Grammar, self.here(), message)
                 .label(
@@ -239,6 +239,7 @@ impl Parser<'_> {
                     },
                     "this bracket is open",
                 )
+                .label(self.here(), "here")
                 .help_if(help);
             self.report(fault);
         }

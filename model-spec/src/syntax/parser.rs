@@ -3,6 +3,7 @@
 use super::ast::{File, Name};
 use super::token::{self, Lexed, Lexeme, Token};
 use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::suggest;
 
 /// How deep brackets, calls, signs and powers may nest.
 const DEEPEST: u32 = 64;
@@ -184,6 +185,11 @@ impl<'a> Parser<'a> {
         self.lexed.diagnostics.push(fault);
     }
 
+    /// Whether the next token is one that the lexer could not read, and has said so.
+    pub fn reported_by_lexer(&self) -> bool {
+        matches!(self.peek(), Token::Bad | Token::OpenText)
+    }
+
     /// Reports that something else was expected here.
     pub fn expected<T>(&mut self, what: &str) -> Read<T> {
         self.expected_help(what, None)
@@ -191,13 +197,21 @@ impl<'a> Parser<'a> {
 
     pub fn expected_help<T>(&mut self, what: &str, help: Option<String>) -> Read<T> {
         let found = token::name_of(self.lexeme(), self.text);
-        // A text without an end has been reported by the lexer.
-        if self.peek() != Token::OpenText {
+        if !self.reported_by_lexer() {
             let message = format!("expected {what}, found {found}");
             let fault = Diagnostic::new(Kind::Grammar, self.here(), message).help_if(help);
             self.report(fault);
         }
         Err(Reported)
+    }
+
+    /// Reports that one of some words was expected here.
+    pub fn expected_word<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
+        let near = match self.peek() {
+            Token::Name => suggest::nearest(self.raw(), words.iter().copied()),
+            _ => None,
+        };
+        self.expected_help(what, near.map(|n| format!("did you mean `{n}`?")))
     }
 
     pub fn need(&mut self, token: Token, what: &str) -> Read<()> {
@@ -220,6 +234,9 @@ impl<'a> Parser<'a> {
     pub fn semicolon(&mut self, after: &str) -> Read<()> {
         if self.eat(Token::Semicolon) {
             return Ok(());
+        }
+        if self.reported_by_lexer() {
+            return Err(Reported);
         }
         if self.first_on_line() || self.peek() == Token::CloseBrace {
             let end = self.behind();

@@ -105,10 +105,11 @@ impl Parser<'_> {
         let value = self.quantity("a number")?;
         let bounds = if self.eat_word("in") {
             let least = self.quantity("the least value")?;
-            self.need(
-                Token::Range,
-                "`..` between the least and the greatest value",
-            )?;
+            if !self.eat(Token::To) {
+                let help = format!("write `in {least} .. 10`");
+                return self
+                    .expected_help("`..` between the least and the greatest value", Some(help));
+            }
             Some((least, self.quantity("the greatest value")?))
         } else {
             None
@@ -293,6 +294,10 @@ impl Parser<'_> {
         }
         self.need(Token::Greater, "`>` and the bound of the limit")?;
         let bound = self.quantity("a number, the bound")?;
+        if self.peek() == Token::Semicolon {
+            let help = "say what happens there, as in `limit z > 0 \"it has landed\";`".to_owned();
+            return self.expected_help("the reason of the limit", Some(help));
+        }
         let reason = self.quoted("the reason of the limit")?;
         self.semicolon("this `limit`")?;
         Ok(ItemKind::Limit(Limit {

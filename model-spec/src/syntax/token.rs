@@ -1,5 +1,7 @@
 //! From text to tokens.
 
+use std::ops::Range;
+
 use logos::Logos;
 
 use super::spelling;
@@ -64,9 +66,11 @@ pub(super) enum Token {
     #[token("<")]
     Less,
     #[token("..")]
-    Range,
+    To,
     #[token(".")]
     Point,
+    /// What could not be read; the lexer itself never yields it.
+    Bad,
     /// The end of the text; the lexer itself never yields it.
     End,
 }
@@ -102,11 +106,14 @@ pub(super) fn lex(text: &str, source: u16) -> Lexed {
         diagnostics: Vec::new(),
     };
     let mut lexer = Token::lexer(text);
-    let mut last_end = 0;
-    let mut bad: Option<(usize, usize)> = None;
+    let (mut last_end, mut first, mut faulty_line) = (0, true, false);
+    let mut bad: Option<Run> = None;
     while let Some(token) = lexer.next() {
         let range = lexer.span();
-        let first = text[last_end..range.start].contains('\n') || lexed.tokens.is_empty();
+        if text[last_end..range.start].contains('\n') {
+            (first, faulty_line) = (true, false);
+        }
+        last_end = range.end;
         match token {
             Ok(Token::Comment) => {
                 comment(&mut lexed, &text[range.clone()]);
@@ -114,15 +121,30 @@ pub(super) fn lex(text: &str, source: u16) -> Lexed {
             }
             Err(()) => {
                 match &mut bad {
-                    Some(run) if run.1 == range.start => run.1 = range.end,
+                    Some(run) if run.end == range.start => run.end = range.end,
                     _ => {
                         report(&mut lexed, text, source, bad.take());
-                        bad = Some((range.start, range.end));
+                        let Range { start, end } = range;
+                        bad = Some(Run {
+                            start,
+                            end,
+                            told: faulty_line,
+                        });
+                        // The parser gives up the statement, and says nothing more about it.
+                        let (start, end) = (start as u32, end as u32);
+                        lexed.tokens.push(Lexeme {
+                            token: Token::Bad,
+                            start,
+                            end,
+                            first,
+                        });
                     }
                 }
+                (first, faulty_line) = (false, true);
                 continue;
             }
             Ok(Token::OpenText) => {
+                faulty_line = true;
                 let span = place(range.start, range.end, source);
                 lexed.diagnostics.push(
                     Diagnostic::new(
@@ -135,14 +157,14 @@ pub(super) fn lex(text: &str, source: u16) -> Lexed {
             }
             Ok(_) => {}
         }
-        last_end = range.end;
         let (start, end) = (range.start as u32, range.end as u32);
         lexed.tokens.push(Lexeme {
-            token: token.unwrap_or(Token::End),
+            token: token.unwrap_or(Token::Bad),
             start,
             end,
             first,
         });
+        first = false;
     }
     report(&mut lexed, text, source, bad);
     let end = text.trim_end().len() as u32;
@@ -153,6 +175,14 @@ pub(super) fn lex(text: &str, source: u16) -> Lexed {
         first: true,
     });
     lexed
+}
+
+/// A run of characters that mean nothing.
+struct Run {
+    start: usize,
+    end: usize,
+    /// Whether something on the same line has been reported already.
+    told: bool,
 }
 
 fn comment(lexed: &mut Lexed, line: &str) {
@@ -181,8 +211,15 @@ fn place(start: usize, end: usize, source: u16) -> Span {
     }
 }
 
-fn report(lexed: &mut Lexed, text: &str, source: u16, run: Option<(usize, usize)>) {
-    let Some((start, end)) = run else { return };
+fn report(lexed: &mut Lexed, text: &str, source: u16, run: Option<Run>) {
+    let Some(Run {
+        start,
+        end,
+        told: false,
+    }) = run
+    else {
+        return;
+    };
     let found = &text[start..end];
     let span = place(start, end, source);
     let mut chars = found.chars();
@@ -279,8 +316,8 @@ mod tests {
     #[test]
     fn numbers_do_not_swallow_ranges_and_axes() {
         use Token::*;
-        assert_eq!(tokens("-1 .. 0"), [Minus, Number, Range, Number, End]);
-        assert_eq!(tokens("0..1"), [Number, Range, Number, End]);
+        assert_eq!(tokens("-1 .. 0"), [Minus, Number, To, Number, End]);
+        assert_eq!(tokens("0..1"), [Number, To, Number, End]);
         assert_eq!(tokens("N.3*2"), [Name, Point, Number, Star, Number, End]);
         assert_eq!(tokens("3.4e-5 m²"), [Number, Name, Superscript, End]);
         assert_eq!(tokens("φ̇·ρ − 2"), [Name, Dot, Name, Minus, Number, End]);
@@ -289,9 +326,10 @@ mod tests {
     #[test]
     fn bad_characters_are_reported_once_for_a_run() {
         let lexed = lex("a \0\0\0\0 b ¿¿ c", 0);
-        assert_eq!(lexed.diagnostics.len(), 2);
+        // The second run is on the same line.
+        assert_eq!(lexed.diagnostics.len(), 1);
         assert!(lexed.diagnostics[0].message.contains("4 NUL bytes"));
-        assert_eq!(lexed.tokens.len(), 4);
+        assert_eq!(lexed.tokens.len(), 6);
     }
 
     #[test]
