@@ -29,6 +29,9 @@ pub const EFFECTS: &[(&str, &str)] =
 /// Models that are wrong on purpose, by name: the checks must refute them.
 pub const REFUTED: &[(&str, &str)] = texts!("refuted": "disc_appendix_printed");
 
+/// So many effects of a model's own file are checked before they are switched on.
+const MOST_OFFERS: usize = 50;
+
 /// Why there is no model.
 #[derive(Clone, Debug)]
 pub struct LoadError {
@@ -134,13 +137,53 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
             sources,
         });
     }
-    let Checked { model, diagnostics } = check::check(&file, &sources);
+    let Checked {
+        model,
+        mut diagnostics,
+    } = check::check(&file, &sources);
+    if diagnostics.is_empty() {
+        diagnostics = faults_of_offers(&file, &sources);
+    }
     Ok(Loaded {
         model,
         file,
         diagnostics,
         sources,
     })
+}
+
+/// Faults of the effects that a model's own file offers, each switched on alone.
+fn faults_of_offers(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
+    let model = file.items.iter().find_map(|i| match &i.kind {
+        ItemKind::Model(name) => Some(name.text.as_str()),
+        _ => None,
+    });
+    let mut diagnostics = Vec::new();
+    let mut seen: Vec<&str> = Vec::new();
+    for offered in effects_of(file) {
+        let name = &offered.name;
+        if seen.contains(&name.text.as_str()) {
+            let message = format!("there are two effects `{}`", name.text);
+            diagnostics.push(
+                Diagnostic::new(Kind::Duplicate, name.span, message).help("rename one of them"),
+            );
+            continue;
+        }
+        seen.push(&name.text);
+        let applied = file.applied.iter().any(|a| a.name.text == name.text);
+        let elsewhere =
+            !offered.on.is_empty() && offered.on.iter().all(|on| Some(on.text.as_str()) != model);
+        // Every effect is checked on the whole model; a file with very many is taken at its word.
+        if applied || elsewhere || seen.len() > MOST_OFFERS {
+            continue;
+        }
+        match effect::apply(file, offered) {
+            Ok(changed) => diagnostics.extend(check::check(&changed, sources).diagnostics),
+            Err(faults) => diagnostics.extend(faults),
+        }
+    }
+    diagnostics.sort_by_key(|d| d.span);
+    diagnostics
 }
 
 /// Name and text of a model.

@@ -48,6 +48,8 @@ pub struct Model {
     pub checks: Vec<CheckCase>,
     /// Effects that are switched on, in order.
     pub effects: Vec<AppliedEffect>,
+    /// Effects that the model's own file offers, switched on or not.
+    pub offers: Vec<OfferedEffect>,
 }
 
 /// A text that a model was made from.
@@ -315,9 +317,22 @@ pub struct AppliedEffect {
     pub doc: String,
     /// Where it acts: lift, drag, side, roll, pitch, spin, wind, …
     pub site: String,
+    /// Where it is described, as the effect cites it; empty where it cites nothing.
+    pub citation: String,
     /// Its coefficients, with the value of each at which the effect vanishes and the size below which
     /// it does not matter in practice.
     pub coefficients: Vec<EffectCoefficient>,
+}
+
+/// An effect that can be switched on by its name.
+#[derive(Clone, Debug)]
+pub struct OfferedEffect {
+    /// Name, with underscores.
+    pub name: String,
+    /// Its `///` lines.
+    pub doc: String,
+    /// Place of the declaration.
+    pub span: Span,
 }
 
 /// A coefficient of an effect.

@@ -82,7 +82,8 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             } else {
                 text
             };
-            writeln!(out, "  {text} > {}   {}", limit.bound, limit.reason)?;
+            let bound = with_unit(limit.bound, &limit.value.unit.tidy().to_string());
+            writeln!(out, "  {text} > {bound}   {}", limit.reason)?;
         }
     }
     let points = singular_points(model);
@@ -90,31 +91,39 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         writeln!(out, "\nsingular points")?;
         for point in points {
             let line = model.line(point.span);
-            writeln!(out, "  line {line}: {} is {}", point.text, point.what)?;
+            let file = match model.sources.get(usize::from(point.span.source)) {
+                Some(source) if point.span.source > 0 => format!("{}, ", source.name),
+                _ => String::new(),
+            };
+            writeln!(out, "  {file}line {line}: {} is {}", point.text, point.what)?;
         }
     }
     if !model.checks.is_empty() {
         writeln!(out, "\nchecks in the file: {}", model.checks.len())?;
     }
+    if !model.offers.is_empty() {
+        writeln!(out, "\neffects that can be switched on")?;
+        for offer in &model.offers {
+            writeln!(out, "  {}   {}", offer.name, first(&offer.doc))?;
+        }
+    }
     for effect in &model.effects {
         writeln!(
             out,
-            "\neffect {} ({})   {}",
+            "\neffect {} on {}   {}",
             effect.name,
             effect.site,
             first(&effect.doc)
         )?;
         for coefficient in &effect.coefficients {
             let constant = &model.coefficients[coefficient.index];
-            write!(
-                out,
-                "  {} vanishes at {}",
-                constant.name, coefficient.vanishes_at
-            )?;
+            let value = |v: f64| with_unit(v, &constant.unit_text);
+            let vanishes = value(coefficient.vanishes_at);
+            write!(out, "  {} vanishes at {vanishes}", constant.name)?;
             if let Some(size) = coefficient.negligible {
-                write!(out, ", negligible below {size}")?;
+                write!(out, ", a departure below {} does not matter", value(size))?;
             }
-            writeln!(out, " {}", unit(&constant.unit_text))?;
+            writeln!(out)?;
         }
     }
     Ok(())
@@ -142,8 +151,19 @@ fn first(doc: &str) -> &str {
     doc.lines().next().unwrap_or("")
 }
 
-fn unit(text: &str) -> &str {
-    if text == "1" { "" } else { text }
+/// A number as people write it, with its unit.
+fn with_unit(value: f64, unit: &str) -> String {
+    let small = value != 0.0 && value.abs() < 1e-3;
+    let number = if small {
+        format!("{value:e}")
+    } else {
+        value.to_string()
+    };
+    if unit == "1" {
+        number
+    } else {
+        format!("{number} {unit}")
+    }
 }
 
 fn states(out: &mut String, model: &Model) -> std::fmt::Result {
@@ -201,9 +221,13 @@ fn constants(out: &mut String, title: &str, constants: &[Constant]) -> std::fmt:
     writeln!(out, "\n{title}")?;
     let width = constants.iter().map(|c| c.name.len()).max().unwrap_or(0);
     for c in constants {
-        let mut value = format!("{} {}", c.value, c.unit_text);
+        let mut value = with_unit(c.value, &c.unit_text);
         if c.inferred {
-            value += " (unit inferred)";
+            value += if c.unit_text == "1" {
+                " (inferred: pure number)"
+            } else {
+                " (unit inferred)"
+            };
         }
         if let Some((least, greatest)) = c.bounds {
             value += &format!(" in {least} .. {greatest}");

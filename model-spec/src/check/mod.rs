@@ -51,6 +51,23 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
             diagnostics: vec![fault],
         };
     }
+    if let Some(ast::Item {
+        kind: ast::ItemKind::Effect(effect),
+        ..
+    }) = file.items.first()
+        && file
+            .items
+            .iter()
+            .all(|i| matches!(i.kind, ast::ItemKind::Effect(_)))
+    {
+        let message = "this file has an effect but no model";
+        let fault = Diagnostic::new(Kind::Missing, effect.name.span, message)
+            .help("load a model and switch the effect on by the name of this file");
+        return Checked {
+            model: None,
+            diagnostics: vec![fault],
+        };
+    }
     let mut checker = Checker::new(file, sources);
     checker.declare();
     checker.definitions();
@@ -212,5 +229,17 @@ fn empty_model(file: &ast::File, sources: &[Source]) -> Model {
         limits: Vec::new(),
         checks: Vec::new(),
         effects: Vec::new(),
+        offers: file
+            .items
+            .iter()
+            .filter_map(|i| match &i.kind {
+                ast::ItemKind::Effect(effect) => Some(model::OfferedEffect {
+                    name: effect.name.text.clone(),
+                    doc: effect.doc.clone(),
+                    span: effect.name.span,
+                }),
+                _ => None,
+            })
+            .collect(),
     }
 }

@@ -87,19 +87,26 @@ impl Parser<'_> {
         let value = superscript_value(self.raw()).unwrap_or(f64::INFINITY);
         self.advance();
         let number = Number {
-            text: value.to_string(),
+            text: value.abs().to_string(),
             span,
         };
-        let exponent = ExprKind::Number(Quantity {
+        let quantity = ExprKind::Number(Quantity {
             number,
             unit: None,
             span,
         });
-        let whole = base.expr.span.to(span);
-        let exponent = Box::new(Expr {
-            kind: exponent,
+        let mut exponent = Expr {
+            kind: quantity,
             span,
-        });
+        };
+        if value < 0.0 {
+            exponent = Expr {
+                kind: ExprKind::Neg(Box::new(exponent)),
+                span,
+            };
+        }
+        let whole = base.expr.span.to(span);
+        let exponent = Box::new(exponent);
         let kind = ExprKind::Binary(BinaryOp::Pow, Box::new(base.expr), exponent);
         self.grown(kind, whole, base.height)
     }

@@ -9,6 +9,7 @@ mod effect;
 mod expr;
 mod parser;
 mod print;
+mod print_file;
 mod quantity;
 pub mod spelling;
 mod statement;

@@ -1,0 +1,320 @@
+//! No input makes the reader or the checks panic, hang or overflow the stack.
+
+use model_spec::load::{self, EFFECTS, MODELS, REFUTED};
+use model_spec::syntax::ast::{Expr, ExprKind, ItemKind};
+use model_spec::syntax::parse;
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+
+/// Everything that is done with a text, on a stack smaller than any program's.
+fn digest(text: String) {
+    let work = move || {
+        let loaded = load::inspect_text("random.hyz", &text, &[]).unwrap();
+        let shown = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+        assert_eq!(shown.is_empty(), loaded.diagnostics.is_empty());
+        if let Some(model) = loaded.model {
+            let summary = model_spec::summary::summary(&model);
+            assert!(summary.starts_with("model "));
+        }
+    };
+    let start = std::time::Instant::now();
+    std::thread::Builder::new()
+        .stack_size(1 << 20)
+        .spawn(work)
+        .unwrap()
+        .join()
+        .unwrap();
+    assert!(start.elapsed().as_secs() < 5, "took {:?}", start.elapsed());
+}
+
+const TOKENS: &[&str] = &[
+    "model",
+    "probe",
+    "reference",
+    "param",
+    "coefficient",
+    "input",
+    "state",
+    "frame",
+    "body",
+    "point",
+    "let",
+    "force",
+    "moment",
+    "der",
+    "marker",
+    "observe",
+    "limit",
+    "check",
+    "effect",
+    "set",
+    "expect",
+    "within",
+    "replace",
+    "site",
+    "source",
+    "negligible",
+    "previous",
+    "turned",
+    "about",
+    "by",
+    "quaternion",
+    "in",
+    "mass",
+    "inertia",
+    "diag",
+    "fixed",
+    "position",
+    "velocity",
+    "angular",
+    "N",
+    "A",
+    "B",
+    "x",
+    "y",
+    "z",
+    "u",
+    "alpha",
+    "α",
+    "φ̇",
+    "m",
+    "kg",
+    "s",
+    "rad",
+    "deg",
+    "C_L",
+    "sin",
+    "atan2",
+    "norm",
+    "unit",
+    "ratio",
+    "in_N",
+    "dot",
+    "cross",
+    "pi",
+    "time",
+    "1",
+    "2",
+    "3",
+    "0",
+    "-1e-5",
+    "1e999",
+    "0.175",
+    "^",
+    "²",
+    "⁻¹",
+    "+",
+    "-",
+    "−",
+    "*",
+    "·",
+    "×",
+    "/",
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "}",
+    ",",
+    ";",
+    ";",
+    ";",
+    ":",
+    "=",
+    ">",
+    "<",
+    "..",
+    ".",
+    "\"a\"",
+    "\"",
+    "//",
+    "///",
+    "//!",
+    "\n",
+    "\n",
+    "#",
+    "\0",
+];
+
+fn models() -> Vec<&'static str> {
+    MODELS
+        .iter()
+        .chain(REFUTED)
+        .chain(EFFECTS)
+        .map(|(_, text)| *text)
+        .collect()
+}
+
+/// A place in a text where a character begins.
+fn boundary(text: &str, index: &Index) -> usize {
+    let mut at = index.index(text.len() + 1);
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_bytes_are_digested(bytes in prop::collection::vec(any::<u8>(), 0..600)) {
+        match load::decode("random.hyz", bytes) {
+            Ok(text) => digest(text),
+            Err(error) => prop_assert!(error.to_string().contains("UTF-8")),
+        }
+    }
+
+    #[test]
+    fn random_characters_are_digested(text in "\\PC{0,400}") {
+        digest(text);
+    }
+
+    #[test]
+    fn soups_of_tokens_are_digested(tokens in prop::collection::vec(select(TOKENS), 0..400)) {
+        digest(tokens.join(" "));
+    }
+
+    #[test]
+    fn soups_after_a_good_beginning_are_digested(tokens in prop::collection::vec(select(TOKENS), 0..200)) {
+        digest(format!("{}\n{}", MODELS[1].1, tokens.join(" ")));
+    }
+
+    #[test]
+    fn changed_models_are_digested(
+        text in select(models()),
+        cuts in prop::collection::vec((any::<Index>(), any::<Index>(), select(TOKENS)), 1..6),
+    ) {
+        let mut text = text.to_owned();
+        for (from, length, token) in &cuts {
+            let start = boundary(&text, from);
+            let mut end = start + length.index(40).min(text.len() - start);
+            while !text.is_char_boundary(end) {
+                end += 1;
+            }
+            text.replace_range(start..end, token);
+        }
+        digest(text);
+    }
+
+    #[test]
+    fn what_is_written_groups_as_it_did(text in expression()) {
+        let first = parsed(&text);
+        let again = parsed(&first.to_string());
+        prop_assert_eq!(grouped(&first), grouped(&again));
+    }
+}
+
+/// Random expressions, with brackets where they please.
+fn expression() -> impl Strategy<Value = String> {
+    let leaf = select(vec![
+        "x",
+        "y",
+        "z",
+        "2",
+        "3.5",
+        "4 [m/s]",
+        "N.3",
+        "(x, y, 1) in N",
+        "der(x)",
+    ]);
+    leaf.prop_map(str::to_owned)
+        .prop_recursive(6, 40, 3, |inner| {
+            let operator = select(vec![" + ", " - ", "*", "/", "^", "·", " × "]);
+            prop_oneof![
+                (inner.clone(), operator, inner.clone())
+                    .prop_map(|(a, op, b)| format!("{a}{op}{b}")),
+                inner.clone().prop_map(|a| format!("({a})")),
+                inner.clone().prop_map(|a| format!("-{a}")),
+                inner.clone().prop_map(|a| format!("sin({a})")),
+                inner.prop_map(|a| format!("({a})²")),
+            ]
+        })
+}
+
+fn parsed(text: &str) -> Expr {
+    let parsed = parse("expression.hyz", &format!("let a = {text};"));
+    assert!(
+        parsed.diagnostics.is_empty(),
+        "{text}: {:?}",
+        parsed.diagnostics
+    );
+    match &parsed.file.items[0].kind {
+        ItemKind::Let(binding) => binding.value.clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// An expression with every bracket written.
+fn grouped(e: &Expr) -> String {
+    match &e.kind {
+        ExprKind::Number(q) => q.to_string(),
+        ExprKind::Name(name) => name.clone(),
+        ExprKind::Part(of, part) => format!("{}.{part}", grouped(of)),
+        ExprKind::Derivative(state) => format!("der({})", state.text),
+        ExprKind::Components(parts, frame) => {
+            format!(
+                "({}) in {}",
+                parts.each_ref().map(grouped).join(", "),
+                frame.text
+            )
+        }
+        ExprKind::Neg(of) => format!("(-{})", grouped(of)),
+        ExprKind::Binary(op, a, b) => format!("({} {op:?} {})", grouped(a), grouped(b)),
+        ExprKind::Call(name, arguments) => {
+            let arguments: Vec<String> = arguments.iter().map(grouped).collect();
+            format!("{}({})", name.text, arguments.join(", "))
+        }
+    }
+}
+
+#[test]
+fn chains_of_definitions_are_digested() {
+    // Each uses the one before twice; nothing may follow all paths.
+    let mut text = MODELS[0].1.to_owned();
+    text += "let a0 = x;\n";
+    for i in 1..20_000 {
+        text += &format!("let a{i} = a{} + a{};\n", i - 1, i - 1);
+    }
+    digest(text.clone());
+    // The same, each declared before what it uses.
+    let mut lines: Vec<&str> = text.lines().collect();
+    let head = lines.iter().position(|l| l.starts_with("let a0")).unwrap();
+    lines[head..].reverse();
+    digest(lines.join("\n"));
+}
+
+#[test]
+fn many_unknown_units_are_digested() {
+    let mut text = MODELS[0].1.to_owned();
+    for i in 0..5000 {
+        text += &format!(
+            "param k{i} = 1;\nlet b{i} = k{i}*{};\n",
+            if i == 0 {
+                "x".to_owned()
+            } else {
+                format!("b{}", i - 1)
+            }
+        );
+    }
+    digest(text);
+    let mut text = MODELS[0].1.to_owned();
+    for i in 0..5000 {
+        text += &format!("param k{i} = 1;\n");
+    }
+    for i in 1..5000 {
+        text += &format!("let c{i} = k{i} + k{};\n", i - 1);
+    }
+    digest(text);
+}
+
+#[test]
+fn powers_of_powers_are_digested() {
+    let mut text = MODELS[0].1.to_owned();
+    text += "let p0 = m;\n";
+    for i in 1..200 {
+        text += &format!("let p{i} = p{}^64;\n", i - 1);
+    }
+    digest(text);
+}
