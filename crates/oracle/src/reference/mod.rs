@@ -2,6 +2,8 @@
 
 mod ball;
 mod disc;
+mod discus;
+mod spinning;
 
 use crate::chart::{Chart, Step};
 use crate::dynamics::MassProperties;
@@ -18,10 +20,12 @@ pub enum Law {
     Disc,
     /// A point mass with gravity and drag.
     Ball,
+    /// A discus, top and bottom alike.
+    Discus,
 }
 
 /// Names that a model may give after `reference`.
-pub const NAMES: [&str; 2] = ["hubbard_hummel_disc", "ball_with_drag"];
+pub const NAMES: [&str; 3] = ["hubbard_hummel_disc", "ball_with_drag", "frohlich_discus"];
 
 /// A law tied to the names of a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,6 +52,7 @@ impl Law {
         match name {
             "hubbard_hummel_disc" => Some(Self::Disc),
             "ball_with_drag" => Some(Self::Ball),
+            "frohlich_discus" => Some(Self::Discus),
             _ => None,
         }
     }
@@ -57,6 +62,7 @@ impl Law {
         match self {
             Self::Disc => &disc::CONSTANTS,
             Self::Ball => &ball::CONSTANTS,
+            Self::Discus => &discus::CONSTANTS,
         }
     }
 
@@ -152,6 +158,7 @@ impl Reference {
         match self.law {
             Law::Disc => disc::motion(&constants, physical, wind),
             Law::Ball => ball::motion(&constants, physical, wind),
+            Law::Discus => discus::motion(&constants, physical, wind),
         }
     }
 
@@ -161,6 +168,7 @@ impl Reference {
         match self.law {
             Law::Disc => disc::mass_properties(&constants),
             Law::Ball => ball::mass_properties(&constants),
+            Law::Discus => disc::mass_properties(&constants),
         }
     }
 
@@ -200,33 +208,35 @@ fn states<const N: usize>(model: &Model, names: [&str; N]) -> Result<[usize; N],
 
 /// The paper's angles, or a quaternion from the inertial frame to the disc's own.
 fn turning_chart(model: &Model) -> Result<Chart, String> {
-    let position = states(model, ["x", "y", "z"])?;
-    let velocity = states(model, ["u", "v", "w"])?;
+    if model.states.iter().any(|s| s.name == "q0") {
+        return quaternion_chart(model);
+    }
     let [phi, theta, gamma] = states(model, ["phi", "theta", "gamma"])?;
     let [phidot, thetadot, gammadot] = states(model, ["phidot", "thetadot", "gammadot"])?;
+    let turn = |axis, angle, rate| Step::Turn { axis, angle, rate };
     Ok(Chart {
         states: model.states.len(),
-        position,
-        velocity,
+        position: states(model, ["x", "y", "z"])?,
+        velocity: states(model, ["u", "v", "w"])?,
         velocity_after: 2,
         steps: vec![
-            Step::Turn {
-                axis: 1,
-                angle: phi,
-                rate: phidot,
-            },
-            Step::Turn {
-                axis: 2,
-                angle: theta,
-                rate: thetadot,
-            },
-            Step::Turn {
-                axis: 3,
-                angle: gamma,
-                rate: gammadot,
-            },
+            turn(1, phi, phidot),
+            turn(2, theta, thetadot),
+            turn(3, gamma, gammadot),
         ],
         angular_velocity: None,
+    })
+}
+
+/// Velocity in inertial components, angular velocity in those of the body.
+fn quaternion_chart(model: &Model) -> Result<Chart, String> {
+    Ok(Chart {
+        states: model.states.len(),
+        position: states(model, ["x", "y", "z"])?,
+        velocity: states(model, ["vx", "vy", "vz"])?,
+        velocity_after: 0,
+        steps: vec![Step::Quaternion(states(model, ["q0", "q1", "q2", "q3"])?)],
+        angular_velocity: Some((states(model, ["p", "q", "r"])?, 1)),
     })
 }
 
