@@ -70,7 +70,8 @@ pub struct Constant {
     pub doc: String,
     /// Declared or inferred unit.
     pub unit: Unit,
-    /// The unit as the file spells it, or as inferred (`1`, `1/rad`, `kg*m^2`).
+    /// The unit of [`Constant::value`]: as the file spells it, or as inferred (`1`, `1/rad`, `kg*m^2`);
+    /// the SI's own where the file has another (`rad` for `deg`).
     pub unit_text: String,
     /// Whether the unit was inferred from its uses.
     pub inferred: bool,

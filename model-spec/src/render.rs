@@ -82,7 +82,11 @@ fn draw(
         let mut range = span.range();
         // Nothing can be drawn under no characters.
         if range.is_empty() {
-            range.start = range.start.saturating_sub(1);
+            let text = texts[usize::from(span.source)].1.text();
+            range.start = text[..range.start]
+                .char_indices()
+                .next_back()
+                .map_or(0, |c| c.0);
         }
         (span.source, range)
     };

@@ -241,7 +241,13 @@ impl<'a> Parser<'a> {
         if self.first_on_line() || self.peek() == Token::CloseBrace {
             let end = self.behind();
             let place = Span {
-                start: end.end.saturating_sub(1).max(end.start),
+                // Its last character.
+                start: end.end
+                    - self
+                        .slice(end)
+                        .chars()
+                        .next_back()
+                        .map_or(0, char::len_utf8) as u32,
                 ..end
             };
             self.report(
