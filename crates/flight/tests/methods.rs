@@ -285,3 +285,36 @@ proptest! {
         prop_assert!((end.state[0] - exact).abs() < 30.0 * tolerance * size * (1.0 + frequency));
     }
 }
+
+#[test]
+fn a_pendulum_is_where_another_program_says() {
+    // By mpmath's Taylor series in 25 digits.
+    let reference = [
+        (0.6, [0.212_298_498_294_956_64, -2.580_972_443_582_915_8]),
+        (2.0, [0.280_209_713_157_328_23, 1.809_022_099_111_152]),
+        (5.0, [-0.246_046_954_120_336_8, -1.548_034_288_287_535]),
+    ];
+    for method in [Method::Tsit5, Method::Dop853] {
+        let options = Options {
+            method,
+            ..Options::tolerance(1e-13)
+        };
+        let flight = fly(
+            &mut equations(&[], pendulum),
+            (0.0, &[1.0, 0.5]),
+            5.0,
+            &options,
+            &mut [],
+        )
+        .unwrap();
+        for (t, x) in reference {
+            let found = flight.sample(t).unwrap();
+            for (found, x) in found.iter().zip(x) {
+                assert!(
+                    (found - x).abs() < 1e-11,
+                    "{method:?} at {t} s: {found}, not {x}"
+                );
+            }
+        }
+    }
+}

@@ -274,3 +274,16 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn the_built_in_releases_speak_of_the_models_there_are() {
+    for (name, text) in release::BUILT_IN {
+        let read = release::read(name, text, |model| {
+            match model_spec::load::load(model, &[]) {
+                Ok(model) => Ok(Vocabulary::of(&model)),
+                Err(_) => Err(format!("there is no model {model:?}")),
+            }
+        });
+        assert!(read.is_ok(), "{}", read.unwrap_err());
+    }
+}

@@ -1,5 +1,7 @@
 //! The functions against many digits: hard cases by mpmath, and the standard library, itself within 1 ulp.
 
+// Miri gives the standard library's functions random last bits, and they are what is compared with here.
+#![cfg(not(miri))]
 // Tables of digits.
 #![allow(clippy::approx_constant)]
 
@@ -163,7 +165,7 @@ fn stated_values_at_singular_points() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: if cfg!(miri) { 20 } else { 20_000 }, failure_persistence: None, ..Default::default() })]
+    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..Default::default() })]
 
     #[test]
     fn random_arguments(x in -30.0..30.0_f64, y in -30.0..30.0_f64, far in -1e5..1e5_f64, unit in -1.0..1.0_f64) {

@@ -99,9 +99,10 @@ fn special() -> Vec<f64> {
         f64::MAX,
         f64::INFINITY,
     ]);
-    if !cfg!(miri) {
-        // Sines of the standard library are random in their last bits there.
-        values.extend([1e5 + 1e-3, 2e5, 1e9, 1e22]);
+    values.extend([1e5 + 1e-3, 2e5, 1e9, 1e22]);
+    if cfg!(miri) {
+        // There the standard library's functions, which serve the far arguments, are random in their last bits.
+        values.retain(|v| *v <= 20.0);
     }
     let negative: Vec<f64> = values.iter().map(|v| -v).collect();
     values.extend(negative);
@@ -129,7 +130,7 @@ fn pairs() -> (Vec<f64>, Vec<f64>) {
     for _ in 0..if cfg!(miri) { 40 } else { 400_003 } {
         for list in [&mut a, &mut b] {
             // A size from 2^-20 to 2^16, where the model's numbers are.
-            let exponent = 1023 - 20 + random() % 37;
+            let exponent = 1023 - 20 + random() % if cfg!(miri) { 22 } else { 37 };
             list.push(f64::from_bits(
                 random() >> 12 | exponent << 52 | random() << 63,
             ));
