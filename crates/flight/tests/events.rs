@@ -23,7 +23,7 @@ proptest! {
         for method in METHODS {
             // Long steps too, in which it rises and lands at once.
             let options = Options { method, longest_step: step, ..Options::default() };
-            let mut events = [Event::peak_of("apex", 0), Event::falls_to("ground", 0, 0.0).ends_flight()];
+            let mut events = [Event::falls_to("ground", 0, 0.0).ends_flight(), Event::peak_of("apex", 0)];
             let flight = fly_to_event(&mut equations(&["z", "vz"], stone), (0.0, &[height, speed]), 20.0, &options, &mut events).unwrap();
             let lands = (speed + (speed * speed + 2.0 * 9.81 * height).sqrt()) / 9.81;
             prop_assert!((flight.end - lands).abs() < 3e-12 * lands.max(1.0), "{} is {}", flight.end, lands);
@@ -72,6 +72,56 @@ fn every_crossing_is_recorded_in_order() {
                 "{found:?} is not {expected:?}"
             );
         }
+    }
+}
+
+#[test]
+fn two_crossings_in_one_step_are_both_found() {
+    // It dips below 0 from 0.9 to 1.1, in one step.
+    let mut d = equations(&[], |t, _: &[f64; 1], dx: &mut [f64; 1]| {
+        dx[0] = 2.0 * (t - 1.0)
+    });
+    for method in METHODS {
+        let options = Options {
+            method,
+            first_step: Some(2.0),
+            ..Options::default()
+        };
+        let events: [fn() -> Event<'static, [f64; 1]>; 4] = [
+            || Event::falls_to("0.9", 0, 0.0),
+            || Event::falls_to("1.1", 0, 0.0).rising(),
+            || Event::falling("0.9", |_, x: &[f64; 1]| x[0]),
+            || Event::peak_of("1.0", 0).rising(),
+        ];
+        // One by one: what one finds, the others would be looked for too.
+        for event in events {
+            let flight = fly(&mut d, (0.0, &[0.99]), 2.0, &options, &mut [event()]).unwrap();
+            assert_eq!(flight.work.steps, 1);
+            let [found] = &flight.events[..] else {
+                panic!("{:?}", flight.events)
+            };
+            let expected: f64 = found.event.parse().unwrap();
+            assert!((found.time - expected).abs() < 1e-12, "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_peak_between_two_rises_is_found() {
+    // It rises, falls from 0.9 to 1.1, and rises again, in one step.
+    let mut d = equations(&[], |t, _: &[f64; 1], dx: &mut [f64; 1]| {
+        dx[0] = (t - 0.9) * (t - 1.1)
+    });
+    for method in METHODS {
+        let options = Options {
+            method,
+            first_step: Some(2.0),
+            ..Options::default()
+        };
+        let peak = Event::peak_of("peak", 0);
+        let flight = fly(&mut d, (0.0, &[0.0]), 2.0, &options, &mut [peak]).unwrap();
+        assert_eq!((flight.work.steps, flight.events.len()), (1, 1));
+        assert!((flight.events[0].time - 0.9).abs() < 1e-12);
     }
 }
 

@@ -52,17 +52,17 @@ fn an_end_on_the_rate_is_one_row() {
     let csv = trajectory_csv(&flight, &disc::NAMES, 120.0);
     assert_eq!(csv.lines().count(), 1 + 121);
     assert!(csv.lines().last().unwrap().starts_with("1.0,"));
-    // 0.7 s at 10/s: 0.7 * 10 is a little less than 7.
+    // 0.07 s at 100/s: 0.07 * 100 is a little more than 7.
     let flight = fly(
         &mut disc::disc(),
         (0.0, &disc::THROW),
-        0.7,
+        0.07,
         &Options::default(),
         &mut [],
     )
     .unwrap();
     assert_eq!(
-        trajectory_csv(&flight, &disc::NAMES, 10.0).lines().count(),
+        trajectory_csv(&flight, &disc::NAMES, 100.0).lines().count(),
         1 + 8
     );
 }

@@ -155,3 +155,39 @@ pub(crate) fn weights(s: f64) -> [f64; ROWS] {
         s * sr * sr * sr,
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coefficients_are_consistent() {
+        let rows: [&[(usize, f64)]; 15] = [
+            &A1, &A2, &A3, &A4, &A5, &A6, &A7, &A8, &A9, &A10, &A11, &B, &A13, &A14, &A15,
+        ];
+        for (i, row) in rows.iter().enumerate() {
+            // Simplifying conditions: a row's sum is c, and from the second on its first moment c²/2.
+            let moment = |power| row.iter().map(|(j, a)| a * C[*j].powi(power)).sum::<f64>();
+            let c = C[i + 1];
+            assert!((moment(0) - c).abs() < 1e-14 * (1.0 + c), "row {}", i + 1);
+            assert!(
+                i == 0 || (moment(1) - c * c / 2.0).abs() < 2e-14,
+                "row {}",
+                i + 1
+            );
+        }
+        for power in 0..8 {
+            let sum: f64 = B.iter().map(|(i, b)| b * C[*i].powi(power)).sum();
+            assert!(
+                (sum - 1.0 / f64::from(power + 1)).abs() < 1e-14,
+                "t^{power}"
+            );
+        }
+        for power in 0..5 {
+            let moment =
+                |e: &[(usize, f64)]| e.iter().map(|(i, e)| e * C[*i].powi(power)).sum::<f64>();
+            assert!(power >= 3 || moment(&E3).abs() < 1e-14, "t^{power}");
+            assert!(moment(&E5).abs() < 1e-14, "t^{power}");
+        }
+    }
+}

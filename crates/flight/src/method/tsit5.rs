@@ -173,3 +173,37 @@ pub(crate) fn weights(s: f64) -> [f64; ROWS] {
         2.5 * (s - 1.0) * (s - 0.6) * s2,
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coefficients_meet_the_conditions_of_order_5() {
+        let a: [&[f64]; 7] = [&[], &A1, &A2, &A3, &A4, &A5, &B];
+        for (row, c) in a.iter().zip(C) {
+            assert!((row.iter().sum::<f64>() - c).abs() < 1e-14);
+        }
+        let close = |value: f64, expected: f64| {
+            assert!((value - expected).abs() < 3e-15, "{value}, not {expected}")
+        };
+        let sum = |f: &dyn Fn(usize) -> f64| (0..6).map(|i| B[i] * f(i)).sum::<f64>();
+        let below = |i: usize, f: &dyn Fn(usize) -> f64| {
+            a[i].iter().enumerate().map(|(j, a)| a * f(j)).sum::<f64>()
+        };
+        for power in 0..5 {
+            close(sum(&|i| C[i].powi(power)), 1.0 / f64::from(power + 1));
+        }
+        close(sum(&|i| below(i, &|j| C[j])), 1.0 / 6.0);
+        close(sum(&|i| C[i] * below(i, &|j| C[j])), 1.0 / 8.0);
+        close(sum(&|i| below(i, &|j| C[j] * C[j])), 1.0 / 12.0);
+        close(sum(&|i| below(i, &|j| below(j, &|k| C[k]))), 1.0 / 24.0);
+        close(E.iter().sum(), 0.0);
+        close(E.iter().zip(C).map(|(e, c)| e * c.powi(3)).sum(), 0.0);
+        // The curve ends where the step does, and starts where it starts.
+        for (weight, b) in weights(1.0)[1..].iter().zip(B.into_iter().chain([0.0])) {
+            assert!((weight - b).abs() < 3e-14);
+        }
+        assert_eq!(weights(0.0)[1..], [0.0; 7]);
+    }
+}
