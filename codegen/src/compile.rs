@@ -1,0 +1,214 @@
+//! The stages in order: derive, simplify, differentiate, simplify, schedule.
+
+use crate::count;
+use crate::derive::{Derived, derive};
+use crate::differentiate::{self, Jacobian, Linear};
+use crate::graph::{Graph, NodeId, Symbol};
+use crate::layout::Layout;
+use crate::optimise::{Dag, import};
+use crate::program::{Function, Program, Section};
+use crate::schedule::prepare::Prepare;
+use crate::schedule::{Namer, schedule};
+use model_spec::model::Model;
+
+/// Which parameters derivatives are taken for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Selection {
+    /// All of them.
+    All,
+    /// These, by their place in [`Layout::parameters`].
+    Only(Vec<usize>),
+}
+
+/// A model as programs.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// The model's name.
+    pub name: String,
+    /// The order of states and parameters.
+    pub layout: Layout,
+    /// The model as nodes, with the names and places of its quantities.
+    pub derived: Derived,
+    /// Places of the parameters that columns of `jp` and `dy_dp` stand for; all unless a selection was made.
+    pub columns: Vec<usize>,
+    /// Computes the constants of a flight from the parameters; they are an input of every other function.
+    pub prepare: Function,
+    /// Names of those constants.
+    pub prepared: Vec<String>,
+    /// `dx`.
+    pub f: Function,
+    /// `dx`, `j`.
+    pub f_jac: Function,
+    /// `dx`, `j`, `jp`.
+    pub f_jac_par: Function,
+    /// `y`: the marker in the inertial frame. Empty where nothing is observed.
+    pub observe: Function,
+    /// `y`, `dy_dx`, `dy_dp`, `dy_dmarker`.
+    pub observe_jac: Function,
+    /// Every named quantity.
+    pub quantities: Function,
+    /// Left sides of the limits.
+    pub limits: Function,
+}
+
+impl Compiled {
+    /// All functions, `prepare` first.
+    pub fn functions(&self) -> [&Function; 8] {
+        [
+            &self.prepare,
+            &self.f,
+            &self.f_jac,
+            &self.f_jac_par,
+            &self.observe,
+            &self.observe_jac,
+            &self.quantities,
+            &self.limits,
+        ]
+    }
+
+    /// A function by its name.
+    pub fn function(&self, name: &str) -> Option<&Function> {
+        self.functions().into_iter().find(|function| function.name == name)
+    }
+
+    /// Operations of a function.
+    pub fn count(&self, name: &str) -> count::Count {
+        self.function(name).map_or_else(count::Count::default, |function| count::count(&function.program))
+    }
+}
+
+/// Compiles a model, with derivatives for all parameters.
+pub fn compile(model: &Model) -> Compiled {
+    compile_for(model, &Selection::All)
+}
+
+/// Compiles a model, with derivatives for selected parameters.
+pub fn compile_for(model: &Model, selection: &Selection) -> Compiled {
+    Compiler::new(model, selection).run(&model.name)
+}
+
+struct Compiler {
+    derived: Derived,
+    columns: Vec<usize>,
+    prepare: Prepare,
+    origins: Vec<String>,
+}
+
+impl Compiler {
+    fn new(model: &Model, selection: &Selection) -> Compiler {
+        let derived = derive(model);
+        let all = derived.layout.parameters.len();
+        let columns = match selection {
+            Selection::All => (0..all).collect(),
+            Selection::Only(places) => places.iter().copied().filter(|&place| place < all).collect(),
+        };
+        let origins = derived.origins.iter().map(|origin| origin.name.clone()).collect();
+        Compiler { derived, columns, prepare: Prepare::default(), origins }
+    }
+
+    fn run(mut self, name: &str) -> Compiled {
+        let states: Vec<Symbol> = (0..self.derived.layout.states.len() as u32).map(Symbol::State).collect();
+        let parameters: Vec<Symbol> = self.columns.iter().map(|&k| Symbol::Parameter(k as u32)).collect();
+        let marker: Vec<Symbol> = (0..self.derived.layout.marker.len() as u32).map(Symbol::Marker).collect();
+
+        let dx = self.derived.dx.clone();
+        let value = self.optimised(&dx);
+        let linear = differentiate::linearise(&value, &self.derived.graph);
+        let f = self.finish("f", &value, &self.derived.graph.clone(), vec![dense("dx", dx.len())]);
+
+        let n = dx.len();
+        let f_jac = self.jacobians("f_jac", linear.clone(), n, "dx", &[("j", &states)]);
+        let f_jac_par = self.jacobians("f_jac_par", linear, n, "dx", &[("j", &states), ("jp", &parameters)]);
+
+        let y: Vec<NodeId> = self.derived.observation.map_or_else(Vec::new, |y| y.to_vec());
+        let value = self.optimised(&y);
+        let linear = differentiate::linearise(&value, &self.derived.graph);
+        let observe = self.finish("observe", &value, &self.derived.graph.clone(), vec![dense("y", y.len())]);
+        let by = [("dy_dx", states.as_slice()), ("dy_dp", parameters.as_slice()), ("dy_dmarker", marker.as_slice())];
+        let observe_jac = self.jacobians("observe_jac", linear, y.len(), "y", &by);
+
+        let named: Vec<NodeId> = self.derived.quantities.iter().map(|&(_, node)| node).collect();
+        let value = self.optimised(&named);
+        let quantities =
+            self.finish("quantities", &value, &self.derived.graph.clone(), vec![dense("q", named.len())]);
+
+        let limits = self.derived.limits.clone();
+        let value = self.optimised(&limits);
+        let limits = self.finish("limits", &value, &self.derived.graph.clone(), vec![dense("l", limits.len())]);
+
+        let program = self.prepare.program(&self.derived.layout.parameters);
+        let prepared = self.prepare.names().to_vec();
+        let prepare =
+            Function { name: "prepare", program, sections: vec![dense("prepared", prepared.len())] };
+        Compiled {
+            name: name.to_string(),
+            layout: self.derived.layout.clone(),
+            derived: self.derived,
+            columns: self.columns,
+            prepare,
+            prepared,
+            f,
+            f_jac,
+            f_jac_par,
+            observe,
+            observe_jac,
+            quantities,
+            limits,
+        }
+    }
+
+    fn optimised(&self, roots: &[NodeId]) -> Dag {
+        let mut dag = import(&self.derived.graph, roots);
+        dag.optimise();
+        dag
+    }
+
+    fn finish(&mut self, name: &'static str, dag: &Dag, graph: &Graph, sections: Vec<Section>) -> Function {
+        let layout = &self.derived.layout;
+        let mut namer = Namer::new(&layout.states, &layout.parameters, &self.origins);
+        let program: Program = schedule(dag, graph, &mut namer, Some(&mut self.prepare));
+        Function { name, program, sections }
+    }
+
+    /// A function with its value and sparse derivatives by groups of symbols.
+    fn jacobians(
+        &mut self,
+        name: &'static str,
+        linear: Linear,
+        rows: usize,
+        value: &'static str,
+        by: &[(&'static str, &[Symbol])],
+    ) -> Function {
+        let Linear { mut graph, roots, .. } = linear;
+        let symbols: Vec<Symbol> = by.iter().flat_map(|(_, symbols)| symbols.iter().copied()).collect();
+        let all = differentiate::jacobian(&mut graph, &roots, &symbols);
+        let mut wanted = roots;
+        let mut sections = vec![dense(value, rows)];
+        let mut start = 0;
+        for &(section, symbols) in by {
+            let part = columns(&all, start, symbols.len() as u32);
+            wanted.extend(&part.entries);
+            sections.push(Section { name: section, len: part.entries.len(), pattern: Some(part.pattern) });
+            start += symbols.len() as u32;
+        }
+        let mut dag = import(&graph, &wanted);
+        dag.optimise();
+        self.finish(name, &dag, &graph, sections)
+    }
+}
+
+/// The columns `start .. start + width` of a Jacobian.
+fn columns(all: &Jacobian, start: u32, width: u32) -> Jacobian {
+    let mut part = Jacobian::default();
+    for (&(row, column), &entry) in all.pattern.iter().zip(&all.entries) {
+        if (start..start + width).contains(&column) {
+            part.pattern.push((row, column - start));
+            part.entries.push(entry);
+        }
+    }
+    part
+}
+
+fn dense(name: &'static str, len: usize) -> Section {
+    Section { name, len, pattern: None }
+}

@@ -1,0 +1,81 @@
+//! How many operations a program takes, by kind. A sine and a cosine of one angle count as two.
+
+use crate::program::{Binary, Op, Program, Unary};
+use std::fmt;
+
+/// Operations by kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Count {
+    /// Additions and subtractions.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Divisions and reciprocals.
+    pub div: usize,
+    /// Negations.
+    pub neg: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Sines, cosines, arctangents and other functions.
+    pub call: usize,
+    /// Comparisons, masks, absolute values, smaller and greater.
+    pub select: usize,
+}
+
+impl Count {
+    /// All of them.
+    pub fn total(&self) -> usize {
+        self.add + self.mul + self.div + self.neg + self.sqrt + self.call + self.select
+    }
+
+    fn one(&mut self, op: &Op) {
+        let kind = match op {
+            Op::IfZero(..) => &mut self.select,
+            Op::Binary(binary, ..) => match binary {
+                Binary::Add | Binary::Sub => &mut self.add,
+                Binary::Mul => &mut self.mul,
+                Binary::Div => &mut self.div,
+                Binary::Atan2 => &mut self.call,
+                Binary::Min | Binary::Max => &mut self.select,
+            },
+            Op::Unary(unary, _) => match unary {
+                Unary::Neg => &mut self.neg,
+                Unary::Sqrt => &mut self.sqrt,
+                Unary::Recip | Unary::RecipOrZero => &mut self.div,
+                Unary::Sin | Unary::Cos | Unary::Exp | Unary::Log | Unary::Tanh | Unary::Asin => &mut self.call,
+                Unary::Abs | Unary::Sign | Unary::Step | Unary::NonZero => &mut self.select,
+            },
+        };
+        *kind += 1;
+    }
+}
+
+/// Counts the operations of a program.
+pub fn count(program: &Program) -> Count {
+    let mut count = Count::default();
+    for statement in &program.statements {
+        count.one(&statement.op);
+    }
+    count
+}
+
+impl fmt::Display for Count {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} operations", self.total())?;
+        let kinds = [
+            (self.add, "add"),
+            (self.mul, "mul"),
+            (self.div, "div"),
+            (self.neg, "neg"),
+            (self.sqrt, "sqrt"),
+            (self.call, "call"),
+            (self.select, "select"),
+        ];
+        let parts: Vec<String> =
+            kinds.iter().filter(|(n, _)| *n > 0).map(|(n, kind)| format!("{n} {kind}")).collect();
+        if !parts.is_empty() {
+            write!(f, ": {}", parts.join(", "))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,212 @@
+//! Expressions of the model, one case each.
+
+use super::frames::{self, Vector};
+use super::{Deriver, Value};
+use crate::graph::{Function, NodeId, Symbol};
+use crate::number::Number;
+use model_spec::model::{Expr, ExprKind, Function as Named, Shape};
+
+impl Deriver<'_> {
+    pub(crate) fn scalar(&mut self, expr: &Expr) -> NodeId {
+        match self.evaluate(expr) {
+            Value::Scalar(node) => node,
+            // the checker keeps shapes apart
+            Value::Vector(vector) => vector[0],
+        }
+    }
+
+    pub(crate) fn vector(&mut self, expr: &Expr) -> Vector {
+        match self.evaluate(expr) {
+            Value::Vector(vector) => vector,
+            Value::Scalar(node) => [node; 3],
+        }
+    }
+
+    fn symbol(&mut self, symbol: Symbol) -> Value {
+        Value::Scalar(self.graph.symbol(symbol))
+    }
+
+    pub(crate) fn evaluate(&mut self, expr: &Expr) -> Value {
+        use ExprKind as E;
+        match &expr.kind {
+            E::Number { value, exact } => Value::Scalar(self.graph.number(Number::literal(*value, *exact))),
+            E::Pi => self.symbol(Symbol::Pi),
+            E::Time => self.symbol(Symbol::Time),
+            E::Param(k) => {
+                let at = self.layout.param(*k);
+                self.symbol(Symbol::Parameter(at))
+            }
+            E::Coefficient(k) => {
+                let at = self.layout.coefficient(*k);
+                self.symbol(Symbol::Parameter(at))
+            }
+            E::Input(k) => {
+                let at = self.layout.input(*k);
+                Value::Vector([0, 1, 2].map(|axis| self.graph.symbol(Symbol::Parameter(at + axis))))
+            }
+            E::State(k) => self.symbol(Symbol::State(*k as u32)),
+            E::Let(k) => self.lets[*k],
+            E::Axis(frame, axis) => {
+                let unit = frames::axis(&mut self.graph, *axis);
+                Value::Vector(self.in_frame(unit, *frame, expr.shape))
+            }
+            E::Position => Value::Vector(self.states(self.model.body.as_ref().map(|body| body.position))),
+            E::Velocity => Value::Vector(self.states(self.model.body.as_ref().map(|body| body.velocity))),
+            E::AngularVelocity => Value::Vector(self.spin()),
+            E::Marker => Value::Vector([0, 1, 2].map(|k| self.graph.symbol(Symbol::Marker(k)))),
+            E::Components(parts) => {
+                let components = [&parts[0], &parts[1], &parts[2]].map(|part| self.scalar(part));
+                Value::Vector(components)
+            }
+            E::Neg(a) => match self.evaluate(a) {
+                Value::Scalar(a) => Value::Scalar(self.graph.neg(a)),
+                Value::Vector(a) => Value::Vector(a.map(|component| self.graph.neg(component))),
+            },
+            E::Add(a, b) => match (self.evaluate(a), self.evaluate(b)) {
+                (Value::Vector(a), Value::Vector(b)) => Value::Vector(frames::add(&mut self.graph, a, b)),
+                (a, b) => Value::Scalar(self.graph.add(first(a), first(b))),
+            },
+            E::Sub(a, b) => match (self.evaluate(a), self.evaluate(b)) {
+                (Value::Vector(a), Value::Vector(b)) => Value::Vector(frames::sub(&mut self.graph, a, b)),
+                (a, b) => Value::Scalar(self.graph.sub(first(a), first(b))),
+            },
+            E::Mul(a, b) => match (self.evaluate(a), self.evaluate(b)) {
+                (Value::Vector(v), Value::Scalar(s)) | (Value::Scalar(s), Value::Vector(v)) => {
+                    Value::Vector(frames::scale(&mut self.graph, s, v))
+                }
+                (a, b) => Value::Scalar(self.graph.mul(first(a), first(b))),
+            },
+            E::Div(a, b) => {
+                let (a, b) = (self.evaluate(a), self.scalar(b));
+                // the checker has seen to it that the divisor is nowhere zero
+                self.graph.assume_nonzero(b);
+                match a {
+                    Value::Vector(v) => Value::Vector(v.map(|component| self.graph.div(component, b))),
+                    Value::Scalar(a) => Value::Scalar(self.graph.div(a, b)),
+                }
+            }
+            E::Ratio(parts) => {
+                let [a, b, otherwise] = [&parts[0], &parts[1], &parts[2]].map(|part| self.scalar(part));
+                let quotient = self.graph.div(a, b);
+                Value::Scalar(if self.graph.is_zero(otherwise) {
+                    quotient
+                } else {
+                    self.graph.if_zero(b, otherwise, quotient)
+                })
+            }
+            E::Pow(a, doubled) => {
+                let a = self.scalar(a);
+                Value::Scalar(self.graph.power(a, *doubled))
+            }
+            E::Dot(a, b) => {
+                let (a, b) = (self.vector(a), self.vector(b));
+                Value::Scalar(frames::dot(&mut self.graph, a, b))
+            }
+            E::Cross(a, b) => {
+                let (a, b) = (self.vector(a), self.vector(b));
+                Value::Vector(frames::cross(&mut self.graph, a, b))
+            }
+            E::Norm(v) => {
+                let v = self.vector(v);
+                let square = frames::dot(&mut self.graph, v, v);
+                Value::Scalar(self.graph.sqrt(square))
+            }
+            E::Direction(v, otherwise) => {
+                let v = self.vector(v);
+                let square = frames::dot(&mut self.graph, v, v);
+                let length = self.graph.sqrt(square);
+                let unit = v.map(|component| self.graph.div(component, length));
+                match otherwise {
+                    None => Value::Vector(unit),
+                    Some(otherwise) => {
+                        let other = self.vector(otherwise);
+                        Value::Vector([0, 1, 2].map(|k| self.graph.if_zero(length, other[k], unit[k])))
+                    }
+                }
+            }
+            E::Component(v, k) => Value::Scalar(self.vector(v)[usize::from(*k) - 1]),
+            E::Reexpress(v) => {
+                let from = match v.shape {
+                    Shape::Vector(frame) => frame,
+                    Shape::Scalar => 0,
+                };
+                let vector = self.vector(v);
+                Value::Vector(self.in_frame(vector, from, expr.shape))
+            }
+            E::Call(function, x) => {
+                let x = self.scalar(x);
+                Value::Scalar(self.named(*function, x))
+            }
+            E::Atan2(y, x) => {
+                let (y, x) = (self.scalar(y), self.scalar(x));
+                Value::Scalar(self.graph.atan2(y, x))
+            }
+            E::Min(a, b) => {
+                let (a, b) = (self.scalar(a), self.scalar(b));
+                Value::Scalar(self.graph.min(a, b))
+            }
+            E::Max(a, b) => {
+                let (a, b) = (self.scalar(a), self.scalar(b));
+                Value::Scalar(self.graph.max(a, b))
+            }
+        }
+    }
+
+    fn in_frame(&mut self, vector: Vector, from: usize, shape: Shape) -> Vector {
+        match shape {
+            Shape::Vector(to) => frames::reexpress(&mut self.graph, self.model, vector, from, to),
+            Shape::Scalar => vector,
+        }
+    }
+
+    fn states(&mut self, states: Option<[usize; 3]>) -> Vector {
+        match states {
+            Some(states) => states.map(|state| self.graph.symbol(Symbol::State(state as u32))),
+            None => frames::zero(&mut self.graph),
+        }
+    }
+
+    /// Angular velocity of the body in its inertia frame.
+    pub(crate) fn spin(&mut self) -> Vector {
+        let model = self.model;
+        match model.body.as_ref().and_then(|body| body.rotation.as_ref()) {
+            Some(rotation) => {
+                frames::angular_velocity(&mut self.graph, model, rotation.body_frame, rotation.inertia_frame)
+            }
+            None => frames::zero(&mut self.graph),
+        }
+    }
+
+    fn named(&mut self, function: Named, x: NodeId) -> NodeId {
+        let graph = &mut self.graph;
+        match function {
+            Named::Sin => graph.call(Function::Sin, x),
+            Named::Cos => graph.call(Function::Cos, x),
+            Named::Tan => graph.tan(x),
+            Named::Asin => graph.call(Function::Asin, x),
+            Named::Acos => {
+                let asin = graph.call(Function::Asin, x);
+                let pi = graph.symbol(Symbol::Pi);
+                graph.sum(vec![(Number::fraction(1, 2), pi), (Number::MINUS_ONE, asin)], Number::ZERO)
+            }
+            Named::Atan => {
+                let one = graph.whole(1);
+                graph.atan2(x, one)
+            }
+            Named::Sqrt => graph.sqrt(x),
+            Named::Exp => graph.call(Function::Exp, x),
+            Named::Log => graph.call(Function::Log, x),
+            Named::Abs => graph.call(Function::Abs, x),
+            Named::Sign => graph.call(Function::Sign, x),
+            Named::Step => graph.call(Function::Step, x),
+            Named::Tanh => graph.call(Function::Tanh, x),
+        }
+    }
+}
+
+fn first(value: Value) -> NodeId {
+    match value {
+        Value::Scalar(node) => node,
+        Value::Vector(vector) => vector[0],
+    }
+}

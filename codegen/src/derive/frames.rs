@@ -1,0 +1,191 @@
+//! Vectors as three components, and rotations along the tree of frames.
+
+use crate::graph::{Function, Graph, NodeId, Symbol};
+use crate::number::Number;
+use model_spec::model::{FrameKind, Model};
+
+/// Components of a vector in some frame.
+pub type Vector = [NodeId; 3];
+
+/// `a + b`.
+pub fn add(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|k| graph.add(a[k], b[k]))
+}
+
+/// `a - b`.
+pub fn sub(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|k| graph.sub(a[k], b[k]))
+}
+
+/// `s a`.
+pub fn scale(graph: &mut Graph, s: NodeId, a: Vector) -> Vector {
+    a.map(|component| graph.mul(s, component))
+}
+
+/// `a · b`.
+pub fn dot(graph: &mut Graph, a: Vector, b: Vector) -> NodeId {
+    let terms = [0, 1, 2].map(|k| (Number::ONE, graph.mul(a[k], b[k])));
+    graph.sum(terms.to_vec(), Number::ZERO)
+}
+
+/// `a × b`.
+pub fn cross(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
+        let (first, second) = (graph.mul(a[i], b[j]), graph.mul(a[j], b[i]));
+        graph.sub(first, second)
+    })
+}
+
+/// The zero vector.
+pub fn zero(graph: &mut Graph) -> Vector {
+    let zero = graph.whole(0);
+    [zero; 3]
+}
+
+/// Unit vector along an axis, 1 to 3.
+pub fn axis(graph: &mut Graph, axis: u8) -> Vector {
+    [1, 2, 3].map(|k| graph.whole(i64::from(k == axis)))
+}
+
+/// The frame that a frame is placed against.
+pub fn parent(model: &Model, frame: usize) -> Option<usize> {
+    match model.frames[frame].kind {
+        FrameKind::Inertial => None,
+        FrameKind::Turned { parent, .. } | FrameKind::Quaternion { parent, .. } => Some(parent),
+    }
+}
+
+/// Frames from the inertial one down to `frame`.
+pub fn path(model: &Model, frame: usize) -> Vec<usize> {
+    let mut path = vec![frame];
+    let mut at = frame;
+    while let Some(above) = parent(model, at) {
+        path.push(above);
+        at = above;
+    }
+    path.reverse();
+    path
+}
+
+/// The same vector with components in another frame.
+pub fn reexpress(graph: &mut Graph, model: &Model, vector: Vector, from: usize, to: usize) -> Vector {
+    let (up, down) = (path(model, from), path(model, to));
+    let common = up.iter().zip(&down).take_while(|(a, b)| a == b).count();
+    let mut vector = vector;
+    for &frame in up[common..].iter().rev() {
+        vector = turn(graph, model, vector, frame, true);
+    }
+    for &frame in &down[common..] {
+        vector = turn(graph, model, vector, frame, false);
+    }
+    vector
+}
+
+/// From a frame to its parent (`up`) or from the parent to it.
+pub fn turn(graph: &mut Graph, model: &Model, v: Vector, frame: usize, up: bool) -> Vector {
+    match model.frames[frame].kind {
+        FrameKind::Inertial => v,
+        FrameKind::Turned { angle, axis, .. } => {
+            let angle = graph.symbol(Symbol::State(angle as u32));
+            let (sin, cos) = (graph.call(Function::Sin, angle), graph.call(Function::Cos, angle));
+            let (i, j) = [(1, 2), (2, 0), (0, 1)][usize::from(axis) - 1];
+            let mut turned = v;
+            let (ci, cj) = (graph.mul(cos, v[i]), graph.mul(cos, v[j]));
+            let (si, sj) = (graph.mul(sin, v[i]), graph.mul(sin, v[j]));
+            if up {
+                turned[i] = graph.sub(ci, sj);
+                turned[j] = graph.add(si, cj);
+            } else {
+                turned[i] = graph.add(ci, sj);
+                turned[j] = graph.sub(cj, si);
+            }
+            turned
+        }
+        FrameKind::Quaternion { states, .. } => {
+            let matrix = quaternion_matrix(graph, states);
+            [0, 1, 2].map(|row| {
+                let line = if up { matrix[row] } else { [matrix[0][row], matrix[1][row], matrix[2][row]] };
+                dot(graph, line, v)
+            })
+        }
+    }
+}
+
+/// Rotation matrix of a unit quaternion, from the turned frame to its parent.
+fn quaternion_matrix(graph: &mut Graph, states: [usize; 4]) -> [Vector; 3] {
+    let q = states.map(|state| graph.symbol(Symbol::State(state as u32)));
+    let two = Number::whole(2);
+    let mut diagonal = |i: usize, j: usize| {
+        let (ii, jj) = (graph.power(q[i], 4), graph.power(q[j], 4));
+        graph.sum(vec![(two.neg(), ii), (two.neg(), jj)], Number::ONE)
+    };
+    let (xx, yy, zz) = (diagonal(2, 3), diagonal(1, 3), diagonal(1, 2));
+    let mut mixed = |i: usize, j: usize, k: usize, sign: Number| {
+        let (a, b) = (graph.mul(q[i], q[j]), graph.mul(q[0], q[k]));
+        graph.sum(vec![(two, a), (two.times(sign), b)], Number::ZERO)
+    };
+    let (plus, minus) = (Number::ONE, Number::MINUS_ONE);
+    [
+        [xx, mixed(1, 2, 3, minus), mixed(1, 3, 2, plus)],
+        [mixed(1, 2, 3, plus), yy, mixed(2, 3, 1, minus)],
+        [mixed(1, 3, 2, minus), mixed(2, 3, 1, plus), zz],
+    ]
+}
+
+/// Angular velocity of a frame relative to the inertial one, with components in `within`.
+pub fn angular_velocity(graph: &mut Graph, model: &Model, of: usize, within: usize) -> Vector {
+    let chain = path(model, of);
+    // where a quaternion places a frame of the body, the angular velocity is a state
+    if let Some(rotation) = model.body.as_ref().and_then(|body| body.rotation.as_ref())
+        && let Some((states, frame)) = rotation.angular_velocity
+    {
+        let spin = states.map(|state| graph.symbol(Symbol::State(state as u32)));
+        let mut spin = reexpress(graph, model, spin, frame, within);
+        let body_chain = path(model, rotation.body_frame);
+        let shared = chain.iter().zip(&body_chain).take_while(|(a, b)| a == b).count();
+        let through = |part: &[usize]| {
+            part.iter().any(|&f| matches!(model.frames[f].kind, FrameKind::Quaternion { .. }))
+        };
+        if through(&chain[..shared]) {
+            for &frame in &body_chain[shared..] {
+                let relative = turning(graph, model, frame, within);
+                spin = sub(graph, spin, relative);
+            }
+            for &frame in &chain[shared..] {
+                let relative = turning(graph, model, frame, within);
+                spin = add(graph, spin, relative);
+            }
+            return spin;
+        }
+    }
+    let mut total = zero(graph);
+    let mut at = chain[0];
+    let mut passed = at == within;
+    // walking down keeps the components simple: each rate is added along an axis
+    for &frame in &chain[1..] {
+        if passed {
+            let relative = turning(graph, model, frame, within);
+            total = add(graph, total, relative);
+            continue;
+        }
+        let relative = turning(graph, model, frame, at);
+        total = add(graph, total, relative);
+        total = turn(graph, model, total, frame, false);
+        at = frame;
+        passed = at == within;
+    }
+    if passed { total } else { reexpress(graph, model, total, at, within) }
+}
+
+/// Angular velocity of a turned frame relative to its parent, with components in `within`.
+fn turning(graph: &mut Graph, model: &Model, frame: usize, within: usize) -> Vector {
+    match model.frames[frame].kind {
+        FrameKind::Turned { parent, rate: Some(rate), axis: k, .. } => {
+            let rate = graph.symbol(Symbol::State(rate as u32));
+            let unit = axis(graph, k);
+            let along = scale(graph, rate, unit);
+            reexpress(graph, model, along, parent, within)
+        }
+        _ => zero(graph),
+    }
+}

@@ -1,0 +1,164 @@
+//! From the model's vector tree to scalar nodes.
+
+mod expressions;
+pub mod frames;
+mod motion;
+mod solve;
+
+use crate::graph::{Graph, NodeId, Symbol};
+use crate::layout::Layout;
+use frames::Vector;
+use model_spec::diagnostic::Span;
+use model_spec::model::Model;
+
+/// Where a named node comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Origin {
+    /// Its name in generated code.
+    pub name: String,
+    /// Place in the model.
+    pub span: Span,
+    /// Name of the model file or effect.
+    pub source: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// That line of the model, trimmed.
+    pub text: String,
+}
+
+/// A model as scalar nodes.
+#[derive(Clone, Debug)]
+pub struct Derived {
+    /// The nodes.
+    pub graph: Graph,
+    /// States, parameters, marker.
+    pub layout: Layout,
+    /// Derivatives of the states, in order.
+    pub dx: Vec<NodeId>,
+    /// What is observed, in the inertial frame.
+    pub observation: Option<Vector>,
+    /// Every named quantity, by component.
+    pub quantities: Vec<(String, NodeId)>,
+    /// Left sides of the limits.
+    pub limits: Vec<NodeId>,
+    /// Named nodes of the model, in order of declaration.
+    pub origins: Vec<Origin>,
+    /// Values of the named quantities: one node, or three.
+    pub lets: Vec<Vec<NodeId>>,
+}
+
+/// What an expression evaluates to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Value {
+    Scalar(NodeId),
+    Vector(Vector),
+}
+
+pub(crate) struct Deriver<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) graph: Graph,
+    pub(crate) layout: Layout,
+    pub(crate) lets: Vec<Value>,
+    pub(crate) origins: Vec<Origin>,
+}
+
+/// Derives the equations of motion and everything else that a model says, as nodes.
+pub fn derive(model: &Model) -> Derived {
+    let layout = Layout::new(model);
+    let mut deriver = Deriver { model, graph: Graph::new(), layout, lets: Vec::new(), origins: Vec::new() };
+    deriver.leaves();
+    deriver.assumptions();
+    for quantity in &model.lets {
+        let value = deriver.evaluate(&quantity.value);
+        deriver.lets.push(value);
+    }
+    let mut quantities = Vec::new();
+    let names = deriver.layout.quantities.clone();
+    let mut next = names.iter();
+    for (quantity, value) in model.lets.iter().zip(deriver.lets.clone()) {
+        let nodes = nodes(value);
+        for node in nodes {
+            if let Some(name) = next.next() {
+                deriver.record(node, name, quantity.span);
+                quantities.push((name.clone(), node));
+            }
+        }
+    }
+    let dx = deriver.motion();
+    let observation = model.observation.as_ref().map(|observation| {
+        let vector = deriver.vector(&observation.value);
+        for (k, &component) in vector.iter().enumerate() {
+            deriver.record(component, &format!("{}_{}", observation.name, ["x", "y", "z"][k]), observation.span);
+        }
+        vector
+    });
+    let limits = model.limits.iter().map(|limit| deriver.scalar(&limit.value)).collect();
+    let lets = deriver.lets.iter().map(|&value| nodes(value)).collect();
+    let Deriver { graph, layout, origins, .. } = deriver;
+    Derived { graph, layout, dx, observation, quantities, limits, origins, lets }
+}
+
+fn nodes(value: Value) -> Vec<NodeId> {
+    match value {
+        Value::Scalar(node) => vec![node],
+        Value::Vector(vector) => vector.to_vec(),
+    }
+}
+
+impl Deriver<'_> {
+    /// States and parameters come first, so that the order of terms follows the layout.
+    fn leaves(&mut self) {
+        for k in 0..self.layout.states.len() {
+            self.graph.symbol(Symbol::State(k as u32));
+        }
+        for k in 0..self.layout.parameters.len() {
+            self.graph.symbol(Symbol::Parameter(k as u32));
+        }
+    }
+
+    /// What a limit keeps above 0, the mass and the inertia are divided by without a second thought.
+    fn assumptions(&mut self) {
+        let model = self.model;
+        for limit in &model.limits {
+            // a limit may use named quantities, which do not exist yet
+            if limit.bound >= 0.0 && !mentions_let(&limit.value) {
+                let node = self.scalar(&limit.value);
+                self.graph.assume_nonzero(node);
+            }
+        }
+        if let Some(body) = &model.body
+            && !mentions_let(&body.mass)
+        {
+            let mass = self.scalar(&body.mass);
+            self.graph.assume_nonzero(mass);
+        }
+    }
+
+    /// Names a node after a quantity of the model and remembers where it stands.
+    pub(crate) fn record(&mut self, node: NodeId, name: &str, span: Span) {
+        use crate::graph::Node;
+        if matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_)) {
+            return;
+        }
+        self.graph.name(node, name);
+        if self.origins.iter().any(|origin| origin.name == name) {
+            return;
+        }
+        let source = self.model.sources.get(usize::from(span.source));
+        let (line, text) = source.map_or((0, String::new()), |source| line_of(&source.text, span.start as usize));
+        let source = source.map_or_else(|| self.model.name.clone(), |source| source.name.clone());
+        self.origins.push(Origin { name: name.to_string(), span, source, line, text });
+    }
+}
+
+fn mentions_let(expr: &model_spec::model::Expr) -> bool {
+    format!("{:?}", expr.kind).contains("Let(")
+}
+
+/// Number and text of the line at a byte.
+pub(crate) fn line_of(text: &str, at: usize) -> (usize, String) {
+    let at = at.min(text.len());
+    let line = text.as_bytes()[..at].iter().filter(|&&byte| byte == b'\n').count();
+    (line + 1, text.lines().nth(line).unwrap_or("").trim().to_string())
+}
+

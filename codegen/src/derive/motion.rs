@@ -1,0 +1,172 @@
+//! Equations of motion: Newton's and Euler's laws for a body, or the equations as stated.
+
+use super::frames::{self, Vector};
+use super::{Deriver, solve};
+use crate::differentiate::partials;
+use crate::graph::{NodeId, Symbol};
+use crate::number::Number;
+use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
+
+impl Deriver<'_> {
+    /// Derivatives of all states.
+    pub(crate) fn motion(&mut self) -> Vec<NodeId> {
+        let model = self.model;
+        let zero = self.graph.whole(0);
+        let mut dx = vec![zero; model.states.len()];
+        for equation in &model.equations {
+            dx[equation.state] = self.scalar(&equation.value);
+        }
+        if let Some(body) = &model.body {
+            self.newton(body, &mut dx);
+            if let Some(rotation) = &body.rotation {
+                self.angles(&mut dx);
+                self.euler(rotation, &mut dx);
+            }
+        }
+        for (k, &node) in dx.iter().enumerate() {
+            let (name, span) = (format!("{}_dot", model.states[k].name), model.states[k].span);
+            let span = model.equations.iter().find(|e| e.state == k).map_or(span, |e| e.span);
+            self.record(node, &name, span);
+        }
+        dx
+    }
+
+    /// `der(x) = v` in the inertial frame, `m (der(v) + ω × v) = Σ F` in the frame of the velocity.
+    fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
+        let model = self.model;
+        let velocity = body.velocity.map(|state| self.graph.symbol(Symbol::State(state as u32)));
+        let travel = frames::reexpress(&mut self.graph, model, velocity, body.velocity_frame, 0);
+        for k in 0..3 {
+            dx[body.position[k]] = travel[k];
+        }
+        let mass = self.scalar(&body.mass);
+        self.graph.assume_nonzero(mass);
+        let lightness = self.graph.power(mass, -2);
+        let spin = frames::angular_velocity(&mut self.graph, model, body.velocity_frame, body.velocity_frame);
+        let carried = frames::cross(&mut self.graph, spin, velocity);
+        let force = self.loads(&model.forces, "force", body.velocity_frame);
+        for k in 0..3 {
+            let pushed = self.graph.distribute(force[k], lightness);
+            dx[body.velocity[k]] = self.graph.sub(pushed, carried[k]);
+        }
+    }
+
+    fn loads(&mut self, loads: &[Load], kind: &str, frame: usize) -> Vector {
+        let mut total = frames::zero(&mut self.graph);
+        for load in loads {
+            let vector = self.vector(&load.value);
+            let from = match load.value.shape {
+                Shape::Vector(from) => from,
+                Shape::Scalar => frame,
+            };
+            let vector = frames::reexpress(&mut self.graph, self.model, vector, from, frame);
+            for (k, &component) in vector.iter().enumerate() {
+                self.record(component, &format!("{kind}_{}_{}", load.name, k + 1), load.span);
+            }
+            total = frames::add(&mut self.graph, total, vector);
+        }
+        total
+    }
+
+    /// Rates of angles and of quaternions.
+    fn angles(&mut self, dx: &mut [NodeId]) {
+        let model = self.model;
+        for (k, frame) in model.frames.iter().enumerate() {
+            match frame.kind {
+                FrameKind::Inertial => {}
+                FrameKind::Turned { angle, rate, .. } => {
+                    if let Some(rate) = rate {
+                        dx[angle] = self.graph.symbol(Symbol::State(rate as u32));
+                    }
+                }
+                FrameKind::Quaternion { states, .. } => {
+                    // der(q) = ½ q ⊗ ω, with ω in the turned frame
+                    let w = frames::angular_velocity(&mut self.graph, model, k, k);
+                    let q = states.map(|state| self.graph.symbol(Symbol::State(state as u32)));
+                    let rows = [
+                        [(1, 0, -1), (2, 1, -1), (3, 2, -1)],
+                        [(0, 0, 1), (2, 2, 1), (3, 1, -1)],
+                        [(0, 1, 1), (3, 0, 1), (1, 2, -1)],
+                        [(0, 2, 1), (1, 1, 1), (2, 0, -1)],
+                    ];
+                    for (row, state) in rows.iter().zip(states) {
+                        let terms = row
+                            .iter()
+                            .map(|&(i, j, sign)| (Number::fraction(sign, 2), self.graph.mul(q[i], w[j])))
+                            .collect();
+                        dx[state] = self.graph.sum(terms, Number::ZERO);
+                    }
+                }
+            }
+        }
+    }
+
+    /// `I der(ω) + ω_F × I ω = Σ M` in the inertia frame F.
+    fn euler(&mut self, rotation: &Rotation, dx: &mut [NodeId]) {
+        let model = self.model;
+        let frame = rotation.inertia_frame;
+        let inertia = [0, 1, 2].map(|i| [0, 1, 2].map(|j| self.scalar(&rotation.inertia[i][j])));
+        let inverse = solve::inverse(&mut self.graph, inertia);
+        let spin = self.spin();
+        let momentum = inertia.map(|row| frames::dot(&mut self.graph, row, spin));
+        let turning = frames::angular_velocity(&mut self.graph, model, frame, frame);
+        let carried = frames::cross(&mut self.graph, turning, momentum);
+        let moment = self.loads(&model.moments, "moment", frame);
+        let left = frames::sub(&mut self.graph, moment, carried);
+        let acceleration = inverse.map(|row| {
+            let terms =
+                (0..3).map(|k| (Number::ONE, self.graph.distribute(left[k], row[k]))).collect();
+            self.graph.sum(terms, Number::ZERO)
+        });
+        match rotation.angular_velocity {
+            Some((states, within)) if within == frame => {
+                for k in 0..3 {
+                    dx[states[k]] = acceleration[k];
+                }
+            }
+            Some((states, within)) => {
+                // the same vector seen from another frame: der in `within` = der in F + (ω_F - ω_within) × ω
+                let other = frames::angular_velocity(&mut self.graph, model, within, frame);
+                let relative = frames::sub(&mut self.graph, turning, other);
+                let extra = frames::cross(&mut self.graph, relative, spin);
+                let seen = frames::add(&mut self.graph, acceleration, extra);
+                let seen = frames::reexpress(&mut self.graph, model, seen, frame, within);
+                for k in 0..3 {
+                    dx[states[k]] = seen[k];
+                }
+            }
+            None => self.rates(rotation, spin, acceleration, dx),
+        }
+    }
+
+    /// Second derivatives of the angles from the derivative of the angular velocity.
+    fn rates(&mut self, rotation: &Rotation, spin: Vector, acceleration: Vector, dx: &mut [NodeId]) {
+        let model = self.model;
+        let turned: Vec<(u32, u32)> = frames::path(model, rotation.body_frame)
+            .into_iter()
+            .filter_map(|frame| match model.frames[frame].kind {
+                FrameKind::Turned { angle, rate: Some(rate), .. } => Some((angle as u32, rate as u32)),
+                _ => None,
+            })
+            .collect();
+        let mut matrix = Vec::new();
+        let mut right = Vec::new();
+        for k in 0..3 {
+            let row: Vec<NodeId> = turned
+                .iter()
+                .map(|&(_, rate)| partials::total(&mut self.graph, spin[k], Symbol::State(rate)))
+                .collect();
+            let mut terms = vec![(Number::ONE, acceleration[k])];
+            for &(angle, rate) in &turned {
+                let by_angle = partials::total(&mut self.graph, spin[k], Symbol::State(angle));
+                let rate = self.graph.symbol(Symbol::State(rate));
+                terms.push((Number::MINUS_ONE, self.graph.distribute(by_angle, rate)));
+            }
+            right.push(self.graph.sum(terms, Number::ZERO));
+            matrix.push(row);
+        }
+        for (unknown, &(_, rate)) in solve::solve(&mut self.graph, matrix, right).iter().zip(&turned) {
+            dx[rate as usize] = *unknown;
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Small symbolic linear systems, sparse first.
+
+use crate::graph::{Graph, NodeId};
+use crate::number::Number;
+
+/// Inverse of a 3×3 matrix of parameters, by cofactors: zeros and diagonals simplify by themselves.
+pub fn inverse(graph: &mut Graph, m: [[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
+    let mut cofactor = |i: usize, j: usize| {
+        let (r, c) = ([(1, 2), (2, 0), (0, 1)][i], [(1, 2), (2, 0), (0, 1)][j]);
+        let (first, second) = (graph.mul(m[r.0][c.0], m[r.1][c.1]), graph.mul(m[r.0][c.1], m[r.1][c.0]));
+        graph.sub(first, second)
+    };
+    let cofactors = [0, 1, 2].map(|i| [0, 1, 2].map(|j| cofactor(i, j)));
+    let terms = (0..3).map(|k| (Number::ONE, graph.mul(m[0][k], cofactors[0][k]))).collect();
+    let determinant = graph.sum(terms, Number::ZERO);
+    graph.assume_nonzero(determinant);
+    for row in m {
+        for entry in row {
+            if !graph.is_zero(entry) && determinant_has(graph, determinant, entry) {
+                graph.assume_nonzero(entry);
+            }
+        }
+    }
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| graph.div(cofactors[j][i], determinant)))
+}
+
+fn determinant_has(graph: &Graph, determinant: NodeId, entry: NodeId) -> bool {
+    match graph.node(determinant) {
+        crate::graph::Node::Product(factors) => factors.iter().any(|&(factor, _)| factor == entry),
+        _ => determinant == entry,
+    }
+}
+
+/// Solves `matrix · unknowns = right`: rows with a single unknown first, what is left by Cramer's rule.
+pub fn solve(graph: &mut Graph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) -> Vec<NodeId> {
+    let columns = matrix.first().map_or(0, Vec::len);
+    let zero = graph.whole(0);
+    let mut found: Vec<Option<NodeId>> = vec![None; columns];
+    let mut right = right;
+    let mut rows: Vec<usize> = (0..matrix.len()).collect();
+    loop {
+        let open = |row: usize, found: &[Option<NodeId>], graph: &Graph| -> Vec<usize> {
+            (0..columns).filter(|&c| found[c].is_none() && !graph.is_zero(matrix[row][c])).collect()
+        };
+        let Some(place) = rows.iter().position(|&row| open(row, &found, graph).len() == 1) else { break };
+        let row = rows.remove(place);
+        let column = open(row, &found, graph)[0];
+        let value = graph.div(right[row], matrix[row][column]);
+        found[column] = Some(value);
+        for &other in &rows {
+            let product = graph.mul(matrix[other][column], value);
+            right[other] = graph.sub(right[other], product);
+        }
+    }
+    let left: Vec<usize> = (0..columns).filter(|&c| found[c].is_none()).collect();
+    let rows: Vec<usize> =
+        rows.into_iter().filter(|&row| left.iter().any(|&c| !graph.is_zero(matrix[row][c]))).collect();
+    if !left.is_empty() && rows.len() == left.len() {
+        let system: Vec<Vec<NodeId>> =
+            rows.iter().map(|&row| left.iter().map(|&c| matrix[row][c]).collect()).collect();
+        let determinant = determinant(graph, &system);
+        for (k, &column) in left.iter().enumerate() {
+            let mut replaced = system.clone();
+            for (r, &row) in rows.iter().enumerate() {
+                replaced[r][k] = right[row];
+            }
+            let above = self::determinant(graph, &replaced);
+            found[column] = Some(graph.div(above, determinant));
+        }
+    }
+    found.into_iter().map(|value| value.unwrap_or(zero)).collect()
+}
+
+/// Determinant by expansion along the first row.
+fn determinant(graph: &mut Graph, m: &[Vec<NodeId>]) -> NodeId {
+    if m.len() == 1 {
+        return m[0][0];
+    }
+    let terms = (0..m.len())
+        .map(|k| {
+            let minor: Vec<Vec<NodeId>> = m[1..]
+                .iter()
+                .map(|row| row.iter().enumerate().filter(|&(c, _)| c != k).map(|(_, &e)| e).collect())
+                .collect();
+            let inner = determinant(graph, &minor);
+            let sign = if k % 2 == 0 { Number::ONE } else { Number::MINUS_ONE };
+            (sign, graph.distribute(inner, m[0][k]))
+        })
+        .collect();
+    graph.sum(terms, Number::ZERO)
+}

@@ -1,0 +1,162 @@
+//! Derivatives of single nodes, exact, with the stated behaviour at singular points.
+
+use crate::graph::{FastMap, Function, Graph, Node, NodeId, Symbol};
+use crate::number::Number;
+
+/// The derivative of a function at `x`, given the node of its value.
+pub fn of_call(graph: &mut Graph, function: Function, x: NodeId, value: NodeId) -> NodeId {
+    match function {
+        Function::Sin => graph.call(Function::Cos, x),
+        Function::Cos => {
+            let sin = graph.call(Function::Sin, x);
+            graph.neg(sin)
+        }
+        // 1 / sqrt(1 - x²), 0 beyond -1 .. 1
+        Function::Asin => {
+            let square = graph.power(x, 4);
+            let rest = graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE);
+            let root = graph.sqrt(rest);
+            graph.power(root, -2)
+        }
+        Function::Exp => value,
+        Function::Log => {
+            let above = graph.call(Function::Step, x);
+            graph.div(above, x)
+        }
+        Function::Tanh => {
+            let square = graph.power(value, 4);
+            graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE)
+        }
+        Function::Abs => graph.call(Function::Sign, x),
+        Function::Sign | Function::Step | Function::NonZero => graph.whole(0),
+        Function::Sqrt => {
+            let half = graph.number(Number::fraction(1, 2));
+            graph.div(half, value)
+        }
+    }
+}
+
+/// The operands of a node that is neither sum nor product, each with the partial derivative.
+pub fn of_node(graph: &mut Graph, id: NodeId) -> Vec<(NodeId, NodeId)> {
+    match graph.node(id).clone() {
+        Node::Number(_) | Node::Symbol(_) | Node::Sum(..) | Node::Product(_) => Vec::new(),
+        Node::Call(function, x) => vec![(x, of_call(graph, function, x, id))],
+        Node::Atan2(y, x) => {
+            let (yy, xx) = (graph.power(y, 4), graph.power(x, 4));
+            let square = graph.add(yy, xx);
+            let by_y = graph.div(x, square);
+            let by_x = graph.div(y, square);
+            let by_x = graph.neg(by_x);
+            vec![(y, by_y), (x, by_x)]
+        }
+        Node::Min(a, b) => {
+            let difference = graph.sub(b, a);
+            let first = graph.call(Function::Step, difference);
+            let second = graph.sum(vec![(Number::MINUS_ONE, first)], Number::ONE);
+            vec![(a, first), (b, second)]
+        }
+        Node::Max(a, b) => {
+            let difference = graph.sub(a, b);
+            let first = graph.call(Function::Step, difference);
+            let second = graph.sum(vec![(Number::MINUS_ONE, first)], Number::ONE);
+            vec![(a, first), (b, second)]
+        }
+        Node::IfZero(condition, a, b) => {
+            let other = graph.call(Function::NonZero, condition);
+            let here = graph.sum(vec![(Number::MINUS_ONE, other)], Number::ONE);
+            vec![(a, here), (b, other)]
+        }
+    }
+}
+
+/// Partial derivatives by every leaf-like node (neither sum nor product) in an expression of sums and products.
+pub fn of_expression(graph: &mut Graph, id: NodeId) -> Vec<(NodeId, NodeId)> {
+    let mut found: Vec<(NodeId, Vec<(Number, NodeId)>)> = Vec::new();
+    let one = graph.whole(1);
+    collect(graph, id, Number::ONE, one, &mut found);
+    found
+        .into_iter()
+        .map(|(vertex, terms)| (vertex, graph.sum(terms, Number::ZERO)))
+
+        .collect()
+}
+
+fn collect(
+    graph: &mut Graph,
+    id: NodeId,
+    coefficient: Number,
+    cofactor: NodeId,
+    found: &mut Vec<(NodeId, Vec<(Number, NodeId)>)>,
+) {
+    match graph.node(id).clone() {
+        Node::Number(_) | Node::Symbol(Symbol::Pi) => {}
+        Node::Sum(terms, _) => {
+            for &(c, term) in &terms {
+                collect(graph, term, coefficient.times(c), cofactor, found);
+            }
+        }
+        Node::Product(factors) => {
+            for k in 0..factors.len() {
+                let (base, exponent) = factors[k];
+                let mut others = factors.to_vec();
+                // d/dx of x^(e/2) is e/2 x^(e/2 - 1); at a root's zero its reciprocal, 0, is the derivative
+                others[k].1 = exponent - 2;
+                others.push((cofactor, 2));
+                let lowered = graph.product(others);
+                let c = coefficient.times(Number::fraction(exponent.into(), 2));
+                collect(graph, base, c, lowered, found);
+            }
+        }
+        _ => match found.iter_mut().find(|(vertex, _)| *vertex == id) {
+            Some((_, terms)) => terms.push((coefficient, cofactor)),
+            None => found.push((id, vec![(coefficient, cofactor)])),
+        },
+    }
+}
+
+
+/// The total derivative of an expression by one symbol, over the whole graph below it.
+pub fn total(graph: &mut Graph, id: NodeId, by: Symbol) -> NodeId {
+    let mut known = FastMap::default();
+    total_of(graph, id, by, &mut known)
+}
+
+fn total_of(graph: &mut Graph, id: NodeId, by: Symbol, known: &mut FastMap<NodeId, NodeId>) -> NodeId {
+    if let Some(&derivative) = known.get(&id) {
+        return derivative;
+    }
+    let derivative = match graph.node(id).clone() {
+        Node::Number(_) => graph.whole(0),
+        Node::Symbol(Symbol::Local(k)) => {
+            let definition = graph.definition(k);
+            total_of(graph, definition, by, known)
+        }
+        Node::Symbol(symbol) => graph.whole(i64::from(symbol == by)),
+        Node::Sum(..) | Node::Product(_) => {
+            let partials = of_expression(graph, id);
+            chain(graph, partials, by, known)
+        }
+        _ => {
+            let partials = of_node(graph, id);
+            chain(graph, partials, by, known)
+        }
+    };
+    known.insert(id, derivative);
+    derivative
+}
+
+fn chain(
+    graph: &mut Graph,
+    partials: Vec<(NodeId, NodeId)>,
+    by: Symbol,
+    known: &mut FastMap<NodeId, NodeId>,
+) -> NodeId {
+    let terms = partials
+        .into_iter()
+        .map(|(operand, partial)| {
+            let inner = total_of(graph, operand, by, known);
+            (Number::ONE, graph.mul(partial, inner))
+        })
+        .collect();
+    graph.sum(terms, Number::ZERO)
+}

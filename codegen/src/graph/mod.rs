@@ -1,0 +1,310 @@
+//! The shared graph: every expression once, numbered in the order of creation.
+//!
+//! **Invariant:** nodes are immutable and hash-consed; the constructors simplify, so that equal
+//! nodes are (as far as the rules go) equal values, singular points included. Nothing that reaches
+//! the output depends on the iteration order of a hash map.
+
+mod calls;
+mod hash;
+mod print;
+mod product;
+mod sum;
+
+pub use hash::FastMap;
+
+use crate::number::Number;
+
+/// Index of a node; smaller ones were created earlier.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(pub u32);
+
+impl NodeId {
+    /// As an index into vectors that run parallel to the graph.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A leaf with a value from outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Symbol {
+    /// Time since release.
+    Time,
+    /// The ratio of a circle's circumference to its diameter.
+    Pi,
+    /// A state, by its index in the layout.
+    State(u32),
+    /// A parameter, coefficient or component of an input, by its index in the layout.
+    Parameter(u32),
+    /// A coordinate of the marker.
+    Marker(u32),
+    /// An intermediate result of an earlier pass.
+    Local(u32),
+}
+
+/// Functions that are computed as one operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Arcsine, its argument held within -1 .. 1.
+    Asin,
+    /// Exponential.
+    Exp,
+    /// Logarithm; 0 where the argument is 0 or less.
+    Log,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// Absolute value.
+    Abs,
+    /// -1, 0 or 1.
+    Sign,
+    /// 1 above 0, else 0.
+    Step,
+    /// Root of something that may be negative; 0 there.
+    Sqrt,
+    /// 0 where the argument is 0, else 1: what is left of `x * recip_or_zero(x)`.
+    NonZero,
+}
+
+/// An expression over other nodes.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A constant.
+    Number(Number),
+    /// A leaf.
+    Symbol(Symbol),
+    /// Constant plus terms, each with its coefficient, ordered by node. At least one term, and either
+    /// two summands or a coefficient that is not 1.
+    Sum(Box<[(Number, NodeId)]>, Number),
+    /// Factors with *twice* their exponents, ordered by node; odd ones stand for roots. A negative
+    /// exponent on a factor that may be zero gives 0 there.
+    Product(Box<[(NodeId, i32)]>),
+    /// A function of one argument.
+    Call(Function, NodeId),
+    /// Angle of the point (second, first).
+    Atan2(NodeId, NodeId),
+    /// The smaller.
+    Min(NodeId, NodeId),
+    /// The greater.
+    Max(NodeId, NodeId),
+    /// The second where the first is 0, else the third.
+    IfZero(NodeId, NodeId, NodeId),
+}
+
+/// What is known about a node.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Facts {
+    /// Depends on nothing that changes during a flight.
+    pub fixed: bool,
+    /// Never below 0.
+    pub nonneg: bool,
+    /// Never 0, proved or assumed.
+    pub nonzero: bool,
+}
+
+/// The graph.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    facts: Vec<Facts>,
+    index: FastMap<Node, NodeId>,
+    contents: FastMap<NodeId, product::Content>,
+    /// Facts and definitions of [`Symbol::Local`]s.
+    locals: Vec<(Facts, NodeId)>,
+    local_of: FastMap<NodeId, NodeId>,
+    names: FastMap<NodeId, String>,
+    has_masks: bool,
+}
+
+impl Graph {
+    /// An empty graph.
+    pub fn new() -> Graph {
+        Graph::default()
+    }
+
+    /// How many nodes it has.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether it has none.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// A node.
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.index()]
+    }
+
+    /// What is known about it.
+    pub fn facts(&self, id: NodeId) -> Facts {
+        self.facts[id.index()]
+    }
+
+    /// States that a node is never 0 (it is a divisor that the model's author answers for).
+    pub fn assume_nonzero(&mut self, id: NodeId) {
+        self.facts[id.index()].nonzero = true;
+        match self.node(id).clone() {
+            Node::Product(factors) => factors.iter().for_each(|&(factor, _)| self.assume_nonzero(factor)),
+            Node::Sum(terms, constant) if terms.len() == 1 && constant.is_zero() => self.assume_nonzero(terms[0].1),
+            _ => {}
+        }
+    }
+
+    /// Gives a node a name, unless it has one already.
+    pub fn name(&mut self, id: NodeId, name: impl Into<String>) {
+        self.names.entry(id).or_insert_with(|| name.into());
+    }
+
+    /// The name of a node.
+    pub fn name_of(&self, id: NodeId) -> Option<&str> {
+        self.names.get(&id).map(String::as_str)
+    }
+
+    /// A new leaf that stands for `definition`: the rules do not look inside, so that what is shared
+    /// stays shared.
+    pub fn local(&mut self, facts: Facts, definition: NodeId) -> NodeId {
+        self.locals.push((facts, definition));
+        let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
+        if matches!(self.node(definition), Node::Sum(..)) {
+            self.local_of.insert(definition, id);
+        }
+        id
+    }
+
+    /// What a [`Symbol::Local`] stands for.
+    pub fn definition(&self, local: u32) -> NodeId {
+        self.locals[local as usize].1
+    }
+
+    /// A leaf.
+    pub fn symbol(&mut self, symbol: Symbol) -> NodeId {
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// A constant.
+    pub fn number(&mut self, number: Number) -> NodeId {
+        self.intern(Node::Number(number))
+    }
+
+    /// A whole constant.
+    pub fn whole(&mut self, value: i64) -> NodeId {
+        self.number(Number::whole(value))
+    }
+
+    /// Its value, where it is a constant.
+    pub fn as_number(&self, id: NodeId) -> Option<Number> {
+        match self.node(id) {
+            Node::Number(number) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// Whether it is the constant 0.
+    pub fn is_zero(&self, id: NodeId) -> bool {
+        self.as_number(id).is_some_and(Number::is_zero)
+    }
+
+    /// The node, if it exists already.
+    fn find(&self, node: &Node) -> Option<NodeId> {
+        self.index.get(node).copied()
+    }
+
+    fn intern(&mut self, node: Node) -> NodeId {
+        if let Some(&id) = self.index.get(&node) {
+            return id;
+        }
+        let id = NodeId(self.nodes.len() as u32);
+        let facts = self.derive_facts(&node);
+        self.has_masks |= matches!(node, Node::Call(Function::NonZero, _));
+        self.index.insert(node.clone(), id);
+        self.nodes.push(node);
+        self.facts.push(facts);
+        id
+    }
+
+    fn derive_facts(&self, node: &Node) -> Facts {
+        let of = |id: &NodeId| self.facts(*id);
+        match node {
+            Node::Number(n) => Facts { fixed: true, nonneg: !n.is_negative(), nonzero: !n.is_zero() },
+            Node::Symbol(Symbol::Pi) => Facts { fixed: true, nonneg: true, nonzero: true },
+            Node::Symbol(Symbol::Parameter(_)) => Facts { fixed: true, ..Facts::default() },
+            Node::Symbol(Symbol::Local(k)) => self.locals[*k as usize].0,
+            Node::Symbol(_) => Facts::default(),
+            Node::Sum(terms, constant) => {
+                let nonneg =
+                    !constant.is_negative() && terms.iter().all(|(c, t)| !c.is_negative() && of(t).nonneg);
+                let scaled = terms.len() == 1 && constant.is_zero() && of(&terms[0].1).nonzero;
+                Facts {
+                    fixed: terms.iter().all(|(_, t)| of(t).fixed),
+                    nonneg,
+                    nonzero: scaled
+                        || nonneg && (!constant.is_zero() || terms.iter().any(|(_, t)| of(t).nonzero)),
+                }
+            }
+            Node::Product(factors) => Facts {
+                fixed: factors.iter().all(|(f, _)| of(f).fixed),
+                nonneg: factors.iter().all(|(f, e)| e % 4 == 0 || e % 2 != 0 || of(f).nonneg),
+                nonzero: factors.iter().all(|(f, _)| of(f).nonzero),
+            },
+            Node::Call(function, x) => Facts {
+                fixed: of(x).fixed,
+                nonneg: matches!(
+                    function,
+                    Function::Exp | Function::Abs | Function::Step | Function::Sqrt | Function::NonZero
+                ),
+                nonzero: *function == Function::Exp
+                    || matches!(function, Function::Abs | Function::Sign | Function::NonZero) && of(x).nonzero,
+            },
+            Node::Atan2(a, b) => Facts { fixed: of(a).fixed && of(b).fixed, ..Facts::default() },
+            Node::Min(a, b) | Node::Max(a, b) => Facts {
+                fixed: of(a).fixed && of(b).fixed,
+                nonneg: of(a).nonneg && of(b).nonneg,
+                nonzero: of(a).nonzero && of(b).nonzero && of(a).nonneg && of(b).nonneg,
+            },
+            Node::IfZero(c, a, b) => Facts {
+                fixed: of(c).fixed && of(a).fixed && of(b).fixed,
+                nonneg: of(a).nonneg && of(b).nonneg,
+                nonzero: of(a).nonzero && of(b).nonzero,
+            },
+        }
+    }
+
+    /// Calls `visit` with every operand of a node.
+    pub fn for_operands(&self, id: NodeId, mut visit: impl FnMut(NodeId)) {
+        match self.node(id) {
+            Node::Number(_) | Node::Symbol(_) => {}
+            Node::Sum(terms, _) => terms.iter().for_each(|&(_, t)| visit(t)),
+            Node::Product(factors) => factors.iter().for_each(|&(f, _)| visit(f)),
+            Node::Call(_, x) => visit(*x),
+            Node::Atan2(a, b) | Node::Min(a, b) | Node::Max(a, b) => {
+                visit(*a);
+                visit(*b);
+            }
+            Node::IfZero(a, b, c) => {
+                visit(*a);
+                visit(*b);
+                visit(*c);
+            }
+        }
+    }
+
+    /// Every node that the roots need, operands first, in order of creation.
+    pub fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
+        let mut needed = vec![false; self.len()];
+        for root in roots {
+            needed[root.index()] = true;
+        }
+        // operands are created before their users
+        for k in (0..self.len()).rev() {
+            if needed[k] {
+                self.for_operands(NodeId(k as u32), |operand| needed[operand.index()] = true);
+            }
+        }
+        (0..self.len()).filter(|&k| needed[k]).map(|k| NodeId(k as u32)).collect()
+    }
+}

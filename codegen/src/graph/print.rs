@@ -1,0 +1,76 @@
+//! Nodes as text, for tests, messages and curious people.
+
+use super::{Graph, Node, NodeId, Symbol};
+use crate::number::Number;
+
+impl Graph {
+    /// A node as text, with `symbol` naming the leaves.
+    pub fn show(&self, id: NodeId, symbol: &dyn Fn(Symbol) -> String) -> String {
+        self.shown(id, symbol, 0)
+    }
+
+    /// `level`: 0 inside a sum, 1 inside a product, 2 under an exponent.
+    fn shown(&self, id: NodeId, symbol: &dyn Fn(Symbol) -> String, level: u8) -> String {
+        let inner = |id: NodeId, level: u8| self.shown(id, symbol, level);
+        let parenthesise = |text: String, needed: bool| if needed { format!("({text})") } else { text };
+        match self.node(id) {
+            Node::Number(number) => parenthesise(number_text(*number), level > 0 && number.is_negative()),
+            Node::Symbol(leaf) => symbol(*leaf),
+            Node::Sum(terms, constant) => {
+                let mut text = String::new();
+                for &(coefficient, term) in terms {
+                    let sign = match (coefficient.is_negative(), text.is_empty()) {
+                        (false, true) => "",
+                        (true, true) => "-",
+                        (false, false) => " + ",
+                        (true, false) => " - ",
+                    };
+                    text.push_str(sign);
+                    if !coefficient.abs().is_one() {
+                        text.push_str(&format!("{}*", number_text(coefficient.abs())));
+                    }
+                    text.push_str(&inner(term, 1));
+                }
+                if !constant.is_zero() {
+                    text.push_str(if constant.is_negative() { " - " } else { " + " });
+                    text.push_str(&number_text(constant.abs()));
+                }
+                parenthesise(text, level > 0)
+            }
+            Node::Product(factors) => {
+                let parts: Vec<String> = factors
+                    .iter()
+                    .map(|&(base, exponent)| {
+                        let power = Number::fraction(exponent.into(), 2);
+                        if power.is_one() {
+                            inner(base, 1)
+                        } else {
+                            format!("{}^{}", inner(base, 2), power_text(power))
+                        }
+                    })
+                    .collect();
+                parenthesise(parts.join("*"), level > 1)
+            }
+            Node::Call(function, x) => format!("{}({})", format!("{function:?}").to_lowercase(), inner(*x, 0)),
+            Node::Atan2(y, x) => format!("atan2({}, {})", inner(*y, 0), inner(*x, 0)),
+            Node::Min(a, b) => format!("min({}, {})", inner(*a, 0), inner(*b, 0)),
+            Node::Max(a, b) => format!("max({}, {})", inner(*a, 0), inner(*b, 0)),
+            Node::IfZero(c, a, b) => format!("if_zero({}, {}, {})", inner(*c, 0), inner(*a, 0), inner(*b, 0)),
+        }
+    }
+}
+
+fn number_text(number: Number) -> String {
+    match number {
+        Number::Exact(n, 1) => n.to_string(),
+        Number::Exact(n, d) => format!("{n}/{d}"),
+        Number::Float(x) => format!("{x}"),
+    }
+}
+
+fn power_text(power: Number) -> String {
+    match power {
+        Number::Exact(n, 1) if n > 0 => n.to_string(),
+        other => format!("({})", number_text(other)),
+    }
+}

@@ -1,0 +1,237 @@
+//! Products: exponents are collected, coefficients and common factors of sums come out in front.
+
+use super::sum::divide;
+use super::{Function, Graph, Node, NodeId};
+use crate::number::Number;
+
+/// A sum as coefficient · monomial · rest.
+#[derive(Clone, Debug)]
+pub(super) struct Content {
+    coefficient: Number,
+    factors: Box<[(NodeId, i32)]>,
+    rest: NodeId,
+}
+
+impl Graph {
+    /// `a b`.
+    pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.product(vec![(a, 2), (b, 2)])
+    }
+
+    /// `a b c …`.
+    pub fn mul_all(&mut self, factors: &[NodeId]) -> NodeId {
+        self.product(factors.iter().map(|&factor| (factor, 2)).collect())
+    }
+
+    /// `a / b`; 0 where `b` is 0, unless it is known not to be.
+    pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.product(vec![(a, 2), (b, -2)])
+    }
+
+    /// `a ^ (doubled / 2)`. Of something that may be negative, roots are 0 where it is.
+    pub fn power(&mut self, a: NodeId, doubled: i32) -> NodeId {
+        if doubled % 2 == 0 {
+            return self.product(vec![(a, doubled)]);
+        }
+        let root = self.sqrt(a);
+        self.product(vec![(root, 2 * doubled)])
+    }
+
+    /// Product of factors with twice their exponents.
+    pub fn product(&mut self, factors: Vec<(NodeId, i32)>) -> NodeId {
+        let (coefficient, factors) = self.collect(factors);
+        if coefficient.is_zero() {
+            return self.number(Number::ZERO);
+        }
+        let product = match factors.as_slice() {
+            [] => return self.number(coefficient),
+            [(single, 2)] => *single,
+            _ => self.intern(Node::Product(factors.into())),
+        };
+        self.scale(coefficient, product)
+    }
+
+    fn collect(&mut self, factors: Vec<(NodeId, i32)>) -> (Number, Vec<(NodeId, i32)>) {
+        let mut coefficient = Number::ONE;
+        let mut pending = factors;
+        let mut flat: Vec<(NodeId, i32)> = Vec::new();
+        loop {
+            while let Some((id, exponent)) = pending.pop() {
+                if exponent != 0 && !self.open(id, exponent, &mut coefficient, &mut pending) {
+                    flat.push((id, exponent));
+                }
+            }
+            flat = self.merge(flat);
+            if !self.unmask(&mut flat, &mut pending) {
+                return (coefficient, flat);
+            }
+        }
+    }
+
+    /// Takes a factor apart; false where it stays whole.
+    fn open(
+        &mut self,
+        id: NodeId,
+        exponent: i32,
+        coefficient: &mut Number,
+        pending: &mut Vec<(NodeId, i32)>,
+    ) -> bool {
+        match self.node(id) {
+            Node::Number(number) => {
+                let power = number.power(exponent.abs() / 2);
+                let power = if exponent % 2 == 0 { power } else { power.times(number.sqrt()) };
+                // 1/0 is 0, as everywhere
+                let power = if exponent < 0 && !power.is_zero() { power.recip() } else { power };
+                *coefficient = coefficient.times(power);
+                true
+            }
+            Node::Product(inner) if inner.iter().all(|(_, e)| (e * exponent) % 2 == 0) => {
+                pending.extend(inner.iter().map(|&(factor, e)| (factor, e * exponent / 2)));
+                true
+            }
+            Node::Sum(..) if exponent % 2 == 0 => {
+                let content = self.content(id);
+                if content.rest == id {
+                    return false;
+                }
+                *coefficient = coefficient.times(content.coefficient.power(exponent / 2));
+                pending.extend(content.factors.iter().map(|&(factor, e)| (factor, e * exponent / 2)));
+                pending.push((content.rest, exponent));
+                true
+            }
+            Node::Call(Function::Abs, x) if exponent % 4 == 0 => {
+                pending.push((*x, exponent));
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Adds up the exponents of equal bases; what cancels leaves a mask where it may be zero.
+    fn merge(&mut self, mut flat: Vec<(NodeId, i32)>) -> Vec<(NodeId, i32)> {
+        flat.sort_unstable();
+        let mut merged: Vec<(NodeId, i32)> = Vec::with_capacity(flat.len());
+        let mut masks = Vec::new();
+        for group in flat.chunk_by(|a, b| a.0 == b.0) {
+            let base = group[0].0;
+            let total: i32 = group.iter().map(|(_, e)| e).sum();
+            if matches!(self.node(base), Node::Call(Function::NonZero, _)) {
+                masks.push(base);
+            } else if total != 0 {
+                merged.push((base, total));
+            } else if !self.facts(base).nonzero {
+                masks.push(self.call(Function::NonZero, base));
+            }
+        }
+        masks.sort_unstable();
+        masks.dedup();
+        for mask in masks {
+            let Node::Call(_, base) = *self.node(mask) else { continue };
+            if !merged.iter().any(|&(known, _)| known == base) {
+                merged.push((mask, 2));
+            }
+        }
+        merged.sort_unstable();
+        merged
+    }
+
+    /// Where a factor vanishes with X, a mask of X inside another factor is 1. True if something changed.
+    fn unmask(&mut self, flat: &mut Vec<(NodeId, i32)>, pending: &mut Vec<(NodeId, i32)>) -> bool {
+        if !self.has_masks {
+            return false;
+        }
+        for k in 0..flat.len() {
+            let Node::Sum(terms, constant) = self.node(flat[k].0).clone() else { continue };
+            let masked = |graph: &Graph, id: NodeId| {
+                graph.monomial(id).iter().any(|&(factor, _)| match graph.node(factor) {
+                    Node::Call(Function::NonZero, x) => {
+                        flat.iter().any(|(known, _)| known == x)
+                            || flat.iter().any(|&(known, _)| known == factor)
+                    }
+                    _ => false,
+                })
+            };
+            if !terms.iter().any(|&(_, term)| masked(self, term)) {
+                continue;
+            }
+            let lifted: Vec<_> = terms
+                .iter()
+                .map(|&(c, term)| {
+                    if !masked(self, term) {
+                        return (c, term);
+                    }
+                    let kept = self.monomial(term);
+                    let kept = kept.into_iter().filter(|&(factor, _)| match self.node(factor) {
+                        Node::Call(Function::NonZero, x) => {
+                            !flat.iter().any(|(known, _)| known == x || *known == factor)
+                        }
+                        _ => true,
+                    });
+                    let kept = kept.collect();
+                    (c, self.product(kept))
+                })
+                .collect();
+            let replaced = self.sum(lifted, constant);
+            let (_, exponent) = flat.remove(k);
+            pending.append(flat);
+            pending.push((replaced, exponent));
+            return true;
+        }
+        false
+    }
+
+    /// What all terms of a sum have in common.
+    pub(super) fn content(&mut self, id: NodeId) -> Content {
+        if let Some(known) = self.contents.get(&id) {
+            return known.clone();
+        }
+        let content = self.find_content(id);
+        self.contents.insert(id, content.clone());
+        content
+    }
+
+    fn find_content(&mut self, id: NodeId) -> Content {
+        let whole = Content { coefficient: Number::ONE, factors: Box::new([]), rest: id };
+        let Node::Sum(terms, constant) = self.node(id).clone() else { return whole };
+        let mut common = if constant.is_zero() { self.monomial(terms[0].1) } else { Vec::new() };
+        for &(_, term) in &terms[1..] {
+            if common.is_empty() {
+                break;
+            }
+            let other = self.monomial(term);
+            common.retain_mut(|(base, exponent)| {
+                let Some(&(_, e)) = other.iter().find(|(b, _)| b == base) else { return false };
+                let same_side = e.signum() == exponent.signum();
+                *exponent = exponent.signum() * exponent.abs().min(e.abs());
+                same_side
+            });
+        }
+        if terms.len() == 1 && constant.is_zero() {
+            return Content { coefficient: terms[0].0, factors: common.into(), rest: self.whole(1) };
+        }
+        let magnitude = terms[0].0.abs();
+        let even = terms.iter().all(|(c, _)| c.abs() == magnitude)
+            && (constant.is_zero() || constant.abs() == magnitude);
+        let mut coefficient = if even { magnitude } else { Number::ONE };
+        if common.is_empty() && coefficient.is_one() && !terms[0].0.is_negative() {
+            return whole;
+        }
+        let divided: Vec<_> = terms
+            .iter()
+            .map(|&(c, term)| {
+                let monomial = self.monomial(term);
+                let quotient = divide(&monomial, &common).unwrap_or(monomial);
+                (c.times(coefficient.recip()), self.product(quotient))
+            })
+            .collect();
+        let mut rest = self.sum(divided, constant.times(coefficient.recip()));
+        // a - b and b - a are one factor: the one whose first term is positive
+        if let Node::Sum(terms, _) = self.node(rest)
+            && terms[0].0.is_negative()
+        {
+            rest = self.neg(rest);
+            coefficient = coefficient.neg();
+        }
+        Content { coefficient, factors: common.into(), rest }
+    }
+}

@@ -1,0 +1,199 @@
+//! From nodes to definitions: powers become repeated factors, coefficients become factors, signs move out.
+
+use super::{Dag, Def, DefId, Signed};
+use crate::graph::{FastMap, Facts, Graph, Node, NodeId, Symbol};
+use crate::number::Number;
+
+/// The definitions that the roots need.
+pub fn import(graph: &Graph, roots: &[NodeId]) -> Dag {
+    let mut import = Import { graph, dag: Dag::default(), known: FastMap::default(), rooted: Vec::new(), opposite: FastMap::default() };
+    let needed = import.needed(roots);
+    import.rooted = vec![false; graph.len()];
+    for &id in &needed {
+        match graph.node(id) {
+            Node::Product(factors) => {
+                for &(base, exponent) in factors {
+                    import.rooted[base.index()] |= exponent % 2 != 0;
+                }
+            }
+            // the argument of a function sets the sign of a sum
+            Node::Call(_, x) => import.orient(*x),
+            Node::Atan2(y, x) => {
+                import.orient(*y);
+                import.orient(*x);
+            }
+            _ => {}
+        }
+    }
+    for &id in &needed {
+        import.signed(id);
+    }
+    let roots = roots.iter().map(|&root| import.signed(root)).collect();
+    import.dag.roots = roots;
+    import.dag
+}
+
+struct Import<'a> {
+    graph: &'a Graph,
+    dag: Dag,
+    known: FastMap<NodeId, Signed>,
+    /// Bases whose square root is taken somewhere.
+    rooted: Vec<bool>,
+    /// Sums by the negated terms: which node to take for the opposite.
+    opposite: FastMap<Vec<(Number, NodeId)>, NodeId>,
+}
+
+impl Import<'_> {
+    /// Needed nodes, operands first, looking through locals.
+    fn needed(&self, roots: &[NodeId]) -> Vec<NodeId> {
+        let mut order = Vec::new();
+        let mut seen = vec![false; self.graph.len()];
+        let mut stack: Vec<(NodeId, bool)> = roots.iter().rev().map(|&root| (root, false)).collect();
+        while let Some((id, done)) = stack.pop() {
+            if done {
+                order.push(id);
+                continue;
+            }
+            if std::mem::replace(&mut seen[id.index()], true) {
+                continue;
+            }
+            stack.push((id, true));
+            if let Node::Symbol(Symbol::Local(k)) = self.graph.node(id) {
+                stack.push((self.graph.definition(*k), false));
+            }
+            self.graph.for_operands(id, |operand| stack.push((operand, false)));
+        }
+        order
+    }
+
+    fn orient(&mut self, id: NodeId) {
+        if let Node::Sum(terms, constant) = self.graph.node(id)
+            && constant.is_zero()
+            && terms.len() > 1
+        {
+            let negated: Vec<_> = terms.iter().map(|&(c, t)| (c.neg(), t)).collect();
+            if !self.opposite.contains_key(terms.as_ref()) {
+                self.opposite.insert(negated, id);
+            }
+        }
+    }
+
+    fn signed(&mut self, id: NodeId) -> Signed {
+        if let Some(&known) = self.known.get(&id) {
+            return known;
+        }
+        let signed = self.convert(id);
+        self.known.insert(id, signed);
+        signed
+    }
+
+    fn constant(&mut self, number: Number) -> DefId {
+        let facts = Facts { fixed: true, nonneg: true, nonzero: !number.is_zero() };
+        self.dag.define(Def::Constant(number), facts, None)
+    }
+
+    fn convert(&mut self, id: NodeId) -> Signed {
+        let facts = self.graph.facts(id);
+        let origin = Some((false, id));
+        match self.graph.node(id) {
+            Node::Number(number) => (number.is_negative(), self.constant(number.abs())),
+            Node::Symbol(Symbol::Local(k)) => {
+                let signed = self.signed(self.graph.definition(*k));
+                // the local's name and facts are the better ones
+                self.dag.origin[signed.1 as usize] = Some((signed.0, id));
+                if !signed.0 {
+                    self.dag.facts[signed.1 as usize] = facts;
+                }
+                signed
+            }
+            Node::Symbol(symbol) => (false, self.dag.define(Def::Leaf(*symbol), facts, origin)),
+            Node::Sum(terms, constant) => self.sum(id, terms, *constant),
+            Node::Product(factors) => self.product(Number::ONE, factors, id),
+            Node::Call(function, x) => {
+                let x = self.signed(*x);
+                (false, self.dag.define(Def::Call(*function, x), facts, origin))
+            }
+            Node::Atan2(y, x) => {
+                let (y, x) = (self.signed(*y), self.signed(*x));
+                (false, self.dag.define(Def::Atan2(y, x), facts, origin))
+            }
+            Node::Min(a, b) => {
+                let (a, b) = (self.signed(*a), self.signed(*b));
+                (false, self.dag.define(Def::Min(a, b), facts, origin))
+            }
+            Node::Max(a, b) => {
+                let (a, b) = (self.signed(*a), self.signed(*b));
+                (false, self.dag.define(Def::Max(a, b), facts, origin))
+            }
+            Node::IfZero(condition, a, b) => {
+                let (condition, a, b) = (self.signed(*condition), self.signed(*a), self.signed(*b));
+                (false, self.dag.define(Def::IfZero(condition.1, a, b), facts, origin))
+            }
+        }
+    }
+
+    fn sum(&mut self, id: NodeId, terms: &[(Number, NodeId)], constant: Number) -> Signed {
+        if let Some(&other) = self.opposite.get(terms)
+            && constant.is_zero()
+        {
+            let (minus, def) = self.signed(other);
+            return (!minus, def);
+        }
+        if let [(c, single)] = terms
+            && constant.is_zero()
+        {
+            return self.term(*c, *single);
+        }
+        let mut signed: Vec<Signed> = terms.iter().map(|&(c, term)| self.term(c, term)).collect();
+        if !constant.is_zero() {
+            signed.push((constant.is_negative(), self.constant(constant.abs())));
+        }
+        signed.sort_unstable_by_key(|&(minus, def)| (def, minus));
+        (false, self.dag.define(Def::Sum(signed), self.graph.facts(id), Some((false, id))))
+    }
+
+    fn term(&mut self, coefficient: Number, id: NodeId) -> Signed {
+        if coefficient.abs().is_one() {
+            let (minus, def) = self.signed(id);
+            return (minus != coefficient.is_negative(), def);
+        }
+        match self.graph.node(id) {
+            Node::Product(factors) => self.product(coefficient, factors, id),
+            _ => self.product(coefficient, &[(id, 2)], id),
+        }
+    }
+
+    fn product(&mut self, coefficient: Number, factors: &[(NodeId, i32)], id: NodeId) -> Signed {
+        let mut minus = coefficient.is_negative();
+        let mut flat = Vec::new();
+        if !coefficient.abs().is_one() {
+            flat.push(self.constant(coefficient.abs()));
+        }
+        for &(base, exponent) in factors {
+            let (negated, def) = self.signed(base);
+            minus ^= negated && exponent % 4 != 0;
+            let facts = self.graph.facts(base);
+            let times = exponent.unsigned_abs() as usize;
+            let root = |dag: &mut Dag| dag.define(Def::Root(def), facts, None);
+            if exponent < 0 {
+                let (x, times) =
+                    if self.rooted[base.index()] { (root(&mut self.dag), times) } else { (def, times / 2) };
+                let recip = self.dag.define(Def::Recip(x), facts, None);
+                flat.extend(std::iter::repeat_n(recip, times));
+            } else {
+                if exponent % 2 != 0 {
+                    flat.push(root(&mut self.dag));
+                }
+                flat.extend(std::iter::repeat_n(def, times / 2));
+            }
+        }
+        flat.sort_unstable();
+        if let [single] = flat.as_slice() {
+            return (minus, *single);
+        }
+        let facts = self.dag.product_facts(&flat);
+        // a coefficient makes it another quantity than the node
+        let origin = coefficient.abs().is_one().then_some((minus, id));
+        (minus, self.dag.define(Def::Product(flat), facts, origin))
+    }
+}

@@ -1,0 +1,120 @@
+//! One statement as an infix expression, in exactly the order of the schedule.
+
+use crate::program::{Binary, Op, Operand, Program, Unary};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// How tightly an expression binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Bind {
+    Sum,
+    Product,
+    Minus,
+    Atom,
+}
+
+/// Writes expressions; statements without a name are written inside those that use them.
+pub(super) struct Writer<'a> {
+    pub program: &'a Program,
+    /// Name of each statement that has one.
+    pub names: Vec<Option<String>>,
+    pub states: &'a [String],
+    pub parameters: &'a [String],
+    pub prepared: &'a [String],
+    pub marker: &'a [String],
+}
+
+impl Writer<'_> {
+    /// The right side of a statement.
+    pub fn statement(&self, k: usize) -> String {
+        self.op(&self.program.statements[k].op).0
+    }
+
+    /// An operand, as a value of its own.
+    pub fn operand(&self, operand: Operand) -> String {
+        self.value(operand).0
+    }
+
+    fn value(&self, operand: Operand) -> (String, Bind) {
+        let name = match operand {
+            Operand::Time => "t".to_string(),
+            Operand::State(k) => self.states[k as usize].clone(),
+            Operand::Parameter(k) => self.parameters[k as usize].clone(),
+            Operand::Prepared(k) => self.prepared[k as usize].clone(),
+            Operand::Marker(k) => self.marker[k as usize].clone(),
+            Operand::Constant(c) => constant(c),
+            Operand::Temp(k) => match &self.names[k as usize] {
+                Some(name) => name.clone(),
+                None => return self.op(&self.program.statements[k as usize].op),
+            },
+        };
+        (name, Bind::Atom)
+    }
+
+    fn op(&self, op: &Op) -> (String, Bind) {
+        match op {
+            Op::IfZero(c, a, b) => {
+                let (a, b) = (self.operand(*a), self.operand(*b));
+                (format!("{}.if_zero({a}, {b})", self.tight(*c, Bind::Atom)), Bind::Atom)
+            }
+            Op::Binary(binary, a, b) => self.binary(*binary, *a, *b),
+            Op::Unary(Unary::Neg, a) => (format!("-{}", self.tight(*a, Bind::Atom)), Bind::Minus),
+            Op::Unary(Unary::Recip, a) => {
+                (format!("T::splat(1.0) / {}", self.tight(*a, Bind::Minus)), Bind::Product)
+            }
+            Op::Unary(unary, a) => {
+                let method = match unary {
+                    Unary::Sqrt => "sqrt()",
+                    Unary::RecipOrZero => "recip_or_zero()",
+                    Unary::Sin => "sin_cos().0",
+                    Unary::Cos => "sin_cos().1",
+                    Unary::Exp => "exp()",
+                    Unary::Log => "log()",
+                    Unary::Tanh => "tanh()",
+                    Unary::Asin => "asin()",
+                    Unary::Abs => "abs()",
+                    Unary::Sign => "sign()",
+                    Unary::Step => "step()",
+                    Unary::NonZero => "if_zero(T::splat(0.0), T::splat(1.0))",
+                    // written above
+                    Unary::Neg | Unary::Recip => "",
+                };
+                (format!("{}.{method}", self.tight(*a, Bind::Atom)), Bind::Atom)
+            }
+        }
+    }
+
+    fn binary(&self, binary: Binary, a: Operand, b: Operand) -> (String, Bind) {
+        // operators group to the left: the right side needs parentheses where it binds no tighter
+        let infix = |sign: &str, bind: Bind, above: Bind| {
+            (format!("{} {sign} {}", self.tight(a, bind), self.tight(b, above)), bind)
+        };
+        let method = |name: &str| {
+            (format!("{}.{name}({})", self.tight(a, Bind::Atom), self.operand(b)), Bind::Atom)
+        };
+        match binary {
+            Binary::Add => infix("+", Bind::Sum, Bind::Product),
+            Binary::Sub => infix("-", Bind::Sum, Bind::Product),
+            Binary::Mul => infix("*", Bind::Product, Bind::Minus),
+            Binary::Div => infix("/", Bind::Product, Bind::Minus),
+            Binary::Atan2 => method("atan2"),
+            Binary::Min => method("min"),
+            Binary::Max => method("max"),
+        }
+    }
+
+    fn tight(&self, operand: Operand, least: Bind) -> String {
+        let (text, bind) = self.value(operand);
+        if bind < least { format!("({text})") } else { text }
+    }
+}
+
+/// A constant in every lane.
+pub(super) fn constant(c: f64) -> String {
+    if c == PI {
+        "T::splat(PI)".into()
+    } else if c == FRAC_PI_2 {
+        "T::splat(FRAC_PI_2)".into()
+    } else {
+        format!("T::splat({c:?})")
+    }
+}

@@ -1,0 +1,184 @@
+//! Names for statements: the model's own where there is one, else what the expression says.
+
+use crate::graph::{FastMap, Graph, Symbol};
+use crate::optimise::{Dag, Def, DefId};
+use crate::program::About;
+use std::collections::BTreeSet;
+
+/// Longest name made from structure.
+const LONGEST: usize = 28;
+
+/// Gives every statement of a function its name.
+#[derive(Clone, Debug)]
+pub struct Namer {
+    taken: BTreeSet<String>,
+    given: FastMap<DefId, String>,
+    states: Vec<String>,
+    parameters: Vec<String>,
+    /// Names of quantities of the model, by which statements are grouped.
+    origins: FastMap<String, usize>,
+}
+
+impl Namer {
+    /// For a function over these states and parameters.
+    pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
+        let reserved = ["t", "x", "p", "k", "dx", "j", "jp", "y", "marker", "dy_dx", "dy_dp", "dy_dmarker", "out", "T"];
+        let taken = reserved.iter().map(|&name| name.to_string());
+        let taken = taken.chain(states.iter().cloned()).chain(parameters.iter().cloned()).collect();
+        Namer {
+            taken,
+            given: FastMap::default(),
+            states: states.to_vec(),
+            parameters: parameters.to_vec(),
+            origins: origins.iter().enumerate().map(|(k, name)| (name.clone(), k)).collect(),
+        }
+    }
+
+    fn own(&self, dag: &Dag, graph: &Graph, id: DefId) -> Option<String> {
+        let (minus, node) = dag.origin[id as usize]?;
+        let name = graph.name_of(node)?;
+        Some(if minus { format!("minus_{name}") } else { name.to_string() })
+    }
+
+    /// Whether the model (or a derivative of its quantities) names it.
+    pub fn has_own_name(&self, dag: &Dag, graph: &Graph, id: DefId) -> bool {
+        self.own(dag, graph, id).is_some()
+    }
+
+    /// Which quantity of the model it is, if any.
+    pub fn about(&self, dag: &Dag, graph: &Graph, id: DefId) -> Option<About> {
+        let own = self.own(dag, graph, id)?;
+        let origin = *self.origins.get(own.trim_start_matches("minus_"))?;
+        Some(About { origin, exact: true })
+    }
+
+    /// A name that is not taken yet.
+    pub fn name(&mut self, dag: &Dag, graph: &Graph, id: DefId) -> String {
+        if let Some(known) = self.given.get(&id) {
+            return known.clone();
+        }
+        let wanted = self.describe(dag, graph, id, 3);
+        let name = self.unique(&wanted);
+        self.given.insert(id, name.clone());
+        name
+    }
+
+    /// A name for the opposite of a definition.
+    pub fn negated(&mut self, dag: &Dag, graph: &Graph, id: DefId) -> String {
+        let wanted = format!("minus_{}", self.describe(dag, graph, id, 3));
+        self.unique(&wanted)
+    }
+
+    fn unique(&mut self, wanted: &str) -> String {
+        let wanted = if is_keyword(wanted) { format!("{wanted}_") } else { wanted.to_string() };
+        let mut name = wanted.clone();
+        let mut k = 2;
+        while !self.taken.insert(name.clone()) {
+            name = format!("{wanted}_{k}");
+            k += 1;
+        }
+        name
+    }
+
+    /// A name for a constant of the flight.
+    pub fn constant_name(dag: &Dag, graph: &Graph, id: DefId) -> String {
+        let namer = Namer {
+            taken: BTreeSet::new(),
+            given: FastMap::default(),
+            states: Vec::new(),
+            parameters: Vec::new(),
+            origins: FastMap::default(),
+        };
+        namer.describe(dag, graph, id, 4)
+    }
+
+    fn describe(&self, dag: &Dag, graph: &Graph, id: DefId, depth: u32) -> String {
+        if let Some(given) = self.given.get(&id) {
+            return given.clone();
+        }
+        if let Some(own) = self.own(dag, graph, id) {
+            return own;
+        }
+        let inner = |id: DefId| {
+            if depth == 0 { String::from("part") } else { self.describe(dag, graph, id, depth - 1) }
+        };
+        let name = match &dag.defs[id as usize] {
+            Def::Leaf(Symbol::Time) => "t".into(),
+            Def::Leaf(Symbol::Pi) => "pi".into(),
+            Def::Leaf(Symbol::State(k)) => self.states.get(*k as usize).cloned().unwrap_or_else(|| format!("x{k}")),
+            Def::Leaf(Symbol::Parameter(k)) => {
+                self.parameters.get(*k as usize).cloned().unwrap_or_else(|| format!("p{k}"))
+            }
+            Def::Leaf(Symbol::Marker(k)) => format!("mark_{}", ["x", "y", "z"][*k as usize % 3]),
+            Def::Leaf(Symbol::Local(k)) => format!("local_{k}"),
+            Def::Constant(number) => match number.value() {
+                0.5 => "half".into(),
+                2.0 => "two".into(),
+                value if value.fract() == 0.0 && value < 1e6 => format!("n{value}"),
+                _ => "const".into(),
+            },
+            Def::Sum(terms) => {
+                let mut name = String::new();
+                for (k, &(minus, term)) in terms.iter().enumerate() {
+                    name.push_str(match (k, minus) {
+                        (0, false) => "",
+                        (0, true) => "minus_",
+                        (_, false) => "_plus_",
+                        (_, true) => "_minus_",
+                    });
+                    name.push_str(&inner(term));
+                }
+                name
+            }
+            Def::Product(factors) => {
+                let mut name = String::new();
+                for group in factors.chunk_by(|a, b| a == b) {
+                    if !name.is_empty() {
+                        name.push('_');
+                    }
+                    name.push_str(&inner(group[0]));
+                    match group.len() {
+                        1 => {}
+                        2 => name.push_str("_sq"),
+                        n => name.push_str(&format!("_pow{n}")),
+                    }
+                }
+                name
+            }
+            Def::Root(x) => format!("sqrt_{}", inner(*x)),
+            Def::Recip(x) => format!("inv_{}", inner(*x)),
+            Def::Call(function, (minus, x)) => {
+                let sign = if *minus { "minus_" } else { "" };
+                format!("{}_{sign}{}", format!("{function:?}").to_lowercase(), inner(*x))
+            }
+            Def::Atan2((_, y), (_, x)) => format!("angle_{}_{}", inner(*y), inner(*x)),
+            Def::Min((_, a), (_, b)) => format!("min_{}_{}", inner(*a), inner(*b)),
+            Def::Max((_, a), (_, b)) => format!("max_{}_{}", inner(*a), inner(*b)),
+            Def::IfZero(c, ..) => format!("unless_{}", inner(*c)),
+        };
+        if name.len() <= LONGEST { name } else { shorten(dag, &name, id) }
+    }
+}
+
+fn shorten(dag: &Dag, name: &str, id: DefId) -> String {
+    let kind = match dag.defs[id as usize] {
+        Def::Sum(_) => "sum",
+        Def::Product(_) => "product",
+        _ => "of",
+    };
+    let mut end = LONGEST - kind.len() - 1;
+    while !name.is_char_boundary(end) {
+        end -= 1;
+    }
+    let cut = name[..end].rfind('_').filter(|&at| at > 6).unwrap_or(end);
+    format!("{}_{kind}", name[..cut].trim_end_matches('_'))
+}
+
+fn is_keyword(name: &str) -> bool {
+    const KEYWORDS: [&str; 41] = [
+        "as", "async", "await", "box", "break", "const", "continue", "crate", "do", "dyn", "else", "enum", "extern",
+        "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub",
+        "ref", "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "use", "where", "while",
+    ];
+    KEYWORDS.contains(&name)
+}

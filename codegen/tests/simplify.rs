@@ -1,0 +1,82 @@
+//! What the constructors of the graph make of an expression, one line each.
+
+use codegen::graph::{Function, Graph, NodeId, Symbol};
+use codegen::number::Number;
+
+struct Bench {
+    g: Graph,
+}
+
+impl Bench {
+    fn new() -> Bench {
+        let mut g = Graph::new();
+        for k in 0..6 {
+            g.symbol(Symbol::State(k));
+        }
+        Bench { g }
+    }
+
+    fn s(&mut self, k: u32) -> NodeId {
+        self.g.symbol(Symbol::State(k))
+    }
+
+    fn norm(&mut self, parts: &[NodeId]) -> NodeId {
+        let squares: Vec<_> = parts.iter().map(|&part| (Number::ONE, self.g.power(part, 4))).collect();
+        let sum = self.g.sum(squares, Number::ZERO);
+        self.g.sqrt(sum)
+    }
+}
+
+fn simplified(build: impl Fn(&mut Bench, [NodeId; 4]) -> NodeId) -> String {
+    let mut bench = Bench::new();
+    let leaves = [0, 1, 2, 3].map(|k| bench.s(k));
+    let node = build(&mut bench, leaves);
+    bench.g.show(node, &|symbol| match symbol {
+        Symbol::State(k) => ["a", "b", "c", "d", "e", "f"][k as usize].to_string(),
+        other => format!("{other:?}"),
+    })
+}
+
+macro_rules! table {
+    ($($name:ident: |$b:ident, $leaves:pat_param| $build:expr => $text:literal;)*) => {
+        $(#[test] fn $name() { assert_eq!(simplified(|$b, $leaves| $build), $text); })*
+    };
+}
+
+table! {
+    like_terms_add_up: |b, [x, y, ..]| { let s = b.g.add(x, y); b.g.add(s, x) } => "2*a + b";
+    what_cancels_is_gone: |b, [x, y, ..]| { let s = b.g.add(x, y); b.g.sub(s, x) } => "b";
+    products_collect_exponents: |b, [x, y, ..]| { let p = b.g.mul(x, y); b.g.mul(p, x) } => "a^2*b";
+    minus_minus: |b, [x, ..]| { let n = b.g.neg(x); b.g.neg(n) } => "a";
+    zero_times: |b, [x, ..]| { let z = b.g.whole(0); b.g.mul(z, x) } => "0";
+    signs_come_out_of_products: |b, [x, y, z, _]| { let d = b.g.sub(z, x); b.g.mul(d, y) } => "-b*(a - c)";
+    common_factors_come_out_of_products: |b, [x, y, z, w]| {
+        let (p, q) = (b.g.mul(x, y), b.g.mul(x, z)); let s = b.g.add(p, q); b.g.mul(s, w)
+    } => "a*d*(b + c)";
+    root_squared: |b, [x, y, ..]| { let n = b.norm(&[x, y]); b.g.mul(n, n) } => "a^2 + b^2";
+    x_over_root_x: |b, [x, y, ..]| { let n = b.norm(&[x, y]); let s = b.g.mul(n, n); b.g.div(s, n) } => "(a^2 + b^2)^(1/2)";
+    norm_over_itself_is_a_mask: |b, [x, y, ..]| { let n = b.norm(&[x, y]); b.g.div(n, n) } => "nonzero(a^2 + b^2)";
+    a_mask_times_its_argument: |b, [x, y, ..]| { let n = b.norm(&[x, y]); let m = b.g.div(n, n); b.g.mul(m, n) } => "(a^2 + b^2)^(1/2)";
+    divisor_known_nonzero: |b, [x, ..]| { b.g.assume_nonzero(x); b.g.div(x, x) } => "1";
+    unit_vector_along_itself: |b, [x, y, ..]| {
+        let n = b.norm(&[x, y]); let (u, v) = (b.g.div(x, n), b.g.div(y, n));
+        let (p, q) = (b.g.mul(x, u), b.g.mul(y, v)); b.g.add(p, q)
+    } => "(a^2 + b^2)^(1/2)";
+    sin_of_atan2: |b, [y, x, ..]| { let t = b.g.atan2(y, x); b.g.call(Function::Sin, t) } => "a*(a^2 + b^2)^(-1/2)";
+    cos_of_atan2_is_one_at_the_origin: |b, [y, x, ..]| { let t = b.g.atan2(y, x); b.g.call(Function::Cos, t) }
+        => "b*(a^2 + b^2)^(-1/2) - nonzero(a^2 + b^2) + 1";
+    cos_of_atan2_times_the_radius: |b, [y, x, ..]| {
+        let t = b.g.atan2(y, x); let c = b.g.call(Function::Cos, t); let n = b.norm(&[x, y]); b.g.mul(c, n)
+    } => "b*nonzero(a^2 + b^2)";
+    sin_squared_plus_cos_squared: |b, [x, y, ..]| {
+        let (s, c) = (b.g.call(Function::Sin, x), b.g.call(Function::Cos, x));
+        let (s, c) = (b.g.power(s, 4), b.g.power(c, 4)); let (s, c) = (b.g.mul(s, y), b.g.mul(c, y)); b.g.add(s, c)
+    } => "b";
+    sin_is_odd: |b, [x, ..]| { let n = b.g.neg(x); b.g.call(Function::Sin, n) } => "-sin(a)";
+    cos_is_even: |b, [x, ..]| { let n = b.g.neg(x); b.g.call(Function::Cos, n) } => "cos(a)";
+    root_of_a_square: |b, [x, ..]| { let s = b.g.power(x, 4); b.g.sqrt(s) } => "abs(a)";
+    root_of_what_may_be_negative: |b, [x, ..]| b.g.sqrt(x) => "sqrt(a)";
+    ratio_of_multiples: |b, [x, y, ..]| {
+        let (two, four) = (b.g.whole(2), b.g.whole(4)); let (p, q) = (b.g.mul(two, x), b.g.mul(four, y)); b.g.div(p, q)
+    } => "1/2*a*b^(-1)";
+}
