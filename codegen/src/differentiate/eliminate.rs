@@ -28,14 +28,12 @@ struct Vertex {
 pub fn jacobian(graph: &mut Graph, roots: &[NodeId], by: &[Symbol]) -> Jacobian {
     let columns: FastMap<NodeId, u32> =
         by.iter().enumerate().map(|(k, &symbol)| (graph.symbol(symbol), k as u32)).collect();
-    let mut vertices: Vec<Vertex> = Vec::new();
+    // the results come first, as vertices that nothing depends on
+    let mut vertices: Vec<Vertex> =
+        roots.iter().map(|_| Vertex { node: None, down: Vec::new(), up: Vec::new() }).collect();
     let mut index: FastMap<NodeId, usize> = FastMap::default();
-    let mut rows = Vec::new();
-    for &root in roots {
+    for (at, &root) in roots.iter().enumerate() {
         let partials = partials::of_expression(graph, root);
-        rows.push(vertices.len());
-        vertices.push(Vertex { node: None, down: Vec::new(), up: Vec::new() });
-        let at = vertices.len() - 1;
         attach(graph, at, partials, &columns, &mut vertices, &mut index);
     }
     prune(&mut vertices, &columns, roots.len());
@@ -48,8 +46,8 @@ pub fn jacobian(graph: &mut Graph, roots: &[NodeId], by: &[Symbol]) -> Jacobian 
         inner.sort_unstable();
     }
     let mut jacobian = Jacobian::default();
-    for (row, &at) in rows.iter().enumerate() {
-        let mut entries: Vec<(u32, NodeId)> = vertices[at]
+    for row in 0..roots.len() {
+        let mut entries: Vec<(u32, NodeId)> = vertices[row]
             .down
             .iter()
             .filter_map(|&(v, partial)| vertices[v].node.and_then(|node| columns.get(&node)).map(|&c| (c, partial)))
