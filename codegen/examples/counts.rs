@@ -15,9 +15,16 @@ fn main() {
         let start = Instant::now();
         let compiled = codegen::compile(&model);
         let took = start.elapsed();
-        println!("{name}: compiled in {took:.1?}, {} constants prepared", compiled.prepared.len());
+        println!(
+            "{name}: compiled in {took:.1?}, {} constants prepared",
+            compiled.prepared.len()
+        );
         for function in compiled.functions() {
-            println!("  {:12} {}", function.name, codegen::count::count(&function.program));
+            println!(
+                "  {:12} {}",
+                function.name,
+                codegen::count::count(&function.program)
+            );
         }
     }
 }

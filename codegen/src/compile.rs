@@ -68,12 +68,17 @@ impl Compiled {
 
     /// A function by its name.
     pub fn function(&self, name: &str) -> Option<&Function> {
-        self.functions().into_iter().find(|function| function.name == name)
+        self.functions()
+            .into_iter()
+            .find(|function| function.name == name)
     }
 
     /// Operations of a function.
     pub fn count(&self, name: &str) -> count::Count {
-        self.function(name).map_or_else(count::Count::default, |function| count::count(&function.program))
+        self.function(name)
+            .map_or_else(count::Count::default, |function| {
+                count::count(&function.program)
+            })
     }
 }
 
@@ -100,46 +105,107 @@ impl Compiler {
         let all = derived.layout.parameters.len();
         let columns = match selection {
             Selection::All => (0..all).collect(),
-            Selection::Only(places) => places.iter().copied().filter(|&place| place < all).collect(),
+            Selection::Only(places) => places
+                .iter()
+                .copied()
+                .filter(|&place| place < all)
+                .collect(),
         };
-        let origins = derived.origins.iter().map(|origin| origin.name.clone()).collect();
-        Compiler { derived, columns, prepare: Prepare::default(), origins }
+        let origins = derived
+            .origins
+            .iter()
+            .map(|origin| origin.name.clone())
+            .collect();
+        Compiler {
+            derived,
+            columns,
+            prepare: Prepare::default(),
+            origins,
+        }
     }
 
     fn run(mut self, name: &str) -> Compiled {
-        let states: Vec<Symbol> = (0..self.derived.layout.states.len() as u32).map(Symbol::State).collect();
-        let parameters: Vec<Symbol> = self.columns.iter().map(|&k| Symbol::Parameter(k as u32)).collect();
-        let marker: Vec<Symbol> = (0..self.derived.layout.marker.len() as u32).map(Symbol::Marker).collect();
+        let states: Vec<Symbol> = (0..self.derived.layout.states.len() as u32)
+            .map(Symbol::State)
+            .collect();
+        let parameters: Vec<Symbol> = self
+            .columns
+            .iter()
+            .map(|&k| Symbol::Parameter(k as u32))
+            .collect();
+        let marker: Vec<Symbol> = (0..self.derived.layout.marker.len() as u32)
+            .map(Symbol::Marker)
+            .collect();
 
         let dx = self.derived.dx.clone();
         let value = self.optimised(&dx);
         let linear = differentiate::linearise(&value, &self.derived.graph);
-        let f = self.finish("f", &value, &self.derived.graph.clone(), vec![dense("dx", dx.len())]);
+        let f = self.finish(
+            "f",
+            &value,
+            &self.derived.graph.clone(),
+            vec![dense("dx", dx.len())],
+        );
 
         let n = dx.len();
         let f_jac = self.jacobians("f_jac", linear.clone(), n, "dx", &[("j", &states)]);
-        let f_jac_par = self.jacobians("f_jac_par", linear, n, "dx", &[("j", &states), ("jp", &parameters)]);
+        let f_jac_par = self.jacobians(
+            "f_jac_par",
+            linear,
+            n,
+            "dx",
+            &[("j", &states), ("jp", &parameters)],
+        );
 
-        let y: Vec<NodeId> = self.derived.observation.map_or_else(Vec::new, |y| y.to_vec());
+        let y: Vec<NodeId> = self
+            .derived
+            .observation
+            .map_or_else(Vec::new, |y| y.to_vec());
         let value = self.optimised(&y);
         let linear = differentiate::linearise(&value, &self.derived.graph);
-        let observe = self.finish("observe", &value, &self.derived.graph.clone(), vec![dense("y", y.len())]);
-        let by = [("dy_dx", states.as_slice()), ("dy_dp", parameters.as_slice()), ("dy_dmarker", marker.as_slice())];
+        let observe = self.finish(
+            "observe",
+            &value,
+            &self.derived.graph.clone(),
+            vec![dense("y", y.len())],
+        );
+        let by = [
+            ("dy_dx", states.as_slice()),
+            ("dy_dp", parameters.as_slice()),
+            ("dy_dmarker", marker.as_slice()),
+        ];
         let observe_jac = self.jacobians("observe_jac", linear, y.len(), "y", &by);
 
-        let named: Vec<NodeId> = self.derived.quantities.iter().map(|&(_, node)| node).collect();
+        let named: Vec<NodeId> = self
+            .derived
+            .quantities
+            .iter()
+            .map(|&(_, node)| node)
+            .collect();
         let value = self.optimised(&named);
-        let quantities =
-            self.finish("quantities", &value, &self.derived.graph.clone(), vec![dense("q", named.len())]);
+        let quantities = self.finish(
+            "quantities",
+            &value,
+            &self.derived.graph.clone(),
+            vec![dense("q", named.len())],
+        );
 
         let limits = self.derived.limits.clone();
         let value = self.optimised(&limits);
-        let limits = self.finish("limits", &value, &self.derived.graph.clone(), vec![dense("l", limits.len())]);
+        let limits = self.finish(
+            "limits",
+            &value,
+            &self.derived.graph.clone(),
+            vec![dense("l", limits.len())],
+        );
 
         let program = self.prepare.program(&self.derived.layout.parameters);
         let prepared = self.prepare.names().to_vec();
-        let prepare =
-            Function { name: "prepare", program, sections: vec![dense("prepared", prepared.len())] };
+        let prepare = Function {
+            name: "prepare",
+            program,
+            sections: vec![dense("prepared", prepared.len())],
+        };
         Compiled {
             name: name.to_string(),
             layout: self.derived.layout.clone(),
@@ -163,11 +229,21 @@ impl Compiler {
         dag
     }
 
-    fn finish(&mut self, name: &'static str, dag: &Dag, graph: &Graph, sections: Vec<Section>) -> Function {
+    fn finish(
+        &mut self,
+        name: &'static str,
+        dag: &Dag,
+        graph: &Graph,
+        sections: Vec<Section>,
+    ) -> Function {
         let layout = &self.derived.layout;
         let mut namer = Namer::new(&layout.states, &layout.parameters, &self.origins);
         let program: Program = schedule(dag, graph, &mut namer, Some(&mut self.prepare));
-        Function { name, program, sections }
+        Function {
+            name,
+            program,
+            sections,
+        }
     }
 
     /// A function with its value and sparse derivatives by groups of symbols.
@@ -179,8 +255,13 @@ impl Compiler {
         value: &'static str,
         by: &[(&'static str, &[Symbol])],
     ) -> Function {
-        let Linear { mut graph, roots, .. } = linear;
-        let symbols: Vec<Symbol> = by.iter().flat_map(|(_, symbols)| symbols.iter().copied()).collect();
+        let Linear {
+            mut graph, roots, ..
+        } = linear;
+        let symbols: Vec<Symbol> = by
+            .iter()
+            .flat_map(|(_, symbols)| symbols.iter().copied())
+            .collect();
         let all = differentiate::jacobian(&mut graph, &roots, &symbols);
         let mut wanted = roots;
         let mut sections = vec![dense(value, rows)];
@@ -188,7 +269,11 @@ impl Compiler {
         for &(section, symbols) in by {
             let part = columns(&all, start, symbols.len() as u32);
             wanted.extend(&part.entries);
-            sections.push(Section { name: section, len: part.entries.len(), pattern: Some(part.pattern) });
+            sections.push(Section {
+                name: section,
+                len: part.entries.len(),
+                pattern: Some(part.pattern),
+            });
             start += symbols.len() as u32;
         }
         let mut dag = import(&graph, &wanted);
@@ -210,5 +295,9 @@ fn columns(all: &Jacobian, start: u32, width: u32) -> Jacobian {
 }
 
 fn dense(name: &'static str, len: usize) -> Section {
-    Section { name, len, pattern: None }
+    Section {
+        name,
+        len,
+        pattern: None,
+    }
 }

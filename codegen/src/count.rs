@@ -42,7 +42,9 @@ impl Count {
                 Unary::Neg => &mut self.neg,
                 Unary::Sqrt => &mut self.sqrt,
                 Unary::Recip | Unary::RecipOrZero => &mut self.div,
-                Unary::Sin | Unary::Cos | Unary::Exp | Unary::Log | Unary::Tanh | Unary::Asin => &mut self.call,
+                Unary::Sin | Unary::Cos | Unary::Exp | Unary::Log | Unary::Tanh | Unary::Asin => {
+                    &mut self.call
+                }
                 Unary::Abs | Unary::Sign | Unary::Step | Unary::NonZero => &mut self.select,
             },
         };
@@ -71,8 +73,11 @@ impl fmt::Display for Count {
             (self.call, "call"),
             (self.select, "select"),
         ];
-        let parts: Vec<String> =
-            kinds.iter().filter(|(n, _)| *n > 0).map(|(n, kind)| format!("{n} {kind}")).collect();
+        let parts: Vec<String> = kinds
+            .iter()
+            .filter(|(n, _)| *n > 0)
+            .map(|(n, kind)| format!("{n} {kind}"))
+            .collect();
         if !parts.is_empty() {
             write!(f, ": {}", parts.join(", "))?;
         }

@@ -16,8 +16,14 @@ pub fn generate(models: &[Model]) -> Vec<(String, String)> {
     let names: Vec<String> = ordered.iter().map(|model| model.name.clone()).collect();
     let mut files = vec![
         ("lib.rs".to_string(), rust::library(&names)),
-        ("plain.rs".to_string(), include_str!("rust/plain.txt").to_string()),
-        ("table.rs".to_string(), include_str!("rust/table.txt").to_string()),
+        (
+            "plain.rs".to_string(),
+            include_str!("rust/plain.txt").to_string(),
+        ),
+        (
+            "table.rs".to_string(),
+            include_str!("rust/table.txt").to_string(),
+        ),
     ];
     for model in ordered {
         files.extend(rust::emit(&compile(model), model));
@@ -73,7 +79,10 @@ fn difference(path: &str, there: &str, wanted: &str) -> Option<Difference> {
         .context_radius(2)
         .header(&format!("committed/{path}"), &format!("generated/{path}"))
         .to_string();
-    Some(Difference { path: path.to_string(), text })
+    Some(Difference {
+        path: path.to_string(),
+        text,
+    })
 }
 
 /// Writes what differs, each file whole or not at all, and removes what no model gives any more.

@@ -47,9 +47,9 @@ impl Layout {
             match quantity.value.shape {
                 Shape::Scalar => quantities.push(quantity.name.clone()),
                 Shape::Vector(frame) => {
-                    for k in 0..3 {
+                    for (k, axis) in axes.iter().enumerate() {
                         let plain = if frame == 0 {
-                            format!("{}_{}", quantity.name, axes[k])
+                            format!("{}_{axis}", quantity.name)
                         } else {
                             format!("{}_{}", quantity.name, k + 1)
                         };
@@ -71,7 +71,10 @@ impl Layout {
             params: model.params.len(),
             coefficients: model.coefficients.len(),
             marker: match &model.marker {
-                Some(marker) => axes.iter().map(|axis| format!("{}_{axis}", marker.name)).collect(),
+                Some(marker) => axes
+                    .iter()
+                    .map(|axis| format!("{}_{axis}", marker.name))
+                    .collect(),
                 None => Vec::new(),
             },
             quantities,
@@ -102,7 +105,9 @@ impl Layout {
 
     /// Index of a parameter, coefficient or input component by name.
     pub fn parameter(&self, name: &str) -> Option<usize> {
-        self.parameters.iter().position(|parameter| parameter == name)
+        self.parameters
+            .iter()
+            .position(|parameter| parameter == name)
     }
 
     /// Default values of parameters, coefficients and inputs.

@@ -72,11 +72,15 @@ impl Number {
 
     /// Its absolute value.
     pub fn abs(self) -> Number {
-        if self.is_negative() { self.neg() } else { self }
+        if self.is_negative() {
+            self.opposite()
+        } else {
+            self
+        }
     }
 
     /// Its opposite.
-    pub fn neg(self) -> Number {
+    pub fn opposite(self) -> Number {
         Number::MINUS_ONE.times(self)
     }
 
@@ -175,6 +179,9 @@ mod tests {
     #[test]
     fn overflow_falls_back_to_floats() {
         let big = Number::whole(i64::MAX);
-        assert_eq!(big.times(big), Number::Float(i64::MAX as f64 * i64::MAX as f64));
+        assert_eq!(
+            big.times(big),
+            Number::Float(i64::MAX as f64 * i64::MAX as f64)
+        );
     }
 }

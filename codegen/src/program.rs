@@ -135,7 +135,9 @@ impl Function {
 
     /// The pattern of a sparse section; empty where there is none.
     pub fn pattern(&self, name: &str) -> &[(u32, u32)] {
-        self.section(name).and_then(|section| section.pattern.as_deref()).unwrap_or(&[])
+        self.section(name)
+            .and_then(|section| section.pattern.as_deref())
+            .unwrap_or(&[])
     }
 
     /// Where a section starts among the outputs, and its length.

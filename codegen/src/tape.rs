@@ -181,14 +181,26 @@ impl<'a> Builder<'a> {
                 last_use[*t as usize] = usize::MAX;
             }
         }
-        Builder { program, last_use, place: vec![0; n], free: Vec::new(), slots: 0, loads: Vec::new() }
+        Builder {
+            program,
+            last_use,
+            place: vec![0; n],
+            free: Vec::new(),
+            slots: 0,
+            loads: Vec::new(),
+        }
     }
 
     fn build(mut self) -> Tape {
         let program = self.program;
-        let operands = program.statements.iter().flat_map(|statement| statement.op.operands());
+        let operands = program
+            .statements
+            .iter()
+            .flat_map(|statement| statement.op.operands());
         for operand in operands.chain(program.outputs.iter().copied()) {
-            if !matches!(operand, Operand::Temp(_)) && !self.loads.iter().any(|(known, _)| *known == operand) {
+            if !matches!(operand, Operand::Temp(_))
+                && !self.loads.iter().any(|(known, _)| *known == operand)
+            {
                 let slot = self.take();
                 self.loads.push((operand, slot));
             }
@@ -201,8 +213,17 @@ impl<'a> Builder<'a> {
             }
             instructions.push(self.instruction(k, &mut done));
         }
-        let outputs = program.outputs.iter().map(|&output| self.slot(output)).collect();
-        Tape { instructions, loads: self.loads, outputs, slots: self.slots }
+        let outputs = program
+            .outputs
+            .iter()
+            .map(|&output| self.slot(output))
+            .collect();
+        Tape {
+            instructions,
+            loads: self.loads,
+            outputs,
+            slots: self.slots,
+        }
     }
 
     fn take(&mut self) -> u16 {
@@ -215,7 +236,11 @@ impl<'a> Builder<'a> {
     fn slot(&self, operand: Operand) -> u16 {
         match operand {
             Operand::Temp(t) => self.place[t as usize],
-            other => self.loads.iter().find(|(known, _)| *known == other).map_or(0, |&(_, slot)| slot),
+            other => self
+                .loads
+                .iter()
+                .find(|(known, _)| *known == other)
+                .map_or(0, |&(_, slot)| slot),
         }
     }
 
@@ -249,9 +274,19 @@ impl<'a> Builder<'a> {
             self.place[partner] = other;
             done[partner] = true;
             code = Code::SinCos;
-            (first, b) = if matches!(op, Op::Unary(Unary::Sin, _)) { (to, other) } else { (other, to) };
+            (first, b) = if matches!(op, Op::Unary(Unary::Sin, _)) {
+                (to, other)
+            } else {
+                (other, to)
+            };
         }
-        Instruction { code, to: first, a: slots[0], b, c: slots.get(2).copied().unwrap_or(0) }
+        Instruction {
+            code,
+            to: first,
+            a: slots[0],
+            b,
+            c: slots.get(2).copied().unwrap_or(0),
+        }
     }
 
     fn find(&self, after: usize, op: Op) -> Option<usize> {

@@ -15,7 +15,10 @@ pub struct TapeFunction {
 
 impl TapeFunction {
     fn new(function: &Function) -> TapeFunction {
-        TapeFunction { tape: Tape::new(&function.program), sections: function.sections.clone() }
+        TapeFunction {
+            tape: Tape::new(&function.program),
+            sections: function.sections.clone(),
+        }
     }
 
     /// How many numbers each section holds.
@@ -25,7 +28,9 @@ impl TapeFunction {
 
     fn pattern(&self, name: &str) -> &[(u32, u32)] {
         let section = self.sections.iter().find(|section| section.name == name);
-        section.and_then(|section| section.pattern.as_deref()).unwrap_or(&[])
+        section
+            .and_then(|section| section.pattern.as_deref())
+            .unwrap_or(&[])
     }
 }
 
@@ -125,8 +130,19 @@ impl TapeModel {
     /// The constants of a flight.
     pub fn prepare(&self, p: &[f64]) -> Vec<f64> {
         let mut prepared = vec![0.0; self.prepared];
-        let at = At { t: 0.0, x: &[], p, prepared: &[] };
-        run(&self.prepare, at, &[], &mut Scratch::default(), &mut [&mut prepared]);
+        let at = At {
+            t: 0.0,
+            x: &[],
+            p,
+            prepared: &[],
+        };
+        run(
+            &self.prepare,
+            at,
+            &[],
+            &mut Scratch::default(),
+            &mut [&mut prepared],
+        );
         prepared
     }
 
@@ -141,7 +157,14 @@ impl TapeModel {
     }
 
     /// Derivatives of the states, their Jacobian, and that by the parameters.
-    pub fn f_jac_par(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64], j: &mut [f64], jp: &mut [f64]) {
+    pub fn f_jac_par(
+        &self,
+        at: At<'_>,
+        scratch: &mut Scratch,
+        dx: &mut [f64],
+        j: &mut [f64],
+        jp: &mut [f64],
+    ) {
         run(&self.f_jac_par, at, &[], scratch, &mut [dx, j, jp]);
     }
 
@@ -151,7 +174,13 @@ impl TapeModel {
     }
 
     /// The marker and its derivatives: `[y, dy_dx, dy_dp, dy_dmarker]`.
-    pub fn observe_jac(&self, at: At<'_>, marker: &[f64], scratch: &mut Scratch, results: [&mut [f64]; 4]) {
+    pub fn observe_jac(
+        &self,
+        at: At<'_>,
+        marker: &[f64],
+        scratch: &mut Scratch,
+        results: [&mut [f64]; 4],
+    ) {
         let mut results = results;
         run(&self.observe_jac, at, marker, scratch, &mut results);
     }
@@ -167,13 +196,25 @@ impl TapeModel {
     }
 }
 
-fn run(function: &TapeFunction, at: At<'_>, marker: &[f64], scratch: &mut Scratch, results: &mut [&mut [f64]]) {
+fn run(
+    function: &TapeFunction,
+    at: At<'_>,
+    marker: &[f64],
+    scratch: &mut Scratch,
+    results: &mut [&mut [f64]],
+) {
     let Scratch { slots, out } = scratch;
     let wanted = function.tape.outputs();
     if out.len() < wanted {
         out.resize(wanted, 0.0);
     }
-    let inputs = Inputs { t: at.t, x: at.x, p: at.p, prepared: at.prepared, marker };
+    let inputs = Inputs {
+        t: at.t,
+        x: at.x,
+        p: at.p,
+        prepared: at.prepared,
+        marker,
+    };
     function.tape.eval(inputs, slots, out);
     let mut start = 0;
     for (section, result) in function.sections.iter().zip(results) {

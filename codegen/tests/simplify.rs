@@ -21,7 +21,10 @@ impl Bench {
     }
 
     fn norm(&mut self, parts: &[NodeId]) -> NodeId {
-        let squares: Vec<_> = parts.iter().map(|&part| (Number::ONE, self.g.power(part, 4))).collect();
+        let squares: Vec<_> = parts
+            .iter()
+            .map(|&part| (Number::ONE, self.g.power(part, 4)))
+            .collect();
         let sum = self.g.sum(squares, Number::ZERO);
         self.g.sqrt(sum)
     }

@@ -29,7 +29,9 @@ impl Deriver<'_> {
     pub(crate) fn evaluate(&mut self, expr: &Expr) -> Value {
         use ExprKind as E;
         match &expr.kind {
-            E::Number { value, exact } => Value::Scalar(self.graph.number(Number::literal(*value, *exact))),
+            E::Number { value, exact } => {
+                Value::Scalar(self.graph.number(Number::literal(*value, *exact)))
+            }
             E::Pi => self.symbol(Symbol::Pi),
             E::Time => self.symbol(Symbol::Time),
             E::Param(k) => {
@@ -50,8 +52,12 @@ impl Deriver<'_> {
                 let unit = frames::axis(&mut self.graph, *axis);
                 Value::Vector(self.in_frame(unit, *frame, expr.shape))
             }
-            E::Position => Value::Vector(self.states(self.model.body.as_ref().map(|body| body.position))),
-            E::Velocity => Value::Vector(self.states(self.model.body.as_ref().map(|body| body.velocity))),
+            E::Position => {
+                Value::Vector(self.states(self.model.body.as_ref().map(|body| body.position)))
+            }
+            E::Velocity => {
+                Value::Vector(self.states(self.model.body.as_ref().map(|body| body.velocity)))
+            }
             E::AngularVelocity => Value::Vector(self.spin()),
             E::Marker => Value::Vector([0, 1, 2].map(|k| self.graph.symbol(Symbol::Marker(k)))),
             E::Components(parts) => {
@@ -63,11 +69,15 @@ impl Deriver<'_> {
                 Value::Vector(a) => Value::Vector(a.map(|component| self.graph.neg(component))),
             },
             E::Add(a, b) => match (self.evaluate(a), self.evaluate(b)) {
-                (Value::Vector(a), Value::Vector(b)) => Value::Vector(frames::add(&mut self.graph, a, b)),
+                (Value::Vector(a), Value::Vector(b)) => {
+                    Value::Vector(frames::add(&mut self.graph, a, b))
+                }
                 (a, b) => Value::Scalar(self.graph.add(first(a), first(b))),
             },
             E::Sub(a, b) => match (self.evaluate(a), self.evaluate(b)) {
-                (Value::Vector(a), Value::Vector(b)) => Value::Vector(frames::sub(&mut self.graph, a, b)),
+                (Value::Vector(a), Value::Vector(b)) => {
+                    Value::Vector(frames::sub(&mut self.graph, a, b))
+                }
                 (a, b) => Value::Scalar(self.graph.sub(first(a), first(b))),
             },
             E::Mul(a, b) => match (self.evaluate(a), self.evaluate(b)) {
@@ -81,12 +91,15 @@ impl Deriver<'_> {
                 // the checker has seen to it that the divisor is nowhere zero
                 self.graph.assume_nonzero(b);
                 match a {
-                    Value::Vector(v) => Value::Vector(v.map(|component| self.graph.div(component, b))),
+                    Value::Vector(v) => {
+                        Value::Vector(v.map(|component| self.graph.div(component, b)))
+                    }
                     Value::Scalar(a) => Value::Scalar(self.graph.div(a, b)),
                 }
             }
             E::Ratio(parts) => {
-                let [a, b, otherwise] = [&parts[0], &parts[1], &parts[2]].map(|part| self.scalar(part));
+                let [a, b, otherwise] =
+                    [&parts[0], &parts[1], &parts[2]].map(|part| self.scalar(part));
                 let quotient = self.graph.div(a, b);
                 Value::Scalar(if self.graph.is_zero(otherwise) {
                     quotient
@@ -120,7 +133,9 @@ impl Deriver<'_> {
                     None => Value::Vector(unit),
                     Some(otherwise) => {
                         let other = self.vector(otherwise);
-                        Value::Vector([0, 1, 2].map(|k| self.graph.if_zero(length, other[k], unit[k])))
+                        Value::Vector(
+                            [0, 1, 2].map(|k| self.graph.if_zero(length, other[k], unit[k])),
+                        )
                     }
                 }
             }
@@ -170,9 +185,12 @@ impl Deriver<'_> {
     pub(crate) fn spin(&mut self) -> Vector {
         let model = self.model;
         match model.body.as_ref().and_then(|body| body.rotation.as_ref()) {
-            Some(rotation) => {
-                frames::angular_velocity(&mut self.graph, model, rotation.body_frame, rotation.inertia_frame)
-            }
+            Some(rotation) => frames::angular_velocity(
+                &mut self.graph,
+                model,
+                rotation.body_frame,
+                rotation.inertia_frame,
+            ),
             None => frames::zero(&mut self.graph),
         }
     }
@@ -187,7 +205,10 @@ impl Deriver<'_> {
             Named::Acos => {
                 let asin = graph.call(Function::Asin, x);
                 let pi = graph.symbol(Symbol::Pi);
-                graph.sum(vec![(Number::fraction(1, 2), pi), (Number::MINUS_ONE, asin)], Number::ZERO)
+                graph.sum(
+                    vec![(Number::fraction(1, 2), pi), (Number::MINUS_ONE, asin)],
+                    Number::ZERO,
+                )
             }
             Named::Atan => {
                 let one = graph.whole(1);

@@ -68,7 +68,13 @@ pub fn path(model: &Model, frame: usize) -> Vec<usize> {
 }
 
 /// The same vector with components in another frame.
-pub fn reexpress(graph: &mut Graph, model: &Model, vector: Vector, from: usize, to: usize) -> Vector {
+pub fn reexpress(
+    graph: &mut Graph,
+    model: &Model,
+    vector: Vector,
+    from: usize,
+    to: usize,
+) -> Vector {
     let (up, down) = (path(model, from), path(model, to));
     let common = up.iter().zip(&down).take_while(|(a, b)| a == b).count();
     let mut vector = vector;
@@ -87,7 +93,10 @@ pub fn turn(graph: &mut Graph, model: &Model, v: Vector, frame: usize, up: bool)
         FrameKind::Inertial => v,
         FrameKind::Turned { angle, axis, .. } => {
             let angle = graph.symbol(Symbol::State(angle as u32));
-            let (sin, cos) = (graph.call(Function::Sin, angle), graph.call(Function::Cos, angle));
+            let (sin, cos) = (
+                graph.call(Function::Sin, angle),
+                graph.call(Function::Cos, angle),
+            );
             let (i, j) = [(1, 2), (2, 0), (0, 1)][usize::from(axis) - 1];
             let mut turned = v;
             let (ci, cj) = (graph.mul(cos, v[i]), graph.mul(cos, v[j]));
@@ -104,7 +113,11 @@ pub fn turn(graph: &mut Graph, model: &Model, v: Vector, frame: usize, up: bool)
         FrameKind::Quaternion { states, .. } => {
             let matrix = quaternion_matrix(graph, states);
             [0, 1, 2].map(|row| {
-                let line = if up { matrix[row] } else { [matrix[0][row], matrix[1][row], matrix[2][row]] };
+                let line = if up {
+                    matrix[row]
+                } else {
+                    [matrix[0][row], matrix[1][row], matrix[2][row]]
+                };
                 dot(graph, line, v)
             })
         }
@@ -117,7 +130,10 @@ fn quaternion_matrix(graph: &mut Graph, states: [usize; 4]) -> [Vector; 3] {
     let two = Number::whole(2);
     let mut diagonal = |i: usize, j: usize| {
         let (ii, jj) = (graph.power(q[i], 4), graph.power(q[j], 4));
-        graph.sum(vec![(two.neg(), ii), (two.neg(), jj)], Number::ONE)
+        graph.sum(
+            vec![(two.opposite(), ii), (two.opposite(), jj)],
+            Number::ONE,
+        )
     };
     let (xx, yy, zz) = (diagonal(2, 3), diagonal(1, 3), diagonal(1, 2));
     let mut mixed = |i: usize, j: usize, k: usize, sign: Number| {
@@ -142,9 +158,14 @@ pub fn angular_velocity(graph: &mut Graph, model: &Model, of: usize, within: usi
         let spin = states.map(|state| graph.symbol(Symbol::State(state as u32)));
         let mut spin = reexpress(graph, model, spin, frame, within);
         let body_chain = path(model, rotation.body_frame);
-        let shared = chain.iter().zip(&body_chain).take_while(|(a, b)| a == b).count();
+        let shared = chain
+            .iter()
+            .zip(&body_chain)
+            .take_while(|(a, b)| a == b)
+            .count();
         let through = |part: &[usize]| {
-            part.iter().any(|&f| matches!(model.frames[f].kind, FrameKind::Quaternion { .. }))
+            part.iter()
+                .any(|&f| matches!(model.frames[f].kind, FrameKind::Quaternion { .. }))
         };
         if through(&chain[..shared]) {
             for &frame in &body_chain[shared..] {
@@ -174,13 +195,22 @@ pub fn angular_velocity(graph: &mut Graph, model: &Model, of: usize, within: usi
         at = frame;
         passed = at == within;
     }
-    if passed { total } else { reexpress(graph, model, total, at, within) }
+    if passed {
+        total
+    } else {
+        reexpress(graph, model, total, at, within)
+    }
 }
 
 /// Angular velocity of a turned frame relative to its parent, with components in `within`.
 fn turning(graph: &mut Graph, model: &Model, frame: usize, within: usize) -> Vector {
     match model.frames[frame].kind {
-        FrameKind::Turned { parent, rate: Some(rate), axis: k, .. } => {
+        FrameKind::Turned {
+            parent,
+            rate: Some(rate),
+            axis: k,
+            ..
+        } => {
             let rate = graph.symbol(Symbol::State(rate as u32));
             let unit = axis(graph, k);
             let along = scale(graph, rate, unit);

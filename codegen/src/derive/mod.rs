@@ -65,7 +65,13 @@ pub(crate) struct Deriver<'a> {
 /// Derives the equations of motion and everything else that a model says, as nodes.
 pub fn derive(model: &Model) -> Derived {
     let layout = Layout::new(model);
-    let mut deriver = Deriver { model, graph: Graph::new(), layout, lets: Vec::new(), origins: Vec::new() };
+    let mut deriver = Deriver {
+        model,
+        graph: Graph::new(),
+        layout,
+        lets: Vec::new(),
+        origins: Vec::new(),
+    };
     deriver.leaves();
     deriver.assumptions();
     for quantity in &model.lets {
@@ -88,14 +94,36 @@ pub fn derive(model: &Model) -> Derived {
     let observation = model.observation.as_ref().map(|observation| {
         let vector = deriver.vector(&observation.value);
         for (k, &component) in vector.iter().enumerate() {
-            deriver.record(component, &format!("{}_{}", observation.name, ["x", "y", "z"][k]), observation.span);
+            deriver.record(
+                component,
+                &format!("{}_{}", observation.name, ["x", "y", "z"][k]),
+                observation.span,
+            );
         }
         vector
     });
-    let limits = model.limits.iter().map(|limit| deriver.scalar(&limit.value)).collect();
+    let limits = model
+        .limits
+        .iter()
+        .map(|limit| deriver.scalar(&limit.value))
+        .collect();
     let lets = deriver.lets.iter().map(|&value| nodes(value)).collect();
-    let Deriver { graph, layout, origins, .. } = deriver;
-    Derived { graph, layout, dx, observation, quantities, limits, origins, lets }
+    let Deriver {
+        graph,
+        layout,
+        origins,
+        ..
+    } = deriver;
+    Derived {
+        graph,
+        layout,
+        dx,
+        observation,
+        quantities,
+        limits,
+        origins,
+        lets,
+    }
 }
 
 fn nodes(value: Value) -> Vec<NodeId> {
@@ -145,9 +173,17 @@ impl Deriver<'_> {
             return;
         }
         let source = self.model.sources.get(usize::from(span.source));
-        let (line, text) = source.map_or((0, String::new()), |source| line_of(&source.text, span.start as usize));
+        let (line, text) = source.map_or((0, String::new()), |source| {
+            line_of(&source.text, span.start as usize)
+        });
         let source = source.map_or_else(|| self.model.name.clone(), |source| source.name.clone());
-        self.origins.push(Origin { name: name.to_string(), span, source, line, text });
+        self.origins.push(Origin {
+            name: name.to_string(),
+            span,
+            source,
+            line,
+            text,
+        });
     }
 }
 
@@ -158,7 +194,12 @@ fn mentions_let(expr: &model_spec::model::Expr) -> bool {
 /// Number and text of the line at a byte.
 pub(crate) fn line_of(text: &str, at: usize) -> (usize, String) {
     let at = at.min(text.len());
-    let line = text.as_bytes()[..at].iter().filter(|&&byte| byte == b'\n').count();
-    (line + 1, text.lines().nth(line).unwrap_or("").trim().to_string())
+    let line = text.as_bytes()[..at]
+        .iter()
+        .filter(|&&byte| byte == b'\n')
+        .count();
+    (
+        line + 1,
+        text.lines().nth(line).unwrap_or("").trim().to_string(),
+    )
 }
-

@@ -24,8 +24,15 @@ impl Deriver<'_> {
             }
         }
         for (k, &node) in dx.iter().enumerate() {
-            let (name, span) = (format!("{}_dot", model.states[k].name), model.states[k].span);
-            let span = model.equations.iter().find(|e| e.state == k).map_or(span, |e| e.span);
+            let (name, span) = (
+                format!("{}_dot", model.states[k].name),
+                model.states[k].span,
+            );
+            let span = model
+                .equations
+                .iter()
+                .find(|e| e.state == k)
+                .map_or(span, |e| e.span);
             self.record(node, &name, span);
         }
         dx
@@ -34,7 +41,9 @@ impl Deriver<'_> {
     /// `der(x) = v` in the inertial frame, `m (der(v) + ω × v) = Σ F` in the frame of the velocity.
     fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
         let model = self.model;
-        let velocity = body.velocity.map(|state| self.graph.symbol(Symbol::State(state as u32)));
+        let velocity = body
+            .velocity
+            .map(|state| self.graph.symbol(Symbol::State(state as u32)));
         let travel = frames::reexpress(&mut self.graph, model, velocity, body.velocity_frame, 0);
         for k in 0..3 {
             dx[body.position[k]] = travel[k];
@@ -42,7 +51,12 @@ impl Deriver<'_> {
         let mass = self.scalar(&body.mass);
         self.graph.assume_nonzero(mass);
         let lightness = self.graph.power(mass, -2);
-        let spin = frames::angular_velocity(&mut self.graph, model, body.velocity_frame, body.velocity_frame);
+        let spin = frames::angular_velocity(
+            &mut self.graph,
+            model,
+            body.velocity_frame,
+            body.velocity_frame,
+        );
         let carried = frames::cross(&mut self.graph, spin, velocity);
         let force = self.loads(&model.forces, "force", body.velocity_frame);
         for k in 0..3 {
@@ -61,7 +75,11 @@ impl Deriver<'_> {
             };
             let vector = frames::reexpress(&mut self.graph, self.model, vector, from, frame);
             for (k, &component) in vector.iter().enumerate() {
-                self.record(component, &format!("{kind}_{}_{}", load.name, k + 1), load.span);
+                self.record(
+                    component,
+                    &format!("{kind}_{}_{}", load.name, k + 1),
+                    load.span,
+                );
             }
             total = frames::add(&mut self.graph, total, vector);
         }
@@ -92,7 +110,9 @@ impl Deriver<'_> {
                     for (row, state) in rows.iter().zip(states) {
                         let terms = row
                             .iter()
-                            .map(|&(i, j, sign)| (Number::fraction(sign, 2), self.graph.mul(q[i], w[j])))
+                            .map(|&(i, j, sign)| {
+                                (Number::fraction(sign, 2), self.graph.mul(q[i], w[j]))
+                            })
                             .collect();
                         dx[state] = self.graph.sum(terms, Number::ZERO);
                     }
@@ -114,8 +134,9 @@ impl Deriver<'_> {
         let moment = self.loads(&model.moments, "moment", frame);
         let left = frames::sub(&mut self.graph, moment, carried);
         let acceleration = inverse.map(|row| {
-            let terms =
-                (0..3).map(|k| (Number::ONE, self.graph.distribute(left[k], row[k]))).collect();
+            let terms = (0..3)
+                .map(|k| (Number::ONE, self.graph.distribute(left[k], row[k])))
+                .collect();
             self.graph.sum(terms, Number::ZERO)
         });
         match rotation.angular_velocity {
@@ -140,12 +161,22 @@ impl Deriver<'_> {
     }
 
     /// Second derivatives of the angles from the derivative of the angular velocity.
-    fn rates(&mut self, rotation: &Rotation, spin: Vector, acceleration: Vector, dx: &mut [NodeId]) {
+    fn rates(
+        &mut self,
+        rotation: &Rotation,
+        spin: Vector,
+        acceleration: Vector,
+        dx: &mut [NodeId],
+    ) {
         let model = self.model;
         let turned: Vec<(u32, u32)> = frames::path(model, rotation.body_frame)
             .into_iter()
             .filter_map(|frame| match model.frames[frame].kind {
-                FrameKind::Turned { angle, rate: Some(rate), .. } => Some((angle as u32, rate as u32)),
+                FrameKind::Turned {
+                    angle,
+                    rate: Some(rate),
+                    ..
+                } => Some((angle as u32, rate as u32)),
                 _ => None,
             })
             .collect();
@@ -165,7 +196,10 @@ impl Deriver<'_> {
             right.push(self.graph.sum(terms, Number::ZERO));
             matrix.push(row);
         }
-        for (unknown, &(_, rate)) in solve::solve(&mut self.graph, matrix, right).iter().zip(&turned) {
+        for (unknown, &(_, rate)) in solve::solve(&mut self.graph, matrix, right)
+            .iter()
+            .zip(&turned)
+        {
             dx[rate as usize] = *unknown;
         }
     }

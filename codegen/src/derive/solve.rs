@@ -7,11 +7,16 @@ use crate::number::Number;
 pub fn inverse(graph: &mut Graph, m: [[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
     let mut cofactor = |i: usize, j: usize| {
         let (r, c) = ([(1, 2), (2, 0), (0, 1)][i], [(1, 2), (2, 0), (0, 1)][j]);
-        let (first, second) = (graph.mul(m[r.0][c.0], m[r.1][c.1]), graph.mul(m[r.0][c.1], m[r.1][c.0]));
+        let (first, second) = (
+            graph.mul(m[r.0][c.0], m[r.1][c.1]),
+            graph.mul(m[r.0][c.1], m[r.1][c.0]),
+        );
         graph.sub(first, second)
     };
     let cofactors = [0, 1, 2].map(|i| [0, 1, 2].map(|j| cofactor(i, j)));
-    let terms = (0..3).map(|k| (Number::ONE, graph.mul(m[0][k], cofactors[0][k]))).collect();
+    let terms = (0..3)
+        .map(|k| (Number::ONE, graph.mul(m[0][k], cofactors[0][k])))
+        .collect();
     let determinant = graph.sum(terms, Number::ZERO);
     graph.assume_nonzero(determinant);
     for row in m {
@@ -40,9 +45,16 @@ pub fn solve(graph: &mut Graph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) ->
     let mut rows: Vec<usize> = (0..matrix.len()).collect();
     loop {
         let open = |row: usize, found: &[Option<NodeId>], graph: &Graph| -> Vec<usize> {
-            (0..columns).filter(|&c| found[c].is_none() && !graph.is_zero(matrix[row][c])).collect()
+            (0..columns)
+                .filter(|&c| found[c].is_none() && !graph.is_zero(matrix[row][c]))
+                .collect()
         };
-        let Some(place) = rows.iter().position(|&row| open(row, &found, graph).len() == 1) else { break };
+        let Some(place) = rows
+            .iter()
+            .position(|&row| open(row, &found, graph).len() == 1)
+        else {
+            break;
+        };
         let row = rows.remove(place);
         let column = open(row, &found, graph)[0];
         let value = graph.div(right[row], matrix[row][column]);
@@ -53,11 +65,15 @@ pub fn solve(graph: &mut Graph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) ->
         }
     }
     let left: Vec<usize> = (0..columns).filter(|&c| found[c].is_none()).collect();
-    let rows: Vec<usize> =
-        rows.into_iter().filter(|&row| left.iter().any(|&c| !graph.is_zero(matrix[row][c]))).collect();
+    let rows: Vec<usize> = rows
+        .into_iter()
+        .filter(|&row| left.iter().any(|&c| !graph.is_zero(matrix[row][c])))
+        .collect();
     if !left.is_empty() && rows.len() == left.len() {
-        let system: Vec<Vec<NodeId>> =
-            rows.iter().map(|&row| left.iter().map(|&c| matrix[row][c]).collect()).collect();
+        let system: Vec<Vec<NodeId>> = rows
+            .iter()
+            .map(|&row| left.iter().map(|&c| matrix[row][c]).collect())
+            .collect();
         let determinant = determinant(graph, &system);
         for (k, &column) in left.iter().enumerate() {
             let mut replaced = system.clone();
@@ -68,7 +84,10 @@ pub fn solve(graph: &mut Graph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) ->
             found[column] = Some(graph.div(above, determinant));
         }
     }
-    found.into_iter().map(|value| value.unwrap_or(zero)).collect()
+    found
+        .into_iter()
+        .map(|value| value.unwrap_or(zero))
+        .collect()
 }
 
 /// Determinant by expansion along the first row.
@@ -80,10 +99,20 @@ fn determinant(graph: &mut Graph, m: &[Vec<NodeId>]) -> NodeId {
         .map(|k| {
             let minor: Vec<Vec<NodeId>> = m[1..]
                 .iter()
-                .map(|row| row.iter().enumerate().filter(|&(c, _)| c != k).map(|(_, &e)| e).collect())
+                .map(|row| {
+                    row.iter()
+                        .enumerate()
+                        .filter(|&(c, _)| c != k)
+                        .map(|(_, &e)| e)
+                        .collect()
+                })
                 .collect();
             let inner = determinant(graph, &minor);
-            let sign = if k % 2 == 0 { Number::ONE } else { Number::MINUS_ONE };
+            let sign = if k % 2 == 0 {
+                Number::ONE
+            } else {
+                Number::MINUS_ONE
+            };
             (sign, graph.distribute(inner, m[0][k]))
         })
         .collect();

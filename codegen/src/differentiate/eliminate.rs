@@ -26,11 +26,20 @@ struct Vertex {
 
 /// Derivatives of the roots by the symbols.
 pub fn jacobian(graph: &mut Graph, roots: &[NodeId], by: &[Symbol]) -> Jacobian {
-    let columns: FastMap<NodeId, u32> =
-        by.iter().enumerate().map(|(k, &symbol)| (graph.symbol(symbol), k as u32)).collect();
+    let columns: FastMap<NodeId, u32> = by
+        .iter()
+        .enumerate()
+        .map(|(k, &symbol)| (graph.symbol(symbol), k as u32))
+        .collect();
     // the results come first, as vertices that nothing depends on
-    let mut vertices: Vec<Vertex> =
-        roots.iter().map(|_| Vertex { node: None, down: Vec::new(), up: Vec::new() }).collect();
+    let mut vertices: Vec<Vertex> = roots
+        .iter()
+        .map(|_| Vertex {
+            node: None,
+            down: Vec::new(),
+            up: Vec::new(),
+        })
+        .collect();
     let mut index: FastMap<NodeId, usize> = FastMap::default();
     for (at, &root) in roots.iter().enumerate() {
         let partials = partials::of_expression(graph, root);
@@ -38,7 +47,11 @@ pub fn jacobian(graph: &mut Graph, roots: &[NodeId], by: &[Symbol]) -> Jacobian 
     }
     prune(&mut vertices, &columns, roots.len());
     let mut inner: Vec<usize> = (roots.len()..vertices.len())
-        .filter(|&v| vertices[v].node.is_some_and(|node| !columns.contains_key(&node)))
+        .filter(|&v| {
+            vertices[v]
+                .node
+                .is_some_and(|node| !columns.contains_key(&node))
+        })
         .collect();
     while let Some(place) = cheapest(&vertices, &inner) {
         let v = inner.swap_remove(place);
@@ -50,7 +63,12 @@ pub fn jacobian(graph: &mut Graph, roots: &[NodeId], by: &[Symbol]) -> Jacobian 
         let mut entries: Vec<(u32, NodeId)> = vertices[row]
             .down
             .iter()
-            .filter_map(|&(v, partial)| vertices[v].node.and_then(|node| columns.get(&node)).map(|&c| (c, partial)))
+            .filter_map(|&(v, partial)| {
+                vertices[v]
+                    .node
+                    .and_then(|node| columns.get(&node))
+                    .map(|&c| (c, partial))
+            })
             .filter(|&(_, partial)| !graph.is_zero(partial))
             .collect();
         entries.sort_unstable();
@@ -80,10 +98,16 @@ fn attach(
             Some(to) => to,
             None => {
                 let is_column = columns.contains_key(&node);
-                if !is_column && matches!(graph.node(node), Node::Symbol(s) if !matches!(s, Symbol::Local(_))) {
+                if !is_column
+                    && matches!(graph.node(node), Node::Symbol(s) if !matches!(s, Symbol::Local(_)))
+                {
                     continue;
                 }
-                vertices.push(Vertex { node: Some(node), down: Vec::new(), up: Vec::new() });
+                vertices.push(Vertex {
+                    node: Some(node),
+                    down: Vec::new(),
+                    up: Vec::new(),
+                });
                 let to = vertices.len() - 1;
                 index.insert(node, to);
                 if !is_column {
@@ -136,7 +160,9 @@ fn prune(vertices: &mut [Vertex], columns: &FastMap<NodeId, u32>, roots: usize) 
             .filter(|&v| {
                 vertices[v].down.is_empty()
                     && !vertices[v].up.is_empty()
-                    && vertices[v].node.is_some_and(|node| !columns.contains_key(&node))
+                    && vertices[v]
+                        .node
+                        .is_some_and(|node| !columns.contains_key(&node))
             })
             .collect();
         if dead.is_empty() {
@@ -154,7 +180,10 @@ fn cheapest(vertices: &[Vertex], inner: &[usize]) -> Option<usize> {
     (0..inner.len()).min_by_key(|&place| {
         let v = inner[place];
         // where equal, what is nearest to the inputs goes first
-        (vertices[v].up.len() * vertices[v].down.len(), std::cmp::Reverse(v))
+        (
+            vertices[v].up.len() * vertices[v].down.len(),
+            std::cmp::Reverse(v),
+        )
     })
 }
 
@@ -162,7 +191,9 @@ fn eliminate(graph: &mut Graph, vertices: &mut [Vertex], v: usize) {
     let up = std::mem::take(&mut vertices[v].up);
     let down = std::mem::take(&mut vertices[v].down);
     for &user in &up {
-        let Some(at) = vertices[user].down.iter().position(|&(to, _)| to == v) else { continue };
+        let Some(at) = vertices[user].down.iter().position(|&(to, _)| to == v) else {
+            continue;
+        };
         let (_, outer) = vertices[user].down.remove(at);
         name_edge(graph, vertices, user, v, outer);
         for &(to, inner) in &down {
@@ -178,8 +209,16 @@ fn eliminate(graph: &mut Graph, vertices: &mut [Vertex], v: usize) {
 
 /// A derivative of a named quantity by a named quantity is named after both.
 fn name_edge(graph: &mut Graph, vertices: &[Vertex], from: usize, to: usize, partial: NodeId) {
-    let named = |v: usize| vertices[v].node.and_then(|node| graph.name_of(node)).map(str::to_string);
-    let trivial = matches!(graph.node(graph.split_coefficient(partial).1), Node::Symbol(_) | Node::Number(_) | Node::Call(..));
+    let named = |v: usize| {
+        vertices[v]
+            .node
+            .and_then(|node| graph.name_of(node))
+            .map(str::to_string)
+    };
+    let trivial = matches!(
+        graph.node(graph.split_coefficient(partial).1),
+        Node::Symbol(_) | Node::Number(_) | Node::Call(..)
+    );
     if let (Some(from), Some(to)) = (named(from), named(to))
         && !trivial
     {

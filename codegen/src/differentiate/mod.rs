@@ -36,16 +36,30 @@ pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
                 let terms = terms
                     .iter()
                     .map(|&(minus, term)| {
-                        (if minus { Number::MINUS_ONE } else { Number::ONE }, image(&images, term))
+                        (
+                            if minus {
+                                Number::MINUS_ONE
+                            } else {
+                                Number::ONE
+                            },
+                            image(&images, term),
+                        )
                     })
                     .collect();
                 let sum = new.sum(terms, Number::ZERO);
                 new.local(facts, sum)
             }
             Def::Product(factors) => {
-                let factors = factors.iter().map(|&factor| (image(&images, factor), 2)).collect();
+                let factors = factors
+                    .iter()
+                    .map(|&factor| (image(&images, factor), 2))
+                    .collect();
                 let product = new.product(factors);
-                if shared { new.local(facts, product) } else { product }
+                if shared {
+                    new.local(facts, product)
+                } else {
+                    product
+                }
             }
             Def::Root(x) => new.sqrt(image(&images, *x)),
             Def::Recip(x) => {
@@ -60,20 +74,32 @@ pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
                 new.call(*function, x)
             }
             Def::Atan2((a, y), (b, x)) => {
-                let (y, x) = (signed(&mut new, *a, images[y]), signed(&mut new, *b, images[x]));
+                let (y, x) = (
+                    signed(&mut new, *a, images[y]),
+                    signed(&mut new, *b, images[x]),
+                );
                 new.atan2(y, x)
             }
             Def::Min((a, x), (b, y)) => {
-                let (x, y) = (signed(&mut new, *a, images[x]), signed(&mut new, *b, images[y]));
+                let (x, y) = (
+                    signed(&mut new, *a, images[x]),
+                    signed(&mut new, *b, images[y]),
+                );
                 new.min(x, y)
             }
             Def::Max((a, x), (b, y)) => {
-                let (x, y) = (signed(&mut new, *a, images[x]), signed(&mut new, *b, images[y]));
+                let (x, y) = (
+                    signed(&mut new, *a, images[x]),
+                    signed(&mut new, *b, images[y]),
+                );
                 new.max(x, y)
             }
             Def::IfZero(c, (a, x), (b, y)) => {
                 let c = images[c];
-                let (x, y) = (signed(&mut new, *a, images[x]), signed(&mut new, *b, images[y]));
+                let (x, y) = (
+                    signed(&mut new, *a, images[x]),
+                    signed(&mut new, *b, images[y]),
+                );
                 new.if_zero(c, x, y)
             }
         };
@@ -84,10 +110,20 @@ pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
         }
         images.insert(id, node);
     }
-    let roots = dag.roots.iter().map(|&(minus, id)| signed(&mut new, minus, images[&id])).collect();
+    let roots = dag
+        .roots
+        .iter()
+        .map(|&(minus, id)| signed(&mut new, minus, images[&id]))
+        .collect();
     let zero = new.whole(0);
-    let all = (0..dag.defs.len() as DefId).map(|id| images.get(&id).copied().unwrap_or(zero)).collect();
-    Linear { graph: new, images: all, roots }
+    let all = (0..dag.defs.len() as DefId)
+        .map(|id| images.get(&id).copied().unwrap_or(zero))
+        .collect();
+    Linear {
+        graph: new,
+        images: all,
+        roots,
+    }
 }
 
 fn signed(graph: &mut Graph, minus: bool, id: NodeId) -> NodeId {

@@ -77,7 +77,6 @@ pub fn of_expression(graph: &mut Graph, id: NodeId) -> Vec<(NodeId, NodeId)> {
     found
         .into_iter()
         .map(|(vertex, terms)| (vertex, graph.sum(terms, Number::ZERO)))
-
         .collect()
 }
 
@@ -114,14 +113,18 @@ fn collect(
     }
 }
 
-
 /// The total derivative of an expression by one symbol, over the whole graph below it.
 pub fn total(graph: &mut Graph, id: NodeId, by: Symbol) -> NodeId {
     let mut known = FastMap::default();
     total_of(graph, id, by, &mut known)
 }
 
-fn total_of(graph: &mut Graph, id: NodeId, by: Symbol, known: &mut FastMap<NodeId, NodeId>) -> NodeId {
+fn total_of(
+    graph: &mut Graph,
+    id: NodeId,
+    by: Symbol,
+    known: &mut FastMap<NodeId, NodeId>,
+) -> NodeId {
     if let Some(&derivative) = known.get(&id) {
         return derivative;
     }

@@ -20,7 +20,10 @@ impl Graph {
                 let radius = self.squares(y, x);
                 let quotient = self.product(vec![(x, 2), (radius, -1)]);
                 let mask = self.call(Function::NonZero, radius);
-                return self.sum(vec![(Number::ONE, quotient), (Number::MINUS_ONE, mask)], Number::ONE);
+                return self.sum(
+                    vec![(Number::ONE, quotient), (Number::MINUS_ONE, mask)],
+                    Number::ONE,
+                );
             }
             (Function::Sin, Node::Call(Function::Asin, y)) => {
                 let (low, high) = (self.whole(-1), self.whole(1));
@@ -33,33 +36,52 @@ impl Graph {
                 let rest = self.sub(one, square);
                 return self.sqrt(rest);
             }
-            (Function::Exp, Node::Call(Function::Log, y)) if self.facts(y).nonneg && self.facts(y).nonzero => {
+            (Function::Exp, Node::Call(Function::Log, y))
+                if self.facts(y).nonneg && self.facts(y).nonzero =>
+            {
                 return y;
             }
             (Function::Log, Node::Call(Function::Exp, y)) => return y,
             (Function::Abs, _) if self.facts(x).nonneg => return x,
             (Function::NonZero, _) if self.facts(x).nonzero => return self.whole(1),
             (Function::NonZero, Node::Product(factors)) => {
-                let masks = factors.iter().map(|&(factor, _)| (self.call(Function::NonZero, factor), 2)).collect();
+                let masks = factors
+                    .iter()
+                    .map(|&(factor, _)| (self.call(Function::NonZero, factor), 2))
+                    .collect();
                 return self.product(masks);
             }
-            (Function::NonZero, Node::Call(Function::NonZero | Function::Abs | Function::Sign, y)) => {
+            (
+                Function::NonZero,
+                Node::Call(Function::NonZero | Function::Abs | Function::Sign, y),
+            ) => {
                 return self.call(Function::NonZero, y);
             }
-            (Function::Step | Function::Sign, Node::Call(Function::NonZero | Function::Step, _)) => return x,
+            (
+                Function::Step | Function::Sign,
+                Node::Call(Function::NonZero | Function::Step, _),
+            ) => return x,
             _ => {}
         }
         if self.leads_negative(x) && function != Function::Step {
             let opposite = self.neg(x);
             let value = match function {
-                Function::Cos | Function::Abs | Function::NonZero => return self.call(function, opposite),
-                Function::Sin | Function::Asin | Function::Tanh | Function::Sign => self.call(function, opposite),
+                Function::Cos | Function::Abs | Function::NonZero => {
+                    return self.call(function, opposite);
+                }
+                Function::Sin | Function::Asin | Function::Tanh | Function::Sign => {
+                    self.call(function, opposite)
+                }
                 _ => return self.intern(Node::Call(function, x)),
             };
             return self.neg(value);
         }
         let positive = match (function, self.split_coefficient(x)) {
-            (Function::Step | Function::Sign | Function::NonZero, (c, rest)) if !c.is_negative() => rest,
+            (Function::Step | Function::Sign | Function::NonZero, (c, rest))
+                if !c.is_negative() =>
+            {
+                rest
+            }
             _ => x,
         };
         self.intern(Node::Call(function, positive))
@@ -119,12 +141,20 @@ impl Graph {
 
     /// The smaller.
     pub fn min(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        if a == b { a } else { self.intern(Node::Min(a, b)) }
+        if a == b {
+            a
+        } else {
+            self.intern(Node::Min(a, b))
+        }
     }
 
     /// The greater.
     pub fn max(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        if a == b { a } else { self.intern(Node::Max(a, b)) }
+        if a == b {
+            a
+        } else {
+            self.intern(Node::Max(a, b))
+        }
     }
 
     /// `then` where `condition` is 0, else `otherwise`.
@@ -148,13 +178,23 @@ impl Graph {
 fn fold(function: Function, x: Number) -> Option<Number> {
     let zero = x.is_zero();
     match function {
-        Function::Sin | Function::Asin | Function::Tanh | Function::Sqrt if zero => Some(Number::ZERO),
+        Function::Sin | Function::Asin | Function::Tanh | Function::Sqrt if zero => {
+            Some(Number::ZERO)
+        }
         Function::Cos | Function::Exp if zero => Some(Number::ONE),
         Function::Log if x.is_one() || zero || x.is_negative() => Some(Number::ZERO),
         Function::Abs => Some(x.abs()),
         Function::Sign if zero => Some(Number::ZERO),
-        Function::Sign => Some(if x.is_negative() { Number::MINUS_ONE } else { Number::ONE }),
-        Function::Step => Some(if zero || x.is_negative() { Number::ZERO } else { Number::ONE }),
+        Function::Sign => Some(if x.is_negative() {
+            Number::MINUS_ONE
+        } else {
+            Number::ONE
+        }),
+        Function::Step => Some(if zero || x.is_negative() {
+            Number::ZERO
+        } else {
+            Number::ONE
+        }),
         Function::NonZero => Some(if zero { Number::ZERO } else { Number::ONE }),
         _ => None,
     }

@@ -149,8 +149,12 @@ impl Graph {
     pub fn assume_nonzero(&mut self, id: NodeId) {
         self.facts[id.index()].nonzero = true;
         match self.node(id).clone() {
-            Node::Product(factors) => factors.iter().for_each(|&(factor, _)| self.assume_nonzero(factor)),
-            Node::Sum(terms, constant) if terms.len() == 1 && constant.is_zero() => self.assume_nonzero(terms[0].1),
+            Node::Product(factors) => factors
+                .iter()
+                .for_each(|&(factor, _)| self.assume_nonzero(factor)),
+            Node::Sum(terms, constant) if terms.len() == 1 && constant.is_zero() => {
+                self.assume_nonzero(terms[0].1)
+            }
             _ => {}
         }
     }
@@ -230,37 +234,59 @@ impl Graph {
     fn derive_facts(&self, node: &Node) -> Facts {
         let of = |id: &NodeId| self.facts(*id);
         match node {
-            Node::Number(n) => Facts { fixed: true, nonneg: !n.is_negative(), nonzero: !n.is_zero() },
-            Node::Symbol(Symbol::Pi) => Facts { fixed: true, nonneg: true, nonzero: true },
-            Node::Symbol(Symbol::Parameter(_)) => Facts { fixed: true, ..Facts::default() },
+            Node::Number(n) => Facts {
+                fixed: true,
+                nonneg: !n.is_negative(),
+                nonzero: !n.is_zero(),
+            },
+            Node::Symbol(Symbol::Pi) => Facts {
+                fixed: true,
+                nonneg: true,
+                nonzero: true,
+            },
+            Node::Symbol(Symbol::Parameter(_)) => Facts {
+                fixed: true,
+                ..Facts::default()
+            },
             Node::Symbol(Symbol::Local(k)) => self.locals[*k as usize].0,
             Node::Symbol(_) => Facts::default(),
             Node::Sum(terms, constant) => {
-                let nonneg =
-                    !constant.is_negative() && terms.iter().all(|(c, t)| !c.is_negative() && of(t).nonneg);
+                let nonneg = !constant.is_negative()
+                    && terms.iter().all(|(c, t)| !c.is_negative() && of(t).nonneg);
                 let scaled = terms.len() == 1 && constant.is_zero() && of(&terms[0].1).nonzero;
                 Facts {
                     fixed: terms.iter().all(|(_, t)| of(t).fixed),
                     nonneg,
                     nonzero: scaled
-                        || nonneg && (!constant.is_zero() || terms.iter().any(|(_, t)| of(t).nonzero)),
+                        || nonneg
+                            && (!constant.is_zero() || terms.iter().any(|(_, t)| of(t).nonzero)),
                 }
             }
             Node::Product(factors) => Facts {
                 fixed: factors.iter().all(|(f, _)| of(f).fixed),
-                nonneg: factors.iter().all(|(f, e)| e % 4 == 0 || e % 2 != 0 || of(f).nonneg),
+                nonneg: factors
+                    .iter()
+                    .all(|(f, e)| e % 4 == 0 || e % 2 != 0 || of(f).nonneg),
                 nonzero: factors.iter().all(|(f, _)| of(f).nonzero),
             },
             Node::Call(function, x) => Facts {
                 fixed: of(x).fixed,
                 nonneg: matches!(
                     function,
-                    Function::Exp | Function::Abs | Function::Step | Function::Sqrt | Function::NonZero
+                    Function::Exp
+                        | Function::Abs
+                        | Function::Step
+                        | Function::Sqrt
+                        | Function::NonZero
                 ),
                 nonzero: *function == Function::Exp
-                    || matches!(function, Function::Abs | Function::Sign | Function::NonZero) && of(x).nonzero,
+                    || matches!(function, Function::Abs | Function::Sign | Function::NonZero)
+                        && of(x).nonzero,
             },
-            Node::Atan2(a, b) => Facts { fixed: of(a).fixed && of(b).fixed, ..Facts::default() },
+            Node::Atan2(a, b) => Facts {
+                fixed: of(a).fixed && of(b).fixed,
+                ..Facts::default()
+            },
             Node::Min(a, b) | Node::Max(a, b) => Facts {
                 fixed: of(a).fixed && of(b).fixed,
                 nonneg: of(a).nonneg && of(b).nonneg,
@@ -305,6 +331,9 @@ impl Graph {
                 self.for_operands(NodeId(k as u32), |operand| needed[operand.index()] = true);
             }
         }
-        (0..self.len()).filter(|&k| needed[k]).map(|k| NodeId(k as u32)).collect()
+        (0..self.len())
+            .filter(|&k| needed[k])
+            .map(|k| NodeId(k as u32))
+            .collect()
     }
 }

@@ -12,9 +12,12 @@ impl Graph {
     /// `level`: 0 inside a sum, 1 inside a product, 2 under an exponent.
     fn shown(&self, id: NodeId, symbol: &dyn Fn(Symbol) -> String, level: u8) -> String {
         let inner = |id: NodeId, level: u8| self.shown(id, symbol, level);
-        let parenthesise = |text: String, needed: bool| if needed { format!("({text})") } else { text };
+        let parenthesise =
+            |text: String, needed: bool| if needed { format!("({text})") } else { text };
         match self.node(id) {
-            Node::Number(number) => parenthesise(number_text(*number), level > 0 && number.is_negative()),
+            Node::Number(number) => {
+                parenthesise(number_text(*number), level > 0 && number.is_negative())
+            }
             Node::Symbol(leaf) => symbol(*leaf),
             Node::Sum(terms, constant) => {
                 let mut text = String::new();
@@ -51,11 +54,20 @@ impl Graph {
                     .collect();
                 parenthesise(parts.join("*"), level > 1)
             }
-            Node::Call(function, x) => format!("{}({})", format!("{function:?}").to_lowercase(), inner(*x, 0)),
+            Node::Call(function, x) => format!(
+                "{}({})",
+                format!("{function:?}").to_lowercase(),
+                inner(*x, 0)
+            ),
             Node::Atan2(y, x) => format!("atan2({}, {})", inner(*y, 0), inner(*x, 0)),
             Node::Min(a, b) => format!("min({}, {})", inner(*a, 0), inner(*b, 0)),
             Node::Max(a, b) => format!("max({}, {})", inner(*a, 0), inner(*b, 0)),
-            Node::IfZero(c, a, b) => format!("if_zero({}, {}, {})", inner(*c, 0), inner(*a, 0), inner(*b, 0)),
+            Node::IfZero(c, a, b) => format!(
+                "if_zero({}, {}, {})",
+                inner(*c, 0),
+                inner(*a, 0),
+                inner(*b, 0)
+            ),
         }
     }
 }

@@ -79,9 +79,17 @@ impl Graph {
         match self.node(id) {
             Node::Number(number) => {
                 let power = number.power(exponent.abs() / 2);
-                let power = if exponent % 2 == 0 { power } else { power.times(number.sqrt()) };
+                let power = if exponent % 2 == 0 {
+                    power
+                } else {
+                    power.times(number.sqrt())
+                };
                 // 1/0 is 0, as everywhere
-                let power = if exponent < 0 && !power.is_zero() { power.recip() } else { power };
+                let power = if exponent < 0 && !power.is_zero() {
+                    power.recip()
+                } else {
+                    power
+                };
                 *coefficient = coefficient.times(power);
                 true
             }
@@ -95,7 +103,12 @@ impl Graph {
                     return false;
                 }
                 *coefficient = coefficient.times(content.coefficient.power(exponent / 2));
-                pending.extend(content.factors.iter().map(|&(factor, e)| (factor, e * exponent / 2)));
+                pending.extend(
+                    content
+                        .factors
+                        .iter()
+                        .map(|&(factor, e)| (factor, e * exponent / 2)),
+                );
                 pending.push((content.rest, exponent));
                 true
             }
@@ -126,7 +139,9 @@ impl Graph {
         masks.sort_unstable();
         masks.dedup();
         for mask in masks {
-            let Node::Call(_, base) = *self.node(mask) else { continue };
+            let Node::Call(_, base) = *self.node(mask) else {
+                continue;
+            };
             if !merged.iter().any(|&(known, _)| known == base) {
                 merged.push((mask, 2));
             }
@@ -141,15 +156,20 @@ impl Graph {
             return false;
         }
         for k in 0..flat.len() {
-            let Node::Sum(terms, constant) = self.node(flat[k].0).clone() else { continue };
+            let Node::Sum(terms, constant) = self.node(flat[k].0).clone() else {
+                continue;
+            };
             let masked = |graph: &Graph, id: NodeId| {
-                graph.monomial(id).iter().any(|&(factor, _)| match graph.node(factor) {
-                    Node::Call(Function::NonZero, x) => {
-                        flat.iter().any(|(known, _)| known == x)
-                            || flat.iter().any(|&(known, _)| known == factor)
-                    }
-                    _ => false,
-                })
+                graph
+                    .monomial(id)
+                    .iter()
+                    .any(|&(factor, _)| match graph.node(factor) {
+                        Node::Call(Function::NonZero, x) => {
+                            flat.iter().any(|(known, _)| known == x)
+                                || flat.iter().any(|&(known, _)| known == factor)
+                        }
+                        _ => false,
+                    })
             };
             if !terms.iter().any(|&(_, term)| masked(self, term)) {
                 continue;
@@ -161,12 +181,14 @@ impl Graph {
                         return (c, term);
                     }
                     let kept = self.monomial(term);
-                    let kept = kept.into_iter().filter(|&(factor, _)| match self.node(factor) {
-                        Node::Call(Function::NonZero, x) => {
-                            !flat.iter().any(|(known, _)| known == x || *known == factor)
-                        }
-                        _ => true,
-                    });
+                    let kept = kept
+                        .into_iter()
+                        .filter(|&(factor, _)| match self.node(factor) {
+                            Node::Call(Function::NonZero, x) => {
+                                !flat.iter().any(|(known, _)| known == x || *known == factor)
+                            }
+                            _ => true,
+                        });
                     let kept = kept.collect();
                     (c, self.product(kept))
                 })
@@ -191,23 +213,39 @@ impl Graph {
     }
 
     fn find_content(&mut self, id: NodeId) -> Content {
-        let whole = Content { coefficient: Number::ONE, factors: Box::new([]), rest: id };
-        let Node::Sum(terms, constant) = self.node(id).clone() else { return whole };
-        let mut common = if constant.is_zero() { self.monomial(terms[0].1) } else { Vec::new() };
+        let whole = Content {
+            coefficient: Number::ONE,
+            factors: Box::new([]),
+            rest: id,
+        };
+        let Node::Sum(terms, constant) = self.node(id).clone() else {
+            return whole;
+        };
+        let mut common = if constant.is_zero() {
+            self.monomial(terms[0].1)
+        } else {
+            Vec::new()
+        };
         for &(_, term) in &terms[1..] {
             if common.is_empty() {
                 break;
             }
             let other = self.monomial(term);
             common.retain_mut(|(base, exponent)| {
-                let Some(&(_, e)) = other.iter().find(|(b, _)| b == base) else { return false };
+                let Some(&(_, e)) = other.iter().find(|(b, _)| b == base) else {
+                    return false;
+                };
                 let same_side = e.signum() == exponent.signum();
                 *exponent = exponent.signum() * exponent.abs().min(e.abs());
                 same_side
             });
         }
         if terms.len() == 1 && constant.is_zero() {
-            return Content { coefficient: terms[0].0, factors: common.into(), rest: self.whole(1) };
+            return Content {
+                coefficient: terms[0].0,
+                factors: common.into(),
+                rest: self.whole(1),
+            };
         }
         let magnitude = terms[0].0.abs();
         let even = terms.iter().all(|(c, _)| c.abs() == magnitude)
@@ -230,8 +268,12 @@ impl Graph {
             && terms[0].0.is_negative()
         {
             rest = self.neg(rest);
-            coefficient = coefficient.neg();
+            coefficient = coefficient.opposite();
         }
-        Content { coefficient, factors: common.into(), rest }
+        Content {
+            coefficient,
+            factors: common.into(),
+            rest,
+        }
     }
 }

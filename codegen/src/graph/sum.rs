@@ -34,7 +34,13 @@ impl Graph {
         }
     }
 
-    fn flatten_term(&self, c: Number, id: NodeId, flat: &mut Vec<(Number, NodeId)>, constant: &mut Number) {
+    fn flatten_term(
+        &self,
+        c: Number,
+        id: NodeId,
+        flat: &mut Vec<(Number, NodeId)>,
+        constant: &mut Number,
+    ) {
         match self.node(id) {
             Node::Number(number) => *constant = constant.plus(c.times(*number)),
             Node::Sum(terms, inner) => {
@@ -62,7 +68,11 @@ impl Graph {
 
     /// `c a`.
     pub fn scale(&mut self, c: Number, a: NodeId) -> NodeId {
-        if c.is_one() { a } else { self.sum(vec![(c, a)], Number::ZERO) }
+        if c.is_one() {
+            a
+        } else {
+            self.sum(vec![(c, a)], Number::ZERO)
+        }
     }
 
     /// Coefficient and rest of a term.
@@ -77,8 +87,10 @@ impl Graph {
     pub fn distribute(&mut self, id: NodeId, factor: NodeId) -> NodeId {
         match self.node(id).clone() {
             Node::Sum(terms, constant) => {
-                let mut products: Vec<_> =
-                    terms.iter().map(|&(c, term)| (c, self.mul(term, factor))).collect();
+                let mut products: Vec<_> = terms
+                    .iter()
+                    .map(|&(c, term)| (c, self.mul(term, factor)))
+                    .collect();
                 products.push((constant, factor));
                 self.sum(products, Number::ZERO)
             }
@@ -102,24 +114,38 @@ impl Graph {
         constant: Number,
     ) -> Option<(Vec<(Number, NodeId)>, Number)> {
         for k in 0..terms.len() {
-            let Node::Product(factors) = self.node(terms[k].1) else { continue };
+            let Node::Product(factors) = self.node(terms[k].1) else {
+                continue;
+            };
             let factors = factors.clone();
             for &(base, exponent) in factors.iter() {
                 let identity = match self.node(base) {
                     Node::Sum(squares, rest) if exponent < 0 && self.facts(base).nonneg => {
-                        let mut parts: Vec<_> = squares.iter().map(|&(c, s)| (c, self.monomial(s))).collect();
+                        let mut parts: Vec<_> = squares
+                            .iter()
+                            .map(|&(c, s)| (c, self.monomial(s)))
+                            .collect();
                         if !rest.is_zero() {
                             parts.push((*rest, Vec::new()));
                         }
                         (parts, vec![(base, 2)])
                     }
                     Node::Call(Function::Sin, angle) if exponent >= 4 => {
-                        let Some(cos) = self.find(&Node::Call(Function::Cos, *angle)) else { continue };
-                        (vec![(Number::ONE, vec![(base, 4)]), (Number::ONE, vec![(cos, 4)])], Vec::new())
+                        let Some(cos) = self.find(&Node::Call(Function::Cos, *angle)) else {
+                            continue;
+                        };
+                        (
+                            vec![
+                                (Number::ONE, vec![(base, 4)]),
+                                (Number::ONE, vec![(cos, 4)]),
+                            ],
+                            Vec::new(),
+                        )
                     }
                     _ => continue,
                 };
-                let found = self.contract_by(terms, constant, k, &factors, &identity.0, &identity.1);
+                let found =
+                    self.contract_by(terms, constant, k, &factors, &identity.0, &identity.1);
                 if found.is_some() {
                     return found;
                 }
@@ -155,11 +181,15 @@ impl Graph {
                 [(single, 2)] => *single,
                 _ => self.find(&Node::Product(partner.into()))?,
             };
-            let at = terms.iter().position(|&(c, id)| id == partner && c == wanted)?;
+            let at = terms
+                .iter()
+                .position(|&(c, id)| id == partner && c == wanted)?;
             used.push(at);
         }
-        let mut rest: Vec<_> =
-            (0..terms.len()).filter(|at| !used.contains(at)).map(|at| terms[at]).collect();
+        let mut rest: Vec<_> = (0..terms.len())
+            .filter(|at| !used.contains(at))
+            .map(|at| terms[at])
+            .collect();
         let joined = self.product([cofactor.as_slice(), whole].concat());
         rest.push((scale, joined));
         Some((rest, constant))
@@ -167,7 +197,10 @@ impl Graph {
 }
 
 /// The quotient of two monomials, where the divisor's factors are all there.
-pub(super) fn divide(factors: &[(NodeId, i32)], divisor: &[(NodeId, i32)]) -> Option<Vec<(NodeId, i32)>> {
+pub(super) fn divide(
+    factors: &[(NodeId, i32)],
+    divisor: &[(NodeId, i32)],
+) -> Option<Vec<(NodeId, i32)>> {
     let mut quotient = factors.to_vec();
     for &(base, exponent) in divisor {
         let at = quotient.iter().position(|&(b, _)| b == base)?;

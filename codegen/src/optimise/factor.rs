@@ -23,7 +23,9 @@ fn list(dag: &Dag, id: DefId) -> Vec<DefId> {
 }
 
 fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
-    let Def::Sum(terms) = &dag.defs[id as usize] else { return false };
+    let Def::Sum(terms) = &dag.defs[id as usize] else {
+        return false;
+    };
     let terms = terms.clone();
     let lists: Vec<Vec<DefId>> = terms.iter().map(|&(_, term)| list(dag, term)).collect();
     let mut candidates: Vec<DefId> = lists.iter().flatten().copied().collect();
@@ -31,20 +33,36 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
     candidates.dedup();
     let mut best: Option<(i64, DefId)> = None;
     for candidate in candidates {
-        let with: Vec<usize> = (0..terms.len()).filter(|&t| lists[t].contains(&candidate)).collect();
+        let with: Vec<usize> = (0..terms.len())
+            .filter(|&t| lists[t].contains(&candidate))
+            .collect();
         if with.len() < 2 {
             continue;
         }
         let common = common(&lists, &with);
         let private = |t: usize| uses.get(terms[t].1 as usize).is_none_or(|&n| n <= 1);
         let runtime = |factors: &[DefId]| {
-            let moving = factors.iter().filter(|&&f| !dag.facts[f as usize].fixed).count();
+            let moving = factors
+                .iter()
+                .filter(|&&f| !dag.facts[f as usize].fixed)
+                .count();
             let fixed = usize::from(moving < factors.len());
             (moving + fixed).saturating_sub(1) as i64
         };
-        let before: i64 = with.iter().filter(|&&t| private(t)).map(|&t| runtime(&lists[t])).sum();
-        let inside: i64 = with.iter().map(|&t| runtime(&without(&lists[t], &common))).sum();
-        let all_fixed = with.iter().all(|&t| without(&lists[t], &common).iter().all(|&f| dag.facts[f as usize].fixed));
+        let before: i64 = with
+            .iter()
+            .filter(|&&t| private(t))
+            .map(|&t| runtime(&lists[t]))
+            .sum();
+        let inside: i64 = with
+            .iter()
+            .map(|&t| runtime(&without(&lists[t], &common)))
+            .sum();
+        let all_fixed = with.iter().all(|&t| {
+            without(&lists[t], &common)
+                .iter()
+                .all(|&f| dag.facts[f as usize].fixed)
+        });
         let mut outside = common.clone();
         outside.push(id);
         let after = inside + runtime(&outside) - if all_fixed { with.len() as i64 - 1 } else { 0 };
@@ -53,13 +71,21 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
             best = Some((saved, candidate));
         }
     }
-    let Some((_, chosen)) = best else { return false };
-    let with: Vec<usize> = (0..terms.len()).filter(|&t| lists[t].contains(&chosen)).collect();
+    let Some((_, chosen)) = best else {
+        return false;
+    };
+    let with: Vec<usize> = (0..terms.len())
+        .filter(|&t| lists[t].contains(&chosen))
+        .collect();
     let common = common(&lists, &with);
     let mut inner: Vec<Signed> = Vec::new();
     for &t in &with {
         let rest = without(&lists[t], &common);
-        let rest = if rest.is_empty() { one(dag) } else { dag.product(rest) };
+        let rest = if rest.is_empty() {
+            one(dag)
+        } else {
+            dag.product(rest)
+        };
         inner.push((terms[t].0, rest));
     }
     inner.sort_unstable_by_key(|&(minus, def)| (def, minus));
@@ -73,7 +99,10 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
     let mut outside = common;
     outside.extend(list(dag, inner));
     let product = dag.product(outside);
-    let mut rest: Vec<Signed> = (0..terms.len()).filter(|t| !with.contains(t)).map(|t| terms[t]).collect();
+    let mut rest: Vec<Signed> = (0..terms.len())
+        .filter(|t| !with.contains(t))
+        .map(|t| terms[t])
+        .collect();
     rest.push((flip, product));
     rest.sort_unstable_by_key(|&(minus, def)| (def, minus));
     dag.defs[id as usize] = match rest.as_slice() {
@@ -85,7 +114,11 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
 }
 
 fn one(dag: &mut Dag) -> DefId {
-    let facts = crate::graph::Facts { fixed: true, nonneg: true, nonzero: true };
+    let facts = crate::graph::Facts {
+        fixed: true,
+        nonneg: true,
+        nonzero: true,
+    };
     dag.define(Def::Constant(crate::number::Number::ONE), facts, None)
 }
 

@@ -1,12 +1,18 @@
 //! From nodes to definitions: powers become repeated factors, coefficients become factors, signs move out.
 
 use super::{Dag, Def, DefId, Signed};
-use crate::graph::{FastMap, Facts, Graph, Node, NodeId, Symbol};
+use crate::graph::{Facts, FastMap, Graph, Node, NodeId, Symbol};
 use crate::number::Number;
 
 /// The definitions that the roots need.
 pub fn import(graph: &Graph, roots: &[NodeId]) -> Dag {
-    let mut import = Import { graph, dag: Dag::default(), known: FastMap::default(), rooted: Vec::new(), opposite: FastMap::default() };
+    let mut import = Import {
+        graph,
+        dag: Dag::default(),
+        known: FastMap::default(),
+        rooted: Vec::new(),
+        opposite: FastMap::default(),
+    };
     let needed = import.needed(roots);
     import.rooted = vec![false; graph.len()];
     for &id in &needed {
@@ -48,7 +54,8 @@ impl Import<'_> {
     fn needed(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut order = Vec::new();
         let mut seen = vec![false; self.graph.len()];
-        let mut stack: Vec<(NodeId, bool)> = roots.iter().rev().map(|&root| (root, false)).collect();
+        let mut stack: Vec<(NodeId, bool)> =
+            roots.iter().rev().map(|&root| (root, false)).collect();
         while let Some((id, done)) = stack.pop() {
             if done {
                 order.push(id);
@@ -61,7 +68,8 @@ impl Import<'_> {
             if let Node::Symbol(Symbol::Local(k)) = self.graph.node(id) {
                 stack.push((self.graph.definition(*k), false));
             }
-            self.graph.for_operands(id, |operand| stack.push((operand, false)));
+            self.graph
+                .for_operands(id, |operand| stack.push((operand, false)));
         }
         order
     }
@@ -71,7 +79,7 @@ impl Import<'_> {
             && constant.is_zero()
             && terms.len() > 1
         {
-            let negated: Vec<_> = terms.iter().map(|&(c, t)| (c.neg(), t)).collect();
+            let negated: Vec<_> = terms.iter().map(|&(c, t)| (c.opposite(), t)).collect();
             if !self.opposite.contains_key(terms.as_ref()) {
                 self.opposite.insert(negated, id);
             }
@@ -88,7 +96,11 @@ impl Import<'_> {
     }
 
     fn constant(&mut self, number: Number) -> DefId {
-        let facts = Facts { fixed: true, nonneg: true, nonzero: !number.is_zero() };
+        let facts = Facts {
+            fixed: true,
+            nonneg: true,
+            nonzero: !number.is_zero(),
+        };
         self.dag.define(Def::Constant(number), facts, None)
     }
 
@@ -111,7 +123,10 @@ impl Import<'_> {
             Node::Product(factors) => self.product(Number::ONE, factors, id),
             Node::Call(function, x) => {
                 let x = self.signed(*x);
-                (false, self.dag.define(Def::Call(*function, x), facts, origin))
+                (
+                    false,
+                    self.dag.define(Def::Call(*function, x), facts, origin),
+                )
             }
             Node::Atan2(y, x) => {
                 let (y, x) = (self.signed(*y), self.signed(*x));
@@ -127,7 +142,11 @@ impl Import<'_> {
             }
             Node::IfZero(condition, a, b) => {
                 let (condition, a, b) = (self.signed(*condition), self.signed(*a), self.signed(*b));
-                (false, self.dag.define(Def::IfZero(condition.1, a, b), facts, origin))
+                (
+                    false,
+                    self.dag
+                        .define(Def::IfZero(condition.1, a, b), facts, origin),
+                )
             }
         }
     }
@@ -149,7 +168,11 @@ impl Import<'_> {
             signed.push((constant.is_negative(), self.constant(constant.abs())));
         }
         signed.sort_unstable_by_key(|&(minus, def)| (def, minus));
-        (false, self.dag.define(Def::Sum(signed), self.graph.facts(id), Some((false, id))))
+        (
+            false,
+            self.dag
+                .define(Def::Sum(signed), self.graph.facts(id), Some((false, id))),
+        )
     }
 
     fn term(&mut self, coefficient: Number, id: NodeId) -> Signed {
@@ -176,8 +199,11 @@ impl Import<'_> {
             let times = exponent.unsigned_abs() as usize;
             let root = |dag: &mut Dag| dag.define(Def::Root(def), facts, None);
             if exponent < 0 {
-                let (x, times) =
-                    if self.rooted[base.index()] { (root(&mut self.dag), times) } else { (def, times / 2) };
+                let (x, times) = if self.rooted[base.index()] {
+                    (root(&mut self.dag), times)
+                } else {
+                    (def, times / 2)
+                };
                 let recip = self.dag.define(Def::Recip(x), facts, None);
                 flat.extend(std::iter::repeat_n(recip, times));
             } else {

@@ -10,7 +10,7 @@ mod sums;
 
 pub use import::import;
 
-use crate::graph::{FastMap, Facts, Function, NodeId, Symbol};
+use crate::graph::{Facts, FastMap, Function, NodeId, Symbol};
 use crate::number::Number;
 
 /// Index of a definition.
@@ -54,7 +54,9 @@ impl Def {
             Def::Sum(terms) => terms.iter().map(|&(_, id)| id).collect(),
             Def::Product(factors) => factors.clone(),
             Def::Root(x) | Def::Recip(x) | Def::Call(_, (_, x)) => vec![*x],
-            Def::Atan2((_, a), (_, b)) | Def::Min((_, a), (_, b)) | Def::Max((_, a), (_, b)) => vec![*a, *b],
+            Def::Atan2((_, a), (_, b)) | Def::Min((_, a), (_, b)) | Def::Max((_, a), (_, b)) => {
+                vec![*a, *b]
+            }
             Def::IfZero(a, (_, b), (_, c)) => vec![*a, *b, *c],
         }
     }
@@ -201,7 +203,9 @@ impl Dag {
                     factors.sort_unstable();
                 }
                 Def::Root(x) | Def::Recip(x) | Def::Call(_, (_, x)) => *x = end(*x),
-                Def::Atan2((_, a), (_, b)) | Def::Min((_, a), (_, b)) | Def::Max((_, a), (_, b)) => {
+                Def::Atan2((_, a), (_, b))
+                | Def::Min((_, a), (_, b))
+                | Def::Max((_, a), (_, b)) => {
                     *a = end(*a);
                     *b = end(*b);
                 }

@@ -29,7 +29,9 @@ pub fn share(dag: &mut Dag) {
             if id == shared {
                 continue;
             }
-            let Def::Product(list) = &mut dag.defs[id as usize] else { continue };
+            let Def::Product(list) = &mut dag.defs[id as usize] else {
+                continue;
+            };
             let times = count(list, pair);
             for _ in 0..times {
                 for part in [pair.0, pair.1] {
@@ -68,7 +70,11 @@ fn register(dag: &Dag, id: DefId, holders: &mut FastMap<Pair, Vec<DefId>>) {
 /// How often a pair can be taken from a list of factors.
 fn count(list: &[DefId], pair: Pair) -> usize {
     let of = |id| list.iter().filter(|&&f| f == id).count();
-    if pair.0 == pair.1 { of(pair.0) / 2 } else { of(pair.0).min(of(pair.1)) }
+    if pair.0 == pair.1 {
+        of(pair.0) / 2
+    } else {
+        of(pair.0).min(of(pair.1))
+    }
 }
 
 /// The pair that saves most: one multiplication at each place but one, at every place where it depends
@@ -92,7 +98,11 @@ fn best(dag: &Dag, holders: &FastMap<Pair, Vec<DefId>>) -> Option<Pair> {
         }
         let fixed = dag.facts[pair.0 as usize].fixed && dag.facts[pair.1 as usize].fixed;
         // a product that is nothing but the pair is no place where it is to be replaced
-        let saved = if fixed { places - whole.min(places) } else { places.saturating_sub(1) };
+        let saved = if fixed {
+            places - whole.min(places)
+        } else {
+            places.saturating_sub(1)
+        };
         if saved == 0 || places == whole {
             continue;
         }
@@ -112,8 +122,8 @@ fn best(dag: &Dag, holders: &FastMap<Pair, Vec<DefId>>) -> Option<Pair> {
 fn alias(dag: &mut Dag) {
     let mut canonical: FastMap<Vec<DefId>, DefId> = FastMap::default();
     let mut target: Vec<DefId> = (0..dag.defs.len() as DefId).collect();
-    for id in 0..dag.defs.len() {
-        if let Def::Product(list) = &dag.defs[id] {
+    for (id, def) in dag.defs.iter().enumerate() {
+        if let Def::Product(list) = def {
             match list.as_slice() {
                 [single] => target[id] = *single,
                 _ => target[id] = *canonical.entry(list.clone()).or_insert(id as DefId),

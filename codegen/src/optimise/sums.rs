@@ -20,7 +20,10 @@ pub fn share(dag: &mut Dag) {
         users.sort_unstable();
         users.dedup();
         // the sum that is nothing but the pair is the one to share
-        let whole = users.iter().copied().find(|&id| terms(dag, id).len() == 2 && sign(terms(dag, id), pair).is_some());
+        let whole = users
+            .iter()
+            .copied()
+            .find(|&id| terms(dag, id).len() == 2 && sign(terms(dag, id), pair).is_some());
         let (flipped, shared) = match whole {
             Some(id) => (sign(terms(dag, id), pair) == Some(true), id),
             None => {
@@ -33,8 +36,12 @@ pub fn share(dag: &mut Dag) {
             if id == shared {
                 continue;
             }
-            let Some(minus) = sign(terms(dag, id), pair) else { continue };
-            let Def::Sum(list) = &mut dag.defs[id as usize] else { continue };
+            let Some(minus) = sign(terms(dag, id), pair) else {
+                continue;
+            };
+            let Def::Sum(list) = &mut dag.defs[id as usize] else {
+                continue;
+            };
             list.retain(|&(_, term)| term != pair.0 && term != pair.1);
             list.push((minus != flipped, shared));
             list.sort_unstable_by_key(|&(minus, def)| (def, minus));
@@ -84,13 +91,20 @@ fn best(dag: &Dag, holders: &FastMap<Pair, Vec<DefId>>) -> Option<Pair> {
         let mut distinct = users.clone();
         distinct.sort_unstable();
         distinct.dedup();
-        let places = distinct.iter().filter(|&&id| sign(terms(dag, id), pair).is_some()).count();
+        let places = distinct
+            .iter()
+            .filter(|&&id| sign(terms(dag, id), pair).is_some())
+            .count();
         let whole = distinct
             .iter()
             .filter(|&&id| terms(dag, id).len() == 2 && sign(terms(dag, id), pair).is_some())
             .count();
         let fixed = dag.facts[pair.0 as usize].fixed && dag.facts[pair.1 as usize].fixed;
-        let saved = if fixed { places - whole } else { places.saturating_sub(1) };
+        let saved = if fixed {
+            places - whole
+        } else {
+            places.saturating_sub(1)
+        };
         if saved == 0 || whole == places && whole < 2 {
             continue;
         }
@@ -110,8 +124,8 @@ fn best(dag: &Dag, holders: &FastMap<Pair, Vec<DefId>>) -> Option<Pair> {
 fn alias(dag: &mut Dag) {
     let mut target: Vec<DefId> = (0..dag.defs.len() as DefId).collect();
     let mut canonical: FastMap<Vec<Signed>, DefId> = FastMap::default();
-    for id in 0..dag.defs.len() {
-        if let Def::Sum(list) = &dag.defs[id] {
+    for (id, def) in dag.defs.iter().enumerate() {
+        if let Def::Sum(list) = def {
             match list.as_slice() {
                 [(false, single)] => target[id] = *single,
                 _ => target[id] = *canonical.entry(list.clone()).or_insert(id as DefId),

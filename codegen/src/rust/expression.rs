@@ -36,11 +36,11 @@ impl Writer<'_> {
 
     fn value(&self, operand: Operand) -> (String, Bind) {
         let name = match operand {
-            Operand::Time => "t".to_string(),
-            Operand::State(k) => self.states[k as usize].clone(),
-            Operand::Parameter(k) => self.parameters[k as usize].clone(),
-            Operand::Prepared(k) => self.prepared[k as usize].clone(),
-            Operand::Marker(k) => self.marker[k as usize].clone(),
+            Operand::Time => "time".to_string(),
+            Operand::State(k) => local(&self.states[k as usize]),
+            Operand::Parameter(k) => local(&self.parameters[k as usize]),
+            Operand::Prepared(k) => local(&self.prepared[k as usize]),
+            Operand::Marker(k) => local(&self.marker[k as usize]),
             Operand::Constant(c) => constant(c),
             Operand::Temp(k) => match &self.names[k as usize] {
                 Some(name) => name.clone(),
@@ -54,13 +54,17 @@ impl Writer<'_> {
         match op {
             Op::IfZero(c, a, b) => {
                 let (a, b) = (self.operand(*a), self.operand(*b));
-                (format!("{}.if_zero({a}, {b})", self.tight(*c, Bind::Atom)), Bind::Atom)
+                (
+                    format!("{}.if_zero({a}, {b})", self.tight(*c, Bind::Atom)),
+                    Bind::Atom,
+                )
             }
             Op::Binary(binary, a, b) => self.binary(*binary, *a, *b),
             Op::Unary(Unary::Neg, a) => (format!("-{}", self.tight(*a, Bind::Atom)), Bind::Minus),
-            Op::Unary(Unary::Recip, a) => {
-                (format!("T::splat(1.0) / {}", self.tight(*a, Bind::Minus)), Bind::Product)
-            }
+            Op::Unary(Unary::Recip, a) => (
+                format!("T::splat(1.0) / {}", self.tight(*a, Bind::Minus)),
+                Bind::Product,
+            ),
             Op::Unary(unary, a) => {
                 let method = match unary {
                     Unary::Sqrt => "sqrt()",
@@ -78,7 +82,10 @@ impl Writer<'_> {
                     // written above
                     Unary::Neg | Unary::Recip => "",
                 };
-                (format!("{}.{method}", self.tight(*a, Bind::Atom)), Bind::Atom)
+                (
+                    format!("{}.{method}", self.tight(*a, Bind::Atom)),
+                    Bind::Atom,
+                )
             }
         }
     }
@@ -86,10 +93,16 @@ impl Writer<'_> {
     fn binary(&self, binary: Binary, a: Operand, b: Operand) -> (String, Bind) {
         // operators group to the left: the right side needs parentheses where it binds no tighter
         let infix = |sign: &str, bind: Bind, above: Bind| {
-            (format!("{} {sign} {}", self.tight(a, bind), self.tight(b, above)), bind)
+            (
+                format!("{} {sign} {}", self.tight(a, bind), self.tight(b, above)),
+                bind,
+            )
         };
         let method = |name: &str| {
-            (format!("{}.{name}({})", self.tight(a, Bind::Atom), self.operand(b)), Bind::Atom)
+            (
+                format!("{}.{name}({})", self.tight(a, Bind::Atom), self.operand(b)),
+                Bind::Atom,
+            )
         };
         match binary {
             Binary::Add => infix("+", Bind::Sum, Bind::Product),
@@ -104,7 +117,11 @@ impl Writer<'_> {
 
     fn tight(&self, operand: Operand, least: Bind) -> String {
         let (text, bind) = self.value(operand);
-        if bind < least { format!("({text})") } else { text }
+        if bind < least {
+            format!("({text})")
+        } else {
+            text
+        }
     }
 }
 
@@ -116,5 +133,14 @@ pub(super) fn constant(c: f64) -> String {
         "T::splat(FRAC_PI_2)".into()
     } else {
         format!("T::splat({c:?})")
+    }
+}
+
+/// The local variable for a name of the model: arguments of the functions and words of Rust are avoided.
+pub(super) fn local(name: &str) -> String {
+    if crate::schedule::is_reserved(name) {
+        format!("{name}_")
+    } else {
+        name.to_string()
     }
 }

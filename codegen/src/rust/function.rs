@@ -1,7 +1,7 @@
 //! One function of a model as a file of its own.
 
 use super::WIDTH;
-use super::expression::Writer;
+use super::expression::{Writer, local};
 use crate::compile::Compiled;
 use crate::count;
 use crate::program::{Function, Op, Operand, Unary};
@@ -11,6 +11,9 @@ use std::fmt::Write;
 /// Longest expression that is written inside another.
 const INLINE: usize = 64;
 
+/// Longest right side of a statement: what fits a line of its own.
+const LINE: usize = WIDTH - 9;
+
 /// The text of a function's file.
 pub(super) fn emit(compiled: &Compiled, function: &Function) -> String {
     let mut text = head(compiled, function);
@@ -19,7 +22,10 @@ pub(super) fn emit(compiled: &Compiled, function: &Function) -> String {
     let _ = writeln!(text, "use lanes::Real;");
     let lines = body.lines();
     for constant in ["FRAC_PI_2", "PI"] {
-        if lines.iter().any(|line| line.contains(&format!("T::splat({constant})"))) {
+        if lines
+            .iter()
+            .any(|line| line.contains(&format!("T::splat({constant})")))
+        {
             let _ = writeln!(text, "use std::f64::consts::{constant};");
         }
     }
@@ -29,6 +35,14 @@ pub(super) fn emit(compiled: &Compiled, function: &Function) -> String {
     let inputs = inputs(compiled, function.name);
     text.push_str("#[inline(always)]\n");
     text.push_str(&signature(compiled, function, &inputs, &used));
+    if lines.is_empty() {
+        // as rustfmt has it
+        if !text.ends_with("\n) {\n") {
+            text.truncate(text.trim_end().len());
+        }
+        text.push_str("}\n");
+        return text;
+    }
     for line in lines {
         if line.is_empty() {
             text.push('\n');
@@ -61,10 +75,16 @@ fn sentence(name: &str) -> &'static str {
     match name {
         "prepare" => "What depends on the parameters alone, once per flight.",
         "f" => "Derivatives `dx` of the states.",
-        "f_jac" => "Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`.",
-        "f_jac_par" => "`dx`, `j`, and the entries `jp` of the Jacobian by the parameters, see `JP_PATTERN`.",
-        "observe" => "The marker `y` in the inertial frame.",
-        "observe_jac" => "The marker `y` and its derivatives by states, parameters and its own coordinates.",
+        "f_jac" => {
+            "Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`."
+        }
+        "f_jac_par" => {
+            "`dx`, `j`, and the entries `jp` of the Jacobian by the parameters, see `JP_PATTERN`."
+        }
+        "observe" => "The marker, `seen`, in the inertial frame.",
+        "observe_jac" => {
+            "The marker, `seen`, and its derivatives by states, parameters and its own coordinates."
+        }
         "quantities" => "Every named quantity, see `QUANTITIES`.",
         _ => "What must stay above `LIMITS`.",
     }
@@ -73,15 +93,15 @@ fn sentence(name: &str) -> &'static str {
 /// Inputs of a function: name, type.
 pub(super) fn inputs(compiled: &Compiled, name: &str) -> Vec<(&'static str, String)> {
     let layout = &compiled.layout;
-    let p = ("p", format!("&[T; {}]", layout.parameters.len()));
+    let parameters = ("parameters", format!("&[T; {}]", layout.parameters.len()));
     if name == "prepare" {
-        return vec![p];
+        return vec![parameters];
     }
     let mut inputs = vec![
-        ("t", "T".to_string()),
-        ("x", format!("&[T; {}]", layout.states.len())),
-        p,
-        ("k", format!("&[T; {}]", compiled.prepared.len())),
+        ("time", "T".to_string()),
+        ("state", format!("&[T; {}]", layout.states.len())),
+        parameters,
+        ("prepared", format!("&[T; {}]", compiled.prepared.len())),
     ];
     if name.starts_with("observe") {
         inputs.push(("marker", format!("&[T; {}]", layout.marker.len())));
@@ -98,12 +118,20 @@ fn signature(
     let mut arguments: Vec<String> = inputs
         .iter()
         .map(|(name, kind)| {
-            if used.contains(name) { format!("{name}: {kind}") } else { format!("_{name}: {kind}") }
+            if used.contains(name) {
+                format!("{name}: {kind}")
+            } else {
+                format!("_{name}: {kind}")
+            }
         })
         .collect();
     for section in &function.sections {
         let name = output(section.name);
-        let name = if section.len == 0 { format!("_{name}") } else { name.to_string() };
+        let name = if section.len == 0 {
+            format!("_{name}")
+        } else {
+            name.to_string()
+        };
         arguments.push(format!("{name}: &mut [T; {}]", section.len));
     }
     let name = function.name;
@@ -123,7 +151,10 @@ fn signature(
 /// Name of an output argument.
 pub(super) fn output(section: &'static str) -> &'static str {
     match section {
-        "prepared" => "k",
+        // a state may well be called y
+        "y" => "seen",
+        "q" => "values",
+        "l" => "margins",
         other => other,
     }
 }
@@ -137,7 +168,11 @@ struct Body<'a> {
 impl<'a> Body<'a> {
     fn new(compiled: &'a Compiled, function: &'a Function) -> Body<'a> {
         let program = &function.program;
-        let names = program.statements.iter().map(|statement| statement.name.clone()).collect();
+        let names = program
+            .statements
+            .iter()
+            .map(|statement| statement.name.clone())
+            .collect();
         let layout = &compiled.layout;
         let writer = Writer {
             program,
@@ -147,7 +182,11 @@ impl<'a> Body<'a> {
             prepared: &compiled.prepared,
             marker: &layout.marker,
         };
-        let mut body = Body { compiled, function, writer };
+        let mut body = Body {
+            compiled,
+            function,
+            writer,
+        };
         body.break_up();
         body
     }
@@ -157,7 +196,14 @@ impl<'a> Body<'a> {
         let program = &self.function.program;
         let layout = &self.compiled.layout;
         let mut taken: BTreeSet<String> = self.writer.names.iter().flatten().cloned().collect();
-        taken.extend(layout.states.iter().chain(&layout.parameters).chain(&self.compiled.prepared).cloned());
+        taken.extend(
+            layout
+                .states
+                .iter()
+                .chain(&layout.parameters)
+                .chain(&self.compiled.prepared)
+                .cloned(),
+        );
         // the name of the statement that each unnamed part ends up in
         let mut owner: Vec<Option<String>> = vec![None; program.statements.len()];
         for (output, name) in program.outputs.iter().zip(self.output_names()) {
@@ -175,19 +221,38 @@ impl<'a> Body<'a> {
                 }
             }
         }
+        let mut name_part = |writer: &mut Writer<'_>, k: usize| {
+            let base = owner[k].clone().unwrap_or_else(|| "rest".into());
+            let base = format!("part_of_{base}");
+            let mut name = base.clone();
+            let mut n = 2;
+            while !taken.insert(name.clone()) {
+                name = format!("{base}_{n}");
+                n += 1;
+            }
+            writer.names[k] = Some(name);
+        };
         for k in 0..program.statements.len() {
+            while self.writer.statement(k).len() > LINE {
+                let Some(part) = self.longest_part(k) else {
+                    break;
+                };
+                name_part(&mut self.writer, part);
+            }
             if self.writer.names[k].is_none() && self.writer.statement(k).len() > INLINE {
-                let base = owner[k].clone().unwrap_or_else(|| "rest".into());
-                let base = format!("part_of_{base}");
-                let mut name = base.clone();
-                let mut n = 2;
-                while !taken.insert(name.clone()) {
-                    name = format!("{base}_{n}");
-                    n += 1;
-                }
-                self.writer.names[k] = Some(name);
+                name_part(&mut self.writer, k);
             }
         }
+    }
+
+    /// The longest operand of a statement that is written inside it.
+    fn longest_part(&self, k: usize) -> Option<usize> {
+        let operands = self.function.program.statements[k].op.operands();
+        let parts = operands.into_iter().filter_map(|operand| match operand {
+            Operand::Temp(t) if self.writer.names[t as usize].is_none() => Some(t as usize),
+            _ => None,
+        });
+        parts.max_by_key(|&part| self.writer.statement(part).len())
     }
 
     /// What each output is called: `u_dot`, `d_u_dot_d_w`, …
@@ -226,17 +291,20 @@ impl<'a> Body<'a> {
 
     fn operands(&self) -> impl Iterator<Item = Operand> + '_ {
         let program = &self.function.program;
-        let inside = program.statements.iter().flat_map(|statement| statement.op.operands());
+        let inside = program
+            .statements
+            .iter()
+            .flat_map(|statement| statement.op.operands());
         inside.chain(program.outputs.iter().copied())
     }
 
     fn used_inputs(&self) -> BTreeSet<&'static str> {
         self.operands()
             .filter_map(|operand| match operand {
-                Operand::Time => Some("t"),
-                Operand::State(_) => Some("x"),
-                Operand::Parameter(_) => Some("p"),
-                Operand::Prepared(_) => Some("k"),
+                Operand::Time => Some("time"),
+                Operand::State(_) => Some("state"),
+                Operand::Parameter(_) => Some("parameters"),
+                Operand::Prepared(_) => Some("prepared"),
                 Operand::Marker(_) => Some("marker"),
                 Operand::Constant(_) | Operand::Temp(_) => None,
             })
@@ -266,12 +334,12 @@ impl<'a> Body<'a> {
         used.dedup();
         let line = |(kind, k): (u8, u32)| {
             let (array, names) = match kind {
-                0 => ("x", &layout.states),
-                1 => ("p", &layout.parameters),
-                2 => ("k", &self.compiled.prepared),
+                0 => ("state", &layout.states),
+                1 => ("parameters", &layout.parameters),
+                2 => ("prepared", &self.compiled.prepared),
                 _ => ("marker", &layout.marker),
             };
-            format!("let {} = {array}[{k}];", names[k as usize])
+            format!("let {} = {array}[{k}];", local(&names[k as usize]))
         };
         used.into_iter().map(line).collect()
     }
@@ -281,7 +349,9 @@ impl<'a> Body<'a> {
         let mut said: BTreeSet<(String, usize)> = BTreeSet::new();
         let mut done = vec![false; program.statements.len()];
         for (k, statement) in program.statements.iter().enumerate() {
-            let Some(name) = &self.writer.names[k] else { continue };
+            let Some(name) = &self.writer.names[k] else {
+                continue;
+            };
             if done[k] {
                 continue;
             }
@@ -295,7 +365,10 @@ impl<'a> Body<'a> {
             if let Op::Unary(Unary::Sin | Unary::Cos, angle) = statement.op
                 && let Some((sin, cos)) = self.sin_cos(k, angle, &mut done)
             {
-                lines.push(format!("let ({sin}, {cos}) = {}.sin_cos();", self.writer.operand(angle)));
+                lines.push(format!(
+                    "let ({sin}, {cos}) = {}.sin_cos();",
+                    self.writer.operand(angle)
+                ));
                 continue;
             }
             push_let(lines, &format!("let {name} ="), &self.writer.statement(k));
@@ -306,7 +379,8 @@ impl<'a> Body<'a> {
     fn sin_cos(&self, k: usize, angle: Operand, done: &mut [bool]) -> Option<(String, String)> {
         let statements = &self.function.program.statements;
         let find = |unary: Unary| {
-            let at = (k..statements.len()).find(|&at| statements[at].op == Op::Unary(unary, angle))?;
+            let at =
+                (k..statements.len()).find(|&at| statements[at].op == Op::Unary(unary, angle))?;
             Some((at, self.writer.names[at].clone()?))
         };
         let ((sin, sin_name), (cos, cos_name)) = (find(Unary::Sin)?, find(Unary::Cos)?);

@@ -21,25 +21,32 @@ pub(super) fn module(compiled: &Compiled, model: &Model) -> String {
     let layout = &compiled.layout;
     let mut text = String::from("// Written by `hyzer generate`; changes belong in the model.\n");
     for line in model.doc.lines() {
-        let _ = writeln!(text, "//! {}", line.trim_end());
+        let _ = writeln!(text, "{}", format!("//! {line}").trim_end());
     }
     if model.doc.trim().is_empty() {
         let _ = writeln!(text, "//! `{}`.", compiled.name);
     }
     text.push_str("//!\n//! | function | operations |\n//! |---|---|\n");
     for function in compiled.functions() {
-        let _ = writeln!(text, "//! | `{}` | {} |", function.name, crate::count::count(&function.program));
+        let _ = writeln!(
+            text,
+            "//! | `{}` | {} |",
+            function.name,
+            crate::count::count(&function.program)
+        );
     }
     text.push('\n');
-    for function in compiled.functions() {
-        let _ = writeln!(text, "mod {};", function.name);
-    }
     // modules in the order of rustfmt
-    let mut modules: Vec<&str> = compiled.functions().iter().map(|function| function.name).collect();
+    let mut modules: Vec<&str> = compiled
+        .functions()
+        .iter()
+        .map(|function| function.name)
+        .collect();
     modules.sort_unstable();
-    let declared: String = modules.iter().map(|name| format!("mod {name};\n")).collect();
-    let start = text.find("\nmod ").map_or(text.len(), |at| at + 1);
-    text.truncate(start);
+    let declared: String = modules
+        .iter()
+        .map(|name| format!("mod {name};\n"))
+        .collect();
     text.push_str(&declared);
     text.push('\n');
     for name in &modules {
@@ -49,10 +56,20 @@ pub(super) fn module(compiled: &Compiled, model: &Model) -> String {
 
     let numbers = |values: &[f64]| values.iter().map(|v| format!("{v:?}")).collect::<Vec<_>>();
     let strings = |values: &[String]| values.iter().map(|v| quoted(v)).collect::<Vec<_>>();
-    let names: Vec<&String> = compiled.columns.iter().map(|&k| &layout.parameters[k]).collect();
-    let _ = names;
-    list(&mut text, "STATES", "States, in order.", "&str", &strings(&layout.states));
-    list(&mut text, "INITIAL", "States where a release does not say otherwise.", "f64", &numbers(&layout.initial));
+    list(
+        &mut text,
+        "STATES",
+        "States, in order.",
+        "&str",
+        &strings(&layout.states),
+    );
+    list(
+        &mut text,
+        "INITIAL",
+        "States where a release does not say otherwise.",
+        "f64",
+        &numbers(&layout.initial),
+    );
     list(
         &mut text,
         "PARAMETERS",
@@ -60,8 +77,20 @@ pub(super) fn module(compiled: &Compiled, model: &Model) -> String {
         "&str",
         &strings(&layout.parameters),
     );
-    list(&mut text, "DEFAULTS", "Default values of `PARAMETERS`.", "f64", &numbers(&layout.defaults));
-    scalar(&mut text, "PARAMS", "How many of them are constants of the body and the place.", "usize", layout.params);
+    list(
+        &mut text,
+        "DEFAULTS",
+        "Default values of `PARAMETERS`.",
+        "f64",
+        &numbers(&layout.defaults),
+    );
+    scalar(
+        &mut text,
+        "PARAMS",
+        "How many of them are constants of the body and the place.",
+        "usize",
+        layout.params,
+    );
     scalar(
         &mut text,
         "COEFFICIENTS",
@@ -69,17 +98,65 @@ pub(super) fn module(compiled: &Compiled, model: &Model) -> String {
         "usize",
         layout.coefficients,
     );
-    list(&mut text, "PREPARED", "What `prepare` computes.", "&str", &strings(&compiled.prepared));
-    list(&mut text, "QUANTITIES", "What `quantities` computes.", "&str", &strings(&layout.quantities));
+    list(
+        &mut text,
+        "PREPARED",
+        "What `prepare` computes.",
+        "&str",
+        &strings(&compiled.prepared),
+    );
+    list(
+        &mut text,
+        "QUANTITIES",
+        "What `quantities` computes.",
+        "&str",
+        &strings(&layout.quantities),
+    );
     let bounds: Vec<f64> = model.limits.iter().map(|limit| limit.bound).collect();
-    list(&mut text, "LIMITS", "The model holds where each of `limits` is above its bound.", "f64", &numbers(&bounds));
-    let reasons: Vec<String> = model.limits.iter().map(|limit| limit.reason.clone()).collect();
-    list(&mut text, "LIMIT_REASONS", "What happens at each limit.", "&str", &strings(&reasons));
-    pattern(&mut text, "J_PATTERN", "(row, column) of each entry of `j`.", compiled.f_jac.pattern("j"));
-    pattern(&mut text, "JP_PATTERN", "(row, column) of each entry of `jp`.", compiled.f_jac_par.pattern("jp"));
+    list(
+        &mut text,
+        "LIMITS",
+        "The model holds where each of `limits` is above its bound.",
+        "f64",
+        &numbers(&bounds),
+    );
+    let reasons: Vec<String> = model
+        .limits
+        .iter()
+        .map(|limit| limit.reason.clone())
+        .collect();
+    list(
+        &mut text,
+        "LIMIT_REASONS",
+        "What happens at each limit.",
+        "&str",
+        &strings(&reasons),
+    );
+    pattern(
+        &mut text,
+        "J_PATTERN",
+        "(row, column) of each entry of `j`.",
+        compiled.f_jac.pattern("j"),
+    );
+    pattern(
+        &mut text,
+        "JP_PATTERN",
+        "(row, column) of each entry of `jp`.",
+        compiled.f_jac_par.pattern("jp"),
+    );
     let observe = &compiled.observe_jac;
-    pattern(&mut text, "DY_DX_PATTERN", "(row, column) of each entry of `dy_dx`.", observe.pattern("dy_dx"));
-    pattern(&mut text, "DY_DP_PATTERN", "(row, column) of each entry of `dy_dp`.", observe.pattern("dy_dp"));
+    pattern(
+        &mut text,
+        "DY_DX_PATTERN",
+        "(row, column) of each entry of `dy_dx`.",
+        observe.pattern("dy_dx"),
+    );
+    pattern(
+        &mut text,
+        "DY_DP_PATTERN",
+        "(row, column) of each entry of `dy_dp`.",
+        observe.pattern("dy_dp"),
+    );
     pattern(
         &mut text,
         "DY_DMARKER_PATTERN",
@@ -96,7 +173,11 @@ pub(super) fn module(compiled: &Compiled, model: &Model) -> String {
 }
 
 fn list(text: &mut String, name: &str, doc: &str, kind: &str, values: &[String]) {
-    let _ = writeln!(text, "/// {doc}\n#[rustfmt::skip]\npub const {name}: [{kind}; {}] = [", values.len());
+    let _ = writeln!(
+        text,
+        "/// {doc}\n#[rustfmt::skip]\npub const {name}: [{kind}; {}] = [",
+        values.len()
+    );
     let mut line = String::from("   ");
     for value in values {
         if line.len() + value.len() + 2 > super::WIDTH {
@@ -117,7 +198,11 @@ fn scalar(text: &mut String, name: &str, doc: &str, kind: &str, value: usize) {
 
 /// One row of the matrix a line.
 fn pattern(text: &mut String, name: &str, doc: &str, entries: &[(u32, u32)]) {
-    let _ = writeln!(text, "/// {doc}\n#[rustfmt::skip]\npub const {name}: [(u32, u32); {}] = [", entries.len());
+    let _ = writeln!(
+        text,
+        "/// {doc}\n#[rustfmt::skip]\npub const {name}: [(u32, u32); {}] = [",
+        entries.len()
+    );
     for row in entries.chunk_by(|a, b| a.0 == b.0) {
         let row: Vec<String> = row.iter().map(|(r, c)| format!("({r}, {c}),")).collect();
         let _ = writeln!(text, "    {}", row.join(" "));
@@ -128,7 +213,10 @@ fn pattern(text: &mut String, name: &str, doc: &str, entries: &[(u32, u32)]) {
 /// The implementation of the crate's trait, over slices.
 fn equations(text: &mut String, compiled: &Compiled) {
     let kind = type_name(&compiled.name);
-    let _ = writeln!(text, "/// These equations as a type.\n#[derive(Clone, Copy, Debug)]\npub struct {kind};\n");
+    let _ = writeln!(
+        text,
+        "/// These equations as a type.\n#[derive(Clone, Copy, Debug)]\npub struct {kind};\n"
+    );
     let _ = writeln!(text, "impl crate::Equations for {kind} {{");
     let _ = writeln!(text, "    const MODEL: &'static crate::Model = &MODEL;\n");
     for function in compiled.functions() {
@@ -150,14 +238,21 @@ fn equations(text: &mut String, compiled: &Compiled) {
         }
         let name = function.name;
         let _ = writeln!(text, "    #[rustfmt::skip]\n    #[inline(always)]");
-        let _ = writeln!(text, "    fn {name}<T: lanes::Real>({}) {{", arguments.join(", "));
+        let _ = writeln!(
+            text,
+            "    fn {name}<T: lanes::Real>({}) {{",
+            arguments.join(", ")
+        );
         let _ = writeln!(text, "        {name}({});\n    }}", passed.join(", "));
         text.push('\n');
     }
     text.truncate(text.trim_end().len());
     text.push_str("\n}\n\n");
     let observed = !compiled.layout.marker.is_empty();
-    let _ = writeln!(text, "/// The table of this model, for callers that pick one by name.");
+    let _ = writeln!(
+        text,
+        "/// The table of this model, for callers that pick one by name."
+    );
     let _ = writeln!(text, "pub static MODEL: crate::Model = crate::Model {{");
     let _ = writeln!(text, "    name: {},", quoted(&compiled.name));
     let _ = writeln!(text, "    source_hash: SOURCE_HASH,");
@@ -178,7 +273,10 @@ fn equations(text: &mut String, compiled: &Compiled) {
     ] {
         let _ = writeln!(text, "    {field}: &{value},");
     }
-    let _ = writeln!(text, "    params: PARAMS,\n    coefficients: COEFFICIENTS,\n    observed: {observed},");
+    let _ = writeln!(
+        text,
+        "    params: PARAMS,\n    coefficients: COEFFICIENTS,\n    observed: {observed},"
+    );
     for function in compiled.functions() {
         let name = function.name;
         let _ = writeln!(text, "    {name}: crate::plain::{name}::<{kind}>,");
@@ -191,7 +289,9 @@ fn type_name(name: &str) -> String {
     name.split('_')
         .map(|word| {
             let mut letters = word.chars();
-            letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+            letters.next().map_or_else(String::new, |first| {
+                first.to_uppercase().chain(letters).collect()
+            })
         })
         .collect()
 }
@@ -201,11 +301,14 @@ pub fn library(names: &[String]) -> String {
     let mut sorted = names.to_vec();
     sorted.sort();
     let mut text = String::from(include_str!("library.txt"));
-    let modules: String = sorted.iter().map(|name| format!("pub mod {name};\n")).collect();
+    let modules: String = sorted
+        .iter()
+        .map(|name| format!("pub mod {name};\n"))
+        .collect();
     let models: Vec<String> = names.iter().map(|name| format!("&{name}::MODEL")).collect();
     let mut table = format!("pub static MODELS: &[&Model] = &[{}];", models.join(", "));
     if table.len() > super::WIDTH || models.join(", ").len() > 60 {
-        table = format!("#[rustfmt::skip]\npub static MODELS: &[&Model] = &[\n");
+        table = String::from("#[rustfmt::skip]\npub static MODELS: &[&Model] = &[\n");
         for model in &models {
             let _ = writeln!(table, "    {model},");
         }
@@ -214,9 +317,16 @@ pub fn library(names: &[String]) -> String {
     let arms: String = names
         .iter()
         .map(|name| {
-            format!("        {} => Some(visitor.visit::<{name}::{}>()),\n", quoted(name), type_name(name))
+            format!(
+                "        {} => Some(visitor.visit::<{name}::{}>()),\n",
+                quoted(name),
+                type_name(name)
+            )
         })
         .collect();
-    text = text.replace("@MODULES@\n", &modules).replace("@MODELS@", &table).replace("@ARMS@\n", &arms);
+    text = text
+        .replace("@MODULES@\n", &modules)
+        .replace("@MODELS@", &table)
+        .replace("@ARMS@\n", &arms);
     text
 }

@@ -3,7 +3,7 @@
 mod naming;
 pub mod prepare;
 
-pub use naming::Namer;
+pub use naming::{Namer, is_reserved};
 use prepare::Prepare;
 
 use crate::graph::{Function, Graph, Symbol};
@@ -14,7 +14,12 @@ use std::f64::consts::PI;
 /// Puts the definitions in order.
 ///
 /// With `prepare`, what depends on parameters alone is left to the function that runs before the flight.
-pub fn schedule(dag: &Dag, graph: &Graph, namer: &mut Namer, prepare: Option<&mut Prepare>) -> Program {
+pub fn schedule(
+    dag: &Dag,
+    graph: &Graph,
+    namer: &mut Namer,
+    prepare: Option<&mut Prepare>,
+) -> Program {
     let order = dag.order();
     let mut uses = vec![0_u32; dag.defs.len()];
     for &id in &order {
@@ -96,7 +101,17 @@ impl Schedule<'_> {
                 }
                 let never = self.dag.facts[*x as usize].nonzero;
                 let x = self.value(*x);
-                self.finish(Op::Unary(if never { Unary::Recip } else { Unary::RecipOrZero }, x), id)
+                self.finish(
+                    Op::Unary(
+                        if never {
+                            Unary::Recip
+                        } else {
+                            Unary::RecipOrZero
+                        },
+                        x,
+                    ),
+                    id,
+                )
             }
             Def::Call(function, x) => self.call(*function, *x, id),
             Def::Atan2(a, b) => self.binary(Binary::Atan2, *a, *b, id),
@@ -137,7 +152,11 @@ impl Schedule<'_> {
     }
 
     fn push(&mut self, op: Op) -> Operand {
-        self.program.statements.push(Statement { op, name: None, about: None });
+        self.program.statements.push(Statement {
+            op,
+            name: None,
+            about: None,
+        });
         Operand::Temp(self.program.statements.len() as u32 - 1)
     }
 
@@ -148,7 +167,13 @@ impl Schedule<'_> {
         let named = self.namer.has_own_name(self.dag, self.graph, id);
         let last = self.program.statements.len() - 1;
         self.program.statements[last].about = about;
-        if named || self.uses[id as usize] > 1 || !matches!(op, Op::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, ..)) {
+        if named
+            || self.uses[id as usize] > 1
+            || !matches!(
+                op,
+                Op::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, ..)
+            )
+        {
             let name = self.namer.name(self.dag, self.graph, id);
             self.program.statements[last].name = Some(name);
         }
@@ -211,7 +236,9 @@ impl Schedule<'_> {
         for &(minus, term) in terms {
             let value = self.value(term);
             values.push(match value {
-                Operand::Constant(c) if minus && !terms.iter().any(|(minus, _)| !minus) => (false, Operand::Constant(-c)),
+                Operand::Constant(c) if minus && !terms.iter().any(|(minus, _)| !minus) => {
+                    (false, Operand::Constant(-c))
+                }
                 _ => (minus, value),
             });
         }
@@ -234,7 +261,11 @@ impl Schedule<'_> {
         let many = rest.len();
         for (k, (minus, term)) in rest.into_iter().enumerate() {
             let op = Op::Binary(if minus { Binary::Sub } else { Binary::Add }, value, term);
-            value = if k + 1 == many { self.finish(op, id) } else { self.push(op) };
+            value = if k + 1 == many {
+                self.finish(op, id)
+            } else {
+                self.push(op)
+            };
         }
         value
     }
@@ -272,7 +303,11 @@ impl Schedule<'_> {
         }
         for (k, (binary, operand)) in steps.into_iter().enumerate() {
             let op = Op::Binary(binary, value, operand);
-            value = if k + 1 == many { self.finish(op, id) } else { self.push(op) };
+            value = if k + 1 == many {
+                self.finish(op, id)
+            } else {
+                self.push(op)
+            };
         }
         value
     }

@@ -5,6 +5,26 @@ use crate::optimise::{Dag, Def, DefId};
 use crate::program::About;
 use std::collections::BTreeSet;
 
+/// Arguments of generated functions.
+const ARGUMENTS: [&str; 16] = [
+    "time",
+    "state",
+    "parameters",
+    "prepared",
+    "marker",
+    "dx",
+    "j",
+    "jp",
+    "seen",
+    "dy_dx",
+    "dy_dp",
+    "dy_dmarker",
+    "values",
+    "margins",
+    "T",
+    "PI",
+];
+
 /// Longest name made from structure.
 const LONGEST: usize = 28;
 
@@ -22,22 +42,32 @@ pub struct Namer {
 impl Namer {
     /// For a function over these states and parameters.
     pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
-        let reserved = ["t", "x", "p", "k", "dx", "j", "jp", "y", "marker", "dy_dx", "dy_dp", "dy_dmarker", "out", "T"];
-        let taken = reserved.iter().map(|&name| name.to_string());
-        let taken = taken.chain(states.iter().cloned()).chain(parameters.iter().cloned()).collect();
+        let taken = ARGUMENTS.iter().map(|&name| name.to_string());
+        let taken = taken
+            .chain(states.iter().cloned())
+            .chain(parameters.iter().cloned())
+            .collect();
         Namer {
             taken,
             given: FastMap::default(),
             states: states.to_vec(),
             parameters: parameters.to_vec(),
-            origins: origins.iter().enumerate().map(|(k, name)| (name.clone(), k)).collect(),
+            origins: origins
+                .iter()
+                .enumerate()
+                .map(|(k, name)| (name.clone(), k))
+                .collect(),
         }
     }
 
     fn own(&self, dag: &Dag, graph: &Graph, id: DefId) -> Option<String> {
         let (minus, node) = dag.origin[id as usize]?;
         let name = graph.name_of(node)?;
-        Some(if minus { format!("minus_{name}") } else { name.to_string() })
+        Some(if minus {
+            format!("minus_{name}")
+        } else {
+            name.to_string()
+        })
     }
 
     /// Whether the model (or a derivative of its quantities) names it.
@@ -49,7 +79,10 @@ impl Namer {
     pub fn about(&self, dag: &Dag, graph: &Graph, id: DefId) -> Option<About> {
         let own = self.own(dag, graph, id)?;
         let origin = *self.origins.get(own.trim_start_matches("minus_"))?;
-        Some(About { origin, exact: true })
+        Some(About {
+            origin,
+            exact: true,
+        })
     }
 
     /// A name that is not taken yet.
@@ -70,7 +103,11 @@ impl Namer {
     }
 
     fn unique(&mut self, wanted: &str) -> String {
-        let wanted = if is_keyword(wanted) { format!("{wanted}_") } else { wanted.to_string() };
+        let wanted = if is_keyword(wanted) {
+            format!("{wanted}_")
+        } else {
+            wanted.to_string()
+        };
         let mut name = wanted.clone();
         let mut k = 2;
         while !self.taken.insert(name.clone()) {
@@ -100,15 +137,25 @@ impl Namer {
             return own;
         }
         let inner = |id: DefId| {
-            if depth == 0 { String::from("part") } else { self.describe(dag, graph, id, depth - 1) }
+            if depth == 0 {
+                String::from("part")
+            } else {
+                self.describe(dag, graph, id, depth - 1)
+            }
         };
         let name = match &dag.defs[id as usize] {
-            Def::Leaf(Symbol::Time) => "t".into(),
+            Def::Leaf(Symbol::Time) => "time".into(),
             Def::Leaf(Symbol::Pi) => "pi".into(),
-            Def::Leaf(Symbol::State(k)) => self.states.get(*k as usize).cloned().unwrap_or_else(|| format!("x{k}")),
-            Def::Leaf(Symbol::Parameter(k)) => {
-                self.parameters.get(*k as usize).cloned().unwrap_or_else(|| format!("p{k}"))
-            }
+            Def::Leaf(Symbol::State(k)) => self
+                .states
+                .get(*k as usize)
+                .cloned()
+                .unwrap_or_else(|| format!("x{k}")),
+            Def::Leaf(Symbol::Parameter(k)) => self
+                .parameters
+                .get(*k as usize)
+                .cloned()
+                .unwrap_or_else(|| format!("p{k}")),
             Def::Leaf(Symbol::Marker(k)) => format!("mark_{}", ["x", "y", "z"][*k as usize % 3]),
             Def::Leaf(Symbol::Local(k)) => format!("local_{k}"),
             Def::Constant(number) => match number.value() {
@@ -149,14 +196,22 @@ impl Namer {
             Def::Recip(x) => format!("inv_{}", inner(*x)),
             Def::Call(function, (minus, x)) => {
                 let sign = if *minus { "minus_" } else { "" };
-                format!("{}_{sign}{}", format!("{function:?}").to_lowercase(), inner(*x))
+                format!(
+                    "{}_{sign}{}",
+                    format!("{function:?}").to_lowercase(),
+                    inner(*x)
+                )
             }
             Def::Atan2((_, y), (_, x)) => format!("angle_{}_{}", inner(*y), inner(*x)),
             Def::Min((_, a), (_, b)) => format!("min_{}_{}", inner(*a), inner(*b)),
             Def::Max((_, a), (_, b)) => format!("max_{}_{}", inner(*a), inner(*b)),
             Def::IfZero(c, ..) => format!("unless_{}", inner(*c)),
         };
-        if name.len() <= LONGEST { name } else { shorten(dag, &name, id) }
+        if name.len() <= LONGEST {
+            name
+        } else {
+            shorten(dag, &name, id)
+        }
     }
 }
 
@@ -174,11 +229,17 @@ fn shorten(dag: &Dag, name: &str, id: DefId) -> String {
     format!("{}_{kind}", name[..cut].trim_end_matches('_'))
 }
 
+/// Whether a name is an argument of generated functions or a word of Rust.
+pub fn is_reserved(name: &str) -> bool {
+    ARGUMENTS.contains(&name) || is_keyword(name)
+}
+
 fn is_keyword(name: &str) -> bool {
     const KEYWORDS: [&str; 41] = [
-        "as", "async", "await", "box", "break", "const", "continue", "crate", "do", "dyn", "else", "enum", "extern",
-        "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub",
-        "ref", "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "use", "where", "while",
+        "as", "async", "await", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
+        "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
+        "match", "mod", "move", "mut", "pub", "ref", "return", "self", "static", "struct", "super",
+        "trait", "true", "try", "type", "use", "where", "while",
     ];
     KEYWORDS.contains(&name)
 }

@@ -66,13 +66,23 @@ impl Prepare {
                 let terms = terms
                     .iter()
                     .map(|&(minus, term)| {
-                        (if minus { Number::MINUS_ONE } else { Number::ONE }, self.node(dag, term, known))
+                        (
+                            if minus {
+                                Number::MINUS_ONE
+                            } else {
+                                Number::ONE
+                            },
+                            self.node(dag, term, known),
+                        )
                     })
                     .collect();
                 self.graph.sum(terms, Number::ZERO)
             }
             Def::Product(factors) => {
-                let factors = factors.iter().map(|&factor| (self.node(dag, factor, known), 2)).collect();
+                let factors = factors
+                    .iter()
+                    .map(|&factor| (self.node(dag, factor, known), 2))
+                    .collect();
                 self.graph.product(factors)
             }
             Def::Root(x) => {
@@ -112,7 +122,12 @@ impl Prepare {
         node
     }
 
-    fn signed(&mut self, dag: &Dag, (minus, id): (bool, DefId), known: &mut FastMap<DefId, NodeId>) -> NodeId {
+    fn signed(
+        &mut self,
+        dag: &Dag,
+        (minus, id): (bool, DefId),
+        known: &mut FastMap<DefId, NodeId>,
+    ) -> NodeId {
         let node = self.node(dag, id, known);
         if minus { self.graph.neg(node) } else { node }
     }

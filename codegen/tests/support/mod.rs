@@ -6,12 +6,17 @@ use model_spec::model::Model;
 use num_dual::{Dual64, DualNum};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The built-in models that are compiled.
-pub const MODELS: [&str; 2] = ["disc", "ball"];
+/// Names of the built-in models.
+pub fn models() -> Vec<&'static str> {
+    model_spec::load::MODELS
+        .iter()
+        .map(|(name, _)| *name)
+        .collect()
+}
 
 /// A built-in model.
 pub fn model(name: &str) -> Model {
-    model_spec::load::load(name, &[]).unwrap_or_else(|faults| panic!("{name}: {faults:?}"))
+    model_spec::load::load(name, &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A number with one derivative, by num-dual; the tape's own operations carry it.
@@ -23,7 +28,11 @@ impl Dual {
         Dual(Dual64::new(value, derivative))
     }
     fn guarded(self, singular: bool, value: impl Fn(Dual64) -> Dual64) -> Dual {
-        if singular { Dual::new(0.0, 0.0) } else { Dual(value(self.0)) }
+        if singular {
+            Dual::new(0.0, 0.0)
+        } else {
+            Dual(value(self.0))
+        }
     }
 }
 
@@ -99,7 +108,11 @@ impl Real for Dual {
         Dual::new(f64::from(u8::from(self.0.re > 0.0)), 0.0)
     }
     fn if_zero(self, then: Dual, otherwise: Dual) -> Dual {
-        if self.0.re.abs() < 1e-75 { then } else { otherwise }
+        if self.0.re.abs() < 1e-75 {
+            then
+        } else {
+            otherwise
+        }
     }
 }
 
@@ -136,7 +149,13 @@ pub fn point(compiled: &codegen::Compiled, random: &mut Random) -> (Vec<f64>, Ve
     let p = layout
         .default_parameters()
         .iter()
-        .map(|&value| if value == 0.0 { 2.0 * random.next() } else { value * (1.0 + 0.3 * random.next()) })
+        .map(|&value| {
+            if value == 0.0 {
+                2.0 * random.next()
+            } else {
+                value * (1.0 + 0.3 * random.next())
+            }
+        })
         .collect();
     (x, p)
 }

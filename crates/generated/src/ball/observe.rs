@@ -1,0 +1,33 @@
+// Written by `hyzer generate`; changes belong in the model.
+//! `ball`: what is observed.
+
+use lanes::Real;
+
+/// The marker, `seen`, in the inertial frame.
+///
+/// 3 operations: 3 add.
+#[inline(always)]
+pub fn observe<T: Real>(
+    _time: T,
+    state: &[T; 6],
+    _parameters: &[T; 11],
+    _prepared: &[T; 8],
+    marker: &[T; 3],
+    seen: &mut [T; 3],
+) {
+    let x = state[0];
+    let y = state[1];
+    let z = state[2];
+    let mark_x = marker[0];
+    let mark_y = marker[1];
+    let mark_z = marker[2];
+
+    // ball.hyz:43  observe mark = position + mark;
+    let mark_x = mark_x + x;
+    let mark_y = mark_y + y;
+    let mark_z = mark_z + z;
+
+    seen[0] = mark_x;
+    seen[1] = mark_y;
+    seen[2] = mark_z;
+}

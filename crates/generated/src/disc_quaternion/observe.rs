@@ -1,0 +1,49 @@
+// Written by `hyzer generate`; changes belong in the model.
+//! `disc_quaternion`: what is observed.
+
+use lanes::Real;
+
+/// The marker, `seen`, in the inertial frame.
+///
+/// 44 operations: 20 add, 24 mul.
+#[inline(always)]
+pub fn observe<T: Real>(
+    _time: T,
+    state: &[T; 13],
+    _parameters: &[T; 18],
+    _prepared: &[T; 16],
+    marker: &[T; 3],
+    seen: &mut [T; 3],
+) {
+    let x = state[0];
+    let y = state[1];
+    let z = state[2];
+    let q0 = state[6];
+    let q1 = state[7];
+    let q2 = state[8];
+    let q3 = state[9];
+    let mark_x = marker[0];
+    let mark_y = marker[1];
+    let mark_z = marker[2];
+    let q3_sq_two = T::splat(2.0) * q3 * q3;
+    let q2_sq_two_minus_n1 = T::splat(2.0) * q2 * q2 - T::splat(1.0);
+    let q2_q0 = q2 * q0;
+    let q3_q1 = q3 * q1;
+    let q0_q3 = q0 * q3;
+    let q2_q1 = q2 * q1;
+    let part_of_mark_x = T::splat(2.0) * (mark_z * (q2_q0 + q3_q1) + mark_y * (q2_q1 - q0_q3));
+
+    // disc_quaternion.hyz:84  observe mark = position + in_N(mark);
+    let mark_x = x - mark_x * (q3_sq_two + q2_sq_two_minus_n1) + part_of_mark_x;
+    let q1_sq_two = T::splat(2.0) * q1 * q1;
+    let q0_q1 = q0 * q1;
+    let q2_q3 = q2 * q3;
+    let part_of_mark_y = T::splat(2.0) * (mark_z * (q2_q3 - q0_q1) + mark_x * (q0_q3 + q2_q1));
+    let mark_y = y - mark_y * (q3_sq_two - T::splat(1.0) + q1_sq_two) + part_of_mark_y;
+    let part_of_mark_z = T::splat(2.0) * (mark_y * (q0_q1 + q2_q3) + mark_x * (q3_q1 - q2_q0));
+    let mark_z = z - mark_z * (q1_sq_two + q2_sq_two_minus_n1) + part_of_mark_z;
+
+    seen[0] = mark_x;
+    seen[1] = mark_y;
+    seen[2] = mark_z;
+}

@@ -1,0 +1,136 @@
+// Written by `hyzer generate`; changes belong in the model.
+//! `disc_quaternion`: the named quantities.
+
+use lanes::Real;
+
+/// Every named quantity, see `QUANTITIES`.
+///
+/// 91 operations: 28 add, 52 mul, 1 div, 7 neg, 2 sqrt, 1 call.
+#[inline(always)]
+pub fn quantities<T: Real>(
+    _time: T,
+    state: &[T; 13],
+    parameters: &[T; 18],
+    prepared: &[T; 16],
+    values: &mut [T; 24],
+) {
+    let vx = state[3];
+    let vy = state[4];
+    let vz = state[5];
+    let q0 = state[6];
+    let q1 = state[7];
+    let q2 = state[8];
+    let q3 = state[9];
+    let p = state[10];
+    let q = state[11];
+    let r = state[12];
+    let d = parameters[3];
+    let C_L0 = parameters[7];
+    let C_La = parameters[8];
+    let C_D0 = parameters[9];
+    let C_Da = parameters[10];
+    let C_Ma = parameters[11];
+    let C_Mq = parameters[12];
+    let C_Rr = parameters[13];
+    let C_Nr = parameters[14];
+    let wind_x = parameters[15];
+    let wind_y = parameters[16];
+    let wind_z = parameters[17];
+    let p5_half = prepared[14];
+    let p4_p5_half = prepared[15];
+    let q2_q0 = q2 * q0;
+    let q3_q1 = q3 * q1;
+    let minus_wind_z_plus_vz = vz - wind_z;
+    let q3_sq_two = T::splat(2.0) * q3 * q3;
+    let q2_sq_two_minus_n1 = T::splat(2.0) * q2 * q2 - T::splat(1.0);
+    let minus_wind_x_plus_vx = vx - wind_x;
+    let part_of_air_velocity_1 = (q3_sq_two + q2_sq_two_minus_n1) * minus_wind_x_plus_vx;
+    let q0_q3 = q0 * q3;
+    let q2_q1 = q2 * q1;
+    let minus_wind_y_plus_vy = vy - wind_y;
+    let part_of_air_velocity_1_2 =
+        part_of_air_velocity_1 - T::splat(2.0) * (q0_q3 + q2_q1) * minus_wind_y_plus_vy;
+
+    // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
+    let air_velocity_1 =
+        T::splat(2.0) * (q3_q1 - q2_q0) * minus_wind_z_plus_vz - part_of_air_velocity_1_2;
+    let q1_sq_two = T::splat(2.0) * q1 * q1;
+    let part_of_air_velocity_2_2 = minus_wind_y_plus_vy * (q3_sq_two - T::splat(1.0) + q1_sq_two);
+    let q0_q1 = q0 * q1;
+    let q2_q3 = q2 * q3;
+    let part_of_air_velocity_2 =
+        minus_wind_z_plus_vz * (q0_q1 + q2_q3) + minus_wind_x_plus_vx * (q2_q1 - q0_q3);
+    let air_velocity_2 = T::splat(2.0) * part_of_air_velocity_2 - part_of_air_velocity_2_2;
+    let part_of_minus_wind_z_plus_sum_2 = minus_wind_z_plus_vz * (q1_sq_two + q2_sq_two_minus_n1);
+    let part_of_minus_wind_z_plus_sum =
+        minus_wind_y_plus_vy * (q2_q3 - q0_q1) + minus_wind_x_plus_vx * (q2_q0 + q3_q1);
+    let minus_wind_z_plus_sum =
+        part_of_minus_wind_z_plus_sum_2 - T::splat(2.0) * part_of_minus_wind_z_plus_sum;
+    let minus_air_velocity_1 = -air_velocity_1;
+    let air_velocity_2_sq_plus_sum =
+        air_velocity_2 * air_velocity_2 + minus_air_velocity_1 * minus_air_velocity_1;
+    let minus_wind_z_plus_sum_sum =
+        minus_wind_z_plus_sum * minus_wind_z_plus_sum + air_velocity_2_sq_plus_sum;
+    let sqrt_minus_wind_z_plus_of = minus_wind_z_plus_sum_sum.sqrt();
+    let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
+    let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
+    let minus_air_velocity_product = minus_air_velocity_1 * inv_sqrt_air_velocity_2_of;
+
+    // disc_quaternion.hyz:58  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
+    let d1_2 = air_velocity_2 * inv_sqrt_air_velocity_2_of;
+
+    // disc_quaternion.hyz:62  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    let alpha = minus_wind_z_plus_sum.atan2(sqrt_air_velocity_2_sq_of);
+
+    // disc_quaternion.hyz:66  let C_L = C_L0 + C_La*alpha;
+    let C_L = C_La * alpha + C_L0;
+
+    // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
+    let C_D = C_Da * alpha * alpha + C_D0;
+    let minus_wind_z_plus_product = p4_p5_half * minus_wind_z_plus_sum_sum;
+    let minus_air_velocity_2_q_sum = minus_air_velocity_1 * p - air_velocity_2 * q;
+    let minus_minus_air_sum = -minus_air_velocity_2_q_sum;
+
+    // disc_quaternion.hyz:72  let rate_1 = dot(angular_velocity, d1);
+    let rate_1 = inv_sqrt_air_velocity_2_of * minus_minus_air_sum;
+    let minus_air_velocity_1_q_sum = minus_air_velocity_1 * q + air_velocity_2 * p;
+
+    // disc_quaternion.hyz:73  let rate_2 = dot(angular_velocity, d2);
+    let rate_2 = -(inv_sqrt_air_velocity_2_of * minus_air_velocity_1_q_sum);
+    let inv_sqrt_air_product = C_Mq * inv_sqrt_air_velocity_2_of;
+    let part_of_roll = C_Rr * r - minus_air_velocity_2_q_sum * inv_sqrt_air_product;
+    let d_minus_wind_z_plus_product = d * minus_wind_z_plus_product;
+    let part_of_pitch = C_Ma * alpha - minus_air_velocity_1_q_sum * inv_sqrt_air_product;
+
+    // disc_quaternion.hyz:76  let spin_down = C_Nr*r;
+    let spin_down = C_Nr * r;
+    let minus_minus_wind_z_plus_sum = -minus_wind_z_plus_sum;
+    let minus_minus_air_velocity_product = -minus_air_velocity_product;
+    let minus_d1_2 = -d1_2;
+    let minus_minus_air_velocity_product_2 = -minus_air_velocity_product;
+
+    values[0] = air_velocity_1;
+    values[1] = air_velocity_2;
+    values[2] = minus_minus_wind_z_plus_sum;
+    values[3] = T::splat(0.0);
+    values[4] = T::splat(0.0);
+    values[5] = T::splat(1.0);
+    values[6] = sqrt_minus_wind_z_plus_of;
+    values[7] = minus_minus_air_velocity_product;
+    values[8] = d1_2;
+    values[9] = T::splat(0.0);
+    values[10] = minus_d1_2;
+    values[11] = minus_minus_air_velocity_product_2;
+    values[12] = T::splat(0.0);
+    values[13] = alpha;
+    values[14] = p5_half * minus_wind_z_plus_sum_sum;
+    values[15] = C_L;
+    values[16] = C_D;
+    values[17] = C_L * minus_wind_z_plus_product;
+    values[18] = C_D * minus_wind_z_plus_product;
+    values[19] = rate_1;
+    values[20] = rate_2;
+    values[21] = part_of_roll * d_minus_wind_z_plus_product;
+    values[22] = part_of_pitch * d_minus_wind_z_plus_product;
+    values[23] = spin_down;
+}
