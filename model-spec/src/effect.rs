@@ -1,6 +1,6 @@
 //! Effects: changes to a model, stated once and applied to its tree.
 
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::diagnostic::{Diagnostic, Kind, SHOWN, Span};
 use crate::suggest;
 use crate::syntax;
 use crate::syntax::ast::{
@@ -13,6 +13,9 @@ pub const SITES: [&str; 15] = [
     "lift", "drag", "side", "roll", "pitch", "spin", "wind", "gravity", "vertical", "scale",
     "clock", "marker", "inertia", "noise", "unknown",
 ];
+
+/// Every statement of an effect is looked for in the whole model.
+const MOST_PARTS: usize = 500;
 
 /// An expression does not grow beyond this when a definition is put into its replacement.
 const MOST_NODES: usize = 20_000;
@@ -31,6 +34,12 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
         diagnostics: Vec::new(),
     };
     change.is_for_this_model(effect);
+    if effect.parts.len() > MOST_PARTS {
+        let message = format!("an effect has at most {MOST_PARTS} statements");
+        change
+            .diagnostics
+            .push(Diagnostic::new(Kind::Limit, effect.name.span, message));
+    }
     if !change.diagnostics.is_empty() {
         return Err(change.diagnostics);
     }
@@ -188,7 +197,9 @@ impl Change<'_> {
                 _ => None,
             });
             let near = match &item.kind {
-                ItemKind::Let(l) => suggest::nearest(&l.name.text, names),
+                ItemKind::Let(l) if self.diagnostics.len() < SHOWN => {
+                    suggest::nearest(&l.name.text, names)
+                }
                 _ => None,
             };
             let message = format!(

@@ -1,5 +1,6 @@
 //! Models by name or path, with effects switched on.
 
+use std::collections::HashSet;
 use std::fmt;
 use std::path::Path;
 
@@ -159,17 +160,16 @@ fn faults_of_offers(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
         _ => None,
     });
     let mut diagnostics = Vec::new();
-    let mut seen: Vec<&str> = Vec::new();
+    let mut seen: HashSet<&str> = HashSet::new();
     for offered in effects_of(file) {
         let name = &offered.name;
-        if seen.contains(&name.text.as_str()) {
+        if !seen.insert(&name.text) {
             let message = format!("there are two effects `{}`", name.text);
             diagnostics.push(
                 Diagnostic::new(Kind::Duplicate, name.span, message).help("rename one of them"),
             );
             continue;
         }
-        seen.push(&name.text);
         let applied = file.applied.iter().any(|a| a.name.text == name.text);
         let elsewhere =
             !offered.on.is_empty() && offered.on.iter().all(|on| Some(on.text.as_str()) != model);

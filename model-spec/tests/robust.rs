@@ -318,3 +318,73 @@ fn powers_of_powers_are_digested() {
     }
     digest(text);
 }
+
+#[test]
+fn files_as_long_as_they_may_be_are_digested_quickly() {
+    let base = MODELS[0].1;
+    let lines: [(&str, fn(usize) -> String); 22] = [
+        ("", |_| "a;".into()),
+        ("", |i| format!("model m{i};")),
+        ("", |i| format!("frame F{i} = G{i} turned a about 1;")),
+        ("model m; frame F0;", |i| {
+            format!("frame F{} = F{i} turned a{i} about 1;", i + 1)
+        }),
+        ("model m; frame N;", |i| {
+            format!("state x{i} = 1; der(y{i}) = 1;")
+        }),
+        ("model m; frame N;", |i| {
+            format!("state x{i} = 1; der(x{i}) = der(x{});", i + 1)
+        }),
+        (base, |i| format!("check \"{i}\" {{}}")),
+        (base, |i| {
+            format!("check \"{i}\" {{ set q{i} = 1; expect q{i} = 1 within 1; }}")
+        }),
+        (base, |i| format!("effect e{i} {{ site drag; }}")),
+        (base, |i| format!("limit x > {i} \"a\";")),
+        (base, |i| format!("let a{i} = b{i};")),
+        (base, |i| format!("let a{i} = f{i}(x);")),
+        (base, |i| format!("let a{i} = in_F{i}(x);")),
+        (base, |i| format!("let a{i} = x/z;")),
+        (base, |i| format!("let a{i} = x + vx;")),
+        (base, |i| format!("let a{i} = 1/(x*y*z*vx*vy*vz);")),
+        (base, |i| format!("let a{i} = a{};", i + 1)),
+        (base, |i| format!("param a{i} = 3 furlong{i};")),
+        (base, |i| format!("force f{i} = x;")),
+        (base, |_| "force f = x*N.1;".into()),
+        (base, |i| format!("input w{i} in M{i} = (0, 0, 0);")),
+        (base, |i| {
+            format!("marker m{i} in N; observe m{i} = position;")
+        }),
+    ];
+    for (head, line) in lines {
+        let mut text = head.to_owned();
+        let mut i = 0;
+        while text.len() < 500_000 {
+            text += &line(i);
+            text.push('\n');
+            i += 1;
+        }
+        let start = std::time::Instant::now();
+        digest(text);
+        println!("{:?} {}", start.elapsed(), line(1));
+    }
+    // One effect that replaces very much.
+    let mut text = base.to_owned();
+    (0..15_000).for_each(|i| text += &format!("let a{i} = x;\n"));
+    text += "effect e { site drag;\n";
+    (0..15_000).for_each(|i| text += &format!("replace a{i} = y; negligible b{i} 1;\n"));
+    text += "}\n";
+    digest(text);
+    // One expression with very many names, and a fault.
+    let names: Vec<String> = (0..30_000).map(|i| format!("a{i}")).collect();
+    let mut text = base.to_owned();
+    names
+        .iter()
+        .for_each(|n| text += &format!("param {n} = 1;\n"));
+    let rows: Vec<String> = names
+        .chunks(170)
+        .map(|c| format!("({})", c.join("*")))
+        .collect();
+    text += &format!("let s = x + vx*({});\n", rows.join(" + "));
+    digest(text);
+}

@@ -1,5 +1,7 @@
 //! Limits of a model and its check cases.
 
+use std::collections::HashMap;
+
 use super::quantity::Measure;
 use super::scope::Symbol;
 use super::term::Term;
@@ -118,7 +120,7 @@ impl Checker<'_> {
     /// The check cases.
     pub fn cases(&mut self) {
         let file = self.file;
-        let mut titles: Vec<(&str, Span)> = Vec::new();
+        let mut titles: HashMap<&str, Span> = HashMap::new();
         for item in &file.items {
             let ItemKind::Check(check) = &item.kind else {
                 continue;
@@ -127,10 +129,10 @@ impl Checker<'_> {
                 end: item.span.start + "check".len() as u32,
                 ..item.span
             };
-            if let Some(&(_, first)) = titles.iter().find(|t| t.0 == check.title) {
+            if let Some(&first) = titles.get(check.title.as_str()) {
                 self.second(&format!("check \"{}\"", check.title), first, span);
             }
-            titles.push((&check.title, span));
+            titles.insert(&check.title, span);
             let mut case = CheckCase {
                 title: check.title.clone(),
                 settings: Vec::new(),

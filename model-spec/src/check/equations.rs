@@ -1,6 +1,6 @@
 //! Named quantities, forces, moments, stated equations and what is observed.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::order::{Defining, uses};
 use super::scope::Symbol;
@@ -42,16 +42,13 @@ impl<'a> Checker<'a> {
     /// Adds the equations whose left sides are used in expressions.
     fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
         let file = self.file;
-        let mut used: Vec<usize> = Vec::new();
+        let mut used: HashSet<usize> = HashSet::new();
         {
             let scope = &self.scope;
             let mut look = |e: &'a ast::Expr| {
                 uses(e, &mut |name, derivative, _| {
-                    if derivative
-                        && let Some(Symbol::State(i)) = scope.find(name)
-                        && !used.contains(&i)
-                    {
-                        used.push(i);
+                    if derivative && let Some(Symbol::State(i)) = scope.find(name) {
+                        used.insert(i);
                     }
                 });
             };

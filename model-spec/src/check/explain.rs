@@ -9,6 +9,9 @@ use crate::unit::Unit;
 /// At most this many declarations are shown with a fault.
 const MOST_LABELS: usize = 8;
 
+/// At most this many names are looked at.
+const MOST_LEAVES: usize = 64;
+
 /// A name or a number in an expression, with its unit.
 struct Leaf {
     name: String,
@@ -223,7 +226,7 @@ impl Checker<'_> {
                 return;
             }
         };
-        if !out.iter().any(|l| l.name == name) {
+        if out.len() < MOST_LEAVES && !out.iter().any(|l| l.name == name) {
             out.push(Leaf {
                 name,
                 term,

@@ -2,10 +2,13 @@
 
 use super::Checker;
 use super::scope::Symbol;
-use crate::diagnostic::{Diagnostic, Kind};
+use crate::diagnostic::{Diagnostic, Kind, SHOWN};
 use crate::model::{self, FrameKind};
 use crate::suggest;
 use crate::syntax::ast::{self, ItemKind, Name};
+
+/// Far more than any body needs.
+const MOST_FRAMES: usize = 100;
 
 impl<'a> Checker<'a> {
     fn declared_frames(&self) -> impl Iterator<Item = &'a ast::Frame> + use<'a> {
@@ -19,7 +22,12 @@ impl<'a> Checker<'a> {
     /// Declares the frames by name, parents before children.
     pub fn frame_names(&mut self) {
         let mut inertial: Option<&Name> = None;
-        for frame in self.declared_frames() {
+        for (count, frame) in self.declared_frames().enumerate() {
+            if count == MOST_FRAMES {
+                let message = format!("a model has at most {MOST_FRAMES} frames");
+                self.report(Diagnostic::new(Kind::Limit, frame.name.span, message));
+                break;
+            }
             let index = self.model.frames.len();
             let parent = match &frame.kind {
                 ast::FrameKind::Inertial => {
@@ -158,7 +166,13 @@ impl<'a> Checker<'a> {
 
     /// Reports a name that should be that of a state.
     pub fn no_state(&mut self, name: &Name) {
-        let states: Vec<String> = self.model.states.iter().map(|s| s.name.clone()).collect();
+        // Faults that are not shown need no suggestion.
+        let told = if self.diagnostics.len() < SHOWN {
+            &self.model.states[..]
+        } else {
+            &[]
+        };
+        let states: Vec<String> = told.iter().map(|s| s.name.clone()).collect();
         let mut fault = match self.scope.find(&name.text) {
             Some(_) => Diagnostic::new(
                 Kind::Name,

@@ -3,6 +3,7 @@
 //! Everything is checked on the vector tree as it was written, before anything is simplified. A part that
 //! is at fault is reported once and left out; what uses it is not reported again.
 
+mod attitude;
 mod body;
 mod call;
 mod cases;

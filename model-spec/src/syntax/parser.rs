@@ -2,7 +2,7 @@
 
 use super::ast::{File, Name};
 use super::token::{self, Lexed, Lexeme, Token};
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::diagnostic::{Diagnostic, Kind, SHOWN, Span};
 use crate::suggest;
 
 /// How deep brackets, calls, signs and powers may nest.
@@ -205,10 +205,18 @@ impl<'a> Parser<'a> {
         Err(Reported)
     }
 
+    /// The nearest of some words; looked for only while faults are still shown.
+    pub fn nearest<'w>(&self, wrong: &str, words: &[&'w str]) -> Option<&'w str> {
+        if self.lexed.diagnostics.len() >= SHOWN {
+            return None;
+        }
+        suggest::nearest(wrong, words.iter().copied())
+    }
+
     /// Reports that one of some words was expected here.
     pub fn expected_word<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
         let near = match self.peek() {
-            Token::Name => suggest::nearest(self.raw(), words.iter().copied()),
+            Token::Name => self.nearest(self.raw(), words),
             _ => None,
         };
         self.expected_help(what, near.map(|n| format!("did you mean `{n}`?")))

@@ -7,7 +7,6 @@ use super::ast::{
 use super::parser::{Parser, Read, Reported, STATEMENTS};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::suggest;
 
 impl Parser<'_> {
     /// A statement of a file.
@@ -69,7 +68,7 @@ impl Parser<'_> {
                     span,
                     format!("no statement begins with `{word}`"),
                 );
-                match suggest::nearest(word, STATEMENTS.into_iter()) {
+                match self.nearest(word, &STATEMENTS) {
                     Some(near) => fault.help(format!("did you mean `{near}`?")),
                     None if self.peek_at(1) == Token::Equals => {
                         fault.help(format!("a quantity is named with `let {word} = …;`"))

@@ -1,0 +1,195 @@
+//! Moments of inertia and the frames that the body turns in.
+
+use super::Checker;
+use super::body::{Parts, zero};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{Expr, ExprKind, FrameKind};
+use crate::syntax::ast;
+use crate::unit::Unit;
+
+impl Checker<'_> {
+    /// Moments of inertia, row by row.
+    pub fn inertia(&mut self, inertia: &ast::Inertia, span: Span) {
+        let mut rows: [[Option<Expr>; 3]; 3] = Default::default();
+        for (i, row) in inertia.rows.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                rows[i][j] = match entry {
+                    None => Some(zero(span)),
+                    Some(e) => {
+                        self.constant_of_body(e, Unit::INERTIA, "a moment of inertia", i != j)
+                    }
+                };
+            }
+        }
+        let [
+            [Some(a), Some(b), Some(c)],
+            [Some(d), Some(e), Some(f)],
+            [Some(g), Some(h), Some(i)],
+        ] = rows
+        else {
+            return;
+        };
+        let matrix = [[a, b, c], [d, e, f], [g, h, i]];
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            if !matrix[i][j].same(&matrix[j][i]) {
+                let (a, b) = (self.text(matrix[i][j].span), self.text(matrix[j][i].span));
+                let message = format!(
+                    "moments of inertia are symmetric, but row {} column {} is `{a}` and row {} column {} is `{b}`",
+                    i + 1,
+                    j + 1,
+                    j + 1,
+                    i + 1
+                );
+                self.report(Diagnostic::new(Kind::Value, span, message));
+                return;
+            }
+        }
+        self.steady_inertia(&matrix, inertia.frame.span);
+        if let Some(rotation) = self.model.body.as_mut().and_then(|b| b.rotation.as_mut()) {
+            rotation.inertia = matrix;
+        }
+    }
+
+    /// The moments must be constant in their frame: it turns with the body, but for turns about an axis
+    /// about which the body is symmetric.
+    fn steady_inertia(&mut self, inertia: &[[Expr; 3]; 3], span: Span) {
+        let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
+            return;
+        };
+        let (body, frame) = (rotation.body_frame, rotation.inertia_frame);
+        let chain = self.chain(body);
+        let name = |i: usize| self.model.frames[i].name.clone();
+        let Some(steps) = chain.iter().chain([&0]).position(|&f| f == frame) else {
+            let message = format!(
+                "the frame {} does not move with the body, which is fixed in {}",
+                name(frame),
+                name(body)
+            );
+            let help = format!("give the moments of inertia in {}", name(body));
+            self.report(Diagnostic::new(Kind::Frame, span, message).help(help));
+            return;
+        };
+        for &step in &chain[..steps] {
+            let symmetric = match self.model.frames[step].kind {
+                FrameKind::Turned { axis, .. } => {
+                    let k = usize::from(axis) - 1;
+                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                    let off = [(0, 1), (0, 2), (1, 2)]
+                        .iter()
+                        .all(|&(a, b)| is_zero(&inertia[a][b]));
+                    off && inertia[i][i].same(&inertia[j][j])
+                }
+                _ => false,
+            };
+            if !symmetric {
+                let about = match self.model.frames[step].kind {
+                    FrameKind::Turned { axis, .. } => format!(
+                        "the body turns in it about axis {axis}, about which these moments are not symmetric"
+                    ),
+                    _ => "the body turns in it".to_owned(),
+                };
+                let message = format!(
+                    "moments of inertia in {} would change with time: {about}",
+                    name(frame)
+                );
+                let fault = Diagnostic::new(Kind::Frame, span, message).label(
+                    self.model.frames[step].span,
+                    format!("{} turns here", name(step)),
+                );
+                let help = format!("give them in {}, the frame fixed in the body", name(body));
+                self.report(fault.help(help));
+                return;
+            }
+        }
+    }
+
+    /// Three turns or one quaternion lead from the inertial frame to the body's, and nothing else turns.
+    pub fn attitude(&mut self, body: &ast::Body, parts: &Parts<'_>) {
+        let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
+            return;
+        };
+        let (body_frame, angular) = (rotation.body_frame, rotation.angular_velocity);
+        let chain = self.chain(body_frame);
+        let name = |i: usize| self.model.frames[i].name.clone();
+        if let Some(loose) = (1..self.model.frames.len()).find(|i| !chain.contains(i)) {
+            let message = format!(
+                "nothing determines how the frame {} moves: it does not lie between {} and the body's frame {}",
+                name(loose),
+                name(0),
+                name(body_frame)
+            );
+            self.report(Diagnostic::new(
+                Kind::Frame,
+                self.model.frames[loose].span,
+                message,
+            ));
+            return;
+        }
+        let axes: Vec<Option<u8>> = chain
+            .iter()
+            .rev()
+            .map(|&f| match self.model.frames[f].kind {
+                FrameKind::Turned { axis, .. } => Some(axis),
+                _ => None,
+            })
+            .collect();
+        match axes[..] {
+            [None] => {
+                let fixed = parts.fixed.map_or(body.name.span, |f| f.span);
+                match (angular, parts.angular) {
+                    (None, None) => {
+                        let message = "where the attitude is a quaternion the angular velocity has states of its own";
+                        let help = format!(
+                            "add `angular velocity (p, q, r) in {};` to the body",
+                            name(body_frame)
+                        );
+                        self.report(Diagnostic::new(Kind::Missing, fixed, message).help(help));
+                    }
+                    (Some((_, frame)), Some((_, written))) if frame != body_frame => {
+                        let message = format!(
+                            "the angular velocity must be given in the body's own frame {}",
+                            name(body_frame)
+                        );
+                        let help = format!("write `in {}`", name(body_frame));
+                        self.report(Diagnostic::new(Kind::Frame, written.span, message).help(help));
+                    }
+                    _ => {}
+                }
+            }
+            [Some(a), Some(b), Some(c)] => {
+                if a == b || b == c {
+                    let message = "two turns in a row about one axis are one turn";
+                    let help =
+                        "turn about three axes such as 1, 2, 3, each different from the one before";
+                    let second = chain[usize::from(a == b)];
+                    let place = self.model.frames[second].span;
+                    self.report(Diagnostic::new(Kind::Frame, place, message).help(help));
+                } else if let Some((names, _)) = parts.angular {
+                    let message = "where the attitude is by angles their rates are states, and the angular velocity follows from them";
+                    self.report(
+                        Diagnostic::new(Kind::Duplicate, names[0].span, message)
+                            .help("remove `angular velocity`"),
+                    );
+                }
+            }
+            _ => {
+                let turns = axes.len();
+                let message = format!(
+                    "a free body turns in three ways, but from {} to {} there {} {turns} turn{}",
+                    name(0),
+                    name(body_frame),
+                    if turns == 1 { "is" } else { "are" },
+                    if turns == 1 { "" } else { "s" },
+                );
+                let fixed = parts.fixed.map_or(body.name.span, |f| f.span);
+                let help =
+                    "declare three frames, each turned from the one before, or one `by quaternion`";
+                self.report(Diagnostic::new(Kind::Frame, fixed, message).help(help));
+            }
+        }
+    }
+}
+
+fn is_zero(e: &Expr) -> bool {
+    matches!(e.kind, ExprKind::Number { value: 0.0, .. })
+}
