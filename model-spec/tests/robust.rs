@@ -322,7 +322,9 @@ fn powers_of_powers_are_digested() {
 #[test]
 fn files_as_long_as_they_may_be_are_digested_quickly() {
     let base = MODELS[0].1;
-    let lines: [(&str, fn(usize) -> String); 22] = [
+    /// A line by its number.
+    type Line = fn(usize) -> String;
+    let lines: [(&str, Line); 22] = [
         ("", |_| "a;".into()),
         ("", |i| format!("model m{i};")),
         ("", |i| format!("frame F{i} = G{i} turned a about 1;")),
