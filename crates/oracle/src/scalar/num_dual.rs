@@ -3,6 +3,7 @@
 use super::{Field, Real};
 use num_dual::{Dual64, DualNum};
 use num_traits::{One, Zero};
+use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A dual number of num-dual.
@@ -104,10 +105,15 @@ impl Real for NumDual {
     }
 
     fn atan2(self, x: Self) -> Self {
-        if self.0.re == 0.0 && x.0.re == 0.0 {
+        let (y, x) = (self.0, x.0);
+        if y.re == 0.0 && x.re == 0.0 {
             Self::zero()
+        } else if y.re.abs() > x.re.abs() {
+            // num-dual divides by x, which may be 0.
+            let quarter = Dual64::from_re(FRAC_PI_2.copysign(y.re));
+            Self(quarter - (x / y).atan())
         } else {
-            Self(self.0.atan2(x.0))
+            Self(y.atan2(x))
         }
     }
 }
