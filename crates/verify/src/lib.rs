@@ -1,1 +1,142 @@
-//! The oracle, and every independent check of a model.
+//! Every independent check of a model: oracles, identities, symmetries, derivatives, exact arithmetic,
+//! mutants, backends. [`run`] makes them all and reports.
+//!
+//! ```
+//! let ball = model_spec::load::inspect("ball", &[]).unwrap();
+//! let report = verify::run(&ball, &verify::Options { cases: 20, ..Default::default() });
+//! assert!(report.holds(), "{}", report.table());
+//! ```
+//!
+//! An error is measured against the sum of the magnitudes of the terms that make up a value (see
+//! [`oracle::scalar::Tracked`]): cancellation neither hides a fault nor looks like one.
+
+pub mod checks;
+pub mod engine;
+mod expressions;
+mod field;
+pub mod flights;
+pub mod mutants;
+pub mod random;
+pub mod refute;
+pub mod report;
+pub mod same_motion;
+pub mod sample;
+pub mod subject;
+pub mod values;
+
+use codegen::Compiled;
+use engine::Engine;
+use model_spec::load::Loaded;
+use model_spec::model::Model;
+use mutants::equivalence::Original;
+use random::Random;
+use report::{Report, Row};
+use same_motion::SameMotion;
+use subject::Subject;
+use values::Values;
+
+/// What a verification depends on besides the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Seed of every random number.
+    pub seed: u64,
+    /// Random points a check.
+    pub cases: usize,
+    /// Whether to make mutants.
+    pub mutants: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            seed: 1,
+            cases: 200,
+            mutants: true,
+        }
+    }
+}
+
+/// Points at which backends are compared: a whole number of lanes of any width, and a few over.
+const BACKEND_POINTS: usize = 37;
+
+/// Greatest error of a correct evaluation, against the sum of the magnitudes of the terms.
+pub const TOLERANCE: f64 = 1e-12;
+
+/// Makes every check of a model. What its checker refuses is reported, and the rest is checked as far as
+/// there is a model at all.
+pub fn run(loaded: &Loaded, options: &Options) -> Report {
+    let mut report = Report {
+        model: loaded
+            .sources
+            .first()
+            .map_or_else(String::new, |s| s.name.clone()),
+        seed: options.seed,
+        rows: vec![checks::units::check(loaded)],
+        refuted: Vec::new(),
+        mutants: None,
+    };
+    let Some(model) = &loaded.model else {
+        return report;
+    };
+    report.model.clone_from(&model.name);
+    let compiled = codegen::compile(model);
+    let engine = Engine::new(&compiled);
+    let subject = Subject::new(model, &engine);
+    report
+        .rows
+        .extend(every_check(&subject, &compiled, &engine, options));
+    report.rows.push(match checks::effects::variants(loaded) {
+        Some((with, without)) => checks::effects::check(&without, &with, options),
+        None => Row::skipped(checks::effects::EFFECTS, "the model is refused"),
+    });
+    report.refuted = refute::refutations(&subject, options);
+    if options.mutants && loaded.diagnostics.is_empty() {
+        let original = Original::new(&subject);
+        let table = mutants::run(&loaded.file, &loaded.sources, &original, options);
+        report.rows.push(table.row());
+        report.mutants = Some(table);
+    }
+    report
+}
+
+/// Whether several models are the same motion, pairwise.
+pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
+    let values: Vec<Values> = models.iter().map(Values::of).collect();
+    let subjects: Vec<Subject<'_>> = models
+        .iter()
+        .zip(&values)
+        .map(|(model, values)| Subject::new(model, values))
+        .collect();
+    same_motion::compare(&subjects, options)
+}
+
+fn every_check(
+    subject: &Subject<'_>,
+    compiled: &Compiled,
+    engine: &Engine,
+    options: &Options,
+) -> Vec<Row> {
+    let mut rows = vec![
+        checks::reference::reference(subject, options),
+        checks::reference::tree(subject, options),
+        checks::identities::check(subject, options),
+        flights::invariants(subject, options),
+        flights::momenta(subject, options),
+        checks::symmetries::check(subject, options),
+    ];
+    rows.extend(checks::derivatives::check(subject, engine, options));
+    rows.push(checks::exact::check(subject, options));
+    let model = subject.model;
+    let mut random = Random::new(options.seed, checks::backends::BACKENDS);
+    let points: Vec<_> = (0..BACKEND_POINTS)
+        .map(|_| sample::point(model, &mut random))
+        .collect();
+    let runs = checks::backends::runs(model, compiled, &points);
+    rows.push(checks::backends::check(compiled, &runs));
+    let singular = checks::singular::points(model);
+    let points: Vec<_> = singular.iter().map(|(_, point)| point.clone()).collect();
+    let runs = checks::backends::runs(model, compiled, &points);
+    rows.push(checks::singular::check(&singular, compiled, &runs));
+    rows.push(checks::cases::check(subject));
+    rows
+}

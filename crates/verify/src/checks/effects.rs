@@ -1,0 +1,127 @@
+//! Effects off are effects absent: at the value where its coefficients vanish, a model with an effect
+//! flies as the model without it; and with that value put in as a number it compiles to no more
+//! operations.
+
+use crate::expressions::fix_coefficient;
+use crate::random::Random;
+use crate::report::{Row, Verdict, Worst};
+use crate::sample;
+use crate::subject::Equations;
+use crate::values::Values;
+use crate::{Options, TOLERANCE};
+use model_spec::load::{self, Loaded, from_text};
+use model_spec::model::Model;
+use model_spec::syntax::ast::ItemKind;
+use oracle::dynamics::derivatives;
+use oracle::point::Point;
+use oracle::scalar::Tracked;
+
+/// Name of the check.
+pub const EFFECTS: &str = "effects off";
+
+/// The effects that a model could have, each switched on by itself: those of its own file and those that
+/// are built in; or those that it has, where it has any. The second is the model without.
+pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
+    let source = loaded.sources.first()?;
+    let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
+    let without = apply(&[])?;
+    if let Some(model) = loaded.model.as_ref().filter(|m| !m.effects.is_empty()) {
+        return Some((vec![model.clone()], without));
+    }
+    let own = loaded
+        .file
+        .items
+        .iter()
+        .filter_map(|item| match &item.kind {
+            ItemKind::Effect(effect) => Some(effect.name.text.as_str()),
+            _ => None,
+        });
+    let names = own.chain(load::EFFECTS.iter().map(|(name, _)| *name));
+    // One that is made for another model cannot be applied.
+    Some((names.filter_map(|name| apply(&[name])).collect(), without))
+}
+
+/// Each model with effects against the model without.
+pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
+    if with.is_empty() {
+        return Row::skipped(EFFECTS, "no effects for this model");
+    }
+    let plain = Values::of(without);
+    let mut random = Random::new(options.seed, EFFECTS);
+    let mut worst = Worst::default();
+    let mut faults = Vec::new();
+    for model in with {
+        let names: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
+        let names = names.join(" with ");
+        let engine = Values::of(model);
+        for _ in 0..options.cases.div_ceil(10) {
+            let point = off(model, sample::point(model, &mut random));
+            let Some(bare) = bare(without, model, &point) else {
+                faults.push(format!("{names}: the model without it has other names"));
+                break;
+            };
+            let sizes = derivatives(model, &point.lift::<Tracked>()).unwrap_or_default();
+            let rates = engine.rates(&point);
+            let expected = plain.rates(&bare);
+            for ((rate, expected), size) in rates.iter().zip(&expected).zip(sizes) {
+                let error = Tracked {
+                    value: *expected,
+                    ..size
+                }
+                .error_of(*rate);
+                worst.see(error, || format!("with {names}"));
+            }
+        }
+        let mut fixed = model.clone();
+        for c in model.effects.iter().flat_map(|e| &e.coefficients) {
+            fix_coefficient(&mut fixed, c.index, c.vanishes_at);
+        }
+        let (was, is) = (plain.operations(), Values::of(&fixed).operations());
+        if is > was {
+            faults.push(format!(
+                "{names}: off, it takes {is} operations instead of {was}"
+            ));
+        }
+    }
+    let row = Row::judged(EFFECTS, with.len(), &worst, TOLERANCE);
+    if faults.is_empty() {
+        row
+    } else {
+        Row {
+            verdict: Verdict::Refuted,
+            ..row
+        }
+        .saying(faults.join("\n"))
+    }
+}
+
+/// The point with every effect at the value where it vanishes.
+fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
+    for c in model.effects.iter().flat_map(|e| &e.coefficients) {
+        point.coefficients[c.index] = c.vanishes_at;
+    }
+    point
+}
+
+/// The same point of the model without effects.
+fn bare(without: &Model, with: &Model, point: &Point<f64>) -> Option<Point<f64>> {
+    let mut bare = Point::defaults(without);
+    bare.time = point.time;
+    bare.marker = point.marker;
+    for (constant, to) in without.params.iter().zip(&mut bare.params) {
+        *to = point.params[with.params.iter().position(|c| c.name == constant.name)?];
+    }
+    for (constant, to) in without.coefficients.iter().zip(&mut bare.coefficients) {
+        *to = point.coefficients[with
+            .coefficients
+            .iter()
+            .position(|c| c.name == constant.name)?];
+    }
+    for (input, to) in without.inputs.iter().zip(&mut bare.inputs) {
+        *to = point.inputs[with.inputs.iter().position(|i| i.name == input.name)?];
+    }
+    for (state, to) in without.states.iter().zip(&mut bare.states) {
+        *to = point.states[with.states.iter().position(|s| s.name == state.name)?];
+    }
+    Some(bare)
+}

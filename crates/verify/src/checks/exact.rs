@@ -1,0 +1,147 @@
+//! Exact arithmetic: with a force and a moment as free symbols, what is left of a model is a rational
+//! function of its states, of sines and cosines of its angles, and of its constants. The compiler's
+//! schedule for it and the oracle's derivation are evaluated at random points of the field of integers
+//! modulo 2^61 − 1; equal at all of them, they are the same function but for a chance that is stated.
+
+use crate::Options;
+use crate::field::{Machine, on_circle};
+use crate::random::Random;
+use crate::report::Row;
+use crate::subject::Subject;
+use codegen::Compiled;
+use model_spec::diagnostic::Span;
+use model_spec::model::{Expr, ExprKind, FrameKind, Input, Load, Model, Shape};
+use model_spec::unit::Unit;
+use num_traits::{One, Zero};
+use oracle::point::Point;
+use oracle::rational;
+use oracle::scalar::{Field, Prime};
+
+/// Name of the check.
+pub const EXACT: &str = "rigid body, exact";
+
+/// Random points; each leaves a chance of at most degree / 2^61.
+const POINTS: usize = 8;
+/// Far above the degree of any of these functions in its variables.
+const DEGREE: f64 = 1e3;
+
+/// The compiler's equations against the oracle's at random points of the field.
+pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
+    if subject.model.body.is_none() {
+        return Row::skipped(EXACT, "its equations are stated");
+    }
+    let model = free_loads(subject.model);
+    compare(&model, &codegen::compile(&model), options)
+}
+
+/// A model with free loads against what it is said to compile to.
+pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
+    let mut random = Random::new(options.seed, EXACT);
+    let mut faults = Vec::new();
+    for _ in 0..POINTS {
+        let spot = Spot::random(model, &mut random);
+        let circle = |i: usize| spot.circles[i];
+        let count = model.inputs.len();
+        let (force, moment) = (spot.point.inputs[count - 2], spot.point.inputs[count - 1]);
+        let expected = match rational::derivatives(model, &spot.point, circle, force, moment) {
+            Ok(expected) => expected,
+            Err(why) => return Row::skipped(EXACT, why.0),
+        };
+        let mut machine = Machine::new(&spot.point, &spot.circles, false);
+        machine.prepared = machine.run(&compiled.prepare.program);
+        for (i, (got, expected)) in machine
+            .run(&compiled.f.program)
+            .iter()
+            .zip(&expected)
+            .enumerate()
+        {
+            let Some(got) = got else {
+                return Row::skipped(
+                    EXACT,
+                    format!("der({}) is not rational", model.states[i].name),
+                );
+            };
+            let fault = format!("der({}) is another function", model.states[i].name);
+            if got != expected && !faults.contains(&fault) {
+                faults.push(fault);
+            }
+        }
+    }
+    let chance = POINTS as f64 * (DEGREE / 2f64.powi(61)).log10();
+    let says = format!("identical but for a chance below 1e{chance:.0}");
+    Row::counted(EXACT, POINTS, &faults, &says)
+}
+
+/// The model with one force and one moment, which are inputs in inertial components.
+pub fn free_loads(model: &Model) -> Model {
+    let mut model = model.clone();
+    let mut load = |name: &str| {
+        let index = model.inputs.len();
+        model.inputs.push(Input {
+            name: name.to_owned(),
+            doc: String::new(),
+            frame: 0,
+            unit: Unit::default(),
+            unit_text: String::new(),
+            value: [0.0; 3],
+            span: Span::default(),
+        });
+        let value = Expr {
+            kind: ExprKind::Input(index),
+            shape: Shape::Vector(0),
+            unit: Unit::default(),
+            span: Span::default(),
+        };
+        vec![Load {
+            name: name.to_owned(),
+            value,
+            span: Span::default(),
+            effect: None,
+        }]
+    };
+    let (force, moment) = (load("free_force"), load("free_moment"));
+    model.forces = force;
+    model.moments = if model.body.as_ref().is_some_and(|b| b.rotation.is_some()) {
+        moment
+    } else {
+        Vec::new()
+    };
+    model
+}
+
+/// A random point of the field, with the sine and cosine of every state.
+pub struct Spot {
+    /// A number for every name.
+    pub point: Point<Prime>,
+    /// Sine and cosine of every state.
+    pub circles: Vec<(Prime, Prime)>,
+}
+
+impl Spot {
+    /// Draws one; quaternions are of unit length.
+    pub fn random(model: &Model, random: &mut Random) -> Self {
+        let mut point = Point::defaults(model).map(|_| random.prime());
+        for frame in &model.frames {
+            if let FrameKind::Quaternion { states, .. } = frame.kind {
+                for (i, part) in states.into_iter().zip(unit_quaternion(random)) {
+                    point.states[i] = part;
+                }
+            }
+        }
+        let circles = point
+            .states
+            .iter()
+            .map(|_| on_circle(random.prime()))
+            .collect();
+        Self { point, circles }
+    }
+}
+
+/// A point of the sphere in four dimensions, as [`on_circle`].
+fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
+    let v = [random.prime(), random.prime(), random.prime()];
+    let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);
+    let scale = (Prime::one() + square).inverse();
+    let [x, y, z] = v.map(|t| Prime::whole(2) * t * scale);
+    [(Prime::one() - square) * scale, x, y, z]
+}

@@ -1,0 +1,143 @@
+//! Laws that hold at every instant, whatever acts: the momentum changes by the force, the angular
+//! momentum by the moment, the energy by their power, and positions and angles by the velocities.
+
+use crate::random::Random;
+use crate::report::{Row, Worst};
+use crate::sample;
+use crate::subject::Subject;
+use crate::{Options, TOLERANCE};
+use nalgebra::{Matrix3, Vector3};
+use oracle::dynamics::{MassProperties, mass_properties};
+use oracle::frames::Placed;
+use oracle::physical::Motion;
+use oracle::point::Point;
+use oracle::rigid::inertia_in_n;
+use oracle::scalar::{Dual, Real, Tracked};
+use oracle::tree::Tree;
+
+/// Name of the check.
+pub const IDENTITIES: &str = "momentum and energy";
+
+type Moving = Dual<Tracked>;
+
+/// dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, dr/dt = v.
+pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
+    let model = subject.model;
+    let Some(chart) = &subject.chart else {
+        return Row::skipped(IDENTITIES, "which state stands for what is not known");
+    };
+    let mut random = Random::new(options.seed, IDENTITIES);
+    let mut worst = Worst::default();
+    for _ in 0..options.cases {
+        let point = subject.without_extras(sample::point(model, &mut random));
+        let Some((motion, properties)) = loads(subject, &point.lift()) else {
+            return Row::skipped(IDENTITIES, "neither loads nor a reference say what acts");
+        };
+        let rates = subject.equations.rates(&point);
+        if rates.len() != point.states.len() {
+            return Row::skipped(IDENTITIES, "there are no equations to evaluate");
+        }
+        // Along the motion every state moves at its rate.
+        let moving: Vec<Moving> = point
+            .states
+            .iter()
+            .zip(&rates)
+            .map(|(&value, &slope)| Dual {
+                value: Tracked::lit(value),
+                slope: Tracked::lit(slope),
+            })
+            .collect();
+        let body = chart.physical(&moving);
+        let lift = |v: Tracked| Dual::constant(v);
+        let mass = lift(properties.mass);
+        let momentum = body.velocity * mass;
+        let mut energy = momentum.dot(&body.velocity) / Moving::lit(2.0);
+        let mut power = motion.force.dot(&value(&body.velocity));
+        if let Some(inertia) = &properties.inertia {
+            let axes = body.attitude.matrix();
+            let spatial = inertia_in_n(&axes, &inertia.map(lift));
+            let angular_momentum = spatial * body.angular_velocity;
+            energy += angular_momentum.dot(&body.angular_velocity) / Moving::lit(2.0);
+            power += motion.moment.dot(&value(&body.angular_velocity));
+            see(
+                &mut worst,
+                &slope(&angular_momentum),
+                &motion.moment,
+                "dH/dt against M",
+            );
+        }
+        see(
+            &mut worst,
+            &slope(&momentum),
+            &motion.force,
+            "dp/dt against F",
+        );
+        see(
+            &mut worst,
+            &slope(&body.position),
+            &value(&body.velocity),
+            "dr/dt against v",
+        );
+        let (energy, power) = (Vector3::repeat(energy.slope), Vector3::repeat(power));
+        see(&mut worst, &energy, &power, "dE/dt against F·v + M·ω");
+    }
+    Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
+}
+
+/// What acts: the model's own loads where it has a body, else the reference's. Mass and inertia are the
+/// reference's where there is one, so that a body that answers with another mass is noticed.
+fn loads(
+    subject: &Subject<'_>,
+    point: &Point<Tracked>,
+) -> Option<(Motion<Tracked>, MassProperties<Tracked>)> {
+    let reference = subject.reference.as_ref();
+    let by_hand = || Some((reference?.motion(point), reference?.mass_properties(point)));
+    let Some(body) = &subject.model.body else {
+        return by_hand();
+    };
+    let tree = Tree::new(subject.model, point);
+    let motion = Motion {
+        force: tree.total(&subject.model.forces),
+        moment: tree.total(&subject.model.moments),
+        acceleration: Vector3::zeros(),
+        angular_acceleration: Vector3::zeros(),
+    };
+    let properties = reference.map_or_else(
+        || in_body_frame(&tree, mass_properties(&tree, body)),
+        |reference| reference.mass_properties(point),
+    );
+    Some((motion, properties))
+}
+
+/// The inertia in the body's own frame; the frame it is given in differs from it by a turn.
+fn in_body_frame(
+    tree: &Tree<'_, Tracked>,
+    given: MassProperties<Tracked>,
+) -> MassProperties<Tracked> {
+    let rotation = tree.model.body.as_ref().and_then(|b| b.rotation.as_ref());
+    let inertia = rotation.zip(given.inertia).map(|(rotation, inertia)| {
+        let frame = |i: usize| -> &Placed<Tracked> { &tree.frames[i] };
+        let turn: Matrix3<Tracked> =
+            frame(rotation.body_frame).axes.transpose() * frame(rotation.inertia_frame).axes;
+        inertia_in_n(&turn, &inertia)
+    });
+    MassProperties { inertia, ..given }
+}
+
+fn value(v: &Vector3<Moving>) -> Vector3<Tracked> {
+    v.map(|d| d.value)
+}
+
+fn slope(v: &Vector3<Moving>) -> Vector3<Tracked> {
+    v.map(|d| d.slope)
+}
+
+fn see(worst: &mut Worst, change: &Vector3<Tracked>, cause: &Vector3<Tracked>, what: &str) {
+    for (change, cause) in change.iter().zip(cause.iter()) {
+        let difference = *change - *cause;
+        worst.see(
+            difference.value.abs() / difference.size.max(f64::MIN_POSITIVE),
+            || what.to_owned(),
+        );
+    }
+}

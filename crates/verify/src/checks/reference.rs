@@ -1,0 +1,96 @@
+//! The oracles: the law written by hand, and the model's own vector tree.
+
+use crate::random::Random;
+use crate::report::{Row, Worst};
+use crate::sample;
+use crate::subject::Subject;
+use crate::{Options, TOLERANCE};
+use oracle::dynamics::derivatives_of;
+use oracle::scalar::Tracked;
+use oracle::tree::Tree;
+
+/// Name of the check against the law written by hand.
+pub const REFERENCE: &str = "reference";
+/// Name of the check against the vector tree.
+pub const TREE: &str = "vector tree";
+
+/// Derivatives and observation against the law that the model claims, coefficients that the law does
+/// not know at the value where they vanish.
+pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
+    if let Some(why) = &subject.unbound {
+        return Row::counted(REFERENCE, 1, std::slice::from_ref(why), "");
+    }
+    let Some(reference) = &subject.reference else {
+        return Row::skipped(REFERENCE, "the model claims no reference");
+    };
+    let model = subject.model;
+    let mut random = Random::new(options.seed, REFERENCE);
+    let mut worst = Worst::default();
+    let mut refused: Vec<String> = Vec::new();
+    for _ in 0..options.cases {
+        let point = subject.without_extras(sample::point(model, &mut random));
+        let lifted = point.lift::<Tracked>();
+        let got = subject.equations.rates(&point);
+        for (i, expected) in reference.derivatives(&lifted).into_iter().enumerate() {
+            let error = got.get(i).map_or(f64::INFINITY, |&v| expected.error_of(v));
+            let name = format!("der({})", model.states[i].name);
+            note(&mut worst, &mut refused, error, name);
+        }
+        if let Some(seen) = subject.equations.observation(&point) {
+            for (expected, got) in reference.observation(&lifted).iter().zip(seen.iter()) {
+                note(
+                    &mut worst,
+                    &mut refused,
+                    expected.error_of(*got),
+                    String::from("the observation"),
+                );
+            }
+        }
+    }
+    let row = Row::judged(REFERENCE, options.cases, &worst, TOLERANCE);
+    if refused.is_empty() {
+        return row;
+    }
+    row.saying(format!(
+        "differ from the law by hand: {}",
+        refused.join(", ")
+    ))
+}
+
+fn note(worst: &mut Worst, refused: &mut Vec<String>, error: f64, name: String) {
+    if error > TOLERANCE && !refused.contains(&name) {
+        refused.push(name.clone());
+    }
+    worst.see(error, || name);
+}
+
+/// Derivatives and observation against the model's own vector tree, every coefficient at work.
+pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
+    let model = subject.model;
+    let mut random = Random::new(options.seed, TREE);
+    let mut worst = Worst::default();
+    for _ in 0..options.cases {
+        let point = sample::point(model, &mut random);
+        let lifted = point.lift::<Tracked>();
+        let tree = Tree::new(model, &lifted);
+        let expected = match derivatives_of(&tree) {
+            Ok(expected) => expected,
+            Err(why) => return Row::skipped(TREE, why.0),
+        };
+        let got = subject.equations.rates(&point);
+        for (i, expected) in expected.into_iter().enumerate() {
+            let error = got.get(i).map_or(f64::INFINITY, |&v| expected.error_of(v));
+            worst.see(error, || format!("der({})", model.states[i].name));
+        }
+        let seen = subject
+            .equations
+            .observation(&point)
+            .zip(model.observation.as_ref());
+        if let Some((got, expression)) = seen {
+            for (expected, got) in tree.vector(&expression.value).iter().zip(got.iter()) {
+                worst.see(expected.error_of(*got), || String::from("the observation"));
+            }
+        }
+    }
+    Row::judged(TREE, options.cases, &worst, TOLERANCE)
+}

@@ -1,0 +1,115 @@
+//! Singular points: nothing is ever less than a number, in value or in derivative, in any backend.
+
+use super::backends::{Run, function_at};
+use crate::report::Row;
+use codegen::Compiled;
+use model_spec::model::{FrameKind, Model};
+use model_spec::unit::{Base, Unit};
+use oracle::point::Point;
+use std::f64::consts::FRAC_PI_2;
+
+/// Name of the check.
+pub const SINGULAR: &str = "singular points";
+
+/// Every function of every backend at every singular point.
+pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run]) -> Row {
+    let mut faults = Vec::new();
+    for run in runs {
+        for ((name, _), results) in points.iter().zip(&run.results) {
+            if let Some(index) = results.iter().position(|v| !v.is_finite()) {
+                let function = function_at(compiled, index);
+                faults.push(format!(
+                    "{name}: {function} is not finite in {}",
+                    run.backend
+                ));
+            }
+        }
+    }
+    Row::counted(SINGULAR, points.len() * runs.len(), &faults, "")
+}
+
+/// Points at which something may be divided by zero.
+pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
+    let base = moving(model);
+    let velocities = by_unit(model, |metre, second, _| (metre, second) == (2, -2));
+    let mut out = vec![
+        (
+            String::from("every state at its default"),
+            Point::defaults(model),
+        ),
+        (
+            String::from("every state 0"),
+            with(&base, 0..model.states.len(), 0.0),
+        ),
+        (
+            String::from("no velocity"),
+            with(&base, velocities.iter().copied(), 0.0),
+        ),
+    ];
+    // Only one component of the velocity left; for the disc the third is along its axis.
+    for &kept in &velocities {
+        let others = velocities.iter().copied().filter(|&i| i != kept);
+        out.push((
+            format!("no velocity but {}", model.states[kept].name),
+            with(&base, others, 0.0),
+        ));
+    }
+    for wind in 0..model.inputs.len() {
+        // As fast as the air, in a model whose axes stand along the inertial ones.
+        let mut point = with(&Point::defaults(model), 0..0, 0.0);
+        for (axis, &state) in velocities.iter().take(3).enumerate() {
+            point.states[state] = 3.0;
+            point.inputs[wind][axis] = 3.0;
+        }
+        out.push((format!("as fast as {}", model.inputs[wind].name), point));
+    }
+    for frame in &model.frames {
+        let FrameKind::Turned { angle, .. } = frame.kind else {
+            continue;
+        };
+        for (how, value) in [
+            ("at", FRAC_PI_2),
+            ("near", FRAC_PI_2 - 1e-8),
+            ("at minus", -FRAC_PI_2),
+        ] {
+            let name = &model.states[angle].name;
+            out.push((
+                format!("{name} {how} a right angle"),
+                with(&base, [angle], value),
+            ));
+        }
+    }
+    let tiny = with(&base, velocities.iter().copied(), 1e-160);
+    out.push((String::from("velocities whose squares vanish"), tiny));
+    out
+}
+
+fn moving(model: &Model) -> Point<f64> {
+    let mut point = Point::defaults(model);
+    for (k, value) in point.states.iter_mut().enumerate() {
+        *value += 0.1 + 0.07 * k as f64;
+    }
+    point
+}
+
+fn with(point: &Point<f64>, states: impl IntoIterator<Item = usize>, value: f64) -> Point<f64> {
+    let mut point = point.clone();
+    for state in states {
+        point.states[state] = value;
+    }
+    point
+}
+
+fn by_unit(model: &Model, is: impl Fn(i8, i8, i8) -> bool) -> Vec<usize> {
+    let exponent = |unit: Unit, base: Base| unit.doubled[base as usize];
+    let fits = |unit| {
+        is(
+            exponent(unit, Base::Metre),
+            exponent(unit, Base::Second),
+            exponent(unit, Base::Radian),
+        )
+    };
+    (0..model.states.len())
+        .filter(|&i| fits(model.states[i].unit))
+        .collect()
+}

@@ -1,0 +1,232 @@
+//! Symmetries: the laws of motion do not care where a body is, which way it heads, how fast the observer
+//! moves, how far a body of revolution has turned about its axis, or whether they are seen in a mirror.
+//!
+//! In the mirror that reverses y, positions, velocities, forces and wind reverse y; spins and moments
+//! reverse x and z. No coefficient changes its sign: one that had to would stand for a law with a
+//! handedness, and is named.
+
+use crate::Options;
+use crate::random::Random;
+use crate::report::{Row, Worst};
+use crate::sample;
+use crate::subject::Subject;
+use model_spec::model::Model;
+use model_spec::unit::Base;
+use nalgebra::{Matrix3, Vector3};
+use oracle::attitude::Quaternion;
+use oracle::chart::{Change, Chart};
+use oracle::physical::Physical;
+use oracle::point::Point;
+
+/// Name of the check.
+pub const SYMMETRIES: &str = "symmetries";
+
+/// States are found again from the changed physical state through arcsines, which lose digits near
+/// their ends; a law that is broken is off by far more.
+const TOLERANCE: f64 = 1e-10;
+
+/// A change of the view that changes nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Symmetry {
+    Translation,
+    Delay,
+    Heading,
+    Mirror,
+    Galilean,
+    SpinAngle,
+}
+
+impl Symmetry {
+    const ALL: [(Self, &'static str); 6] = [
+        (Self::Translation, "translation"),
+        (Self::Delay, "delay"),
+        (Self::Heading, "heading"),
+        (Self::Mirror, "mirror image with opposite spin"),
+        (Self::Galilean, "steady motion of air and body together"),
+        (Self::SpinAngle, "turn about the axis of symmetry"),
+    ];
+}
+
+/// Every symmetry without the coefficients that the law does not know; then each of those at work, by
+/// which symmetries it breaks. The first must hold; the second is told.
+pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
+    let Some(chart) = &subject.chart else {
+        return Row::skipped(SYMMETRIES, "which state stands for what is not known");
+    };
+    let axis = axis_of_revolution(subject.model) || subject.reference.is_some();
+    let apply: Vec<_> = Symmetry::ALL
+        .into_iter()
+        .filter(|(symmetry, _)| match symmetry {
+            Symmetry::SpinAngle => chart.turns() && axis,
+            _ => true,
+        })
+        .collect();
+    let mut random = Random::new(options.seed, SYMMETRIES);
+    let mut worst = Worst::default();
+    let mut broken: Vec<(usize, Vec<&'static str>)> = subject
+        .extras()
+        .into_iter()
+        .map(|(index, _)| (index, Vec::new()))
+        .collect();
+    for _ in 0..options.cases {
+        let full = sample::point(subject.model, &mut random);
+        let core = subject.without_extras(full.clone());
+        let draw = Draw::new(&mut random);
+        for &(symmetry, name) in &apply {
+            let Some(error) = error(subject, chart, &core, symmetry, &draw) else {
+                return Row::skipped(SYMMETRIES, "its angles are not turns about 1, 2 and 3");
+            };
+            worst.see(error, || name.to_owned());
+            for (index, names) in &mut broken {
+                let mut point = core.clone();
+                point.coefficients[*index] = full.coefficients[*index];
+                let error = self::error(subject, chart, &point, symmetry, &draw).unwrap_or(0.0);
+                if error > TOLERANCE && !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+        }
+    }
+    let row = Row::judged(SYMMETRIES, options.cases, &worst, TOLERANCE);
+    let mut lines = vec![row.detail.clone()];
+    for (index, names) in broken.into_iter().filter(|(_, names)| !names.is_empty()) {
+        let coefficient = &subject.model.coefficients[index].name;
+        lines.push(format!(
+            "{coefficient} breaks by its nature: {}",
+            names.join(", ")
+        ));
+    }
+    row.saying(lines.join("\n").trim().to_owned())
+}
+
+/// What a symmetry moves by.
+struct Draw {
+    shift: Vector3<f64>,
+    boost: Vector3<f64>,
+    angle: f64,
+    delay: f64,
+}
+
+impl Draw {
+    fn new(random: &mut Random) -> Self {
+        Self {
+            shift: Vector3::from_fn(|_, _| random.within(10.0)),
+            boost: Vector3::from_fn(|_, _| random.within(10.0)),
+            angle: random.within(3.0),
+            delay: random.between(0.0, 5.0),
+        }
+    }
+}
+
+/// How far the motion seen after the change is from the changed motion, against the larger of both.
+fn error(
+    subject: &Subject<'_>,
+    chart: &Chart,
+    point: &Point<f64>,
+    symmetry: Symmetry,
+    draw: &Draw,
+) -> Option<f64> {
+    let model = subject.model;
+    let physical = chart.physical(&point.states);
+    let change = chart.change(&point.states, &subject.equations.rates(point));
+    let (moved, inputs, expected) = transform(model, point, &physical, &change, symmetry, draw);
+    let mut seen = point.clone();
+    seen.inputs = inputs;
+    seen.states = chart.states(&moved)?;
+    if symmetry == Symmetry::Delay {
+        seen.time += draw.delay;
+    }
+    let got = chart.change(&seen.states, &subject.equations.rates(&seen));
+    let parts = [
+        (got.velocity, expected.velocity),
+        (got.acceleration, expected.acceleration),
+        (got.angular_velocity, expected.angular_velocity),
+        (got.angular_acceleration, expected.angular_acceleration),
+    ];
+    // Positions and accelerations are of order 1 to 1000; the floor is far below what a fault makes.
+    let error = |(got, expected): (Vector3<f64>, Vector3<f64>)| {
+        (got - expected).norm() / (got.norm() + expected.norm() + 1.0)
+    };
+    Some(parts.into_iter().map(error).fold(
+        0.0,
+        |a, b| if b.is_nan() { f64::INFINITY } else { a.max(b) },
+    ))
+}
+
+fn transform(
+    model: &Model,
+    point: &Point<f64>,
+    p: &Physical<f64>,
+    change: &Change,
+    symmetry: Symmetry,
+    draw: &Draw,
+) -> (Physical<f64>, Vec<Vector3<f64>>, Change) {
+    let (mut p, mut change, mut inputs) = (*p, *change, point.inputs.clone());
+    let heading = Quaternion::turn(3, draw.angle);
+    match symmetry {
+        Symmetry::Delay => {}
+        Symmetry::Translation => p.position += draw.shift,
+        Symmetry::Heading => {
+            let turn = heading.matrix();
+            p = map(&p, &turn, &turn, heading.times(p.attitude));
+            change = map_change(&change, &turn, &turn);
+            inputs.iter_mut().for_each(|v| *v = turn * *v);
+        }
+        Symmetry::Mirror => {
+            let polar = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
+            // The mirror image of a turn is a turn; a body that is its own image stays itself.
+            let attitude = Quaternion::from_matrix(&(polar * p.attitude.matrix() * polar));
+            p = map(&p, &polar, &-polar, attitude);
+            change = map_change(&change, &polar, &-polar);
+            for (input, v) in model.inputs.iter().zip(&mut inputs) {
+                *v = if input.unit.doubled[Base::Metre as usize] == 0 {
+                    -polar * *v
+                } else {
+                    polar * *v
+                };
+            }
+        }
+        Symmetry::Galilean => {
+            p.velocity += draw.boost;
+            change.velocity += draw.boost;
+            for (input, v) in model.inputs.iter().zip(&mut inputs) {
+                let unit = input.unit.doubled;
+                if unit[Base::Metre as usize] == 2 && unit[Base::Second as usize] == -2 {
+                    *v += draw.boost;
+                }
+            }
+        }
+        Symmetry::SpinAngle => p.attitude = p.attitude.times(heading),
+    }
+    (p, inputs, change)
+}
+
+fn map(
+    p: &Physical<f64>,
+    polar: &Matrix3<f64>,
+    axial: &Matrix3<f64>,
+    attitude: Quaternion<f64>,
+) -> Physical<f64> {
+    Physical {
+        position: polar * p.position,
+        velocity: polar * p.velocity,
+        attitude,
+        angular_velocity: axial * p.angular_velocity,
+    }
+}
+
+fn map_change(c: &Change, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> Change {
+    Change {
+        velocity: polar * c.velocity,
+        acceleration: polar * c.acceleration,
+        angular_velocity: axial * c.angular_velocity,
+        angular_acceleration: axial * c.angular_acceleration,
+    }
+}
+
+/// Whether the inertia is given in a frame that does not turn with the body, so that it must be a body
+/// of revolution.
+fn axis_of_revolution(model: &Model) -> bool {
+    let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
+    rotation.is_some_and(|r| r.inertia_frame != r.body_frame)
+}

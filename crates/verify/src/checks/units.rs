@@ -1,0 +1,28 @@
+//! Units and frames: what the checker of the language refuses.
+
+use crate::report::Row;
+use model_spec::diagnostic::Diagnostic;
+use model_spec::load::Loaded;
+use model_spec::model::Source;
+
+/// Name of the check.
+pub const UNITS: &str = "units and frames";
+
+/// One line a fault, with its place.
+pub fn check(loaded: &Loaded) -> Row {
+    let lines: Vec<String> = loaded
+        .diagnostics
+        .iter()
+        .map(|fault| line(fault, &loaded.sources))
+        .collect();
+    Row::counted(UNITS, loaded.file.items.len(), &lines, "")
+}
+
+fn line(fault: &Diagnostic, sources: &[Source]) -> String {
+    let source = sources.get(usize::from(fault.span.source));
+    let before = source
+        .and_then(|s| s.text.get(..fault.span.range().start))
+        .unwrap_or_default();
+    let line = before.matches('\n').count() + 1;
+    format!("line {line}: {}", fault.message)
+}

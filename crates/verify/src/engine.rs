@@ -1,0 +1,160 @@
+//! What the compiler makes of a model, evaluated by its tape for one flight at a time.
+
+use crate::subject::{Derivatives, Differentiable, Equations};
+use codegen::compile::Compiled;
+use codegen::program::Function;
+use codegen::tape::{Inputs, Tape};
+use nalgebra::Vector3;
+use oracle::point::Point;
+
+/// Compiled equations on the tape.
+pub struct Engine {
+    prepare: Tape,
+    f: Tape,
+    f_jac: Tape,
+    f_jac_par: Tape,
+    observe: Tape,
+    observe_jac: Tape,
+    f_jac_layout: Entries,
+    f_layout: Entries,
+    observe_layout: Entries,
+}
+
+/// Where the entries of sparse Jacobians belong in full ones.
+#[derive(Clone, Debug, Default)]
+pub struct Entries {
+    rows: usize,
+    columns: usize,
+    places: Vec<(usize, usize)>,
+}
+
+impl Entries {
+    /// From the sections of a function: the values first, then the Jacobians side by side, of widths `widths`.
+    pub fn of(function: &Function, value: &str, sections: &[(&str, usize)]) -> Self {
+        let rows = function.range(value).len();
+        let mut places = Vec::new();
+        let mut start = 0;
+        for &(name, width) in sections {
+            let shifted = function
+                .pattern(name)
+                .iter()
+                .map(|&(r, c)| (r as usize, start + c as usize));
+            places.extend(shifted);
+            start += width;
+        }
+        Self {
+            rows,
+            columns: start,
+            places,
+        }
+    }
+
+    /// Values and full rows from the numbers that the function writes.
+    pub fn read(&self, out: &[f64]) -> Derivatives {
+        let mut entries = vec![vec![0.0; self.columns]; self.rows];
+        for (&(row, column), value) in self.places.iter().zip(&out[self.rows..]) {
+            entries[row][column] = *value;
+        }
+        Derivatives {
+            values: out[..self.rows].to_vec(),
+            entries,
+        }
+    }
+}
+
+/// Parameters, coefficients and components of inputs, as the compiler orders them.
+pub fn parameters(point: &Point<f64>) -> Vec<f64> {
+    let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
+    point
+        .params
+        .iter()
+        .chain(&point.coefficients)
+        .copied()
+        .chain(inputs)
+        .collect()
+}
+
+impl Engine {
+    /// Lays out the tapes of a compiled model.
+    pub fn new(compiled: &Compiled) -> Self {
+        let (states, parameters) = (
+            compiled.layout.states.len(),
+            compiled.layout.parameters.len(),
+        );
+        Self {
+            prepare: Tape::new(&compiled.prepare.program),
+            f: Tape::new(&compiled.f.program),
+            f_jac: Tape::new(&compiled.f_jac.program),
+            f_jac_par: Tape::new(&compiled.f_jac_par.program),
+            observe: Tape::new(&compiled.observe.program),
+            observe_jac: Tape::new(&compiled.observe_jac.program),
+            f_jac_layout: Entries::of(&compiled.f_jac, "dx", &[("j", states)]),
+            f_layout: Entries::of(
+                &compiled.f_jac_par,
+                "dx",
+                &[("j", states), ("jp", parameters)],
+            ),
+            observe_layout: Entries::of(
+                &compiled.observe_jac,
+                "y",
+                &[("dy_dx", states), ("dy_dp", parameters)],
+            ),
+        }
+    }
+
+    fn eval(&self, tape: &Tape, point: &Point<f64>) -> Vec<f64> {
+        let p = parameters(point);
+        let mut scratch = Vec::new();
+        let mut prepared = vec![0.0; self.prepare.outputs()];
+        let marker = [point.marker.x, point.marker.y, point.marker.z];
+        let before = Inputs {
+            t: point.time,
+            x: &point.states,
+            p: &p,
+            prepared: &[],
+            marker: &marker,
+        };
+        self.prepare.eval(before, &mut scratch, &mut prepared);
+        let mut out = vec![0.0; tape.outputs()];
+        tape.eval(
+            Inputs {
+                prepared: &prepared,
+                ..before
+            },
+            &mut scratch,
+            &mut out,
+        );
+        out
+    }
+}
+
+impl Equations for Engine {
+    fn rates(&self, point: &Point<f64>) -> Vec<f64> {
+        self.eval(&self.f, point)
+    }
+
+    fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>> {
+        match self.eval(&self.observe, point).as_slice() {
+            &[x, y, z] => Some(Vector3::new(x, y, z)),
+            _ => None,
+        }
+    }
+}
+
+impl Differentiable for Engine {
+    fn derivatives(&self, point: &Point<f64>) -> Derivatives {
+        let mut all = self.f_layout.read(&self.eval(&self.f_jac_par, point));
+        if self.observe.outputs() == 3 {
+            let seen = self
+                .observe_layout
+                .read(&self.eval(&self.observe_jac, point));
+            all.values.extend(seen.values);
+            all.entries.extend(seen.entries);
+        }
+        all
+    }
+
+    fn by_state(&self, point: &Point<f64>) -> Derivatives {
+        self.f_jac_layout.read(&self.eval(&self.f_jac, point))
+    }
+}

@@ -1,0 +1,97 @@
+//! Walking and changing the expressions of a checked model.
+
+use model_spec::model::{Expr, ExprKind, Model};
+
+/// The parts of an expression that are expressions, in order.
+pub fn children(kind: &ExprKind) -> Vec<&Expr> {
+    use ExprKind as K;
+    match kind {
+        K::Neg(a)
+        | K::Call(_, a)
+        | K::Pow(a, _)
+        | K::Component(a, _)
+        | K::Reexpress(a)
+        | K::Norm(a) => vec![a],
+        K::Add(a, b)
+        | K::Sub(a, b)
+        | K::Mul(a, b)
+        | K::Div(a, b)
+        | K::Dot(a, b)
+        | K::Cross(a, b)
+        | K::Atan2(a, b)
+        | K::Min(a, b)
+        | K::Max(a, b) => vec![a, b],
+        K::Direction(a, otherwise) => std::iter::once(a).chain(otherwise).map(|e| &**e).collect(),
+        K::Components(parts) | K::Ratio(parts) => parts.iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The same, to be changed.
+pub fn children_mut(kind: &mut ExprKind) -> Vec<&mut Expr> {
+    use ExprKind as K;
+    match kind {
+        K::Neg(a)
+        | K::Call(_, a)
+        | K::Pow(a, _)
+        | K::Component(a, _)
+        | K::Reexpress(a)
+        | K::Norm(a) => vec![a],
+        K::Add(a, b)
+        | K::Sub(a, b)
+        | K::Mul(a, b)
+        | K::Div(a, b)
+        | K::Dot(a, b)
+        | K::Cross(a, b)
+        | K::Atan2(a, b)
+        | K::Min(a, b)
+        | K::Max(a, b) => vec![a, b],
+        K::Direction(a, otherwise) => std::iter::once(a)
+            .chain(otherwise)
+            .map(|e| &mut **e)
+            .collect(),
+        K::Components(parts) | K::Ratio(parts) => parts.iter_mut().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Every expression of a model.
+pub fn roots_mut(model: &mut Model) -> Vec<&mut Expr> {
+    let mut out: Vec<&mut Expr> = Vec::new();
+    if let Some(body) = &mut model.body {
+        out.push(&mut body.mass);
+        out.extend(
+            body.rotation
+                .iter_mut()
+                .flat_map(|r| r.inertia.iter_mut().flatten()),
+        );
+    }
+    out.extend(model.lets.iter_mut().map(|l| &mut l.value));
+    out.extend(
+        model
+            .forces
+            .iter_mut()
+            .chain(&mut model.moments)
+            .map(|l| &mut l.value),
+    );
+    out.extend(model.equations.iter_mut().map(|e| &mut e.value));
+    out.extend(model.observation.iter_mut().map(|o| &mut o.value));
+    out.extend(model.limits.iter_mut().map(|l| &mut l.value));
+    out
+}
+
+/// Puts a number in the place of a coefficient, everywhere.
+pub fn fix_coefficient(model: &mut Model, index: usize, value: f64) {
+    fn walk(e: &mut Expr, index: usize, value: f64) {
+        if matches!(e.kind, ExprKind::Coefficient(i) if i == index) {
+            let exact = (value.fract() == 0.0 && value.abs() < 1e15).then_some((value as i64, 1));
+            e.kind = ExprKind::Number { value, exact };
+        }
+        children_mut(&mut e.kind)
+            .into_iter()
+            .for_each(|child| walk(child, index, value));
+    }
+    roots_mut(model)
+        .into_iter()
+        .for_each(|root| walk(root, index, value));
+}

@@ -1,0 +1,223 @@
+//! The compiler's schedules evaluated in the field of the integers modulo 2^61 − 1.
+//!
+//! Sums, products and quotients are exact. Sines and cosines are points of the circle, of small multiples
+//! of states and of arctangents too; a root is the one of two that is itself a square; any other function
+//! is a symbol, a random number that depends on its argument alone. Equal at a random point, two programs
+//! are the same function of these.
+
+use codegen::program::{Binary, Op, Operand, Program, Unary};
+use num_traits::{One, Zero};
+use oracle::point::Point;
+use oracle::scalar::{Field, PRIME, Prime};
+
+/// An angle with its sine and cosine.
+type Angle = (Prime, (Prime, Prime));
+
+/// Multiples of a known angle that are known too.
+const MULTIPLES: usize = 4;
+
+/// What a program is evaluated at.
+pub struct Machine<'a> {
+    point: &'a Point<Prime>,
+    circles: &'a [(Prime, Prime)],
+    parameters: Vec<Prime>,
+    /// Results of `prepare`; none where one has no value.
+    pub prepared: Vec<Option<Prime>>,
+    /// Whether functions are symbols; else they have no value.
+    symbols: bool,
+}
+
+impl<'a> Machine<'a> {
+    /// At a point; `circles` are the sine and cosine of every state.
+    pub fn new(point: &'a Point<Prime>, circles: &'a [(Prime, Prime)], symbols: bool) -> Self {
+        let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
+        let parameters = point
+            .params
+            .iter()
+            .chain(&point.coefficients)
+            .copied()
+            .chain(inputs)
+            .collect();
+        Self {
+            point,
+            circles,
+            parameters,
+            prepared: Vec::new(),
+            symbols,
+        }
+    }
+
+    /// The results of a program; none where one has no value.
+    pub fn run(&self, program: &Program) -> Vec<Option<Prime>> {
+        let mut temps: Vec<Option<Prime>> = Vec::with_capacity(program.statements.len());
+        let mut angles: Vec<Angle> = self
+            .point
+            .states
+            .iter()
+            .zip(self.circles)
+            .map(|(&angle, &circle)| (angle, circle))
+            .collect();
+        for statement in &program.statements {
+            temps.push(self.step(statement.op, &temps, &mut angles));
+        }
+        program
+            .outputs
+            .iter()
+            .map(|&output| self.value(output, &temps))
+            .collect()
+    }
+
+    fn step(&self, op: Op, temps: &[Option<Prime>], angles: &mut Vec<Angle>) -> Option<Prime> {
+        let value = |operand| self.value(operand, temps);
+        match op {
+            Op::Unary(op, a) => self.unary(op, value(a)?, angles),
+            Op::Binary(op, a, b) => {
+                let (a, b) = (value(a)?, value(b)?);
+                match op {
+                    Binary::Add => Some(a + b),
+                    Binary::Sub => Some(a - b),
+                    Binary::Mul => Some(a * b),
+                    Binary::Div => Some(a / b),
+                    Binary::Atan2 => {
+                        let found = self.symbols.then(|| angle(a, b))??;
+                        angles.push(found);
+                        Some(found.0)
+                    }
+                    Binary::Min => self.symbols.then(|| symbol(1, &[a.min(b), a.max(b)])),
+                    Binary::Max => self.symbols.then(|| symbol(2, &[a.min(b), a.max(b)])),
+                }
+            }
+            Op::IfZero(a, then, otherwise) => {
+                if value(a)?.is_zero() {
+                    value(then)
+                } else {
+                    value(otherwise)
+                }
+            }
+        }
+    }
+
+    fn unary(&self, op: Unary, a: Prime, angles: &[Angle]) -> Option<Prime> {
+        let circle = || known(a, angles).or_else(|| self.symbols.then(|| circle(a)));
+        match op {
+            Unary::Neg => Some(-a),
+            Unary::Recip | Unary::RecipOrZero => Some(a.inverse()),
+            Unary::Sin => Some(circle()?.0),
+            Unary::Cos => Some(circle()?.1),
+            Unary::NonZero => Some(if a.is_zero() {
+                Prime::zero()
+            } else {
+                Prime::one()
+            }),
+            Unary::Sqrt => self.symbols.then(|| root(a))?,
+            Unary::Asin | Unary::Tanh | Unary::Sign => self.symbols.then(|| odd(op as u64, a)),
+            Unary::Abs => self.symbols.then(|| symbol(op as u64, &[least(a).0])),
+            Unary::Exp | Unary::Log | Unary::Step => self.symbols.then(|| symbol(op as u64, &[a])),
+        }
+    }
+
+    fn value(&self, operand: Operand, temps: &[Option<Prime>]) -> Option<Prime> {
+        match operand {
+            Operand::Time => Some(self.point.time),
+            Operand::State(i) => Some(self.point.states[i as usize]),
+            Operand::Parameter(i) => Some(self.parameters[i as usize]),
+            Operand::Prepared(i) => self.prepared[i as usize],
+            Operand::Marker(i) => Some(self.point.marker[i as usize]),
+            Operand::Constant(c) => {
+                constant(c).or_else(|| self.symbols.then(|| symbol(3, &[Prime::new(c.to_bits())])))
+            }
+            Operand::Temp(i) => temps[i as usize],
+        }
+    }
+}
+
+/// (sine, cosine) of a parameter of the circle: every point but one is (2t, 1 − t²)/(1 + t²).
+pub fn on_circle(t: Prime) -> (Prime, Prime) {
+    let scale = (Prime::one() + t * t).inverse();
+    (Prime::whole(2) * t * scale, (Prime::one() - t * t) * scale)
+}
+
+/// The fraction with a small denominator, or the decimal, that a constant was rounded from.
+fn constant(c: f64) -> Option<Prime> {
+    let decimals = (4..=15).map(|k| 10_i64.pow(k));
+    (1..=1000).chain(decimals).find_map(|d| {
+        let n = (c * d as f64).round();
+        (n.abs() < 1e15 && n / d as f64 == c).then(|| Prime::whole(n as i64) / Prime::whole(d))
+    })
+}
+
+/// The root that is itself a square; none of a number that is no square.
+fn root(a: Prime) -> Option<Prime> {
+    let root = power(a, PRIME.div_ceil(4));
+    (root * root == a).then_some(root)
+}
+
+fn power(a: Prime, mut exponent: u64) -> Prime {
+    let (mut square, mut product) = (a, Prime::one());
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            product *= square;
+        }
+        square *= square;
+        exponent >>= 1;
+    }
+    product
+}
+
+/// An angle depends on the direction of (x, y) alone, and changes its sign with y.
+fn angle(y: Prime, x: Prime) -> Option<Angle> {
+    let length = root(x * x + y * y)?.inverse();
+    let (sine, cosine) = (y * length, x * length);
+    let (size, sign) = least(sine);
+    Some((symbol(4, &[size, cosine]) * sign, (sine, cosine)))
+}
+
+/// Sine and cosine of an angle that is a small multiple of a known one.
+fn known(a: Prime, angles: &[Angle]) -> Option<(Prime, Prime)> {
+    angles.iter().find_map(|&(angle, (s, c))| {
+        let (mut multiple, mut circle) = (angle, (s, c));
+        for _ in 0..MULTIPLES {
+            if a == multiple {
+                return Some(circle);
+            }
+            if a == -multiple {
+                return Some((-circle.0, circle.1));
+            }
+            multiple += angle;
+            circle = (circle.0 * c + circle.1 * s, circle.1 * c - circle.0 * s);
+        }
+        None
+    })
+}
+
+fn odd(function: u64, a: Prime) -> Prime {
+    let (a, sign) = least(a);
+    symbol(function, &[a]) * sign
+}
+
+/// Sine and cosine of something that is no state.
+fn circle(a: Prime) -> (Prime, Prime) {
+    let (a, sign) = least(a);
+    let (sine, cosine) = on_circle(symbol(5, &[a]));
+    (sine * sign, cosine)
+}
+
+/// The lesser of a and −a, and the sign that leads back.
+fn least(a: Prime) -> (Prime, Prime) {
+    if (-a).value() < a.value() {
+        (-a, -Prime::one())
+    } else {
+        (a, Prime::one())
+    }
+}
+
+/// A random element that depends on a function and its arguments alone.
+fn symbol(function: u64, arguments: &[Prime]) -> Prime {
+    let mut hash = 0x9e37_79b9_7f4a_7c15_u64 ^ function;
+    for argument in arguments {
+        hash = (hash ^ argument.value()).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        hash = (hash ^ (hash >> 29)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        hash ^= hash >> 32;
+    }
+    Prime::new(hash)
+}

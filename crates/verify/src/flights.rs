@@ -1,0 +1,299 @@
+//! Flights: energy and angular momentum where there is no air, the same flight by the oracle's momenta,
+//! and the same flight by two models.
+
+use crate::Options;
+use crate::random::Random;
+use crate::report::{Row, Worst};
+use crate::same_motion::carry;
+use crate::subject::Subject;
+use flight::Method;
+use nalgebra::{Matrix3, Vector3};
+use oracle::attitude::Quaternion;
+use oracle::dynamics::{MassProperties, mass_properties};
+use oracle::physical::Physical;
+use oracle::point::Point;
+use oracle::reference::Reference;
+use oracle::rigid::{inertia_in_n, solve};
+use oracle::tree::Tree;
+
+/// Name of the check without air.
+pub const INVARIANTS: &str = "flight without air";
+/// Name of the check against the flight of the oracle.
+pub const MOMENTA: &str = "flight by momenta";
+/// Name of the comparison of two models.
+const FLIGHTS: &str = "flights";
+
+/// Greatest difference of two flights, against their size: the integrator is asked for 1e-11.
+const TOLERANCE: f64 = 1e-8;
+const RELEASES: usize = 3;
+const DURATION: f64 = 1.0;
+
+/// Flies without air: the energy and the angular momentum stay what they are.
+pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
+    let mut random = Random::new(options.seed, INVARIANTS);
+    let mut worst = Worst::default();
+    for _ in 0..RELEASES {
+        let Some(mut point) = release(subject, &mut random) else {
+            return Row::skipped(INVARIANTS, "which state stands for what is not known");
+        };
+        airless(subject, &mut point);
+        let Some((force, moment, properties)) = loads(subject, &point) else {
+            return Row::skipped(INVARIANTS, "neither loads nor a reference say what acts");
+        };
+        let end = match fly(subject, &point) {
+            Ok(end) => end,
+            Err(why) => return Row::counted(INVARIANTS, RELEASES, &[why], ""),
+        };
+        let (Some(before), Some(after)) = (
+            held(subject, &point, &properties),
+            held(subject, &end, &properties),
+        ) else {
+            return Row::skipped(INVARIANTS, "which state stands for what is not known");
+        };
+        worst.see(moment.norm(), || {
+            String::from("a moment is left where there is no air")
+        });
+        // A steady force has the potential −F·r.
+        let fall = force.dot(&(after.position - before.position));
+        let energy = (after.energy - before.energy - fall).abs() / (before.energy + after.energy);
+        worst.see(energy, || String::from("energy"));
+        let size = before.angular_momentum.norm().max(f64::MIN_POSITIVE);
+        let change = (after.angular_momentum - before.angular_momentum).norm();
+        worst.see(change / size, || String::from("angular momentum"));
+    }
+    Row::judged(INVARIANTS, RELEASES, &worst, TOLERANCE)
+}
+
+/// Flies the law written by hand in momenta and a quaternion, and the model's equations in its states.
+pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
+    let Some(reference) = &subject.reference else {
+        return Row::skipped(MOMENTA, "the model claims no reference");
+    };
+    let mut random = Random::new(options.seed, MOMENTA);
+    let mut worst = Worst::default();
+    for _ in 0..RELEASES {
+        let Some(point) = release(subject, &mut random) else {
+            return Row::skipped(MOMENTA, "which state stands for what is not known");
+        };
+        let point = subject.without_extras(point);
+        let (end, other) = match (fly(subject, &point), fly_by_momenta(reference, &point)) {
+            (Ok(end), Ok(other)) => (reference.chart.physical(&end.states), other),
+            (Err(why), _) | (_, Err(why)) => return Row::counted(MOMENTA, RELEASES, &[why], ""),
+        };
+        compare(&mut worst, &end, &other);
+    }
+    Row::judged(MOMENTA, RELEASES, &worst, TOLERANCE)
+}
+
+/// Flies two models from the same releases.
+pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
+    let mut random = Random::new(options.seed, FLIGHTS);
+    let mut worst = Worst::default();
+    for _ in 0..RELEASES {
+        let here = release(a, &mut random);
+        let there = here.as_ref().and_then(|here| carry(a, b, here));
+        let (Some(here), Some(there), Some(chart_a), Some(chart_b)) =
+            (here, there, &a.chart, &b.chart)
+        else {
+            return Row::skipped(
+                FLIGHTS,
+                "the states of one cannot be found from the other's",
+            );
+        };
+        match (fly(a, &here), fly(b, &there)) {
+            (Ok(one), Ok(other)) => {
+                compare(
+                    &mut worst,
+                    &chart_a.physical(&one.states),
+                    &chart_b.physical(&other.states),
+                );
+            }
+            (Err(why), _) | (_, Err(why)) => return Row::counted(FLIGHTS, RELEASES, &[why], ""),
+        }
+    }
+    Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
+}
+
+/// A throw: forward, nearly flat, spinning; default constants, some wind.
+fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
+    let chart = subject.chart.as_ref()?;
+    let mut point = Point::defaults(subject.model);
+    let attitude = Quaternion::turn(1, random.within(0.2))
+        .times(Quaternion::turn(2, random.within(0.2)))
+        .times(Quaternion::turn(3, random.within(3.0)));
+    let spin = Vector3::new(
+        random.within(1.0),
+        random.within(1.0),
+        -40.0 + random.within(10.0),
+    );
+    point.states = chart.states(&Physical {
+        position: Vector3::new(0.0, 0.0, 1.0),
+        velocity: Vector3::new(
+            12.0 + random.within(3.0),
+            random.within(2.0),
+            random.within(2.0),
+        ),
+        attitude,
+        angular_velocity: attitude.carry(spin),
+    })?;
+    for input in &mut point.inputs {
+        *input = Vector3::from_fn(|_, _| random.within(2.0));
+    }
+    Some(point)
+}
+
+/// No air: its density is 0 where the model has one, every coefficient is 0, and effects are absent.
+fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
+    for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
+        if constant.name == "rho" {
+            *value = 0.0;
+        }
+    }
+    point.coefficients.fill(0.0);
+    for (index, value) in subject.extras() {
+        point.coefficients[index] = value;
+    }
+}
+
+/// Flies the model's equations; the point at the end.
+fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
+    let mut at = from.clone();
+    let mut moving = flight::equations(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
+        at.time = t;
+        at.states.copy_from_slice(x);
+        dx.copy_from_slice(&subject.equations.rates(&at));
+    });
+    let start = from.states.clone();
+    let end = integrate(&mut moving, &start)?;
+    Ok(Point {
+        time: DURATION,
+        states: end,
+        ..from.clone()
+    })
+}
+
+/// Flies the law written by hand: position, momentum, attitude, angular momentum.
+fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<f64>, String> {
+    let properties = reference.mass_properties(point);
+    let read = |y: &[f64]| -> Physical<f64> {
+        let vector = |i: usize| Vector3::new(y[i], y[i + 1], y[i + 2]);
+        let attitude = Quaternion::from_parts([y[6], y[7], y[8], y[9]]);
+        let angular_velocity = properties
+            .inertia
+            .map(|inertia| solve(&inertia_in_n(&attitude.matrix(), &inertia), &vector(10)));
+        Physical {
+            position: vector(0),
+            velocity: vector(3) / properties.mass,
+            attitude,
+            angular_velocity: angular_velocity.unwrap_or_else(Vector3::zeros),
+        }
+    };
+    let at = reference.chart.physical(&point.states);
+    let spatial =
+        |inertia: &Matrix3<f64>| inertia_in_n(&at.attitude.matrix(), inertia) * at.angular_velocity;
+    let angular_momentum = properties
+        .inertia
+        .as_ref()
+        .map_or_else(Vector3::zeros, spatial);
+    let mut start: Vec<f64> = at.position.iter().copied().collect();
+    start.extend((at.velocity * properties.mass).iter());
+    start.extend(at.attitude.parts());
+    start.extend(angular_momentum.iter());
+    let mut moving = flight::equations(&[], |_, y: &Vec<f64>, dy: &mut Vec<f64>| {
+        let body = read(y);
+        let motion = reference.motion_at(&body, point);
+        let rate = Quaternion {
+            w: 0.0,
+            v: body.angular_velocity,
+        }
+        .times(body.attitude);
+        dy[0..3].copy_from_slice(body.velocity.as_slice());
+        dy[3..6].copy_from_slice(motion.force.as_slice());
+        dy[6..10].copy_from_slice(&rate.parts().map(|part| part / 2.0));
+        dy[10..13].copy_from_slice(motion.moment.as_slice());
+    });
+    integrate(&mut moving, &start).map(|end| read(&end))
+}
+
+fn integrate<D: flight::Dynamics<State = Vec<f64>>>(
+    d: &mut D,
+    start: &Vec<f64>,
+) -> Result<Vec<f64>, String> {
+    let options = flight::Options {
+        method: Method::Dop853,
+        ..flight::Options::tolerance(1e-11)
+    };
+    flight::fly_to_end(d, (0.0, start), DURATION, &options, &mut [])
+        .map(|end| end.state)
+        .map_err(|fault| fault.to_string())
+}
+
+fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
+    let parts = [
+        ("position", a.position, b.position),
+        ("velocity", a.velocity, b.velocity),
+        ("angular velocity", a.angular_velocity, b.angular_velocity),
+        ("attitude", a.attitude.axis(1), b.attitude.axis(1)),
+        ("attitude", a.attitude.axis(3), b.attitude.axis(3)),
+    ];
+    for (what, a, b) in parts {
+        worst.see((a - b).norm() / (a.norm() + b.norm() + 1.0), || {
+            what.to_owned()
+        });
+    }
+}
+
+/// What a free body keeps.
+struct Held {
+    position: Vector3<f64>,
+    energy: f64,
+    angular_momentum: Vector3<f64>,
+}
+
+fn held(
+    subject: &Subject<'_>,
+    point: &Point<f64>,
+    properties: &MassProperties<f64>,
+) -> Option<Held> {
+    let body = subject.chart.as_ref()?.physical(&point.states);
+    let axes = body.attitude.matrix();
+    let angular_momentum = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
+        inertia_in_n(&axes, &inertia) * body.angular_velocity
+    });
+    let energy = properties.mass * body.velocity.norm_squared()
+        + angular_momentum.dot(&body.angular_velocity);
+    Some(Held {
+        position: body.position,
+        energy: energy / 2.0,
+        angular_momentum,
+    })
+}
+
+/// Force and moment at a point, with mass and inertia in the body's frame.
+fn loads(
+    subject: &Subject<'_>,
+    point: &Point<f64>,
+) -> Option<(Vector3<f64>, Vector3<f64>, MassProperties<f64>)> {
+    if let Some(reference) = &subject.reference {
+        let motion = reference.motion(point);
+        return Some((
+            motion.force,
+            motion.moment,
+            reference.mass_properties(point),
+        ));
+    }
+    let model = subject.model;
+    let body = model.body.as_ref()?;
+    let tree = Tree::new(model, point);
+    let mut properties = mass_properties(&tree, body);
+    if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
+        let turn = tree.frames[rotation.body_frame].axes.transpose()
+            * tree.frames[rotation.inertia_frame].axes;
+        properties.inertia = Some(inertia_in_n(&turn, &inertia));
+    }
+    Some((
+        tree.total(&model.forces),
+        tree.total(&model.moments),
+        properties,
+    ))
+}

@@ -1,0 +1,164 @@
+//! When a mutant is the same model after all: its compiled equations are the same, node for node.
+
+use crate::checks::exact::Spot;
+use crate::field::Machine;
+use crate::random::Random;
+use crate::sample;
+use crate::subject::{Equations, Subject};
+use crate::values::Values;
+use codegen::program::{Binary, Op, Operand, Program, Unary};
+use std::collections::HashMap;
+
+/// Proof by structure.
+const SAME: &str = "compiles to the same derivatives and observation, node for node";
+/// Proof by evaluation in the field, and in numbers for the branches of roots.
+const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
+                     functions being symbols";
+
+/// Points at which two programs are compared.
+const POINTS: usize = 4;
+/// A point is good where every root is one of a square: one in two for each root.
+const TRIALS: usize = 4096;
+
+/// The model that mutants are compared with.
+pub struct Original<'a> {
+    /// The model and its equations.
+    pub subject: &'a Subject<'a>,
+    values: Values,
+    interner: Interner,
+    outputs: Vec<u32>,
+}
+
+impl<'a> Original<'a> {
+    /// Takes note of a model and what it compiles to.
+    pub fn new(subject: &'a Subject<'a>) -> Self {
+        let values = Values::of(subject.model);
+        let mut interner = Interner::default();
+        let outputs = interner.outputs(&values.program);
+        Self {
+            subject,
+            values,
+            interner,
+            outputs,
+        }
+    }
+
+    /// A proof that a mutant is the same model, by its reason.
+    pub fn same(&self, mutant: &Values) -> Option<&'static str> {
+        let (here, there) = (&self.values.layout, &mutant.layout);
+        let named = here.states == there.states && here.parameters == there.parameters;
+        if !named || here.defaults != there.defaults {
+            return None;
+        }
+        if self.interner.clone().outputs(&mutant.program) == self.outputs {
+            return Some(SAME);
+        }
+        (self.equal_in_numbers(mutant) && self.equal_in_field(mutant)).then_some(EQUAL)
+    }
+
+    fn equal_in_numbers(&self, mutant: &Values) -> bool {
+        let mut random = Random::new(0, "equivalence");
+        (0..POINTS).all(|_| {
+            let point = sample::point(self.subject.model, &mut random);
+            let (here, there) = (self.values.rates(&point), mutant.rates(&point));
+            here.iter()
+                .zip(&there)
+                .all(|(a, b)| (a - b).abs() <= 1e-9 * (1.0 + a.abs() + b.abs()))
+        })
+    }
+
+    fn equal_in_field(&self, mutant: &Values) -> bool {
+        let mut random = Random::new(0, "equivalence");
+        let mut good = 0;
+        for _ in 0..TRIALS {
+            let spot = Spot::random(self.subject.model, &mut random);
+            let machine = Machine::new(&spot.point, &spot.circles, true);
+            let here = machine.run(&self.values.program);
+            if here.iter().any(Option::is_none) {
+                continue;
+            }
+            if machine.run(&mutant.program) != here {
+                return false;
+            }
+            good += 1;
+            if good == POINTS {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Whether there are terms that no reference knows, so that nobody says what is right.
+    pub fn unwatched(&self) -> bool {
+        self.subject
+            .reference
+            .as_ref()
+            .is_none_or(|r| !r.unknown.is_empty())
+    }
+}
+
+/// Expressions by their structure: equal expressions have equal numbers.
+#[derive(Clone, Debug, Default)]
+struct Interner {
+    numbers: HashMap<Key, u32>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Key {
+    Time,
+    State(u32),
+    Parameter(u32),
+    Prepared(u32),
+    Marker(u32),
+    Constant(u64),
+    Unary(Unary, u32),
+    Binary(Binary, u32, u32),
+    IfZero(u32, u32, u32),
+}
+
+impl Interner {
+    /// Numbers of the results of a program.
+    fn outputs(&mut self, program: &Program) -> Vec<u32> {
+        let mut temps: Vec<u32> = Vec::with_capacity(program.statements.len());
+        for statement in &program.statements {
+            let mut operand = |o: Operand| self.operand(o, &temps);
+            let key = match statement.op {
+                Op::Unary(op, a) => Key::Unary(op, operand(a)),
+                Op::Binary(op, a, b) => {
+                    let (a, b) = (operand(a), operand(b));
+                    match op {
+                        Binary::Add | Binary::Mul | Binary::Min | Binary::Max if b < a => {
+                            Key::Binary(op, b, a)
+                        }
+                        _ => Key::Binary(op, a, b),
+                    }
+                }
+                Op::IfZero(a, b, c) => Key::IfZero(operand(a), operand(b), operand(c)),
+            };
+            let number = self.number(key);
+            temps.push(number);
+        }
+        program
+            .outputs
+            .iter()
+            .map(|&output| self.operand(output, &temps))
+            .collect()
+    }
+
+    fn operand(&mut self, operand: Operand, temps: &[u32]) -> u32 {
+        match operand {
+            Operand::Temp(i) => temps[i as usize],
+            Operand::Time => self.number(Key::Time),
+            Operand::State(i) => self.number(Key::State(i)),
+            Operand::Parameter(i) => self.number(Key::Parameter(i)),
+            Operand::Prepared(i) => self.number(Key::Prepared(i)),
+            Operand::Marker(i) => self.number(Key::Marker(i)),
+            Operand::Constant(c) => self.number(Key::Constant(c.to_bits())),
+        }
+    }
+
+    fn number(&mut self, key: Key) -> u32 {
+        let next = self.numbers.len() as u32;
+        *self.numbers.entry(key).or_insert(next)
+    }
+}

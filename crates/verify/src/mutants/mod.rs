@@ -1,0 +1,165 @@
+//! Mutants: the model with one plausible mistake each, every one of which must be noticed.
+
+pub mod equivalence;
+pub mod judge;
+mod names;
+mod rewrite;
+mod run;
+mod sites;
+mod statement;
+mod table;
+
+use model_spec::model::Source;
+use model_spec::syntax::ast::{File, FrameKind, ItemKind, Name};
+use names::Names;
+pub use run::run;
+pub use table::{KillRow, KillTable};
+
+/// The kinds of mistake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Operator {
+    /// A sign changed.
+    Sign,
+    /// A factor 2, 0.5 or 1.1.
+    Factor,
+    /// Another frame.
+    Frame,
+    /// Another axis, or two components interchanged.
+    Axis,
+    /// Another axis, parent or angle of a turn.
+    Turn,
+    /// Sine for cosine, a function left out.
+    Function,
+    /// A term, factor or load left out.
+    Dropped,
+    /// Another exponent.
+    Exponent,
+    /// One name for another.
+    Exchanged,
+    /// Another unit.
+    Unit,
+    /// Arguments interchanged.
+    Order,
+}
+
+impl Operator {
+    /// All of them, in the order of the table.
+    pub const ALL: [Self; 11] = [
+        Self::Sign,
+        Self::Factor,
+        Self::Dropped,
+        Self::Exchanged,
+        Self::Frame,
+        Self::Axis,
+        Self::Turn,
+        Self::Function,
+        Self::Exponent,
+        Self::Order,
+        Self::Unit,
+    ];
+
+    /// In a word or two.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sign => "sign flipped",
+            Self::Factor => "factor changed",
+            Self::Frame => "other frame",
+            Self::Axis => "other axis",
+            Self::Turn => "other turn",
+            Self::Function => "other function",
+            Self::Dropped => "left out",
+            Self::Exponent => "other exponent",
+            Self::Exchanged => "other name",
+            Self::Unit => "wrong unit",
+            Self::Order => "arguments swapped",
+        }
+    }
+}
+
+/// A model with one mistake.
+#[derive(Clone, Debug)]
+pub struct Mutant {
+    /// Kind of the mistake.
+    pub operator: Operator,
+    /// The statement it is in.
+    pub place: String,
+    /// What was done to what.
+    pub change: String,
+    /// The file with the mistake.
+    pub file: File,
+}
+
+/// Every mutant of a file, in the order of its statements.
+pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
+    let names = Names::of(file);
+    let angles: Vec<Name> = file
+        .items
+        .iter()
+        .filter_map(|item| match &item.kind {
+            ItemKind::Frame(f) => match &f.kind {
+                FrameKind::Turned { angle, .. } => Some(angle.clone()),
+                _ => None,
+            },
+            _ => None,
+        })
+        .collect();
+    let mut out = Vec::new();
+    for (index, item) in file.items.iter().enumerate() {
+        let place = sites::place(item);
+        for change in statement::changes(item, &names, &angles) {
+            let mut file = file.clone();
+            match change.to {
+                Some(to) => file.items[index] = to,
+                None => drop(file.items.remove(index)),
+            }
+            out.push(Mutant {
+                operator: change.operator,
+                place: place.clone(),
+                change: change.how,
+                file,
+            });
+        }
+        expressions(file, index, &place, &names, sources, &mut out);
+    }
+    out
+}
+
+fn expressions(
+    file: &File,
+    index: usize,
+    place: &str,
+    names: &Names,
+    sources: &[Source],
+    out: &mut Vec<Mutant>,
+) {
+    let mut scratch = file.items[index].clone();
+    let sizes: Vec<usize> = sites::roots(&mut scratch)
+        .into_iter()
+        .map(sites::count)
+        .collect();
+    for (root, size) in sizes.into_iter().enumerate() {
+        for n in 0..size {
+            let Some(e) = sites::nth(sites::roots(&mut scratch).swap_remove(root), n) else {
+                continue;
+            };
+            let e = e.clone();
+            let text = sources
+                .get(usize::from(e.span.source))
+                .and_then(|s| s.text.get(e.span.range()))
+                .unwrap_or_default();
+            for rewrite in rewrite::rewrites(&e, names, index, n == 0, n) {
+                let mut file = file.clone();
+                let mut roots = sites::roots(&mut file.items[index]);
+                if let Some(at) = sites::nth(roots.swap_remove(root), n) {
+                    *at = rewrite.to;
+                }
+                out.push(Mutant {
+                    operator: rewrite.operator,
+                    place: place.to_owned(),
+                    change: format!("`{text}` {}", rewrite.how),
+                    file,
+                });
+            }
+        }
+    }
+}

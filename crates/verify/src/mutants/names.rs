@@ -1,0 +1,79 @@
+//! Which names of a model could be mistaken for one another.
+
+use model_spec::syntax::ast::{Constant, File, ItemKind};
+
+/// The names of a file, with the statement that declares each.
+pub struct Names {
+    frames: Vec<String>,
+    constants: Vec<(String, String)>,
+    lets: Vec<(usize, String)>,
+}
+
+impl Names {
+    /// Collects the names of a file.
+    pub fn of(file: &File) -> Self {
+        let mut names = Self {
+            frames: Vec::new(),
+            constants: Vec::new(),
+            lets: Vec::new(),
+        };
+        for (index, item) in file.items.iter().enumerate() {
+            match &item.kind {
+                ItemKind::Frame(f) => names.frames.push(f.name.text.clone()),
+                ItemKind::Constant(c) => names.constants.push((c.name.text.clone(), unit_text(c))),
+                ItemKind::Let(l) => names.lets.push((index, l.name.text.clone())),
+                _ => {}
+            }
+        }
+        names
+    }
+
+    /// Whether a frame has that name.
+    pub fn is_frame(&self, name: &str) -> bool {
+        self.frames.iter().any(|f| f == name)
+    }
+
+    /// Every other frame.
+    pub fn other_frames<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a String> {
+        self.frames.iter().filter(move |f| *f != name)
+    }
+
+    /// Names that one could write by mistake for this one in statement `item`: a constant of the same
+    /// unit, another constant, and the named quantities declared around it that are known by then.
+    pub fn exchanges(&self, name: &str, item: usize) -> Vec<String> {
+        let mut out = Vec::new();
+        if let Some(at) = self.constants.iter().position(|(n, _)| n == name) {
+            let (before, after) = self.constants.split_at(at);
+            let mut others = after[1..].iter().chain(before);
+            let unit = &after[0].1;
+            out.extend(
+                others
+                    .clone()
+                    .filter(|(_, u)| u == unit)
+                    .take(2)
+                    .map(|(n, _)| n.clone()),
+            );
+            out.extend(others.find(|(_, u)| u != unit).map(|(n, _)| n.clone()));
+        }
+        if let Some(at) = self.lets.iter().position(|(_, n)| n == name) {
+            let near = |&(k, &(declared, _)): &(usize, &(usize, String))| {
+                k != at && k.abs_diff(at) <= 2 && declared < item
+            };
+            out.extend(
+                self.lets
+                    .iter()
+                    .enumerate()
+                    .filter(near)
+                    .map(|(_, (_, n))| n.clone()),
+            );
+        }
+        out
+    }
+}
+
+fn unit_text(constant: &Constant) -> String {
+    let factors = constant.value.unit.iter().flat_map(|u| &u.factors);
+    factors
+        .map(|f| format!("{}^{} ", f.symbol, f.doubled))
+        .collect()
+}

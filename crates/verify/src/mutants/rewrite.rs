@@ -1,0 +1,214 @@
+//! What can be done to one expression.
+
+use super::Operator;
+use super::names::Names;
+use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, Name, Number, Quantity};
+
+/// An expression in the place of another.
+pub struct Rewrite {
+    /// Kind of the change.
+    pub operator: Operator,
+    /// What was done, in a few words.
+    pub how: String,
+    /// The new expression.
+    pub to: Expr,
+}
+
+/// Everything that can be done to `e`, which stands in statement `item`. `serial` varies the factors
+/// from place to place, so that each is tried somewhere in every statement.
+pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize) -> Vec<Rewrite> {
+    let mut out = Vec::new();
+    let mut push = |operator, how: String, to: Expr| out.push(Rewrite { operator, how, to });
+    let leaf = match &e.kind {
+        ExprKind::Name(name) => !names.is_frame(name),
+        ExprKind::Number(_) => true,
+        _ => false,
+    };
+    if root || leaf {
+        push(
+            Operator::Sign,
+            "negated".into(),
+            with(e, ExprKind::Neg(Box::new(e.clone()))),
+        );
+        let factors = ["2", "0.5", "1.1"];
+        for (k, factor) in factors.into_iter().enumerate() {
+            if root || k == serial % 3 {
+                push(
+                    Operator::Factor,
+                    format!("times {factor}"),
+                    times(e, factor),
+                );
+            }
+        }
+    }
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Derivative(_) => {}
+        ExprKind::Name(name) => {
+            for other in names.exchanges(name, item) {
+                let how = format!("exchanged for `{other}`");
+                push(Operator::Exchanged, how, with(e, ExprKind::Name(other)));
+            }
+        }
+        ExprKind::Neg(a) => push(Operator::Sign, "minus left out".into(), (**a).clone()),
+        ExprKind::Part(a, k) => {
+            for axis in (1..=3).filter(|axis| axis != k) {
+                let to = with(e, ExprKind::Part(a.clone(), axis));
+                push(Operator::Axis, format!("axis {axis} for {k}"), to);
+            }
+            if let ExprKind::Name(frame) = &a.kind {
+                for other in names.other_frames(frame) {
+                    let of = Box::new(with(a, ExprKind::Name(other.clone())));
+                    let to = with(e, ExprKind::Part(of, *k));
+                    push(Operator::Frame, format!("of {other}"), to);
+                }
+            }
+        }
+        ExprKind::Components(parts, frame) => {
+            for other in names.other_frames(&frame.text) {
+                let name = Name {
+                    text: other.clone(),
+                    span: frame.span,
+                };
+                let to = with(e, ExprKind::Components(parts.clone(), name));
+                push(Operator::Frame, format!("in {other}"), to);
+            }
+            for (i, j) in [(0, 1), (1, 2), (0, 2)] {
+                let mut swapped = parts.clone();
+                swapped.swap(i, j);
+                let how = format!("components {} and {} swapped", i + 1, j + 1);
+                push(
+                    Operator::Axis,
+                    how,
+                    with(e, ExprKind::Components(swapped, frame.clone())),
+                );
+            }
+        }
+        ExprKind::Binary(op, a, b) => binary(e, *op, a, b, &mut push),
+        ExprKind::Call(function, arguments) => call(e, function, arguments, names, &mut push),
+    }
+    out
+}
+
+fn binary(
+    e: &Expr,
+    op: BinaryOp,
+    a: &Expr,
+    b: &Expr,
+    push: &mut impl FnMut(Operator, String, Expr),
+) {
+    let as_op = |op| {
+        with(
+            e,
+            ExprKind::Binary(op, Box::new(a.clone()), Box::new(b.clone())),
+        )
+    };
+    match op {
+        BinaryOp::Add | BinaryOp::Sub => {
+            let (flipped, sign) = if op == BinaryOp::Add {
+                (BinaryOp::Sub, "-")
+            } else {
+                (BinaryOp::Add, "+")
+            };
+            push(Operator::Sign, format!("`{sign}` instead"), as_op(flipped));
+            push(Operator::Dropped, "second term dropped".into(), a.clone());
+            let second = if op == BinaryOp::Add {
+                b.clone()
+            } else {
+                with(b, ExprKind::Neg(Box::new(b.clone())))
+            };
+            push(Operator::Dropped, "first term dropped".into(), second);
+        }
+        BinaryOp::Mul | BinaryOp::Dot | BinaryOp::Cross => {
+            push(Operator::Dropped, "second factor dropped".into(), a.clone());
+            push(Operator::Dropped, "first factor dropped".into(), b.clone());
+        }
+        BinaryOp::Div => push(Operator::Dropped, "divisor dropped".into(), a.clone()),
+        BinaryOp::Pow => {
+            let ExprKind::Number(exponent) = &b.kind else {
+                return;
+            };
+            let Ok(n) = exponent.number.text.parse::<i32>() else {
+                return;
+            };
+            for other in [n - 1, n + 1] {
+                let exponent = Box::new(number(b, &other.to_string()));
+                let to = with(e, ExprKind::Binary(op, Box::new(a.clone()), exponent));
+                push(Operator::Exponent, format!("exponent {other} for {n}"), to);
+            }
+        }
+    }
+}
+
+fn call(
+    e: &Expr,
+    function: &Name,
+    arguments: &[Expr],
+    names: &Names,
+    push: &mut impl FnMut(Operator, String, Expr),
+) {
+    let renamed = |to: &str| {
+        let name = Name {
+            text: to.to_owned(),
+            span: function.span,
+        };
+        with(e, ExprKind::Call(name, arguments.to_vec()))
+    };
+    match (function.text.as_str(), arguments) {
+        ("sin", _) => push(Operator::Function, "cos for sin".into(), renamed("cos")),
+        ("cos", _) => push(Operator::Function, "sin for cos".into(), renamed("sin")),
+        ("sqrt" | "unit" | "abs", [a, ..]) => {
+            push(
+                Operator::Function,
+                format!("{} left out", function.text),
+                a.clone(),
+            );
+        }
+        ("cross" | "atan2" | "dot", [a, b]) => {
+            let swapped = vec![b.clone(), a.clone()];
+            let to = with(e, ExprKind::Call(function.clone(), swapped));
+            push(Operator::Order, "arguments swapped".into(), to);
+        }
+        (name, _) => {
+            let Some(frame) = name.strip_prefix("in_") else {
+                return;
+            };
+            for other in names.other_frames(frame) {
+                push(
+                    Operator::Frame,
+                    format!("in_{other}"),
+                    renamed(&format!("in_{other}")),
+                );
+            }
+        }
+    }
+}
+
+fn with(e: &Expr, kind: ExprKind) -> Expr {
+    Expr { kind, span: e.span }
+}
+
+fn number(at: &Expr, text: &str) -> Expr {
+    let number = Number {
+        text: text.to_owned(),
+        span: at.span,
+    };
+    with(
+        at,
+        ExprKind::Number(Quantity {
+            number,
+            unit: None,
+            span: at.span,
+        }),
+    )
+}
+
+fn times(e: &Expr, factor: &str) -> Expr {
+    with(
+        e,
+        ExprKind::Binary(
+            BinaryOp::Mul,
+            Box::new(number(e, factor)),
+            Box::new(e.clone()),
+        ),
+    )
+}

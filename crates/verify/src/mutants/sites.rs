@@ -1,0 +1,73 @@
+//! Where a model file can be changed: its expressions, numbered in the order in which they are written.
+
+use model_spec::syntax::ast::{BinaryOp, BodyPartKind, Expr, ExprKind, Item, ItemKind};
+
+/// The expressions of a statement that say something about the physics. Limits and check cases are left
+/// out: they say where a model holds and what is known of it.
+pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
+    match &mut item.kind {
+        ItemKind::Let(l) => vec![&mut l.value],
+        ItemKind::Load(l) => vec![&mut l.value],
+        ItemKind::Equation(e) => vec![&mut e.value],
+        ItemKind::Observe(o) => vec![&mut o.value],
+        ItemKind::Body(body) => {
+            let of_part = body.parts.iter_mut().flat_map(|part| match &mut part.kind {
+                BodyPartKind::Mass(e) => vec![e],
+                BodyPartKind::Inertia(i) => i.rows.iter_mut().flatten().flatten().collect(),
+                _ => Vec::new(),
+            });
+            of_part.collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// A statement's name for messages.
+pub fn place(item: &Item) -> String {
+    match &item.kind {
+        ItemKind::Constant(c) => format!("declaration of {}", c.name.text),
+        ItemKind::Input(i) => format!("input {}", i.name.text),
+        ItemKind::Frame(f) => format!("frame {}", f.name.text),
+        ItemKind::Body(b) => format!("body {}", b.name.text),
+        ItemKind::Let(l) => format!("let {}", l.name.text),
+        ItemKind::Load(l) => format!("{:?} {}", l.class, l.name.text).to_lowercase(),
+        ItemKind::Equation(e) => format!("der({})", e.state.text),
+        ItemKind::Marker(m) => format!("marker {}", m.name.text),
+        ItemKind::Observe(o) => format!("observe {}", o.name.text),
+        _ => String::from("statement"),
+    }
+}
+
+/// The parts of an expression that are expressions.
+pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
+    match &mut e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Derivative(_) => Vec::new(),
+        ExprKind::Part(a, _) | ExprKind::Neg(a) => vec![a],
+        ExprKind::Components(parts, _) => parts.iter_mut().collect(),
+        // An exponent is a literal and is changed with its power.
+        ExprKind::Binary(BinaryOp::Pow, a, _) => vec![a],
+        ExprKind::Binary(_, a, b) => vec![a, b],
+        ExprKind::Call(_, arguments) => arguments.iter_mut().collect(),
+    }
+}
+
+/// How many expressions there are in this one, itself included.
+pub fn count(e: &mut Expr) -> usize {
+    1 + children(e).into_iter().map(count).sum::<usize>()
+}
+
+/// The expression of that number inside this one, itself being 0.
+pub fn nth(e: &mut Expr, n: usize) -> Option<&mut Expr> {
+    if n == 0 {
+        return Some(e);
+    }
+    let mut left = n - 1;
+    for child in children(e) {
+        let size = count(child);
+        if left < size {
+            return nth(child, left);
+        }
+        left -= size;
+    }
+    None
+}

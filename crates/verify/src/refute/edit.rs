@@ -1,0 +1,201 @@
+//! Small corrections of an equation: what a misprint would need.
+
+use crate::expressions::{children, children_mut};
+use model_spec::model::{Expr, ExprKind, Function, Model, Source};
+
+/// A corrected expression.
+#[derive(Clone)]
+pub struct Edit {
+    /// What was corrected, in a sentence without its end.
+    pub says: String,
+    /// Smaller is likelier: a factor too many, a sign, a bracket, a function, a factor too few.
+    pub rank: u8,
+    /// The whole expression, corrected.
+    pub to: Expr,
+}
+
+/// Where corrections are looked for.
+pub struct Editor<'a> {
+    model: &'a Model,
+    factors: Vec<(String, Expr)>,
+}
+
+impl<'a> Editor<'a> {
+    /// An editor for the equations of a model.
+    pub fn new(model: &'a Model) -> Self {
+        Self {
+            model,
+            factors: Vec::new(),
+        }
+    }
+
+    /// Also looks for factors that were left out, from among these.
+    pub fn lacking(model: &'a Model, factors: Vec<(String, Expr)>) -> Self {
+        Self { model, factors }
+    }
+
+    /// Every correction of `e`, which belongs to the term `term` of the equation's sum.
+    pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
+        let mut out = Vec::new();
+        self.here(e, term, &mut out);
+        let is_sum = matches!(
+            e.kind,
+            ExprKind::Add(..) | ExprKind::Sub(..) | ExprKind::Neg(..)
+        );
+        let count = children(&e.kind).len();
+        for k in 0..count {
+            let child = children(&e.kind)[k];
+            // A sum's parts are terms; what is inside a part belongs to it.
+            let inner = if is_sum {
+                self.text(child)
+            } else {
+                term.to_owned()
+            };
+            for edit in self.edits(child, &inner) {
+                let mut to = e.clone();
+                *children_mut(&mut to.kind).swap_remove(k) = edit.to;
+                out.push(Edit { to, ..edit });
+            }
+        }
+        out
+    }
+
+    fn here(&self, e: &Expr, term: &str, out: &mut Vec<Edit>) {
+        let mut push = |rank, says: String, to: Expr| out.push(Edit { says, rank, to });
+        match &e.kind {
+            ExprKind::Mul(a, b) => {
+                for (gone, left) in [(b, a), (a, b)] {
+                    if left.shape == e.shape {
+                        let says = format!(
+                            "the term `{term}` carries a factor `{}` too many",
+                            self.text(gone)
+                        );
+                        push(0, says, (**left).clone());
+                    }
+                }
+            }
+            ExprKind::Div(a, b) => {
+                let says = format!(
+                    "the term `{term}` carries a divisor `{}` too many",
+                    self.text(b)
+                );
+                push(0, says, (**a).clone());
+                self.divisor_of_some(a, b, &mut push);
+            }
+            ExprKind::Add(a, b) => {
+                push(
+                    1,
+                    format!("the term `{}` has the wrong sign", self.text(b)),
+                    {
+                        Expr {
+                            kind: ExprKind::Sub(a.clone(), b.clone()),
+                            ..e.clone()
+                        }
+                    },
+                );
+            }
+            ExprKind::Sub(a, b) => {
+                push(
+                    1,
+                    format!("the term `{}` has the wrong sign", self.text(b)),
+                    {
+                        Expr {
+                            kind: ExprKind::Add(a.clone(), b.clone()),
+                            ..e.clone()
+                        }
+                    },
+                );
+            }
+            ExprKind::Call(function @ (Function::Sin | Function::Cos), a) => {
+                let (was, is, other) = match function {
+                    Function::Sin => ("sine", "cosine", Function::Cos),
+                    _ => ("cosine", "sine", Function::Sin),
+                };
+                let says = format!(
+                    "the term `{term}` has a {was} for a {is} of `{}`",
+                    self.text(a)
+                );
+                push(
+                    3,
+                    says,
+                    Expr {
+                        kind: ExprKind::Call(other, a.clone()),
+                        ..e.clone()
+                    },
+                );
+            }
+            _ => {}
+        }
+        if let ExprKind::Add(a, b) | ExprKind::Sub(a, b) = &e.kind {
+            for (k, part) in [a, b].into_iter().enumerate() {
+                for (name, factor) in &self.factors {
+                    let mut to = e.clone();
+                    let product = ExprKind::Mul(part.clone(), Box::new(factor.clone()));
+                    let product = Expr {
+                        kind: product,
+                        ..(**part).clone()
+                    };
+                    *children_mut(&mut to.kind).swap_remove(k) = product;
+                    push(
+                        4,
+                        format!("the term `{}` lacks a factor `{name}`", self.text(part)),
+                        to,
+                    );
+                }
+            }
+        }
+    }
+
+    /// `(a ± b ± …)/d` where only the first term, or the first few, should be divided.
+    fn divisor_of_some(&self, sum: &Expr, divisor: &Expr, push: &mut impl FnMut(u8, String, Expr)) {
+        let (ExprKind::Add(left, _) | ExprKind::Sub(left, _)) = &sum.kind else {
+            return;
+        };
+        let divided = |e: &Expr| Expr {
+            kind: ExprKind::Div(Box::new(e.clone()), Box::new(divisor.clone())),
+            ..e.clone()
+        };
+        // Every left part of the sum in turn: a - b + c is ((a - b) + c).
+        let mut outer: Vec<&Expr> = vec![sum];
+        let mut part: &Expr = left;
+        loop {
+            let mut to = divided(part);
+            for level in outer.iter().rev() {
+                let mut rebuilt = (*level).clone();
+                *children_mut(&mut rebuilt.kind).swap_remove(0) = to;
+                to = rebuilt;
+            }
+            push(
+                2,
+                format!(
+                    "the divisor `{}` belongs to `{}` alone",
+                    self.text(divisor),
+                    self.text(part)
+                ),
+                to,
+            );
+            match &part.kind {
+                ExprKind::Add(next, _) | ExprKind::Sub(next, _) => {
+                    outer.push(part);
+                    part = next;
+                }
+                _ => break,
+            }
+        }
+    }
+
+    fn text(&self, e: &Expr) -> String {
+        snippet(&self.model.sources, e)
+    }
+}
+
+/// What was written for an expression, on one line.
+pub fn snippet(sources: &[Source], e: &Expr) -> String {
+    let text = sources
+        .get(usize::from(e.span.source))
+        .and_then(|s| s.text.get(e.span.range()));
+    text.unwrap_or_default()
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
+}

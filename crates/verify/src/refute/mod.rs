@@ -1,0 +1,233 @@
+//! What is wrong with an equation that the oracle refuses: which one, and which of its terms.
+//!
+//! Every stated equation is put to the reference by itself, the derivatives that it uses being the
+//! reference's own, so that one misprint is not blamed for another. Then the smallest correction is
+//! looked for that makes the equation agree.
+
+mod edit;
+
+use crate::random::Random;
+use crate::sample;
+use crate::subject::Subject;
+use crate::{Options, TOLERANCE};
+use edit::{Edit, Editor, snippet};
+use model_spec::model::{Equation, Expr, ExprKind, FrameKind, Function, Model, Shape};
+use model_spec::unit::Unit;
+use oracle::point::Point;
+use oracle::scalar::Tracked;
+use oracle::tree::{Tree, Value};
+use serde::Serialize;
+
+/// An equation that the reference refuses.
+#[derive(Clone, Debug, Serialize)]
+pub struct Refutation {
+    /// The state whose derivative it is.
+    pub state: String,
+    /// The equation as it was written.
+    pub equation: String,
+    /// Its worst error, against the sum of the magnitudes of its terms.
+    pub error: f64,
+    /// The corrections that make it agree, likeliest first; empty where none was found.
+    pub corrections: Vec<String>,
+    /// The error that is left after them.
+    pub error_corrected: f64,
+}
+
+impl Refutation {
+    /// In a sentence.
+    pub fn sentence(&self) -> String {
+        let Self {
+            state,
+            error,
+            error_corrected,
+            ..
+        } = self;
+        if self.corrections.is_empty() {
+            return format!(
+                "der({state}) is off by {error:.0e} of its terms; no small correction mends it"
+            );
+        }
+        let all = self.corrections.join(", and ");
+        format!(
+            "der({state}): {all}; corrected, the equation agrees with the oracle to {error_corrected:.0e}"
+        )
+    }
+}
+
+const POINTS: usize = 8;
+
+/// Every stated equation that the reference refuses.
+pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
+    let Some(reference) = &subject.reference else {
+        return Vec::new();
+    };
+    let model = subject.model;
+    let mut random = Random::new(options.seed, "refute");
+    let points: Vec<Point<Tracked>> = (0..POINTS)
+        .map(|_| {
+            subject
+                .without_extras(sample::point(model, &mut random))
+                .lift()
+        })
+        .collect();
+    let truths: Vec<Vec<Tracked>> = points.iter().map(|p| reference.derivatives(p)).collect();
+    let trees: Vec<Tree<'_, Tracked>> = points
+        .iter()
+        .zip(&truths)
+        .map(|(point, truth)| Tree::overriding(model, point, &used_derivatives(model, truth)))
+        .collect();
+    let bench = Bench {
+        model,
+        trees,
+        truths,
+    };
+    model
+        .equations
+        .iter()
+        .filter_map(|equation| bench.examine(equation))
+        .collect()
+}
+
+/// Derivatives that other equations use: named quantities whose expression is an equation's own.
+fn used_derivatives(model: &Model, truth: &[Tracked]) -> Vec<(usize, Value<Tracked>)> {
+    let mut out = Vec::new();
+    for (index, named) in model.lets.iter().enumerate() {
+        let own = model
+            .equations
+            .iter()
+            .find(|e| e.value.span == named.value.span);
+        out.extend(own.map(|e| (index, Value::Scalar(truth[e.state]))));
+    }
+    out
+}
+
+struct Bench<'a> {
+    model: &'a Model,
+    trees: Vec<Tree<'a, Tracked>>,
+    truths: Vec<Vec<Tracked>>,
+}
+
+impl Bench<'_> {
+    /// The worst error of an expression as the derivative of a state; stops once it is refused.
+    fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
+        let mut worst = 0.0_f64;
+        for (tree, truth) in self.trees.iter().zip(&self.truths) {
+            let got = tree.scalar(e);
+            let truth = truth[state];
+            let size = truth.size.max(got.size).max(f64::MIN_POSITIVE);
+            let error = (got.value - truth.value).abs() / size;
+            worst = if error.is_finite() {
+                worst.max(error)
+            } else {
+                f64::INFINITY
+            };
+            if worst > stop {
+                break;
+            }
+        }
+        worst
+    }
+
+    fn examine(&self, equation: &Equation) -> Option<Refutation> {
+        let state = equation.state;
+        // A derivative that others use is stated as a named quantity; look at what it stands for.
+        let stated = match &equation.value.kind {
+            ExprKind::Let(i) if self.model.lets[*i].value.span == equation.value.span => {
+                &self.model.lets[*i].value
+            }
+            _ => &equation.value,
+        };
+        let error = self.error(state, stated, f64::INFINITY);
+        if error <= TOLERANCE {
+            return None;
+        }
+        let (corrections, error_corrected) =
+            self.mend(state, stated).unwrap_or((Vec::new(), error));
+        Some(Refutation {
+            state: self.model.states[state].name.clone(),
+            equation: snippet(&self.model.sources, stated),
+            error,
+            corrections,
+            error_corrected,
+        })
+    }
+
+    /// One correction; else one factor that was left out; else two or three corrections.
+    fn mend(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
+        let whole = snippet(&self.model.sources, e);
+        let plain = Editor::new(self.model);
+        let thorough = Editor::lacking(self.model, factors(self.model, e));
+        for (editor, depth) in [(&plain, 1), (&thorough, 1), (&plain, 2), (&plain, 3)] {
+            let start = Edit {
+                says: String::new(),
+                rank: 0,
+                to: e.clone(),
+            };
+            if let Some((edits, error)) = self.search(editor, state, &start, &whole, depth) {
+                return Some((edits, error));
+            }
+        }
+        None
+    }
+
+    fn search(
+        &self,
+        editor: &Editor<'_>,
+        state: usize,
+        from: &Edit,
+        whole: &str,
+        depth: usize,
+    ) -> Option<(Vec<String>, f64)> {
+        let mut edits = editor.edits(&from.to, whole);
+        edits.sort_by_key(|edit| edit.rank);
+        for edit in &edits {
+            if depth == 1 {
+                let error = self.error(state, &edit.to, TOLERANCE);
+                if error <= TOLERANCE {
+                    return Some((vec![edit.says.clone()], error));
+                }
+            } else if let Some((mut rest, error)) =
+                self.search(editor, state, edit, whole, depth - 1)
+            {
+                rest.insert(0, edit.says.clone());
+                return Some((rest, error));
+            }
+        }
+        None
+    }
+}
+
+/// Factors that a term may lack: 2, 1/2, sines and cosines of the angles of the frames, and their
+/// inverses, and the parameters.
+fn factors(model: &Model, at: &Expr) -> Vec<(String, Expr)> {
+    let scalar = |kind| Expr {
+        kind,
+        shape: Shape::Scalar,
+        unit: Unit::default(),
+        span: at.span,
+    };
+    let number = |value: f64| scalar(ExprKind::Number { value, exact: None });
+    let mut out = vec![
+        (String::from("2"), number(2.0)),
+        (String::from("1/2"), number(0.5)),
+    ];
+    let mut also_inverse = |name: String, e: Expr| {
+        let inverse = ExprKind::Div(Box::new(number(1.0)), Box::new(e.clone()));
+        out.push((name.clone(), e));
+        out.push((format!("1/{name}"), scalar(inverse)));
+    };
+    for frame in &model.frames {
+        let FrameKind::Turned { angle, .. } = frame.kind else {
+            continue;
+        };
+        let name = &model.states[angle].name;
+        for (function, spelled) in [(Function::Cos, "cos"), (Function::Sin, "sin")] {
+            let call = ExprKind::Call(function, Box::new(scalar(ExprKind::State(angle))));
+            also_inverse(format!("{spelled}({name})"), scalar(call));
+        }
+    }
+    for (i, parameter) in model.params.iter().enumerate() {
+        also_inverse(parameter.name.clone(), scalar(ExprKind::Param(i)));
+    }
+    out
+}

@@ -1,0 +1,147 @@
+//! Whether several models are the same motion: the same accelerations of the same physical states, and
+//! the same flights from the same releases.
+
+use crate::random::Random;
+use crate::report::{Row, Verdict, Worst, plain_table};
+use crate::sample;
+use crate::subject::Subject;
+use crate::{Options, TOLERANCE};
+use nalgebra::Vector3;
+use oracle::chart::Change;
+use oracle::point::Point;
+use serde::Serialize;
+
+/// One pair of models.
+#[derive(Clone, Debug, Serialize)]
+pub struct Pair {
+    /// Their names.
+    pub models: [String; 2],
+    /// Accelerations and velocities at the same physical states.
+    pub accelerations: Row,
+    /// Where flights from the same release end.
+    pub flights: Row,
+}
+
+/// Every pair of models, compared.
+#[derive(Clone, Debug, Serialize)]
+pub struct SameMotion {
+    /// One a pair.
+    pub pairs: Vec<Pair>,
+}
+
+impl SameMotion {
+    /// Whether all are the same.
+    pub fn holds(&self) -> bool {
+        self.pairs.iter().all(|p| {
+            p.accelerations.verdict == Verdict::Holds && p.flights.verdict != Verdict::Refuted
+        })
+    }
+
+    /// For people.
+    pub fn table(&self) -> String {
+        let mut table = plain_table(&["models", "accelerations", "flights", "verdict", "where"]);
+        for pair in &self.pairs {
+            let holds = pair.accelerations.verdict == Verdict::Holds
+                && pair.flights.verdict != Verdict::Refuted;
+            table.add_row(vec![
+                pair.models.join(" and "),
+                format!(
+                    "{:.1e} of {}",
+                    pair.accelerations.worst, pair.accelerations.cases
+                ),
+                format!("{:.1e} of {}", pair.flights.worst, pair.flights.cases),
+                String::from(if holds { "same motion" } else { "DIFFERENT" }),
+                format!("{} {}", pair.accelerations.detail, pair.flights.detail)
+                    .trim()
+                    .to_owned(),
+            ]);
+        }
+        format!("{table}\n")
+    }
+}
+
+/// Compares models pairwise. All must stand for a body of the same kind, with the same names for their
+/// constants.
+pub fn compare(subjects: &[Subject<'_>], options: &Options) -> SameMotion {
+    let mut pairs = Vec::new();
+    for (k, a) in subjects.iter().enumerate() {
+        for b in &subjects[k + 1..] {
+            pairs.push(Pair {
+                models: [a.model.name.clone(), b.model.name.clone()],
+                accelerations: accelerations(a, b, options),
+                flights: crate::flights::same_flights(a, b, options),
+            });
+        }
+    }
+    SameMotion { pairs }
+}
+
+fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
+    const NAME: &str = "accelerations";
+    let (Some(chart_a), Some(chart_b)) = (&a.chart, &b.chart) else {
+        return Row::skipped(NAME, "which state stands for what is not known");
+    };
+    let mut random = Random::new(options.seed, NAME);
+    let mut worst = Worst::default();
+    for _ in 0..options.cases {
+        let here = sample::point(a.model, &mut random);
+        let Some(there) = carry(a, b, &here) else {
+            return Row::skipped(NAME, "the states of one cannot be found from the other's");
+        };
+        let one = chart_a.change(&here.states, &a.equations.rates(&here));
+        let other = chart_b.change(&there.states, &b.equations.rates(&there));
+        for (what, x, y) in parts(&one, &other) {
+            worst.see((x - y).norm() / (x.norm() + y.norm() + 1.0), || {
+                what.to_owned()
+            });
+        }
+    }
+    Row::judged(NAME, options.cases, &worst, 1e3 * TOLERANCE)
+}
+
+fn parts(a: &Change, b: &Change) -> [(&'static str, Vector3<f64>, Vector3<f64>); 4] {
+    [
+        ("velocity", a.velocity, b.velocity),
+        ("acceleration", a.acceleration, b.acceleration),
+        ("angular velocity", a.angular_velocity, b.angular_velocity),
+        (
+            "angular acceleration",
+            a.angular_acceleration,
+            b.angular_acceleration,
+        ),
+    ]
+}
+
+/// The same physical state, constants (by name) and inputs for another model.
+pub fn carry(a: &Subject<'_>, b: &Subject<'_>, here: &Point<f64>) -> Option<Point<f64>> {
+    let physical = a.chart.as_ref()?.physical(&here.states);
+    let mut there = Point::defaults(b.model);
+    there.states = b.chart.as_ref()?.states(&physical)?;
+    there.time = here.time;
+    there.marker = here.marker;
+    let value = |name: &str| {
+        let param = a
+            .model
+            .params
+            .iter()
+            .position(|c| c.name == name)
+            .map(|i| here.params[i]);
+        let coefficient = a.model.coefficients.iter().position(|c| c.name == name);
+        param.or_else(|| coefficient.map(|i| here.coefficients[i]))
+    };
+    for (constant, to) in b.model.params.iter().zip(&mut there.params) {
+        *to = value(&constant.name).unwrap_or(*to);
+    }
+    for (constant, to) in b.model.coefficients.iter().zip(&mut there.coefficients) {
+        *to = value(&constant.name).unwrap_or(*to);
+    }
+    for (input, to) in b.model.inputs.iter().zip(&mut there.inputs) {
+        *to = a
+            .model
+            .inputs
+            .iter()
+            .position(|i| i.name == input.name)
+            .map_or(*to, |i| here.inputs[i]);
+    }
+    Some(there)
+}

@@ -1,0 +1,103 @@
+//! Random points of a model, within its limits.
+
+use crate::random::Random;
+use model_spec::model::{Constant, FrameKind, Model};
+use model_spec::unit::{Base, Unit};
+use nalgebra::Vector3;
+use oracle::point::Point;
+use oracle::tree::Tree;
+
+/// How often a point is drawn anew; a model whose limits leave less than that is taken outside them.
+const DRAWS: usize = 1000;
+
+/// A random point: states of the size that flights have, one in four of them much smaller; constants
+/// around their defaults, coefficients of either sign, wind, a marker. Within the model's limits.
+pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
+    let mut point = anywhere(model, random);
+    for _ in 0..DRAWS {
+        if within_limits(model, &point) {
+            break;
+        }
+        point = anywhere(model, random);
+    }
+    point
+}
+
+/// Whether a point is within the limits of its model, and not close to them.
+pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
+    let tree = Tree::new(model, point);
+    model
+        .limits
+        .iter()
+        .all(|limit| tree.scalar(&limit.value) > limit.bound + 0.1 * limit.bound.abs().max(1.0))
+}
+
+fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
+    let mut point = Point {
+        time: random.between(0.0, 2.0),
+        params: model
+            .params
+            .iter()
+            .map(|c| size_varied(c, random))
+            .collect(),
+        coefficients: model
+            .coefficients
+            .iter()
+            .map(|c| coefficient(c, random))
+            .collect(),
+        inputs: model
+            .inputs
+            .iter()
+            .map(|i| Vector3::from_fn(|_, _| random.within(typical(i.unit))))
+            .collect(),
+        states: model.states.iter().map(|s| state(s.unit, random)).collect(),
+        marker: Vector3::from_fn(|_, _| random.within(0.1)),
+    };
+    for frame in &model.frames {
+        if let FrameKind::Quaternion { states, .. } = frame.kind {
+            let length = states
+                .iter()
+                .map(|&i| point.states[i].powi(2))
+                .sum::<f64>()
+                .sqrt();
+            for i in states {
+                point.states[i] /= length;
+            }
+        }
+    }
+    point
+}
+
+/// A number of the size that quantities of this unit have in flights.
+pub fn typical(unit: Unit) -> f64 {
+    let [metre, second, radian] =
+        [Base::Metre, Base::Second, Base::Radian].map(|base| unit.doubled[base as usize]);
+    match (metre, second, radian) {
+        (2, 0, _) => 5.0,
+        (2, -2, _) => 15.0,
+        (0, 0, 2) => 1.2,
+        (0, -2, _) => 20.0,
+        _ => 1.0,
+    }
+}
+
+fn state(unit: Unit, random: &mut Random) -> f64 {
+    let small = if random.once_in(4) {
+        10f64.powf(-random.between(0.0, 3.0))
+    } else {
+        1.0
+    };
+    random.within(typical(unit)) * small
+}
+
+fn size_varied(constant: &Constant, random: &mut Random) -> f64 {
+    match constant.value {
+        0.0 => random.within(0.5),
+        value => value * random.between(-0.7, 0.7).exp(),
+    }
+}
+
+fn coefficient(constant: &Constant, random: &mut Random) -> f64 {
+    let value = size_varied(constant, random);
+    if random.once_in(2) { -value } else { value }
+}

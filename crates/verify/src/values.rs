@@ -1,0 +1,81 @@
+//! A model compiled as far as mutants and effects need it: values without derivatives, nothing computed
+//! ahead. It takes a tenth of the time.
+
+use crate::engine::parameters;
+use crate::subject::Equations;
+use codegen::Layout;
+use codegen::derive::derive;
+use codegen::graph::NodeId;
+use codegen::optimise::import;
+use codegen::program::Program;
+use codegen::schedule::{Namer, schedule};
+use codegen::tape::{Inputs, Tape};
+use model_spec::model::Model;
+use nalgebra::Vector3;
+use oracle::point::Point;
+
+/// Derivatives and observation of a model, scheduled.
+pub struct Values {
+    /// The order of states and parameters.
+    pub layout: Layout,
+    /// Derivatives, then the observation.
+    pub program: Program,
+    tape: Tape,
+}
+
+impl Values {
+    /// Compiles a model.
+    pub fn of(model: &Model) -> Self {
+        let derived = derive(model);
+        let seen = derived.observation.iter().flatten();
+        let wanted: Vec<NodeId> = derived.dx.iter().chain(seen).copied().collect();
+        let mut dag = import(&derived.graph, &wanted);
+        dag.optimise();
+        let layout = derived.layout;
+        let mut namer = Namer::new(&layout.states, &layout.parameters, &[]);
+        let program = schedule(&dag, &derived.graph, &mut namer, None);
+        let tape = Tape::new(&program);
+        Self {
+            layout,
+            program,
+            tape,
+        }
+    }
+
+    /// How many operations it takes.
+    pub fn operations(&self) -> usize {
+        codegen::count::count(&self.program).total()
+    }
+
+    fn eval(&self, point: &Point<f64>) -> Vec<f64> {
+        let (p, marker) = (
+            parameters(point),
+            [point.marker.x, point.marker.y, point.marker.z],
+        );
+        let mut out = vec![0.0; self.tape.outputs()];
+        let inputs = Inputs {
+            t: point.time,
+            x: &point.states,
+            p: &p,
+            prepared: &[],
+            marker: &marker,
+        };
+        self.tape.eval(inputs, &mut Vec::new(), &mut out);
+        out
+    }
+}
+
+impl Equations for Values {
+    fn rates(&self, point: &Point<f64>) -> Vec<f64> {
+        let mut all = self.eval(point);
+        all.truncate(self.layout.states.len());
+        all
+    }
+
+    fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>> {
+        match self.eval(point).get(self.layout.states.len()..)? {
+            &[x, y, z] => Some(Vector3::new(x, y, z)),
+            _ => None,
+        }
+    }
+}
