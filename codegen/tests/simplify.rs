@@ -70,7 +70,7 @@ table! {
         => "b*(a^2 + b^2)^(-1/2) - nonzero(a^2 + b^2) + 1";
     cos_of_atan2_times_the_radius: |b, [y, x, ..]| {
         let t = b.g.atan2(y, x); let c = b.g.call(Function::Cos, t); let n = b.norm(&[x, y]); b.g.mul(c, n)
-    } => "b*nonzero(a^2 + b^2)";
+    } => "b";
     sin_squared_plus_cos_squared: |b, [x, y, ..]| {
         let (s, c) = (b.g.call(Function::Sin, x), b.g.call(Function::Cos, x));
         let (s, c) = (b.g.power(s, 4), b.g.power(c, 4)); let (s, c) = (b.g.mul(s, y), b.g.mul(c, y)); b.g.add(s, c)

@@ -14,7 +14,8 @@ impl Deriver<'_> {
         let zero = self.graph.whole(0);
         let mut dx = vec![zero; model.states.len()];
         for equation in &model.equations {
-            dx[equation.state] = self.scalar(&equation.value);
+            let value = self.scalar(&equation.value);
+            dx[equation.state] = self.graph.project(value);
         }
         if let Some(body) = &model.body {
             self.newton(body, &mut dx);
@@ -83,7 +84,7 @@ impl Deriver<'_> {
             }
             total = frames::add(&mut self.graph, total, vector);
         }
-        total
+        total.map(|component| self.graph.project(component))
     }
 
     /// Rates of angles and of quaternions.

@@ -5,7 +5,7 @@ pub mod partials;
 
 pub use eliminate::{Jacobian, jacobian};
 
-use crate::graph::{FastMap, Graph, NodeId};
+use crate::graph::{FastMap, Graph, Node, NodeId};
 use crate::number::Number;
 use crate::optimise::{Dag, Def, DefId};
 
@@ -25,7 +25,14 @@ pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
     let uses = dag.uses();
     let mut new = Graph::new();
     let mut images: FastMap<DefId, NodeId> = FastMap::default();
-    for id in dag.order() {
+    let order = dag.order();
+    let mut rooted = vec![false; dag.defs.len()];
+    for &id in &order {
+        if let Def::Root(x) = dag.defs[id as usize] {
+            rooted[x as usize] = true;
+        }
+    }
+    for id in order {
         let image = |images: &FastMap<DefId, NodeId>, id: DefId| images[&id];
         let facts = dag.facts[id as usize];
         let shared = uses[id as usize] > 1;
@@ -47,7 +54,12 @@ pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
                     })
                     .collect();
                 let sum = new.sum(terms, Number::ZERO);
-                new.local(facts, sum)
+                if rooted[id as usize] && matches!(new.node(sum), Node::Sum(..)) {
+                    let root = new.local_root(facts, sum);
+                    new.power(root, 4)
+                } else {
+                    new.local(facts, sum)
+                }
             }
             Def::Product(factors) => {
                 let factors = factors

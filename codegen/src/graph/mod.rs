@@ -8,6 +8,7 @@ mod calls;
 mod hash;
 mod print;
 mod product;
+mod project;
 mod sum;
 
 pub use hash::FastMap;
@@ -115,6 +116,8 @@ pub struct Graph {
     /// Facts and definitions of [`Symbol::Local`]s.
     locals: Vec<(Facts, NodeId)>,
     local_of: FastMap<NodeId, NodeId>,
+    /// Sums whose square root is a local: their powers are powers of that.
+    root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
 }
@@ -178,6 +181,35 @@ impl Graph {
             self.local_of.insert(definition, id);
         }
         id
+    }
+
+    /// A new leaf that stands for the square root of a sum; the sum itself becomes its square, so that
+    /// no halves appear in derivatives.
+    pub fn local_root(&mut self, facts: Facts, sum: NodeId) -> NodeId {
+        let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
+        let root = self.local(Facts { nonneg: true, ..facts }, definition);
+        self.root_of.insert(sum, root);
+        root
+    }
+
+    /// The sum whose root a node is, if it is a local made by [`Graph::local_root`].
+    pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
+        let Node::Symbol(Symbol::Local(k)) = self.node(id) else { return None };
+        match self.node(self.definition(*k)) {
+            Node::Product(factors) => match factors.as_ref() {
+                [(sum, 1)] => Some(*sum),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The node of the square root of a node, if there is one.
+    pub fn root_node(&self, id: NodeId) -> Option<NodeId> {
+        match self.root_of.get(&id) {
+            Some(&root) => Some(root),
+            None => self.find(&Node::Product(Box::new([(id, 1)]))),
+        }
     }
 
     /// What a [`Symbol::Local`] stands for.

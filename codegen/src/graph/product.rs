@@ -76,6 +76,10 @@ impl Graph {
         coefficient: &mut Number,
         pending: &mut Vec<(NodeId, i32)>,
     ) -> bool {
+        if let Some(&root) = self.root_of.get(&id) {
+            pending.push((root, 2 * exponent));
+            return true;
+        }
         match self.node(id) {
             Node::Number(number) => {
                 let power = number.power(exponent.abs() / 2);
@@ -142,12 +146,23 @@ impl Graph {
             let Node::Call(_, base) = *self.node(mask) else {
                 continue;
             };
-            if !merged.iter().any(|&(known, _)| known == base) {
+            // what vanishes with the mask's argument needs no mask
+            if !merged.iter().any(|&(known, _)| known == base || self.is_component(known, base)) {
                 merged.push((mask, 2));
             }
         }
         merged.sort_unstable();
         merged
+    }
+
+    /// Whether `whole` is a sum of squares, or its root, and `part` one of those that are squared.
+    fn is_component(&self, part: NodeId, whole: NodeId) -> bool {
+        let sum = self.rooted_sum(whole).unwrap_or(whole);
+        let Node::Sum(terms, _) = self.node(sum) else { return false };
+        self.facts(sum).nonneg
+            && terms.iter().any(|&(_, term)| {
+                matches!(self.node(term), Node::Product(factors) if factors.as_ref() == [(part, 4)])
+            })
     }
 
     /// Where a factor vanishes with X, a mask of X inside another factor is 1. True if something changed.

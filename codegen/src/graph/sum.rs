@@ -28,6 +28,9 @@ impl Graph {
             [(coefficient, id)] if constant.is_zero() && coefficient.is_one() => *id,
             _ => {
                 let id = self.intern(Node::Sum(merged.into(), constant));
+                if let Some(&root) = self.root_of.get(&id) {
+                    return self.product(vec![(root, 4)]);
+                }
                 // a sum that an earlier pass has a name for
                 self.local_of.get(&id).copied().unwrap_or(id)
             }

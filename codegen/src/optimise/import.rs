@@ -20,6 +20,9 @@ pub fn import(graph: &Graph, roots: &[NodeId]) -> Dag {
             Node::Product(factors) => {
                 for &(base, exponent) in factors {
                     import.rooted[base.index()] |= exponent % 2 != 0;
+                    if let Some(sum) = graph.rooted_sum(base) {
+                        import.rooted[sum.index()] = true;
+                    }
                 }
             }
             // the argument of a function sets the sign of a sum
@@ -193,11 +196,16 @@ impl Import<'_> {
             flat.push(self.constant(coefficient.abs()));
         }
         for &(base, exponent) in factors {
+            // a root with a name of its own is written as a power of what is under it
+            let (base, exponent) = match self.graph.rooted_sum(base) {
+                Some(sum) if exponent % 2 == 0 => (sum, exponent / 2),
+                _ => (base, exponent),
+            };
             let (negated, def) = self.signed(base);
             minus ^= negated && exponent % 4 != 0;
             let facts = self.graph.facts(base);
             let times = exponent.unsigned_abs() as usize;
-            let root = |dag: &mut Dag| dag.define(Def::Root(def), facts, None);
+            let root = |dag: &mut Dag| dag.define(Def::Root(def), facts, self.graph.root_node(base).map(|n| (false, n)));
             if exponent < 0 {
                 let (x, times) = if self.rooted[base.index()] {
                     (root(&mut self.dag), times)
