@@ -2,7 +2,7 @@
 //!
 //! Every vertex is a leaf-like node; its edges are partial derivatives by the vertices it depends on.
 //! Eliminating a vertex joins the edges above it with those below it. The order decides how many
-//! products there are: the vertex with the least |users| · |operands| goes first.
+//! products there are: the vertex that adds fewest edges goes first (relative Markowitz).
 
 use super::partials;
 use crate::graph::{FastMap, Graph, Node, NodeId, Symbol};
@@ -179,11 +179,9 @@ fn prune(vertices: &mut [Vertex], columns: &FastMap<NodeId, u32>, roots: usize) 
 fn cheapest(vertices: &[Vertex], inner: &[usize]) -> Option<usize> {
     (0..inner.len()).min_by_key(|&place| {
         let v = inner[place];
-        // where equal, what is nearest to the inputs goes first
-        (
-            vertices[v].up.len() * vertices[v].down.len(),
-            std::cmp::Reverse(v),
-        )
+        let (up, down) = (vertices[v].up.len() as i64, vertices[v].down.len() as i64);
+        // edges that come less those that go; where equal, what is nearest to the inputs
+        (up * down - up - down, std::cmp::Reverse(v))
     })
 }
 

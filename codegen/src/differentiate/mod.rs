@@ -54,7 +54,7 @@ pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
                     })
                     .collect();
                 let sum = new.sum(terms, Number::ZERO);
-                if rooted[id as usize] && matches!(new.node(sum), Node::Sum(..)) {
+                if rooted[id as usize] && std::env::var("NOROOT").is_err() && matches!(new.node(sum), Node::Sum(..)) {
                     let root = new.local_root(facts, sum);
                     new.power(root, 4)
                 } else {

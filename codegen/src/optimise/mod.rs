@@ -6,6 +6,7 @@
 mod factor;
 mod import;
 mod products;
+mod signs;
 mod sums;
 
 pub use import::import;
@@ -156,6 +157,7 @@ impl Dag {
                 break;
             }
         }
+        signs::settle(self);
     }
 
     /// Definitions that the roots need, operands first, depth first from each root in turn.
