@@ -238,6 +238,7 @@ impl Compiler {
     ) -> Function {
         let layout = &self.derived.layout;
         let mut namer = Namer::new(&layout.states, &layout.parameters, &self.origins);
+        namer.reserve(&layout.marker);
         let program: Program = schedule(dag, graph, &mut namer, Some(&mut self.prepare));
         Function {
             name,

@@ -98,7 +98,17 @@ impl Graph {
                 true
             }
             Node::Product(inner) if inner.iter().all(|(_, e)| (e * exponent) % 2 == 0) => {
-                pending.extend(inner.iter().map(|&(factor, e)| (factor, e * exponent / 2)));
+                let inner = inner.clone();
+                for &(factor, e) in inner.iter() {
+                    // the root of a square is the absolute value
+                    let signed = exponent % 2 != 0 && e % 4 == 0 && !self.facts(factor).nonneg;
+                    let base = if signed {
+                        self.call(Function::Abs, factor)
+                    } else {
+                        factor
+                    };
+                    pending.push((base, e * exponent / 2));
+                }
                 true
             }
             Node::Sum(..) if exponent % 2 == 0 => {
@@ -147,7 +157,10 @@ impl Graph {
                 continue;
             };
             // what vanishes with the mask's argument needs no mask
-            if !merged.iter().any(|&(known, _)| known == base || self.is_component(known, base)) {
+            if !merged
+                .iter()
+                .any(|&(known, _)| known == base || self.is_component(known, base))
+            {
                 merged.push((mask, 2));
             }
         }
@@ -158,7 +171,9 @@ impl Graph {
     /// Whether `whole` is a sum of squares, or its root, and `part` one of those that are squared.
     fn is_component(&self, part: NodeId, whole: NodeId) -> bool {
         let sum = self.rooted_sum(whole).unwrap_or(whole);
-        let Node::Sum(terms, _) = self.node(sum) else { return false };
+        let Node::Sum(terms, _) = self.node(sum) else {
+            return false;
+        };
         self.facts(sum).nonneg
             && terms.iter().any(|&(_, term)| {
                 matches!(self.node(term), Node::Product(factors) if factors.as_ref() == [(part, 4)])

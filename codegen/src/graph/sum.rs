@@ -123,7 +123,12 @@ impl Graph {
             let factors = factors.clone();
             for &(base, exponent) in factors.iter() {
                 let identity = match self.node(base) {
-                    Node::Sum(squares, rest) if exponent < 0 && self.facts(base).nonneg => {
+                    Node::Sum(squares, rest)
+                        if exponent < 0
+                            && self.facts(base).nonneg
+                            // a single term is no sum to be put together
+                            && (squares.len() > 1 || !rest.is_zero()) =>
+                    {
                         let mut parts: Vec<_> = squares
                             .iter()
                             .map(|&(c, s)| (c, self.monomial(s)))

@@ -1,6 +1,7 @@
 //! Factoring: `a b + a c` becomes `a (b + c)` where that saves operations.
 
-use super::{Dag, Def, DefId, Signed};
+use super::{Dag, Def, DefId, Signed, cancel};
+use crate::number::Number;
 
 /// Factors every sum.
 pub fn factor(dag: &mut Dag) {
@@ -88,7 +89,14 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
         };
         inner.push((terms[t].0, rest));
     }
-    inner.sort_unstable_by_key(|&(minus, def)| (def, minus));
+    cancel(&mut inner);
+    let others = (0..terms.len()).filter(|t| !with.contains(t));
+    let mut rest: Vec<Signed> = others.map(|t| terms[t]).collect();
+    if inner.is_empty() {
+        replace(dag, id, rest);
+        *uses = dag.uses();
+        return true;
+    }
     // a sum inside a product starts with plus
     let flip = inner[0].0;
     if flip {
@@ -99,18 +107,20 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
     let mut outside = common;
     outside.extend(list(dag, inner));
     let product = dag.product(outside);
-    let mut rest: Vec<Signed> = (0..terms.len())
-        .filter(|t| !with.contains(t))
-        .map(|t| terms[t])
-        .collect();
     rest.push((flip, product));
-    rest.sort_unstable_by_key(|&(minus, def)| (def, minus));
-    dag.defs[id as usize] = match rest.as_slice() {
-        [(false, single)] => dag.defs[*single as usize].clone(),
-        _ => Def::Sum(rest),
-    };
+    replace(dag, id, rest);
     *uses = dag.uses();
     true
+}
+
+/// Makes a definition the sum of these terms.
+fn replace(dag: &mut Dag, id: DefId, mut terms: Vec<Signed>) {
+    cancel(&mut terms);
+    dag.defs[id as usize] = match terms.as_slice() {
+        [] => Def::Constant(Number::ZERO),
+        [(false, single)] => dag.defs[*single as usize].clone(),
+        _ => Def::Sum(terms),
+    };
 }
 
 fn one(dag: &mut Dag) -> DefId {
@@ -119,7 +129,7 @@ fn one(dag: &mut Dag) -> DefId {
         nonneg: true,
         nonzero: true,
     };
-    dag.define(Def::Constant(crate::number::Number::ONE), facts, None)
+    dag.define(Def::Constant(Number::ONE), facts, None)
 }
 
 fn common(lists: &[Vec<DefId>], with: &[usize]) -> Vec<DefId> {

@@ -80,7 +80,10 @@ pub struct Dag {
 impl Dag {
     /// A definition, shared if it is there already.
     pub fn define(&mut self, def: Def, facts: Facts, origin: Option<(bool, NodeId)>) -> DefId {
-        if let Some(&id) = self.index.get(&def) {
+        // passes change definitions in place: what is found may have become another
+        if let Some(&id) = self.index.get(&def)
+            && self.defs[id as usize] == def
+        {
             return id;
         }
         let id = self.defs.len() as DefId;
@@ -198,7 +201,10 @@ impl Dag {
                 Def::Leaf(_) | Def::Constant(_) => {}
                 Def::Sum(terms) => {
                     terms.iter_mut().for_each(|(_, id)| *id = end(*id));
-                    terms.sort_unstable_by_key(|&(minus, def)| (def, minus));
+                    cancel(terms);
+                    if terms.is_empty() {
+                        *def = Def::Constant(Number::ZERO);
+                    }
                 }
                 Def::Product(factors) => {
                     factors.iter_mut().for_each(|id| *id = end(*id));
@@ -227,5 +233,16 @@ impl Dag {
                 self.origin[to] = self.origin[id];
             }
         }
+    }
+}
+
+/// Orders terms, and takes away those that are equal but for their sign.
+fn cancel(terms: &mut Vec<Signed>) {
+    terms.sort_unstable_by_key(|&(minus, def)| (def, minus));
+    while let Some(at) = terms
+        .windows(2)
+        .position(|w| w[0].1 == w[1].1 && w[0].0 != w[1].0)
+    {
+        terms.drain(at..at + 2);
     }
 }

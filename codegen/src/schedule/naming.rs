@@ -60,6 +60,11 @@ impl Namer {
         }
     }
 
+    /// Keeps names of arguments from being given to results.
+    pub fn reserve(&mut self, names: &[String]) {
+        self.taken.extend(names.iter().cloned());
+    }
+
     fn own(&self, dag: &Dag, graph: &Graph, id: DefId) -> Option<String> {
         let (minus, node) = dag.origin[id as usize]?;
         let name = graph.name_of(node)?;
