@@ -26,7 +26,6 @@ fn models(name: &str) -> impl Iterator<Item = (String, model_spec::model::Model)
 }
 
 #[test]
-#[ignore = "the compiler overflows its stack on some of them, and takes the root of a square for its base"]
 fn values_agree_with_the_vector_tree() {
     for (name, _) in model_spec::load::MODELS {
         let mut count = 0;
@@ -47,7 +46,6 @@ fn values_agree_with_the_vector_tree() {
 }
 
 #[test]
-#[ignore = "the compiler overflows its stack on some of them, and takes the root of a square for its base"]
 fn derivatives_agree_with_dual_numbers() {
     for name in ["disc", "ball"] {
         for (change, model) in models(name).step_by(7) {

@@ -49,6 +49,7 @@ fn the_disc_is_verified() {
     derivatives: dual numbers: Holds, at most 1e-12
     derivatives: reference: Holds, at most 1e-12
     rigid body, exact: Holds, at most 0 faults
+    backends: Holds, at most 0 ulp
     singular points: Holds, at most 0 faults
     the model's own cases: Holds, at most 0 faults
     effects off: Holds, at most 1e-12

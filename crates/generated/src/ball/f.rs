@@ -5,7 +5,7 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states.
 ///
-/// 17 operations: 6 add, 7 mul, 3 neg, 1 sqrt.
+/// 14 operations: 6 add, 7 mul, 1 sqrt.
 #[inline(always)]
 pub fn f<T: Real>(
     _time: T,
@@ -24,25 +24,23 @@ pub fn f<T: Real>(
     let half_pi_p4_p2_p1_p1_inv_p0 = prepared[0];
 
     // ball.hyz:33  let air_velocity = velocity - wind;
-    let air_velocity_x = vx - wind_x;
-    let air_velocity_z = vz - wind_z;
-    let air_velocity_y = vy - wind_y;
-    let part_of_sqrt_air_velocity_z_sq_of =
-        air_velocity_z * air_velocity_z + air_velocity_y * air_velocity_y;
-    let part_of_sqrt_air_velocity_z_sq_of_2 =
-        part_of_sqrt_air_velocity_z_sq_of + air_velocity_x * air_velocity_x;
-    let sqrt_air_velocity_z_sq_of = part_of_sqrt_air_velocity_z_sq_of_2.sqrt();
-    let sqrt_air_velocity_z_product = half_pi_p4_p2_p1_p1_inv_p0 * sqrt_air_velocity_z_sq_of;
+    let minus_air_velocity_x = wind_x - vx;
+    let minus_air_velocity_z = wind_z - vz;
+    let minus_air_velocity_y = wind_y - vy;
+    let part_of_V =
+        minus_air_velocity_z * minus_air_velocity_z + minus_air_velocity_y * minus_air_velocity_y;
+
+    // ball.hyz:34  let V = norm(air_velocity);
+    let V = (part_of_V + minus_air_velocity_x * minus_air_velocity_x).sqrt();
+    let V_half_part_part_product = half_pi_p4_p2_p1_p1_inv_p0 * V;
 
     // ball.hyz:30  velocity (vx, vy, vz) in N;
-    let vz_dot = -g - air_velocity_z * sqrt_air_velocity_z_product;
-    let minus_air_velocity_x_sqrt_product = -(air_velocity_x * sqrt_air_velocity_z_product);
-    let minus_air_velocity_y_sqrt_product = -(air_velocity_y * sqrt_air_velocity_z_product);
+    let vz_dot = minus_air_velocity_z * V_half_part_part_product - g;
 
     dx[0] = vx;
     dx[1] = vy;
     dx[2] = vz;
-    dx[3] = minus_air_velocity_x_sqrt_product;
-    dx[4] = minus_air_velocity_y_sqrt_product;
+    dx[3] = minus_air_velocity_x * V_half_part_part_product;
+    dx[4] = minus_air_velocity_y * V_half_part_part_product;
     dx[5] = vz_dot;
 }

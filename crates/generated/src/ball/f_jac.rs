@@ -5,7 +5,7 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`.
 ///
-/// 39 operations: 9 add, 16 mul, 1 div, 12 neg, 1 sqrt.
+/// 33 operations: 9 add, 16 mul, 1 div, 6 neg, 1 sqrt.
 #[inline(always)]
 pub fn f_jac<T: Real>(
     _time: T,
@@ -23,58 +23,54 @@ pub fn f_jac<T: Real>(
     let wind_y = parameters[6];
     let wind_z = parameters[7];
     let half_pi_p4_p2_p1_p1_inv_p0 = prepared[0];
+    let vx_minus_wind_x = vx - wind_x;
+    let minus_vy_plus_wind_y = wind_y - vy;
+    let minus_vy_plus_wind_y_sq = minus_vy_plus_wind_y * minus_vy_plus_wind_y;
+    let minus_vz_plus_wind_z = wind_z - vz;
+    let minus_vz_plus_wind_z_sq = minus_vz_plus_wind_z * minus_vz_plus_wind_z;
+    let part_of_V =
+        vx_minus_wind_x * vx_minus_wind_x + minus_vy_plus_wind_y_sq + minus_vz_plus_wind_z_sq;
 
-    // ball.hyz:33  let air_velocity = velocity - wind;
-    let air_velocity_x = vx - wind_x;
-    let air_velocity_y = vy - wind_y;
-    let air_velocity_y_sq = air_velocity_y * air_velocity_y;
-    let air_velocity_z = vz - wind_z;
-    let air_velocity_z_sq = air_velocity_z * air_velocity_z;
-    let part_of_sqrt_air_velocity_x_sq_of =
-        air_velocity_x * air_velocity_x + air_velocity_y_sq + air_velocity_z_sq;
-    let sqrt_air_velocity_x_sq_of = part_of_sqrt_air_velocity_x_sq_of.sqrt();
-    let sqrt_air_velocity_x_product = half_pi_p4_p2_p1_p1_inv_p0 * sqrt_air_velocity_x_sq_of;
+    // ball.hyz:34  let V = norm(air_velocity);
+    let V = part_of_V.sqrt();
+    let V_half_part_sq_part_product = half_pi_p4_p2_p1_p1_inv_p0 * V;
 
     // ball.hyz:30  velocity (vx, vy, vz) in N;
-    let vz_dot = -(air_velocity_z * sqrt_air_velocity_x_product) - g;
-    let inv_sqrt_air_velocity_x_of = sqrt_air_velocity_x_sq_of.recip_or_zero();
-    let inv_sqrt_air_product = half_pi_p4_p2_p1_p1_inv_p0 * inv_sqrt_air_velocity_x_of;
-    let air_velocity_x_inv_product = air_velocity_x * inv_sqrt_air_product;
+    let vz_dot = minus_vz_plus_wind_z * V_half_part_sq_part_product - g;
+    let inv_V = V.recip_or_zero();
+    let inv_V_half_part_sq_product = half_pi_p4_p2_p1_p1_inv_p0 * inv_V;
+    let vx_minus_wind_x_inv_product = vx_minus_wind_x * inv_V_half_part_sq_product;
     let part_of_d_vx_dot_d_vx =
-        -sqrt_air_velocity_x_product - air_velocity_x * air_velocity_x_inv_product;
-    let air_velocity_y_air_product = air_velocity_y * air_velocity_x_inv_product;
-    let air_velocity_z_air_product = air_velocity_z * air_velocity_x_inv_product;
+        -V_half_part_sq_part_product - vx_minus_wind_x * vx_minus_wind_x_inv_product;
+    let minus_vy_plus_wind_product = minus_vy_plus_wind_y * vx_minus_wind_x_inv_product;
+    let minus_vz_plus_wind_product = minus_vz_plus_wind_z * vx_minus_wind_x_inv_product;
     let part_of_d_vy_dot_d_vy =
-        -sqrt_air_velocity_x_product - air_velocity_y_sq * inv_sqrt_air_product;
-    let air_velocity_y_air_product_2 = air_velocity_y * air_velocity_z * inv_sqrt_air_product;
+        -V_half_part_sq_part_product - minus_vy_plus_wind_y_sq * inv_V_half_part_sq_product;
+    let minus_vy_plus_wind_product_2 =
+        minus_vy_plus_wind_y * minus_vz_plus_wind_z * inv_V_half_part_sq_product;
     let part_of_d_vz_dot_d_vz =
-        -sqrt_air_velocity_x_product - air_velocity_z_sq * inv_sqrt_air_product;
-    let minus_air_velocity_x_sqrt_product = -(air_velocity_x * sqrt_air_velocity_x_product);
-    let minus_air_velocity_y_sqrt_product = -(air_velocity_y * sqrt_air_velocity_x_product);
-    let minus_air_velocity_y_air_product = -air_velocity_y_air_product;
-    let minus_air_velocity_z_air_product = -air_velocity_z_air_product;
-    let minus_air_velocity_y_air_product_2 = -air_velocity_y_air_product;
-    let minus_air_velocity_y_air_product_2_2 = -air_velocity_y_air_product_2;
-    let minus_air_velocity_z_air_product_2 = -air_velocity_z_air_product;
-    let minus_air_velocity_y_air_product_2_3 = -air_velocity_y_air_product_2;
+        -V_half_part_sq_part_product - minus_vz_plus_wind_z_sq * inv_V_half_part_sq_product;
+    let minus_vx_minus_wind_x_V_product = -(vx_minus_wind_x * V_half_part_sq_part_product);
+    let minus_minus_vy_plus_wind_product_2 = -minus_vy_plus_wind_product_2;
+    let minus_minus_vy_plus_wind_product_2_2 = -minus_vy_plus_wind_product_2;
 
     dx[0] = vx;
     dx[1] = vy;
     dx[2] = vz;
-    dx[3] = minus_air_velocity_x_sqrt_product;
-    dx[4] = minus_air_velocity_y_sqrt_product;
+    dx[3] = minus_vx_minus_wind_x_V_product;
+    dx[4] = minus_vy_plus_wind_y * V_half_part_sq_part_product;
     dx[5] = vz_dot;
 
     j[0] = T::splat(1.0); // d_x_dot_d_vx
     j[1] = T::splat(1.0); // d_y_dot_d_vy
     j[2] = T::splat(1.0); // d_z_dot_d_vz
     j[3] = part_of_d_vx_dot_d_vx; // d_vx_dot_d_vx
-    j[4] = minus_air_velocity_y_air_product; // d_vx_dot_d_vy
-    j[5] = minus_air_velocity_z_air_product; // d_vx_dot_d_vz
-    j[6] = minus_air_velocity_y_air_product_2; // d_vy_dot_d_vx
+    j[4] = minus_vy_plus_wind_product; // d_vx_dot_d_vy
+    j[5] = minus_vz_plus_wind_product; // d_vx_dot_d_vz
+    j[6] = minus_vy_plus_wind_product; // d_vy_dot_d_vx
     j[7] = part_of_d_vy_dot_d_vy; // d_vy_dot_d_vy
-    j[8] = minus_air_velocity_y_air_product_2_2; // d_vy_dot_d_vz
-    j[9] = minus_air_velocity_z_air_product_2; // d_vz_dot_d_vx
-    j[10] = minus_air_velocity_y_air_product_2_3; // d_vz_dot_d_vy
+    j[8] = minus_minus_vy_plus_wind_product_2; // d_vy_dot_d_vz
+    j[9] = minus_vz_plus_wind_product; // d_vz_dot_d_vx
+    j[10] = minus_minus_vy_plus_wind_product_2_2; // d_vz_dot_d_vy
     j[11] = part_of_d_vz_dot_d_vz; // d_vz_dot_d_vz
 }

@@ -23,11 +23,11 @@ pub fn observe<T: Real>(
     let mark_z = marker[2];
 
     // ball.hyz:43  observe mark = position + mark;
-    let mark_x = mark_x + x;
-    let mark_y = mark_y + y;
-    let mark_z = mark_z + z;
+    let mark_x_2 = mark_x + x;
+    let mark_y_2 = mark_y + y;
+    let mark_z_2 = mark_z + z;
 
-    seen[0] = mark_x;
-    seen[1] = mark_y;
-    seen[2] = mark_z;
+    seen[0] = mark_x_2;
+    seen[1] = mark_y_2;
+    seen[2] = mark_z_2;
 }

@@ -26,13 +26,13 @@ pub fn observe_jac<T: Real>(
     let mark_z = marker[2];
 
     // ball.hyz:43  observe mark = position + mark;
-    let mark_x = x + mark_x;
-    let mark_y = y + mark_y;
-    let mark_z = z + mark_z;
+    let mark_x_2 = x + mark_x;
+    let mark_y_2 = y + mark_y;
+    let mark_z_2 = z + mark_z;
 
-    seen[0] = mark_x;
-    seen[1] = mark_y;
-    seen[2] = mark_z;
+    seen[0] = mark_x_2;
+    seen[1] = mark_y_2;
+    seen[2] = mark_z_2;
 
     dy_dx[0] = T::splat(1.0); // d_y_x_d_x
     dy_dx[1] = T::splat(1.0); // d_y_y_d_y

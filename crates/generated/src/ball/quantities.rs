@@ -31,12 +31,14 @@ pub fn quantities<T: Real>(
         air_velocity_z * air_velocity_z + air_velocity_y * air_velocity_y;
     let air_velocity_z_sq_plus_sum =
         part_of_air_velocity_z_sq_plus_sum + air_velocity_x * air_velocity_x;
-    let sqrt_air_velocity_z_sq_of = air_velocity_z_sq_plus_sum.sqrt();
+
+    // ball.hyz:34  let V = norm(air_velocity);
+    let V = air_velocity_z_sq_plus_sum.sqrt();
 
     values[0] = air_velocity_x;
     values[1] = air_velocity_y;
     values[2] = air_velocity_z;
-    values[3] = sqrt_air_velocity_z_sq_of;
+    values[3] = V;
     values[4] = A;
     values[5] = p2_half_pi_p1_p1_p4 * air_velocity_z_sq_plus_sum;
 }

@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states.
 ///
-/// 115 operations: 37 add, 66 mul, 2 div, 3 neg, 2 sqrt, 5 call.
+/// 108 operations: 35 add, 63 mul, 2 div, 2 sqrt, 5 call, 1 select.
 #[inline(always)]
 pub fn f<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 17],
+    prepared: &[T; 26],
     dx: &mut [T; 12],
 ) {
     let u = state[3];
@@ -34,17 +34,18 @@ pub fn f<T: Real>(
     let wind_y = parameters[16];
     let wind_z = parameters[17];
     let inv_p0_half_p5_p4 = prepared[0];
-    let half_p5_p4_p3_inv_p2 = prepared[1];
-    let inv_p2_p1 = prepared[2];
-    let p14_inv_p1 = prepared[3];
+    let minus_p6 = prepared[1];
+    let half_p5_p4_p3_inv_p2 = prepared[2];
+    let inv_p2_p1 = prepared[3];
+    let p14_inv_p1 = prepared[4];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // disc.hyz:55  position (x, y, z) in N;
     let x_dot = sin_theta * w + cos_theta * u;
-    let minus_sin_theta_u_plus_sum = w * cos_theta - sin_theta * u;
+    let sin_theta_u_minus_w_cos_sum = sin_theta * u - w * cos_theta;
     let (sin_phi, cos_phi) = phi.sin_cos();
-    let y_dot = cos_phi * v - minus_sin_theta_u_plus_sum * sin_phi;
-    let z_dot = sin_phi * v + minus_sin_theta_u_plus_sum * cos_phi;
+    let y_dot = sin_theta_u_minus_w_cos_sum * sin_phi + cos_phi * v;
+    let z_dot = sin_phi * v - sin_theta_u_minus_w_cos_sum * cos_phi;
     let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
 
     // disc.hyz:62  let air_velocity = velocity - in_B(wind);
@@ -55,71 +56,70 @@ pub fn f<T: Real>(
     let minus_w_plus_sin_theta_sum = wind_x * sin_theta - w + cos_theta * minus_sin_phi_wind_y_sum;
     let air_velocity_2_sq_plus_sum_2 =
         air_velocity_2_sq_plus_sum + minus_w_plus_sin_theta_sum * minus_w_plus_sin_theta_sum;
-    let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum_2.sqrt();
-    let sqrt_air_velocity_2_product = inv_p0_half_p5_p4 * sqrt_air_velocity_2_sq_of;
-    let sqrt_air_velocity_2_sq_of_2 = air_velocity_2_sq_plus_sum.sqrt();
+
+    // disc.hyz:64  let V = norm(air_velocity);
+    let V = air_velocity_2_sq_plus_sum_2.sqrt();
+    let V_inv_m_half_part_part = inv_p0_half_p5_p4 * V;
+    let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
 
     // disc.hyz:69  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = minus_w_plus_sin_theta_sum.atan2(sqrt_air_velocity_2_sq_of_2);
+    let alpha = minus_w_plus_sin_theta_sum.atan2(sqrt_air_velocity_2_sq_of);
 
     // disc.hyz:73  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_Da * alpha * alpha + C_D0;
 
     // disc.hyz:72  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La * alpha + C_L0;
-    let part_of_sqrt_air_velocity_2_product_2 =
-        sqrt_air_velocity_2_sq_of_2 * C_D - minus_w_plus_sin_theta_sum * C_L;
-    let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of_2.recip_or_zero();
-    let part_of_sqrt_air_velocity_2_product_2_2 =
-        part_of_sqrt_air_velocity_2_product_2 * inv_sqrt_air_velocity_2_of;
-    let sqrt_air_velocity_2_product_2 =
-        sqrt_air_velocity_2_product * part_of_sqrt_air_velocity_2_product_2_2;
+    let part_of_V_inv_m_half_part_product =
+        sqrt_air_velocity_2_sq_of * C_D - minus_w_plus_sin_theta_sum * C_L;
+    let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
+    let V_inv_m_half_part_product =
+        V_inv_m_half_part_part * (part_of_V_inv_m_half_part_product * inv_sqrt_air_velocity_2_of);
     let cos_phi_g_plus_v_phidot = g * cos_phi + v * phidot;
     let part_of_u_dot = sin_theta * cos_phi_g_plus_v_phidot - w * thetadot;
 
     // disc.hyz:56  velocity (u, v, w) in B;
-    let u_dot = part_of_u_dot - air_velocity_1 * sqrt_air_velocity_2_product_2;
-    let minus_minus_sin_theta_u_sum = -minus_sin_theta_u_plus_sum;
-    let part_of_v_dot = -(g * sin_phi) - air_velocity_2 * sqrt_air_velocity_2_product_2;
-    let v_dot = part_of_v_dot - phidot * minus_minus_sin_theta_u_sum;
-    let part_of_w_dot = minus_w_plus_sin_theta_sum * C_D + sqrt_air_velocity_2_sq_of_2 * C_L;
-    let part_of_w_dot_2 = u * thetadot + part_of_w_dot * sqrt_air_velocity_2_product;
-    let w_dot = part_of_w_dot_2 - cos_theta * cos_phi_g_plus_v_phidot;
+    let u_dot = part_of_u_dot - air_velocity_1 * V_inv_m_half_part_product;
+    let part_of_v_dot = minus_p6 * sin_phi - air_velocity_2 * V_inv_m_half_part_product;
+    let v_dot = part_of_v_dot - phidot * sin_theta_u_minus_w_cos_sum;
+    let part_of_w_dot = minus_w_plus_sin_theta_sum * C_D + sqrt_air_velocity_2_sq_of * C_L;
+    let w_dot =
+        u * thetadot + part_of_w_dot * V_inv_m_half_part_part - cos_theta * cos_phi_g_plus_v_phidot;
     let cos_theta_phidot = cos_theta * phidot;
-    let inv_sqrt_air_product = C_Mq * inv_sqrt_air_velocity_2_of;
-    let part_of_part_part_plus_part_sum =
-        (air_velocity_2 * thetadot + air_velocity_1 * cos_theta_phidot) * inv_sqrt_air_product;
+    let nonzero_air_velocity_2_of =
+        air_velocity_2_sq_plus_sum.if_zero(T::splat(0.0), T::splat(1.0));
+    let nonzero_air_product = C_Mq * nonzero_air_velocity_2_of;
     let sin_theta_phidot = sin_theta * phidot;
 
     // disc.hyz:78  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
-    let part_part_plus_part_sum = part_of_part_part_plus_part_sum + C_Rr * r;
-    let part_of_minus_minus_part_part_sum =
-        (air_velocity_2 * cos_theta_phidot - air_velocity_1 * thetadot) * inv_sqrt_air_product;
-    let minus_minus_part_part_sum = C_Ma * alpha - part_of_minus_minus_part_part_sum;
-    let part_of_minus_part_minus_product =
-        air_velocity_1 * part_part_plus_part_sum - air_velocity_2 * minus_minus_part_part_sum;
-    let half_part_part_d_product =
-        half_p5_p4_p3_inv_p2 * (air_velocity_2_sq_plus_sum_2 * inv_sqrt_air_velocity_2_of);
-    let part_of_minus_part_minus_product_3 =
-        part_of_minus_part_minus_product * half_part_part_d_product;
+    let r_C_Rr = C_Rr * r;
+    let alpha_C_Ma = C_Ma * alpha;
+    let part_of_part_plus_part_air_product =
+        inv_sqrt_air_velocity_2_of * (air_velocity_1 * r_C_Rr - air_velocity_2 * alpha_C_Ma);
+    let part_of_part_plus_part_air_product_2 =
+        cos_theta_phidot * nonzero_air_product + part_of_part_plus_part_air_product;
+    let air_velocity_2_sq_product = half_p5_p4_p3_inv_p2 * air_velocity_2_sq_plus_sum_2;
+    let part_of_part_plus_part_air_product_3 =
+        part_of_part_plus_part_air_product_2 * air_velocity_2_sq_product;
     let r_inv_I_d_I_a = inv_p2_p1 * r;
-    let part_of_minus_part_minus_product_2 =
+    let part_of_part_plus_part_air_product_4 =
         thetadot * (r_inv_I_d_I_a - T::splat(2.0) * sin_theta_phidot);
-    let part_of_minus_part_minus_product_4 =
-        part_of_minus_part_minus_product_2 - part_of_minus_part_minus_product_3;
-    let minus_part_minus_product = part_of_minus_part_minus_product_4 / cos_theta;
+    let part_of_part_plus_part_air_product_5 =
+        part_of_part_plus_part_air_product_3 - part_of_part_plus_part_air_product_4;
+    let part_plus_part_air_product = part_of_part_plus_part_air_product_5 / cos_theta;
     let part_of_thetadot_dot =
-        air_velocity_2 * part_part_plus_part_sum + air_velocity_1 * minus_minus_part_part_sum;
-    let part_of_thetadot_dot_2 = (sin_theta_phidot - r_inv_I_d_I_a) * cos_theta_phidot;
+        inv_sqrt_air_velocity_2_of * (air_velocity_2 * r_C_Rr + air_velocity_1 * alpha_C_Ma);
+    let part_of_thetadot_dot_2 =
+        (thetadot * nonzero_air_product + part_of_thetadot_dot) * air_velocity_2_sq_product;
 
     // disc.hyz:48  frame B = A turned theta about 2; // does not spin with the disc
-    let thetadot_dot = part_of_thetadot_dot * half_part_part_d_product - part_of_thetadot_dot_2;
-    let part_of_gammadot_dot = sin_theta * minus_part_minus_product - thetadot * cos_theta_phidot;
+    let thetadot_dot =
+        part_of_thetadot_dot_2 - (sin_theta_phidot - r_inv_I_d_I_a) * cos_theta_phidot;
 
     // disc.hyz:49  frame C = B turned gamma about 3; // fixed in the disc
-    let gammadot_dot = part_of_gammadot_dot + p14_inv_p1 * r;
-    let minus_minus_part_minus_product = -minus_part_minus_product;
+    let gammadot_dot =
+        p14_inv_p1 * r - sin_theta * part_plus_part_air_product - thetadot * cos_theta_phidot;
 
     dx[0] = x_dot;
     dx[1] = y_dot;
@@ -130,7 +130,7 @@ pub fn f<T: Real>(
     dx[6] = phidot;
     dx[7] = thetadot;
     dx[8] = gammadot;
-    dx[9] = minus_minus_part_minus_product;
+    dx[9] = part_plus_part_air_product;
     dx[10] = thetadot_dot;
     dx[11] = gammadot_dot;
 }

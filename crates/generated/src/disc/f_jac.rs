@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`.
 ///
-/// 425 operations: 132 add, 252 mul, 3 div, 30 neg, 2 sqrt, 5 call, 1 select.
+/// 347 operations: 106 add, 214 mul, 3 div, 16 neg, 2 sqrt, 5 call, 1 select.
 #[inline(always)]
 pub fn f_jac<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 17],
+    prepared: &[T; 26],
     dx: &mut [T; 12],
     j: &mut [T; 60],
 ) {
@@ -35,12 +35,11 @@ pub fn f_jac<T: Real>(
     let wind_y = parameters[16];
     let wind_z = parameters[17];
     let inv_p0_half_p5_p4 = prepared[0];
-    let half_p5_p4_p3_inv_p2 = prepared[1];
-    let inv_p2_p1 = prepared[2];
-    let p14_inv_p1 = prepared[3];
-    let p10_two = prepared[4];
-    let two_minus_p1_inv_p2 = prepared[5];
-    let n1_minus_p1_inv_p2 = prepared[6];
+    let half_p5_p4_p3_inv_p2 = prepared[2];
+    let inv_p2_p1 = prepared[3];
+    let p14_inv_p1 = prepared[4];
+    let p10_two = prepared[5];
+    let two_p3_part_part_half_inv_p2 = prepared[6];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // disc.hyz:55  position (x, y, z) in N;
@@ -57,45 +56,45 @@ pub fn f_jac<T: Real>(
 
     // disc.hyz:62  let air_velocity = velocity - in_B(wind);
     let air_velocity_1 = u + minus_cos_theta_wind_x_sum;
-    let air_velocity_1_sq = air_velocity_1 * air_velocity_1;
     let cos_phi_wind_y_plus_sin_sum = wind_y * cos_phi + wind_z * sin_phi;
     let air_velocity_2 = v - cos_phi_wind_y_plus_sin_sum;
     let air_velocity_2_sq = air_velocity_2 * air_velocity_2;
-    let air_velocity_1_sq_plus_sum = air_velocity_1_sq + air_velocity_2_sq;
+    let air_velocity_1_sq_plus_sum = air_velocity_1 * air_velocity_1 + air_velocity_2_sq;
     let cos_theta_cos_phi_sum = cos_theta * cos_phi_wind_z_minus_sum + wind_x * sin_theta;
     let minus_w_plus_cos_theta_sum = cos_theta_cos_phi_sum - w;
     let air_velocity_1_sq_plus_sum_2 =
         air_velocity_1_sq_plus_sum + minus_w_plus_cos_theta_sum * minus_w_plus_cos_theta_sum;
-    let sqrt_air_velocity_1_sq_of = air_velocity_1_sq_plus_sum_2.sqrt();
-    let sqrt_air_velocity_1_product = inv_p0_half_p5_p4 * sqrt_air_velocity_1_sq_of;
-    let sqrt_air_velocity_1_sq_of_2 = air_velocity_1_sq_plus_sum.sqrt();
+
+    // disc.hyz:64  let V = norm(air_velocity);
+    let V = air_velocity_1_sq_plus_sum_2.sqrt();
+    let V_part_part_half_inv_m = inv_p0_half_p5_p4 * V;
+    let sqrt_air_velocity_1_sq_of = air_velocity_1_sq_plus_sum.sqrt();
 
     // disc.hyz:69  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = minus_w_plus_cos_theta_sum.atan2(sqrt_air_velocity_1_sq_of_2);
+    let alpha = minus_w_plus_cos_theta_sum.atan2(sqrt_air_velocity_1_sq_of);
 
     // disc.hyz:72  let C_L = C_L0 + C_La*alpha;
     let C_L = C_L0 + C_La * alpha;
 
     // disc.hyz:73  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_D0 + C_Da * alpha * alpha;
-    let minus_minus_w_plus_cos_sum =
-        sqrt_air_velocity_1_sq_of_2 * C_D - minus_w_plus_cos_theta_sum * C_L;
-    let inv_sqrt_air_velocity_1_of = sqrt_air_velocity_1_sq_of_2.recip_or_zero();
-    let minus_minus_w_plus_product = minus_minus_w_plus_cos_sum * inv_sqrt_air_velocity_1_of;
-    let sqrt_air_velocity_1_product_2 = sqrt_air_velocity_1_product * minus_minus_w_plus_product;
-    let part_of_u_dot = sin_theta_v_phidot_product - air_velocity_1 * sqrt_air_velocity_1_product_2;
+    let minus_w_plus_cos_sum = minus_w_plus_cos_theta_sum * C_L - sqrt_air_velocity_1_sq_of * C_D;
+    let inv_sqrt_air_velocity_1_of = sqrt_air_velocity_1_sq_of.recip_or_zero();
+    let minus_w_plus_cos_product = minus_w_plus_cos_sum * inv_sqrt_air_velocity_1_of;
+    let V_part_part_half_product = V_part_part_half_inv_m * minus_w_plus_cos_product;
+    let part_of_u_dot = sin_theta_v_phidot_product + air_velocity_1 * V_part_part_half_product;
 
     // disc.hyz:56  velocity (u, v, w) in B;
     let u_dot = part_of_u_dot - w * thetadot;
     let sin_phi_g = g * sin_phi;
     let part_of_v_dot =
-        cos_theta_w_minus_u_sin_sum * phidot - air_velocity_2 * sqrt_air_velocity_1_product_2;
+        cos_theta_w_minus_u_sin_sum * phidot + air_velocity_2 * V_part_part_half_product;
     let v_dot = part_of_v_dot - sin_phi_g;
     let cos_theta_v_phidot_product = cos_theta * v_phidot_plus_cos_phi_g;
     let sqrt_air_velocity_1_sum =
-        sqrt_air_velocity_1_sq_of_2 * C_L + minus_w_plus_cos_theta_sum * C_D;
+        sqrt_air_velocity_1_sq_of * C_L + minus_w_plus_cos_theta_sum * C_D;
     let part_of_w_dot =
-        sqrt_air_velocity_1_product * sqrt_air_velocity_1_sum - cos_theta_v_phidot_product;
+        V_part_part_half_inv_m * sqrt_air_velocity_1_sum - cos_theta_v_phidot_product;
     let w_dot = part_of_w_dot + u * thetadot;
     let sin_theta_phidot = sin_theta * phidot;
 
@@ -104,306 +103,224 @@ pub fn f_jac<T: Real>(
     let r_I_a_inv_I_d = inv_p2_p1 * r;
     let r_I_a_inv_I_d_minus_sin_sum = r_I_a_inv_I_d - T::splat(2.0) * sin_theta_phidot;
     let air_velocity_1_sq_product = half_p5_p4_p3_inv_p2 * air_velocity_1_sq_plus_sum_2;
-    let inv_sqrt_air_product = inv_sqrt_air_velocity_1_of * air_velocity_1_sq_product;
+    let alpha_C_Ma = C_Ma * alpha;
+    let r_C_Rr = C_Rr * r;
+    let inv_sqrt_air_product =
+        inv_sqrt_air_velocity_1_of * (air_velocity_1 * r_C_Rr - air_velocity_2 * alpha_C_Ma);
+    let nonzero_sqrt_air_of = sqrt_air_velocity_1_sq_of.if_zero(T::splat(0.0), T::splat(1.0));
+    let C_Mq_nonzero_sqrt_air_of = C_Mq * nonzero_sqrt_air_of;
     let cos_theta_phidot = cos_theta * phidot;
-    let air_velocity_2_cos_product = air_velocity_2 * cos_theta_phidot;
-    let air_velocity_2_cos_sum = air_velocity_2_cos_product - air_velocity_1 * thetadot;
-    let inv_sqrt_air_product_2 = C_Mq * inv_sqrt_air_velocity_1_of;
-    let alpha_C_Ma_minus_air_sum = C_Ma * alpha - air_velocity_2_cos_sum * inv_sqrt_air_product_2;
-    let air_velocity_1_cos_product = air_velocity_1 * cos_theta_phidot;
-    let air_velocity_2_thetadot = air_velocity_2 * thetadot;
-    let air_velocity_1_cos_sum = air_velocity_1_cos_product + air_velocity_2_thetadot;
-    let r_C_Rr_plus_inv_sqrt_sum = C_Rr * r + inv_sqrt_air_product_2 * air_velocity_1_cos_sum;
-    let minus_air_velocity_2_sum =
-        air_velocity_1 * r_C_Rr_plus_inv_sqrt_sum - air_velocity_2 * alpha_C_Ma_minus_air_sum;
-    let part_of_thetadot_r_I_a_inv_product =
-        thetadot * r_I_a_inv_I_d_minus_sin_sum - inv_sqrt_air_product * minus_air_velocity_2_sum;
+    let inv_sqrt_air_product_sum =
+        inv_sqrt_air_product + C_Mq_nonzero_sqrt_air_of * cos_theta_phidot;
+    let part_of_minus_thetadot_r_I_product = air_velocity_1_sq_product * inv_sqrt_air_product_sum;
+    let part_of_minus_thetadot_r_I_product_2 =
+        part_of_minus_thetadot_r_I_product - thetadot * r_I_a_inv_I_d_minus_sin_sum;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
-    let thetadot_r_I_a_inv_product = part_of_thetadot_r_I_a_inv_product * inv_cos_theta;
+    let minus_thetadot_r_I_product = part_of_minus_thetadot_r_I_product_2 * inv_cos_theta;
+    let inv_sqrt_air_product_2 =
+        inv_sqrt_air_velocity_1_of * (air_velocity_1 * alpha_C_Ma + air_velocity_2 * r_C_Rr);
+    let inv_sqrt_air_product_2_sum = inv_sqrt_air_product_2 + thetadot * C_Mq_nonzero_sqrt_air_of;
+    let part_of_thetadot_dot = air_velocity_1_sq_product * inv_sqrt_air_product_2_sum;
     let sin_theta_phidot_minus_sum = sin_theta_phidot - r_I_a_inv_I_d;
-    let air_velocity_1_product_sum =
-        air_velocity_1 * alpha_C_Ma_minus_air_sum + air_velocity_2 * r_C_Rr_plus_inv_sqrt_sum;
-    let part_of_thetadot_dot = inv_sqrt_air_product * air_velocity_1_product_sum;
 
     // disc.hyz:48  frame B = A turned theta about 2; // does not spin with the disc
     let thetadot_dot = part_of_thetadot_dot - cos_theta_phidot * sin_theta_phidot_minus_sum;
-    let thetadot_cos_theta_phidot = thetadot * cos_theta_phidot;
 
     // disc.hyz:49  frame C = B turned gamma about 3; // fixed in the disc
     let gammadot_dot =
-        p14_inv_p1 * r - thetadot_cos_theta_phidot + sin_theta * thetadot_r_I_a_inv_product;
-    let minus_z_dot = -z_dot;
-    let inv_sqrt_air_velocity_1_of_2 = sqrt_air_velocity_1_sq_of.recip_or_zero();
-    let inv_sqrt_air_product_3 = inv_p0_half_p5_p4 * inv_sqrt_air_velocity_1_of_2;
+        p14_inv_p1 * r - thetadot * cos_theta_phidot - sin_theta * minus_thetadot_r_I_product;
+    let inv_V = V.recip_or_zero();
+    let inv_V_part_part_half_inv_m = inv_p0_half_p5_p4 * inv_V;
     let alpha_C_Da_two = p10_two * alpha;
     let C_La_minus_w_plus_sum =
-        C_La * minus_w_plus_cos_theta_sum - sqrt_air_velocity_1_sq_of_2 * alpha_C_Da_two;
-    let inv_sqrt_air_product_4 = inv_sqrt_air_velocity_1_of_2 * inv_sqrt_air_velocity_1_of_2;
-    let minus_w_plus_cos_product = minus_w_plus_cos_theta_sum * inv_sqrt_air_product_4;
-    let part_of_inv_sqrt_air_product_5 =
-        C_D + C_La_minus_w_plus_sum * minus_w_plus_cos_product - minus_minus_w_plus_product;
-    let sqrt_air_velocity_1_product_3 = sqrt_air_velocity_1_product * inv_sqrt_air_velocity_1_of;
-    let part_of_inv_sqrt_air_product_5_2 =
-        part_of_inv_sqrt_air_product_5 * sqrt_air_velocity_1_product_3;
-    let part_of_inv_sqrt_air_product_5_3 =
-        minus_minus_w_plus_cos_sum * inv_sqrt_air_product_3 + part_of_inv_sqrt_air_product_5_2;
-    let inv_sqrt_air_product_5 = inv_sqrt_air_velocity_1_of * part_of_inv_sqrt_air_product_5_3;
+        C_La * minus_w_plus_cos_theta_sum - sqrt_air_velocity_1_sq_of * alpha_C_Da_two;
+    let inv_V_sq = inv_V * inv_V;
+    let minus_w_plus_cos_product_2 = minus_w_plus_cos_theta_sum * inv_V_sq;
+    let part_of_minus_w_plus_cos_sum_2 =
+        C_D + C_La_minus_w_plus_sum * minus_w_plus_cos_product_2 + minus_w_plus_cos_product;
+    let part_of_minus_w_plus_cos_sum_2_2 =
+        V_part_part_half_inv_m * inv_sqrt_air_velocity_1_of * part_of_minus_w_plus_cos_sum_2;
+    let minus_w_plus_cos_sum_2 =
+        minus_w_plus_cos_sum * inv_V_part_part_half_inv_m - part_of_minus_w_plus_cos_sum_2_2;
+    let air_velocity_1_inv_product = air_velocity_1 * inv_sqrt_air_velocity_1_of;
+    let minus_w_plus_cos_product_3 = minus_w_plus_cos_sum_2 * air_velocity_1_inv_product;
     let part_of_d_u_dot_d_u =
-        -sqrt_air_velocity_1_product_2 - air_velocity_1_sq * inv_sqrt_air_product_5;
-    let air_velocity_1_air_product = air_velocity_1 * air_velocity_2 * inv_sqrt_air_product_5;
-    let minus_w_plus_cos_product_2 = minus_w_plus_cos_theta_sum * inv_sqrt_air_product_3;
-    let nonzero_air_velocity_1_of =
-        air_velocity_1_sq_plus_sum.if_zero(T::splat(0.0), T::splat(1.0));
-    let part_of_minus_minus_minus_w_sum =
-        C_La_minus_w_plus_sum * nonzero_air_velocity_1_of * inv_sqrt_air_product_4;
-    let part_of_minus_minus_minus_w_sum_2 =
-        part_of_minus_minus_minus_w_sum + C_L * inv_sqrt_air_velocity_1_of;
-    let part_of_minus_minus_minus_w_sum_3 =
-        sqrt_air_velocity_1_product * part_of_minus_minus_minus_w_sum_2;
-    let minus_minus_minus_w_sum =
-        part_of_minus_minus_minus_w_sum_3 - minus_minus_w_plus_product * minus_w_plus_cos_product_2;
-    let part_of_d_u_dot_d_phi =
-        sin_phi_g - sqrt_air_velocity_1_product_2 * cos_phi_wind_y_plus_sin_sum;
+        V_part_part_half_product + air_velocity_1 * minus_w_plus_cos_product_3;
+    let air_velocity_2_product = air_velocity_2 * minus_w_plus_cos_product_3;
+    let minus_w_plus_cos_product_4 = minus_w_plus_cos_theta_sum * inv_V_part_part_half_inv_m;
+    let part_of_minus_w_plus_cos_sum_3 =
+        nonzero_sqrt_air_of * C_La_minus_w_plus_sum * inv_V_sq + C_L * inv_sqrt_air_velocity_1_of;
+    let part_of_minus_w_plus_cos_sum_3_2 = V_part_part_half_inv_m * part_of_minus_w_plus_cos_sum_3;
+    let minus_w_plus_cos_sum_3 =
+        minus_w_plus_cos_product * minus_w_plus_cos_product_4 + part_of_minus_w_plus_cos_sum_3_2;
+    let part_of_d_u_dot_d_phi = sin_phi_g + V_part_part_half_product * cos_phi_wind_y_plus_sin_sum;
     let sin_theta_cos_phi_product = sin_theta * cos_phi_wind_y_plus_sin_sum;
     let minus_cos_phi_wind_z_sum = -cos_phi_wind_z_minus_sum;
     let minus_air_velocity_1_sum =
         air_velocity_2 * minus_cos_phi_wind_z_sum - air_velocity_1 * sin_theta_cos_phi_product;
+    let inv_sqrt_air_product_3 = inv_sqrt_air_velocity_1_of * minus_w_plus_cos_sum_2;
     let cos_theta_cos_phi_product = cos_theta * cos_phi_wind_y_plus_sin_sum;
-    let part_of_minus_air_velocity_sum = minus_minus_minus_w_sum * cos_theta_cos_phi_product;
+    let part_of_minus_air_velocity_sum = minus_w_plus_cos_sum_3 * cos_theta_cos_phi_product;
     let minus_air_velocity_sum =
-        minus_air_velocity_1_sum * inv_sqrt_air_product_5 + part_of_minus_air_velocity_sum;
+        minus_air_velocity_1_sum * inv_sqrt_air_product_3 - part_of_minus_air_velocity_sum;
     let part_of_d_u_dot_d_phi_2 =
-        -(sin_theta * part_of_d_u_dot_d_phi) - air_velocity_1 * minus_air_velocity_sum;
-    let air_velocity_1_cos_product_2 = air_velocity_1 * cos_theta_cos_phi_sum;
-    let part_of_inv_sqrt_air_product_sum = inv_sqrt_air_product_5 * air_velocity_1_cos_product_2;
-    let inv_sqrt_air_product_sum =
-        part_of_inv_sqrt_air_product_sum + minus_minus_minus_w_sum * minus_cos_theta_wind_x_sum;
+        air_velocity_1 * minus_air_velocity_sum - sin_theta * part_of_d_u_dot_d_phi;
+    let part_of_cos_theta_cos_phi_sum_2 = minus_w_plus_cos_sum_3 * minus_cos_theta_wind_x_sum;
+    let cos_theta_cos_phi_sum_2 =
+        cos_theta_cos_phi_sum * minus_w_plus_cos_product_3 - part_of_cos_theta_cos_phi_sum_2;
     let part_of_d_u_dot_d_theta =
-        cos_theta_v_phidot_product - sqrt_air_velocity_1_product_2 * cos_theta_cos_phi_sum;
+        cos_theta_v_phidot_product + V_part_part_half_product * cos_theta_cos_phi_sum;
     let part_of_d_u_dot_d_theta_2 =
-        part_of_d_u_dot_d_theta - air_velocity_1 * inv_sqrt_air_product_sum;
-    let part_of_d_v_dot_d_v =
-        -sqrt_air_velocity_1_product_2 - air_velocity_2_sq * inv_sqrt_air_product_5;
-    let part_of_d_v_dot_d_phi =
-        -cos_phi_g - sqrt_air_velocity_1_product_2 * minus_cos_phi_wind_z_sum;
+        part_of_d_u_dot_d_theta + air_velocity_1 * cos_theta_cos_phi_sum_2;
+    let part_of_d_v_dot_d_v = V_part_part_half_product + air_velocity_2_sq * inv_sqrt_air_product_3;
+    let part_of_d_v_dot_d_phi = V_part_part_half_product * minus_cos_phi_wind_z_sum - cos_phi_g;
+    let part_of_sqrt_air_velocity_1_sum_2 =
+        sqrt_air_velocity_1_sq_of * sqrt_air_velocity_1_sum * inv_V_part_part_half_inv_m;
     let C_La_sqrt_air_product_sum =
-        C_La * sqrt_air_velocity_1_sq_of_2 + minus_w_plus_cos_theta_sum * alpha_C_Da_two;
-    let part_of_C_L_minus_part_part_sum =
-        C_L - C_La_sqrt_air_product_sum * minus_w_plus_cos_product;
-    let part_of_C_L_minus_part_part_sum_2 =
-        part_of_C_L_minus_part_part_sum * sqrt_air_velocity_1_product_3;
-    let C_L_minus_part_part_sum =
-        part_of_C_L_minus_part_part_sum_2 + sqrt_air_velocity_1_sum * inv_sqrt_air_product_3;
-    let sqrt_air_velocity_1_product_4 = sqrt_air_velocity_1_sq_of_2 * inv_sqrt_air_product_4;
-    let part_of_minus_sqrt_air_velocity_sum =
-        C_D + C_La_sqrt_air_product_sum * sqrt_air_velocity_1_product_4;
-    let part_of_minus_sqrt_air_velocity_sum_2 =
-        sqrt_air_velocity_1_product * part_of_minus_sqrt_air_velocity_sum;
-    let part_of_minus_sqrt_air_velocity_sum_3 =
-        -(sqrt_air_velocity_1_sum * minus_w_plus_cos_product_2);
-    let minus_sqrt_air_velocity_sum =
-        part_of_minus_sqrt_air_velocity_sum_3 - part_of_minus_sqrt_air_velocity_sum_2;
-    let minus_minus_sqrt_air_sum = -minus_sqrt_air_velocity_sum;
-    let part_of_d_w_dot_d_phi = sin_phi_g - cos_phi_wind_y_plus_sin_sum * minus_minus_sqrt_air_sum;
+        C_La * sqrt_air_velocity_1_sq_of + minus_w_plus_cos_theta_sum * alpha_C_Da_two;
+    let part_of_sqrt_air_velocity_1_sum_2_2 =
+        V_part_part_half_inv_m * (C_L - C_La_sqrt_air_product_sum * minus_w_plus_cos_product_2);
+    let sqrt_air_velocity_1_sum_2 =
+        part_of_sqrt_air_velocity_1_sum_2 + part_of_sqrt_air_velocity_1_sum_2_2;
+    let sqrt_air_velocity_1_product = sqrt_air_velocity_1_sum_2 * air_velocity_1_inv_product;
+    let inv_sqrt_air_product_4 = inv_sqrt_air_velocity_1_of * sqrt_air_velocity_1_sum_2;
+    let part_of_C_D_V_part_part_half_sum_2 = sqrt_air_velocity_1_sum * minus_w_plus_cos_product_4;
+    let part_of_C_D_V_part_part_half_sum =
+        sqrt_air_velocity_1_sq_of * V_part_part_half_inv_m * C_La_sqrt_air_product_sum;
+    let part_of_C_D_V_part_part_half_sum_3 =
+        part_of_C_D_V_part_part_half_sum_2 + part_of_C_D_V_part_part_half_sum * inv_V_sq;
+    let C_D_V_part_part_half_sum =
+        C_D * V_part_part_half_inv_m + part_of_C_D_V_part_part_half_sum_3;
+    let part_of_d_w_dot_d_phi = sin_phi_g - cos_phi_wind_y_plus_sin_sum * C_D_V_part_part_half_sum;
     let part_of_d_w_dot_d_phi_2 =
-        minus_air_velocity_1_sum * C_L_minus_part_part_sum + cos_theta * part_of_d_w_dot_d_phi;
+        minus_air_velocity_1_sum * inv_sqrt_air_product_4 + cos_theta * part_of_d_w_dot_d_phi;
     let part_of_d_w_dot_d_theta =
-        sin_theta_v_phidot_product + C_L_minus_part_part_sum * air_velocity_1_cos_product_2;
+        sin_theta_v_phidot_product + cos_theta_cos_phi_sum * sqrt_air_velocity_1_product;
     let part_of_d_w_dot_d_theta_2 =
-        part_of_d_w_dot_d_theta - minus_cos_theta_wind_x_sum * minus_minus_sqrt_air_sum;
-    let air_velocity_1_inv_product = air_velocity_1 * inv_sqrt_air_product_2;
-    let cos_theta_phidot_product = cos_theta_phidot * air_velocity_1_inv_product;
-    let inv_sqrt_air_product_6 = inv_sqrt_air_product_2 * air_velocity_2_thetadot;
-    let r_C_Rr_plus_inv_sqrt_sum_2 = r_C_Rr_plus_inv_sqrt_sum - inv_sqrt_air_product_6;
-    let part_of_inv_sqrt_air_product_sum_2 =
-        inv_sqrt_air_product * (cos_theta_phidot_product + r_C_Rr_plus_inv_sqrt_sum_2);
-    let inv_sqrt_air_product_7 = inv_sqrt_air_velocity_1_of * inv_sqrt_air_velocity_1_of;
-    let minus_C_Ma_minus_w_plus_sum =
-        C_Mq * air_velocity_2_cos_sum * inv_sqrt_air_product_7 - C_Ma * minus_w_plus_cos_product;
-    let air_velocity_2_inv_product = air_velocity_2 * inv_sqrt_air_product;
-    let part_of_half_part_plus_part_product_4 =
-        minus_C_Ma_minus_w_plus_sum * air_velocity_2_inv_product;
-    let air_velocity_1_inv_product_2 = air_velocity_1 * inv_sqrt_air_product;
-    let C_Mq_air_velocity_1_cos_sum = C_Mq * air_velocity_1_cos_sum;
-    let part_of_half_part_plus_part_product =
-        air_velocity_1_inv_product_2 * C_Mq_air_velocity_1_cos_sum;
-    let part_of_half_part_plus_part_product_2 =
-        minus_air_velocity_2_sum * air_velocity_1_sq_product + part_of_half_part_plus_part_product;
-    let part_of_half_part_plus_part_product_3 =
-        part_of_half_part_plus_part_product_2 * inv_sqrt_air_product_7;
-    let part_of_half_part_plus_part_product_5 =
-        part_of_half_part_plus_part_product_4 + part_of_half_part_plus_part_product_3;
-    let minus_air_velocity_product = half_p5_p4_p3_inv_p2 * minus_air_velocity_2_sum;
-    let part_of_half_part_plus_part_product_6 =
-        T::splat(0.5) * part_of_half_part_plus_part_product_5 - minus_air_velocity_product;
-    let inv_sqrt_air_product_8 = T::splat(2.0) * inv_sqrt_air_velocity_1_of;
-    let half_part_plus_part_product =
-        part_of_half_part_plus_part_product_6 * inv_sqrt_air_product_8;
-    let inv_sqrt_air_product_sum_2 =
-        part_of_inv_sqrt_air_product_sum_2 - air_velocity_1 * half_part_plus_part_product;
-    let air_velocity_2_cos_product_2 = air_velocity_2_cos_product * inv_sqrt_air_product_2;
-    let thetadot_air_product = thetadot * air_velocity_1_inv_product;
-    let part_of_inv_sqrt_air_product_sum_3 =
-        alpha_C_Ma_minus_air_sum - air_velocity_2_cos_product_2 - thetadot_air_product;
-    let part_of_inv_sqrt_air_product_sum_3_2 =
-        inv_sqrt_air_product * part_of_inv_sqrt_air_product_sum_3;
-    let inv_sqrt_air_product_sum_3 =
-        part_of_inv_sqrt_air_product_sum_3_2 + air_velocity_2 * half_part_plus_part_product;
-    let minus_inv_cos_theta_inv_sum = -(inv_cos_theta * inv_sqrt_air_product_sum_3);
-    let C_Ma_sqrt_air_product = C_Ma * sqrt_air_velocity_1_product_4;
-    let minus_w_plus_cos_product_3 = minus_w_plus_cos_theta_sum * inv_sqrt_air_product_8;
-    let part_of_minus_air_velocity_2_sum_2 =
-        minus_w_plus_cos_product_3 * minus_air_velocity_product;
-    let minus_air_velocity_2_sum_2 =
-        part_of_minus_air_velocity_2_sum_2 - air_velocity_2_inv_product * C_Ma_sqrt_air_product;
-    let part_of_minus_air_velocity_sum_sum_8 =
-        minus_air_velocity_2_sum_2 * cos_theta_cos_phi_product;
-    let part_of_minus_air_velocity_sum_sum_4 =
-        r_C_Rr_plus_inv_sqrt_sum_2 * sin_theta_cos_phi_product;
-    let minus_cos_theta_phidot_sum =
-        thetadot * minus_cos_phi_wind_z_sum - cos_theta_phidot * sin_theta_cos_phi_product;
-    let part_of_minus_air_velocity_sum_sum = air_velocity_2_cos_product * minus_cos_phi_wind_z_sum;
-    let part_of_minus_air_velocity_sum_sum_2 =
-        air_velocity_1 * minus_cos_theta_phidot_sum + part_of_minus_air_velocity_sum_sum;
-    let part_of_minus_air_velocity_sum_sum_3 =
-        inv_sqrt_air_product_2 * part_of_minus_air_velocity_sum_sum_2;
-    let part_of_minus_air_velocity_sum_sum_5 =
-        part_of_minus_air_velocity_sum_sum_3 - part_of_minus_air_velocity_sum_sum_4;
-    let part_of_minus_air_velocity_sum_sum_6 =
-        part_of_minus_air_velocity_sum_sum_5 - alpha_C_Ma_minus_air_sum * minus_cos_phi_wind_z_sum;
-    let part_of_minus_air_velocity_sum_sum_7 =
-        inv_sqrt_air_product * part_of_minus_air_velocity_sum_sum_6;
-    let part_of_minus_air_velocity_sum_sum_9 =
-        part_of_minus_air_velocity_sum_sum_8 - part_of_minus_air_velocity_sum_sum_7;
-    let part_of_minus_air_velocity_sum_sum_10 =
-        minus_air_velocity_1_sum * half_part_plus_part_product;
-    let minus_air_velocity_sum_sum =
-        part_of_minus_air_velocity_sum_sum_9 + part_of_minus_air_velocity_sum_sum_10;
-    let minus_inv_cos_theta_sum = -(inv_cos_theta * minus_air_velocity_sum_sum);
+        part_of_d_w_dot_d_theta - minus_cos_theta_wind_x_sum * C_D_V_part_part_half_sum;
+    let sqrt_air_velocity_1_product_2 = two_p3_part_part_half_inv_p2 * sqrt_air_velocity_1_sq_of;
+    let part_of_minus_inv_sqrt_air_sum_2 = inv_sqrt_air_product_sum * sqrt_air_velocity_1_product_2;
+    let air_velocity_2_C_Ma = C_Ma * air_velocity_2;
+    let part_of_minus_inv_sqrt_air_sum =
+        inv_sqrt_air_product - minus_w_plus_cos_product_2 * air_velocity_2_C_Ma;
+    let inv_sqrt_air_product_5 = inv_sqrt_air_velocity_1_of * air_velocity_1_sq_product;
+    let minus_inv_sqrt_air_sum =
+        part_of_minus_inv_sqrt_air_sum * inv_sqrt_air_product_5 - part_of_minus_inv_sqrt_air_sum_2;
+    let air_velocity_1_sq_product_2 = air_velocity_1_sq_product * r_C_Rr;
+    let air_velocity_1_product_sum =
+        air_velocity_1 * minus_inv_sqrt_air_sum - air_velocity_1_sq_product_2;
+    let inv_sqrt_air_product_6 = inv_sqrt_air_velocity_1_of * inv_cos_theta;
+    let minus_air_velocity_1_product = -(air_velocity_1_product_sum * inv_sqrt_air_product_6);
+    let air_velocity_1_sq_product_3 = air_velocity_1_sq_product * alpha_C_Ma;
+    let air_velocity_2_product_sum =
+        air_velocity_2 * minus_inv_sqrt_air_sum + air_velocity_1_sq_product_3;
+    let minus_air_velocity_2_product = -(air_velocity_2_product_sum * inv_sqrt_air_product_6);
+    let air_velocity_1_sq_product_4 = air_velocity_1_sq_product * inv_V_sq;
+    let minus_w_plus_cos_product_5 = two_p3_part_part_half_inv_p2 * minus_w_plus_cos_theta_sum;
+    let part_of_air_velocity_2_C_Ma_sum = inv_sqrt_air_product_sum * minus_w_plus_cos_product_5;
+    let air_velocity_2_C_Ma_sum =
+        air_velocity_2_C_Ma * air_velocity_1_sq_product_4 - part_of_air_velocity_2_C_Ma_sum;
+    let inv_cos_theta_air_product = inv_cos_theta * air_velocity_2_C_Ma_sum;
+    let part_of_cos_phi_wind_y_plus_sum =
+        r_C_Rr * sin_theta_cos_phi_product + alpha_C_Ma * minus_cos_phi_wind_z_sum;
+    let part_of_cos_phi_wind_y_plus_sum_2 =
+        air_velocity_1_sq_product * part_of_cos_phi_wind_y_plus_sum;
+    let part_of_cos_phi_wind_y_plus_sum_3 =
+        minus_air_velocity_1_sum * minus_inv_sqrt_air_sum + part_of_cos_phi_wind_y_plus_sum_2;
+    let part_of_cos_phi_wind_y_plus_sum_4 =
+        part_of_cos_phi_wind_y_plus_sum_3 * inv_sqrt_air_product_6;
+    let cos_phi_wind_y_plus_sum =
+        cos_phi_wind_y_plus_sin_sum * air_velocity_2_C_Ma_sum - part_of_cos_phi_wind_y_plus_sum_4;
     let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
-    let thetadot_r_I_a_inv_product_2 = thetadot_r_I_a_inv_product * sin_theta_inv_cos_theta;
-    let part_of_inv_cos_theta_minus_product_4 =
-        minus_cos_theta_wind_x_sum * minus_air_velocity_2_sum_2;
-    let part_of_minus_cos_theta_phidot_sum_2 =
-        cos_theta_phidot * inv_sqrt_air_product_2 * cos_theta_cos_phi_sum;
-    let part_of_minus_cos_theta_phidot_sum_2_2 =
-        phidot * (C_Rr * cos_theta - sin_theta * air_velocity_1_inv_product);
-    let minus_cos_theta_phidot_sum_2 =
-        -part_of_minus_cos_theta_phidot_sum_2 - part_of_minus_cos_theta_phidot_sum_2_2;
-    let part_of_inv_cos_theta_minus_product = cos_theta_cos_phi_sum * r_C_Rr_plus_inv_sqrt_sum_2;
-    let air_velocity_2_sq_product = air_velocity_2_sq * inv_sqrt_air_product_2;
-    let part_of_inv_cos_theta_minus_product_2 =
-        air_velocity_1 * minus_cos_theta_phidot_sum_2 - part_of_inv_cos_theta_minus_product;
-    let part_of_inv_cos_theta_minus_product_3 =
-        part_of_inv_cos_theta_minus_product_2 + sin_theta_phidot * air_velocity_2_sq_product;
-    let part_of_inv_cos_theta_minus_product_6 =
-        inv_sqrt_air_product * part_of_inv_cos_theta_minus_product_3;
-    let part_of_inv_cos_theta_minus_product_5 =
-        two_minus_p1_inv_p2 * thetadot_cos_theta_phidot - part_of_inv_cos_theta_minus_product_4;
-    let part_of_inv_cos_theta_minus_product_7 =
-        part_of_inv_cos_theta_minus_product_5 - part_of_inv_cos_theta_minus_product_6;
-    let part_of_inv_cos_theta_minus_product_8 =
-        air_velocity_1_cos_product_2 * half_part_plus_part_product;
-    let part_of_inv_cos_theta_minus_product_9 =
-        part_of_inv_cos_theta_minus_product_7 - part_of_inv_cos_theta_minus_product_8;
-    let inv_cos_theta_minus_product = inv_cos_theta * part_of_inv_cos_theta_minus_product_9;
-    let cos_theta_air_product = cos_theta * air_velocity_1_inv_product;
-    let sin_theta_C_Rr_plus_cos_sum = C_Rr * sin_theta + cos_theta_air_product;
-    let part_of_inv_cos_theta_sin_product =
-        air_velocity_1 * sin_theta_C_Rr_plus_cos_sum + cos_theta * air_velocity_2_sq_product;
-    let part_of_inv_cos_theta_sin_product_2 =
-        inv_sqrt_air_product * part_of_inv_cos_theta_sin_product;
-    let part_of_inv_cos_theta_sin_product_3 =
-        two_minus_p1_inv_p2 * sin_theta * thetadot + part_of_inv_cos_theta_sin_product_2;
-    let inv_cos_theta_sin_product = inv_cos_theta * part_of_inv_cos_theta_sin_product_3;
-    let minus_C_Rr_air_velocity_sum = inv_p2_p1 * thetadot - C_Rr * air_velocity_1_inv_product_2;
-    let part_of_minus_half_part_product_4 =
-        minus_C_Ma_minus_w_plus_sum * air_velocity_1_inv_product_2;
-    let part_of_minus_half_part_product = air_velocity_2_inv_product * C_Mq_air_velocity_1_cos_sum;
-    let part_of_minus_half_part_product_2 =
-        air_velocity_1_product_sum * air_velocity_1_sq_product + part_of_minus_half_part_product;
-    let part_of_minus_half_part_product_3 =
-        part_of_minus_half_part_product_2 * inv_sqrt_air_product_7;
-    let part_of_minus_half_part_product_5 =
-        part_of_minus_half_part_product_4 - part_of_minus_half_part_product_3;
-    let air_velocity_1_product = half_p5_p4_p3_inv_p2 * air_velocity_1_product_sum;
-    let part_of_minus_half_part_product_6 =
-        -(T::splat(0.5) * part_of_minus_half_part_product_5) - air_velocity_1_product;
-    let minus_half_part_product = part_of_minus_half_part_product_6 * inv_sqrt_air_product_8;
-    let alpha_C_Ma_minus_air_sum_2 = alpha_C_Ma_minus_air_sum + thetadot_air_product;
-    let part_of_d_thetadot_dot_d_u =
-        inv_sqrt_air_product * (air_velocity_2_cos_product_2 + alpha_C_Ma_minus_air_sum_2);
-    let part_of_d_thetadot_dot_d_u_2 =
-        part_of_d_thetadot_dot_d_u - air_velocity_1 * minus_half_part_product;
+    let air_velocity_1_sq_product_5 = air_velocity_1_sq_product * C_Mq_nonzero_sqrt_air_of;
+    let part_of_part_part_plus_part_sum_sum =
+        minus_thetadot_r_I_product - phidot * air_velocity_1_sq_product_5;
+    let part_of_part_part_plus_part_sum_sum_5 =
+        sin_theta_inv_cos_theta * part_of_part_part_plus_part_sum_sum;
+    let phidot_thetadot = phidot * thetadot;
+    let inv_cos_theta_cos_product = inv_cos_theta * cos_theta_cos_phi_sum;
+    let part_of_part_part_plus_part_sum_sum_2 =
+        r_C_Rr * inv_sqrt_air_product_5 * inv_cos_theta_cos_product;
+    let air_velocity_1_sq_sum =
+        C_Rr * air_velocity_1_sq_product * air_velocity_1_inv_product - inv_p2_p1 * thetadot;
+    let part_of_part_part_plus_part_sum_sum_3 =
+        part_of_part_part_plus_part_sum_sum_2 + phidot * air_velocity_1_sq_sum;
+    let part_of_part_part_plus_part_sum_sum_4 =
+        T::splat(2.0) * phidot_thetadot + part_of_part_part_plus_part_sum_sum_3;
+    let part_of_part_part_plus_part_sum_sum_6 =
+        part_of_part_part_plus_part_sum_sum_5 + part_of_part_part_plus_part_sum_sum_4;
+    let part_of_part_part_plus_part_sum_sum_7 =
+        minus_inv_sqrt_air_sum * air_velocity_1_inv_product * inv_cos_theta_cos_product;
+    let part_of_part_part_plus_part_sum_sum_8 =
+        minus_cos_theta_wind_x_sum * inv_cos_theta_air_product;
+    let part_of_part_part_plus_part_sum_sum_9 =
+        part_of_part_part_plus_part_sum_sum_7 - part_of_part_part_plus_part_sum_sum_8;
+    let part_part_plus_part_sum_sum =
+        part_of_part_part_plus_part_sum_sum_6 - part_of_part_part_plus_part_sum_sum_9;
+    let air_velocity_1_sq_product_6 = air_velocity_1_sq_sum * sin_theta_inv_cos_theta;
+    let part_of_air_velocity_1_sq_sum_2 = air_velocity_1_sq_product_6 + air_velocity_1_sq_product_5;
+    let air_velocity_1_sq_sum_2 =
+        part_of_air_velocity_1_sq_sum_2 + T::splat(2.0) * thetadot * sin_theta_inv_cos_theta;
+    let part_of_minus_inv_sqrt_air_sum_2_4 =
+        inv_sqrt_air_product_2_sum * sqrt_air_velocity_1_product_2;
+    let air_velocity_1_C_Ma = C_Ma * air_velocity_1;
+    let part_of_minus_inv_sqrt_air_sum_2_2 =
+        inv_sqrt_air_product_2 + minus_w_plus_cos_product_2 * air_velocity_1_C_Ma;
+    let part_of_minus_inv_sqrt_air_sum_2_3 =
+        part_of_minus_inv_sqrt_air_sum_2_2 * inv_sqrt_air_product_5;
+    let minus_inv_sqrt_air_sum_2 =
+        part_of_minus_inv_sqrt_air_sum_2_3 - part_of_minus_inv_sqrt_air_sum_2_4;
+    let part_of_inv_sqrt_air_product_7 =
+        air_velocity_1_sq_product_3 - air_velocity_1 * minus_inv_sqrt_air_sum_2;
+    let inv_sqrt_air_product_7 = inv_sqrt_air_velocity_1_of * part_of_inv_sqrt_air_product_7;
     let part_of_d_thetadot_dot_d_v =
-        r_C_Rr_plus_inv_sqrt_sum - cos_theta_phidot_product + inv_sqrt_air_product_6;
-    let part_of_d_thetadot_dot_d_v_2 = inv_sqrt_air_product * part_of_d_thetadot_dot_d_v;
-    let part_of_d_thetadot_dot_d_v_3 =
-        part_of_d_thetadot_dot_d_v_2 - air_velocity_2 * minus_half_part_product;
-    let part_of_minus_air_velocity_1_sum_2 =
-        -(air_velocity_1_inv_product_2 * C_Ma_sqrt_air_product);
-    let minus_air_velocity_1_sum_2 =
-        part_of_minus_air_velocity_1_sum_2 - minus_w_plus_cos_product_3 * air_velocity_1_product;
-    let minus_minus_air_sum = -minus_air_velocity_1_sum_2;
-    let part_of_d_thetadot_dot_d_phi_3 = alpha_C_Ma_minus_air_sum_2 * sin_theta_cos_phi_product;
-    let part_of_d_thetadot_dot_d_phi = air_velocity_1_cos_product * minus_cos_phi_wind_z_sum;
-    let part_of_d_thetadot_dot_d_phi_2 =
-        air_velocity_2 * minus_cos_theta_phidot_sum - part_of_d_thetadot_dot_d_phi;
+        air_velocity_1_sq_product_2 - air_velocity_2 * minus_inv_sqrt_air_sum_2;
+    let part_of_air_velocity_1_C_Ma_sum = inv_sqrt_air_product_2_sum * minus_w_plus_cos_product_5;
+    let air_velocity_1_C_Ma_sum =
+        air_velocity_1_C_Ma * air_velocity_1_sq_product_4 + part_of_air_velocity_1_C_Ma_sum;
+    let part_of_d_thetadot_dot_d_phi =
+        alpha_C_Ma * sin_theta_cos_phi_product - r_C_Rr * minus_cos_phi_wind_z_sum;
+    let part_of_d_thetadot_dot_d_phi_2 = air_velocity_1_sq_product * part_of_d_thetadot_dot_d_phi;
+    let part_of_d_thetadot_dot_d_phi_3 =
+        minus_air_velocity_1_sum * minus_inv_sqrt_air_sum_2 + part_of_d_thetadot_dot_d_phi_2;
     let part_of_d_thetadot_dot_d_phi_4 =
-        r_C_Rr_plus_inv_sqrt_sum * minus_cos_phi_wind_z_sum - part_of_d_thetadot_dot_d_phi_3;
+        inv_sqrt_air_velocity_1_of * part_of_d_thetadot_dot_d_phi_3;
     let part_of_d_thetadot_dot_d_phi_5 =
-        part_of_d_thetadot_dot_d_phi_4 + inv_sqrt_air_product_2 * part_of_d_thetadot_dot_d_phi_2;
-    let part_of_d_thetadot_dot_d_phi_6 = inv_sqrt_air_product * part_of_d_thetadot_dot_d_phi_5;
-    let part_of_d_thetadot_dot_d_phi_7 =
-        part_of_d_thetadot_dot_d_phi_6 - minus_minus_air_sum * cos_theta_cos_phi_product;
-    let part_of_d_thetadot_dot_d_phi_8 =
-        part_of_d_thetadot_dot_d_phi_7 - minus_air_velocity_1_sum * minus_half_part_product;
-    let part_of_d_thetadot_dot_d_theta_5 = air_velocity_1_cos_product_2 * minus_half_part_product;
-    let cos_theta_phidot_n1_product = n1_minus_p1_inv_p2 * cos_theta_phidot;
+        -(air_velocity_1_C_Ma_sum * cos_theta_cos_phi_product) - part_of_d_thetadot_dot_d_phi_4;
+    let part_of_d_thetadot_dot_d_theta_2 = minus_cos_theta_wind_x_sum * air_velocity_1_C_Ma_sum;
+    let air_velocity_2_C_Rr_sum =
+        C_Rr * air_velocity_2 * inv_sqrt_air_product_5 + inv_p2_p1 * cos_theta_phidot;
+    let minus_cos_theta_phidot_sum = air_velocity_2_C_Rr_sum - cos_theta_phidot;
     let part_of_d_thetadot_dot_d_theta =
-        sin_theta_phidot_minus_sum + air_velocity_2_inv_product * air_velocity_1_inv_product;
-    let part_of_d_thetadot_dot_d_theta_2 =
-        cos_theta * cos_theta_phidot_n1_product - sin_theta * part_of_d_thetadot_dot_d_theta;
-    let part_of_d_thetadot_dot_d_theta_3 = cos_theta_cos_phi_sum * alpha_C_Ma_minus_air_sum_2;
+        sin_theta * sin_theta_phidot_minus_sum + cos_theta * minus_cos_theta_phidot_sum;
+    let part_of_d_thetadot_dot_d_theta_3 =
+        cos_theta_cos_phi_sum * inv_sqrt_air_product_7 - part_of_d_thetadot_dot_d_theta_2;
     let part_of_d_thetadot_dot_d_theta_4 =
-        air_velocity_2 * minus_cos_theta_phidot_sum_2 - part_of_d_thetadot_dot_d_theta_3;
-    let part_of_d_thetadot_dot_d_theta_6 =
-        -(minus_cos_theta_wind_x_sum * minus_minus_air_sum) - part_of_d_thetadot_dot_d_theta_5;
-    let part_of_d_thetadot_dot_d_theta_7 =
-        part_of_d_thetadot_dot_d_theta_6 - phidot * part_of_d_thetadot_dot_d_theta_2;
-    let part_of_d_thetadot_dot_d_theta_8 =
-        part_of_d_thetadot_dot_d_theta_7 - inv_sqrt_air_product * part_of_d_thetadot_dot_d_theta_4;
+        part_of_d_thetadot_dot_d_theta_3 + phidot * part_of_d_thetadot_dot_d_theta;
     let part_of_d_thetadot_dot_d_phidot =
-        (cos_theta_air_product - sin_theta_C_Rr_plus_cos_sum) * air_velocity_2_inv_product;
-    let part_of_d_thetadot_dot_d_phidot_2 =
-        -(cos_theta * sin_theta_phidot_minus_sum) - sin_theta * cos_theta_phidot_n1_product;
-    let part_of_d_thetadot_dot_d_phidot_3 =
-        part_of_d_thetadot_dot_d_phidot_2 - part_of_d_thetadot_dot_d_phidot;
-    let part_of_d_thetadot_dot_d_thetadot =
-        air_velocity_1_sq_plus_sum * inv_sqrt_air_product * inv_sqrt_air_product_2;
-    let d_thetadot_dot_d_r = inv_p2_p1 * cos_theta_phidot;
-    let minus_inv_sqrt_air_product = -(inv_sqrt_air_product_sum_2 * sin_theta_inv_cos_theta);
-    let part_of_d_gammadot_dot_d_theta =
-        inv_cos_theta_minus_product - (thetadot_r_I_a_inv_product_2 + phidot * thetadot);
+        sin_theta * minus_cos_theta_phidot_sum - cos_theta * sin_theta_phidot_minus_sum;
+    let inv_sqrt_air_product_8 = inv_sqrt_air_velocity_1_of * sin_theta_inv_cos_theta;
+    let minus_sin_theta_cos_phi_sum = -(sin_theta * cos_phi_wind_y_plus_sum);
     let part_of_d_gammadot_dot_d_theta_2 =
-        cos_theta * (thetadot_r_I_a_inv_product + p14_inv_p1 * phidot);
+        sin_theta * (phidot_thetadot - part_part_plus_part_sum_sum);
+    let part_of_d_gammadot_dot_d_theta =
+        cos_theta * (minus_thetadot_r_I_product - p14_inv_p1 * phidot);
     let part_of_d_gammadot_dot_d_theta_3 =
-        part_of_d_gammadot_dot_d_theta_2 - sin_theta * part_of_d_gammadot_dot_d_theta;
+        part_of_d_gammadot_dot_d_theta_2 - part_of_d_gammadot_dot_d_theta;
     let part_of_d_gammadot_dot_d_phidot =
-        -(cos_theta * thetadot) - sin_theta * (inv_cos_theta_sin_product - p14_inv_p1);
+        sin_theta * (p14_inv_p1 - air_velocity_1_sq_sum_2) - cos_theta * thetadot;
     let part_of_d_gammadot_dot_d_thetadot =
         r_I_a_inv_I_d_minus_sin_sum * sin_theta_inv_cos_theta - cos_theta_phidot;
-    let part_of_d_gammadot_dot_d_gammadot =
-        minus_C_Rr_air_velocity_sum * sin_theta_inv_cos_theta + p14_inv_p1;
-    let minus_thetadot_r_I_a_inv_product = -thetadot_r_I_a_inv_product;
     let minus_cos_theta_sin_phi = -(cos_theta * sin_phi);
+    let minus_z_dot = -z_dot;
     let minus_sin_theta_cos_phi = -(sin_theta * cos_phi);
     let minus_x_dot_cos_phi = -(x_dot * cos_phi);
     let minus_w = -w;
+    let minus_C_D_V_part_part_half_sum = -C_D_V_part_part_half_sum;
     let minus_cos_theta_v = -(cos_theta * v);
-    let minus_inv_cos_theta_minus_product = -(inv_cos_theta * minus_air_velocity_2_sum_2);
     let minus_r_I_a_inv_I_d_minus_product = -(r_I_a_inv_I_d_minus_sin_sum * inv_cos_theta);
-    let minus_inv_cos_theta_minus_product_2 = -(inv_cos_theta * minus_C_Rr_air_velocity_sum);
+    let minus_air_velocity_1_C_Ma_sum = -air_velocity_1_C_Ma_sum;
+    let minus_air_velocity_2_C_Ma_product = -(air_velocity_2_C_Ma_sum * sin_theta_inv_cos_theta);
 
     dx[0] = x_dot;
     dx[1] = y_dot;
@@ -414,7 +331,7 @@ pub fn f_jac<T: Real>(
     dx[6] = phidot;
     dx[7] = thetadot;
     dx[8] = gammadot;
-    dx[9] = minus_thetadot_r_I_a_inv_product;
+    dx[9] = minus_thetadot_r_I_product;
     dx[10] = thetadot_dot;
     dx[11] = gammadot_dot;
 
@@ -432,21 +349,21 @@ pub fn f_jac<T: Real>(
     j[11] = y_dot; // d_z_dot_d_phi
     j[12] = minus_x_dot_cos_phi; // d_z_dot_d_theta
     j[13] = part_of_d_u_dot_d_u; // d_u_dot_d_u
-    j[14] = sin_theta_phidot - air_velocity_1_air_product; // d_u_dot_d_v
-    j[15] = -thetadot - air_velocity_1 * minus_minus_minus_w_sum; // d_u_dot_d_w
+    j[14] = sin_theta_phidot + air_velocity_2_product; // d_u_dot_d_v
+    j[15] = -thetadot - air_velocity_1 * minus_w_plus_cos_sum_3; // d_u_dot_d_w
     j[16] = part_of_d_u_dot_d_phi_2; // d_u_dot_d_phi
     j[17] = part_of_d_u_dot_d_theta_2; // d_u_dot_d_theta
     j[18] = sin_theta * v; // d_u_dot_d_phidot
     j[19] = minus_w; // d_u_dot_d_thetadot
-    j[20] = -sin_theta_phidot - air_velocity_1_air_product; // d_v_dot_d_u
+    j[20] = air_velocity_2_product - sin_theta_phidot; // d_v_dot_d_u
     j[21] = part_of_d_v_dot_d_v; // d_v_dot_d_v
-    j[22] = cos_theta_phidot - air_velocity_2 * minus_minus_minus_w_sum; // d_v_dot_d_w
-    j[23] = part_of_d_v_dot_d_phi - air_velocity_2 * minus_air_velocity_sum; // d_v_dot_d_phi
-    j[24] = -(x_dot * phidot) - air_velocity_2 * inv_sqrt_air_product_sum; // d_v_dot_d_theta
+    j[22] = cos_theta_phidot - air_velocity_2 * minus_w_plus_cos_sum_3; // d_v_dot_d_w
+    j[23] = part_of_d_v_dot_d_phi + air_velocity_2 * minus_air_velocity_sum; // d_v_dot_d_phi
+    j[24] = air_velocity_2 * cos_theta_cos_phi_sum_2 - x_dot * phidot; // d_v_dot_d_theta
     j[25] = cos_theta_w_minus_u_sin_sum; // d_v_dot_d_phidot
-    j[26] = thetadot + air_velocity_1 * C_L_minus_part_part_sum; // d_w_dot_d_u
-    j[27] = air_velocity_2 * C_L_minus_part_part_sum - cos_theta_phidot; // d_w_dot_d_v
-    j[28] = minus_sqrt_air_velocity_sum; // d_w_dot_d_w
+    j[26] = thetadot + sqrt_air_velocity_1_product; // d_w_dot_d_u
+    j[27] = air_velocity_2 * inv_sqrt_air_product_4 - cos_theta_phidot; // d_w_dot_d_v
+    j[28] = minus_C_D_V_part_part_half_sum; // d_w_dot_d_w
     j[29] = part_of_d_w_dot_d_phi_2; // d_w_dot_d_phi
     j[30] = part_of_d_w_dot_d_theta_2; // d_w_dot_d_theta
     j[31] = minus_cos_theta_v; // d_w_dot_d_phidot
@@ -454,28 +371,28 @@ pub fn f_jac<T: Real>(
     j[33] = T::splat(1.0); // d_phi_dot_d_phidot
     j[34] = T::splat(1.0); // d_theta_dot_d_thetadot
     j[35] = T::splat(1.0); // d_gamma_dot_d_gammadot
-    j[36] = inv_cos_theta * inv_sqrt_air_product_sum_2; // d_phidot_dot_d_u
-    j[37] = minus_inv_cos_theta_inv_sum; // d_phidot_dot_d_v
-    j[38] = minus_inv_cos_theta_minus_product; // d_phidot_dot_d_w
-    j[39] = minus_inv_cos_theta_sum; // d_phidot_dot_d_phi
-    j[40] = inv_cos_theta_minus_product - thetadot_r_I_a_inv_product_2; // d_phidot_dot_d_theta
-    j[41] = inv_cos_theta_sin_product; // d_phidot_dot_d_phidot
+    j[36] = minus_air_velocity_1_product; // d_phidot_dot_d_u
+    j[37] = minus_air_velocity_2_product; // d_phidot_dot_d_v
+    j[38] = inv_cos_theta_air_product; // d_phidot_dot_d_w
+    j[39] = cos_phi_wind_y_plus_sum; // d_phidot_dot_d_phi
+    j[40] = part_part_plus_part_sum_sum; // d_phidot_dot_d_theta
+    j[41] = air_velocity_1_sq_sum_2; // d_phidot_dot_d_phidot
     j[42] = minus_r_I_a_inv_I_d_minus_product; // d_phidot_dot_d_thetadot
-    j[43] = minus_inv_cos_theta_minus_product_2; // d_phidot_dot_d_gammadot
-    j[44] = part_of_d_thetadot_dot_d_u_2; // d_thetadot_dot_d_u
-    j[45] = part_of_d_thetadot_dot_d_v_3; // d_thetadot_dot_d_v
-    j[46] = minus_air_velocity_1_sum_2; // d_thetadot_dot_d_w
-    j[47] = part_of_d_thetadot_dot_d_phi_8; // d_thetadot_dot_d_phi
-    j[48] = part_of_d_thetadot_dot_d_theta_8; // d_thetadot_dot_d_theta
-    j[49] = part_of_d_thetadot_dot_d_phidot_3; // d_thetadot_dot_d_phidot
-    j[50] = part_of_d_thetadot_dot_d_thetadot; // d_thetadot_dot_d_thetadot
-    j[51] = C_Rr * air_velocity_2_inv_product + d_thetadot_dot_d_r; // d_thetadot_dot_d_gammadot
-    j[52] = minus_inv_sqrt_air_product; // d_gammadot_dot_d_u
-    j[53] = inv_sqrt_air_product_sum_3 * sin_theta_inv_cos_theta; // d_gammadot_dot_d_v
-    j[54] = minus_air_velocity_2_sum_2 * sin_theta_inv_cos_theta; // d_gammadot_dot_d_w
-    j[55] = minus_air_velocity_sum_sum * sin_theta_inv_cos_theta; // d_gammadot_dot_d_phi
+    j[43] = inv_cos_theta * air_velocity_1_sq_sum; // d_phidot_dot_d_gammadot
+    j[44] = inv_sqrt_air_product_7; // d_thetadot_dot_d_u
+    j[45] = inv_sqrt_air_velocity_1_of * part_of_d_thetadot_dot_d_v; // d_thetadot_dot_d_v
+    j[46] = minus_air_velocity_1_C_Ma_sum; // d_thetadot_dot_d_w
+    j[47] = part_of_d_thetadot_dot_d_phi_5; // d_thetadot_dot_d_phi
+    j[48] = part_of_d_thetadot_dot_d_theta_4; // d_thetadot_dot_d_theta
+    j[49] = part_of_d_thetadot_dot_d_phidot; // d_thetadot_dot_d_phidot
+    j[50] = air_velocity_1_sq_product_5; // d_thetadot_dot_d_thetadot
+    j[51] = air_velocity_2_C_Rr_sum; // d_thetadot_dot_d_gammadot
+    j[52] = air_velocity_1_product_sum * inv_sqrt_air_product_8; // d_gammadot_dot_d_u
+    j[53] = air_velocity_2_product_sum * inv_sqrt_air_product_8; // d_gammadot_dot_d_v
+    j[54] = minus_air_velocity_2_C_Ma_product; // d_gammadot_dot_d_w
+    j[55] = minus_sin_theta_cos_phi_sum; // d_gammadot_dot_d_phi
     j[56] = part_of_d_gammadot_dot_d_theta_3; // d_gammadot_dot_d_theta
     j[57] = part_of_d_gammadot_dot_d_phidot; // d_gammadot_dot_d_phidot
     j[58] = part_of_d_gammadot_dot_d_thetadot; // d_gammadot_dot_d_thetadot
-    j[59] = part_of_d_gammadot_dot_d_gammadot; // d_gammadot_dot_d_gammadot
+    j[59] = p14_inv_p1 - air_velocity_1_sq_product_6; // d_gammadot_dot_d_gammadot
 }

@@ -9,13 +9,13 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 18 operations: 2 add, 13 mul, 3 div |
-//! | `f` | 115 operations: 37 add, 66 mul, 2 div, 3 neg, 2 sqrt, 5 call |
-//! | `f_jac` | 425 operations: 132 add, 252 mul, 3 div, 30 neg, 2 sqrt, 5 call, 1 select |
-//! | `f_jac_par` | 578 operations: 148 add, 370 mul, 3 div, 49 neg, 2 sqrt, 5 call, 1 select |
+//! | `prepare` | 32 operations: 21 mul, 3 div, 8 neg |
+//! | `f` | 108 operations: 35 add, 63 mul, 2 div, 2 sqrt, 5 call, 1 select |
+//! | `f_jac` | 347 operations: 106 add, 214 mul, 3 div, 16 neg, 2 sqrt, 5 call, 1 select |
+//! | `f_jac_par` | 486 operations: 128 add, 313 mul, 3 div, 34 neg, 2 sqrt, 5 call, 1 select |
 //! | `observe` | 27 operations: 9 add, 12 mul, 6 call |
 //! | `observe_jac` | 59 operations: 15 add, 33 mul, 5 neg, 6 call |
-//! | `quantities` | 64 operations: 16 add, 37 mul, 1 div, 3 neg, 2 sqrt, 5 call |
+//! | `quantities` | 63 operations: 16 add, 37 mul, 1 div, 2 neg, 2 sqrt, 5 call |
 //! | `limits` | 1 operations: 1 call |
 
 mod f;
@@ -70,11 +70,13 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 17] = [
-    "inv_p0_half_p5_p4", "half_p5_p4_p3_inv_p2", "inv_p2_p1", "p14_inv_p1", "p10_two",
-    "two_minus_p1_inv_p2", "n1_minus_p1_inv_p2", "p4_half", "p5_p4_half", "inv_p0", "inv_p2",
-    "inv_p1", "p5_p4_half_two", "p5_half", "inv_p2_sq", "p5_p4_half_inv_p2",
-    "inv_p1_d_gammadot_dot_d_r",
+pub const PREPARED: [&str; 26] = [
+    "inv_p0_half_p5_p4", "minus_p6", "half_p5_p4_p3_inv_p2", "inv_p2_p1", "p14_inv_p1", "p10_two",
+    "two_p3_part_part_half_inv_p2", "p4_half", "p5_p4_half", "inv_p0", "inv_p2", "inv_p1",
+    "p5_half", "minus_p5_half", "minus_p4_half", "minus_p5_p4_half_inv_p0", "p5_p4_half_p3",
+    "inv_p2_sq", "p5_p4_half_inv_p2", "inv_p2_p3_p5_half", "inv_p2_p3_p4_half",
+    "minus_inv_p2_p5_part_sum", "inv_p1_d_gammadot_dot_d_r", "minus_p5_p4_half_inv_p2",
+    "minus_inv_p2_p3_p5_half", "minus_inv_p2_p3_p4_half",
 ];
 
 /// What `quantities` computes.

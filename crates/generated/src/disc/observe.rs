@@ -11,7 +11,7 @@ pub fn observe<T: Real>(
     _time: T,
     state: &[T; 12],
     _parameters: &[T; 18],
-    _prepared: &[T; 17],
+    _prepared: &[T; 26],
     marker: &[T; 3],
     seen: &mut [T; 3],
 ) {
@@ -29,16 +29,18 @@ pub fn observe<T: Real>(
     let minus_sin_gamma_mark_y_sum = cos_gamma * mark_x - sin_gamma * mark_y;
 
     // disc.hyz:91  observe mark = position + in_N(mark);
-    let mark_x = mark_z * sin_theta + minus_sin_gamma_mark_y_sum * cos_theta + x;
+    let mark_x_2 = mark_z * sin_theta + minus_sin_gamma_mark_y_sum * cos_theta + x;
     let minus_sin_theta_minus_sum = mark_z * cos_theta - sin_theta * minus_sin_gamma_mark_y_sum;
     let (sin_phi, cos_phi) = phi.sin_cos();
     let sin_gamma_mark_x_plus_sum = sin_gamma * mark_x + mark_y * cos_gamma;
-    let part_of_mark_y = sin_gamma_mark_x_plus_sum * cos_phi - minus_sin_theta_minus_sum * sin_phi;
-    let mark_y = part_of_mark_y + y;
-    let part_of_mark_z = sin_phi * sin_gamma_mark_x_plus_sum + minus_sin_theta_minus_sum * cos_phi;
-    let mark_z = part_of_mark_z + z;
+    let part_of_mark_y_2 =
+        sin_gamma_mark_x_plus_sum * cos_phi - minus_sin_theta_minus_sum * sin_phi;
+    let mark_y_2 = part_of_mark_y_2 + y;
+    let part_of_mark_z_2 =
+        sin_phi * sin_gamma_mark_x_plus_sum + minus_sin_theta_minus_sum * cos_phi;
+    let mark_z_2 = part_of_mark_z_2 + z;
 
-    seen[0] = mark_x;
-    seen[1] = mark_y;
-    seen[2] = mark_z;
+    seen[0] = mark_x_2;
+    seen[1] = mark_y_2;
+    seen[2] = mark_z_2;
 }

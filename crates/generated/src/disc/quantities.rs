@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// Every named quantity, see `QUANTITIES`.
 ///
-/// 64 operations: 16 add, 37 mul, 1 div, 3 neg, 2 sqrt, 5 call.
+/// 63 operations: 16 add, 37 mul, 1 div, 2 neg, 2 sqrt, 5 call.
 #[inline(always)]
 pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 17],
+    prepared: &[T; 26],
     values: &mut [T; 25],
 ) {
     let u = state[3];
@@ -35,7 +35,7 @@ pub fn quantities<T: Real>(
     let wind_y = parameters[16];
     let wind_z = parameters[17];
     let p5_p4_half = prepared[8];
-    let p5_half = prepared[13];
+    let p5_half = prepared[12];
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
     let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
@@ -48,7 +48,9 @@ pub fn quantities<T: Real>(
         air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
     let sin_theta_wind_x_plus_sum_2 =
         sin_theta_wind_x_plus_sum * sin_theta_wind_x_plus_sum + air_velocity_2_sq_plus_sum;
-    let sqrt_sin_theta_wind_x_of = sin_theta_wind_x_plus_sum_2.sqrt();
+
+    // disc.hyz:64  let V = norm(air_velocity);
+    let V = sin_theta_wind_x_plus_sum_2.sqrt();
     let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
     let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
 
@@ -73,13 +75,13 @@ pub fn quantities<T: Real>(
 
     // disc.hyz:79  let rate_1 = dot(angular_velocity, d1);
     let rate_1 = inv_sqrt_air_velocity_2_of * part_of_rate_1;
-    let minus_air_velocity_1_sum = air_velocity_2 * cos_theta_phidot - air_velocity_1 * thetadot;
-    let minus_minus_air_sum = -minus_air_velocity_1_sum;
+    let air_velocity_1_thetadot_sum = air_velocity_1 * thetadot - air_velocity_2 * cos_theta_phidot;
 
     // disc.hyz:80  let rate_2 = dot(angular_velocity, d2);
-    let rate_2 = inv_sqrt_air_velocity_2_of * minus_minus_air_sum;
+    let rate_2 = inv_sqrt_air_velocity_2_of * air_velocity_1_thetadot_sum;
     let d_sin_theta_wind_x_product = d * sin_theta_wind_x_product;
-    let part_of_pitch = C_Ma * alpha - C_Mq * inv_sqrt_air_velocity_2_of * minus_air_velocity_1_sum;
+    let part_of_pitch =
+        C_Mq * inv_sqrt_air_velocity_2_of * air_velocity_1_thetadot_sum + C_Ma * alpha;
 
     // disc.hyz:83  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
@@ -92,7 +94,7 @@ pub fn quantities<T: Real>(
     values[3] = T::splat(0.0);
     values[4] = T::splat(0.0);
     values[5] = T::splat(1.0);
-    values[6] = sqrt_sin_theta_wind_x_of;
+    values[6] = V;
     values[7] = d1_1;
     values[8] = d1_2;
     values[9] = T::splat(0.0);

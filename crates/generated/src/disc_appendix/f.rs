@@ -11,7 +11,7 @@ pub fn f<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 22],
+    prepared: &[T; 28],
     dx: &mut [T; 12],
 ) {
     let u = state[3];
@@ -80,9 +80,10 @@ pub fn f<T: Real>(
         sqrt_air_velocity_2_sq_of * C_D - minus_w_plus_sin_theta_sum * C_L;
     let air_velocity_2_sq_plus_sum_2 =
         air_velocity_2_sq_plus_sum + minus_w_plus_sin_theta_sum * minus_w_plus_sin_theta_sum;
-    let sqrt_air_velocity_2_sq_of_2 = air_velocity_2_sq_plus_sum_2.sqrt();
-    let inv_sqrt_air_product_2 =
-        inv_sqrt_air_product * (part_of_inv_sqrt_air_product_2 * sqrt_air_velocity_2_sq_of_2);
+
+    // disc_appendix.hyz:69  let V = norm(air_velocity);
+    let V = air_velocity_2_sq_plus_sum_2.sqrt();
+    let inv_sqrt_air_product_2 = inv_sqrt_air_product * (part_of_inv_sqrt_air_product_2 * V);
     let part_of_u_dot = air_velocity_1 * inv_sqrt_air_product_2 - sin_theta * cos_phi_g_m;
 
     // disc_appendix.hyz:102  der(u) = F_b1/m - w*thetadot + v*phidot*sin(theta);
@@ -95,8 +96,7 @@ pub fn f<T: Real>(
     let part_of_force_b_3 = minus_w_plus_sin_theta_sum * C_D + sqrt_air_velocity_2_sq_of * C_L;
 
     // disc_appendix.hyz:91  let force_b = (lift*sin(alpha) - drag*cos(alpha))*d1 + (lift*cos(a …
-    let force_b_3 =
-        half_p5_p4 * sqrt_air_velocity_2_sq_of_2 * part_of_force_b_3 - cos_theta * cos_phi_g_m;
+    let force_b_3 = half_p5_p4 * V * part_of_force_b_3 - cos_theta * cos_phi_g_m;
 
     // disc_appendix.hyz:106  der(w) = F_b3/m + u*thetadot - v*phidot*cos(theta);
     let w_dot = u * thetadot - v * cos_theta_phidot + inv_p0 * force_b_3;

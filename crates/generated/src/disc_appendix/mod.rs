@@ -6,13 +6,13 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 23 operations: 2 add, 18 mul, 3 div |
+//! | `prepare` | 30 operations: 2 add, 17 mul, 3 div, 8 neg |
 //! | `f` | 123 operations: 38 add, 76 mul, 2 div, 2 sqrt, 5 call |
-//! | `f_jac` | 460 operations: 134 add, 288 mul, 3 div, 28 neg, 2 sqrt, 5 call |
-//! | `f_jac_par` | 626 operations: 148 add, 414 mul, 3 div, 54 neg, 2 sqrt, 5 call |
+//! | `f_jac` | 423 operations: 128 add, 272 mul, 3 div, 13 neg, 2 sqrt, 5 call |
+//! | `f_jac_par` | 608 operations: 154 add, 418 mul, 3 div, 26 neg, 2 sqrt, 5 call |
 //! | `observe` | 27 operations: 9 add, 12 mul, 6 call |
 //! | `observe_jac` | 59 operations: 15 add, 33 mul, 5 neg, 6 call |
-//! | `quantities` | 98 operations: 25 add, 60 mul, 2 div, 4 neg, 2 sqrt, 5 call |
+//! | `quantities` | 96 operations: 25 add, 60 mul, 2 div, 2 neg, 2 sqrt, 5 call |
 //! | `limits` | 1 operations: 1 call |
 
 mod f;
@@ -67,11 +67,12 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 22] = [
-    "p6_p0", "half_p5_p4", "inv_p0", "p2_two", "inv_p2", "inv_p1", "p10_two", "p4_p5_half_inv_p0",
-    "p4_p5_half_p3", "p1_minus_p2_two", "two_inv_p2", "minus_p2_plus_p1", "p13_inv_p2", "p1_inv_p2",
-    "p14_inv_p1", "p4_half", "two_p3", "p6_inv_p0", "inv_p0_sq", "p5_half", "inv_p2_sq",
-    "inv_p1_sq",
+pub const PREPARED: [&str; 28] = [
+    "p6_p0", "half_p5_p4", "inv_p0", "p2_two", "inv_p2", "inv_p1", "p10_two", "minus_inv_p0",
+    "p4_p5_half_inv_p0", "minus_p4_p5_half_inv_p0", "two_p3", "p4_p5_half_p3", "p1_inv_p2",
+    "minus_two_plus_p1_inv_p2", "minus_inv_p2", "minus_n1_plus_p1_inv_p2", "p13_inv_p2",
+    "p14_inv_p1", "p4_half", "p6_inv_p0", "inv_p0_sq", "p5_half", "minus_p5_half", "minus_p4_half",
+    "minus_p6_inv_p0", "minus_inv_p2_sq", "inv_p1_sq", "minus_p6_p0",
 ];
 
 /// What `quantities` computes.

@@ -11,7 +11,7 @@ pub fn observe_jac<T: Real>(
     _time: T,
     state: &[T; 12],
     _parameters: &[T; 18],
-    _prepared: &[T; 22],
+    _prepared: &[T; 28],
     marker: &[T; 3],
     seen: &mut [T; 3],
     dy_dx: &mut [T; 11],
@@ -33,16 +33,16 @@ pub fn observe_jac<T: Real>(
     let cos_theta_mark_x_sum = cos_theta * mark_x_cos_gamma_minus_sum + sin_theta * mark_z;
 
     // disc_appendix.hyz:132  observe mark = (x, y, z) in N + in_N(mark);
-    let mark_x = x + cos_theta_mark_x_sum;
+    let mark_x_2 = x + cos_theta_mark_x_sum;
     let (sin_phi, cos_phi) = phi.sin_cos();
     let cos_gamma_mark_y_plus_sum = cos_gamma * mark_y + mark_x * sin_gamma;
     let cos_theta_mark_z_minus_sum = cos_theta * mark_z - mark_x_cos_gamma_minus_sum * sin_theta;
     let cos_phi_cos_gamma_sum =
         cos_phi * cos_gamma_mark_y_plus_sum - sin_phi * cos_theta_mark_z_minus_sum;
-    let mark_y = y + cos_phi_cos_gamma_sum;
+    let mark_y_2 = y + cos_phi_cos_gamma_sum;
     let minus_cos_phi_cos_theta_sum =
         -(cos_phi * cos_theta_mark_z_minus_sum) - cos_gamma_mark_y_plus_sum * sin_phi;
-    let mark_z = z - minus_cos_phi_cos_theta_sum;
+    let mark_z_2 = z - minus_cos_phi_cos_theta_sum;
     let sin_theta_sin_phi = sin_theta * sin_phi;
     let part_of_d_y_y_d_gamma =
         mark_x_cos_gamma_minus_sum * cos_phi - cos_gamma_mark_y_plus_sum * sin_theta_sin_phi;
@@ -54,9 +54,9 @@ pub fn observe_jac<T: Real>(
     let minus_cos_theta_sin_gamma = -(cos_theta * sin_gamma);
     let minus_cos_theta_sin_phi = -(cos_theta * sin_phi);
 
-    seen[0] = mark_x;
-    seen[1] = mark_y;
-    seen[2] = mark_z;
+    seen[0] = mark_x_2;
+    seen[1] = mark_y_2;
+    seen[2] = mark_z_2;
 
     dy_dx[0] = T::splat(1.0); // d_y_x_d_x
     dy_dx[1] = cos_theta_mark_z_minus_sum; // d_y_x_d_theta

@@ -5,9 +5,9 @@ use lanes::Real;
 
 /// What depends on the parameters alone, once per flight.
 ///
-/// 23 operations: 2 add, 18 mul, 3 div.
+/// 30 operations: 2 add, 17 mul, 3 div, 8 neg.
 #[inline(always)]
-pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 22]) {
+pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 28]) {
     let m = parameters[0];
     let I_a = parameters[1];
     let I_d = parameters[2];
@@ -21,39 +21,54 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 22]) {
     let p6_p0 = m * g;
     let A_rho_half = A * rho * T::splat(0.5);
     let inv_m = T::splat(1.0) / m;
-    let I_d_two = I_d * T::splat(2.0);
     let inv_I_d = T::splat(1.0) / I_d;
     let inv_I_a = T::splat(1.0) / I_a;
-    let p1_minus_p2_two = I_a - I_d_two;
-    let minus_p2_plus_p1 = I_a - I_d;
-    let p13_inv_p2 = inv_I_d * C_Rr;
+    let inv_m_A_rho_half = inv_m * A_rho_half;
     let p1_inv_p2 = inv_I_d * I_a;
+    let minus_two_plus_p1_inv_p2 = p1_inv_p2 - T::splat(2.0);
+    let minus_n1_plus_p1_inv_p2 = p1_inv_p2 - T::splat(1.0);
+    let p13_inv_p2 = inv_I_d * C_Rr;
     let p14_inv_p1 = inv_I_a * C_Nr;
+    let A_half = A * T::splat(0.5);
     let p6_inv_p0 = g * inv_m;
     let inv_p0_sq = inv_m * inv_m;
-    let inv_p2_sq = inv_I_d * inv_I_d;
+    let rho_half = rho * T::splat(0.5);
+    let minus_inv_I_d = -inv_I_d;
     let inv_p1_sq = inv_I_a * inv_I_a;
+    let minus_inv_m = -inv_m;
+    let minus_inv_m_A_rho_half = -inv_m_A_rho_half;
+    let minus_inv_I_d_2 = -inv_I_d;
+    let minus_rho_half = -rho_half;
+    let minus_A_half = -A_half;
+    let minus_p6_inv_p0 = -p6_inv_p0;
+    let minus_p6_p0 = -p6_p0;
 
     prepared[0] = p6_p0;
     prepared[1] = A_rho_half;
     prepared[2] = inv_m;
-    prepared[3] = I_d_two;
+    prepared[3] = I_d * T::splat(2.0);
     prepared[4] = inv_I_d;
     prepared[5] = inv_I_a;
     prepared[6] = T::splat(2.0) * C_Da;
-    prepared[7] = inv_m * A_rho_half;
-    prepared[8] = d * A_rho_half;
-    prepared[9] = p1_minus_p2_two;
-    prepared[10] = T::splat(2.0) * inv_I_d;
-    prepared[11] = minus_p2_plus_p1;
-    prepared[12] = p13_inv_p2;
-    prepared[13] = p1_inv_p2;
-    prepared[14] = p14_inv_p1;
-    prepared[15] = A * T::splat(0.5);
-    prepared[16] = T::splat(2.0) * d;
-    prepared[17] = p6_inv_p0;
-    prepared[18] = inv_p0_sq;
-    prepared[19] = rho * T::splat(0.5);
-    prepared[20] = inv_p2_sq;
-    prepared[21] = inv_p1_sq;
+    prepared[7] = minus_inv_m;
+    prepared[8] = inv_m_A_rho_half;
+    prepared[9] = minus_inv_m_A_rho_half;
+    prepared[10] = T::splat(2.0) * d;
+    prepared[11] = d * A_rho_half;
+    prepared[12] = p1_inv_p2;
+    prepared[13] = minus_two_plus_p1_inv_p2;
+    prepared[14] = minus_inv_I_d_2;
+    prepared[15] = minus_n1_plus_p1_inv_p2;
+    prepared[16] = p13_inv_p2;
+    prepared[17] = p14_inv_p1;
+    prepared[18] = A_half;
+    prepared[19] = p6_inv_p0;
+    prepared[20] = inv_p0_sq;
+    prepared[21] = rho_half;
+    prepared[22] = minus_rho_half;
+    prepared[23] = minus_A_half;
+    prepared[24] = minus_p6_inv_p0;
+    prepared[25] = minus_inv_I_d * inv_I_d;
+    prepared[26] = inv_p1_sq;
+    prepared[27] = minus_p6_p0;
 }

@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// Every named quantity, see `QUANTITIES`.
 ///
-/// 98 operations: 25 add, 60 mul, 2 div, 4 neg, 2 sqrt, 5 call.
+/// 96 operations: 25 add, 60 mul, 2 div, 2 neg, 2 sqrt, 5 call.
 #[inline(always)]
 pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 22],
+    prepared: &[T; 28],
     values: &mut [T; 44],
 ) {
     let u = state[3];
@@ -39,7 +39,8 @@ pub fn quantities<T: Real>(
     let half_p5_p4 = prepared[1];
     let p2_two = prepared[3];
     let inv_p2 = prepared[4];
-    let p5_half = prepared[19];
+    let p5_half = prepared[21];
+    let minus_p6_p0 = prepared[27];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // disc_appendix.hyz:64  let angular_velocity = (phidot*cos(theta), thetadot, phidot*sin(th …
@@ -57,7 +58,9 @@ pub fn quantities<T: Real>(
         air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
     let minus_w_plus_sin_sum =
         minus_w_plus_sin_theta_sum * minus_w_plus_sin_theta_sum + air_velocity_2_sq_plus_sum;
-    let sqrt_minus_w_plus_sin_sum = minus_w_plus_sin_sum.sqrt();
+
+    // disc_appendix.hyz:69  let V = norm(air_velocity);
+    let V = minus_w_plus_sin_sum.sqrt();
     let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
     let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
 
@@ -78,37 +81,36 @@ pub fn quantities<T: Real>(
 
     // disc_appendix.hyz:84  let rate_1 = dot(angular_velocity, d1);
     let rate_1 = inv_sqrt_air_velocity_2_of * part_of_rate_1;
-    let minus_thetadot_air_sum = angular_velocity_1 * air_velocity_2 - thetadot * air_velocity_1;
-    let minus_minus_thetadot_air_sum = -minus_thetadot_air_sum;
+    let thetadot_air_velocity_1_sum =
+        thetadot * air_velocity_1 - angular_velocity_1 * air_velocity_2;
 
     // disc_appendix.hyz:85  let rate_2 = dot(angular_velocity, d2);
-    let rate_2 = inv_sqrt_air_velocity_2_of * minus_minus_thetadot_air_sum;
+    let rate_2 = inv_sqrt_air_velocity_2_of * thetadot_air_velocity_1_sum;
     let C_Mq_rate_1_plus_sum = C_Mq * rate_1 + C_Rr * angular_velocity_3;
     let d_minus_w_plus_sin_product = d * minus_w_plus_sin_product;
     let C_Mq_rate_1_plus_product = C_Mq_rate_1_plus_sum * d_minus_w_plus_sin_product;
-    let minus_inv_sqrt_air_sum =
-        C_Ma * alpha - C_Mq * inv_sqrt_air_velocity_2_of * minus_thetadot_air_sum;
-    let minus_inv_sqrt_air_product = minus_inv_sqrt_air_sum * d_minus_w_plus_sin_product;
+    let inv_sqrt_air_product_sum =
+        C_Mq * inv_sqrt_air_velocity_2_of * thetadot_air_velocity_1_sum + C_Ma * alpha;
+    let inv_sqrt_air_product = inv_sqrt_air_product_sum * d_minus_w_plus_sin_product;
 
     // disc_appendix.hyz:88  let spin_down = C_Nr*r;
     let spin_down = C_Nr * angular_velocity_3;
     let cos_phi_g_m = p6_p0 * cos_phi;
     let part_of_sqrt_air_velocity_2_product =
         sqrt_air_velocity_2_sq_of * C_D - minus_w_plus_sin_theta_sum * C_L;
-    let sqrt_minus_w_plus_product = half_p5_p4 * sqrt_minus_w_plus_sin_sum;
-    let sqrt_air_velocity_2_product =
-        part_of_sqrt_air_velocity_2_product * sqrt_minus_w_plus_product;
+    let V_A_rho_half = half_p5_p4 * V;
+    let sqrt_air_velocity_2_product = part_of_sqrt_air_velocity_2_product * V_A_rho_half;
 
     // disc_appendix.hyz:91  let force_b = (lift*sin(alpha) - drag*cos(alpha))*d1 + (lift*cos(a …
     let force_b_1 = sin_theta * cos_phi_g_m - d1_1 * sqrt_air_velocity_2_product;
-    let force_b_2 = -(p6_p0 * sin_phi) - d1_2 * sqrt_air_velocity_2_product;
+    let force_b_2 = minus_p6_p0 * sin_phi - d1_2 * sqrt_air_velocity_2_product;
     let part_of_force_b_3 = minus_w_plus_sin_theta_sum * C_D + sqrt_air_velocity_2_sq_of * C_L;
-    let force_b_3 = part_of_force_b_3 * sqrt_minus_w_plus_product - cos_theta * cos_phi_g_m;
+    let force_b_3 = part_of_force_b_3 * V_A_rho_half - cos_theta * cos_phi_g_m;
 
     // disc_appendix.hyz:92  let moment_b = roll*d1 + pitch*d2 + spin_down*d3;
-    let moment_b_1 = d1_1 * C_Mq_rate_1_plus_product - d1_2 * minus_inv_sqrt_air_product;
+    let moment_b_1 = d1_1 * C_Mq_rate_1_plus_product - d1_2 * inv_sqrt_air_product;
     let part_of_moment_b_2 =
-        air_velocity_2 * C_Mq_rate_1_plus_sum + air_velocity_1 * minus_inv_sqrt_air_sum;
+        air_velocity_2 * C_Mq_rate_1_plus_sum + air_velocity_1 * inv_sqrt_air_product_sum;
     let moment_b_2 = inv_sqrt_air_velocity_2_of * part_of_moment_b_2 * d_minus_w_plus_sin_product;
     let part_of_der_phidot = thetadot * (I_a * angular_velocity_3 - p2_two * phidot_sin_theta);
 
@@ -129,7 +131,7 @@ pub fn quantities<T: Real>(
     values[9] = T::splat(0.0);
     values[10] = T::splat(0.0);
     values[11] = T::splat(1.0);
-    values[12] = sqrt_minus_w_plus_sin_sum;
+    values[12] = V;
     values[13] = d1_1;
     values[14] = d1_2;
     values[15] = T::splat(0.0);
@@ -146,7 +148,7 @@ pub fn quantities<T: Real>(
     values[26] = rate_1;
     values[27] = rate_2;
     values[28] = C_Mq_rate_1_plus_product;
-    values[29] = minus_inv_sqrt_air_product;
+    values[29] = inv_sqrt_air_product;
     values[30] = spin_down;
     values[31] = force_b_1;
     values[32] = force_b_2;

@@ -5,7 +5,7 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states.
 ///
-/// 149 operations: 49 add, 91 mul, 1 div, 5 neg, 2 sqrt, 1 call.
+/// 141 operations: 47 add, 88 mul, 1 div, 1 neg, 2 sqrt, 1 call, 1 select.
 #[inline(always)]
 pub fn f<T: Real>(
     _time: T,
@@ -96,50 +96,41 @@ pub fn f<T: Real>(
         part_of_sqrt_air_velocity_2_product * inv_sqrt_air_velocity_2_of;
     let part_of_vx_dot_2 =
         (minus_q0_q3_plus_q1_q2 * air_velocity_2 + part_of_vx_dot) * sqrt_air_velocity_2_product;
-    let part_of_vx_dot_3 = q0_q2_plus_q1_q3 * vz_minus_wind_z_q1_sum_sum - part_of_vx_dot_2;
     let air_velocity_2_sq_plus_sum_2 =
         air_velocity_2_sq_plus_sum + vz_minus_wind_z_q1_sum * vz_minus_wind_z_q1_sum;
-    let sqrt_air_velocity_2_sq_of_2 = air_velocity_2_sq_plus_sum_2.sqrt();
-    let sqrt_air_velocity_2_product_2 = inv_p0_p5_p4 * sqrt_air_velocity_2_sq_of_2;
+
+    // disc_quaternion.hyz:57  let V = norm(air_velocity);
+    let V = air_velocity_2_sq_plus_sum_2.sqrt();
+    let V_inv_m_rho_A = inv_p0_p5_p4 * V;
 
     // disc_quaternion.hyz:50  velocity (vx, vy, vz) in N;
-    let vx_dot = part_of_vx_dot_3 * sqrt_air_velocity_2_product_2;
+    let vx_dot = (q0_q2_plus_q1_q3 * vz_minus_wind_z_q1_sum_sum - part_of_vx_dot_2) * V_inv_m_rho_A;
     let part_of_vy_dot = T::splat(0.5) * q1_sq_two_plus_q3_sq_sum * air_velocity_2;
     let part_of_vy_dot_2 =
         (q0_q3_plus_q1_q2 * vx_minus_wind_x_q2_sum + part_of_vy_dot) * sqrt_air_velocity_2_product;
     let part_of_vy_dot_3 = minus_q1_q0_plus_q3_q2 * vz_minus_wind_z_q1_sum_sum + part_of_vy_dot_2;
-    let vy_dot = part_of_vy_dot_3 * sqrt_air_velocity_2_product_2;
+    let vy_dot = part_of_vy_dot_3 * V_inv_m_rho_A;
     let part_of_vz_dot = T::splat(0.5) * q1_sq_two_minus_n1_plus_sum * vz_minus_wind_z_q1_sum_sum;
     let part_of_vz_dot_2 =
         q1_q0_plus_q3_q2 * air_velocity_2 - minus_q0_q2_plus_q1_q3 * vx_minus_wind_x_q2_sum;
-    let part_of_vz_dot_3 = part_of_vz_dot + part_of_vz_dot_2 * sqrt_air_velocity_2_product;
-    let vz_dot = -g - part_of_vz_dot_3 * sqrt_air_velocity_2_product_2;
-
-    // disc_quaternion.hyz:43  frame C = N by quaternion (q0, q1, q2, q3); // fixed in the disc
-    let q0_dot = -(T::splat(0.5) * (q3 * r + q2 * q + q1 * p));
-    let q1_dot = -(T::splat(0.5) * (q3 * q - q2 * r - q0 * p));
-    let q2_dot = -(T::splat(0.5) * (q1 * r - q3 * p - q0 * q));
-    let q3_dot = -(T::splat(0.5) * (q2 * p - q1 * q - q0 * r));
-    let inv_sqrt_air_product = C_Mq * inv_sqrt_air_velocity_2_of;
-    let part_of_minus_minus_part_part_sum =
-        (vx_minus_wind_x_q2_sum * p - air_velocity_2 * q) * inv_sqrt_air_product;
-    let minus_minus_part_part_sum = C_Rr * r - part_of_minus_minus_part_part_sum;
-    let part_of_p_dot = vx_minus_wind_x_q2_sum * minus_minus_part_part_sum;
-    let part_of_minus_part_part_plus_sum =
-        (vx_minus_wind_x_q2_sum * q + air_velocity_2 * p) * inv_sqrt_air_product;
-    let minus_part_part_plus_sum = C_Ma * alpha - part_of_minus_part_part_plus_sum;
-    let half_d_inv_part_product =
-        half_p3_inv_p2_p5_p4 * (air_velocity_2_sq_plus_sum_2 * inv_sqrt_air_velocity_2_of);
-    let part_of_p_dot_2 =
-        (part_of_p_dot + air_velocity_2 * minus_part_part_plus_sum) * half_d_inv_part_product;
-    let r_n1_minus_inv_part_I_a = n1_minus_inv_p2_p1 * r;
+    let part_of_vz_dot_3 =
+        (part_of_vz_dot + part_of_vz_dot_2 * sqrt_air_velocity_2_product) * V_inv_m_rho_A;
+    let vz_dot = -g - part_of_vz_dot_3;
+    let air_velocity_2_sq_product = half_p3_inv_p2_p5_p4 * air_velocity_2_sq_plus_sum_2;
+    let inv_sqrt_air_product = inv_sqrt_air_velocity_2_of * air_velocity_2_sq_product;
+    let air_velocity_2_inv_product = air_velocity_2 * inv_sqrt_air_product;
+    let alpha_C_Ma = C_Ma * alpha;
+    let nonzero_air_velocity_2_of =
+        air_velocity_2_sq_plus_sum.if_zero(T::splat(0.0), T::splat(1.0));
+    let air_velocity_2_sq_product_2 =
+        air_velocity_2_sq_product * (C_Mq * nonzero_air_velocity_2_of);
+    let vx_minus_wind_x_q2_product = vx_minus_wind_x_q2_sum * inv_sqrt_air_product;
+    let part_of_p_dot = p * air_velocity_2_sq_product_2 - air_velocity_2_inv_product * alpha_C_Ma;
 
     // disc_quaternion.hyz:51  angular velocity (p, q, r) in C;
-    let p_dot = q * r_n1_minus_inv_part_I_a - part_of_p_dot_2;
-    let part_of_q_dot = vx_minus_wind_x_q2_sum * minus_part_part_plus_sum;
-    let part_of_q_dot_2 =
-        (air_velocity_2 * minus_minus_part_part_sum - part_of_q_dot) * half_d_inv_part_product;
-    let q_dot = part_of_q_dot_2 - p * r_n1_minus_inv_part_I_a;
+    let p_dot = part_of_p_dot + r * (n1_minus_inv_p2_p1 * q - C_Rr * vx_minus_wind_x_q2_product);
+    let part_of_q_dot = q * air_velocity_2_sq_product_2 - vx_minus_wind_x_q2_product * alpha_C_Ma;
+    let q_dot = part_of_q_dot - r * (n1_minus_inv_p2_p1 * p - C_Rr * air_velocity_2_inv_product);
     let r_dot = p14_inv_p1 * r;
 
     dx[0] = vx;
@@ -148,10 +139,10 @@ pub fn f<T: Real>(
     dx[3] = vx_dot;
     dx[4] = vy_dot;
     dx[5] = vz_dot;
-    dx[6] = q0_dot;
-    dx[7] = q1_dot;
-    dx[8] = q2_dot;
-    dx[9] = q3_dot;
+    dx[6] = T::splat(-0.5) * (q3 * r + q2 * q + q1 * p);
+    dx[7] = T::splat(-0.5) * (q3 * q - q2 * r - q0 * p);
+    dx[8] = T::splat(-0.5) * (q1 * r - q3 * p - q0 * q);
+    dx[9] = T::splat(-0.5) * (q2 * p - q1 * q - q0 * r);
     dx[10] = p_dot;
     dx[11] = q_dot;
     dx[12] = r_dot;

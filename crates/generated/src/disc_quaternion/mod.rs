@@ -5,13 +5,13 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 17 operations: 1 add, 13 mul, 3 div |
-//! | `f` | 149 operations: 49 add, 91 mul, 1 div, 5 neg, 2 sqrt, 1 call |
-//! | `f_jac` | 638 operations: 213 add, 393 mul, 2 div, 26 neg, 2 sqrt, 1 call, 1 select |
-//! | `f_jac_par` | 740 operations: 224 add, 452 mul, 2 div, 58 neg, 2 sqrt, 1 call, 1 select |
+//! | `prepare` | 17 operations: 1 add, 11 mul, 3 div, 2 neg |
+//! | `f` | 141 operations: 47 add, 88 mul, 1 div, 1 neg, 2 sqrt, 1 call, 1 select |
+//! | `f_jac` | 586 operations: 207 add, 359 mul, 2 div, 14 neg, 2 sqrt, 1 call, 1 select |
+//! | `f_jac_par` | 676 operations: 215 add, 417 mul, 2 div, 38 neg, 2 sqrt, 1 call, 1 select |
 //! | `observe` | 44 operations: 20 add, 24 mul |
-//! | `observe_jac` | 93 operations: 38 add, 52 mul, 3 neg |
-//! | `quantities` | 91 operations: 28 add, 52 mul, 1 div, 7 neg, 2 sqrt, 1 call |
+//! | `observe_jac` | 92 operations: 38 add, 52 mul, 2 neg |
+//! | `quantities` | 86 operations: 28 add, 52 mul, 1 div, 2 neg, 2 sqrt, 1 call |
 //! | `limits` | 0 operations |
 
 mod f;
@@ -68,8 +68,8 @@ pub const COEFFICIENTS: usize = 8;
 #[rustfmt::skip]
 pub const PREPARED: [&str; 16] = [
     "inv_p0_p5_p4", "half_p3_inv_p2_p5_p4", "n1_minus_inv_p2_p1", "p14_inv_p1", "p3_p4_p5_inv_p2",
-    "two_p10", "const_p3_p4_p5_inv_p2", "half_p12", "p4_p5", "inv_p0", "inv_p2", "p1_inv_p2",
-    "inv_p1", "inv_p1_p14_inv_p1", "p5_half", "p4_p5_half",
+    "two_p10", "p4_p5", "inv_p0", "inv_p2", "p1_inv_p2", "inv_p2_p3", "inv_p1", "minus_p1_inv_p2",
+    "minus_inv_p1_p14_inv_p1", "p5_half", "p4_p5_half",
 ];
 
 /// What `quantities` computes.

@@ -5,7 +5,7 @@ use lanes::Real;
 
 /// Every named quantity, see `QUANTITIES`.
 ///
-/// 91 operations: 28 add, 52 mul, 1 div, 7 neg, 2 sqrt, 1 call.
+/// 86 operations: 28 add, 52 mul, 1 div, 2 neg, 2 sqrt, 1 call.
 #[inline(always)]
 pub fn quantities<T: Real>(
     _time: T,
@@ -66,15 +66,16 @@ pub fn quantities<T: Real>(
         minus_wind_y_plus_vy * (q2_q3 - q0_q1) + minus_wind_x_plus_vx * (q2_q0 + q3_q1);
     let minus_wind_z_plus_sum =
         part_of_minus_wind_z_plus_sum_2 - T::splat(2.0) * part_of_minus_wind_z_plus_sum;
-    let minus_air_velocity_1 = -air_velocity_1;
     let air_velocity_2_sq_plus_sum =
-        air_velocity_2 * air_velocity_2 + minus_air_velocity_1 * minus_air_velocity_1;
+        air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
     let minus_wind_z_plus_sum_sum =
         minus_wind_z_plus_sum * minus_wind_z_plus_sum + air_velocity_2_sq_plus_sum;
-    let sqrt_minus_wind_z_plus_of = minus_wind_z_plus_sum_sum.sqrt();
+
+    // disc_quaternion.hyz:57  let V = norm(air_velocity);
+    let V = minus_wind_z_plus_sum_sum.sqrt();
     let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
     let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
-    let minus_air_velocity_product = minus_air_velocity_1 * inv_sqrt_air_velocity_2_of;
+    let air_velocity_1_inv_product = air_velocity_1 * inv_sqrt_air_velocity_2_of;
 
     // disc_quaternion.hyz:58  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
     let d1_2 = air_velocity_2 * inv_sqrt_air_velocity_2_of;
@@ -88,26 +89,21 @@ pub fn quantities<T: Real>(
     // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_Da * alpha * alpha + C_D0;
     let minus_wind_z_plus_product = p4_p5_half * minus_wind_z_plus_sum_sum;
-    let minus_air_velocity_2_q_sum = minus_air_velocity_1 * p - air_velocity_2 * q;
-    let minus_minus_air_sum = -minus_air_velocity_2_q_sum;
+    let air_velocity_2_q_plus_sum = air_velocity_2 * q + air_velocity_1 * p;
 
     // disc_quaternion.hyz:72  let rate_1 = dot(angular_velocity, d1);
-    let rate_1 = inv_sqrt_air_velocity_2_of * minus_minus_air_sum;
-    let minus_air_velocity_1_q_sum = minus_air_velocity_1 * q + air_velocity_2 * p;
-
-    // disc_quaternion.hyz:73  let rate_2 = dot(angular_velocity, d2);
-    let rate_2 = -(inv_sqrt_air_velocity_2_of * minus_air_velocity_1_q_sum);
+    let rate_1 = inv_sqrt_air_velocity_2_of * air_velocity_2_q_plus_sum;
+    let air_velocity_1_q_minus_sum = air_velocity_1 * q - air_velocity_2 * p;
     let inv_sqrt_air_product = C_Mq * inv_sqrt_air_velocity_2_of;
-    let part_of_roll = C_Rr * r - minus_air_velocity_2_q_sum * inv_sqrt_air_product;
     let d_minus_wind_z_plus_product = d * minus_wind_z_plus_product;
-    let part_of_pitch = C_Ma * alpha - minus_air_velocity_1_q_sum * inv_sqrt_air_product;
+    let part_of_roll =
+        (air_velocity_2_q_plus_sum * inv_sqrt_air_product + C_Rr * r) * d_minus_wind_z_plus_product;
+    let part_of_pitch = air_velocity_1_q_minus_sum * inv_sqrt_air_product + C_Ma * alpha;
 
     // disc_quaternion.hyz:76  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
     let minus_minus_wind_z_plus_sum = -minus_wind_z_plus_sum;
-    let minus_minus_air_velocity_product = -minus_air_velocity_product;
     let minus_d1_2 = -d1_2;
-    let minus_minus_air_velocity_product_2 = -minus_air_velocity_product;
 
     values[0] = air_velocity_1;
     values[1] = air_velocity_2;
@@ -115,12 +111,12 @@ pub fn quantities<T: Real>(
     values[3] = T::splat(0.0);
     values[4] = T::splat(0.0);
     values[5] = T::splat(1.0);
-    values[6] = sqrt_minus_wind_z_plus_of;
-    values[7] = minus_minus_air_velocity_product;
+    values[6] = V;
+    values[7] = air_velocity_1_inv_product;
     values[8] = d1_2;
     values[9] = T::splat(0.0);
     values[10] = minus_d1_2;
-    values[11] = minus_minus_air_velocity_product_2;
+    values[11] = air_velocity_1_inv_product;
     values[12] = T::splat(0.0);
     values[13] = alpha;
     values[14] = p5_half * minus_wind_z_plus_sum_sum;
@@ -129,8 +125,8 @@ pub fn quantities<T: Real>(
     values[17] = C_L * minus_wind_z_plus_product;
     values[18] = C_D * minus_wind_z_plus_product;
     values[19] = rate_1;
-    values[20] = rate_2;
-    values[21] = part_of_roll * d_minus_wind_z_plus_product;
+    values[20] = inv_sqrt_air_velocity_2_of * air_velocity_1_q_minus_sum;
+    values[21] = part_of_roll;
     values[22] = part_of_pitch * d_minus_wind_z_plus_product;
     values[23] = spin_down;
 }

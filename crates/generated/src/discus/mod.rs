@@ -18,13 +18,13 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 29 operations: 4 add, 20 mul, 4 div, 1 neg |
-//! | `f` | 123 operations: 37 add, 71 mul, 4 div, 3 neg, 2 sqrt, 6 call |
-//! | `f_jac` | 446 operations: 128 add, 276 mul, 4 div, 28 neg, 2 sqrt, 7 call, 1 select |
-//! | `f_jac_par` | 604 operations: 142 add, 398 mul, 4 div, 50 neg, 2 sqrt, 7 call, 1 select |
+//! | `prepare` | 42 operations: 3 add, 26 mul, 4 div, 9 neg |
+//! | `f` | 114 operations: 34 add, 67 mul, 4 div, 2 sqrt, 6 call, 1 select |
+//! | `f_jac` | 368 operations: 108 add, 233 mul, 4 div, 13 neg, 2 sqrt, 7 call, 1 select |
+//! | `f_jac_par` | 538 operations: 134 add, 358 mul, 4 div, 32 neg, 2 sqrt, 7 call, 1 select |
 //! | `observe` | 27 operations: 9 add, 12 mul, 6 call |
 //! | `observe_jac` | 59 operations: 15 add, 33 mul, 5 neg, 6 call |
-//! | `quantities` | 73 operations: 16 add, 43 mul, 3 div, 3 neg, 2 sqrt, 6 call |
+//! | `quantities` | 72 operations: 16 add, 43 mul, 3 div, 2 neg, 2 sqrt, 6 call |
 //! | `limits` | 1 operations: 1 call |
 
 mod f;
@@ -79,12 +79,15 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 22] = [
-    "inv_p0_half_p5_p4", "minus_p8_plus_p7", "inv_p9", "half_p5_p4_p3_inv_p2", "inv_p2_p1",
-    "p14_inv_p1", "two_p11", "n8_inv_p9_p7_minus_p8", "minus_two_plus_p1_inv_p2",
-    "minus_n1_plus_p1_inv_p2", "p4_half", "p5_p4_half", "inv_p0", "inv_p2", "inv_p1",
-    "half_p5_p4_half_inv_p0", "p7_minus_p8_n4", "p7_minus_p8_n8", "p5_half", "inv_p2_sq",
-    "inv_p1_d_gammadot_dot_d_r", "p13_p3",
+pub const PREPARED: [&str; 33] = [
+    "minus_p8_plus_p7", "inv_p9", "inv_p0_half_p5_p4", "minus_p6", "inv_p2_p1",
+    "half_p5_p4_p3_inv_p2", "p14_inv_p1", "two_p11", "n8_inv_p9_p7_minus_p8",
+    "two_inv_p2_part_part_half_p3", "minus_two_inv_p2_part_sum", "minus_n1_plus_inv_p2_p1",
+    "p4_half", "p5_p4_half", "inv_p0", "inv_p2", "inv_p1", "p7_minus_p8_n8", "p5_half",
+    "minus_p5_half", "minus_p4_half", "minus_p5_p4_half_inv_p0", "p5_p4_half_p3", "inv_p2_sq",
+    "p5_p4_half_inv_p2", "p3_inv_p2_p5_half", "p3_inv_p2_p4_half", "minus_inv_p2_p5_part_sum",
+    "inv_p1_d_gammadot_dot_d_r", "minus_p5_p4_half_inv_p2", "minus_p3_inv_p2_p5_half",
+    "minus_p3_inv_p2_p4_half", "p13_p3",
 ];
 
 /// What `quantities` computes.

@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// Every named quantity, see `QUANTITIES`.
 ///
-/// 73 operations: 16 add, 43 mul, 3 div, 3 neg, 2 sqrt, 6 call.
+/// 72 operations: 16 add, 43 mul, 3 div, 2 neg, 2 sqrt, 6 call.
 #[inline(always)]
 pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 22],
+    prepared: &[T; 33],
     values: &mut [T; 26],
 ) {
     let u = state[3];
@@ -32,11 +32,11 @@ pub fn quantities<T: Real>(
     let wind_x = parameters[15];
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_p8_plus_p7 = prepared[1];
-    let inv_p9 = prepared[2];
-    let p5_p4_half = prepared[11];
+    let minus_p8_plus_p7 = prepared[0];
+    let inv_p9 = prepared[1];
+    let p5_p4_half = prepared[13];
     let p5_half = prepared[18];
-    let p13_p3 = prepared[21];
+    let p13_p3 = prepared[32];
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
     let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
@@ -49,7 +49,9 @@ pub fn quantities<T: Real>(
         air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
     let sin_theta_wind_x_plus_sum_2 =
         sin_theta_wind_x_plus_sum * sin_theta_wind_x_plus_sum + air_velocity_2_sq_plus_sum;
-    let sqrt_sin_theta_wind_x_of = sin_theta_wind_x_plus_sum_2.sqrt();
+
+    // discus.hyz:72  let V = norm(air_velocity);
+    let V = sin_theta_wind_x_plus_sum_2.sqrt();
     let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
     let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
 
@@ -59,8 +61,8 @@ pub fn quantities<T: Real>(
 
     // discus.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = sin_theta_wind_x_plus_sum.atan2(sqrt_air_velocity_2_sq_of);
-    let inv_sqrt_sin_theta_wind_x_of = sqrt_sin_theta_wind_x_of.recip_or_zero();
-    let sin_theta_wind_x_product = sin_theta_wind_x_plus_sum * inv_sqrt_sin_theta_wind_x_of;
+    let inv_V = V.recip_or_zero();
+    let sin_theta_wind_x_product = sin_theta_wind_x_plus_sum * inv_V;
     let inv_s_stall_sin_product = inv_p9 * sin_theta_wind_x_product;
     let inv_s_stall_sin_product_sq = inv_s_stall_sin_product * inv_s_stall_sin_product;
     let inv_s_stall_sin_product_2 = inv_s_stall_sin_product_sq * inv_s_stall_sin_product_sq;
@@ -83,13 +85,12 @@ pub fn quantities<T: Real>(
 
     // discus.hyz:89  let rate_1 = dot(angular_velocity, d1);
     let rate_1 = inv_sqrt_air_velocity_2_of * part_of_rate_1;
-    let minus_air_velocity_1_sum = air_velocity_2 * cos_theta_phidot - air_velocity_1 * thetadot;
-    let minus_minus_air_sum = -minus_air_velocity_1_sum;
+    let air_velocity_1_thetadot_sum = air_velocity_1 * thetadot - air_velocity_2 * cos_theta_phidot;
 
     // discus.hyz:90  let rate_2 = dot(angular_velocity, d2);
-    let rate_2 = inv_sqrt_air_velocity_2_of * minus_minus_air_sum;
+    let rate_2 = inv_sqrt_air_velocity_2_of * air_velocity_1_thetadot_sum;
     let part_of_pitch =
-        C_Ms * sin_alpha_two - C_Mq * inv_sqrt_air_velocity_2_of * minus_air_velocity_1_sum;
+        C_Mq * inv_sqrt_air_velocity_2_of * air_velocity_1_thetadot_sum + C_Ms * sin_alpha_two;
 
     // discus.hyz:93  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
@@ -102,7 +103,7 @@ pub fn quantities<T: Real>(
     values[3] = T::splat(0.0);
     values[4] = T::splat(0.0);
     values[5] = T::splat(1.0);
-    values[6] = sqrt_sin_theta_wind_x_of;
+    values[6] = V;
     values[7] = d1_1;
     values[8] = d1_2;
     values[9] = T::splat(0.0);
