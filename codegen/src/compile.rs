@@ -117,9 +117,9 @@ impl Compiler {
             .map(|origin| origin.name.clone())
             .collect();
         Compiler {
+            prepare: Prepare::new(&derived.layout.parameters),
             derived,
             columns,
-            prepare: Prepare::default(),
             origins,
         }
     }
@@ -139,7 +139,7 @@ impl Compiler {
 
         let dx = self.derived.dx.clone();
         let value = self.optimised(&dx);
-        let linear = differentiate::linearise(&value, &self.derived.graph);
+        let linear = self.linear(&value);
         let f = self.finish(
             "f",
             &value,
@@ -162,7 +162,7 @@ impl Compiler {
             .observation
             .map_or_else(Vec::new, |y| y.to_vec());
         let value = self.optimised(&y);
-        let linear = differentiate::linearise(&value, &self.derived.graph);
+        let linear = self.linear(&value);
         let observe = self.finish(
             "observe",
             &value,
@@ -199,12 +199,13 @@ impl Compiler {
             vec![dense("l", limits.len())],
         );
 
-        let program = self.prepare.program(&self.derived.layout.parameters);
+        let program = self.prepare.program();
         let prepared = self.prepare.names().to_vec();
         let prepare = Function {
             name: "prepare",
             program,
             sections: vec![dense("prepared", prepared.len())],
+            results: prepared.clone(),
         };
         Compiled {
             name: name.to_string(),
@@ -229,6 +230,17 @@ impl Compiler {
         dag
     }
 
+    fn linear(&self, dag: &Dag) -> Linear {
+        differentiate::linearise(dag, &self.derived.graph, &mut self.namer())
+    }
+
+    fn namer(&self) -> Namer {
+        let layout = &self.derived.layout;
+        let mut namer = Namer::new(&layout.states, &layout.parameters, &self.origins);
+        namer.reserve(&layout.marker);
+        namer
+    }
+
     fn finish(
         &mut self,
         name: &'static str,
@@ -236,14 +248,62 @@ impl Compiler {
         graph: &Graph,
         sections: Vec<Section>,
     ) -> Function {
-        let layout = &self.derived.layout;
-        let mut namer = Namer::new(&layout.states, &layout.parameters, &self.origins);
-        namer.reserve(&layout.marker);
-        let program: Program = schedule(dag, graph, &mut namer, Some(&mut self.prepare));
+        let mut namer = self.namer();
+        let results = self.results(&sections);
+        let program: Program = schedule(dag, graph, &mut namer, Some(&mut self.prepare), &results);
         Function {
             name,
             program,
             sections,
+            results,
+        }
+    }
+
+    /// What each output is called: `u_dot`, `d_u_dot_d_w`, …
+    fn results(&self, sections: &[Section]) -> Vec<String> {
+        let layout = &self.derived.layout;
+        let names = sections.iter().flat_map(|section| {
+            (0..section.len).map(|k| {
+                let Some(pattern) = &section.pattern else {
+                    return match section.name {
+                        "q" => layout.quantities[k].clone(),
+                        "l" => format!("margin_{}", k + 1),
+                        name => self.row_name(name, k),
+                    };
+                };
+                let (row, column) = pattern[k];
+                let column = match section.name {
+                    "j" | "dy_dx" => &layout.states[column as usize],
+                    "dy_dmarker" => &layout.marker[column as usize],
+                    _ => &layout.parameters[self.columns[column as usize]],
+                };
+                let value = if section.name.starts_with('j') {
+                    "dx"
+                } else {
+                    "y"
+                };
+                format!("d_{}_d_{column}", self.row_name(value, row as usize))
+            })
+        });
+        names.collect()
+    }
+
+    fn symbol_name(&self, symbol: Symbol) -> String {
+        let layout = &self.derived.layout;
+        match symbol {
+            Symbol::State(k) => layout.states[k as usize].clone(),
+            Symbol::Parameter(k) => layout.parameters[k as usize].clone(),
+            Symbol::Marker(k) => layout.marker[k as usize].clone(),
+            Symbol::Time => "time".into(),
+            Symbol::Pi => "pi".into(),
+            Symbol::Local(k) => format!("local_{k}"),
+        }
+    }
+
+    fn row_name(&self, value: &str, row: usize) -> String {
+        match value {
+            "dx" => format!("{}_dot", self.derived.layout.states[row]),
+            _ => format!("seen_{}", ["x", "y", "z"][row % 3]),
         }
     }
 
@@ -263,7 +323,12 @@ impl Compiler {
             .iter()
             .flat_map(|(_, symbols)| symbols.iter().copied())
             .collect();
-        let all = differentiate::jacobian(&mut graph, &roots, &symbols);
+        let names: Vec<String> = symbols
+            .iter()
+            .map(|&symbol| self.symbol_name(symbol))
+            .collect();
+        let rows_names: Vec<String> = (0..rows).map(|row| self.row_name(value, row)).collect();
+        let all = differentiate::jacobian(&mut graph, (&roots, &rows_names), (&symbols, &names));
         let mut wanted = roots;
         let mut sections = vec![dense(value, rows)];
         let mut start = 0;

@@ -125,6 +125,8 @@ pub struct Function {
     pub program: Program,
     /// The outputs, section by section.
     pub sections: Vec<Section>,
+    /// What each output is called: `u_dot`, `d_u_dot_d_w`, …
+    pub results: Vec<String>,
 }
 
 impl Function {

@@ -16,26 +16,39 @@ pub struct Jacobian {
     pub entries: Vec<NodeId>,
 }
 
+/// Most letters of two names that a derivative is named after.
+const LONGEST: usize = 30;
+
 struct Vertex {
     node: Option<NodeId>,
+    name: Option<String>,
     /// Vertices it depends on, with the partial derivative.
     down: Vec<(usize, NodeId)>,
     /// Vertices that depend on it.
     up: Vec<usize>,
 }
 
-/// Derivatives of the roots by the symbols.
-pub fn jacobian(graph: &mut Graph, roots: &[NodeId], by: &[Symbol]) -> Jacobian {
+/// Derivatives of the roots by the symbols; both come with their names, for the derivatives'.
+pub fn jacobian(
+    graph: &mut Graph,
+    (roots, rows): (&[NodeId], &[String]),
+    (by, names): (&[Symbol], &[String]),
+) -> Jacobian {
+    for (&symbol, name) in by.iter().zip(names) {
+        let node = graph.symbol(symbol);
+        graph.name(node, name.as_str());
+    }
     let columns: FastMap<NodeId, u32> = by
         .iter()
         .enumerate()
         .map(|(k, &symbol)| (graph.symbol(symbol), k as u32))
         .collect();
     // the results come first, as vertices that nothing depends on
-    let mut vertices: Vec<Vertex> = roots
+    let mut vertices: Vec<Vertex> = rows
         .iter()
-        .map(|_| Vertex {
+        .map(|name| Vertex {
             node: None,
+            name: Some(name.clone()),
             down: Vec::new(),
             up: Vec::new(),
         })
@@ -73,6 +86,7 @@ pub fn jacobian(graph: &mut Graph, roots: &[NodeId], by: &[Symbol]) -> Jacobian 
             .collect();
         entries.sort_unstable();
         for (column, entry) in entries {
+            name_derivative(graph, entry, &rows[row], &names[column as usize]);
             jacobian.pattern.push((row as u32, column));
             jacobian.entries.push(entry);
         }
@@ -103,8 +117,10 @@ fn attach(
                 {
                     continue;
                 }
+                let name = graph.name_of(node).map(str::to_string);
                 vertices.push(Vertex {
                     node: Some(node),
+                    name,
                     down: Vec::new(),
                     up: Vec::new(),
                 });
@@ -207,19 +223,15 @@ fn eliminate(graph: &mut Graph, vertices: &mut [Vertex], v: usize) {
 
 /// A derivative of a named quantity by a named quantity is named after both.
 fn name_edge(graph: &mut Graph, vertices: &[Vertex], from: usize, to: usize, partial: NodeId) {
-    let named = |v: usize| {
-        vertices[v]
-            .node
-            .and_then(|node| graph.name_of(node))
-            .map(str::to_string)
-    };
-    let trivial = matches!(
-        graph.node(graph.split_coefficient(partial).1),
-        Node::Symbol(_) | Node::Number(_) | Node::Call(..)
-    );
-    if let (Some(from), Some(to)) = (named(from), named(to))
-        && !trivial
-    {
-        graph.name(partial, format!("d_{from}_d_{to}"));
+    if let (Some(from), Some(to)) = (&vertices[from].name, &vertices[to].name) {
+        name_derivative(graph, partial, from, to);
+    }
+}
+
+fn name_derivative(graph: &mut Graph, partial: NodeId, of: &str, by: &str) {
+    let (_, rest) = graph.split_coefficient(partial);
+    let trivial = !matches!(graph.node(rest), Node::Sum(..) | Node::Product(_));
+    if !trivial && of.len() + by.len() <= LONGEST {
+        graph.name(partial, format!("d_{of}_d_{by}"));
     }
 }

@@ -5,9 +5,10 @@ pub mod partials;
 
 pub use eliminate::{Jacobian, jacobian};
 
-use crate::graph::{FastMap, Graph, Node, NodeId};
+use crate::graph::{FastMap, Graph, Node, NodeId, Symbol};
 use crate::number::Number;
 use crate::optimise::{Dag, Def, DefId};
+use crate::schedule::Namer;
 
 /// A graph in which what was shared is a leaf with a definition, ready to be differentiated.
 #[derive(Clone, Debug)]
@@ -20,8 +21,9 @@ pub struct Linear {
     pub roots: Vec<NodeId>,
 }
 
-/// Turns optimised definitions back into nodes: shared sums and products become locals.
-pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
+/// Turns optimised definitions back into nodes: sums and shared products become locals, named as `namer`
+/// would name them in the function of the values alone.
+pub fn linearise(dag: &Dag, graph: &Graph, namer: &mut Namer) -> Linear {
     let uses = dag.uses();
     let mut new = Graph::new();
     let mut images: FastMap<DefId, NodeId> = FastMap::default();
@@ -54,7 +56,7 @@ pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
                     })
                     .collect();
                 let sum = new.sum(terms, Number::ZERO);
-                if rooted[id as usize] && std::env::var("NOROOT").is_err() && matches!(new.node(sum), Node::Sum(..)) {
+                if rooted[id as usize] && matches!(new.node(sum), Node::Sum(..)) {
                     let root = new.local_root(facts, sum);
                     new.power(root, 4)
                 } else {
@@ -115,10 +117,14 @@ pub fn linearise(dag: &Dag, graph: &Graph) -> Linear {
                 new.if_zero(c, x, y)
             }
         };
-        if let Some((false, origin)) = dag.origin[id as usize]
-            && let Some(name) = graph.name_of(origin)
-        {
-            new.name(node, name);
+        // what keeps its identity keeps its name, so that derivatives can be called after it
+        let keeps = match new.node(node) {
+            Node::Symbol(Symbol::Local(_)) | Node::Call(..) | Node::Atan2(..) => true,
+            Node::Product(_) => rooted[id as usize],
+            _ => false,
+        };
+        if keeps || namer.has_own_name(dag, graph, id) {
+            new.name(node, namer.name(dag, graph, id));
         }
         images.insert(id, node);
     }

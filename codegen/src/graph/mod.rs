@@ -106,6 +106,12 @@ pub struct Facts {
     pub nonzero: bool,
 }
 
+/// What the opposite of something is called.
+pub fn opposite_name(name: &str) -> String {
+    name.strip_prefix("minus_")
+        .map_or_else(|| format!("minus_{name}"), str::to_string)
+}
+
 /// The graph.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
@@ -162,9 +168,19 @@ impl Graph {
         }
     }
 
-    /// Gives a node a name, unless it has one already.
+    /// Gives a node a name, unless it has one already; the opposite of a sum is called after it.
     pub fn name(&mut self, id: NodeId, name: impl Into<String>) {
-        self.names.entry(id).or_insert_with(|| name.into());
+        let name = name.into();
+        if let Node::Sum(terms, _) = self.node(id)
+            && terms.len() > 1
+            && !self.names.contains_key(&id)
+        {
+            let opposite = self.neg(id);
+            self.names
+                .entry(opposite)
+                .or_insert_with(|| opposite_name(&name));
+        }
+        self.names.entry(id).or_insert(name);
     }
 
     /// The name of a node.
@@ -187,14 +203,22 @@ impl Graph {
     /// no halves appear in derivatives.
     pub fn local_root(&mut self, facts: Facts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
-        let root = self.local(Facts { nonneg: true, ..facts }, definition);
+        let root = self.local(
+            Facts {
+                nonneg: true,
+                ..facts
+            },
+            definition,
+        );
         self.root_of.insert(sum, root);
         root
     }
 
     /// The sum whose root a node is, if it is a local made by [`Graph::local_root`].
     pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
-        let Node::Symbol(Symbol::Local(k)) = self.node(id) else { return None };
+        let Node::Symbol(Symbol::Local(k)) = self.node(id) else {
+            return None;
+        };
         match self.node(self.definition(*k)) {
             Node::Product(factors) => match factors.as_ref() {
                 [(sum, 1)] => Some(*sum),

@@ -12,14 +12,20 @@ const MOST: usize = 48;
 impl Graph {
     /// The sum with projections undone, if that leaves fewer terms than there were.
     pub fn project(&mut self, id: NodeId) -> NodeId {
-        let Node::Sum(terms, constant) = self.node(id).clone() else { return id };
+        let Node::Sum(terms, constant) = self.node(id).clone() else {
+            return id;
+        };
         let lengths = self.lengths(id, 3);
         for length in lengths {
-            let Node::Sum(squares, _) = self.node(length).clone() else { continue };
+            let Node::Sum(squares, _) = self.node(length).clone() else {
+                continue;
+            };
             let components: Vec<NodeId> = squares
                 .iter()
                 .filter_map(|&(_, square)| match self.node(square) {
-                    Node::Product(factors) if factors.len() == 1 && factors[0].1 == 4 => Some(factors[0].0),
+                    Node::Product(factors) if factors.len() == 1 && factors[0].1 == 4 => {
+                        Some(factors[0].0)
+                    }
                     _ => None,
                 })
                 .collect();
@@ -83,13 +89,21 @@ impl Graph {
         };
         let mut others = factors.clone();
         let (sum, _) = others.remove(holder);
-        let Node::Sum(inner, constant) = self.node(sum).clone() else { return };
+        let Node::Sum(inner, constant) = self.node(sum).clone() else {
+            return;
+        };
         for (inner_c, inner_term) in inner {
             let mut product = others.clone();
             product.push((inner_term, 2));
             let product = self.product(product);
             let (scale, product) = self.split_coefficient(product);
-            self.open_term(c.times(inner_c).times(scale), product, components, open, depth - 1);
+            self.open_term(
+                c.times(inner_c).times(scale),
+                product,
+                components,
+                open,
+                depth - 1,
+            );
         }
         if !constant.is_zero() {
             let product = self.product(others);
@@ -99,13 +113,16 @@ impl Graph {
 
     /// Whether a node is a sum with a component as a factor in it, or in a sum within it.
     fn holds(&self, id: NodeId, components: &[NodeId], depth: u32) -> bool {
-        let Node::Sum(terms, _) = self.node(id) else { return false };
+        let Node::Sum(terms, _) = self.node(id) else {
+            return false;
+        };
         depth > 0
             && !components.contains(&id)
             && terms.iter().any(|&(_, term)| {
                 self.monomial(term).iter().any(|&(factor, exponent)| {
                     exponent == 2
-                        && (components.contains(&factor) || self.holds(factor, components, depth - 1))
+                        && (components.contains(&factor)
+                            || self.holds(factor, components, depth - 1))
                 })
             })
     }

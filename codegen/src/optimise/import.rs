@@ -205,7 +205,13 @@ impl Import<'_> {
             minus ^= negated && exponent % 4 != 0;
             let facts = self.graph.facts(base);
             let times = exponent.unsigned_abs() as usize;
-            let root = |dag: &mut Dag| dag.define(Def::Root(def), facts, self.graph.root_node(base).map(|n| (false, n)));
+            let root = |dag: &mut Dag| {
+                dag.define(
+                    Def::Root(def),
+                    facts,
+                    self.graph.root_node(base).map(|n| (false, n)),
+                )
+            };
             if exponent < 0 {
                 let (x, times) = if self.rooted[base.index()] {
                     (root(&mut self.dag), times)

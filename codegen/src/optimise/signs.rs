@@ -22,7 +22,10 @@ pub fn settle(dag: &mut Dag) {
                 undo(dag, touched);
                 continue;
             }
-            let after: i64 = distinct(&touched).iter().map(|&place| price(dag, place)).sum();
+            let after: i64 = distinct(&touched)
+                .iter()
+                .map(|&place| price(dag, place))
+                .sum();
             let now = touched.clone();
             undo(dag, touched);
             let before: i64 = distinct(&now).iter().map(|&place| price(dag, place)).sum();
@@ -173,7 +176,9 @@ fn distinct(touched: &[Place]) -> Vec<Place> {
 /// Negations that a place costs.
 fn price(dag: &Dag, place: Place) -> i64 {
     let sum = |terms: &[(bool, DefId)]| -> i64 {
-        let plus = terms.iter().any(|&(minus, id)| !minus || dag.facts[id as usize].fixed && is_leaf(dag, id));
+        let plus = terms
+            .iter()
+            .any(|&(minus, id)| !minus || dag.facts[id as usize].fixed && is_leaf(dag, id));
         if plus { 0 } else { 1 }
     };
     match place {
@@ -186,7 +191,9 @@ fn price(dag: &Dag, place: Place) -> i64 {
         Place::Operand(id, k) => match &dag.defs[id as usize] {
             Def::Sum(terms) => sum(terms),
             Def::Call(_, (minus, _)) => i64::from(*minus),
-            Def::Atan2(a, b) | Def::Min(a, b) | Def::Max(a, b) => i64::from(if k == 0 { a.0 } else { b.0 }),
+            Def::Atan2(a, b) | Def::Min(a, b) | Def::Max(a, b) => {
+                i64::from(if k == 0 { a.0 } else { b.0 })
+            }
             Def::IfZero(_, a, b) => i64::from(if k == 1 { a.0 } else { b.0 }),
             _ => 0,
         },
@@ -207,7 +214,9 @@ fn absorb_fixed(dag: &mut Dag) {
         }
     }
     for id in 0..uses.len() {
-        let Def::Sum(terms) = &dag.defs[id] else { continue };
+        let Def::Sum(terms) = &dag.defs[id] else {
+            continue;
+        };
         if uses[id] == 0 || dag.facts[id].fixed || terms.iter().any(|&(minus, _)| !minus) {
             continue;
         }
@@ -224,10 +233,15 @@ fn absorb_fixed(dag: &mut Dag) {
 }
 
 fn absorb(dag: &mut Dag, id: DefId, uses: &[u32]) -> bool {
-    let Def::Product(factors) = dag.defs[id as usize].clone() else { return false };
+    let Def::Product(factors) = dag.defs[id as usize].clone() else {
+        return false;
+    };
     for (at, &factor) in factors.iter().enumerate() {
         if dag.facts[factor as usize].fixed {
-            let facts = super::Facts { nonneg: false, ..dag.facts[factor as usize] };
+            let facts = super::Facts {
+                nonneg: false,
+                ..dag.facts[factor as usize]
+            };
             let opposite = dag.define(Def::Sum(vec![(true, factor)]), facts, None);
             if let Def::Product(factors) = &mut dag.defs[id as usize] {
                 factors[at] = opposite;

@@ -206,9 +206,9 @@ impl<'a> Body<'a> {
         );
         // the name of the statement that each unnamed part ends up in
         let mut owner: Vec<Option<String>> = vec![None; program.statements.len()];
-        for (output, name) in program.outputs.iter().zip(self.output_names()) {
+        for (output, name) in program.outputs.iter().zip(&self.function.results) {
             if let Operand::Temp(t) = output {
-                owner[*t as usize].get_or_insert(name);
+                owner[*t as usize].get_or_insert_with(|| name.clone());
             }
         }
         for k in (0..program.statements.len()).rev() {
@@ -223,7 +223,7 @@ impl<'a> Body<'a> {
         }
         let mut name_part = |writer: &mut Writer<'_>, k: usize| {
             let base = owner[k].clone().unwrap_or_else(|| "rest".into());
-            let base = format!("part_of_{base}");
+            let base = format!("part_of_{}", short(&base));
             let mut name = base.clone();
             let mut n = 2;
             while !taken.insert(name.clone()) {
@@ -253,40 +253,6 @@ impl<'a> Body<'a> {
             _ => None,
         });
         parts.max_by_key(|&part| self.writer.statement(part).len())
-    }
-
-    /// What each output is called: `u_dot`, `d_u_dot_d_w`, …
-    fn output_names(&self) -> Vec<String> {
-        let layout = &self.compiled.layout;
-        let mut names = Vec::new();
-        for section in &self.function.sections {
-            match &section.pattern {
-                None => names.extend((0..section.len).map(|k| match section.name {
-                    "dx" => format!("{}_dot", layout.states[k]),
-                    "prepared" => self.compiled.prepared[k].clone(),
-                    "q" => layout.quantities[k].clone(),
-                    "y" => ["y_x", "y_y", "y_z"][k % 3].to_string(),
-                    other => format!("{other}_{k}"),
-                })),
-                Some(pattern) => names.extend(pattern.iter().map(|&(row, column)| {
-                    let row = match section.name {
-                        "j" | "jp" => format!("{}_dot", layout.states[row as usize]),
-                        _ => ["y_x", "y_y", "y_z"][row as usize % 3].to_string(),
-                    };
-                    format!("d_{row}_d_{}", self.column(section.name, column))
-                })),
-            }
-        }
-        names
-    }
-
-    fn column(&self, section: &str, column: u32) -> &str {
-        let layout = &self.compiled.layout;
-        match section {
-            "j" | "dy_dx" => &layout.states[column as usize],
-            "dy_dmarker" => &layout.marker[column as usize],
-            _ => &layout.parameters[self.compiled.columns[column as usize]],
-        }
     }
 
     fn operands(&self) -> impl Iterator<Item = Operand> + '_ {
@@ -390,7 +356,7 @@ impl<'a> Body<'a> {
     }
 
     fn stores(&self, lines: &mut Vec<String>) {
-        let names = self.output_names();
+        let names = &self.function.results;
         let mut at = 0;
         for section in &self.function.sections {
             if section.len > 0 {
@@ -417,6 +383,17 @@ impl<'a> Body<'a> {
             }
         }
     }
+}
+
+/// A name cut at a word, so that two of them fit a line.
+fn short(name: &str) -> &str {
+    const MOST: usize = 24;
+    if name.len() <= MOST {
+        return name;
+    }
+    name[..MOST]
+        .rfind('_')
+        .map_or(&name[..MOST], |at| &name[..at])
 }
 
 /// `left right;`, on two lines where one is too short.

@@ -13,13 +13,19 @@ use std::f64::consts::PI;
 
 /// Puts the definitions in order.
 ///
-/// With `prepare`, what depends on parameters alone is left to the function that runs before the flight.
+/// `results` are names for the roots. With `prepare`, what depends on parameters alone is left to the function that runs before the flight.
 pub fn schedule(
     dag: &Dag,
     graph: &Graph,
     namer: &mut Namer,
     prepare: Option<&mut Prepare>,
+    results: &[String],
 ) -> Program {
+    for (&(minus, id), name) in dag.roots.iter().zip(results) {
+        if !minus {
+            namer.suggest(dag, graph, id, name);
+        }
+    }
     let order = dag.order();
     let mut uses = vec![0_u32; dag.defs.len()];
     for &id in &order {
@@ -46,8 +52,8 @@ pub fn schedule(
     for &id in &order {
         schedule.emit(id);
     }
-    for &root in &dag.roots {
-        let value = schedule.root(root);
+    for (k, &root) in dag.roots.iter().enumerate() {
+        let value = schedule.root(root, results.get(k));
         schedule.program.outputs.push(value);
     }
     schedule.program
@@ -203,9 +209,14 @@ impl Schedule<'_> {
         }
     }
 
-    fn root(&mut self, (minus, id): Signed) -> Operand {
+    fn root(&mut self, (minus, id): Signed, name: Option<&String>) -> Operand {
         let value = self.value(id);
-        self.negate_if(minus, value, id)
+        let before = self.program.statements.len();
+        let value = self.negate_if(minus, value, id);
+        if let (Some(name), Some(negation)) = (name, self.program.statements.get_mut(before)) {
+            negation.name = Some(self.namer.rename(negation.name.take(), name));
+        }
+        value
     }
 
     fn binary(&mut self, binary: Binary, a: Signed, b: Signed, id: DefId) -> Operand {

@@ -1,6 +1,6 @@
 //! Names for statements: the model's own where there is one, else what the expression says.
 
-use crate::graph::{FastMap, Graph, Symbol};
+use crate::graph::{FastMap, Graph, Symbol, opposite_name};
 use crate::optimise::{Dag, Def, DefId};
 use crate::program::About;
 use std::collections::BTreeSet;
@@ -69,7 +69,7 @@ impl Namer {
         let (minus, node) = dag.origin[id as usize]?;
         let name = graph.name_of(node)?;
         Some(if minus {
-            format!("minus_{name}")
+            opposite_name(name)
         } else {
             name.to_string()
         })
@@ -101,9 +101,29 @@ impl Namer {
         name
     }
 
+    /// Names a definition after the result that it is, unless it has a name.
+    pub fn suggest(&mut self, dag: &Dag, graph: &Graph, id: DefId, name: &str) {
+        let leaf = matches!(
+            dag.defs[id as usize],
+            Def::Leaf(_) | Def::Constant(_) | Def::Call(..)
+        );
+        if !leaf && !self.given.contains_key(&id) && !self.has_own_name(dag, graph, id) {
+            let name = self.unique(name);
+            self.given.insert(id, name);
+        }
+    }
+
+    /// A better name than one given before.
+    pub fn rename(&mut self, old: Option<String>, name: &str) -> String {
+        if let Some(old) = old {
+            self.taken.remove(&old);
+        }
+        self.unique(name)
+    }
+
     /// A name for the opposite of a definition.
     pub fn negated(&mut self, dag: &Dag, graph: &Graph, id: DefId) -> String {
-        let wanted = format!("minus_{}", self.describe(dag, graph, id, 3));
+        let wanted = opposite_name(&self.describe(dag, graph, id, 3));
         self.unique(&wanted)
     }
 
@@ -123,12 +143,12 @@ impl Namer {
     }
 
     /// A name for a constant of the flight.
-    pub fn constant_name(dag: &Dag, graph: &Graph, id: DefId) -> String {
+    pub fn constant_name(parameters: &[String], dag: &Dag, graph: &Graph, id: DefId) -> String {
         let namer = Namer {
             taken: BTreeSet::new(),
             given: FastMap::default(),
             states: Vec::new(),
-            parameters: Vec::new(),
+            parameters: parameters.to_vec(),
             origins: FastMap::default(),
         };
         namer.describe(dag, graph, id, 4)
@@ -148,6 +168,9 @@ impl Namer {
                 self.describe(dag, graph, id, depth - 1)
             }
         };
+        if let Some(name) = self.norm(dag, graph, id, depth) {
+            return name;
+        }
         let name = match &dag.defs[id as usize] {
             Def::Leaf(Symbol::Time) => "time".into(),
             Def::Leaf(Symbol::Pi) => "pi".into(),
@@ -165,6 +188,7 @@ impl Namer {
             Def::Leaf(Symbol::Local(k)) => format!("local_{k}"),
             Def::Constant(number) => match number.value() {
                 0.5 => "half".into(),
+                1.0 => "one".into(),
                 2.0 => "two".into(),
                 value if value.fract() == 0.0 && value < 1e6 => format!("n{value}"),
                 _ => "const".into(),
@@ -216,6 +240,44 @@ impl Namer {
             name
         } else {
             shorten(dag, &name, id)
+        }
+    }
+
+    /// Names for sums of squares and their roots: `V_sq`, `air_velocity_12`.
+    fn norm(&self, dag: &Dag, graph: &Graph, id: DefId, depth: u32) -> Option<String> {
+        match &dag.defs[id as usize] {
+            Def::Root(x) => {
+                let name = self.norm(dag, graph, *x, depth)?;
+                name.strip_suffix("_sq").map(str::to_string)
+            }
+            Def::Sum(terms) => {
+                let root = dag.defs.iter().position(|def| *def == Def::Root(id));
+                if let Some(name) = root.and_then(|root| self.own(dag, graph, root as DefId)) {
+                    return Some(format!("{name}_sq"));
+                }
+                let mut prefix: Option<String> = None;
+                let mut suffixes = Vec::new();
+                for &(minus, term) in terms {
+                    let factor = match &dag.defs[term as usize] {
+                        Def::Product(factors)
+                            if !minus && factors.len() == 2 && factors[0] == factors[1] =>
+                        {
+                            factors[0]
+                        }
+                        _ => return None,
+                    };
+                    let name = self.describe(dag, graph, factor, depth.min(1));
+                    let name = name.trim_start_matches("minus_");
+                    let (head, tail) = name.rsplit_once('_')?;
+                    if prefix.get_or_insert_with(|| head.to_string()) != head {
+                        return None;
+                    }
+                    suffixes.push(tail.to_string());
+                }
+                suffixes.sort();
+                Some(format!("{}_{}_sq", prefix?, suffixes.concat()))
+            }
+            _ => None,
         }
     }
 }

@@ -13,9 +13,18 @@ pub struct Prepare {
     slots: Vec<NodeId>,
     names: Vec<String>,
     index: FastMap<NodeId, u32>,
+    parameters: Vec<String>,
 }
 
 impl Prepare {
+    /// For a model with these parameters.
+    pub fn new(parameters: &[String]) -> Prepare {
+        Prepare {
+            parameters: parameters.to_vec(),
+            ..Prepare::default()
+        }
+    }
+
     /// Names of the constants, in order.
     pub fn names(&self) -> &[String] {
         &self.names
@@ -40,7 +49,7 @@ impl Prepare {
         let slot = self.slots.len() as u32;
         self.slots.push(node);
         self.index.insert(node, slot);
-        let mut name = Namer::constant_name(dag, graph, id);
+        let mut name = Namer::constant_name(&self.parameters, dag, graph, id);
         if minus {
             name = format!("minus_{name}");
         }
@@ -133,10 +142,10 @@ impl Prepare {
     }
 
     /// The function that computes them all.
-    pub fn program(&self, parameters: &[String]) -> Program {
+    pub fn program(&self) -> Program {
         let mut dag = import(&self.graph, &self.slots);
         dag.optimise();
-        let mut namer = Namer::new(&[], parameters, &[]);
-        schedule(&dag, &self.graph, &mut namer, None)
+        let mut namer = Namer::new(&[], &self.parameters, &[]);
+        schedule(&dag, &self.graph, &mut namer, None, &[])
     }
 }

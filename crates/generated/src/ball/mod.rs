@@ -66,8 +66,8 @@ pub const COEFFICIENTS: usize = 1;
 /// What `prepare` computes.
 #[rustfmt::skip]
 pub const PREPARED: [&str; 8] = [
-    "half_pi_p4_p2_p1_p1_inv_p0", "p1_half", "p2_pi_p1_inv_p0", "p4_p2_pi_p1_inv_part",
-    "half_p1_inv_p0", "p4_pi_p1_inv_p0", "A", "p2_half_pi_p1_p1_p4",
+    "half_pi_C_D_rho_product", "radius_half", "rho_pi_radius_inv_m", "C_D_rho_pi_radius_inv_part",
+    "half_radius_inv_m", "C_D_pi_radius_inv_m", "A", "rho_half_pi_radius_product",
 ];
 
 /// What `quantities` computes.

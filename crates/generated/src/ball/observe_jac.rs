@@ -34,11 +34,11 @@ pub fn observe_jac<T: Real>(
     seen[1] = mark_y_2;
     seen[2] = mark_z_2;
 
-    dy_dx[0] = T::splat(1.0); // d_y_x_d_x
-    dy_dx[1] = T::splat(1.0); // d_y_y_d_y
-    dy_dx[2] = T::splat(1.0); // d_y_z_d_z
+    dy_dx[0] = T::splat(1.0); // d_seen_x_d_x
+    dy_dx[1] = T::splat(1.0); // d_seen_y_d_y
+    dy_dx[2] = T::splat(1.0); // d_seen_z_d_z
 
-    dy_dmarker[0] = T::splat(1.0); // d_y_x_d_mark_x
-    dy_dmarker[1] = T::splat(1.0); // d_y_y_d_mark_y
-    dy_dmarker[2] = T::splat(1.0); // d_y_z_d_mark_z
+    dy_dmarker[0] = T::splat(1.0); // d_seen_x_d_mark_x
+    dy_dmarker[1] = T::splat(1.0); // d_seen_y_d_mark_y
+    dy_dmarker[2] = T::splat(1.0); // d_seen_z_d_mark_z
 }

@@ -19,17 +19,17 @@ pub fn prepare<T: Real>(parameters: &[T; 11], prepared: &mut [T; 8]) {
     let radius_pi = radius * T::splat(PI);
     let rho_radius_pi = rho * radius_pi;
     let radius_half_rho_radius_pi = radius_half * rho_radius_pi;
-    let p2_pi_p1_inv_p0 = inv_m * rho_radius_pi;
-    let p4_p2_pi_p1_inv_part = rho_radius_pi * C_D_inv_m;
-    let p4_pi_p1_inv_p0 = radius_pi * C_D_inv_m;
+    let rho_pi_radius_inv_m = inv_m * rho_radius_pi;
+    let C_D_rho_pi_radius_inv_part = rho_radius_pi * C_D_inv_m;
+    let C_D_pi_radius_inv_m = radius_pi * C_D_inv_m;
     let A = radius * radius_pi;
 
     prepared[0] = C_D_inv_m * radius_half_rho_radius_pi;
     prepared[1] = radius_half;
-    prepared[2] = p2_pi_p1_inv_p0;
-    prepared[3] = p4_p2_pi_p1_inv_part;
+    prepared[2] = rho_pi_radius_inv_m;
+    prepared[3] = C_D_rho_pi_radius_inv_part;
     prepared[4] = inv_m * radius_half;
-    prepared[5] = p4_pi_p1_inv_p0;
+    prepared[5] = C_D_pi_radius_inv_m;
     prepared[6] = A;
     prepared[7] = C_D * radius_half_rho_radius_pi;
 }
