@@ -8,7 +8,7 @@ use crate::layout::Layout;
 use crate::optimise::{Dag, import};
 use crate::program::{Function, Program, Section};
 use crate::schedule::prepare::Prepare;
-use crate::schedule::{Namer, schedule};
+use crate::schedule::{Namer, schedule_named};
 use model_spec::model::Model;
 
 /// Which parameters derivatives are taken for.
@@ -250,7 +250,8 @@ impl Compiler {
     ) -> Function {
         let mut namer = self.namer();
         let results = self.results(&sections);
-        let program: Program = schedule(dag, graph, &mut namer, Some(&mut self.prepare), &results);
+        let program: Program =
+            schedule_named(dag, graph, &mut namer, Some(&mut self.prepare), &results);
         Function {
             name,
             program,

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 /// Puts the definitions in order.
 ///
 /// `results` are names for the roots. With `prepare`, what depends on parameters alone is left to the function that runs before the flight.
-pub fn schedule(
+pub fn schedule_named(
     dag: &Dag,
     graph: &Graph,
     namer: &mut Namer,
@@ -57,6 +57,16 @@ pub fn schedule(
         schedule.program.outputs.push(value);
     }
     schedule.program
+}
+
+/// Puts the definitions in order, results without names.
+pub fn schedule(
+    dag: &Dag,
+    graph: &Graph,
+    namer: &mut Namer,
+    prepare: Option<&mut Prepare>,
+) -> Program {
+    schedule_named(dag, graph, namer, prepare, &[])
 }
 
 struct Schedule<'a> {

@@ -146,6 +146,6 @@ impl Prepare {
         let mut dag = import(&self.graph, &self.slots);
         dag.optimise();
         let mut namer = Namer::new(&[], &self.parameters, &[]);
-        schedule(&dag, &self.graph, &mut namer, None, &[])
+        schedule(&dag, &self.graph, &mut namer, None)
     }
 }
