@@ -21,7 +21,7 @@ pub fn f<T: Real>(
     let wind_x = parameters[5];
     let wind_y = parameters[6];
     let wind_z = parameters[7];
-    let half_pi_p4_p2_p1_p1_inv_p0 = prepared[0];
+    let half_pi_C_D_rho_product = prepared[0];
 
     // ball.hyz:33  let air_velocity = velocity - wind;
     let minus_air_velocity_x = wind_x - vx;
@@ -32,7 +32,7 @@ pub fn f<T: Real>(
 
     // ball.hyz:34  let V = norm(air_velocity);
     let V = (part_of_V + minus_air_velocity_x * minus_air_velocity_x).sqrt();
-    let V_half_part_part_product = half_pi_p4_p2_p1_p1_inv_p0 * V;
+    let V_half_part_part_product = half_pi_C_D_rho_product * V;
 
     // ball.hyz:30  velocity (vx, vy, vz) in N;
     let vz_dot = minus_air_velocity_z * V_half_part_part_product - g;

@@ -23,96 +23,101 @@ pub fn f_jac_par<T: Real>(
     let wind_x = parameters[5];
     let wind_y = parameters[6];
     let wind_z = parameters[7];
-    let half_pi_p4_p2_p1_p1_inv_p0 = prepared[0];
-    let p1_half = prepared[1];
-    let p2_pi_p1_inv_p0 = prepared[2];
-    let p4_p2_pi_p1_inv_part = prepared[3];
-    let half_p1_inv_p0 = prepared[4];
-    let p4_pi_p1_inv_p0 = prepared[5];
-    let minus_vx_plus_wind_x = wind_x - vx;
-    let minus_vy_plus_wind_y = wind_y - vy;
-    let minus_vy_plus_wind_y_sq = minus_vy_plus_wind_y * minus_vy_plus_wind_y;
-    let minus_vz_plus_wind_z = wind_z - vz;
-    let minus_vz_plus_wind_z_sq = minus_vz_plus_wind_z * minus_vz_plus_wind_z;
-    let part_of_V = minus_vx_plus_wind_x * minus_vx_plus_wind_x + minus_vy_plus_wind_y_sq;
+    let half_pi_C_D_rho_product = prepared[0];
+    let radius_half = prepared[1];
+    let rho_pi_radius_inv_m = prepared[2];
+    let C_D_rho_pi_radius_inv_part = prepared[3];
+    let half_radius_inv_m = prepared[4];
+    let C_D_pi_radius_inv_m = prepared[5];
+
+    // ball.hyz:33  let air_velocity = velocity - wind;
+    let minus_air_velocity_x = wind_x - vx;
+    let minus_air_velocity_y = wind_y - vy;
+    let minus_air_velocity_y_sq = minus_air_velocity_y * minus_air_velocity_y;
+    let minus_air_velocity_z = wind_z - vz;
+    let minus_air_velocity_z_sq = minus_air_velocity_z * minus_air_velocity_z;
+    let part_of_V = minus_air_velocity_x * minus_air_velocity_x + minus_air_velocity_y_sq;
 
     // ball.hyz:34  let V = norm(air_velocity);
-    let V = (part_of_V + minus_vz_plus_wind_z_sq).sqrt();
-    let V_radius_half_C_D_part_part = half_pi_p4_p2_p1_p1_inv_p0 * V;
+    let V = (part_of_V + minus_air_velocity_z_sq).sqrt();
+    let V_half_part_part_product = half_pi_C_D_rho_product * V;
 
     // ball.hyz:30  velocity (vx, vy, vz) in N;
-    let vz_dot = minus_vz_plus_wind_z * V_radius_half_C_D_part_part - g;
+    let vz_dot = minus_air_velocity_z * V_half_part_part_product - g;
     let inv_V = V.recip_or_zero();
-    let inv_V_radius_half_C_product = half_pi_p4_p2_p1_p1_inv_p0 * inv_V;
-    let minus_vx_plus_wind_product = minus_vx_plus_wind_x * inv_V_radius_half_C_product;
-    let V_radius_half_C_D_part_sum =
-        V_radius_half_C_D_part_part + minus_vx_plus_wind_x * minus_vx_plus_wind_product;
-    let minus_vy_plus_wind_product = minus_vy_plus_wind_y * minus_vx_plus_wind_product;
-    let minus_vz_plus_wind_product = minus_vz_plus_wind_z * minus_vx_plus_wind_product;
-    let V_radius_half_C_D_part_sum_2 =
-        V_radius_half_C_D_part_part + minus_vy_plus_wind_y_sq * inv_V_radius_half_C_product;
-    let minus_vy_plus_wind_product_2 =
-        minus_vy_plus_wind_y * minus_vz_plus_wind_z * inv_V_radius_half_C_product;
-    let V_radius_half_C_D_part_sum_3 =
-        V_radius_half_C_D_part_part + minus_vz_plus_wind_z_sq * inv_V_radius_half_C_product;
-    let V_C_D_rho_part_part = p4_p2_pi_p1_inv_part * V;
-    let V_C_D_rho_part_part_product = half_p1_inv_p0 * V_C_D_rho_part_part;
-    let V_radius_half = p1_half * V;
-    let V_radius_half_C_D_product = p4_pi_p1_inv_p0 * V_radius_half;
-    let rho_pi_part_part_V_product = p2_pi_p1_inv_p0 * V_radius_half;
-    let minus_V_radius_half_C_D_part_sum = -V_radius_half_C_D_part_sum;
-    let minus_minus_vy_plus_wind_product = -minus_vy_plus_wind_product;
-    let minus_minus_vz_plus_wind_product = -minus_vz_plus_wind_product;
-    let minus_minus_vy_plus_wind_product_2 = -minus_vy_plus_wind_product;
-    let minus_V_radius_half_C_D_part_sum_2 = -V_radius_half_C_D_part_sum_2;
-    let minus_minus_vy_plus_wind_product_2_2 = -minus_vy_plus_wind_product_2;
-    let minus_minus_vz_plus_wind_product_2 = -minus_vz_plus_wind_product;
-    let minus_minus_vy_plus_wind_product_2_3 = -minus_vy_plus_wind_product_2;
-    let minus_V_radius_half_C_D_part_sum_3 = -V_radius_half_C_D_part_sum_3;
-    let minus_minus_vx_plus_wind_product = -(minus_vx_plus_wind_x * V_C_D_rho_part_part_product);
-    let minus_minus_vy_plus_wind_product_3 = -(minus_vy_plus_wind_y * V_C_D_rho_part_part_product);
-    let minus_minus_vz_plus_wind_product_3 = -(minus_vz_plus_wind_z * V_C_D_rho_part_part_product);
+    let inv_V_radius_half_C_product = half_pi_C_D_rho_product * inv_V;
+    let minus_air_velocity_product = minus_air_velocity_x * inv_V_radius_half_C_product;
+    let minus_d_vx_dot_d_vx =
+        V_half_part_part_product + minus_air_velocity_x * minus_air_velocity_product;
+    let d_vx_dot_d_wind_y = minus_air_velocity_y * minus_air_velocity_product;
+    let d_vx_dot_d_wind_z = minus_air_velocity_z * minus_air_velocity_product;
+    let minus_d_vy_dot_d_vy =
+        V_half_part_part_product + minus_air_velocity_y_sq * inv_V_radius_half_C_product;
+    let d_vy_dot_d_wind_z =
+        minus_air_velocity_y * minus_air_velocity_z * inv_V_radius_half_C_product;
+    let minus_d_vz_dot_d_vz =
+        V_half_part_part_product + minus_air_velocity_z_sq * inv_V_radius_half_C_product;
+    let V_C_D_rho_part_part = C_D_rho_pi_radius_inv_part * V;
+    let V_C_D_rho_part_part_product = half_radius_inv_m * V_C_D_rho_part_part;
+    let d_vx_dot_d_radius = minus_air_velocity_x * V_C_D_rho_part_part;
+    let V_radius_half = radius_half * V;
+    let V_radius_half_C_D_product = C_D_pi_radius_inv_m * V_radius_half;
+    let rho_pi_part_part_V_product = rho_pi_radius_inv_m * V_radius_half;
+    let d_vy_dot_d_radius = minus_air_velocity_y * V_C_D_rho_part_part;
+    let d_vz_dot_d_radius = minus_air_velocity_z * V_C_D_rho_part_part;
+    let d_vx_dot_d_vx = -minus_d_vx_dot_d_vx;
+    let d_vx_dot_d_vy = -d_vx_dot_d_wind_y;
+    let d_vx_dot_d_vz = -d_vx_dot_d_wind_z;
+    let d_vy_dot_d_vx = -d_vx_dot_d_wind_y;
+    let d_vy_dot_d_vy = -minus_d_vy_dot_d_vy;
+    let d_vy_dot_d_vz = -d_vy_dot_d_wind_z;
+    let d_vz_dot_d_vx = -d_vx_dot_d_wind_z;
+    let d_vz_dot_d_vy = -d_vy_dot_d_wind_z;
+    let d_vz_dot_d_vz = -minus_d_vz_dot_d_vz;
+    let d_vx_dot_d_m = -(minus_air_velocity_x * V_C_D_rho_part_part_product);
+    let d_vy_dot_d_m = -(minus_air_velocity_y * V_C_D_rho_part_part_product);
+    let d_vz_dot_d_m = -(minus_air_velocity_z * V_C_D_rho_part_part_product);
 
     dx[0] = vx;
     dx[1] = vy;
     dx[2] = vz;
-    dx[3] = minus_vx_plus_wind_x * V_radius_half_C_D_part_part;
-    dx[4] = minus_vy_plus_wind_y * V_radius_half_C_D_part_part;
+    dx[3] = minus_air_velocity_x * V_half_part_part_product;
+    dx[4] = minus_air_velocity_y * V_half_part_part_product;
     dx[5] = vz_dot;
 
     j[0] = T::splat(1.0); // d_x_dot_d_vx
     j[1] = T::splat(1.0); // d_y_dot_d_vy
     j[2] = T::splat(1.0); // d_z_dot_d_vz
-    j[3] = minus_V_radius_half_C_D_part_sum; // d_vx_dot_d_vx
-    j[4] = minus_minus_vy_plus_wind_product; // d_vx_dot_d_vy
-    j[5] = minus_minus_vz_plus_wind_product; // d_vx_dot_d_vz
-    j[6] = minus_minus_vy_plus_wind_product_2; // d_vy_dot_d_vx
-    j[7] = minus_V_radius_half_C_D_part_sum_2; // d_vy_dot_d_vy
-    j[8] = minus_minus_vy_plus_wind_product_2_2; // d_vy_dot_d_vz
-    j[9] = minus_minus_vz_plus_wind_product_2; // d_vz_dot_d_vx
-    j[10] = minus_minus_vy_plus_wind_product_2_3; // d_vz_dot_d_vy
-    j[11] = minus_V_radius_half_C_D_part_sum_3; // d_vz_dot_d_vz
+    j[3] = d_vx_dot_d_vx;
+    j[4] = d_vx_dot_d_vy;
+    j[5] = d_vx_dot_d_vz;
+    j[6] = d_vy_dot_d_vx;
+    j[7] = d_vy_dot_d_vy;
+    j[8] = d_vy_dot_d_vz;
+    j[9] = d_vz_dot_d_vx;
+    j[10] = d_vz_dot_d_vy;
+    j[11] = d_vz_dot_d_vz;
 
-    jp[0] = minus_minus_vx_plus_wind_product; // d_vx_dot_d_m
-    jp[1] = minus_vx_plus_wind_x * V_C_D_rho_part_part; // d_vx_dot_d_radius
-    jp[2] = minus_vx_plus_wind_x * V_radius_half_C_D_product; // d_vx_dot_d_rho
-    jp[3] = minus_vx_plus_wind_x * rho_pi_part_part_V_product; // d_vx_dot_d_C_D
-    jp[4] = V_radius_half_C_D_part_sum; // d_vx_dot_d_wind_x
-    jp[5] = minus_vy_plus_wind_product; // d_vx_dot_d_wind_y
-    jp[6] = minus_vz_plus_wind_product; // d_vx_dot_d_wind_z
-    jp[7] = minus_minus_vy_plus_wind_product_3; // d_vy_dot_d_m
-    jp[8] = minus_vy_plus_wind_y * V_C_D_rho_part_part; // d_vy_dot_d_radius
-    jp[9] = minus_vy_plus_wind_y * V_radius_half_C_D_product; // d_vy_dot_d_rho
-    jp[10] = minus_vy_plus_wind_y * rho_pi_part_part_V_product; // d_vy_dot_d_C_D
-    jp[11] = minus_vy_plus_wind_product; // d_vy_dot_d_wind_x
-    jp[12] = V_radius_half_C_D_part_sum_2; // d_vy_dot_d_wind_y
-    jp[13] = minus_vy_plus_wind_product_2; // d_vy_dot_d_wind_z
-    jp[14] = minus_minus_vz_plus_wind_product_3; // d_vz_dot_d_m
-    jp[15] = minus_vz_plus_wind_z * V_C_D_rho_part_part; // d_vz_dot_d_radius
-    jp[16] = minus_vz_plus_wind_z * V_radius_half_C_D_product; // d_vz_dot_d_rho
+    jp[0] = d_vx_dot_d_m;
+    jp[1] = d_vx_dot_d_radius;
+    jp[2] = minus_air_velocity_x * V_radius_half_C_D_product; // d_vx_dot_d_rho
+    jp[3] = minus_air_velocity_x * rho_pi_part_part_V_product; // d_vx_dot_d_C_D
+    jp[4] = minus_d_vx_dot_d_vx; // d_vx_dot_d_wind_x
+    jp[5] = d_vx_dot_d_wind_y;
+    jp[6] = d_vx_dot_d_wind_z;
+    jp[7] = d_vy_dot_d_m;
+    jp[8] = d_vy_dot_d_radius;
+    jp[9] = minus_air_velocity_y * V_radius_half_C_D_product; // d_vy_dot_d_rho
+    jp[10] = minus_air_velocity_y * rho_pi_part_part_V_product; // d_vy_dot_d_C_D
+    jp[11] = d_vx_dot_d_wind_y; // d_vy_dot_d_wind_x
+    jp[12] = minus_d_vy_dot_d_vy; // d_vy_dot_d_wind_y
+    jp[13] = d_vy_dot_d_wind_z;
+    jp[14] = d_vz_dot_d_m;
+    jp[15] = d_vz_dot_d_radius;
+    jp[16] = minus_air_velocity_z * V_radius_half_C_D_product; // d_vz_dot_d_rho
     jp[17] = T::splat(-1.0); // d_vz_dot_d_g
-    jp[18] = minus_vz_plus_wind_z * rho_pi_part_part_V_product; // d_vz_dot_d_C_D
-    jp[19] = minus_vz_plus_wind_product; // d_vz_dot_d_wind_x
-    jp[20] = minus_vy_plus_wind_product_2; // d_vz_dot_d_wind_y
-    jp[21] = V_radius_half_C_D_part_sum_3; // d_vz_dot_d_wind_z
+    jp[18] = minus_air_velocity_z * rho_pi_part_part_V_product; // d_vz_dot_d_C_D
+    jp[19] = d_vx_dot_d_wind_z; // d_vz_dot_d_wind_x
+    jp[20] = d_vy_dot_d_wind_z; // d_vz_dot_d_wind_y
+    jp[21] = minus_d_vz_dot_d_vz; // d_vz_dot_d_wind_z
 }

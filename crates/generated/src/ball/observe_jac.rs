@@ -24,8 +24,6 @@ pub fn observe_jac<T: Real>(
     let mark_x = marker[0];
     let mark_y = marker[1];
     let mark_z = marker[2];
-
-    // ball.hyz:43  observe mark = position + mark;
     let mark_x_2 = x + mark_x;
     let mark_y_2 = y + mark_y;
     let mark_z_2 = z + mark_z;

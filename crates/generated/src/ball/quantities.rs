@@ -21,24 +21,22 @@ pub fn quantities<T: Real>(
     let wind_y = parameters[6];
     let wind_z = parameters[7];
     let A = prepared[6];
-    let p2_half_pi_p1_p1_p4 = prepared[7];
+    let rho_half_pi_radius_product = prepared[7];
 
     // ball.hyz:33  let air_velocity = velocity - wind;
     let air_velocity_x = vx - wind_x;
     let air_velocity_y = vy - wind_y;
     let air_velocity_z = vz - wind_z;
-    let part_of_air_velocity_z_sq_plus_sum =
-        air_velocity_z * air_velocity_z + air_velocity_y * air_velocity_y;
-    let air_velocity_z_sq_plus_sum =
-        part_of_air_velocity_z_sq_plus_sum + air_velocity_x * air_velocity_x;
+    let part_of_V_sq = air_velocity_z * air_velocity_z + air_velocity_y * air_velocity_y;
+    let V_sq = part_of_V_sq + air_velocity_x * air_velocity_x;
 
     // ball.hyz:34  let V = norm(air_velocity);
-    let V = air_velocity_z_sq_plus_sum.sqrt();
+    let V = V_sq.sqrt();
 
     values[0] = air_velocity_x;
     values[1] = air_velocity_y;
     values[2] = air_velocity_z;
     values[3] = V;
     values[4] = A;
-    values[5] = p2_half_pi_p1_p1_p4 * air_velocity_z_sq_plus_sum;
+    values[5] = rho_half_pi_radius_product * V_sq;
 }

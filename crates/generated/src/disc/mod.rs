@@ -71,12 +71,12 @@ pub const COEFFICIENTS: usize = 8;
 /// What `prepare` computes.
 #[rustfmt::skip]
 pub const PREPARED: [&str; 26] = [
-    "inv_p0_half_p5_p4", "minus_p6", "half_p5_p4_p3_inv_p2", "inv_p2_p1", "p14_inv_p1", "p10_two",
-    "two_p3_part_part_half_inv_p2", "p4_half", "p5_p4_half", "inv_p0", "inv_p2", "inv_p1",
-    "p5_half", "minus_p5_half", "minus_p4_half", "minus_p5_p4_half_inv_p0", "p5_p4_half_p3",
-    "inv_p2_sq", "p5_p4_half_inv_p2", "inv_p2_p3_p5_half", "inv_p2_p3_p4_half",
-    "minus_inv_p2_p5_part_sum", "inv_p1_d_gammadot_dot_d_r", "minus_p5_p4_half_inv_p2",
-    "minus_inv_p2_p3_p5_half", "minus_inv_p2_p3_p4_half",
+    "inv_m_half_rho_A", "minus_g", "half_rho_A_d_inv_I_d", "inv_I_d_I_a", "C_Nr_inv_I_a",
+    "C_Da_two", "two_d_half_rho_A_inv_I_d", "A_half", "half_rho_A", "inv_m", "inv_I_d", "inv_I_a",
+    "rho_half", "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_d",
+    "inv_I_d_sq", "half_rho_A_inv_I_d", "inv_I_d_d_rho_half", "inv_I_d_d_A_half",
+    "minus_inv_I_d_half_rho_sum", "inv_I_a_d_gammadot_dot_d_r", "minus_half_rho_A_inv_I_d",
+    "minus_inv_I_d_d_rho_half", "minus_inv_I_d_d_A_half",
 ];
 
 /// What `quantities` computes.

@@ -34,8 +34,8 @@ pub fn quantities<T: Real>(
     let wind_x = parameters[15];
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let p5_p4_half = prepared[8];
-    let p5_half = prepared[12];
+    let half_rho_A = prepared[8];
+    let rho_half = prepared[12];
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
     let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
@@ -43,54 +43,51 @@ pub fn quantities<T: Real>(
     // disc.hyz:62  let air_velocity = velocity - in_B(wind);
     let air_velocity_1 = sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta + u;
     let air_velocity_2 = v - wind_z * sin_phi - wind_y * cos_phi;
-    let sin_theta_wind_x_plus_sum = wind_x * sin_theta + minus_sin_phi_wind_y_sum * cos_theta - w;
-    let air_velocity_2_sq_plus_sum =
-        air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
-    let sin_theta_wind_x_plus_sum_2 =
-        sin_theta_wind_x_plus_sum * sin_theta_wind_x_plus_sum + air_velocity_2_sq_plus_sum;
+    let minus_air_velocity_3 = wind_x * sin_theta + minus_sin_phi_wind_y_sum * cos_theta - w;
+    let air_velocity_12_sq = air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
+    let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
     // disc.hyz:64  let V = norm(air_velocity);
-    let V = sin_theta_wind_x_plus_sum_2.sqrt();
-    let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
-    let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
+    let V = V_sq.sqrt();
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
 
     // disc.hyz:65  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
-    let d1_1 = air_velocity_1 * inv_sqrt_air_velocity_2_of;
-    let d1_2 = air_velocity_2 * inv_sqrt_air_velocity_2_of;
+    let d1_1 = air_velocity_1 * inv_air_velocity_12;
+    let d1_2 = air_velocity_2 * inv_air_velocity_12;
 
     // disc.hyz:69  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = sin_theta_wind_x_plus_sum.atan2(sqrt_air_velocity_2_sq_of);
+    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
 
     // disc.hyz:72  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La * alpha + C_L0;
 
     // disc.hyz:73  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_Da * alpha * alpha + C_D0;
-    let sin_theta_wind_x_product = p5_p4_half * sin_theta_wind_x_plus_sum_2;
+    let V_sq_A_rho_half = half_rho_A * V_sq;
 
     // disc.hyz:78  let r = dot(angular_velocity, d3);
     let r = sin_theta * phidot + gammadot;
     let cos_theta_phidot = cos_theta * phidot;
-    let part_of_rate_1 = air_velocity_2 * thetadot + air_velocity_1 * cos_theta_phidot;
 
     // disc.hyz:79  let rate_1 = dot(angular_velocity, d1);
-    let rate_1 = inv_sqrt_air_velocity_2_of * part_of_rate_1;
+    let rate_1 =
+        inv_air_velocity_12 * (air_velocity_2 * thetadot + air_velocity_1 * cos_theta_phidot);
     let air_velocity_1_thetadot_sum = air_velocity_1 * thetadot - air_velocity_2 * cos_theta_phidot;
 
     // disc.hyz:80  let rate_2 = dot(angular_velocity, d2);
-    let rate_2 = inv_sqrt_air_velocity_2_of * air_velocity_1_thetadot_sum;
-    let d_sin_theta_wind_x_product = d * sin_theta_wind_x_product;
-    let part_of_pitch =
-        C_Mq * inv_sqrt_air_velocity_2_of * air_velocity_1_thetadot_sum + C_Ma * alpha;
+    let rate_2 = inv_air_velocity_12 * air_velocity_1_thetadot_sum;
+    let d_V_sq_A_rho_half = d * V_sq_A_rho_half;
+    let part_of_pitch = C_Mq * inv_air_velocity_12 * air_velocity_1_thetadot_sum + C_Ma * alpha;
 
     // disc.hyz:83  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
-    let minus_sin_theta_wind_x_plus_sum = -sin_theta_wind_x_plus_sum;
-    let minus_d1_2 = -d1_2;
+    let air_velocity_3 = -minus_air_velocity_3;
+    let d2_1 = -d1_2;
 
     values[0] = air_velocity_1;
     values[1] = air_velocity_2;
-    values[2] = minus_sin_theta_wind_x_plus_sum;
+    values[2] = air_velocity_3;
     values[3] = T::splat(0.0);
     values[4] = T::splat(0.0);
     values[5] = T::splat(1.0);
@@ -98,19 +95,19 @@ pub fn quantities<T: Real>(
     values[7] = d1_1;
     values[8] = d1_2;
     values[9] = T::splat(0.0);
-    values[10] = minus_d1_2;
+    values[10] = d2_1;
     values[11] = d1_1;
     values[12] = T::splat(0.0);
     values[13] = alpha;
-    values[14] = p5_half * sin_theta_wind_x_plus_sum_2;
+    values[14] = rho_half * V_sq;
     values[15] = C_L;
     values[16] = C_D;
-    values[17] = C_L * sin_theta_wind_x_product;
-    values[18] = C_D * sin_theta_wind_x_product;
+    values[17] = C_L * V_sq_A_rho_half;
+    values[18] = C_D * V_sq_A_rho_half;
     values[19] = r;
     values[20] = rate_1;
     values[21] = rate_2;
-    values[22] = (C_Mq * rate_1 + C_Rr * r) * d_sin_theta_wind_x_product;
-    values[23] = part_of_pitch * d_sin_theta_wind_x_product;
+    values[22] = (C_Mq * rate_1 + C_Rr * r) * d_V_sq_A_rho_half;
+    values[23] = part_of_pitch * d_V_sq_A_rho_half;
     values[24] = spin_down;
 }

@@ -68,11 +68,12 @@ pub const COEFFICIENTS: usize = 8;
 /// What `prepare` computes.
 #[rustfmt::skip]
 pub const PREPARED: [&str; 28] = [
-    "p6_p0", "half_p5_p4", "inv_p0", "p2_two", "inv_p2", "inv_p1", "p10_two", "minus_inv_p0",
-    "p4_p5_half_inv_p0", "minus_p4_p5_half_inv_p0", "two_p3", "p4_p5_half_p3", "p1_inv_p2",
-    "minus_two_plus_p1_inv_p2", "minus_inv_p2", "minus_n1_plus_p1_inv_p2", "p13_inv_p2",
-    "p14_inv_p1", "p4_half", "p6_inv_p0", "inv_p0_sq", "p5_half", "minus_p5_half", "minus_p4_half",
-    "minus_p6_inv_p0", "minus_inv_p2_sq", "inv_p1_sq", "minus_p6_p0",
+    "g_m", "half_rho_A", "inv_m", "I_d_two", "inv_I_d", "inv_I_a", "C_Da_two", "minus_inv_m",
+    "half_rho_A_inv_m", "minus_half_rho_A_inv_m", "two_d", "half_rho_A_d", "I_a_inv_I_d",
+    "minus_two_plus_I_a_inv_I_d", "minus_inv_I_d", "minus_one_plus_I_a_inv_I_d", "C_Rr_inv_I_d",
+    "d_gammadot_dot_d_angular_velocity_3", "A_half", "g_inv_m", "inv_m_sq", "rho_half",
+    "minus_rho_half", "minus_A_half", "minus_g_inv_m", "minus_inv_I_d_sq", "inv_I_a_sq",
+    "minus_g_m",
 ];
 
 /// What `quantities` computes.

@@ -35,12 +35,12 @@ pub fn quantities<T: Real>(
     let wind_x = parameters[15];
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let p6_p0 = prepared[0];
-    let half_p5_p4 = prepared[1];
-    let p2_two = prepared[3];
-    let inv_p2 = prepared[4];
-    let p5_half = prepared[21];
-    let minus_p6_p0 = prepared[27];
+    let g_m = prepared[0];
+    let half_rho_A = prepared[1];
+    let I_d_two = prepared[3];
+    let inv_I_d = prepared[4];
+    let rho_half = prepared[21];
+    let minus_g_m = prepared[27];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // disc_appendix.hyz:64  let angular_velocity = (phidot*cos(theta), thetadot, phidot*sin(th …
@@ -53,71 +53,68 @@ pub fn quantities<T: Real>(
     // disc_appendix.hyz:67  let air_velocity = velocity - in_B(wind);
     let air_velocity_1 = u + sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta;
     let air_velocity_2 = v - wind_z * sin_phi - wind_y * cos_phi;
-    let minus_w_plus_sin_theta_sum = wind_x * sin_theta - w + cos_theta * minus_sin_phi_wind_y_sum;
-    let air_velocity_2_sq_plus_sum =
-        air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
-    let minus_w_plus_sin_sum =
-        minus_w_plus_sin_theta_sum * minus_w_plus_sin_theta_sum + air_velocity_2_sq_plus_sum;
+    let minus_air_velocity_3 = wind_x * sin_theta - w + cos_theta * minus_sin_phi_wind_y_sum;
+    let air_velocity_12_sq = air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
+    let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
     // disc_appendix.hyz:69  let V = norm(air_velocity);
-    let V = minus_w_plus_sin_sum.sqrt();
-    let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
-    let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
+    let V = V_sq.sqrt();
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
 
     // disc_appendix.hyz:70  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
-    let d1_1 = air_velocity_1 * inv_sqrt_air_velocity_2_of;
-    let d1_2 = air_velocity_2 * inv_sqrt_air_velocity_2_of;
+    let d1_1 = air_velocity_1 * inv_air_velocity_12;
+    let d1_2 = air_velocity_2 * inv_air_velocity_12;
 
     // disc_appendix.hyz:74  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = minus_w_plus_sin_theta_sum.atan2(sqrt_air_velocity_2_sq_of);
+    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
 
     // disc_appendix.hyz:77  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La * alpha + C_L0;
 
     // disc_appendix.hyz:78  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_Da * alpha * alpha + C_D0;
-    let minus_w_plus_sin_product = half_p5_p4 * minus_w_plus_sin_sum;
-    let part_of_rate_1 = thetadot * air_velocity_2 + angular_velocity_1 * air_velocity_1;
+    let V_sq_A_rho_half = half_rho_A * V_sq;
 
     // disc_appendix.hyz:84  let rate_1 = dot(angular_velocity, d1);
-    let rate_1 = inv_sqrt_air_velocity_2_of * part_of_rate_1;
+    let rate_1 =
+        inv_air_velocity_12 * (thetadot * air_velocity_2 + angular_velocity_1 * air_velocity_1);
     let thetadot_air_velocity_1_sum =
         thetadot * air_velocity_1 - angular_velocity_1 * air_velocity_2;
 
     // disc_appendix.hyz:85  let rate_2 = dot(angular_velocity, d2);
-    let rate_2 = inv_sqrt_air_velocity_2_of * thetadot_air_velocity_1_sum;
+    let rate_2 = inv_air_velocity_12 * thetadot_air_velocity_1_sum;
     let C_Mq_rate_1_plus_sum = C_Mq * rate_1 + C_Rr * angular_velocity_3;
-    let d_minus_w_plus_sin_product = d * minus_w_plus_sin_product;
-    let C_Mq_rate_1_plus_product = C_Mq_rate_1_plus_sum * d_minus_w_plus_sin_product;
-    let inv_sqrt_air_product_sum =
-        C_Mq * inv_sqrt_air_velocity_2_of * thetadot_air_velocity_1_sum + C_Ma * alpha;
-    let inv_sqrt_air_product = inv_sqrt_air_product_sum * d_minus_w_plus_sin_product;
+    let d_V_sq_A_rho_half = d * V_sq_A_rho_half;
+    let roll = C_Mq_rate_1_plus_sum * d_V_sq_A_rho_half;
+    let inv_air_velocity_12_sum =
+        C_Mq * inv_air_velocity_12 * thetadot_air_velocity_1_sum + C_Ma * alpha;
+    let pitch = inv_air_velocity_12_sum * d_V_sq_A_rho_half;
 
     // disc_appendix.hyz:88  let spin_down = C_Nr*r;
     let spin_down = C_Nr * angular_velocity_3;
-    let cos_phi_g_m = p6_p0 * cos_phi;
-    let part_of_sqrt_air_velocity_2_product =
-        sqrt_air_velocity_2_sq_of * C_D - minus_w_plus_sin_theta_sum * C_L;
-    let V_A_rho_half = half_p5_p4 * V;
-    let sqrt_air_velocity_2_product = part_of_sqrt_air_velocity_2_product * V_A_rho_half;
+    let cos_phi_g_m = g_m * cos_phi;
+    let V_A_rho_half = half_rho_A * V;
+    let air_velocity_12_C_D_product =
+        (air_velocity_12 * C_D - minus_air_velocity_3 * C_L) * V_A_rho_half;
 
     // disc_appendix.hyz:91  let force_b = (lift*sin(alpha) - drag*cos(alpha))*d1 + (lift*cos(a …
-    let force_b_1 = sin_theta * cos_phi_g_m - d1_1 * sqrt_air_velocity_2_product;
-    let force_b_2 = minus_p6_p0 * sin_phi - d1_2 * sqrt_air_velocity_2_product;
-    let part_of_force_b_3 = minus_w_plus_sin_theta_sum * C_D + sqrt_air_velocity_2_sq_of * C_L;
-    let force_b_3 = part_of_force_b_3 * V_A_rho_half - cos_theta * cos_phi_g_m;
+    let force_b_1 = sin_theta * cos_phi_g_m - d1_1 * air_velocity_12_C_D_product;
+    let force_b_2 = minus_g_m * sin_phi - d1_2 * air_velocity_12_C_D_product;
+    let part_of_force_b_3 = (minus_air_velocity_3 * C_D + air_velocity_12 * C_L) * V_A_rho_half;
+    let force_b_3 = part_of_force_b_3 - cos_theta * cos_phi_g_m;
 
     // disc_appendix.hyz:92  let moment_b = roll*d1 + pitch*d2 + spin_down*d3;
-    let moment_b_1 = d1_1 * C_Mq_rate_1_plus_product - d1_2 * inv_sqrt_air_product;
+    let moment_b_1 = d1_1 * roll - d1_2 * pitch;
     let part_of_moment_b_2 =
-        air_velocity_2 * C_Mq_rate_1_plus_sum + air_velocity_1 * inv_sqrt_air_product_sum;
-    let moment_b_2 = inv_sqrt_air_velocity_2_of * part_of_moment_b_2 * d_minus_w_plus_sin_product;
-    let part_of_der_phidot = thetadot * (I_a * angular_velocity_3 - p2_two * phidot_sin_theta);
+        air_velocity_2 * C_Mq_rate_1_plus_sum + air_velocity_1 * inv_air_velocity_12_sum;
+    let moment_b_2 = inv_air_velocity_12 * part_of_moment_b_2 * d_V_sq_A_rho_half;
+    let part_of_der_phidot = thetadot * (I_a * angular_velocity_3 - I_d_two * phidot_sin_theta);
 
     // disc_appendix.hyz:112  der(phidot) = (M_b1 + 2*I_d*phidot*thetadot*sin(theta) - I_a*thet …
-    let der_phidot = inv_p2 * (moment_b_1 - part_of_der_phidot) / cos_theta;
-    let minus_minus_w_plus_sin_theta_sum = -minus_w_plus_sin_theta_sum;
-    let minus_d1_2 = -d1_2;
+    let der_phidot = inv_I_d * (moment_b_1 - part_of_der_phidot) / cos_theta;
+    let air_velocity_3 = -minus_air_velocity_3;
+    let d2_1 = -d1_2;
 
     values[0] = u;
     values[1] = v;
@@ -127,7 +124,7 @@ pub fn quantities<T: Real>(
     values[5] = angular_velocity_3;
     values[6] = air_velocity_1;
     values[7] = air_velocity_2;
-    values[8] = minus_minus_w_plus_sin_theta_sum;
+    values[8] = air_velocity_3;
     values[9] = T::splat(0.0);
     values[10] = T::splat(0.0);
     values[11] = T::splat(1.0);
@@ -135,20 +132,20 @@ pub fn quantities<T: Real>(
     values[13] = d1_1;
     values[14] = d1_2;
     values[15] = T::splat(0.0);
-    values[16] = minus_d1_2;
+    values[16] = d2_1;
     values[17] = d1_1;
     values[18] = T::splat(0.0);
     values[19] = alpha;
-    values[20] = p5_half * minus_w_plus_sin_sum;
+    values[20] = rho_half * V_sq;
     values[21] = C_L;
     values[22] = C_D;
-    values[23] = C_L * minus_w_plus_sin_product;
-    values[24] = C_D * minus_w_plus_sin_product;
+    values[23] = C_L * V_sq_A_rho_half;
+    values[24] = C_D * V_sq_A_rho_half;
     values[25] = angular_velocity_3;
     values[26] = rate_1;
     values[27] = rate_2;
-    values[28] = C_Mq_rate_1_plus_product;
-    values[29] = inv_sqrt_air_product;
+    values[28] = roll;
+    values[29] = pitch;
     values[30] = spin_down;
     values[31] = force_b_1;
     values[32] = force_b_2;

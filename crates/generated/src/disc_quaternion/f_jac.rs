@@ -36,543 +36,531 @@ pub fn f_jac<T: Real>(
     let wind_x = parameters[15];
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let inv_p0_p5_p4 = prepared[0];
-    let half_p3_inv_p2_p5_p4 = prepared[1];
-    let n1_minus_inv_p2_p1 = prepared[2];
-    let p14_inv_p1 = prepared[3];
-    let p3_p4_p5_inv_p2 = prepared[4];
-    let two_p10 = prepared[5];
+    let inv_m_rho_A = prepared[0];
+    let half_d_inv_I_d_rho_A = prepared[1];
+    let one_minus_inv_I_d_I_a = prepared[2];
+    let C_Nr_inv_I_a = prepared[3];
+    let d_rho_A_inv_I_d = prepared[4];
+    let two_C_Da = prepared[5];
     let q2_sq_two = T::splat(2.0) * q2 * q2;
     let q1_sq_two = T::splat(2.0) * q1 * q1;
-    let q2_sq_two_plus_q1_sq_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
+    let q1_sq_two_minus_one_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
     let vz_minus_wind_z = vz - wind_z;
     let vx_minus_wind_x = vx - wind_x;
-    let q3_q1 = q3 * q1;
-    let q2_q0 = q2 * q0;
-    let q3_q1_plus_q2_q0 = q3_q1 + q2_q0;
+    let q1_q3 = q3 * q1;
+    let q0_q2 = q2 * q0;
+    let q0_q2_plus_q1_q3 = q1_q3 + q0_q2;
     let q3_q2 = q3 * q2;
     let q1_q0 = q1 * q0;
-    let q3_q2_minus_q1_q0 = q3_q2 - q1_q0;
+    let minus_q1_q0_plus_q3_q2 = q3_q2 - q1_q0;
     let vy_minus_wind_y = vy - wind_y;
-    let part_of_q2_sq_two_plus_q1_sum =
-        vx_minus_wind_x * q3_q1_plus_q2_q0 + q3_q2_minus_q1_q0 * vy_minus_wind_y;
-    let q2_sq_two_plus_q1_sum =
-        q2_sq_two_plus_q1_sq_sum * vz_minus_wind_z - T::splat(2.0) * part_of_q2_sq_two_plus_q1_sum;
-    let minus_n1_plus_q3_sq_two = T::splat(2.0) * q3 * q3 - T::splat(1.0);
-    let q2_sq_two_plus_minus_n1_sum = q2_sq_two + minus_n1_plus_q3_sq_two;
-    let q1_q2 = q1 * q2;
-    let q3_q0 = q3 * q0;
-    let q1_q2_plus_q3_q0 = q1_q2 + q3_q0;
-    let q3_q1_minus_q2_q0 = q3_q1 - q2_q0;
-    let part_of_vx_minus_wind_x_q2_sum =
-        vy_minus_wind_y * q1_q2_plus_q3_q0 + vz_minus_wind_z * q3_q1_minus_q2_q0;
-    let part_of_vx_minus_wind_x_q2_sum_2 = T::splat(2.0) * part_of_vx_minus_wind_x_q2_sum;
-    let vx_minus_wind_x_q2_sum =
-        vx_minus_wind_x * q2_sq_two_plus_minus_n1_sum - part_of_vx_minus_wind_x_q2_sum_2;
-    let q1_sq_two_plus_minus_n1_sum = q1_sq_two + minus_n1_plus_q3_sq_two;
-    let q1_q2_minus_q3_q0 = q1_q2 - q3_q0;
-    let q3_q2_plus_q1_q0 = q3_q2 + q1_q0;
-    let part_of_air_velocity_2 =
-        vx_minus_wind_x * q1_q2_minus_q3_q0 + vz_minus_wind_z * q3_q2_plus_q1_q0;
+    let vy_minus_wind_y_product_sum =
+        vx_minus_wind_x * q0_q2_plus_q1_q3 + minus_q1_q0_plus_q3_q2 * vy_minus_wind_y;
 
     // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
+    let minus_air_velocity_3 =
+        q1_sq_two_minus_one_sum * vz_minus_wind_z - T::splat(2.0) * vy_minus_wind_y_product_sum;
+    let q3_sq_two_minus_one = T::splat(2.0) * q3 * q3 - T::splat(1.0);
+    let q2_sq_two_plus_q3_sq_sum = q2_sq_two + q3_sq_two_minus_one;
+    let q1_q2 = q1 * q2;
+    let q0_q3 = q3 * q0;
+    let q0_q3_plus_q1_q2 = q1_q2 + q0_q3;
+    let minus_q0_q2_plus_q1_q3 = q1_q3 - q0_q2;
+    let vz_minus_wind_z_product_sum =
+        vy_minus_wind_y * q0_q3_plus_q1_q2 + vz_minus_wind_z * minus_q0_q2_plus_q1_q3;
+    let minus_air_velocity_1 =
+        vx_minus_wind_x * q2_sq_two_plus_q3_sq_sum - T::splat(2.0) * vz_minus_wind_z_product_sum;
+    let q1_sq_two_plus_q3_sq_sum = q1_sq_two + q3_sq_two_minus_one;
+    let minus_q0_q3_plus_q1_q2 = q1_q2 - q0_q3;
+    let q1_q0_plus_q3_q2 = q3_q2 + q1_q0;
+    let q1_q0_plus_q3_q2_vz_sum =
+        vx_minus_wind_x * minus_q0_q3_plus_q1_q2 + vz_minus_wind_z * q1_q0_plus_q3_q2;
     let air_velocity_2 =
-        T::splat(2.0) * part_of_air_velocity_2 - vy_minus_wind_y * q1_sq_two_plus_minus_n1_sum;
-    let vx_minus_wind_x_q2_sum_sum =
-        vx_minus_wind_x_q2_sum * vx_minus_wind_x_q2_sum + air_velocity_2 * air_velocity_2;
-    let q2_sq_two_plus_q1_sum_sum =
-        q2_sq_two_plus_q1_sum * q2_sq_two_plus_q1_sum + vx_minus_wind_x_q2_sum_sum;
+        T::splat(2.0) * q1_q0_plus_q3_q2_vz_sum - vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum;
+    let air_velocity_12_sq =
+        minus_air_velocity_1 * minus_air_velocity_1 + air_velocity_2 * air_velocity_2;
+    let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
     // disc_quaternion.hyz:57  let V = norm(air_velocity);
-    let V = q2_sq_two_plus_q1_sum_sum.sqrt();
-    let V_A_rho_inv_m = inv_p0_p5_p4 * V;
-    let sqrt_vx_minus_wind_x_q2_of = vx_minus_wind_x_q2_sum_sum.sqrt();
+    let V = V_sq.sqrt();
+    let V_inv_m_rho_A = inv_m_rho_A * V;
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
 
     // disc_quaternion.hyz:62  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = q2_sq_two_plus_q1_sum.atan2(sqrt_vx_minus_wind_x_q2_of);
+    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
 
     // disc_quaternion.hyz:66  let C_L = C_L0 + C_La*alpha;
     let C_L = C_L0 + C_La * alpha;
 
     // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_D0 + C_Da * alpha * alpha;
-    let part_of_minus_q2_sq_two_product =
-        sqrt_vx_minus_wind_x_q2_of * C_D - q2_sq_two_plus_q1_sum * C_L;
-    let inv_sqrt_vx_minus_wind_x_of = sqrt_vx_minus_wind_x_q2_of.recip_or_zero();
-    let minus_q2_sq_two_product = part_of_minus_q2_sq_two_product * inv_sqrt_vx_minus_wind_x_of;
-    let q2_sq_two_plus_product = T::splat(0.5) * q2_sq_two_plus_minus_n1_sum;
-    let q1_q2_minus_q3_q0_sum =
-        q1_q2_minus_q3_q0 * air_velocity_2 + vx_minus_wind_x_q2_sum * q2_sq_two_plus_product;
-    let sqrt_vx_minus_wind_sum = sqrt_vx_minus_wind_x_q2_of * C_L + q2_sq_two_plus_q1_sum * C_D;
-    let minus_minus_q2_sq_two_sum =
-        q3_q1_plus_q2_q0 * sqrt_vx_minus_wind_sum - minus_q2_sq_two_product * q1_q2_minus_q3_q0_sum;
+    let air_velocity_12_C_D_sum = air_velocity_12 * C_D - minus_air_velocity_3 * C_L;
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let air_velocity_12_C_D_product = air_velocity_12_C_D_sum * inv_air_velocity_12;
+    let q2_sq_two_plus_q3_product = T::splat(0.5) * q2_sq_two_plus_q3_sq_sum;
+    let minus_q0_q3_plus_q1_sum =
+        minus_q0_q3_plus_q1_q2 * air_velocity_2 + minus_air_velocity_1 * q2_sq_two_plus_q3_product;
+    let part_of_q0_q2_plus_q1_q3_sum = air_velocity_12_C_D_product * minus_q0_q3_plus_q1_sum;
+    let minus_air_velocity_3_C_sum = air_velocity_12 * C_L + minus_air_velocity_3 * C_D;
+    let q0_q2_plus_q1_q3_sum =
+        q0_q2_plus_q1_q3 * minus_air_velocity_3_C_sum - part_of_q0_q2_plus_q1_q3_sum;
 
     // disc_quaternion.hyz:50  velocity (vx, vy, vz) in N;
-    let vx_dot = V_A_rho_inv_m * minus_minus_q2_sq_two_sum;
-    let q1_sq_two_plus_product = T::splat(0.5) * q1_sq_two_plus_minus_n1_sum;
-    let q1_q2_plus_q3_q0_vx_sum =
-        q1_q2_plus_q3_q0 * vx_minus_wind_x_q2_sum + air_velocity_2 * q1_sq_two_plus_product;
-    let part_of_minus_q2_sq_two_product_sum = minus_q2_sq_two_product * q1_q2_plus_q3_q0_vx_sum;
-    let minus_q2_sq_two_product_sum =
-        part_of_minus_q2_sq_two_product_sum + q3_q2_minus_q1_q0 * sqrt_vx_minus_wind_sum;
-    let vy_dot = V_A_rho_inv_m * minus_q2_sq_two_product_sum;
-    let minus_q3_q1_minus_q2_q0_sum =
-        q3_q2_plus_q1_q0 * air_velocity_2 - q3_q1_minus_q2_q0 * vx_minus_wind_x_q2_sum;
-    let part_of_minus_q2_sq_two_product_sum_2 =
-        minus_q2_sq_two_product * minus_q3_q1_minus_q2_q0_sum;
-    let q2_sq_two_plus_q1_product = T::splat(0.5) * q2_sq_two_plus_q1_sq_sum;
-    let minus_q2_sq_two_product_sum_2 =
-        part_of_minus_q2_sq_two_product_sum_2 + sqrt_vx_minus_wind_sum * q2_sq_two_plus_q1_product;
-    let vz_dot = -(V_A_rho_inv_m * minus_q2_sq_two_product_sum_2) - g;
-    let q2_sq_two_plus_q1_product_2 = half_p3_inv_p2_p5_p4 * q2_sq_two_plus_q1_sum_sum;
-    let inv_sqrt_vx_minus_product = inv_sqrt_vx_minus_wind_x_of * q2_sq_two_plus_q1_product_2;
-    let vx_minus_wind_x_q2_product = vx_minus_wind_x_q2_sum * inv_sqrt_vx_minus_product;
-    let q_n1_minus_part_part_sum = n1_minus_inv_p2_p1 * q - C_Rr * vx_minus_wind_x_q2_product;
-    let nonzero_sqrt_vx_minus_of = sqrt_vx_minus_wind_x_q2_of.if_zero(T::splat(0.0), T::splat(1.0));
-    let C_Mq_nonzero_sqrt_product = C_Mq * nonzero_sqrt_vx_minus_of;
-    let q2_sq_two_plus_q1_product_3 = q2_sq_two_plus_q1_product_2 * C_Mq_nonzero_sqrt_product;
+    let vx_dot = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum;
+    let q1_sq_two_plus_q3_product = T::splat(0.5) * q1_sq_two_plus_q3_sq_sum;
+    let q0_q3_plus_q1_q2_sum =
+        q0_q3_plus_q1_q2 * minus_air_velocity_1 + air_velocity_2 * q1_sq_two_plus_q3_product;
+    let part_of_minus_q1_q0_plus_q3_sum = minus_q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum;
+    let minus_q1_q0_plus_q3_sum =
+        air_velocity_12_C_D_product * q0_q3_plus_q1_q2_sum + part_of_minus_q1_q0_plus_q3_sum;
+    let vy_dot = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum;
+    let q1_q0_plus_q3_q2_sum =
+        q1_q0_plus_q3_q2 * air_velocity_2 - minus_q0_q2_plus_q1_q3 * minus_air_velocity_1;
+    let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
+    let part_of_q1_sq_two_minus_one_sum = minus_air_velocity_3_C_sum * q1_sq_two_minus_one_sum_half;
+    let q1_sq_two_minus_one_sum_2 =
+        air_velocity_12_C_D_product * q1_q0_plus_q3_q2_sum + part_of_q1_sq_two_minus_one_sum;
+    let vz_dot = -(V_inv_m_rho_A * q1_sq_two_minus_one_sum_2) - g;
+    let q3_r_plus_q2_q_plus_q1_p = q1 * p + q2 * q + q3 * r;
+    let q3_q_minus_q2_r_minus_q0_p = q3 * q - q0 * p - q2 * r;
+    let q1_r_minus_q3_p_minus_q0_q = q1 * r - q0 * q - q3 * p;
+    let q2_p_minus_q1_q_minus_q0_r = q2 * p - q0 * r - q1 * q;
+    let V_sq_half_d_inv_part_rho_A = half_d_inv_I_d_rho_A * V_sq;
+    let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_part_rho_A;
+    let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
+    let minus_C_Rr_minus_air_sum = one_minus_inv_I_d_I_a * q - C_Rr * minus_air_velocity_product;
+    let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let C_Mq_nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
+    let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * C_Mq_nonzero_air_product;
     let alpha_C_Ma = C_Ma * alpha;
-    let air_velocity_2_inv_product = air_velocity_2 * inv_sqrt_vx_minus_product;
-    let part_of_p_dot = r * q_n1_minus_part_part_sum + p * q2_sq_two_plus_q1_product_3;
+    let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
+    let part_of_p_dot = r * minus_C_Rr_minus_air_sum + p * V_sq_half_d_inv_product;
 
     // disc_quaternion.hyz:51  angular velocity (p, q, r) in C;
     let p_dot = part_of_p_dot - alpha_C_Ma * air_velocity_2_inv_product;
-    let minus_p_n1_minus_part_sum = C_Rr * air_velocity_2_inv_product - n1_minus_inv_p2_p1 * p;
-    let part_of_q_dot = r * minus_p_n1_minus_part_sum + q * q2_sq_two_plus_q1_product_3;
-    let q_dot = part_of_q_dot - vx_minus_wind_x_q2_product * alpha_C_Ma;
-    let r_dot = p14_inv_p1 * r;
+    let C_Rr_air_velocity_sum = C_Rr * air_velocity_2_inv_product - one_minus_inv_I_d_I_a * p;
+    let part_of_q_dot = r * C_Rr_air_velocity_sum + q * V_sq_half_d_inv_product;
+    let q_dot = part_of_q_dot - minus_air_velocity_product * alpha_C_Ma;
+    let r_dot = C_Nr_inv_I_a * r;
     let inv_V = V.recip_or_zero();
-    let inv_V_A_rho_inv_m = inv_p0_p5_p4 * inv_V;
-    let sqrt_vx_minus_wind_product = sqrt_vx_minus_wind_x_q2_of * inv_V_A_rho_inv_m;
-    let part_of_minus_minus_q2_sq_sum_3 = minus_minus_q2_sq_two_sum * sqrt_vx_minus_wind_product;
-    let alpha_two_C_Da = two_p10 * alpha;
-    let sqrt_vx_minus_wind_sum_2 =
-        C_La * sqrt_vx_minus_wind_x_q2_of + q2_sq_two_plus_q1_sum * alpha_two_C_Da;
+    let inv_V_rho_A_inv_m = inv_m_rho_A * inv_V;
+    let air_velocity_12_inv_product = air_velocity_12 * inv_V_rho_A_inv_m;
+    let part_of_d_vx_dot_d_air_velocity_3 = q0_q2_plus_q1_q3_sum * air_velocity_12_inv_product;
+    let alpha_two_C_Da = two_C_Da * alpha;
+    let air_velocity_12_C_La_sum = C_La * air_velocity_12 + minus_air_velocity_3 * alpha_two_C_Da;
     let inv_V_sq = inv_V * inv_V;
-    let q2_sq_two_plus_q1_product_4 = q2_sq_two_plus_q1_sum * inv_V_sq;
-    let C_L_minus_sqrt_vx_minus_sum = C_L - sqrt_vx_minus_wind_sum_2 * q2_sq_two_plus_q1_product_4;
-    let q2_sq_two_plus_q1_product_5 = C_La * q2_sq_two_plus_q1_sum * inv_sqrt_vx_minus_wind_x_of;
-    let part_of_minus_q2_sq_two_product_sum_3 =
-        nonzero_sqrt_vx_minus_of * alpha_two_C_Da - q2_sq_two_plus_q1_product_5;
-    let part_of_minus_q2_sq_two_product_sum_3_2 =
-        part_of_minus_q2_sq_two_product_sum_3 * q2_sq_two_plus_q1_product_4;
-    let part_of_minus_q2_sq_two_product_sum_3_3 =
-        inv_sqrt_vx_minus_wind_x_of * (C_D - minus_q2_sq_two_product);
-    let minus_q2_sq_two_product_sum_3 =
-        part_of_minus_q2_sq_two_product_sum_3_2 - part_of_minus_q2_sq_two_product_sum_3_3;
-    let part_of_minus_minus_q2_sq_sum = q1_q2_minus_q3_q0_sum * minus_q2_sq_two_product_sum_3;
-    let part_of_minus_minus_q2_sq_sum_2 =
-        q3_q1_plus_q2_q0 * C_L_minus_sqrt_vx_minus_sum + part_of_minus_minus_q2_sq_sum;
-    let minus_minus_q2_sq_sum =
-        part_of_minus_minus_q2_sq_sum_3 + V_A_rho_inv_m * part_of_minus_minus_q2_sq_sum_2;
-    let vx_minus_wind_x_q2_product_2 = vx_minus_wind_x_q2_sum * inv_sqrt_vx_minus_wind_x_of;
-    let part_of_minus_minus_minus_q2_sq_sum = minus_minus_q2_sq_sum * vx_minus_wind_x_q2_product_2;
-    let V_A_rho_inv_m_minus_product = V_A_rho_inv_m * minus_q2_sq_two_product;
-    let minus_minus_minus_q2_sq_sum =
-        V_A_rho_inv_m_minus_product * q2_sq_two_plus_product - part_of_minus_minus_minus_q2_sq_sum;
-    let part_of_d_vx_dot_d_vx_3 = q2_sq_two_plus_minus_n1_sum * minus_minus_minus_q2_sq_sum;
-    let q2_sq_two_plus_q1_product_6 = q2_sq_two_plus_q1_sum * inv_V_A_rho_inv_m;
-    let part_of_minus_minus_q2_sq_sum_2_4 = minus_minus_q2_sq_two_sum * q2_sq_two_plus_q1_product_6;
-    let sqrt_vx_minus_wind_product_2 = sqrt_vx_minus_wind_x_q2_of * inv_V_sq;
-    let C_D_plus_sqrt_vx_minus_sum = C_D + sqrt_vx_minus_wind_sum_2 * sqrt_vx_minus_wind_product_2;
-    let part_of_minus_minus_q2_sq_two_sum_2 =
-        (alpha_two_C_Da - q2_sq_two_plus_q1_product_5) * sqrt_vx_minus_wind_product_2;
-    let minus_minus_q2_sq_two_sum_2 =
-        C_L * inv_sqrt_vx_minus_wind_x_of - part_of_minus_minus_q2_sq_two_sum_2;
-    let part_of_minus_minus_q2_sq_sum_2_2 = q1_q2_minus_q3_q0_sum * minus_minus_q2_sq_two_sum_2;
-    let part_of_minus_minus_q2_sq_sum_2_3 =
-        q3_q1_plus_q2_q0 * C_D_plus_sqrt_vx_minus_sum + part_of_minus_minus_q2_sq_sum_2_2;
-    let minus_minus_q2_sq_sum_2 =
-        part_of_minus_minus_q2_sq_sum_2_4 + V_A_rho_inv_m * part_of_minus_minus_q2_sq_sum_2_3;
-    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_sqrt_vx_minus_wind_x_of;
-    let part_of_minus_minus_minus_q2_sq_sum_2 =
-        minus_minus_q2_sq_sum * air_velocity_2_inv_product_2;
-    let minus_minus_minus_q2_sq_sum_2 =
-        q1_q2_minus_q3_q0 * V_A_rho_inv_m_minus_product - part_of_minus_minus_minus_q2_sq_sum_2;
-    let part_of_d_vx_dot_d_vx = q1_q2_minus_q3_q0 * minus_minus_minus_q2_sq_sum_2;
+    let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_sq;
+    let C_L_minus_air_velocity_sum = C_L - air_velocity_12_C_La_sum * minus_air_velocity_product_2;
+    let minus_air_velocity_product_3 = C_La * minus_air_velocity_3 * inv_air_velocity_12;
+    let part_of_minus_minus_air_sum_sum =
+        nonzero_air_velocity_12_sq * alpha_two_C_Da - minus_air_velocity_product_3;
+    let part_of_minus_minus_air_sum_sum_2 =
+        part_of_minus_minus_air_sum_sum * minus_air_velocity_product_2;
+    let part_of_minus_minus_air_sum_sum_3 =
+        inv_air_velocity_12 * (C_D - air_velocity_12_C_D_product);
+    let minus_minus_air_sum_sum =
+        part_of_minus_minus_air_sum_sum_2 - part_of_minus_minus_air_sum_sum_3;
+    let part_of_d_vx_dot_d_air_velocity = minus_q0_q3_plus_q1_sum * minus_minus_air_sum_sum;
+    let part_of_d_vx_dot_d_air_velocity_2 =
+        q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum + part_of_d_vx_dot_d_air_velocity;
+    let d_vx_dot_d_air_velocity_12 =
+        part_of_d_vx_dot_d_air_velocity_3 + V_inv_m_rho_A * part_of_d_vx_dot_d_air_velocity_2;
+    let minus_air_velocity_product_4 = minus_air_velocity_1 * inv_air_velocity_12;
+    let part_of_minus_d_vx_dot_d_minus = d_vx_dot_d_air_velocity_12 * minus_air_velocity_product_4;
+    let V_inv_m_rho_A_air_product = V_inv_m_rho_A * air_velocity_12_C_D_product;
+    let minus_d_vx_dot_d_minus_air_velocity_1 =
+        V_inv_m_rho_A_air_product * q2_sq_two_plus_q3_product - part_of_minus_d_vx_dot_d_minus;
+    let part_of_d_vx_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * minus_d_vx_dot_d_minus_air_velocity_1;
+    let minus_air_velocity_product_5 = minus_air_velocity_3 * inv_V_rho_A_inv_m;
+    let part_of_d_vx_dot_d_minus_air_3 = q0_q2_plus_q1_q3_sum * minus_air_velocity_product_5;
+    let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
+    let C_D_plus_air_velocity_sum = C_D + air_velocity_12_C_La_sum * air_velocity_12_inv_V_sq;
+    let part_of_minus_minus_minus_air =
+        (alpha_two_C_Da - minus_air_velocity_product_3) * air_velocity_12_inv_V_sq;
+    let minus_minus_minus_air_sum = C_L * inv_air_velocity_12 - part_of_minus_minus_minus_air;
+    let part_of_d_vx_dot_d_minus_air = minus_q0_q3_plus_q1_sum * minus_minus_minus_air_sum;
+    let part_of_d_vx_dot_d_minus_air_2 =
+        q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum + part_of_d_vx_dot_d_minus_air;
+    let d_vx_dot_d_minus_air_velocity_3 =
+        part_of_d_vx_dot_d_minus_air_3 + V_inv_m_rho_A * part_of_d_vx_dot_d_minus_air_2;
+    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
+    let part_of_minus_d_vx_dot_d_air = d_vx_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let minus_d_vx_dot_d_air_velocity_2 =
+        minus_q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product - part_of_minus_d_vx_dot_d_air;
+    let part_of_d_vx_dot_d_vx = minus_q0_q3_plus_q1_q2 * minus_d_vx_dot_d_air_velocity_2;
     let part_of_d_vx_dot_d_vx_2 =
-        q3_q1_plus_q2_q0 * minus_minus_q2_sq_sum_2 + part_of_d_vx_dot_d_vx;
-    let part_of_d_vx_dot_d_vx_4 =
-        T::splat(-2.0) * part_of_d_vx_dot_d_vx_2 - part_of_d_vx_dot_d_vx_3;
-    let part_of_d_vx_dot_d_vy_3 = q1_sq_two_plus_minus_n1_sum * minus_minus_minus_q2_sq_sum_2;
-    let part_of_d_vx_dot_d_vy = q1_q2_plus_q3_q0 * minus_minus_minus_q2_sq_sum;
+        q0_q2_plus_q1_q3 * d_vx_dot_d_minus_air_velocity_3 + part_of_d_vx_dot_d_vx;
+    let d_vx_dot_d_vx = T::splat(-2.0) * part_of_d_vx_dot_d_vx_2 - part_of_d_vx_dot_d_vx_3;
+    let part_of_d_vx_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * minus_d_vx_dot_d_air_velocity_2;
+    let part_of_d_vx_dot_d_vy = q0_q3_plus_q1_q2 * minus_d_vx_dot_d_minus_air_velocity_1;
     let part_of_d_vx_dot_d_vy_2 =
-        q3_q2_minus_q1_q0 * minus_minus_q2_sq_sum_2 - part_of_d_vx_dot_d_vy;
-    let part_of_d_vx_dot_d_vy_4 = part_of_d_vx_dot_d_vy_3 - T::splat(2.0) * part_of_d_vx_dot_d_vy_2;
-    let part_of_d_vx_dot_d_vz_3 = q2_sq_two_plus_q1_sq_sum * minus_minus_q2_sq_sum_2;
-    let part_of_d_vx_dot_d_vz = q3_q2_plus_q1_q0 * minus_minus_minus_q2_sq_sum_2;
+        minus_q1_q0_plus_q3_q2 * d_vx_dot_d_minus_air_velocity_3 - part_of_d_vx_dot_d_vy;
+    let d_vx_dot_d_vy = part_of_d_vx_dot_d_vy_3 - T::splat(2.0) * part_of_d_vx_dot_d_vy_2;
+    let part_of_d_vx_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vx_dot_d_minus_air_velocity_3;
+    let part_of_d_vx_dot_d_vz = minus_q0_q2_plus_q1_q3 * minus_d_vx_dot_d_minus_air_velocity_1;
     let part_of_d_vx_dot_d_vz_2 =
-        part_of_d_vx_dot_d_vz - q3_q1_minus_q2_q0 * minus_minus_minus_q2_sq_sum;
-    let part_of_d_vx_dot_d_vz_4 = part_of_d_vx_dot_d_vz_3 - T::splat(2.0) * part_of_d_vx_dot_d_vz_2;
-    let V_A_rho_inv_m_sqrt_product = V_A_rho_inv_m * sqrt_vx_minus_wind_sum;
-    let q2_V_A_rho_inv_m_product = q2 * V_A_rho_inv_m_sqrt_product;
-    let air_velocity_2_V_A_product = air_velocity_2 * V_A_rho_inv_m_minus_product;
-    let q3_air_velocity_2_V_product = q3 * air_velocity_2_V_A_product;
+        q1_q0_plus_q3_q2 * minus_d_vx_dot_d_air_velocity_2 - part_of_d_vx_dot_d_vz;
+    let d_vx_dot_d_vz = part_of_d_vx_dot_d_vz_3 - T::splat(2.0) * part_of_d_vx_dot_d_vz_2;
+    let V_inv_m_rho_A_minus_product = V_inv_m_rho_A * minus_air_velocity_3_C_sum;
+    let q2_V_inv_m_rho_A_product = q2 * V_inv_m_rho_A_minus_product;
+    let air_velocity_2_V_product = air_velocity_2 * V_inv_m_rho_A_air_product;
+    let q3_air_velocity_2_V_product = q3 * air_velocity_2_V_product;
     let q1_vy_minus_wind_y = q1 * vy_minus_wind_y;
     let vx_minus_wind_x_q2 = vx_minus_wind_x * q2;
     let minus_q1_vy_minus_wind_sum = vx_minus_wind_x_q2 - q1_vy_minus_wind_y;
     let q1_vz_minus_wind_z = q1 * vz_minus_wind_z;
     let vx_minus_wind_x_q3 = vx_minus_wind_x * q3;
     let minus_q1_vz_minus_wind_sum = vx_minus_wind_x_q3 - q1_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q0 = minus_minus_minus_q2_sq_sum_2 * minus_q1_vz_minus_wind_sum;
+    let part_of_d_vx_dot_d_q0_2 = minus_d_vx_dot_d_air_velocity_2 * minus_q1_vz_minus_wind_sum;
     let q2_vz_minus_wind_z = q2 * vz_minus_wind_z;
     let q3_vy_minus_wind_y = q3 * vy_minus_wind_y;
     let minus_q2_vz_minus_wind_sum = q3_vy_minus_wind_y - q2_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q0_2 =
-        minus_minus_q2_sq_sum_2 * minus_q1_vy_minus_wind_sum - part_of_d_vx_dot_d_q0;
+    let part_of_d_vx_dot_d_q0 = minus_d_vx_dot_d_minus_air_velocity_1 * minus_q2_vz_minus_wind_sum;
     let part_of_d_vx_dot_d_q0_3 =
-        part_of_d_vx_dot_d_q0_2 - minus_minus_minus_q2_sq_sum * minus_q2_vz_minus_wind_sum;
-    let part_of_d_vx_dot_d_q0_4 = q2_V_A_rho_inv_m_product + q3_air_velocity_2_V_product;
-    let part_of_d_vx_dot_d_q0_5 = part_of_d_vx_dot_d_q0_4 - T::splat(2.0) * part_of_d_vx_dot_d_q0_3;
+        d_vx_dot_d_minus_air_velocity_3 * minus_q1_vy_minus_wind_sum - part_of_d_vx_dot_d_q0_2;
+    let part_of_d_vx_dot_d_q0_4 = T::splat(2.0) * (part_of_d_vx_dot_d_q0_3 - part_of_d_vx_dot_d_q0);
+    let d_vx_dot_d_q0 =
+        q2_V_inv_m_rho_A_product + q3_air_velocity_2_V_product - part_of_d_vx_dot_d_q0_4;
     let q0_two = T::splat(2.0) * q0;
     let vy_minus_wind_y_q0_two = vy_minus_wind_y * q0_two;
-    let part_of_two_vx_minus_wind_x_q3_sum =
+    let part_of_minus_d_minus_air =
         T::splat(2.0) * vx_minus_wind_x_q3 - T::splat(4.0) * q1_vz_minus_wind_z;
-    let two_vx_minus_wind_x_q3_sum = part_of_two_vx_minus_wind_x_q3_sum - vy_minus_wind_y_q0_two;
+    let minus_d_minus_air_velocity_3_d_q1 = part_of_minus_d_minus_air - vy_minus_wind_y_q0_two;
+    let part_of_d_vx_dot_d_q1 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q1;
     let vz_minus_wind_z_q0_two = vz_minus_wind_z * q0_two;
-    let part_of_two_vx_minus_wind_x_q2_sum =
+    let part_of_d_air_velocity_2_d_q1 =
         T::splat(2.0) * vx_minus_wind_x_q2 - T::splat(4.0) * q1_vy_minus_wind_y;
-    let two_vx_minus_wind_x_q2_sum = part_of_two_vx_minus_wind_x_q2_sum + vz_minus_wind_z_q0_two;
-    let q3_V_A_rho_inv_m_product = q3 * V_A_rho_inv_m_sqrt_product;
-    let q2_air_velocity_2_V_product = q2 * air_velocity_2_V_A_product;
+    let d_air_velocity_2_d_q1 = part_of_d_air_velocity_2_d_q1 + vz_minus_wind_z_q0_two;
+    let part_of_d_vx_dot_d_q1_2 = minus_d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q1;
+    let q3_V_inv_m_rho_A_product = q3 * V_inv_m_rho_A_minus_product;
+    let q2_air_velocity_2_V_product = q2 * air_velocity_2_V_product;
     let q3_vz_minus_wind_z = q3 * vz_minus_wind_z;
     let q2_vy_minus_wind_y = q2 * vy_minus_wind_y;
     let q3_vz_minus_wind_z_plus_sum = q3_vz_minus_wind_z + q2_vy_minus_wind_y;
     let two_q3_vz_minus_product = T::splat(2.0) * q3_vz_minus_wind_z_plus_sum;
-    let part_of_d_vx_dot_d_q1_3 = minus_minus_minus_q2_sq_sum * two_q3_vz_minus_product;
-    let part_of_d_vx_dot_d_q1 =
-        q3_V_A_rho_inv_m_product - minus_minus_q2_sq_sum_2 * two_vx_minus_wind_x_q3_sum;
-    let part_of_d_vx_dot_d_q1_2 =
-        part_of_d_vx_dot_d_q1 - minus_minus_minus_q2_sq_sum_2 * two_vx_minus_wind_x_q2_sum;
-    let part_of_d_vx_dot_d_q1_4 =
-        part_of_d_vx_dot_d_q1_2 - q2_air_velocity_2_V_product + part_of_d_vx_dot_d_q1_3;
+    let part_of_d_vx_dot_d_q1_4 = minus_d_vx_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
+    let part_of_d_vx_dot_d_q1_3 =
+        q3_V_inv_m_rho_A_product - part_of_d_vx_dot_d_q1 - part_of_d_vx_dot_d_q1_2;
+    let d_vx_dot_d_q1 =
+        part_of_d_vx_dot_d_q1_3 - q2_air_velocity_2_V_product + part_of_d_vx_dot_d_q1_4;
     let vx_minus_wind_x_q0_two = vx_minus_wind_x * q0_two;
-    let part_of_two_q3_vy_minus_wind_y_sum =
+    let part_of_minus_d_minus_air_2 =
         T::splat(2.0) * q3_vy_minus_wind_y - T::splat(4.0) * q2_vz_minus_wind_z;
-    let two_q3_vy_minus_wind_y_sum = part_of_two_q3_vy_minus_wind_y_sum + vx_minus_wind_x_q0_two;
-    let part_of_vz_minus_wind_z_q0_two_sum =
+    let minus_d_minus_air_velocity_3_d_q2 = part_of_minus_d_minus_air_2 + vx_minus_wind_x_q0_two;
+    let part_of_d_vx_dot_d_q2 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q2;
+    let part_of_d_minus_air_velocity_1 =
         vz_minus_wind_z_q0_two + T::splat(4.0) * vx_minus_wind_x_q2;
-    let vz_minus_wind_z_q0_two_sum =
-        part_of_vz_minus_wind_z_q0_two_sum - T::splat(2.0) * q1_vy_minus_wind_y;
-    let q0_V_A_rho_inv_m_product = q0 * V_A_rho_inv_m_sqrt_product;
-    let q1_air_velocity_2_V_product = q1 * air_velocity_2_V_A_product;
+    let d_minus_air_velocity_1_d_q2 =
+        part_of_d_minus_air_velocity_1 - T::splat(2.0) * q1_vy_minus_wind_y;
+    let part_of_d_vx_dot_d_q2_2 =
+        minus_d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q2;
+    let q0_V_inv_m_rho_A_product = q0 * V_inv_m_rho_A_minus_product;
+    let q1_air_velocity_2_V_product = q1 * air_velocity_2_V_product;
     let vx_minus_wind_x_q1 = vx_minus_wind_x * q1;
     let q3_vz_minus_wind_z_plus_sum_2 = q3_vz_minus_wind_z + vx_minus_wind_x_q1;
-    let vx_minus_wind_x_q2_product_3 = vx_minus_wind_x_q2_sum * V_A_rho_inv_m_minus_product;
-    let q2_vx_minus_wind_x_product = q2 * vx_minus_wind_x_q2_product_3;
-    let part_of_d_vx_dot_d_q2 =
-        minus_minus_minus_q2_sq_sum_2 * q3_vz_minus_wind_z_plus_sum_2 + q2_vx_minus_wind_x_product;
-    let part_of_d_vx_dot_d_q2_2 =
-        q0_V_A_rho_inv_m_product - minus_minus_q2_sq_sum_2 * two_q3_vy_minus_wind_y_sum;
+    let minus_air_velocity_product_6 = minus_air_velocity_1 * V_inv_m_rho_A_air_product;
+    let q2_minus_air_product = q2 * minus_air_velocity_product_6;
     let part_of_d_vx_dot_d_q2_3 =
-        part_of_d_vx_dot_d_q2_2 - minus_minus_minus_q2_sq_sum * vz_minus_wind_z_q0_two_sum;
-    let part_of_d_vx_dot_d_q2_4 = part_of_d_vx_dot_d_q2_3 - q1_air_velocity_2_V_product;
-    let part_of_vx_minus_wind_x_q0_two_sum =
+        minus_d_vx_dot_d_air_velocity_2 * q3_vz_minus_wind_z_plus_sum_2 + q2_minus_air_product;
+    let part_of_d_vx_dot_d_q2_4 =
+        q0_V_inv_m_rho_A_product - part_of_d_vx_dot_d_q2 - part_of_d_vx_dot_d_q2_2;
+    let part_of_d_vx_dot_d_q2_5 = part_of_d_vx_dot_d_q2_4 - q1_air_velocity_2_V_product;
+    let d_vx_dot_d_q2 = part_of_d_vx_dot_d_q2_5 - T::splat(2.0) * part_of_d_vx_dot_d_q2_3;
+    let part_of_minus_d_air_velocity_2 =
         vx_minus_wind_x_q0_two + T::splat(4.0) * q3_vy_minus_wind_y;
-    let vx_minus_wind_x_q0_two_sum =
-        part_of_vx_minus_wind_x_q0_two_sum - T::splat(2.0) * q2_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q3_2 = minus_minus_minus_q2_sq_sum_2 * vx_minus_wind_x_q0_two_sum;
-    let part_of_minus_vy_minus_wind_y_sum =
+    let minus_d_air_velocity_2_d_q3 =
+        part_of_minus_d_air_velocity_2 - T::splat(2.0) * q2_vz_minus_wind_z;
+    let part_of_d_minus_air_velocity_1_2 =
         T::splat(4.0) * vx_minus_wind_x_q3 - vy_minus_wind_y_q0_two;
-    let minus_vy_minus_wind_y_sum =
-        part_of_minus_vy_minus_wind_y_sum - T::splat(2.0) * q1_vz_minus_wind_z;
-    let q0_air_velocity_2_V_product = q0 * air_velocity_2_V_A_product;
-    let q1_V_A_rho_inv_m_product = q1 * V_A_rho_inv_m_sqrt_product;
+    let d_minus_air_velocity_1_d_q3 =
+        part_of_d_minus_air_velocity_1_2 - T::splat(2.0) * q1_vz_minus_wind_z;
+    let part_of_d_vx_dot_d_q3 = minus_d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q3;
+    let q0_air_velocity_2_V_product = q0 * air_velocity_2_V_product;
+    let q1_V_inv_m_rho_A_product = q1 * V_inv_m_rho_A_minus_product;
     let q2_vy_minus_wind_y_plus_sum = q2_vy_minus_wind_y + vx_minus_wind_x_q1;
-    let q3_vx_minus_wind_x_product = q3 * vx_minus_wind_x_q2_product_3;
-    let part_of_d_vx_dot_d_q3 =
-        minus_minus_q2_sq_sum_2 * q2_vy_minus_wind_y_plus_sum + q3_vx_minus_wind_x_product;
+    let q3_minus_air_product = q3 * minus_air_velocity_product_6;
+    let part_of_d_vx_dot_d_q3_2 =
+        d_vx_dot_d_minus_air_velocity_3 * q2_vy_minus_wind_y_plus_sum + q3_minus_air_product;
     let part_of_d_vx_dot_d_q3_3 =
-        part_of_d_vx_dot_d_q3_2 - minus_minus_minus_q2_sq_sum * minus_vy_minus_wind_y_sum;
+        minus_d_vx_dot_d_air_velocity_2 * minus_d_air_velocity_2_d_q3 - part_of_d_vx_dot_d_q3;
     let part_of_d_vx_dot_d_q3_4 =
-        part_of_d_vx_dot_d_q3_3 + q0_air_velocity_2_V_product + q1_V_A_rho_inv_m_product;
-    let part_of_minus_q2_sq_two_product_sum_4_3 =
-        minus_q2_sq_two_product_sum * sqrt_vx_minus_wind_product;
-    let part_of_minus_q2_sq_two_product_sum_4 =
-        q1_q2_plus_q3_q0_vx_sum * minus_q2_sq_two_product_sum_3;
-    let part_of_minus_q2_sq_two_product_sum_4_2 =
-        q3_q2_minus_q1_q0 * C_L_minus_sqrt_vx_minus_sum - part_of_minus_q2_sq_two_product_sum_4;
-    let part_of_minus_q2_sq_two_product_sum_4_4 =
-        V_A_rho_inv_m * part_of_minus_q2_sq_two_product_sum_4_2;
-    let minus_q2_sq_two_product_sum_4 =
-        part_of_minus_q2_sq_two_product_sum_4_3 + part_of_minus_q2_sq_two_product_sum_4_4;
-    let part_of_minus_q2_sq_two_product_sum_5 =
-        minus_q2_sq_two_product_sum_4 * vx_minus_wind_x_q2_product_2;
-    let minus_q2_sq_two_product_sum_5 =
-        part_of_minus_q2_sq_two_product_sum_5 + q1_q2_plus_q3_q0 * V_A_rho_inv_m_minus_product;
-    let part_of_d_vy_dot_d_vx_3 = q2_sq_two_plus_minus_n1_sum * minus_q2_sq_two_product_sum_5;
-    let part_of_minus_minus_q2_sq_two_sum_3_3 =
-        minus_q2_sq_two_product_sum * q2_sq_two_plus_q1_product_6;
-    let part_of_minus_minus_q2_sq_two_sum_3 = q1_q2_plus_q3_q0_vx_sum * minus_minus_q2_sq_two_sum_2;
-    let part_of_minus_minus_q2_sq_two_sum_3_2 =
-        part_of_minus_minus_q2_sq_two_sum_3 - q3_q2_minus_q1_q0 * C_D_plus_sqrt_vx_minus_sum;
-    let part_of_minus_minus_q2_sq_two_sum_3_4 =
-        V_A_rho_inv_m * part_of_minus_minus_q2_sq_two_sum_3_2;
-    let minus_minus_q2_sq_two_sum_3 =
-        part_of_minus_minus_q2_sq_two_sum_3_4 - part_of_minus_minus_q2_sq_two_sum_3_3;
-    let part_of_minus_q2_sq_two_product_sum_6 =
-        minus_q2_sq_two_product_sum_4 * air_velocity_2_inv_product_2;
-    let part_of_minus_q2_sq_two_product_sum_6_2 =
-        V_A_rho_inv_m_minus_product * q1_sq_two_plus_product;
-    let minus_q2_sq_two_product_sum_6 =
-        part_of_minus_q2_sq_two_product_sum_6 + part_of_minus_q2_sq_two_product_sum_6_2;
-    let part_of_d_vy_dot_d_vx = q1_q2_minus_q3_q0 * minus_q2_sq_two_product_sum_6;
+        part_of_d_vx_dot_d_q3_3 + q0_air_velocity_2_V_product + q1_V_inv_m_rho_A_product;
+    let d_vx_dot_d_q3 = part_of_d_vx_dot_d_q3_4 - T::splat(2.0) * part_of_d_vx_dot_d_q3_2;
+    let part_of_d_vy_dot_d_air_velocity_3 = minus_q1_q0_plus_q3_sum * air_velocity_12_inv_product;
+    let part_of_d_vy_dot_d_air_velocity = minus_q1_q0_plus_q3_q2 * C_L_minus_air_velocity_sum;
+    let part_of_d_vy_dot_d_air_velocity_2 =
+        part_of_d_vy_dot_d_air_velocity - q0_q3_plus_q1_q2_sum * minus_minus_air_sum_sum;
+    let d_vy_dot_d_air_velocity_12 =
+        part_of_d_vy_dot_d_air_velocity_3 + V_inv_m_rho_A * part_of_d_vy_dot_d_air_velocity_2;
+    let part_of_d_vy_dot_d_minus_air = d_vy_dot_d_air_velocity_12 * minus_air_velocity_product_4;
+    let d_vy_dot_d_minus_air_velocity_1 =
+        part_of_d_vy_dot_d_minus_air + q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product;
+    let part_of_d_vy_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vy_dot_d_minus_air_velocity_1;
+    let part_of_minus_d_vy_dot_d_minus_3 = minus_q1_q0_plus_q3_sum * minus_air_velocity_product_5;
+    let part_of_minus_d_vy_dot_d_minus = minus_q1_q0_plus_q3_q2 * C_D_plus_air_velocity_sum;
+    let part_of_minus_d_vy_dot_d_minus_2 =
+        q0_q3_plus_q1_q2_sum * minus_minus_minus_air_sum - part_of_minus_d_vy_dot_d_minus;
+    let minus_d_vy_dot_d_minus_air_velocity_3 =
+        V_inv_m_rho_A * part_of_minus_d_vy_dot_d_minus_2 - part_of_minus_d_vy_dot_d_minus_3;
+    let part_of_d_vy_dot_d_vx = q0_q2_plus_q1_q3 * minus_d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_air_velocity_4 =
+        d_vy_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let d_vy_dot_d_air_velocity_2 =
+        part_of_d_vy_dot_d_air_velocity_4 + V_inv_m_rho_A_air_product * q1_sq_two_plus_q3_product;
     let part_of_d_vy_dot_d_vx_2 =
-        q3_q1_plus_q2_q0 * minus_minus_q2_sq_two_sum_3 + part_of_d_vy_dot_d_vx;
-    let part_of_d_vy_dot_d_vx_4 = part_of_d_vy_dot_d_vx_3 + T::splat(2.0) * part_of_d_vy_dot_d_vx_2;
-    let part_of_d_vy_dot_d_vy_3 = q1_sq_two_plus_minus_n1_sum * minus_q2_sq_two_product_sum_6;
-    let part_of_d_vy_dot_d_vy = q1_q2_plus_q3_q0 * minus_q2_sq_two_product_sum_5;
+        part_of_d_vy_dot_d_vx + minus_q0_q3_plus_q1_q2 * d_vy_dot_d_air_velocity_2;
+    let d_vy_dot_d_vx = part_of_d_vy_dot_d_vx_3 + T::splat(2.0) * part_of_d_vy_dot_d_vx_2;
+    let part_of_d_vy_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vy_dot_d_air_velocity_2;
+    let part_of_d_vy_dot_d_vy = minus_q1_q0_plus_q3_q2 * minus_d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_vy_2 =
-        q3_q2_minus_q1_q0 * minus_minus_q2_sq_two_sum_3 - part_of_d_vy_dot_d_vy;
-    let part_of_d_vy_dot_d_vy_4 = T::splat(2.0) * part_of_d_vy_dot_d_vy_2 - part_of_d_vy_dot_d_vy_3;
-    let part_of_d_vy_dot_d_vz_3 = q2_sq_two_plus_q1_sq_sum * minus_minus_q2_sq_two_sum_3;
-    let part_of_d_vy_dot_d_vz = q3_q1_minus_q2_q0 * minus_q2_sq_two_product_sum_5;
+        part_of_d_vy_dot_d_vy - q0_q3_plus_q1_q2 * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_vy = T::splat(2.0) * part_of_d_vy_dot_d_vy_2 - part_of_d_vy_dot_d_vy_3;
+    let part_of_d_vy_dot_d_vz_3 = q1_sq_two_minus_one_sum * minus_d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vy_dot_d_minus_air_velocity_1;
     let part_of_d_vy_dot_d_vz_2 =
-        q3_q2_plus_q1_q0 * minus_q2_sq_two_product_sum_6 - part_of_d_vy_dot_d_vz;
-    let part_of_d_vy_dot_d_vz_4 = T::splat(2.0) * part_of_d_vy_dot_d_vz_2 - part_of_d_vy_dot_d_vz_3;
-    let part_of_d_vy_dot_d_q0 = minus_q1_vz_minus_wind_sum * minus_q2_sq_two_product_sum_6;
+        q1_q0_plus_q3_q2 * d_vy_dot_d_air_velocity_2 - part_of_d_vy_dot_d_vz;
+    let d_vy_dot_d_vz = T::splat(2.0) * part_of_d_vy_dot_d_vz_2 - part_of_d_vy_dot_d_vz_3;
+    let part_of_d_vy_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_q0_2 =
-        minus_q1_vy_minus_wind_sum * minus_minus_q2_sq_two_sum_3 - part_of_d_vy_dot_d_q0;
+        part_of_d_vy_dot_d_q0 - minus_q1_vz_minus_wind_sum * d_vy_dot_d_air_velocity_2;
     let part_of_d_vy_dot_d_q0_3 =
-        part_of_d_vy_dot_d_q0_2 - minus_q2_vz_minus_wind_sum * minus_q2_sq_two_product_sum_5;
-    let part_of_d_vy_dot_d_q0_4 = q3_vx_minus_wind_x_product - q1_V_A_rho_inv_m_product;
-    let part_of_d_vy_dot_d_q0_5 = part_of_d_vy_dot_d_q0_4 + T::splat(2.0) * part_of_d_vy_dot_d_q0_3;
-    let part_of_d_vy_dot_d_q1_2 = two_vx_minus_wind_x_q3_sum * minus_minus_q2_sq_two_sum_3;
+        part_of_d_vy_dot_d_q0_2 - minus_q2_vz_minus_wind_sum * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_q0 =
+        q3_minus_air_product - q1_V_inv_m_rho_A_product + T::splat(2.0) * part_of_d_vy_dot_d_q0_3;
     let part_of_d_vy_dot_d_q1 =
-        q1_air_velocity_2_V_product - q3_vz_minus_wind_z_plus_sum * minus_q2_sq_two_product_sum_5;
+        minus_d_minus_air_velocity_3_d_q1 * minus_d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_q1_2 =
+        q1_air_velocity_2_V_product - q3_vz_minus_wind_z_plus_sum * d_vy_dot_d_minus_air_velocity_1;
     let part_of_d_vy_dot_d_q1_3 =
-        q2_vx_minus_wind_x_product - q0_V_A_rho_inv_m_product + part_of_d_vy_dot_d_q1_2;
+        q2_minus_air_product - q0_V_inv_m_rho_A_product + part_of_d_vy_dot_d_q1;
     let part_of_d_vy_dot_d_q1_4 =
-        part_of_d_vy_dot_d_q1_3 + two_vx_minus_wind_x_q2_sum * minus_q2_sq_two_product_sum_6;
-    let q1_vx_minus_wind_x_product = q1 * vx_minus_wind_x_q2_product_3;
-    let two_q3_vz_minus_product_2 = T::splat(2.0) * q3_vz_minus_wind_z_plus_sum_2;
-    let part_of_d_vy_dot_d_q2_3 = minus_q2_sq_two_product_sum_6 * two_q3_vz_minus_product_2;
+        part_of_d_vy_dot_d_q1_3 + d_air_velocity_2_d_q1 * d_vy_dot_d_air_velocity_2;
+    let d_vy_dot_d_q1 = part_of_d_vy_dot_d_q1_4 + T::splat(2.0) * part_of_d_vy_dot_d_q1_2;
     let part_of_d_vy_dot_d_q2 =
-        q3_V_A_rho_inv_m_product + two_q3_vy_minus_wind_y_sum * minus_minus_q2_sq_two_sum_3;
-    let part_of_d_vy_dot_d_q2_2 =
-        part_of_d_vy_dot_d_q2 + vz_minus_wind_z_q0_two_sum * minus_q2_sq_two_product_sum_5;
-    let part_of_d_vy_dot_d_q2_4 =
-        part_of_d_vy_dot_d_q2_2 + q1_vx_minus_wind_x_product + part_of_d_vy_dot_d_q2_3;
-    let q0_vx_minus_wind_x_product = q0 * vx_minus_wind_x_q2_product_3;
-    let part_of_d_vy_dot_d_q3 =
-        q3_air_velocity_2_V_product + q2_vy_minus_wind_y_plus_sum * minus_minus_q2_sq_two_sum_3;
+        minus_d_minus_air_velocity_3_d_q2 * minus_d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * d_vy_dot_d_minus_air_velocity_1;
+    let q1_minus_air_product = q1 * minus_air_velocity_product_6;
+    let two_q3_vz_minus_product_2 = T::splat(2.0) * q3_vz_minus_wind_z_plus_sum_2;
+    let part_of_d_vy_dot_d_q2_4 = d_vy_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
+    let part_of_d_vy_dot_d_q2_3 =
+        q3_V_inv_m_rho_A_product + part_of_d_vy_dot_d_q2 + part_of_d_vy_dot_d_q2_2;
+    let d_vy_dot_d_q2 = part_of_d_vy_dot_d_q2_3 + q1_minus_air_product + part_of_d_vy_dot_d_q2_4;
+    let q0_minus_air_product = q0 * minus_air_velocity_product_6;
+    let part_of_d_vy_dot_d_q3 = q2_vy_minus_wind_y_plus_sum * minus_d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_q3_2 =
-        q2_V_A_rho_inv_m_product - vx_minus_wind_x_q0_two_sum * minus_q2_sq_two_product_sum_6;
+        T::splat(2.0) * (q3_air_velocity_2_V_product + part_of_d_vy_dot_d_q3);
     let part_of_d_vy_dot_d_q3_3 =
-        part_of_d_vy_dot_d_q3_2 + minus_vy_minus_wind_y_sum * minus_q2_sq_two_product_sum_5;
-    let part_of_d_vy_dot_d_q3_4 = part_of_d_vy_dot_d_q3_3 + q0_vx_minus_wind_x_product;
-    let part_of_minus_minus_q2_sq_two_sum_4_4 =
-        minus_q2_sq_two_product_sum_2 * sqrt_vx_minus_wind_product;
-    let part_of_minus_minus_q2_sq_two_sum_4 =
-        minus_q3_q1_minus_q2_q0_sum * minus_q2_sq_two_product_sum_3;
-    let part_of_minus_minus_q2_sq_two_sum_4_2 =
-        C_L_minus_sqrt_vx_minus_sum * q2_sq_two_plus_q1_product;
-    let part_of_minus_minus_q2_sq_two_sum_4_3 =
-        part_of_minus_minus_q2_sq_two_sum_4 - part_of_minus_minus_q2_sq_two_sum_4_2;
-    let part_of_minus_minus_q2_sq_two_sum_4_5 =
-        V_A_rho_inv_m * part_of_minus_minus_q2_sq_two_sum_4_3;
-    let minus_minus_q2_sq_two_sum_4 =
-        part_of_minus_minus_q2_sq_two_sum_4_5 - part_of_minus_minus_q2_sq_two_sum_4_4;
-    let part_of_minus_minus_q2_sq_sum_3_2 =
-        minus_minus_q2_sq_two_sum_4 * vx_minus_wind_x_q2_product_2;
-    let minus_minus_q2_sq_sum_3 =
-        part_of_minus_minus_q2_sq_sum_3_2 + q3_q1_minus_q2_q0 * V_A_rho_inv_m_minus_product;
-    let part_of_d_vz_dot_d_vx_3 = q2_sq_two_plus_minus_n1_sum * minus_minus_q2_sq_sum_3;
-    let part_of_minus_minus_q2_sq_two_sum_5_4 =
-        minus_q2_sq_two_product_sum_2 * q2_sq_two_plus_q1_product_6;
-    let part_of_minus_minus_q2_sq_two_sum_5 =
-        minus_q3_q1_minus_q2_q0_sum * minus_minus_q2_sq_two_sum_2;
-    let part_of_minus_minus_q2_sq_two_sum_5_2 =
-        C_D_plus_sqrt_vx_minus_sum * q2_sq_two_plus_q1_product;
-    let part_of_minus_minus_q2_sq_two_sum_5_3 =
-        part_of_minus_minus_q2_sq_two_sum_5 - part_of_minus_minus_q2_sq_two_sum_5_2;
-    let part_of_minus_minus_q2_sq_two_sum_5_5 =
-        V_A_rho_inv_m * part_of_minus_minus_q2_sq_two_sum_5_3;
-    let minus_minus_q2_sq_two_sum_5 =
-        part_of_minus_minus_q2_sq_two_sum_5_5 - part_of_minus_minus_q2_sq_two_sum_5_4;
-    let part_of_minus_minus_minus_q2_sq_sum_3 =
-        minus_minus_q2_sq_two_sum_4 * air_velocity_2_inv_product_2;
-    let minus_minus_minus_q2_sq_sum_3 =
-        q3_q2_plus_q1_q0 * V_A_rho_inv_m_minus_product - part_of_minus_minus_minus_q2_sq_sum_3;
-    let part_of_d_vz_dot_d_vx = q1_q2_minus_q3_q0 * minus_minus_minus_q2_sq_sum_3;
+        q2_V_inv_m_rho_A_product - minus_d_air_velocity_2_d_q3 * d_vy_dot_d_air_velocity_2;
+    let part_of_d_vy_dot_d_q3_4 =
+        part_of_d_vy_dot_d_q3_3 + d_minus_air_velocity_1_d_q3 * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_q3 = part_of_d_vy_dot_d_q3_4 + q0_minus_air_product + part_of_d_vy_dot_d_q3_2;
+    let part_of_d_vz_dot_d_air_velocity_3 = q1_sq_two_minus_one_sum_2 * air_velocity_12_inv_product;
+    let part_of_d_vz_dot_d_air_velocity = C_L_minus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
+    let part_of_d_vz_dot_d_air_velocity_2 =
+        q1_q0_plus_q3_q2_sum * minus_minus_air_sum_sum - part_of_d_vz_dot_d_air_velocity;
+    let d_vz_dot_d_air_velocity_12 =
+        V_inv_m_rho_A * part_of_d_vz_dot_d_air_velocity_2 - part_of_d_vz_dot_d_air_velocity_3;
+    let d_vz_dot_d_minus_air_velocity_1 = minus_q0_q2_plus_q1_q3 * V_inv_m_rho_A_air_product;
+    let d_vz_dot_d_minus_air_velocity_1_2 =
+        d_vz_dot_d_air_velocity_12 * minus_air_velocity_product_4 + d_vz_dot_d_minus_air_velocity_1;
+    let part_of_d_vz_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1_2;
+    let part_of_d_vz_dot_d_minus_air_3 = q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_5;
+    let part_of_d_vz_dot_d_minus_air = C_D_plus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
+    let part_of_d_vz_dot_d_minus_air_2 =
+        q1_q0_plus_q3_q2_sum * minus_minus_minus_air_sum - part_of_d_vz_dot_d_minus_air;
+    let d_vz_dot_d_minus_air_velocity_3 =
+        V_inv_m_rho_A * part_of_d_vz_dot_d_minus_air_2 - part_of_d_vz_dot_d_minus_air_3;
+    let part_of_minus_d_vz_dot_d_air = d_vz_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let minus_d_vz_dot_d_air_velocity_2 =
+        q1_q0_plus_q3_q2 * V_inv_m_rho_A_air_product - part_of_minus_d_vz_dot_d_air;
+    let part_of_d_vz_dot_d_vx = minus_q0_q3_plus_q1_q2 * minus_d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_vx_2 =
-        q3_q1_plus_q2_q0 * minus_minus_q2_sq_two_sum_5 + part_of_d_vz_dot_d_vx;
-    let part_of_d_vz_dot_d_vx_4 = part_of_d_vz_dot_d_vx_3 - T::splat(2.0) * part_of_d_vz_dot_d_vx_2;
-    let part_of_d_vz_dot_d_vy_3 = q1_sq_two_plus_minus_n1_sum * minus_minus_minus_q2_sq_sum_3;
-    let part_of_d_vz_dot_d_vy = q3_q2_minus_q1_q0 * minus_minus_q2_sq_two_sum_5;
+        q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_3 + part_of_d_vz_dot_d_vx;
+    let d_vz_dot_d_vx = part_of_d_vz_dot_d_vx_3 - T::splat(2.0) * part_of_d_vz_dot_d_vx_2;
+    let part_of_d_vz_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * minus_d_vz_dot_d_air_velocity_2;
+    let part_of_d_vz_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_vy_2 =
-        part_of_d_vz_dot_d_vy + q1_q2_plus_q3_q0 * minus_minus_q2_sq_sum_3;
-    let part_of_d_vz_dot_d_vy_4 = part_of_d_vz_dot_d_vy_3 - T::splat(2.0) * part_of_d_vz_dot_d_vy_2;
-    let part_of_d_vz_dot_d_vz_3 = q2_sq_two_plus_q1_sq_sum * minus_minus_q2_sq_two_sum_5;
-    let part_of_d_vz_dot_d_vz = q3_q2_plus_q1_q0 * minus_minus_minus_q2_sq_sum_3;
+        part_of_d_vz_dot_d_vy + q0_q3_plus_q1_q2 * d_vz_dot_d_minus_air_velocity_1_2;
+    let d_vz_dot_d_vy = part_of_d_vz_dot_d_vy_3 - T::splat(2.0) * part_of_d_vz_dot_d_vy_2;
+    let part_of_d_vz_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vz_dot_d_minus_air_velocity_3;
+    let part_of_d_vz_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_1_2;
     let part_of_d_vz_dot_d_vz_2 =
-        part_of_d_vz_dot_d_vz + q3_q1_minus_q2_q0 * minus_minus_q2_sq_sum_3;
-    let part_of_d_vz_dot_d_vz_4 = part_of_d_vz_dot_d_vz_3 - T::splat(2.0) * part_of_d_vz_dot_d_vz_2;
-    let part_of_d_vz_dot_d_q0 = minus_q1_vz_minus_wind_sum * minus_minus_minus_q2_sq_sum_3;
+        q1_q0_plus_q3_q2 * minus_d_vz_dot_d_air_velocity_2 + part_of_d_vz_dot_d_vz;
+    let d_vz_dot_d_vz = part_of_d_vz_dot_d_vz_3 - T::splat(2.0) * part_of_d_vz_dot_d_vz_2;
+    let part_of_d_vz_dot_d_q0 = minus_q1_vz_minus_wind_sum * minus_d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_q0_2 =
-        minus_q1_vy_minus_wind_sum * minus_minus_q2_sq_two_sum_5 - part_of_d_vz_dot_d_q0;
+        minus_q1_vy_minus_wind_sum * d_vz_dot_d_minus_air_velocity_3 - part_of_d_vz_dot_d_q0;
     let part_of_d_vz_dot_d_q0_3 =
-        part_of_d_vz_dot_d_q0_2 + minus_q2_vz_minus_wind_sum * minus_minus_q2_sq_sum_3;
+        part_of_d_vz_dot_d_q0_2 + minus_q2_vz_minus_wind_sum * d_vz_dot_d_minus_air_velocity_1_2;
     let part_of_d_vz_dot_d_q0_4 =
         T::splat(-2.0) * part_of_d_vz_dot_d_q0_3 - q1_air_velocity_2_V_product;
-    let part_of_d_vz_dot_d_q1_2 = two_vx_minus_wind_x_q3_sum * minus_minus_q2_sq_two_sum_5;
-    let part_of_d_vz_dot_d_q1 =
-        q1_V_A_rho_inv_m_product + q3_vz_minus_wind_z_plus_sum * minus_minus_q2_sq_sum_3;
+    let d_vz_dot_d_q0 = part_of_d_vz_dot_d_q0_4 - q2_minus_air_product;
+    let part_of_d_vz_dot_d_q1 = minus_d_minus_air_velocity_3_d_q1 * d_vz_dot_d_minus_air_velocity_3;
+    let part_of_d_vz_dot_d_q1_2 =
+        q1_V_inv_m_rho_A_product + q3_vz_minus_wind_z_plus_sum * d_vz_dot_d_minus_air_velocity_1_2;
     let part_of_d_vz_dot_d_q1_3 =
-        q3_vx_minus_wind_x_product - q0_air_velocity_2_V_product - part_of_d_vz_dot_d_q1_2;
+        q3_minus_air_product - q0_air_velocity_2_V_product - part_of_d_vz_dot_d_q1;
     let part_of_d_vz_dot_d_q1_4 =
-        part_of_d_vz_dot_d_q1_3 - two_vx_minus_wind_x_q2_sum * minus_minus_minus_q2_sq_sum_3;
-    let part_of_d_vz_dot_d_q2_3 = two_q3_vy_minus_wind_y_sum * minus_minus_q2_sq_two_sum_5;
-    let part_of_d_vz_dot_d_q2 =
-        q2_V_A_rho_inv_m_product + q3_vz_minus_wind_z_plus_sum_2 * minus_minus_minus_q2_sq_sum_3;
+        part_of_d_vz_dot_d_q1_3 - d_air_velocity_2_d_q1 * minus_d_vz_dot_d_air_velocity_2;
+    let d_vz_dot_d_q1 = part_of_d_vz_dot_d_q1_4 - T::splat(2.0) * part_of_d_vz_dot_d_q1_2;
+    let part_of_d_vz_dot_d_q2 = minus_d_minus_air_velocity_3_d_q2 * d_vz_dot_d_minus_air_velocity_3;
+    let part_of_d_vz_dot_d_q2_3 = d_minus_air_velocity_1_d_q2 * d_vz_dot_d_minus_air_velocity_1_2;
     let part_of_d_vz_dot_d_q2_2 =
-        vz_minus_wind_z_q0_two_sum * minus_minus_q2_sq_sum_3 - q3_air_velocity_2_V_product;
+        q2_V_inv_m_rho_A_product + q3_vz_minus_wind_z_plus_sum_2 * minus_d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_q2_4 =
-        part_of_d_vz_dot_d_q2_2 - q0_vx_minus_wind_x_product - part_of_d_vz_dot_d_q2_3;
-    let part_of_d_vz_dot_d_q3 = vx_minus_wind_x_q0_two_sum * minus_minus_minus_q2_sq_sum_3;
+        part_of_d_vz_dot_d_q2_3 - q3_air_velocity_2_V_product - q0_minus_air_product;
+    let d_vz_dot_d_q2 =
+        part_of_d_vz_dot_d_q2_4 - part_of_d_vz_dot_d_q2 - T::splat(2.0) * part_of_d_vz_dot_d_q2_2;
+    let part_of_d_vz_dot_d_q3 = minus_d_air_velocity_2_d_q3 * minus_d_vz_dot_d_air_velocity_2;
     let two_q2_vy_minus_product = T::splat(2.0) * q2_vy_minus_wind_y_plus_sum;
     let part_of_d_vz_dot_d_q3_2 =
-        q1_vx_minus_wind_x_product - q2_air_velocity_2_V_product + part_of_d_vz_dot_d_q3;
+        q1_minus_air_product - q2_air_velocity_2_V_product + part_of_d_vz_dot_d_q3;
     let part_of_d_vz_dot_d_q3_3 =
-        part_of_d_vz_dot_d_q3_2 + minus_vy_minus_wind_y_sum * minus_minus_q2_sq_sum_3;
-    let part_of_d_vz_dot_d_q3_4 =
-        part_of_d_vz_dot_d_q3_3 - minus_minus_q2_sq_two_sum_5 * two_q2_vy_minus_product;
-    let half_p = T::splat(0.5) * p;
-    let half_q = T::splat(0.5) * q;
-    let half_r = T::splat(0.5) * r;
-    let q1_half = T::splat(0.5) * q1;
-    let q2_half = T::splat(0.5) * q2;
-    let q3_half = T::splat(0.5) * q3;
-    let q0_half = T::splat(0.5) * q0;
+        part_of_d_vz_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_vz_dot_d_minus_air_velocity_1_2;
+    let d_vz_dot_d_q3 =
+        part_of_d_vz_dot_d_q3_3 - d_vz_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
+    let minus_d_q3_dot_d_q2 = T::splat(0.5) * p;
+    let minus_d_q1_dot_d_q3 = T::splat(0.5) * q;
+    let minus_d_q2_dot_d_q1 = T::splat(0.5) * r;
+    let minus_d_q2_dot_d_r = T::splat(0.5) * q1;
+    let minus_d_q3_dot_d_p = T::splat(0.5) * q2;
+    let minus_d_q1_dot_d_q = T::splat(0.5) * q3;
+    let d_q1_dot_d_p = T::splat(0.5) * q0;
     let r_C_Rr = C_Rr * r;
-    let air_velocity_2_alpha_C_sum = air_velocity_2 * alpha_C_Ma + vx_minus_wind_x_q2_sum * r_C_Rr;
-    let inv_sqrt_vx_minus_product_2 = inv_sqrt_vx_minus_wind_x_of * air_velocity_2_alpha_C_sum;
-    let sqrt_vx_minus_wind_product_3 = p3_p4_p5_inv_p2 * sqrt_vx_minus_wind_x_q2_of;
-    let part_of_minus_inv_sqrt_vx_minus_sum =
-        (inv_sqrt_vx_minus_product_2 - C_Mq * p) * sqrt_vx_minus_wind_product_3;
+    let air_velocity_2_alpha_C_sum = air_velocity_2 * alpha_C_Ma + minus_air_velocity_1 * r_C_Rr;
+    let inv_air_velocity_12_product_2 = inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
+    let air_velocity_12_d_product = d_rho_A_inv_I_d * air_velocity_12;
+    let part_of_d_p_dot_d_air_velocity =
+        (inv_air_velocity_12_product_2 - C_Mq * p) * air_velocity_12_d_product;
     let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
-    let part_of_minus_inv_sqrt_vx_minus_sum_2 =
-        q2_sq_two_plus_q1_product_4 * C_Ma_air_velocity_2_product;
-    let inv_sqrt_vx_minus_product_3 = inv_sqrt_vx_minus_wind_x_of * inv_sqrt_vx_minus_product;
-    let part_of_minus_inv_sqrt_vx_minus_sum_4 =
-        air_velocity_2_alpha_C_sum * inv_sqrt_vx_minus_product_3;
-    let part_of_minus_inv_sqrt_vx_minus_sum_3 =
-        part_of_minus_inv_sqrt_vx_minus_sum_2 - part_of_minus_inv_sqrt_vx_minus_sum;
-    let minus_inv_sqrt_vx_minus_sum =
-        part_of_minus_inv_sqrt_vx_minus_sum_3 + part_of_minus_inv_sqrt_vx_minus_sum_4;
-    let inv_sqrt_vx_minus_product_4 = inv_sqrt_vx_minus_product * r_C_Rr;
-    let minus_minus_inv_sqrt_vx_sum =
-        inv_sqrt_vx_minus_product_4 - minus_inv_sqrt_vx_minus_sum * vx_minus_wind_x_q2_product_2;
-    let part_of_d_p_dot_d_vx_3 = q2_sq_two_plus_minus_n1_sum * minus_minus_inv_sqrt_vx_sum;
-    let q2_sq_two_plus_q1_product_7 = p3_p4_p5_inv_p2 * q2_sq_two_plus_q1_sum;
-    let part_of_minus_minus_inv_sqrt_vx_sum_2 =
-        (p * C_Mq_nonzero_sqrt_product - inv_sqrt_vx_minus_product_2) * q2_sq_two_plus_q1_product_7;
-    let part_of_minus_minus_inv_sqrt_vx_sum_2_2 =
-        sqrt_vx_minus_wind_product_2 * C_Ma_air_velocity_2_product;
-    let minus_minus_inv_sqrt_vx_sum_2 =
-        part_of_minus_minus_inv_sqrt_vx_sum_2_2 - part_of_minus_minus_inv_sqrt_vx_sum_2;
-    let inv_sqrt_vx_minus_product_5 = inv_sqrt_vx_minus_product * alpha_C_Ma;
-    let minus_minus_inv_sqrt_vx_sum_3 =
-        inv_sqrt_vx_minus_product_5 - minus_inv_sqrt_vx_minus_sum * air_velocity_2_inv_product_2;
-    let part_of_d_p_dot_d_vx = q1_q2_minus_q3_q0 * minus_minus_inv_sqrt_vx_sum_3;
+    let inv_air_velocity_12_product_3 = inv_air_velocity_12 * inv_air_velocity_12_product;
+    let part_of_d_p_dot_d_air_velocity_3 =
+        air_velocity_2_alpha_C_sum * inv_air_velocity_12_product_3;
+    let part_of_d_p_dot_d_air_velocity_2 =
+        minus_air_velocity_product_2 * C_Ma_air_velocity_2_product - part_of_d_p_dot_d_air_velocity;
+    let d_p_dot_d_air_velocity_12 =
+        part_of_d_p_dot_d_air_velocity_2 + part_of_d_p_dot_d_air_velocity_3;
+    let inv_air_velocity_12_product_4 = inv_air_velocity_12_product * r_C_Rr;
+    let minus_d_p_dot_d_minus_air_velocity_1 =
+        inv_air_velocity_12_product_4 - d_p_dot_d_air_velocity_12 * minus_air_velocity_product_4;
+    let part_of_d_p_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * minus_d_p_dot_d_minus_air_velocity_1;
+    let part_of_minus_d_p_dot_d_minus =
+        p * C_Mq_nonzero_air_product - inv_air_velocity_12_product_2;
+    let minus_air_velocity_product_7 = d_rho_A_inv_I_d * minus_air_velocity_3;
+    let part_of_minus_d_p_dot_d_minus_2 =
+        part_of_minus_d_p_dot_d_minus * minus_air_velocity_product_7;
+    let minus_d_p_dot_d_minus_air_velocity_3 =
+        air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product - part_of_minus_d_p_dot_d_minus_2;
+    let inv_air_velocity_12_product_5 = inv_air_velocity_12_product * alpha_C_Ma;
+    let minus_d_p_dot_d_air_velocity_2 =
+        inv_air_velocity_12_product_5 - d_p_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let part_of_d_p_dot_d_vx = minus_q0_q3_plus_q1_q2 * minus_d_p_dot_d_air_velocity_2;
     let part_of_d_p_dot_d_vx_2 =
-        q3_q1_plus_q2_q0 * minus_minus_inv_sqrt_vx_sum_2 - part_of_d_p_dot_d_vx;
-    let part_of_d_p_dot_d_vy_3 = q1_sq_two_plus_minus_n1_sum * minus_minus_inv_sqrt_vx_sum_3;
-    let part_of_d_p_dot_d_vy = q3_q2_minus_q1_q0 * minus_minus_inv_sqrt_vx_sum_2;
+        q0_q2_plus_q1_q3 * minus_d_p_dot_d_minus_air_velocity_3 - part_of_d_p_dot_d_vx;
+    let d_p_dot_d_vx = T::splat(2.0) * part_of_d_p_dot_d_vx_2 - part_of_d_p_dot_d_vx_3;
+    let part_of_d_p_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * minus_d_p_dot_d_air_velocity_2;
+    let part_of_d_p_dot_d_vy = minus_q1_q0_plus_q3_q2 * minus_d_p_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_vy_2 =
-        part_of_d_p_dot_d_vy + q1_q2_plus_q3_q0 * minus_minus_inv_sqrt_vx_sum;
-    let part_of_d_p_dot_d_vz_3 = q2_sq_two_plus_q1_sq_sum * minus_minus_inv_sqrt_vx_sum_2;
-    let part_of_d_p_dot_d_vz = q3_q2_plus_q1_q0 * minus_minus_inv_sqrt_vx_sum_3;
+        part_of_d_p_dot_d_vy + q0_q3_plus_q1_q2 * minus_d_p_dot_d_minus_air_velocity_1;
+    let d_p_dot_d_vy = part_of_d_p_dot_d_vy_3 + T::splat(2.0) * part_of_d_p_dot_d_vy_2;
+    let part_of_d_p_dot_d_vz_3 = q1_sq_two_minus_one_sum * minus_d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_vz = minus_q0_q2_plus_q1_q3 * minus_d_p_dot_d_minus_air_velocity_1;
     let part_of_d_p_dot_d_vz_2 =
-        part_of_d_p_dot_d_vz - q3_q1_minus_q2_q0 * minus_minus_inv_sqrt_vx_sum;
-    let part_of_d_p_dot_d_q0 = minus_q1_vz_minus_wind_sum * minus_minus_inv_sqrt_vx_sum_3;
-    let part_of_d_p_dot_d_q0_2 =
-        minus_q1_vy_minus_wind_sum * minus_minus_inv_sqrt_vx_sum_2 + part_of_d_p_dot_d_q0;
+        q1_q0_plus_q3_q2 * minus_d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_vz;
+    let d_p_dot_d_vz = T::splat(-2.0) * part_of_d_p_dot_d_vz_2 - part_of_d_p_dot_d_vz_3;
+    let part_of_d_p_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q0_2 = minus_q2_vz_minus_wind_sum * minus_d_p_dot_d_minus_air_velocity_1;
     let part_of_d_p_dot_d_q0_3 =
-        part_of_d_p_dot_d_q0_2 + minus_q2_vz_minus_wind_sum * minus_minus_inv_sqrt_vx_sum;
-    let part_of_d_p_dot_d_q1 = two_vx_minus_wind_x_q2_sum * minus_minus_inv_sqrt_vx_sum_3;
+        part_of_d_p_dot_d_q0 + minus_q1_vz_minus_wind_sum * minus_d_p_dot_d_air_velocity_2;
+    let d_p_dot_d_q0 = T::splat(2.0) * (part_of_d_p_dot_d_q0_3 + part_of_d_p_dot_d_q0_2);
+    let part_of_d_p_dot_d_q1 =
+        minus_d_minus_air_velocity_3_d_q1 * minus_d_p_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_q1_2 =
-        two_vx_minus_wind_x_q3_sum * minus_minus_inv_sqrt_vx_sum_2 - part_of_d_p_dot_d_q1;
-    let part_of_d_p_dot_d_q1_3 =
-        part_of_d_p_dot_d_q1_2 + minus_minus_inv_sqrt_vx_sum * two_q3_vz_minus_product;
-    let part_of_d_p_dot_d_q2 = two_q3_vy_minus_wind_y_sum * minus_minus_inv_sqrt_vx_sum_2;
-    let part_of_d_p_dot_d_q2_2 =
-        part_of_d_p_dot_d_q2 - vz_minus_wind_z_q0_two_sum * minus_minus_inv_sqrt_vx_sum;
-    let part_of_d_p_dot_d_q2_3 =
-        part_of_d_p_dot_d_q2_2 - minus_minus_inv_sqrt_vx_sum_3 * two_q3_vz_minus_product_2;
-    let part_of_d_p_dot_d_q3 = vx_minus_wind_x_q0_two_sum * minus_minus_inv_sqrt_vx_sum_3;
+        part_of_d_p_dot_d_q1 - d_air_velocity_2_d_q1 * minus_d_p_dot_d_air_velocity_2;
+    let d_p_dot_d_q1 =
+        part_of_d_p_dot_d_q1_2 + minus_d_p_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
+    let part_of_d_p_dot_d_q2 =
+        minus_d_minus_air_velocity_3_d_q2 * minus_d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * minus_d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_q2_3 = minus_d_p_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
+    let d_p_dot_d_q2 = part_of_d_p_dot_d_q2 - part_of_d_p_dot_d_q2_2 - part_of_d_p_dot_d_q2_3;
+    let part_of_d_p_dot_d_q3 = d_minus_air_velocity_1_d_q3 * minus_d_p_dot_d_minus_air_velocity_1;
     let part_of_d_p_dot_d_q3_2 =
-        part_of_d_p_dot_d_q3 - minus_vy_minus_wind_y_sum * minus_minus_inv_sqrt_vx_sum;
-    let part_of_d_p_dot_d_q3_3 =
-        part_of_d_p_dot_d_q3_2 + minus_minus_inv_sqrt_vx_sum_2 * two_q2_vy_minus_product;
-    let r_n1_minus_I_a_inv_part = n1_minus_inv_p2_p1 * r;
-    let minus_air_velocity_2_r_sum = vx_minus_wind_x_q2_sum * alpha_C_Ma - air_velocity_2 * r_C_Rr;
-    let inv_sqrt_vx_minus_product_6 = inv_sqrt_vx_minus_wind_x_of * minus_air_velocity_2_r_sum;
-    let part_of_minus_inv_sqrt_vx_minus_sum_2_2 =
-        (inv_sqrt_vx_minus_product_6 - C_Mq * q) * sqrt_vx_minus_wind_product_3;
-    let vx_minus_wind_x_q2_product_4 = C_Ma * vx_minus_wind_x_q2_product;
-    let part_of_minus_inv_sqrt_vx_minus_sum_2_3 =
-        q2_sq_two_plus_q1_product_4 * vx_minus_wind_x_q2_product_4;
-    let part_of_minus_inv_sqrt_vx_minus_sum_2_5 =
-        minus_air_velocity_2_r_sum * inv_sqrt_vx_minus_product_3;
-    let part_of_minus_inv_sqrt_vx_minus_sum_2_4 =
-        part_of_minus_inv_sqrt_vx_minus_sum_2_3 - part_of_minus_inv_sqrt_vx_minus_sum_2_2;
-    let minus_inv_sqrt_vx_minus_sum_2 =
-        part_of_minus_inv_sqrt_vx_minus_sum_2_4 + part_of_minus_inv_sqrt_vx_minus_sum_2_5;
-    let inv_sqrt_vx_minus_sum =
-        inv_sqrt_vx_minus_product_5 - minus_inv_sqrt_vx_minus_sum_2 * vx_minus_wind_x_q2_product_2;
-    let part_of_d_q_dot_d_vx_3 = q2_sq_two_plus_minus_n1_sum * inv_sqrt_vx_minus_sum;
-    let part_of_minus_minus_inv_sqrt_vx_sum_4 =
-        (q * C_Mq_nonzero_sqrt_product - inv_sqrt_vx_minus_product_6) * q2_sq_two_plus_q1_product_7;
-    let part_of_minus_minus_inv_sqrt_vx_sum_4_2 =
-        sqrt_vx_minus_wind_product_2 * vx_minus_wind_x_q2_product_4;
-    let minus_minus_inv_sqrt_vx_sum_4 =
-        part_of_minus_minus_inv_sqrt_vx_sum_4_2 - part_of_minus_minus_inv_sqrt_vx_sum_4;
-    let part_of_d_q_dot_d_vx = q3_q1_plus_q2_q0 * minus_minus_inv_sqrt_vx_sum_4;
-    let inv_sqrt_vx_minus_sum_2 =
-        inv_sqrt_vx_minus_product_4 + minus_inv_sqrt_vx_minus_sum_2 * air_velocity_2_inv_product_2;
-    let part_of_d_q_dot_d_vx_2 = part_of_d_q_dot_d_vx + q1_q2_minus_q3_q0 * inv_sqrt_vx_minus_sum_2;
-    let part_of_d_q_dot_d_vy = q3_q2_minus_q1_q0 * minus_minus_inv_sqrt_vx_sum_4;
+        minus_d_air_velocity_2_d_q3 * minus_d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_q3;
+    let d_p_dot_d_q3 =
+        part_of_d_p_dot_d_q3_2 + minus_d_p_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
+    let d_p_dot_d_q = one_minus_inv_I_d_I_a * r;
+    let minus_air_velocity_2_r_sum = minus_air_velocity_1 * alpha_C_Ma - air_velocity_2 * r_C_Rr;
+    let inv_air_velocity_12_product_6 = inv_air_velocity_12 * minus_air_velocity_2_r_sum;
+    let part_of_d_q_dot_d_air_velocity =
+        (inv_air_velocity_12_product_6 - C_Mq * q) * air_velocity_12_d_product;
+    let minus_air_velocity_product_8 = C_Ma * minus_air_velocity_product;
+    let part_of_d_q_dot_d_air_velocity_2 =
+        minus_air_velocity_product_2 * minus_air_velocity_product_8;
+    let part_of_d_q_dot_d_air_velocity_4 =
+        minus_air_velocity_2_r_sum * inv_air_velocity_12_product_3;
+    let part_of_d_q_dot_d_air_velocity_3 =
+        part_of_d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_air_velocity;
+    let d_q_dot_d_air_velocity_12 =
+        part_of_d_q_dot_d_air_velocity_3 + part_of_d_q_dot_d_air_velocity_4;
+    let minus_d_q_dot_d_minus_air_velocity_1 =
+        inv_air_velocity_12_product_5 - d_q_dot_d_air_velocity_12 * minus_air_velocity_product_4;
+    let part_of_d_q_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * minus_d_q_dot_d_minus_air_velocity_1;
+    let part_of_minus_d_q_dot_d_minus =
+        q * C_Mq_nonzero_air_product - inv_air_velocity_12_product_6;
+    let part_of_minus_d_q_dot_d_minus_2 =
+        part_of_minus_d_q_dot_d_minus * minus_air_velocity_product_7;
+    let minus_d_q_dot_d_minus_air_velocity_3 =
+        air_velocity_12_inv_V_sq * minus_air_velocity_product_8 - part_of_minus_d_q_dot_d_minus_2;
+    let part_of_d_q_dot_d_vx = q0_q2_plus_q1_q3 * minus_d_q_dot_d_minus_air_velocity_3;
+    let d_q_dot_d_air_velocity_2 =
+        inv_air_velocity_12_product_4 + d_q_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let part_of_d_q_dot_d_vx_2 =
+        part_of_d_q_dot_d_vx + minus_q0_q3_plus_q1_q2 * d_q_dot_d_air_velocity_2;
+    let d_q_dot_d_vx = T::splat(2.0) * part_of_d_q_dot_d_vx_2 - part_of_d_q_dot_d_vx_3;
+    let part_of_d_q_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_q_dot_d_air_velocity_2;
+    let part_of_d_q_dot_d_vy = minus_q1_q0_plus_q3_q2 * minus_d_q_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_vy_2 =
-        T::splat(2.0) * (part_of_d_q_dot_d_vy + q1_q2_plus_q3_q0 * inv_sqrt_vx_minus_sum);
-    let part_of_d_q_dot_d_vy_3 =
-        part_of_d_q_dot_d_vy_2 - q1_sq_two_plus_minus_n1_sum * inv_sqrt_vx_minus_sum_2;
-    let part_of_d_q_dot_d_vz_2 = q2_sq_two_plus_q1_sq_sum * minus_minus_inv_sqrt_vx_sum_4;
-    let part_of_d_q_dot_d_vz =
-        q3_q2_plus_q1_q0 * inv_sqrt_vx_minus_sum_2 + q3_q1_minus_q2_q0 * inv_sqrt_vx_minus_sum;
-    let part_of_d_q_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_minus_inv_sqrt_vx_sum_4;
-    let part_of_d_q_dot_d_q0_2 =
-        part_of_d_q_dot_d_q0 - minus_q1_vz_minus_wind_sum * inv_sqrt_vx_minus_sum_2;
+        part_of_d_q_dot_d_vy + q0_q3_plus_q1_q2 * minus_d_q_dot_d_minus_air_velocity_1;
+    let d_q_dot_d_vy = T::splat(2.0) * part_of_d_q_dot_d_vy_2 - part_of_d_q_dot_d_vy_3;
+    let part_of_d_q_dot_d_vz_3 = q1_sq_two_minus_one_sum * minus_d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_vz = minus_q0_q2_plus_q1_q3 * minus_d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_vz_2 = q1_q0_plus_q3_q2 * d_q_dot_d_air_velocity_2 + part_of_d_q_dot_d_vz;
+    let d_q_dot_d_vz = T::splat(2.0) * part_of_d_q_dot_d_vz_2 - part_of_d_q_dot_d_vz_3;
+    let part_of_d_q_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_q0_2 = minus_q2_vz_minus_wind_sum * minus_d_q_dot_d_minus_air_velocity_1;
     let part_of_d_q_dot_d_q0_3 =
-        part_of_d_q_dot_d_q0_2 + minus_q2_vz_minus_wind_sum * inv_sqrt_vx_minus_sum;
-    let part_of_d_q_dot_d_q1 = two_vx_minus_wind_x_q3_sum * minus_minus_inv_sqrt_vx_sum_4;
+        part_of_d_q_dot_d_q0 - minus_q1_vz_minus_wind_sum * d_q_dot_d_air_velocity_2;
+    let d_q_dot_d_q0 = T::splat(2.0) * (part_of_d_q_dot_d_q0_3 + part_of_d_q_dot_d_q0_2);
+    let part_of_d_q_dot_d_q1 =
+        minus_d_minus_air_velocity_3_d_q1 * minus_d_q_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_q1_2 =
-        part_of_d_q_dot_d_q1 + two_vx_minus_wind_x_q2_sum * inv_sqrt_vx_minus_sum_2;
-    let part_of_d_q_dot_d_q1_3 =
-        part_of_d_q_dot_d_q1_2 + inv_sqrt_vx_minus_sum * two_q3_vz_minus_product;
-    let part_of_d_q_dot_d_q2 = two_q3_vy_minus_wind_y_sum * minus_minus_inv_sqrt_vx_sum_4;
-    let part_of_d_q_dot_d_q2_2 =
-        part_of_d_q_dot_d_q2 - vz_minus_wind_z_q0_two_sum * inv_sqrt_vx_minus_sum;
-    let part_of_d_q_dot_d_q2_3 =
-        part_of_d_q_dot_d_q2_2 + inv_sqrt_vx_minus_sum_2 * two_q3_vz_minus_product_2;
-    let part_of_d_q_dot_d_q3 = minus_minus_inv_sqrt_vx_sum_4 * two_q2_vy_minus_product;
-    let part_of_d_q_dot_d_q3_2 =
-        part_of_d_q_dot_d_q3 - vx_minus_wind_x_q0_two_sum * inv_sqrt_vx_minus_sum_2;
+        part_of_d_q_dot_d_q1 + d_air_velocity_2_d_q1 * d_q_dot_d_air_velocity_2;
+    let d_q_dot_d_q1 =
+        part_of_d_q_dot_d_q1_2 + minus_d_q_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
+    let part_of_d_q_dot_d_q2 =
+        minus_d_minus_air_velocity_3_d_q2 * minus_d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * minus_d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_q2_3 = d_q_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
+    let d_q_dot_d_q2 = part_of_d_q_dot_d_q2 - part_of_d_q_dot_d_q2_2 + part_of_d_q_dot_d_q2_3;
+    let part_of_d_q_dot_d_q3 = d_minus_air_velocity_1_d_q3 * minus_d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_q3_2 = minus_d_q_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
     let part_of_d_q_dot_d_q3_3 =
-        part_of_d_q_dot_d_q3_2 - minus_vy_minus_wind_y_sum * inv_sqrt_vx_minus_sum;
-    let minus_half_p = -half_p;
-    let minus_half_q = -half_q;
-    let minus_half_r = -half_r;
-    let minus_q1_half = -q1_half;
-    let minus_q2_half = -q2_half;
-    let minus_q3_half = -q3_half;
-    let minus_half_q_2 = -half_q;
-    let minus_q3_half_2 = -q3_half;
-    let minus_half_r_2 = -half_r;
-    let minus_q1_half_2 = -q1_half;
-    let minus_half_p_2 = -half_p;
-    let minus_q2_half_2 = -q2_half;
-    let minus_r_n1_minus_I_a_inv_part = -r_n1_minus_I_a_inv_part;
+        part_of_d_q_dot_d_q3_2 - minus_d_air_velocity_2_d_q3 * d_q_dot_d_air_velocity_2;
+    let d_q_dot_d_q3 = part_of_d_q_dot_d_q3_3 - part_of_d_q_dot_d_q3;
+    let d_q0_dot_d_q1 = -minus_d_q3_dot_d_q2;
+    let d_q0_dot_d_q2 = -minus_d_q1_dot_d_q3;
+    let d_q0_dot_d_q3 = -minus_d_q2_dot_d_q1;
+    let d_q0_dot_d_p = -minus_d_q2_dot_d_r;
+    let d_q0_dot_d_q = -minus_d_q3_dot_d_p;
+    let d_q0_dot_d_r = -minus_d_q1_dot_d_q;
+    let d_q1_dot_d_q3 = -minus_d_q1_dot_d_q3;
+    let d_q1_dot_d_q = -minus_d_q1_dot_d_q;
+    let d_q2_dot_d_q1 = -minus_d_q2_dot_d_q1;
+    let d_q2_dot_d_r = -minus_d_q2_dot_d_r;
+    let d_q3_dot_d_q2 = -minus_d_q3_dot_d_q2;
+    let d_q3_dot_d_p = -minus_d_q3_dot_d_p;
+    let d_q_dot_d_p = -d_p_dot_d_q;
 
     dx[0] = vx;
     dx[1] = vy;
@@ -580,10 +568,10 @@ pub fn f_jac<T: Real>(
     dx[3] = vx_dot;
     dx[4] = vy_dot;
     dx[5] = vz_dot;
-    dx[6] = T::splat(-0.5) * (q1 * p + q2 * q + q3 * r);
-    dx[7] = T::splat(-0.5) * (q3 * q - q0 * p - q2 * r);
-    dx[8] = T::splat(-0.5) * (q1 * r - q0 * q - q3 * p);
-    dx[9] = T::splat(-0.5) * (q2 * p - q0 * r - q1 * q);
+    dx[6] = T::splat(-0.5) * q3_r_plus_q2_q_plus_q1_p;
+    dx[7] = T::splat(-0.5) * q3_q_minus_q2_r_minus_q0_p;
+    dx[8] = T::splat(-0.5) * q1_r_minus_q3_p_minus_q0_q;
+    dx[9] = T::splat(-0.5) * q2_p_minus_q1_q_minus_q0_r;
     dx[10] = p_dot;
     dx[11] = q_dot;
     dx[12] = r_dot;
@@ -591,70 +579,70 @@ pub fn f_jac<T: Real>(
     j[0] = T::splat(1.0); // d_x_dot_d_vx
     j[1] = T::splat(1.0); // d_y_dot_d_vy
     j[2] = T::splat(1.0); // d_z_dot_d_vz
-    j[3] = part_of_d_vx_dot_d_vx_4; // d_vx_dot_d_vx
-    j[4] = part_of_d_vx_dot_d_vy_4; // d_vx_dot_d_vy
-    j[5] = part_of_d_vx_dot_d_vz_4; // d_vx_dot_d_vz
-    j[6] = part_of_d_vx_dot_d_q0_5; // d_vx_dot_d_q0
-    j[7] = part_of_d_vx_dot_d_q1_4; // d_vx_dot_d_q1
-    j[8] = part_of_d_vx_dot_d_q2_4 - T::splat(2.0) * part_of_d_vx_dot_d_q2; // d_vx_dot_d_q2
-    j[9] = part_of_d_vx_dot_d_q3_4 - T::splat(2.0) * part_of_d_vx_dot_d_q3; // d_vx_dot_d_q3
-    j[10] = part_of_d_vy_dot_d_vx_4; // d_vy_dot_d_vx
-    j[11] = part_of_d_vy_dot_d_vy_4; // d_vy_dot_d_vy
-    j[12] = part_of_d_vy_dot_d_vz_4; // d_vy_dot_d_vz
-    j[13] = part_of_d_vy_dot_d_q0_5; // d_vy_dot_d_q0
-    j[14] = part_of_d_vy_dot_d_q1_4 + T::splat(2.0) * part_of_d_vy_dot_d_q1; // d_vy_dot_d_q1
-    j[15] = part_of_d_vy_dot_d_q2_4; // d_vy_dot_d_q2
-    j[16] = part_of_d_vy_dot_d_q3_4 + T::splat(2.0) * part_of_d_vy_dot_d_q3; // d_vy_dot_d_q3
-    j[17] = part_of_d_vz_dot_d_vx_4; // d_vz_dot_d_vx
-    j[18] = part_of_d_vz_dot_d_vy_4; // d_vz_dot_d_vy
-    j[19] = part_of_d_vz_dot_d_vz_4; // d_vz_dot_d_vz
-    j[20] = part_of_d_vz_dot_d_q0_4 - q2_vx_minus_wind_x_product; // d_vz_dot_d_q0
-    j[21] = part_of_d_vz_dot_d_q1_4 - T::splat(2.0) * part_of_d_vz_dot_d_q1; // d_vz_dot_d_q1
-    j[22] = part_of_d_vz_dot_d_q2_4 - T::splat(2.0) * part_of_d_vz_dot_d_q2; // d_vz_dot_d_q2
-    j[23] = part_of_d_vz_dot_d_q3_4; // d_vz_dot_d_q3
-    j[24] = minus_half_p; // d_q0_dot_d_q1
-    j[25] = minus_half_q; // d_q0_dot_d_q2
-    j[26] = minus_half_r; // d_q0_dot_d_q3
-    j[27] = minus_q1_half; // d_q0_dot_d_p
-    j[28] = minus_q2_half; // d_q0_dot_d_q
-    j[29] = minus_q3_half; // d_q0_dot_d_r
-    j[30] = half_p; // d_q1_dot_d_q0
-    j[31] = half_r; // d_q1_dot_d_q2
-    j[32] = minus_half_q_2; // d_q1_dot_d_q3
-    j[33] = q0_half; // d_q1_dot_d_p
-    j[34] = minus_q3_half_2; // d_q1_dot_d_q
-    j[35] = q2_half; // d_q1_dot_d_r
-    j[36] = half_q; // d_q2_dot_d_q0
-    j[37] = minus_half_r_2; // d_q2_dot_d_q1
-    j[38] = half_p; // d_q2_dot_d_q3
-    j[39] = q3_half; // d_q2_dot_d_p
-    j[40] = q0_half; // d_q2_dot_d_q
-    j[41] = minus_q1_half_2; // d_q2_dot_d_r
-    j[42] = half_r; // d_q3_dot_d_q0
-    j[43] = half_q; // d_q3_dot_d_q1
-    j[44] = minus_half_p_2; // d_q3_dot_d_q2
-    j[45] = minus_q2_half_2; // d_q3_dot_d_p
-    j[46] = q1_half; // d_q3_dot_d_q
-    j[47] = q0_half; // d_q3_dot_d_r
-    j[48] = T::splat(2.0) * part_of_d_p_dot_d_vx_2 - part_of_d_p_dot_d_vx_3; // d_p_dot_d_vx
-    j[49] = part_of_d_p_dot_d_vy_3 + T::splat(2.0) * part_of_d_p_dot_d_vy_2; // d_p_dot_d_vy
-    j[50] = T::splat(-2.0) * part_of_d_p_dot_d_vz_2 - part_of_d_p_dot_d_vz_3; // d_p_dot_d_vz
-    j[51] = T::splat(2.0) * part_of_d_p_dot_d_q0_3; // d_p_dot_d_q0
-    j[52] = part_of_d_p_dot_d_q1_3; // d_p_dot_d_q1
-    j[53] = part_of_d_p_dot_d_q2_3; // d_p_dot_d_q2
-    j[54] = part_of_d_p_dot_d_q3_3; // d_p_dot_d_q3
-    j[55] = q2_sq_two_plus_q1_product_3; // d_p_dot_d_p
-    j[56] = r_n1_minus_I_a_inv_part; // d_p_dot_d_q
-    j[57] = q_n1_minus_part_part_sum; // d_p_dot_d_r
-    j[58] = T::splat(2.0) * part_of_d_q_dot_d_vx_2 - part_of_d_q_dot_d_vx_3; // d_q_dot_d_vx
-    j[59] = part_of_d_q_dot_d_vy_3; // d_q_dot_d_vy
-    j[60] = T::splat(2.0) * part_of_d_q_dot_d_vz - part_of_d_q_dot_d_vz_2; // d_q_dot_d_vz
-    j[61] = T::splat(2.0) * part_of_d_q_dot_d_q0_3; // d_q_dot_d_q0
-    j[62] = part_of_d_q_dot_d_q1_3; // d_q_dot_d_q1
-    j[63] = part_of_d_q_dot_d_q2_3; // d_q_dot_d_q2
-    j[64] = part_of_d_q_dot_d_q3_3; // d_q_dot_d_q3
-    j[65] = minus_r_n1_minus_I_a_inv_part; // d_q_dot_d_p
-    j[66] = q2_sq_two_plus_q1_product_3; // d_q_dot_d_q
-    j[67] = minus_p_n1_minus_part_sum; // d_q_dot_d_r
-    j[68] = p14_inv_p1; // d_r_dot_d_r
+    j[3] = d_vx_dot_d_vx;
+    j[4] = d_vx_dot_d_vy;
+    j[5] = d_vx_dot_d_vz;
+    j[6] = d_vx_dot_d_q0;
+    j[7] = d_vx_dot_d_q1;
+    j[8] = d_vx_dot_d_q2;
+    j[9] = d_vx_dot_d_q3;
+    j[10] = d_vy_dot_d_vx;
+    j[11] = d_vy_dot_d_vy;
+    j[12] = d_vy_dot_d_vz;
+    j[13] = d_vy_dot_d_q0;
+    j[14] = d_vy_dot_d_q1;
+    j[15] = d_vy_dot_d_q2;
+    j[16] = d_vy_dot_d_q3;
+    j[17] = d_vz_dot_d_vx;
+    j[18] = d_vz_dot_d_vy;
+    j[19] = d_vz_dot_d_vz;
+    j[20] = d_vz_dot_d_q0;
+    j[21] = d_vz_dot_d_q1;
+    j[22] = d_vz_dot_d_q2;
+    j[23] = d_vz_dot_d_q3;
+    j[24] = d_q0_dot_d_q1;
+    j[25] = d_q0_dot_d_q2;
+    j[26] = d_q0_dot_d_q3;
+    j[27] = d_q0_dot_d_p;
+    j[28] = d_q0_dot_d_q;
+    j[29] = d_q0_dot_d_r;
+    j[30] = minus_d_q3_dot_d_q2; // d_q1_dot_d_q0
+    j[31] = minus_d_q2_dot_d_q1; // d_q1_dot_d_q2
+    j[32] = d_q1_dot_d_q3;
+    j[33] = d_q1_dot_d_p;
+    j[34] = d_q1_dot_d_q;
+    j[35] = minus_d_q3_dot_d_p; // d_q1_dot_d_r
+    j[36] = minus_d_q1_dot_d_q3; // d_q2_dot_d_q0
+    j[37] = d_q2_dot_d_q1;
+    j[38] = minus_d_q3_dot_d_q2; // d_q2_dot_d_q3
+    j[39] = minus_d_q1_dot_d_q; // d_q2_dot_d_p
+    j[40] = d_q1_dot_d_p; // d_q2_dot_d_q
+    j[41] = d_q2_dot_d_r;
+    j[42] = minus_d_q2_dot_d_q1; // d_q3_dot_d_q0
+    j[43] = minus_d_q1_dot_d_q3; // d_q3_dot_d_q1
+    j[44] = d_q3_dot_d_q2;
+    j[45] = d_q3_dot_d_p;
+    j[46] = minus_d_q2_dot_d_r; // d_q3_dot_d_q
+    j[47] = d_q1_dot_d_p; // d_q3_dot_d_r
+    j[48] = d_p_dot_d_vx;
+    j[49] = d_p_dot_d_vy;
+    j[50] = d_p_dot_d_vz;
+    j[51] = d_p_dot_d_q0;
+    j[52] = d_p_dot_d_q1;
+    j[53] = d_p_dot_d_q2;
+    j[54] = d_p_dot_d_q3;
+    j[55] = V_sq_half_d_inv_product; // d_p_dot_d_p
+    j[56] = d_p_dot_d_q;
+    j[57] = minus_C_Rr_minus_air_sum; // d_p_dot_d_r
+    j[58] = d_q_dot_d_vx;
+    j[59] = d_q_dot_d_vy;
+    j[60] = d_q_dot_d_vz;
+    j[61] = d_q_dot_d_q0;
+    j[62] = d_q_dot_d_q1;
+    j[63] = d_q_dot_d_q2;
+    j[64] = d_q_dot_d_q3;
+    j[65] = d_q_dot_d_p;
+    j[66] = V_sq_half_d_inv_product; // d_q_dot_d_q
+    j[67] = C_Rr_air_velocity_sum; // d_q_dot_d_r
+    j[68] = C_Nr_inv_I_a; // d_r_dot_d_r
 }

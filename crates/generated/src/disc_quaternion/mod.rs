@@ -67,9 +67,9 @@ pub const COEFFICIENTS: usize = 8;
 /// What `prepare` computes.
 #[rustfmt::skip]
 pub const PREPARED: [&str; 16] = [
-    "inv_p0_p5_p4", "half_p3_inv_p2_p5_p4", "n1_minus_inv_p2_p1", "p14_inv_p1", "p3_p4_p5_inv_p2",
-    "two_p10", "p4_p5", "inv_p0", "inv_p2", "p1_inv_p2", "inv_p2_p3", "inv_p1", "minus_p1_inv_p2",
-    "minus_inv_p1_p14_inv_p1", "p5_half", "p4_p5_half",
+    "inv_m_rho_A", "half_d_inv_I_d_rho_A", "one_minus_inv_I_d_I_a", "C_Nr_inv_I_a",
+    "d_rho_A_inv_I_d", "two_C_Da", "rho_A", "inv_m", "inv_I_d", "I_a_inv_I_d", "inv_I_d_d",
+    "inv_I_a", "minus_I_a_inv_I_d", "minus_inv_I_a_d_r_dot_d_r", "rho_half", "A_rho_half",
 ];
 
 /// What `quantities` computes.

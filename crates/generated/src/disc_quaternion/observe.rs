@@ -26,7 +26,7 @@ pub fn observe<T: Real>(
     let mark_y = marker[1];
     let mark_z = marker[2];
     let q3_sq_two = T::splat(2.0) * q3 * q3;
-    let q2_sq_two_minus_n1 = T::splat(2.0) * q2 * q2 - T::splat(1.0);
+    let q2_sq_two_minus_one = T::splat(2.0) * q2 * q2 - T::splat(1.0);
     let q2_q0 = q2 * q0;
     let q3_q1 = q3 * q1;
     let q0_q3 = q0 * q3;
@@ -34,14 +34,14 @@ pub fn observe<T: Real>(
     let part_of_mark_x_2 = T::splat(2.0) * (mark_z * (q2_q0 + q3_q1) + mark_y * (q2_q1 - q0_q3));
 
     // disc_quaternion.hyz:84  observe mark = position + in_N(mark);
-    let mark_x_2 = x - mark_x * (q3_sq_two + q2_sq_two_minus_n1) + part_of_mark_x_2;
+    let mark_x_2 = x - mark_x * (q3_sq_two + q2_sq_two_minus_one) + part_of_mark_x_2;
     let q1_sq_two = T::splat(2.0) * q1 * q1;
     let q0_q1 = q0 * q1;
     let q2_q3 = q2 * q3;
     let part_of_mark_y_2 = T::splat(2.0) * (mark_z * (q2_q3 - q0_q1) + mark_x * (q0_q3 + q2_q1));
     let mark_y_2 = y - mark_y * (q3_sq_two - T::splat(1.0) + q1_sq_two) + part_of_mark_y_2;
     let part_of_mark_z_2 = T::splat(2.0) * (mark_y * (q0_q1 + q2_q3) + mark_x * (q3_q1 - q2_q0));
-    let mark_z_2 = z - mark_z * (q1_sq_two + q2_sq_two_minus_n1) + part_of_mark_z_2;
+    let mark_z_2 = z - mark_z * (q1_sq_two + q2_sq_two_minus_one) + part_of_mark_z_2;
 
     seen[0] = mark_x_2;
     seen[1] = mark_y_2;

@@ -36,15 +36,15 @@ pub fn quantities<T: Real>(
     let wind_x = parameters[15];
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let p5_half = prepared[14];
-    let p4_p5_half = prepared[15];
+    let rho_half = prepared[14];
+    let A_rho_half = prepared[15];
     let q2_q0 = q2 * q0;
     let q3_q1 = q3 * q1;
     let minus_wind_z_plus_vz = vz - wind_z;
     let q3_sq_two = T::splat(2.0) * q3 * q3;
-    let q2_sq_two_minus_n1 = T::splat(2.0) * q2 * q2 - T::splat(1.0);
+    let q2_sq_two_minus_one = T::splat(2.0) * q2 * q2 - T::splat(1.0);
     let minus_wind_x_plus_vx = vx - wind_x;
-    let part_of_air_velocity_1 = (q3_sq_two + q2_sq_two_minus_n1) * minus_wind_x_plus_vx;
+    let part_of_air_velocity_1 = (q3_sq_two + q2_sq_two_minus_one) * minus_wind_x_plus_vx;
     let q0_q3 = q0 * q3;
     let q2_q1 = q2 * q1;
     let minus_wind_y_plus_vy = vy - wind_y;
@@ -61,72 +61,70 @@ pub fn quantities<T: Real>(
     let part_of_air_velocity_2 =
         minus_wind_z_plus_vz * (q0_q1 + q2_q3) + minus_wind_x_plus_vx * (q2_q1 - q0_q3);
     let air_velocity_2 = T::splat(2.0) * part_of_air_velocity_2 - part_of_air_velocity_2_2;
-    let part_of_minus_wind_z_plus_sum_2 = minus_wind_z_plus_vz * (q1_sq_two + q2_sq_two_minus_n1);
-    let part_of_minus_wind_z_plus_sum =
+    let part_of_minus_air_velocity_3_2 = minus_wind_z_plus_vz * (q1_sq_two + q2_sq_two_minus_one);
+    let part_of_minus_air_velocity_3 =
         minus_wind_y_plus_vy * (q2_q3 - q0_q1) + minus_wind_x_plus_vx * (q2_q0 + q3_q1);
-    let minus_wind_z_plus_sum =
-        part_of_minus_wind_z_plus_sum_2 - T::splat(2.0) * part_of_minus_wind_z_plus_sum;
-    let air_velocity_2_sq_plus_sum =
-        air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
-    let minus_wind_z_plus_sum_sum =
-        minus_wind_z_plus_sum * minus_wind_z_plus_sum + air_velocity_2_sq_plus_sum;
+    let minus_air_velocity_3 =
+        part_of_minus_air_velocity_3_2 - T::splat(2.0) * part_of_minus_air_velocity_3;
+    let air_velocity_12_sq = air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
+    let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
     // disc_quaternion.hyz:57  let V = norm(air_velocity);
-    let V = minus_wind_z_plus_sum_sum.sqrt();
-    let sqrt_air_velocity_2_sq_of = air_velocity_2_sq_plus_sum.sqrt();
-    let inv_sqrt_air_velocity_2_of = sqrt_air_velocity_2_sq_of.recip_or_zero();
-    let air_velocity_1_inv_product = air_velocity_1 * inv_sqrt_air_velocity_2_of;
+    let V = V_sq.sqrt();
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let d1_1 = air_velocity_1 * inv_air_velocity_12;
 
     // disc_quaternion.hyz:58  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
-    let d1_2 = air_velocity_2 * inv_sqrt_air_velocity_2_of;
+    let d1_2 = air_velocity_2 * inv_air_velocity_12;
 
     // disc_quaternion.hyz:62  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = minus_wind_z_plus_sum.atan2(sqrt_air_velocity_2_sq_of);
+    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
 
     // disc_quaternion.hyz:66  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La * alpha + C_L0;
 
     // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_Da * alpha * alpha + C_D0;
-    let minus_wind_z_plus_product = p4_p5_half * minus_wind_z_plus_sum_sum;
+    let V_sq_A_rho_half = A_rho_half * V_sq;
     let air_velocity_2_q_plus_sum = air_velocity_2 * q + air_velocity_1 * p;
 
     // disc_quaternion.hyz:72  let rate_1 = dot(angular_velocity, d1);
-    let rate_1 = inv_sqrt_air_velocity_2_of * air_velocity_2_q_plus_sum;
+    let rate_1 = inv_air_velocity_12 * air_velocity_2_q_plus_sum;
     let air_velocity_1_q_minus_sum = air_velocity_1 * q - air_velocity_2 * p;
-    let inv_sqrt_air_product = C_Mq * inv_sqrt_air_velocity_2_of;
-    let d_minus_wind_z_plus_product = d * minus_wind_z_plus_product;
+    let inv_air_velocity_12_C_Mq = C_Mq * inv_air_velocity_12;
+    let d_V_sq_A_rho_half = d * V_sq_A_rho_half;
     let part_of_roll =
-        (air_velocity_2_q_plus_sum * inv_sqrt_air_product + C_Rr * r) * d_minus_wind_z_plus_product;
-    let part_of_pitch = air_velocity_1_q_minus_sum * inv_sqrt_air_product + C_Ma * alpha;
+        (air_velocity_2_q_plus_sum * inv_air_velocity_12_C_Mq + C_Rr * r) * d_V_sq_A_rho_half;
+    let part_of_pitch = air_velocity_1_q_minus_sum * inv_air_velocity_12_C_Mq + C_Ma * alpha;
 
     // disc_quaternion.hyz:76  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
-    let minus_minus_wind_z_plus_sum = -minus_wind_z_plus_sum;
-    let minus_d1_2 = -d1_2;
+    let air_velocity_3 = -minus_air_velocity_3;
+    let d2_1 = -d1_2;
 
     values[0] = air_velocity_1;
     values[1] = air_velocity_2;
-    values[2] = minus_minus_wind_z_plus_sum;
+    values[2] = air_velocity_3;
     values[3] = T::splat(0.0);
     values[4] = T::splat(0.0);
     values[5] = T::splat(1.0);
     values[6] = V;
-    values[7] = air_velocity_1_inv_product;
+    values[7] = d1_1;
     values[8] = d1_2;
     values[9] = T::splat(0.0);
-    values[10] = minus_d1_2;
-    values[11] = air_velocity_1_inv_product;
+    values[10] = d2_1;
+    values[11] = d1_1;
     values[12] = T::splat(0.0);
     values[13] = alpha;
-    values[14] = p5_half * minus_wind_z_plus_sum_sum;
+    values[14] = rho_half * V_sq;
     values[15] = C_L;
     values[16] = C_D;
-    values[17] = C_L * minus_wind_z_plus_product;
-    values[18] = C_D * minus_wind_z_plus_product;
+    values[17] = C_L * V_sq_A_rho_half;
+    values[18] = C_D * V_sq_A_rho_half;
     values[19] = rate_1;
-    values[20] = inv_sqrt_air_velocity_2_of * air_velocity_1_q_minus_sum;
+    values[20] = inv_air_velocity_12 * air_velocity_1_q_minus_sum;
     values[21] = part_of_roll;
-    values[22] = part_of_pitch * d_minus_wind_z_plus_product;
+    values[22] = part_of_pitch * d_V_sq_A_rho_half;
     values[23] = spin_down;
 }

@@ -34,474 +34,488 @@ pub fn f_jac_par<T: Real>(
     let wind_x = parameters[15];
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_p8_plus_p7 = prepared[0];
-    let inv_p9 = prepared[1];
-    let inv_p0_half_p5_p4 = prepared[2];
-    let inv_p2_p1 = prepared[4];
-    let half_p5_p4_p3_inv_p2 = prepared[5];
-    let p14_inv_p1 = prepared[6];
-    let two_p11 = prepared[7];
-    let minus_n1_plus_inv_p2_p1 = prepared[11];
-    let p4_half = prepared[12];
-    let p5_p4_half = prepared[13];
-    let inv_p0 = prepared[14];
-    let inv_p2 = prepared[15];
-    let inv_p1 = prepared[16];
-    let p7_minus_p8_n8 = prepared[17];
-    let p5_half = prepared[18];
-    let minus_p5_half = prepared[19];
-    let minus_p4_half = prepared[20];
-    let minus_p5_p4_half_inv_p0 = prepared[21];
-    let p5_p4_half_p3 = prepared[22];
-    let inv_p2_sq = prepared[23];
-    let p5_p4_half_inv_p2 = prepared[24];
-    let p3_inv_p2_p5_half = prepared[25];
-    let p3_inv_p2_p4_half = prepared[26];
-    let minus_inv_p2_p5_part_sum = prepared[27];
-    let inv_p1_d_gammadot_dot_d_r = prepared[28];
-    let minus_p5_p4_half_inv_p2 = prepared[29];
-    let minus_p3_inv_p2_p5_half = prepared[30];
-    let minus_p3_inv_p2_p4_half = prepared[31];
+    let minus_C_Lp_plus_C_Ls = prepared[0];
+    let inv_s_stall = prepared[1];
+    let inv_m_half_rho_A = prepared[2];
+    let inv_I_d_I_a = prepared[4];
+    let half_rho_A_d_inv_I_d = prepared[5];
+    let C_Nr_inv_I_a = prepared[6];
+    let two_C_Ds = prepared[7];
+    let minus_one_plus_inv_I_d_I_a = prepared[11];
+    let A_half = prepared[12];
+    let half_rho_A = prepared[13];
+    let inv_m = prepared[14];
+    let inv_I_d = prepared[15];
+    let inv_I_a = prepared[16];
+    let minus_C_Lp_plus_C_Ls_n8 = prepared[17];
+    let rho_half = prepared[18];
+    let minus_rho_half = prepared[19];
+    let minus_A_half = prepared[20];
+    let minus_half_rho_A_inv_m = prepared[21];
+    let half_rho_A_d = prepared[22];
+    let inv_I_d_sq = prepared[23];
+    let half_rho_A_inv_I_d = prepared[24];
+    let d_inv_I_d_rho_half = prepared[25];
+    let d_inv_I_d_A_half = prepared[26];
+    let minus_inv_I_d_half_rho_sum = prepared[27];
+    let inv_I_a_d_gammadot_dot_d_r = prepared[28];
+    let minus_half_rho_A_inv_I_d = prepared[29];
+    let minus_d_inv_I_d_rho_half = prepared[30];
+    let minus_d_inv_I_d_A_half = prepared[31];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // discus.hyz:63  position (x, y, z) in N;
     let x_dot = u * cos_theta + w * sin_theta;
     let (sin_phi, cos_phi) = phi.sin_cos();
-    let cos_theta_w_minus_u_sin_sum = cos_theta * w - u * sin_theta;
-    let y_dot = v * cos_phi - sin_phi * cos_theta_w_minus_u_sin_sum;
-    let z_dot = cos_phi * cos_theta_w_minus_u_sin_sum + v * sin_phi;
+    let minus_sin_theta_u_minus_w_cos_sum_2 = cos_theta * w - u * sin_theta;
+    let y_dot = v * cos_phi - sin_phi * minus_sin_theta_u_minus_w_cos_sum_2;
+    let z_dot = cos_phi * minus_sin_theta_u_minus_w_cos_sum_2 + v * sin_phi;
     let cos_phi_g = g * cos_phi;
-    let v_phidot_plus_cos_phi_g = v * phidot + cos_phi_g;
-    let sin_theta_v_phidot_product = sin_theta * v_phidot_plus_cos_phi_g;
-    let cos_phi_wind_z_minus_sum = wind_z * cos_phi - wind_y * sin_phi;
-    let cos_theta_cos_phi_sum = cos_theta * cos_phi_wind_z_minus_sum + wind_x * sin_theta;
-    let minus_w_plus_cos_theta_sum = cos_theta_cos_phi_sum - w;
-    let minus_w_plus_cos_product = minus_w_plus_cos_theta_sum * minus_w_plus_cos_theta_sum;
-    let minus_cos_theta_wind_x_sum = sin_theta * cos_phi_wind_z_minus_sum - wind_x * cos_theta;
+    let cos_phi_g_plus_v_phidot = v * phidot + cos_phi_g;
+    let sin_theta_cos_phi_g_product = sin_theta * cos_phi_g_plus_v_phidot;
+    let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
+    let d_air_velocity_1_d_theta = cos_theta * minus_sin_phi_wind_y_sum + wind_x * sin_theta;
 
     // discus.hyz:70  let air_velocity = velocity - in_B(wind);
-    let air_velocity_1 = u + minus_cos_theta_wind_x_sum;
-    let cos_phi_wind_y_plus_sin_sum = wind_y * cos_phi + wind_z * sin_phi;
-    let air_velocity_2 = v - cos_phi_wind_y_plus_sin_sum;
-    let air_velocity_1_sq_plus_sum =
-        air_velocity_1 * air_velocity_1 + air_velocity_2 * air_velocity_2;
-    let minus_w_plus_cos_sum = minus_w_plus_cos_product + air_velocity_1_sq_plus_sum;
+    let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
+    let minus_air_velocity_3_sq = minus_air_velocity_3 * minus_air_velocity_3;
+    let minus_d_minus_air_velocity_3_d_theta =
+        sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta;
+    let air_velocity_1 = u + minus_d_minus_air_velocity_3_d_theta;
+    let minus_d_minus_sin_phi_wind_y_sum_d_phi = wind_y * cos_phi + wind_z * sin_phi;
+    let air_velocity_2 = v - minus_d_minus_sin_phi_wind_y_sum_d_phi;
+    let air_velocity_12_sq = air_velocity_1 * air_velocity_1 + air_velocity_2 * air_velocity_2;
+    let V_sq = minus_air_velocity_3_sq + air_velocity_12_sq;
 
     // discus.hyz:72  let V = norm(air_velocity);
-    let V = minus_w_plus_cos_sum.sqrt();
-    let V_inv_m = inv_p0 * V;
-    let rho_A_half_V_inv_m = p5_p4_half * V_inv_m;
+    let V = V_sq.sqrt();
+    let V_inv_m = inv_m * V;
+    let V_inv_m_half_rho_A = half_rho_A * V_inv_m;
     let inv_V = V.recip_or_zero();
-    let minus_w_plus_cos_product_2 = minus_w_plus_cos_theta_sum * inv_V;
-    let minus_w_plus_cos_product_3 = inv_p9 * minus_w_plus_cos_product_2;
-    let minus_w_plus_cos_product_4 = minus_w_plus_cos_product_3 * minus_w_plus_cos_product_3;
-    let minus_w_plus_cos_product_5 = minus_w_plus_cos_product_4 * minus_w_plus_cos_product_4;
-    let part_of_inv_minus_w_plus_cos_sum =
-        minus_w_plus_cos_product_5 * minus_w_plus_cos_product_5 + T::splat(1.0);
-    let inv_minus_w_plus_cos_sum = T::splat(1.0) / part_of_inv_minus_w_plus_cos_sum;
-    let C_Lp_plus_C_Ls_minus_C_sum = C_Lp + minus_p8_plus_p7 * inv_minus_w_plus_cos_sum;
-    let sqrt_air_velocity_1_sq_of = air_velocity_1_sq_plus_sum.sqrt();
+    let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
+    let inv_s_stall_minus_product = inv_s_stall * minus_air_velocity_3_inv_V;
+    let inv_s_stall_minus_product_sq = inv_s_stall_minus_product * inv_s_stall_minus_product;
+    let inv_s_stall_minus_product_2 = inv_s_stall_minus_product_sq * inv_s_stall_minus_product_sq;
+    let inv_s_stall_minus_sum =
+        inv_s_stall_minus_product_2 * inv_s_stall_minus_product_2 + T::splat(1.0);
+    let inv_inv_s_stall_minus_sum = T::splat(1.0) / inv_s_stall_minus_sum;
+    let C_Lp_plus_minus_C_Lp_sum = C_Lp + minus_C_Lp_plus_C_Ls * inv_inv_s_stall_minus_sum;
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
 
     // discus.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = minus_w_plus_cos_theta_sum.atan2(sqrt_air_velocity_1_sq_of);
+    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let alpha_two = T::splat(2.0) * alpha;
     let (sin_alpha_two, cos_alpha_two) = alpha_two.sin_cos();
-    let C_Lp_plus_C_Ls_product = C_Lp_plus_C_Ls_minus_C_sum * sin_alpha_two;
+    let sin_alpha_two_C_Lp_product = C_Lp_plus_minus_C_Lp_sum * sin_alpha_two;
 
     // discus.hyz:83  let C_D = C_D0 + C_Ds*sin(alpha)^2;
-    let C_D = C_D0 + C_Ds * minus_w_plus_cos_product_2 * minus_w_plus_cos_product_2;
-    let minus_minus_w_plus_cos_sum =
-        sqrt_air_velocity_1_sq_of * C_D - minus_w_plus_cos_theta_sum * C_Lp_plus_C_Ls_product;
-    let rho_A_half_V_inv_m_product = rho_A_half_V_inv_m * minus_minus_w_plus_cos_sum;
-    let inv_sqrt_air_velocity_1_of = sqrt_air_velocity_1_sq_of.recip_or_zero();
-    let air_velocity_1_inv_product = air_velocity_1 * inv_sqrt_air_velocity_1_of;
+    let C_D = C_D0 + C_Ds * minus_air_velocity_3_inv_V * minus_air_velocity_3_inv_V;
+    let C_D_air_velocity_12_sum =
+        air_velocity_12 * C_D - minus_air_velocity_3 * sin_alpha_two_C_Lp_product;
+    let C_D_air_velocity_12_product = V_inv_m_half_rho_A * C_D_air_velocity_12_sum;
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
     let part_of_u_dot =
-        sin_theta_v_phidot_product - rho_A_half_V_inv_m_product * air_velocity_1_inv_product;
+        sin_theta_cos_phi_g_product - C_D_air_velocity_12_product * air_velocity_1_inv_product;
 
     // discus.hyz:64  velocity (u, v, w) in B;
     let u_dot = part_of_u_dot - w * thetadot;
-    let air_velocity_2_inv_product = air_velocity_2 * inv_sqrt_air_velocity_1_of;
-    let part_of_v_dot = rho_A_half_V_inv_m_product * air_velocity_2_inv_product;
+    let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12;
+    let part_of_v_dot = C_D_air_velocity_12_product * air_velocity_2_inv_product;
     let sin_phi_g = g * sin_phi;
-    let v_dot = cos_theta_w_minus_u_sin_sum * phidot - part_of_v_dot - sin_phi_g;
-    let cos_theta_v_phidot_product = cos_theta * v_phidot_plus_cos_phi_g;
-    let sqrt_air_velocity_1_sum =
-        sqrt_air_velocity_1_sq_of * C_Lp_plus_C_Ls_product + minus_w_plus_cos_theta_sum * C_D;
-    let part_of_w_dot = rho_A_half_V_inv_m * sqrt_air_velocity_1_sum - cos_theta_v_phidot_product;
+    let v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot - part_of_v_dot - sin_phi_g;
+    let cos_theta_cos_phi_g_product = cos_theta * cos_phi_g_plus_v_phidot;
+    let minus_air_velocity_3_C_sum =
+        air_velocity_12 * sin_alpha_two_C_Lp_product + minus_air_velocity_3 * C_D;
+    let part_of_w_dot =
+        V_inv_m_half_rho_A * minus_air_velocity_3_C_sum - cos_theta_cos_phi_g_product;
     let w_dot = part_of_w_dot + u * thetadot;
-    let nonzero_sqrt_air_of = sqrt_air_velocity_1_sq_of.if_zero(T::splat(0.0), T::splat(1.0));
-    let minus_w_plus_cos_product_6 = half_p5_p4_p3_inv_p2 * minus_w_plus_cos_sum;
-    let nonzero_sqrt_air_of_product = nonzero_sqrt_air_of * minus_w_plus_cos_product_6;
-    let C_Mq_nonzero_sqrt_product = C_Mq * nonzero_sqrt_air_of_product;
+    let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let V_sq_half_rho_A_d_inv_part = half_rho_A_d_inv_I_d * V_sq;
+    let nonzero_air_product = nonzero_air_velocity_12_sq * V_sq_half_rho_A_d_inv_part;
+    let V_sq_half_rho_A_d_product_2 = C_Mq * nonzero_air_product;
     let sin_theta_two = T::splat(2.0) * sin_theta;
-    let cos_theta_C_Mq_product_sum =
-        cos_theta * C_Mq_nonzero_sqrt_product + thetadot * sin_theta_two;
-    let minus_w_plus_cos_product_7 = C_Ms * minus_w_plus_cos_product_6;
-    let sin_alpha_two_minus_product = sin_alpha_two * minus_w_plus_cos_product_7;
-    let part_of_phidot_cos_theta_C_product =
-        air_velocity_2_inv_product * sin_alpha_two_minus_product;
+    let sin_theta_two_thetadot_sum =
+        cos_theta * V_sq_half_rho_A_d_product_2 + thetadot * sin_theta_two;
+    let V_sq_half_rho_A_d_product = C_Ms * V_sq_half_rho_A_d_inv_part;
+    let V_sq_half_rho_A_d_product_3 = sin_alpha_two * V_sq_half_rho_A_d_product;
+    let part_of_minus_thetadot_r_inv_I = air_velocity_2_inv_product * V_sq_half_rho_A_d_product_3;
     let sin_theta_phidot = sin_theta * phidot;
 
     // discus.hyz:88  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
-    let r_inv_I_d_I_a = inv_p2_p1 * r;
-    let part_of_phidot_cos_theta_C_product_2 =
-        phidot * cos_theta_C_Mq_product_sum - part_of_phidot_cos_theta_C_product;
+    let r_inv_I_d_I_a = inv_I_d_I_a * r;
+    let part_of_minus_thetadot_r_inv_I_2 =
+        phidot * sin_theta_two_thetadot_sum - part_of_minus_thetadot_r_inv_I;
+    let minus_thetadot_r_inv_I_sum = part_of_minus_thetadot_r_inv_I_2 - thetadot * r_inv_I_d_I_a;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
-    let phidot_cos_theta_C_product =
-        (part_of_phidot_cos_theta_C_product_2 - thetadot * r_inv_I_d_I_a) * inv_cos_theta;
+    let minus_thetadot_r_product = minus_thetadot_r_inv_I_sum * inv_cos_theta;
     let cos_theta_phidot = cos_theta * phidot;
     let sin_theta_phidot_minus_sum = sin_theta_phidot - r_inv_I_d_I_a;
     let part_of_thetadot_dot =
-        thetadot * C_Mq_nonzero_sqrt_product - cos_theta_phidot * sin_theta_phidot_minus_sum;
+        thetadot * V_sq_half_rho_A_d_product_2 - cos_theta_phidot * sin_theta_phidot_minus_sum;
 
     // discus.hyz:56  frame B = A turned theta about 2; // does not spin with the discus
     let thetadot_dot =
-        part_of_thetadot_dot + air_velocity_1_inv_product * sin_alpha_two_minus_product;
+        part_of_thetadot_dot + air_velocity_1_inv_product * V_sq_half_rho_A_d_product_3;
 
     // discus.hyz:57  frame C = B turned gamma about 3; // fixed in the discus
     let gammadot_dot =
-        p14_inv_p1 * r - thetadot * cos_theta_phidot - sin_theta * phidot_cos_theta_C_product;
+        C_Nr_inv_I_a * r - thetadot * cos_theta_phidot - sin_theta * minus_thetadot_r_product;
+    let d_y_dot_d_u = sin_theta * sin_phi;
     let cos_theta_sin_phi = cos_theta * sin_phi;
-    let sin_theta_cos_phi = sin_theta * cos_phi;
-    let cos_theta_cos_phi = cos_theta * cos_phi;
-    let rho_A_half_V_inv_m_C_D = rho_A_half_V_inv_m * C_D;
-    let C_Lp_plus_C_Ls_product_2 = C_Lp_plus_C_Ls_minus_C_sum * cos_alpha_two;
-    let sqrt_air_velocity_1_product = sqrt_air_velocity_1_sq_of * inv_V;
-    let inv_s_stall_inv_product = inv_p9 * inv_minus_w_plus_cos_sum;
-    let part_of_minus_w_plus_cos_product_8 =
-        p7_minus_p8_n8 * (minus_w_plus_cos_product_3 * minus_w_plus_cos_product_4);
-    let minus_w_plus_cos_product_8 =
-        minus_w_plus_cos_product_5 * inv_s_stall_inv_product * part_of_minus_w_plus_cos_product_8;
-    let inv_minus_w_plus_product = inv_minus_w_plus_cos_sum * sin_alpha_two;
-    let minus_w_plus_cos_product_9 = minus_w_plus_cos_product_8 * inv_minus_w_plus_product;
-    let part_of_two_C_Lp_plus_C_Ls_product =
-        sqrt_air_velocity_1_product * minus_w_plus_cos_product_9;
-    let part_of_two_C_Lp_plus_C_Ls_product_2 =
-        T::splat(2.0) * C_Lp_plus_C_Ls_product_2 - part_of_two_C_Lp_plus_C_Ls_product;
-    let d_w_dot_d_C_D = minus_w_plus_cos_theta_sum * rho_A_half_V_inv_m;
-    let two_C_Lp_plus_C_Ls_product = part_of_two_C_Lp_plus_C_Ls_product_2 * d_w_dot_d_C_D;
-    let part_of_rho_A_half_V_inv_m_C_D_sum =
-        minus_w_plus_cos_product_2 * two_C_Lp_plus_C_Ls_product;
-    let sqrt_air_velocity_1_product_2 = T::splat(2.0) * sqrt_air_velocity_1_sq_of;
-    let minus_w_plus_cos_product_10 = minus_w_plus_cos_product_2 * d_w_dot_d_C_D;
+    let d_y_dot_d_theta = x_dot * sin_phi;
+    let d_air_velocity_1_d_wind_z = sin_theta * cos_phi;
+    let d_minus_air_velocity_3_d_wind_z = cos_theta * cos_phi;
+    let d_w_dot_d_minus_air_velocity_3 = V_inv_m_half_rho_A * C_D;
+    let C_Lp_plus_minus_C_product = C_Lp_plus_minus_C_Lp_sum * cos_alpha_two;
+    let air_velocity_12_inv_V = air_velocity_12 * inv_V;
+    let inv_s_stall_inv_inv_product = inv_s_stall * inv_inv_s_stall_minus_sum;
+    let part_of_inv_s_stall_minus =
+        minus_C_Lp_plus_C_Ls_n8 * (inv_s_stall_minus_product * inv_s_stall_minus_product_sq);
+    let inv_s_stall_minus_product_3 =
+        inv_s_stall_minus_product_2 * inv_s_stall_inv_inv_product * part_of_inv_s_stall_minus;
+    let inv_inv_s_stall_product = inv_inv_s_stall_minus_sum * sin_alpha_two;
+    let inv_s_stall_minus_product_4 = inv_s_stall_minus_product_3 * inv_inv_s_stall_product;
+    let part_of_two_C_Lp_plus_minus = air_velocity_12_inv_V * inv_s_stall_minus_product_4;
+    let part_of_two_C_Lp_plus_minus_2 =
+        T::splat(2.0) * C_Lp_plus_minus_C_product - part_of_two_C_Lp_plus_minus;
+    let d_w_dot_d_C_D = minus_air_velocity_3 * V_inv_m_half_rho_A;
+    let two_C_Lp_plus_minus_product = part_of_two_C_Lp_plus_minus_2 * d_w_dot_d_C_D;
+    let part_of_d_w_dot_d_minus_air_sum = minus_air_velocity_3_inv_V * two_C_Lp_plus_minus_product;
+    let air_velocity_12_two = T::splat(2.0) * air_velocity_12;
+    let minus_air_velocity_product = minus_air_velocity_3_inv_V * d_w_dot_d_C_D;
     let inv_V_sq = inv_V * inv_V;
-    let minus_w_plus_cos_product_11 = minus_w_plus_cos_product_10 * (C_Ds * inv_V_sq);
-    let part_of_minus_minus_w_plus_sum =
-        sqrt_air_velocity_1_product_2 * minus_w_plus_cos_product_11;
-    let minus_minus_w_plus_sum =
-        inv_p0_half_p5_p4 * minus_minus_w_plus_cos_sum - part_of_minus_minus_w_plus_sum;
-    let part_of_rho_A_half_V_inv_m_C_D_sum_2 =
-        part_of_rho_A_half_V_inv_m_C_D_sum + sqrt_air_velocity_1_sq_of * minus_minus_w_plus_sum;
-    let part_of_rho_A_half_V_inv_m_C_D_sum_3 =
-        rho_A_half_V_inv_m_C_D + inv_V * part_of_rho_A_half_V_inv_m_C_D_sum_2;
-    let part_of_rho_A_half_V_inv_m_C_D_sum_4 =
-        rho_A_half_V_inv_m_product * inv_sqrt_air_velocity_1_of;
-    let rho_A_half_V_inv_m_C_D_sum =
-        part_of_rho_A_half_V_inv_m_C_D_sum_3 - part_of_rho_A_half_V_inv_m_C_D_sum_4;
-    let part_of_inv_sqrt_air_product =
-        air_velocity_1 * (air_velocity_1_inv_product * rho_A_half_V_inv_m_C_D_sum);
-    let inv_sqrt_air_product =
-        inv_sqrt_air_velocity_1_of * (rho_A_half_V_inv_m_product + part_of_inv_sqrt_air_product);
+    let minus_air_velocity_product_2 = minus_air_velocity_product * (C_Ds * inv_V_sq);
+    let part_of_d_C_D_air_velocity_12 = air_velocity_12_two * minus_air_velocity_product_2;
+    let d_C_D_air_velocity_12_product_d_V =
+        inv_m_half_rho_A * C_D_air_velocity_12_sum - part_of_d_C_D_air_velocity_12;
+    let part_of_d_w_dot_d_minus_air_sum_2 =
+        part_of_d_w_dot_d_minus_air_sum + air_velocity_12 * d_C_D_air_velocity_12_product_d_V;
+    let part_of_d_w_dot_d_minus_air_sum_3 =
+        d_w_dot_d_minus_air_velocity_3 + inv_V * part_of_d_w_dot_d_minus_air_sum_2;
+    let d_w_dot_d_minus_air_sum_sum =
+        part_of_d_w_dot_d_minus_air_sum_3 - C_D_air_velocity_12_product * inv_air_velocity_12;
+    let part_of_inv_air_velocity_12 =
+        air_velocity_1 * (air_velocity_1_inv_product * d_w_dot_d_minus_air_sum_sum);
+    let inv_air_velocity_12_product =
+        inv_air_velocity_12 * (C_D_air_velocity_12_product + part_of_inv_air_velocity_12);
     let air_velocity_2_inv_product_2 =
-        air_velocity_2_inv_product * (air_velocity_1_inv_product * rho_A_half_V_inv_m_C_D_sum);
-    let rho_A_half_V_inv_m_product_2 = rho_A_half_V_inv_m * C_Lp_plus_C_Ls_product;
-    let sqrt_air_velocity_1_product_3 = sqrt_air_velocity_1_sq_of * rho_A_half_V_inv_m;
-    let minus_w_plus_cos_product_12 = minus_w_plus_cos_product_2 * sqrt_air_velocity_1_product_3;
-    let part_of_minus_inv_V_C_Lp_plus_C_sum_2 =
-        inv_V * C_Lp_plus_C_Ls_product_2 * sqrt_air_velocity_1_product_2;
-    let part_of_minus_inv_V_C_Lp_plus_C_sum =
-        (T::splat(1.0) - minus_w_plus_cos_product * inv_V_sq) * minus_w_plus_cos_product_9;
-    let minus_inv_V_C_Lp_plus_C_sum =
-        part_of_minus_inv_V_C_Lp_plus_C_sum - part_of_minus_inv_V_C_Lp_plus_C_sum_2;
-    let part_of_minus_rho_A_half_V_inv_sum =
-        minus_minus_w_plus_sum + rho_A_half_V_inv_m * minus_inv_V_C_Lp_plus_C_sum;
-    let part_of_minus_rho_A_half_V_inv_sum_2 =
-        minus_w_plus_cos_theta_sum * part_of_minus_rho_A_half_V_inv_sum;
-    let part_of_minus_rho_A_half_V_inv_sum_3 =
-        two_p11 * minus_w_plus_cos_product_12 + part_of_minus_rho_A_half_V_inv_sum_2;
-    let minus_rho_A_half_V_inv_sum =
-        inv_V * part_of_minus_rho_A_half_V_inv_sum_3 - rho_A_half_V_inv_m_product_2;
-    let air_velocity_1_inv_product_2 = air_velocity_1_inv_product * minus_rho_A_half_V_inv_sum;
+        air_velocity_2_inv_product * (air_velocity_1_inv_product * d_w_dot_d_minus_air_sum_sum);
+    let d_u_dot_d_v = sin_theta_phidot - air_velocity_2_inv_product_2;
+    let d_w_dot_d_air_velocity_12 = V_inv_m_half_rho_A * sin_alpha_two_C_Lp_product;
+    let air_velocity_12_V_product = air_velocity_12 * V_inv_m_half_rho_A;
+    let minus_air_velocity_product_3 = minus_air_velocity_3_inv_V * air_velocity_12_V_product;
+    let part_of_minus_inv_V_C_Lp_plus =
+        (T::splat(1.0) - minus_air_velocity_3_sq * inv_V_sq) * inv_s_stall_minus_product_4;
+    let minus_inv_V_C_Lp_plus_sum =
+        part_of_minus_inv_V_C_Lp_plus - inv_V * C_Lp_plus_minus_C_product * air_velocity_12_two;
+    let part_of_minus_d_w_dot_d_air_sum =
+        d_C_D_air_velocity_12_product_d_V + V_inv_m_half_rho_A * minus_inv_V_C_Lp_plus_sum;
+    let part_of_minus_d_w_dot_d_air_sum_2 = minus_air_velocity_3 * part_of_minus_d_w_dot_d_air_sum;
+    let part_of_minus_d_w_dot_d_air_sum_3 =
+        two_C_Ds * minus_air_velocity_product_3 + part_of_minus_d_w_dot_d_air_sum_2;
+    let minus_d_w_dot_d_air_sum =
+        inv_V * part_of_minus_d_w_dot_d_air_sum_3 - d_w_dot_d_air_velocity_12;
+    let minus_d_u_dot_d_minus_air_velocity_3 = air_velocity_1_inv_product * minus_d_w_dot_d_air_sum;
+    let d_u_dot_d_w = minus_d_u_dot_d_minus_air_velocity_3 - thetadot;
     let cos_theta_air_product = cos_theta * air_velocity_1_inv_product;
-    let minus_rho_A_half_V_product = minus_rho_A_half_V_inv_sum * cos_theta_air_product;
-    let part_of_d_u_dot_d_phi_2 = cos_phi_wind_y_plus_sin_sum * minus_rho_A_half_V_product;
+    let minus_d_w_dot_d_air_product = minus_d_w_dot_d_air_sum * cos_theta_air_product;
     let part_of_d_u_dot_d_phi =
-        sin_theta * (sin_phi_g - inv_sqrt_air_product * cos_phi_wind_y_plus_sin_sum);
+        minus_d_minus_sin_phi_wind_y_sum_d_phi * minus_d_w_dot_d_air_product;
+    let part_of_d_u_dot_d_phi_2 =
+        inv_air_velocity_12_product * minus_d_minus_sin_phi_wind_y_sum_d_phi;
     let part_of_d_u_dot_d_phi_3 =
-        part_of_d_u_dot_d_phi_2 + cos_phi_wind_z_minus_sum * air_velocity_2_inv_product_2;
+        part_of_d_u_dot_d_phi + minus_sin_phi_wind_y_sum * air_velocity_2_inv_product_2;
+    let d_u_dot_d_phi = part_of_d_u_dot_d_phi_3 - sin_theta * (sin_phi_g - part_of_d_u_dot_d_phi_2);
     let part_of_d_u_dot_d_theta =
-        cos_theta_v_phidot_product - inv_sqrt_air_product * cos_theta_cos_phi_sum;
+        minus_d_u_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_theta;
     let part_of_d_u_dot_d_theta_2 =
-        part_of_d_u_dot_d_theta + air_velocity_1_inv_product_2 * minus_cos_theta_wind_x_sum;
-    let minus_air_velocity_2_sum = -(air_velocity_2_inv_product * rho_A_half_V_inv_m_C_D_sum);
-    let part_of_d_v_dot_d_u =
-        air_velocity_1_inv_product * minus_air_velocity_2_sum - sin_theta_phidot;
-    let rho_A_half_V_inv_m_sum =
-        rho_A_half_V_inv_m_product - air_velocity_2 * minus_air_velocity_2_sum;
-    let inv_sqrt_air_product_2 = inv_sqrt_air_velocity_1_of * rho_A_half_V_inv_m_sum;
-    let air_velocity_2_inv_product_3 = air_velocity_2_inv_product * minus_rho_A_half_V_inv_sum;
-    let cos_theta_air_product_2 = cos_theta * air_velocity_2_inv_product_3;
+        cos_theta_cos_phi_g_product - inv_air_velocity_12_product * d_air_velocity_1_d_theta;
+    let d_u_dot_d_theta = part_of_d_u_dot_d_theta_2 + part_of_d_u_dot_d_theta;
+    let d_u_dot_d_phidot = sin_theta * v;
+    let minus_air_velocity_2_sum = -(air_velocity_2_inv_product * d_w_dot_d_minus_air_sum_sum);
+    let d_v_dot_d_u = air_velocity_1_inv_product * minus_air_velocity_2_sum - sin_theta_phidot;
+    let C_D_air_velocity_12_sum_2 =
+        C_D_air_velocity_12_product - air_velocity_2 * minus_air_velocity_2_sum;
+    let inv_air_velocity_12_product_2 = inv_air_velocity_12 * C_D_air_velocity_12_sum_2;
+    let minus_d_v_dot_d_minus_air_velocity_3 = air_velocity_2_inv_product * minus_d_w_dot_d_air_sum;
+    let d_v_dot_d_w = cos_theta_phidot + minus_d_v_dot_d_minus_air_velocity_3;
+    let cos_theta_minus_d_v_product = cos_theta * minus_d_v_dot_d_minus_air_velocity_3;
+    let part_of_d_v_dot_d_phi =
+        minus_d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_minus_d_v_product;
     let sin_theta_air_velocity_1 = sin_theta * air_velocity_1;
-    let cos_phi_wind_y_plus_product = cos_phi_wind_y_plus_sin_sum * sin_theta_air_velocity_1;
-    let part_of_d_v_dot_d_phi = minus_air_velocity_2_sum * cos_phi_wind_y_plus_product;
-    let part_of_d_v_dot_d_phi_2 =
-        part_of_d_v_dot_d_phi - cos_phi_wind_z_minus_sum * rho_A_half_V_inv_m_sum;
-    let part_of_d_v_dot_d_phi_3 = cos_phi_wind_y_plus_sin_sum * cos_theta_air_product_2 - cos_phi_g;
-    let part_of_d_v_dot_d_phi_4 =
-        part_of_d_v_dot_d_phi_3 - inv_sqrt_air_velocity_1_of * part_of_d_v_dot_d_phi_2;
-    let air_velocity_1_inv_product_3 = air_velocity_1_inv_product * cos_theta_cos_phi_sum;
-    let part_of_d_v_dot_d_theta = minus_cos_theta_wind_x_sum * air_velocity_2_inv_product_3;
+    let minus_d_minus_sin_product =
+        minus_d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_air_velocity_1;
+    let part_of_d_v_dot_d_phi_2 = minus_sin_phi_wind_y_sum * C_D_air_velocity_12_sum_2;
+    let part_of_d_v_dot_d_phi_3 =
+        minus_air_velocity_2_sum * minus_d_minus_sin_product - part_of_d_v_dot_d_phi_2;
+    let d_v_dot_d_phi =
+        part_of_d_v_dot_d_phi - cos_phi_g - inv_air_velocity_12 * part_of_d_v_dot_d_phi_3;
+    let air_velocity_1_inv_product_2 = air_velocity_1_inv_product * d_air_velocity_1_d_theta;
+    let part_of_d_v_dot_d_theta =
+        minus_d_minus_air_velocity_3_d_theta * minus_d_v_dot_d_minus_air_velocity_3;
     let part_of_d_v_dot_d_theta_2 =
-        minus_air_velocity_2_sum * air_velocity_1_inv_product_3 + part_of_d_v_dot_d_theta;
-    let minus_w_plus_cos_product_13 = T::splat(2.0) * minus_w_plus_cos_theta_sum;
-    let part_of_sqrt_air_velocity_1_sum_2 =
-        minus_w_plus_cos_product_13 * minus_w_plus_cos_product_11;
-    let sqrt_air_velocity_1_sum_2 =
-        inv_p0_half_p5_p4 * sqrt_air_velocity_1_sum - part_of_sqrt_air_velocity_1_sum_2;
-    let part_of_rho_A_half_V_inv_m_sum_2 =
-        sqrt_air_velocity_1_sum_2 - inv_V * two_C_Lp_plus_C_Ls_product;
-    let part_of_rho_A_half_V_inv_m_sum_2_2 =
-        part_of_rho_A_half_V_inv_m_sum_2 * sqrt_air_velocity_1_product;
-    let rho_A_half_V_inv_m_sum_2 =
-        rho_A_half_V_inv_m_product_2 + part_of_rho_A_half_V_inv_m_sum_2_2;
-    let part_of_d_w_dot_d_v =
-        air_velocity_2_inv_product * rho_A_half_V_inv_m_sum_2 - cos_theta_phidot;
-    let part_of_rho_A_half_V_inv_m_C_D_sum_2_2 =
-        inv_V * minus_inv_V_C_Lp_plus_C_sum * sqrt_air_velocity_1_product_3;
-    let part_of_rho_A_half_V_inv_m_C_D_sum_2_5 =
-        rho_A_half_V_inv_m_C_D - part_of_rho_A_half_V_inv_m_C_D_sum_2_2;
-    let part_of_rho_A_half_V_inv_m_C_D_sum_2_3 =
-        minus_w_plus_cos_product_2 * sqrt_air_velocity_1_sum_2;
-    let part_of_rho_A_half_V_inv_m_C_D_sum_2_4 =
-        part_of_rho_A_half_V_inv_m_C_D_sum_2_3 + two_p11 * inv_V * minus_w_plus_cos_product_10;
-    let rho_A_half_V_inv_m_C_D_sum_2 =
-        part_of_rho_A_half_V_inv_m_C_D_sum_2_5 + part_of_rho_A_half_V_inv_m_C_D_sum_2_4;
-    let air_velocity_2_cos_product = air_velocity_2 * cos_phi_wind_z_minus_sum;
-    let inv_sqrt_air_product_3 = inv_sqrt_air_velocity_1_of * rho_A_half_V_inv_m_sum_2;
+        minus_air_velocity_2_sum * air_velocity_1_inv_product_2 + part_of_d_v_dot_d_theta;
+    let d_v_dot_d_theta = part_of_d_v_dot_d_theta_2 - x_dot * phidot;
+    let minus_air_velocity_3_two = T::splat(2.0) * minus_air_velocity_3;
+    let part_of_d_w_dot_d_V = minus_air_velocity_3_two * minus_air_velocity_product_2;
+    let d_w_dot_d_V = inv_m_half_rho_A * minus_air_velocity_3_C_sum - part_of_d_w_dot_d_V;
+    let part_of_d_w_dot_d_air_velocity =
+        (d_w_dot_d_V - inv_V * two_C_Lp_plus_minus_product) * air_velocity_12_inv_V;
+    let d_w_dot_d_air_velocity_12_2 = d_w_dot_d_air_velocity_12 + part_of_d_w_dot_d_air_velocity;
+    let d_w_dot_d_air_velocity_1 = air_velocity_1_inv_product * d_w_dot_d_air_velocity_12_2;
+    let d_w_dot_d_u = thetadot + d_w_dot_d_air_velocity_1;
+    let d_w_dot_d_air_velocity_2 = air_velocity_2_inv_product * d_w_dot_d_air_velocity_12_2;
+    let d_w_dot_d_v = d_w_dot_d_air_velocity_2 - cos_theta_phidot;
+    let part_of_d_w_dot_d_minus_air = inv_V * minus_inv_V_C_Lp_plus_sum * air_velocity_12_V_product;
+    let part_of_d_w_dot_d_minus_air_3 =
+        d_w_dot_d_minus_air_velocity_3 - part_of_d_w_dot_d_minus_air;
+    let part_of_d_w_dot_d_minus_air_2 =
+        minus_air_velocity_3_inv_V * d_w_dot_d_V + two_C_Ds * inv_V * minus_air_velocity_product;
+    let d_w_dot_d_minus_air_velocity_3_2 =
+        part_of_d_w_dot_d_minus_air_3 + part_of_d_w_dot_d_minus_air_2;
+    let air_velocity_2_product = air_velocity_2 * minus_sin_phi_wind_y_sum;
+    let inv_air_velocity_12_product_3 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12_2;
     let part_of_d_w_dot_d_phi =
-        (air_velocity_2_cos_product + cos_phi_wind_y_plus_product) * inv_sqrt_air_product_3;
+        (air_velocity_2_product + minus_d_minus_sin_product) * inv_air_velocity_12_product_3;
     let part_of_d_w_dot_d_phi_2 =
-        sin_phi_g - cos_phi_wind_y_plus_sin_sum * rho_A_half_V_inv_m_C_D_sum_2;
+        minus_d_minus_sin_phi_wind_y_sum_d_phi * d_w_dot_d_minus_air_velocity_3_2;
+    let d_w_dot_d_phi = cos_theta * (sin_phi_g - part_of_d_w_dot_d_phi_2) - part_of_d_w_dot_d_phi;
     let part_of_d_w_dot_d_theta =
-        sin_theta_v_phidot_product + rho_A_half_V_inv_m_sum_2 * air_velocity_1_inv_product_3;
+        minus_d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3_2;
     let part_of_d_w_dot_d_theta_2 =
-        part_of_d_w_dot_d_theta - minus_cos_theta_wind_x_sum * rho_A_half_V_inv_m_C_D_sum_2;
+        sin_theta_cos_phi_g_product + d_w_dot_d_air_velocity_12_2 * air_velocity_1_inv_product_2;
+    let d_w_dot_d_theta = part_of_d_w_dot_d_theta_2 - part_of_d_w_dot_d_theta;
     let phidot_C_Mq = C_Mq * phidot;
     let sin_alpha_two_air_product = sin_alpha_two * air_velocity_2_inv_product;
     let C_Ms_inv_cos_theta_product = C_Ms * inv_cos_theta * sin_alpha_two_air_product;
-    let rho_part_part_d_inv_product = half_p5_p4_p3_inv_p2 * sqrt_air_velocity_1_product_2;
-    let part_of_minus_minus_phidot_C_Mq_sum =
-        (C_Ms_inv_cos_theta_product - phidot_C_Mq) * rho_part_part_d_inv_product;
-    let inv_sqrt_air_product_4 = inv_sqrt_air_velocity_1_of * sin_alpha_two_minus_product;
-    let minus_w_plus_cos_product_14 = minus_w_plus_cos_product_7 * (cos_alpha_two * inv_V_sq);
-    let air_velocity_2_inv_product_4 = air_velocity_2_inv_product * minus_w_plus_cos_product_14;
-    let part_of_minus_minus_phidot_C_Mq_sum_2 =
-        minus_w_plus_cos_product_13 * air_velocity_2_inv_product_4;
-    let part_of_minus_minus_phidot_C_Mq_sum_3 =
-        air_velocity_2_inv_product * inv_sqrt_air_product_4 + part_of_minus_minus_phidot_C_Mq_sum_2;
+    let half_rho_A_d_inv_product = half_rho_A_d_inv_I_d * air_velocity_12_two;
+    let part_of_minus_minus_phidot_C_Mq =
+        (C_Ms_inv_cos_theta_product - phidot_C_Mq) * half_rho_A_d_inv_product;
+    let inv_air_velocity_12_product_4 = inv_air_velocity_12 * V_sq_half_rho_A_d_product_3;
+    let part_of_minus_minus_phidot_C_Mq_2 =
+        air_velocity_2_inv_product * inv_air_velocity_12_product_4;
+    let V_sq_half_rho_A_d_product_4 = V_sq_half_rho_A_d_product * (cos_alpha_two * inv_V_sq);
+    let air_velocity_2_inv_product_3 = air_velocity_2_inv_product * V_sq_half_rho_A_d_product_4;
+    let part_of_minus_minus_phidot_C_Mq_3 =
+        part_of_minus_minus_phidot_C_Mq_2 + minus_air_velocity_3_two * air_velocity_2_inv_product_3;
     let minus_minus_phidot_C_Mq_sum =
-        inv_cos_theta * part_of_minus_minus_phidot_C_Mq_sum_3 - part_of_minus_minus_phidot_C_Mq_sum;
+        inv_cos_theta * part_of_minus_minus_phidot_C_Mq_3 - part_of_minus_minus_phidot_C_Mq;
+    let d_phidot_dot_d_air_velocity_1 = air_velocity_1_inv_product * minus_minus_phidot_C_Mq_sum;
     let minus_air_velocity_2_sum_2 =
-        sin_alpha_two_minus_product * inv_cos_theta - air_velocity_2 * minus_minus_phidot_C_Mq_sum;
-    let inv_sqrt_air_product_5 = inv_sqrt_air_velocity_1_of * minus_air_velocity_2_sum_2;
-    let inv_cos_theta_air_product = inv_cos_theta * air_velocity_2_inv_product_4;
-    let part_of_d_phidot_dot_d_w = sqrt_air_velocity_1_product_2 * inv_cos_theta_air_product;
-    let minus_C_Ms_inv_cos_sum = nonzero_sqrt_air_of * phidot_C_Mq - C_Ms_inv_cos_theta_product;
-    let rho_part_part_d_inv_product_2 = half_p5_p4_p3_inv_p2 * minus_w_plus_cos_product_13;
-    let part_of_d_phidot_dot_d_w_2 =
-        part_of_d_phidot_dot_d_w - minus_C_Ms_inv_cos_sum * rho_part_part_d_inv_product_2;
-    let minus_w_plus_cos_product_15 = half_p5_p4_p3_inv_p2 * minus_w_plus_cos_theta_sum;
-    let part_of_minus_C_Ms_inv_cos_sum_2 = sqrt_air_velocity_1_sq_of * inv_cos_theta_air_product;
+        V_sq_half_rho_A_d_product_3 * inv_cos_theta - air_velocity_2 * minus_minus_phidot_C_Mq_sum;
+    let inv_air_velocity_12_product_5 = inv_air_velocity_12 * minus_air_velocity_2_sum_2;
+    let inv_cos_theta_air_product = inv_cos_theta * air_velocity_2_inv_product_3;
+    let minus_C_Ms_inv_cos_sum =
+        nonzero_air_velocity_12_sq * phidot_C_Mq - C_Ms_inv_cos_theta_product;
+    let half_rho_A_d_inv_product_2 = half_rho_A_d_inv_I_d * minus_air_velocity_3_two;
+    let part_of_minus_d_phidot_dot_d = minus_C_Ms_inv_cos_sum * half_rho_A_d_inv_product_2;
+    let minus_d_phidot_dot_d_minus_air_velocity_3 =
+        air_velocity_12_two * inv_cos_theta_air_product - part_of_minus_d_phidot_dot_d;
+    let minus_air_velocity_product_4 = half_rho_A_d_inv_I_d * minus_air_velocity_3;
+    let part_of_minus_C_Ms_inv_cos_sum_2 = minus_C_Ms_inv_cos_sum * minus_air_velocity_product_4;
     let minus_C_Ms_inv_cos_sum_2 =
-        minus_C_Ms_inv_cos_sum * minus_w_plus_cos_product_15 - part_of_minus_C_Ms_inv_cos_sum_2;
+        part_of_minus_C_Ms_inv_cos_sum_2 - air_velocity_12 * inv_cos_theta_air_product;
     let cos_theta_two = T::splat(2.0) * cos_theta;
-    let cos_phi_wind_y_plus_product_2 = cos_phi_wind_y_plus_sin_sum * cos_theta_two;
-    let part_of_minus_C_Ms_inv_cos_sum_3_4 =
-        minus_C_Ms_inv_cos_sum_2 * cos_phi_wind_y_plus_product_2;
-    let part_of_minus_C_Ms_inv_cos_sum_3 =
-        minus_minus_phidot_C_Mq_sum * cos_phi_wind_y_plus_product;
-    let part_of_minus_C_Ms_inv_cos_sum_3_2 =
-        part_of_minus_C_Ms_inv_cos_sum_3 - cos_phi_wind_z_minus_sum * minus_air_velocity_2_sum_2;
-    let part_of_minus_C_Ms_inv_cos_sum_3_3 =
-        inv_sqrt_air_velocity_1_of * part_of_minus_C_Ms_inv_cos_sum_3_2;
-    let minus_C_Ms_inv_cos_sum_3 =
-        part_of_minus_C_Ms_inv_cos_sum_3_4 + part_of_minus_C_Ms_inv_cos_sum_3_3;
+    let minus_d_minus_sin_product_2 = minus_d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_two;
+    let part_of_minus_d_phidot_dot_d_phi = minus_minus_phidot_C_Mq_sum * minus_d_minus_sin_product;
+    let part_of_minus_d_phidot_dot_d_phi_2 =
+        part_of_minus_d_phidot_dot_d_phi - minus_sin_phi_wind_y_sum * minus_air_velocity_2_sum_2;
+    let part_of_minus_d_phidot_dot_d_phi_3 =
+        inv_air_velocity_12 * part_of_minus_d_phidot_dot_d_phi_2;
+    let minus_d_phidot_dot_d_phi =
+        minus_C_Ms_inv_cos_sum_2 * minus_d_minus_sin_product_2 + part_of_minus_d_phidot_dot_d_phi_3;
     let phidot_thetadot = phidot * thetadot;
-    let thetadot_inv_I_d_I_a = inv_p2_p1 * thetadot;
+    let thetadot_inv_I_d_I_a = inv_I_d_I_a * thetadot;
     let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
-    let part_of_two_phidot_thetadot_sum_sum =
-        (phidot_cos_theta_C_product - phidot * C_Mq_nonzero_sqrt_product) * sin_theta_inv_cos_theta;
-    let part_of_two_phidot_thetadot_sum_sum_2 =
-        phidot * thetadot_inv_I_d_I_a - part_of_two_phidot_thetadot_sum_sum;
-    let part_of_two_phidot_thetadot_sum_sum_3 =
-        T::splat(2.0) * phidot_thetadot - part_of_two_phidot_thetadot_sum_sum_2;
-    let part_of_two_phidot_thetadot_sum_sum_4 =
-        minus_minus_phidot_C_Mq_sum * air_velocity_1_inv_product_3;
-    let two_minus_cos_theta_product = T::splat(2.0) * minus_cos_theta_wind_x_sum;
-    let part_of_two_phidot_thetadot_sum_sum_5 =
-        minus_C_Ms_inv_cos_sum_2 * two_minus_cos_theta_product;
-    let part_of_two_phidot_thetadot_sum_sum_6 =
-        part_of_two_phidot_thetadot_sum_sum_4 - part_of_two_phidot_thetadot_sum_sum_5;
-    let two_phidot_thetadot_sum_sum =
-        part_of_two_phidot_thetadot_sum_sum_3 + part_of_two_phidot_thetadot_sum_sum_6;
-    let inv_cos_theta_cos_product =
-        inv_cos_theta * (cos_theta_C_Mq_product_sum - sin_theta * thetadot_inv_I_d_I_a);
+    let part_of_d_minus_thetadot_r =
+        (minus_thetadot_r_product - phidot * V_sq_half_rho_A_d_product_2) * sin_theta_inv_cos_theta;
+    let part_of_d_minus_thetadot_r_2 = phidot * thetadot_inv_I_d_I_a - part_of_d_minus_thetadot_r;
+    let d_minus_thetadot_r_product_d_theta =
+        T::splat(2.0) * phidot_thetadot - part_of_d_minus_thetadot_r_2;
+    let part_of_d_phidot_dot_d_theta = minus_minus_phidot_C_Mq_sum * air_velocity_1_inv_product_2;
+    let two_minus_d_minus_product = T::splat(2.0) * minus_d_minus_air_velocity_3_d_theta;
+    let part_of_d_phidot_dot_d_theta_2 =
+        part_of_d_phidot_dot_d_theta - minus_C_Ms_inv_cos_sum_2 * two_minus_d_minus_product;
+    let d_phidot_dot_d_theta = d_minus_thetadot_r_product_d_theta + part_of_d_phidot_dot_d_theta_2;
+    let d_phidot_dot_d_phidot =
+        inv_cos_theta * (sin_theta_two_thetadot_sum - sin_theta * thetadot_inv_I_d_I_a);
     let minus_r_inv_I_d_I_a_sum = phidot * sin_theta_two - r_inv_I_d_I_a;
-    let air_velocity_1_inv_product_4 = air_velocity_1_inv_product * minus_w_plus_cos_product_14;
-    let part_of_air_velocity_1_inv_sum_2 =
-        minus_w_plus_cos_product_13 * air_velocity_1_inv_product_4;
+    let d_phidot_dot_d_thetadot = inv_cos_theta * minus_r_inv_I_d_I_a_sum;
+    let part_of_minus_d_thetadot_dot_d_2 =
+        air_velocity_1_inv_product * inv_air_velocity_12_product_4;
+    let air_velocity_1_inv_product_3 = air_velocity_1_inv_product * V_sq_half_rho_A_d_product_4;
     let thetadot_C_Mq = C_Mq * thetadot;
     let sin_alpha_two_air_product_2 = sin_alpha_two * air_velocity_1_inv_product;
     let C_Ms_sin_alpha_two_product = C_Ms * sin_alpha_two_air_product_2;
-    let part_of_air_velocity_1_inv_sum =
-        (thetadot_C_Mq + C_Ms_sin_alpha_two_product) * rho_part_part_d_inv_product;
-    let part_of_air_velocity_1_inv_sum_3 =
-        air_velocity_1_inv_product * inv_sqrt_air_product_4 + part_of_air_velocity_1_inv_sum_2;
-    let air_velocity_1_inv_sum = part_of_air_velocity_1_inv_sum_3 - part_of_air_velocity_1_inv_sum;
-    let sin_alpha_two_minus_sum =
-        sin_alpha_two_minus_product - air_velocity_1 * air_velocity_1_inv_sum;
-    let inv_sqrt_air_product_6 = inv_sqrt_air_velocity_1_of * sin_alpha_two_minus_sum;
-    let air_velocity_2_inv_product_5 = air_velocity_2_inv_product * air_velocity_1_inv_sum;
-    let C_Ms_sin_alpha_two_sum = C_Ms_sin_alpha_two_product + nonzero_sqrt_air_of * thetadot_C_Mq;
-    let part_of_d_thetadot_dot_d_w =
-        -(sqrt_air_velocity_1_product_2 * air_velocity_1_inv_product_4);
-    let part_of_d_thetadot_dot_d_w_2 =
-        part_of_d_thetadot_dot_d_w - C_Ms_sin_alpha_two_sum * rho_part_part_d_inv_product_2;
-    let part_of_C_Ms_sin_alpha_two_sum_2 = sqrt_air_velocity_1_sq_of * air_velocity_1_inv_product_4;
+    let part_of_minus_d_thetadot_dot_d =
+        (thetadot_C_Mq + C_Ms_sin_alpha_two_product) * half_rho_A_d_inv_product;
+    let part_of_minus_d_thetadot_dot_d_3 =
+        part_of_minus_d_thetadot_dot_d_2 + minus_air_velocity_3_two * air_velocity_1_inv_product_3;
+    let minus_d_thetadot_dot_d_air_velocity_12 =
+        part_of_minus_d_thetadot_dot_d_3 - part_of_minus_d_thetadot_dot_d;
+    let V_sq_half_rho_A_d_sum =
+        V_sq_half_rho_A_d_product_3 - air_velocity_1 * minus_d_thetadot_dot_d_air_velocity_12;
+    let d_thetadot_dot_d_u = inv_air_velocity_12 * V_sq_half_rho_A_d_sum;
+    let air_velocity_2_inv_product_4 =
+        air_velocity_2_inv_product * minus_d_thetadot_dot_d_air_velocity_12;
+    let C_Ms_sin_alpha_two_sum =
+        C_Ms_sin_alpha_two_product + nonzero_air_velocity_12_sq * thetadot_C_Mq;
+    let part_of_d_thetadot_dot_d_w = -(air_velocity_12_two * air_velocity_1_inv_product_3);
+    let d_thetadot_dot_d_w =
+        part_of_d_thetadot_dot_d_w - C_Ms_sin_alpha_two_sum * half_rho_A_d_inv_product_2;
+    let part_of_C_Ms_sin_alpha_two_sum_2 = C_Ms_sin_alpha_two_sum * minus_air_velocity_product_4;
     let C_Ms_sin_alpha_two_sum_2 =
-        C_Ms_sin_alpha_two_sum * minus_w_plus_cos_product_15 + part_of_C_Ms_sin_alpha_two_sum_2;
+        part_of_C_Ms_sin_alpha_two_sum_2 + air_velocity_12 * air_velocity_1_inv_product_3;
     let part_of_d_thetadot_dot_d_phi =
-        sin_theta * cos_phi_wind_y_plus_sin_sum * sin_alpha_two_minus_sum;
+        sin_theta * minus_d_minus_sin_phi_wind_y_sum_d_phi * V_sq_half_rho_A_d_sum;
     let part_of_d_thetadot_dot_d_phi_2 =
-        air_velocity_1_inv_sum * air_velocity_2_cos_product - part_of_d_thetadot_dot_d_phi;
+        minus_d_thetadot_dot_d_air_velocity_12 * air_velocity_2_product;
     let part_of_d_thetadot_dot_d_phi_3 =
-        inv_sqrt_air_velocity_1_of * part_of_d_thetadot_dot_d_phi_2;
-    let part_of_d_thetadot_dot_d_phi_4 =
-        part_of_d_thetadot_dot_d_phi_3 - C_Ms_sin_alpha_two_sum_2 * cos_phi_wind_y_plus_product_2;
-    let part_of_d_thetadot_dot_d_theta_2 = C_Ms_sin_alpha_two_sum_2 * two_minus_cos_theta_product;
-    let cos_theta_phidot_product = minus_n1_plus_inv_p2_p1 * cos_theta_phidot;
+        inv_air_velocity_12 * (part_of_d_thetadot_dot_d_phi_2 - part_of_d_thetadot_dot_d_phi);
+    let d_thetadot_dot_d_phi =
+        part_of_d_thetadot_dot_d_phi_3 - C_Ms_sin_alpha_two_sum_2 * minus_d_minus_sin_product_2;
+    let part_of_d_thetadot_dot_d_theta_2 = C_Ms_sin_alpha_two_sum_2 * two_minus_d_minus_product;
+    let cos_theta_phidot_product = minus_one_plus_inv_I_d_I_a * cos_theta_phidot;
     let part_of_d_thetadot_dot_d_theta =
         sin_theta * sin_theta_phidot_minus_sum + cos_theta * cos_theta_phidot_product;
     let part_of_d_thetadot_dot_d_theta_3 =
-        cos_theta_cos_phi_sum * inv_sqrt_air_product_6 - part_of_d_thetadot_dot_d_theta_2;
-    let part_of_d_thetadot_dot_d_theta_4 =
+        d_air_velocity_1_d_theta * d_thetadot_dot_d_u - part_of_d_thetadot_dot_d_theta_2;
+    let d_thetadot_dot_d_theta =
         part_of_d_thetadot_dot_d_theta_3 + phidot * part_of_d_thetadot_dot_d_theta;
-    let part_of_d_thetadot_dot_d_phidot =
+    let d_thetadot_dot_d_phidot =
         sin_theta * cos_theta_phidot_product - cos_theta * sin_theta_phidot_minus_sum;
-    let cos_theta_phidot_inv_I_d_I_a = inv_p2_p1 * cos_theta_phidot;
+    let d_thetadot_dot_d_gammadot = inv_I_d_I_a * cos_theta_phidot;
     let sin_theta_air_product = sin_theta * air_velocity_1_inv_product;
     let minus_minus_phidot_product = minus_minus_phidot_C_Mq_sum * sin_theta_air_product;
-    let minus_C_Ms_inv_cos_product = minus_C_Ms_inv_cos_sum_2 * sin_theta_two;
-    let part_of_d_gammadot_dot_d_theta_2 =
-        sin_theta * (phidot_thetadot - two_phidot_thetadot_sum_sum);
+    let d_gammadot_dot_d_v = sin_theta * inv_air_velocity_12_product_5;
+    let d_gammadot_dot_d_w = minus_C_Ms_inv_cos_sum_2 * sin_theta_two;
+    let d_gammadot_dot_d_phi = sin_theta * minus_d_phidot_dot_d_phi;
     let part_of_d_gammadot_dot_d_theta =
-        cos_theta * (phidot_cos_theta_C_product - p14_inv_p1 * phidot);
-    let part_of_d_gammadot_dot_d_theta_3 =
-        part_of_d_gammadot_dot_d_theta_2 - part_of_d_gammadot_dot_d_theta;
-    let part_of_d_gammadot_dot_d_phidot =
-        sin_theta * (p14_inv_p1 - inv_cos_theta_cos_product) - cos_theta * thetadot;
-    let part_of_d_gammadot_dot_d_thetadot =
+        cos_theta * (minus_thetadot_r_product - C_Nr_inv_I_a * phidot);
+    let d_gammadot_dot_d_theta =
+        sin_theta * (phidot_thetadot - d_phidot_dot_d_theta) - part_of_d_gammadot_dot_d_theta;
+    let d_gammadot_dot_d_phidot =
+        sin_theta * (C_Nr_inv_I_a - d_phidot_dot_d_phidot) - cos_theta * thetadot;
+    let d_gammadot_dot_d_thetadot =
         -cos_theta_phidot - minus_r_inv_I_d_I_a_sum * sin_theta_inv_cos_theta;
-    let minus_minus_w_plus_product = minus_minus_w_plus_cos_sum * V_inv_m;
-    let air_velocity_1_inv_product_5 = air_velocity_1_inv_product * minus_minus_w_plus_product;
-    let inv_minus_w_plus_product_2 = inv_minus_w_plus_cos_sum * d_w_dot_d_C_D;
-    let n1_minus_inv_minus_w_sum = T::splat(1.0) - inv_minus_w_plus_cos_sum;
-    let n1_minus_inv_minus_product = n1_minus_inv_minus_w_sum * d_w_dot_d_C_D;
-    let inv_s_stall_inv_product_2 = inv_s_stall_inv_product * minus_w_plus_cos_product_8;
-    let minus_w_plus_cos_product_16 = minus_w_plus_cos_product_10 * inv_s_stall_inv_product_2;
-    let minus_w_plus_cos_product_17 = minus_w_plus_cos_product_2 * minus_w_plus_cos_product_12;
-    let part_of_d_u_dot_d_wind_x =
-        cos_theta * inv_sqrt_air_product - minus_rho_A_half_V_inv_sum * sin_theta_air_product;
-    let sin_theta_inv_sqrt_sum = sin_theta * inv_sqrt_air_product + minus_rho_A_half_V_product;
-    let part_of_d_u_dot_d_wind_y =
-        cos_phi * air_velocity_2_inv_product_2 + sin_phi * sin_theta_inv_sqrt_sum;
-    let part_of_d_u_dot_d_wind_z =
-        sin_phi * air_velocity_2_inv_product_2 - cos_phi * sin_theta_inv_sqrt_sum;
-    let air_velocity_2_inv_product_6 = air_velocity_2_inv_product * minus_minus_w_plus_product;
+    let d_gammadot_dot_d_gammadot = sin_theta_inv_cos_theta * thetadot_inv_I_d_I_a + C_Nr_inv_I_a;
+    let C_D_air_velocity_12_product_2 = C_D_air_velocity_12_sum * V_inv_m;
+    let air_velocity_1_inv_product_4 = air_velocity_1_inv_product * C_D_air_velocity_12_product_2;
+    let d_u_dot_d_m = inv_m_half_rho_A * air_velocity_1_inv_product_4;
+    let inv_inv_s_stall_product_2 = inv_inv_s_stall_minus_sum * d_w_dot_d_C_D;
+    let d_u_dot_d_C_Ls = sin_alpha_two_air_product_2 * inv_inv_s_stall_product_2;
+    let one_minus_inv_inv_s_sum = T::splat(1.0) - inv_inv_s_stall_minus_sum;
+    let one_minus_inv_inv_s_product = one_minus_inv_inv_s_sum * d_w_dot_d_C_D;
+    let inv_s_stall_inv_inv_product_2 = inv_s_stall_inv_inv_product * inv_s_stall_minus_product_3;
+    let minus_air_velocity_product_5 = minus_air_velocity_product * inv_s_stall_inv_inv_product_2;
+    let minus_air_velocity_product_6 = minus_air_velocity_3_inv_V * minus_air_velocity_product_3;
+    let d_u_dot_d_wind_x =
+        cos_theta * inv_air_velocity_12_product - minus_d_w_dot_d_air_sum * sin_theta_air_product;
+    let sin_theta_inv_air_sum =
+        sin_theta * inv_air_velocity_12_product + minus_d_w_dot_d_air_product;
+    let d_u_dot_d_wind_y = cos_phi * air_velocity_2_inv_product_2 + sin_phi * sin_theta_inv_air_sum;
+    let d_u_dot_d_wind_z = sin_phi * air_velocity_2_inv_product_2 - cos_phi * sin_theta_inv_air_sum;
+    let air_velocity_2_inv_product_5 = air_velocity_2_inv_product * C_D_air_velocity_12_product_2;
+    let d_v_dot_d_m = inv_m_half_rho_A * air_velocity_2_inv_product_5;
+    let d_v_dot_d_C_Ls = sin_alpha_two_air_product * inv_inv_s_stall_product_2;
     let part_of_d_v_dot_d_wind_x = -(minus_air_velocity_2_sum * cos_theta_air_product);
-    let part_of_d_v_dot_d_wind_x_2 =
-        part_of_d_v_dot_d_wind_x - sin_theta * air_velocity_2_inv_product_3;
+    let d_v_dot_d_wind_x =
+        part_of_d_v_dot_d_wind_x - sin_theta * minus_d_v_dot_d_minus_air_velocity_3;
     let minus_air_velocity_sum =
-        minus_air_velocity_2_sum * sin_theta_air_product - cos_theta_air_product_2;
-    let part_of_d_v_dot_d_wind_y =
-        cos_phi * inv_sqrt_air_product_2 - sin_phi * minus_air_velocity_sum;
-    let part_of_d_v_dot_d_wind_z =
-        sin_phi * inv_sqrt_air_product_2 + cos_phi * minus_air_velocity_sum;
-    let sqrt_air_velocity_1_product_4 = sqrt_air_velocity_1_sum * V_inv_m;
+        minus_air_velocity_2_sum * sin_theta_air_product - cos_theta_minus_d_v_product;
+    let d_v_dot_d_wind_y =
+        cos_phi * inv_air_velocity_12_product_2 - sin_phi * minus_air_velocity_sum;
+    let d_v_dot_d_wind_z =
+        sin_phi * inv_air_velocity_12_product_2 + cos_phi * minus_air_velocity_sum;
+    let minus_air_velocity_product_7 = minus_air_velocity_3_C_sum * V_inv_m;
+    let d_w_dot_d_C_Ls = air_velocity_12_V_product * inv_inv_s_stall_product;
     let part_of_d_w_dot_d_C_Lp =
-        sin_alpha_two * n1_minus_inv_minus_w_sum * sqrt_air_velocity_1_product_3;
+        sin_alpha_two * one_minus_inv_inv_s_sum * air_velocity_12_V_product;
     let part_of_d_w_dot_d_s_stall =
-        sin_alpha_two * minus_w_plus_cos_product_12 * inv_s_stall_inv_product_2;
-    let part_of_d_w_dot_d_wind_x =
-        sin_theta * rho_A_half_V_inv_m_C_D_sum_2 - rho_A_half_V_inv_m_sum_2 * cos_theta_air_product;
-    let part_of_d_w_dot_d_wind_y =
-        (sin_phi * sin_theta_air_velocity_1 + cos_phi * air_velocity_2) * inv_sqrt_air_product_3;
-    let part_of_d_w_dot_d_wind_y_2 =
-        -(cos_theta_sin_phi * rho_A_half_V_inv_m_C_D_sum_2) - part_of_d_w_dot_d_wind_y;
+        sin_alpha_two * minus_air_velocity_product_3 * inv_s_stall_inv_inv_product_2;
+    let d_w_dot_d_C_Ds = minus_air_velocity_3_inv_V * minus_air_velocity_product;
+    let part_of_d_w_dot_d_wind_x = d_w_dot_d_air_velocity_12_2 * cos_theta_air_product;
+    let d_w_dot_d_wind_x = sin_theta * d_w_dot_d_minus_air_velocity_3_2 - part_of_d_w_dot_d_wind_x;
+    let part_of_d_w_dot_d_wind_y = sin_phi * sin_theta_air_velocity_1 + cos_phi * air_velocity_2;
+    let part_of_d_w_dot_d_wind_y_2 = part_of_d_w_dot_d_wind_y * inv_air_velocity_12_product_3;
+    let d_w_dot_d_wind_y =
+        -(cos_theta_sin_phi * d_w_dot_d_minus_air_velocity_3_2) - part_of_d_w_dot_d_wind_y_2;
     let part_of_d_w_dot_d_wind_z =
-        (cos_phi * sin_theta_air_velocity_1 - sin_phi * air_velocity_2) * inv_sqrt_air_product_3;
-    let part_of_d_w_dot_d_wind_z_2 =
-        cos_theta_cos_phi * rho_A_half_V_inv_m_C_D_sum_2 + part_of_d_w_dot_d_wind_z;
-    let inv_I_d_r = inv_p2 * r;
+        d_minus_air_velocity_3_d_wind_z * d_w_dot_d_minus_air_velocity_3_2;
+    let part_of_d_w_dot_d_wind_z_2 = cos_phi * sin_theta_air_velocity_1 - sin_phi * air_velocity_2;
+    let d_w_dot_d_wind_z =
+        part_of_d_w_dot_d_wind_z + part_of_d_w_dot_d_wind_z_2 * inv_air_velocity_12_product_3;
+    let inv_I_d_r = inv_I_d * r;
     let thetadot_inv_cos_theta = thetadot * inv_cos_theta;
-    let minus_w_plus_cos_product_18 = minus_w_plus_cos_sum * minus_C_Ms_inv_cos_sum;
-    let part_of_minus_minus_w_plus_product_2 =
-        I_a * r * thetadot_inv_cos_theta - p5_p4_half_p3 * minus_w_plus_cos_product_18;
-    let minus_minus_w_plus_product_2 = inv_p2_sq * part_of_minus_minus_w_plus_product_2;
-    let minus_w_plus_cos_product_19 = minus_w_plus_cos_product_6 * sin_alpha_two_air_product;
-    let minus_C_Ms_inv_cos_sum_4 =
-        minus_C_Ms_inv_cos_product - minus_minus_phidot_C_Mq_sum * cos_theta_air_product;
+    let V_sq_minus_C_Ms_inv_cos_sum = V_sq * minus_C_Ms_inv_cos_sum;
+    let part_of_d_phidot_dot_d_I_d =
+        I_a * r * thetadot_inv_cos_theta - half_rho_A_d * V_sq_minus_C_Ms_inv_cos_sum;
+    let d_phidot_dot_d_I_d = inv_I_d_sq * part_of_d_phidot_dot_d_I_d;
+    let d_minus_thetadot_r_product_d_d = half_rho_A_inv_I_d * V_sq_minus_C_Ms_inv_cos_sum;
+    let V_sq_half_rho_A_d_product_5 = V_sq_half_rho_A_d_inv_part * sin_alpha_two_air_product;
+    let d_minus_thetadot_r_product_d_C_Mq = phidot * nonzero_air_product;
+    let d_phidot_dot_d_wind_x =
+        d_gammadot_dot_d_w - minus_minus_phidot_C_Mq_sum * cos_theta_air_product;
+    let d_minus_thetadot_r_product_d_wind_y = cos_phi * inv_air_velocity_12_product_5;
     let minus_minus_phidot_sum =
         minus_minus_phidot_product + minus_C_Ms_inv_cos_sum_2 * cos_theta_two;
-    let cos_phi_inv_sqrt_sum = cos_phi * inv_sqrt_air_product_5 - sin_phi * minus_minus_phidot_sum;
-    let sin_phi_inv_sqrt_sum = sin_phi * inv_sqrt_air_product_5 + cos_phi * minus_minus_phidot_sum;
-    let minus_w_plus_cos_product_20 = minus_w_plus_cos_sum * C_Ms_sin_alpha_two_sum;
-    let part_of_d_thetadot_dot_d_I_d = minus_inv_p2_p5_part_sum * minus_w_plus_cos_product_20;
-    let part_of_d_thetadot_dot_d_I_d_2 =
-        part_of_d_thetadot_dot_d_I_d - inv_I_d_r * cos_theta_phidot_inv_I_d_I_a;
-    let part_of_d_thetadot_dot_d_wind_x =
-        C_Ms_sin_alpha_two_sum_2 * sin_theta_two - cos_theta * inv_sqrt_air_product_6;
-    let sin_theta_inv_sqrt_sum_2 =
-        sin_theta * inv_sqrt_air_product_6 + C_Ms_sin_alpha_two_sum_2 * cos_theta_two;
-    let part_of_d_thetadot_dot_d_wind_y =
-        cos_phi * air_velocity_2_inv_product_5 - sin_phi * sin_theta_inv_sqrt_sum_2;
-    let part_of_d_thetadot_dot_d_wind_z =
-        sin_phi * air_velocity_2_inv_product_5 + cos_phi * sin_theta_inv_sqrt_sum_2;
+    let d_phidot_dot_d_wind_y =
+        d_minus_thetadot_r_product_d_wind_y - sin_phi * minus_minus_phidot_sum;
+    let d_minus_thetadot_r_product_d_wind_z = sin_phi * inv_air_velocity_12_product_5;
+    let d_phidot_dot_d_wind_z =
+        d_minus_thetadot_r_product_d_wind_z + cos_phi * minus_minus_phidot_sum;
+    let d_thetadot_dot_d_I_a = cos_theta_phidot * inv_I_d_r;
+    let V_sq_C_Ms_sin_alpha_two_sum = V_sq * C_Ms_sin_alpha_two_sum;
+    let part_of_d_thetadot_dot_d_I_d = minus_inv_I_d_half_rho_sum * V_sq_C_Ms_sin_alpha_two_sum;
+    let d_thetadot_dot_d_I_d = part_of_d_thetadot_dot_d_I_d - inv_I_d_r * d_thetadot_dot_d_gammadot;
+    let d_thetadot_dot_d_d = half_rho_A_inv_I_d * V_sq_C_Ms_sin_alpha_two_sum;
+    let d_thetadot_dot_d_C_Ms = V_sq_half_rho_A_d_inv_part * sin_alpha_two_air_product_2;
+    let d_thetadot_dot_d_C_Mq = thetadot * nonzero_air_product;
+    let d_thetadot_dot_d_wind_x =
+        C_Ms_sin_alpha_two_sum_2 * sin_theta_two - cos_theta * d_thetadot_dot_d_u;
+    let sin_theta_d_thetadot_sum =
+        sin_theta * d_thetadot_dot_d_u + C_Ms_sin_alpha_two_sum_2 * cos_theta_two;
+    let d_thetadot_dot_d_wind_y =
+        cos_phi * air_velocity_2_inv_product_4 - sin_phi * sin_theta_d_thetadot_sum;
+    let d_thetadot_dot_d_wind_z =
+        sin_phi * air_velocity_2_inv_product_4 + cos_phi * sin_theta_d_thetadot_sum;
     let part_of_d_gammadot_dot_d_I_a =
-        inv_p2 * thetadot * sin_theta_inv_cos_theta - inv_p1_d_gammadot_dot_d_r;
-    let sin_theta_minus_w_product = sin_theta * minus_w_plus_cos_product_18;
-    let minus_minus_C_Ms_inv_sum = -minus_C_Ms_inv_cos_sum_4;
-    let minus_cos_phi_inv_sqrt_sum = -cos_phi_inv_sqrt_sum;
-    let minus_sin_theta_sin_phi_sum = -(sin_theta * sin_phi_inv_sqrt_sum);
-    let minus_cos_theta_sin_phi = -cos_theta_sin_phi;
-    let minus_z_dot = -z_dot;
-    let minus_sin_theta_cos_phi = -sin_theta_cos_phi;
-    let minus_x_dot_cos_phi = -(x_dot * cos_phi);
-    let minus_inv_sqrt_air_product = -inv_sqrt_air_product;
-    let minus_w = -w;
-    let minus_inv_sqrt_air_product_2 = -inv_sqrt_air_product_2;
-    let minus_rho_A_half_V_inv_m_C_D_sum_2 = -rho_A_half_V_inv_m_C_D_sum_2;
-    let minus_cos_theta_v = -(cos_theta * v);
-    let minus_inv_sqrt_air_product_5 = -inv_sqrt_air_product_5;
-    let minus_minus_C_Ms_inv_cos_sum_3 = -minus_C_Ms_inv_cos_sum_3;
-    let minus_inv_cos_theta_product = -(inv_cos_theta * thetadot_inv_I_d_I_a);
-    let minus_air_velocity_2_inv_product_5 = -air_velocity_2_inv_product_5;
-    let minus_minus_minus_phidot_product = -minus_minus_phidot_product;
-    let minus_air_velocity_1_inv_product =
-        -(air_velocity_1_inv_product * sqrt_air_velocity_1_product_3);
-    let minus_air_velocity_1_inv_product_2 =
-        -(air_velocity_1_inv_product * minus_w_plus_cos_product_17);
-    let minus_sin_phi = -sin_phi;
-    let minus_air_velocity_2_inv_product =
-        -(air_velocity_2_inv_product * sqrt_air_velocity_1_product_3);
-    let minus_air_velocity_2_inv_product_2 =
-        -(air_velocity_2_inv_product * minus_w_plus_cos_product_17);
-    let minus_cos_theta_cos_phi = -cos_theta_cos_phi;
-    let minus_inv_I_d_r_thetadot_product = -(inv_I_d_r * thetadot_inv_cos_theta);
-    let minus_inv_cos_theta_minus_product = -(inv_cos_theta * minus_w_plus_cos_product_19);
-    let minus_sin_theta_minus_product = -(sin_theta * minus_minus_w_plus_product_2);
-    let minus_sin_theta_phidot_product = -(sin_theta_phidot * nonzero_sqrt_air_of_product);
+        inv_I_d * thetadot * sin_theta_inv_cos_theta - inv_I_a_d_gammadot_dot_d_r;
+    let d_gammadot_dot_d_I_a = r * part_of_d_gammadot_dot_d_I_a;
+    let sin_theta_V_sq_product = sin_theta * V_sq_minus_C_Ms_inv_cos_sum;
+    let d_gammadot_dot_d_C_Ms = sin_theta_inv_cos_theta * V_sq_half_rho_A_d_product_5;
+    let d_gammadot_dot_d_C_Nr = inv_I_a * r;
+    let minus_d_phidot_dot_d_wind_x = -d_phidot_dot_d_wind_x;
+    let d_gammadot_dot_d_wind_x = sin_theta * minus_d_phidot_dot_d_wind_x;
+    let minus_d_phidot_dot_d_wind_y = -d_phidot_dot_d_wind_y;
+    let d_gammadot_dot_d_wind_y = sin_theta * minus_d_phidot_dot_d_wind_y;
+    let d_gammadot_dot_d_wind_z = -(sin_theta * d_phidot_dot_d_wind_z);
+    let d_y_dot_d_w = -cos_theta_sin_phi;
+    let d_y_dot_d_phi = -z_dot;
+    let d_z_dot_d_u = -d_air_velocity_1_d_wind_z;
+    let d_z_dot_d_theta = -(x_dot * cos_phi);
+    let d_u_dot_d_u = -inv_air_velocity_12_product;
+    let d_u_dot_d_thetadot = -w;
+    let d_v_dot_d_v = -inv_air_velocity_12_product_2;
+    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3_2;
+    let d_w_dot_d_phidot = -(cos_theta * v);
+    let d_phidot_dot_d_v = -inv_air_velocity_12_product_5;
+    let d_phidot_dot_d_phi = -minus_d_phidot_dot_d_phi;
+    let d_phidot_dot_d_gammadot = -(inv_cos_theta * thetadot_inv_I_d_I_a);
+    let d_thetadot_dot_d_v = -air_velocity_2_inv_product_4;
+    let d_gammadot_dot_d_u = -minus_minus_phidot_product;
+    let d_u_dot_d_C_D0 = -(air_velocity_1_inv_product * air_velocity_12_V_product);
+    let d_u_dot_d_C_Ds = -(air_velocity_1_inv_product * minus_air_velocity_product_6);
+    let d_v_dot_d_g = -sin_phi;
+    let d_v_dot_d_C_D0 = -(air_velocity_2_inv_product * air_velocity_12_V_product);
+    let d_v_dot_d_C_Ds = -(air_velocity_2_inv_product * minus_air_velocity_product_6);
+    let d_w_dot_d_g = -d_minus_air_velocity_3_d_wind_z;
+    let d_phidot_dot_d_I_a = -(inv_I_d_r * thetadot_inv_cos_theta);
+    let d_phidot_dot_d_C_Ms = -(inv_cos_theta * V_sq_half_rho_A_d_product_5);
+    let d_gammadot_dot_d_I_d = -(sin_theta * d_phidot_dot_d_I_d);
+    let d_gammadot_dot_d_C_Mq = -(sin_theta_phidot * nonzero_air_product);
 
     dx[0] = x_dot;
     dx[1] = y_dot;
@@ -512,137 +526,136 @@ pub fn f_jac_par<T: Real>(
     dx[6] = phidot;
     dx[7] = thetadot;
     dx[8] = gammadot;
-    dx[9] = phidot_cos_theta_C_product;
+    dx[9] = minus_thetadot_r_product;
     dx[10] = thetadot_dot;
     dx[11] = gammadot_dot;
 
     j[0] = cos_theta; // d_x_dot_d_u
     j[1] = sin_theta; // d_x_dot_d_w
-    j[2] = cos_theta_w_minus_u_sin_sum; // d_x_dot_d_theta
-    j[3] = sin_theta * sin_phi; // d_y_dot_d_u
+    j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
+    j[3] = d_y_dot_d_u;
     j[4] = cos_phi; // d_y_dot_d_v
-    j[5] = minus_cos_theta_sin_phi; // d_y_dot_d_w
-    j[6] = minus_z_dot; // d_y_dot_d_phi
-    j[7] = x_dot * sin_phi; // d_y_dot_d_theta
-    j[8] = minus_sin_theta_cos_phi; // d_z_dot_d_u
+    j[5] = d_y_dot_d_w;
+    j[6] = d_y_dot_d_phi;
+    j[7] = d_y_dot_d_theta;
+    j[8] = d_z_dot_d_u;
     j[9] = sin_phi; // d_z_dot_d_v
-    j[10] = cos_theta_cos_phi; // d_z_dot_d_w
+    j[10] = d_minus_air_velocity_3_d_wind_z; // d_z_dot_d_w
     j[11] = y_dot; // d_z_dot_d_phi
-    j[12] = minus_x_dot_cos_phi; // d_z_dot_d_theta
-    j[13] = minus_inv_sqrt_air_product; // d_u_dot_d_u
-    j[14] = sin_theta_phidot - air_velocity_2_inv_product_2; // d_u_dot_d_v
-    j[15] = air_velocity_1_inv_product_2 - thetadot; // d_u_dot_d_w
-    j[16] = part_of_d_u_dot_d_phi_3 - part_of_d_u_dot_d_phi; // d_u_dot_d_phi
-    j[17] = part_of_d_u_dot_d_theta_2; // d_u_dot_d_theta
-    j[18] = sin_theta * v; // d_u_dot_d_phidot
-    j[19] = minus_w; // d_u_dot_d_thetadot
-    j[20] = part_of_d_v_dot_d_u; // d_v_dot_d_u
-    j[21] = minus_inv_sqrt_air_product_2; // d_v_dot_d_v
-    j[22] = cos_theta_phidot + air_velocity_2_inv_product_3; // d_v_dot_d_w
-    j[23] = part_of_d_v_dot_d_phi_4; // d_v_dot_d_phi
-    j[24] = part_of_d_v_dot_d_theta_2 - x_dot * phidot; // d_v_dot_d_theta
-    j[25] = cos_theta_w_minus_u_sin_sum; // d_v_dot_d_phidot
-    j[26] = thetadot + air_velocity_1_inv_product * rho_A_half_V_inv_m_sum_2; // d_w_dot_d_u
-    j[27] = part_of_d_w_dot_d_v; // d_w_dot_d_v
-    j[28] = minus_rho_A_half_V_inv_m_C_D_sum_2; // d_w_dot_d_w
-    j[29] = cos_theta * part_of_d_w_dot_d_phi_2 - part_of_d_w_dot_d_phi; // d_w_dot_d_phi
-    j[30] = part_of_d_w_dot_d_theta_2; // d_w_dot_d_theta
-    j[31] = minus_cos_theta_v; // d_w_dot_d_phidot
+    j[12] = d_z_dot_d_theta;
+    j[13] = d_u_dot_d_u;
+    j[14] = d_u_dot_d_v;
+    j[15] = d_u_dot_d_w;
+    j[16] = d_u_dot_d_phi;
+    j[17] = d_u_dot_d_theta;
+    j[18] = d_u_dot_d_phidot;
+    j[19] = d_u_dot_d_thetadot;
+    j[20] = d_v_dot_d_u;
+    j[21] = d_v_dot_d_v;
+    j[22] = d_v_dot_d_w;
+    j[23] = d_v_dot_d_phi;
+    j[24] = d_v_dot_d_theta;
+    j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
+    j[26] = d_w_dot_d_u;
+    j[27] = d_w_dot_d_v;
+    j[28] = d_w_dot_d_w;
+    j[29] = d_w_dot_d_phi;
+    j[30] = d_w_dot_d_theta;
+    j[31] = d_w_dot_d_phidot;
     j[32] = u; // d_w_dot_d_thetadot
     j[33] = T::splat(1.0); // d_phi_dot_d_phidot
     j[34] = T::splat(1.0); // d_theta_dot_d_thetadot
     j[35] = T::splat(1.0); // d_gamma_dot_d_gammadot
-    j[36] = air_velocity_1_inv_product * minus_minus_phidot_C_Mq_sum; // d_phidot_dot_d_u
-    j[37] = minus_inv_sqrt_air_product_5; // d_phidot_dot_d_v
-    j[38] = part_of_d_phidot_dot_d_w_2; // d_phidot_dot_d_w
-    j[39] = minus_minus_C_Ms_inv_cos_sum_3; // d_phidot_dot_d_phi
-    j[40] = two_phidot_thetadot_sum_sum; // d_phidot_dot_d_theta
-    j[41] = inv_cos_theta_cos_product; // d_phidot_dot_d_phidot
-    j[42] = inv_cos_theta * minus_r_inv_I_d_I_a_sum; // d_phidot_dot_d_thetadot
-    j[43] = minus_inv_cos_theta_product; // d_phidot_dot_d_gammadot
-    j[44] = inv_sqrt_air_product_6; // d_thetadot_dot_d_u
-    j[45] = minus_air_velocity_2_inv_product_5; // d_thetadot_dot_d_v
-    j[46] = part_of_d_thetadot_dot_d_w_2; // d_thetadot_dot_d_w
-    j[47] = part_of_d_thetadot_dot_d_phi_4; // d_thetadot_dot_d_phi
-    j[48] = part_of_d_thetadot_dot_d_theta_4; // d_thetadot_dot_d_theta
-    j[49] = part_of_d_thetadot_dot_d_phidot; // d_thetadot_dot_d_phidot
-    j[50] = C_Mq_nonzero_sqrt_product; // d_thetadot_dot_d_thetadot
-    j[51] = cos_theta_phidot_inv_I_d_I_a; // d_thetadot_dot_d_gammadot
-    j[52] = minus_minus_minus_phidot_product; // d_gammadot_dot_d_u
-    j[53] = sin_theta * inv_sqrt_air_product_5; // d_gammadot_dot_d_v
-    j[54] = minus_C_Ms_inv_cos_product; // d_gammadot_dot_d_w
-    j[55] = sin_theta * minus_C_Ms_inv_cos_sum_3; // d_gammadot_dot_d_phi
-    j[56] = part_of_d_gammadot_dot_d_theta_3; // d_gammadot_dot_d_theta
-    j[57] = part_of_d_gammadot_dot_d_phidot; // d_gammadot_dot_d_phidot
-    j[58] = part_of_d_gammadot_dot_d_thetadot; // d_gammadot_dot_d_thetadot
-    // d_gammadot_dot_d_gammadot
-    j[59] = sin_theta_inv_cos_theta * thetadot_inv_I_d_I_a + p14_inv_p1;
+    j[36] = d_phidot_dot_d_air_velocity_1; // d_phidot_dot_d_u
+    j[37] = d_phidot_dot_d_v;
+    j[38] = minus_d_phidot_dot_d_minus_air_velocity_3; // d_phidot_dot_d_w
+    j[39] = d_phidot_dot_d_phi;
+    j[40] = d_phidot_dot_d_theta;
+    j[41] = d_phidot_dot_d_phidot;
+    j[42] = d_phidot_dot_d_thetadot;
+    j[43] = d_phidot_dot_d_gammadot;
+    j[44] = d_thetadot_dot_d_u;
+    j[45] = d_thetadot_dot_d_v;
+    j[46] = d_thetadot_dot_d_w;
+    j[47] = d_thetadot_dot_d_phi;
+    j[48] = d_thetadot_dot_d_theta;
+    j[49] = d_thetadot_dot_d_phidot;
+    j[50] = V_sq_half_rho_A_d_product_2; // d_thetadot_dot_d_thetadot
+    j[51] = d_thetadot_dot_d_gammadot;
+    j[52] = d_gammadot_dot_d_u;
+    j[53] = d_gammadot_dot_d_v;
+    j[54] = d_gammadot_dot_d_w;
+    j[55] = d_gammadot_dot_d_phi;
+    j[56] = d_gammadot_dot_d_theta;
+    j[57] = d_gammadot_dot_d_phidot;
+    j[58] = d_gammadot_dot_d_thetadot;
+    j[59] = d_gammadot_dot_d_gammadot;
 
-    jp[0] = inv_p0_half_p5_p4 * air_velocity_1_inv_product_5; // d_u_dot_d_m
-    jp[1] = minus_p5_half * air_velocity_1_inv_product_5; // d_u_dot_d_A
-    jp[2] = minus_p4_half * air_velocity_1_inv_product_5; // d_u_dot_d_rho
-    jp[3] = sin_theta_cos_phi; // d_u_dot_d_g
-    jp[4] = sin_alpha_two_air_product_2 * inv_minus_w_plus_product_2; // d_u_dot_d_C_Ls
-    jp[5] = sin_alpha_two_air_product_2 * n1_minus_inv_minus_product; // d_u_dot_d_C_Lp
-    jp[6] = sin_alpha_two_air_product_2 * minus_w_plus_cos_product_16; // d_u_dot_d_s_stall
-    jp[7] = minus_air_velocity_1_inv_product; // d_u_dot_d_C_D0
-    jp[8] = minus_air_velocity_1_inv_product_2; // d_u_dot_d_C_Ds
-    jp[9] = part_of_d_u_dot_d_wind_x; // d_u_dot_d_wind_x
-    jp[10] = part_of_d_u_dot_d_wind_y; // d_u_dot_d_wind_y
-    jp[11] = part_of_d_u_dot_d_wind_z; // d_u_dot_d_wind_z
-    jp[12] = inv_p0_half_p5_p4 * air_velocity_2_inv_product_6; // d_v_dot_d_m
-    jp[13] = minus_p5_half * air_velocity_2_inv_product_6; // d_v_dot_d_A
-    jp[14] = minus_p4_half * air_velocity_2_inv_product_6; // d_v_dot_d_rho
-    jp[15] = minus_sin_phi; // d_v_dot_d_g
-    jp[16] = sin_alpha_two_air_product * inv_minus_w_plus_product_2; // d_v_dot_d_C_Ls
-    jp[17] = sin_alpha_two_air_product * n1_minus_inv_minus_product; // d_v_dot_d_C_Lp
-    jp[18] = sin_alpha_two_air_product * minus_w_plus_cos_product_16; // d_v_dot_d_s_stall
-    jp[19] = minus_air_velocity_2_inv_product; // d_v_dot_d_C_D0
-    jp[20] = minus_air_velocity_2_inv_product_2; // d_v_dot_d_C_Ds
-    jp[21] = part_of_d_v_dot_d_wind_x_2; // d_v_dot_d_wind_x
-    jp[22] = part_of_d_v_dot_d_wind_y; // d_v_dot_d_wind_y
-    jp[23] = part_of_d_v_dot_d_wind_z; // d_v_dot_d_wind_z
-    jp[24] = minus_p5_p4_half_inv_p0 * sqrt_air_velocity_1_product_4; // d_w_dot_d_m
-    jp[25] = p5_half * sqrt_air_velocity_1_product_4; // d_w_dot_d_A
-    jp[26] = p4_half * sqrt_air_velocity_1_product_4; // d_w_dot_d_rho
-    jp[27] = minus_cos_theta_cos_phi; // d_w_dot_d_g
-    jp[28] = sqrt_air_velocity_1_product_3 * inv_minus_w_plus_product; // d_w_dot_d_C_Ls
+    jp[0] = d_u_dot_d_m;
+    jp[1] = minus_rho_half * air_velocity_1_inv_product_4; // d_u_dot_d_A
+    jp[2] = minus_A_half * air_velocity_1_inv_product_4; // d_u_dot_d_rho
+    jp[3] = d_air_velocity_1_d_wind_z; // d_u_dot_d_g
+    jp[4] = d_u_dot_d_C_Ls;
+    jp[5] = sin_alpha_two_air_product_2 * one_minus_inv_inv_s_product; // d_u_dot_d_C_Lp
+    jp[6] = sin_alpha_two_air_product_2 * minus_air_velocity_product_5; // d_u_dot_d_s_stall
+    jp[7] = d_u_dot_d_C_D0;
+    jp[8] = d_u_dot_d_C_Ds;
+    jp[9] = d_u_dot_d_wind_x;
+    jp[10] = d_u_dot_d_wind_y;
+    jp[11] = d_u_dot_d_wind_z;
+    jp[12] = d_v_dot_d_m;
+    jp[13] = minus_rho_half * air_velocity_2_inv_product_5; // d_v_dot_d_A
+    jp[14] = minus_A_half * air_velocity_2_inv_product_5; // d_v_dot_d_rho
+    jp[15] = d_v_dot_d_g;
+    jp[16] = d_v_dot_d_C_Ls;
+    jp[17] = sin_alpha_two_air_product * one_minus_inv_inv_s_product; // d_v_dot_d_C_Lp
+    jp[18] = sin_alpha_two_air_product * minus_air_velocity_product_5; // d_v_dot_d_s_stall
+    jp[19] = d_v_dot_d_C_D0;
+    jp[20] = d_v_dot_d_C_Ds;
+    jp[21] = d_v_dot_d_wind_x;
+    jp[22] = d_v_dot_d_wind_y;
+    jp[23] = d_v_dot_d_wind_z;
+    jp[24] = minus_half_rho_A_inv_m * minus_air_velocity_product_7; // d_w_dot_d_m
+    jp[25] = rho_half * minus_air_velocity_product_7; // d_w_dot_d_A
+    jp[26] = A_half * minus_air_velocity_product_7; // d_w_dot_d_rho
+    jp[27] = d_w_dot_d_g;
+    jp[28] = d_w_dot_d_C_Ls;
     jp[29] = part_of_d_w_dot_d_C_Lp; // d_w_dot_d_C_Lp
     jp[30] = part_of_d_w_dot_d_s_stall; // d_w_dot_d_s_stall
     jp[31] = d_w_dot_d_C_D; // d_w_dot_d_C_D0
-    jp[32] = minus_w_plus_cos_product_2 * minus_w_plus_cos_product_10; // d_w_dot_d_C_Ds
-    jp[33] = part_of_d_w_dot_d_wind_x; // d_w_dot_d_wind_x
-    jp[34] = part_of_d_w_dot_d_wind_y_2; // d_w_dot_d_wind_y
-    jp[35] = part_of_d_w_dot_d_wind_z_2; // d_w_dot_d_wind_z
-    jp[36] = minus_inv_I_d_r_thetadot_product; // d_phidot_dot_d_I_a
-    jp[37] = minus_minus_w_plus_product_2; // d_phidot_dot_d_I_d
-    jp[38] = p5_p4_half_inv_p2 * minus_w_plus_cos_product_18; // d_phidot_dot_d_d
-    jp[39] = p3_inv_p2_p5_half * minus_w_plus_cos_product_18; // d_phidot_dot_d_A
-    jp[40] = p3_inv_p2_p4_half * minus_w_plus_cos_product_18; // d_phidot_dot_d_rho
-    jp[41] = minus_inv_cos_theta_minus_product; // d_phidot_dot_d_C_Ms
-    jp[42] = phidot * nonzero_sqrt_air_of_product; // d_phidot_dot_d_C_Mq
-    jp[43] = minus_C_Ms_inv_cos_sum_4; // d_phidot_dot_d_wind_x
-    jp[44] = cos_phi_inv_sqrt_sum; // d_phidot_dot_d_wind_y
-    jp[45] = sin_phi_inv_sqrt_sum; // d_phidot_dot_d_wind_z
-    jp[46] = cos_theta_phidot * inv_I_d_r; // d_thetadot_dot_d_I_a
-    jp[47] = part_of_d_thetadot_dot_d_I_d_2; // d_thetadot_dot_d_I_d
-    jp[48] = p5_p4_half_inv_p2 * minus_w_plus_cos_product_20; // d_thetadot_dot_d_d
-    jp[49] = p3_inv_p2_p5_half * minus_w_plus_cos_product_20; // d_thetadot_dot_d_A
-    jp[50] = p3_inv_p2_p4_half * minus_w_plus_cos_product_20; // d_thetadot_dot_d_rho
-    jp[51] = minus_w_plus_cos_product_6 * sin_alpha_two_air_product_2; // d_thetadot_dot_d_C_Ms
-    jp[52] = thetadot * nonzero_sqrt_air_of_product; // d_thetadot_dot_d_C_Mq
-    jp[53] = part_of_d_thetadot_dot_d_wind_x; // d_thetadot_dot_d_wind_x
-    jp[54] = part_of_d_thetadot_dot_d_wind_y; // d_thetadot_dot_d_wind_y
-    jp[55] = part_of_d_thetadot_dot_d_wind_z; // d_thetadot_dot_d_wind_z
-    jp[56] = r * part_of_d_gammadot_dot_d_I_a; // d_gammadot_dot_d_I_a
-    jp[57] = minus_sin_theta_minus_product; // d_gammadot_dot_d_I_d
-    jp[58] = minus_p5_p4_half_inv_p2 * sin_theta_minus_w_product; // d_gammadot_dot_d_d
-    jp[59] = minus_p3_inv_p2_p5_half * sin_theta_minus_w_product; // d_gammadot_dot_d_A
-    jp[60] = minus_p3_inv_p2_p4_half * sin_theta_minus_w_product; // d_gammadot_dot_d_rho
-    jp[61] = sin_theta_inv_cos_theta * minus_w_plus_cos_product_19; // d_gammadot_dot_d_C_Ms
-    jp[62] = minus_sin_theta_phidot_product; // d_gammadot_dot_d_C_Mq
-    jp[63] = inv_p1 * r; // d_gammadot_dot_d_C_Nr
-    jp[64] = sin_theta * minus_minus_C_Ms_inv_sum; // d_gammadot_dot_d_wind_x
-    jp[65] = sin_theta * minus_cos_phi_inv_sqrt_sum; // d_gammadot_dot_d_wind_y
-    jp[66] = minus_sin_theta_sin_phi_sum; // d_gammadot_dot_d_wind_z
+    jp[32] = d_w_dot_d_C_Ds;
+    jp[33] = d_w_dot_d_wind_x;
+    jp[34] = d_w_dot_d_wind_y;
+    jp[35] = d_w_dot_d_wind_z;
+    jp[36] = d_phidot_dot_d_I_a;
+    jp[37] = d_phidot_dot_d_I_d;
+    jp[38] = d_minus_thetadot_r_product_d_d; // d_phidot_dot_d_d
+    jp[39] = d_inv_I_d_rho_half * V_sq_minus_C_Ms_inv_cos_sum; // d_phidot_dot_d_A
+    jp[40] = d_inv_I_d_A_half * V_sq_minus_C_Ms_inv_cos_sum; // d_phidot_dot_d_rho
+    jp[41] = d_phidot_dot_d_C_Ms;
+    jp[42] = d_minus_thetadot_r_product_d_C_Mq; // d_phidot_dot_d_C_Mq
+    jp[43] = d_phidot_dot_d_wind_x;
+    jp[44] = d_phidot_dot_d_wind_y;
+    jp[45] = d_phidot_dot_d_wind_z;
+    jp[46] = d_thetadot_dot_d_I_a;
+    jp[47] = d_thetadot_dot_d_I_d;
+    jp[48] = d_thetadot_dot_d_d;
+    jp[49] = d_inv_I_d_rho_half * V_sq_C_Ms_sin_alpha_two_sum; // d_thetadot_dot_d_A
+    jp[50] = d_inv_I_d_A_half * V_sq_C_Ms_sin_alpha_two_sum; // d_thetadot_dot_d_rho
+    jp[51] = d_thetadot_dot_d_C_Ms;
+    jp[52] = d_thetadot_dot_d_C_Mq;
+    jp[53] = d_thetadot_dot_d_wind_x;
+    jp[54] = d_thetadot_dot_d_wind_y;
+    jp[55] = d_thetadot_dot_d_wind_z;
+    jp[56] = d_gammadot_dot_d_I_a;
+    jp[57] = d_gammadot_dot_d_I_d;
+    jp[58] = minus_half_rho_A_inv_I_d * sin_theta_V_sq_product; // d_gammadot_dot_d_d
+    jp[59] = minus_d_inv_I_d_rho_half * sin_theta_V_sq_product; // d_gammadot_dot_d_A
+    jp[60] = minus_d_inv_I_d_A_half * sin_theta_V_sq_product; // d_gammadot_dot_d_rho
+    jp[61] = d_gammadot_dot_d_C_Ms;
+    jp[62] = d_gammadot_dot_d_C_Mq;
+    jp[63] = d_gammadot_dot_d_C_Nr;
+    jp[64] = d_gammadot_dot_d_wind_x;
+    jp[65] = d_gammadot_dot_d_wind_y;
+    jp[66] = d_gammadot_dot_d_wind_z;
 }

@@ -80,14 +80,14 @@ pub const COEFFICIENTS: usize = 8;
 /// What `prepare` computes.
 #[rustfmt::skip]
 pub const PREPARED: [&str; 33] = [
-    "minus_p8_plus_p7", "inv_p9", "inv_p0_half_p5_p4", "minus_p6", "inv_p2_p1",
-    "half_p5_p4_p3_inv_p2", "p14_inv_p1", "two_p11", "n8_inv_p9_p7_minus_p8",
-    "two_inv_p2_part_part_half_p3", "minus_two_inv_p2_part_sum", "minus_n1_plus_inv_p2_p1",
-    "p4_half", "p5_p4_half", "inv_p0", "inv_p2", "inv_p1", "p7_minus_p8_n8", "p5_half",
-    "minus_p5_half", "minus_p4_half", "minus_p5_p4_half_inv_p0", "p5_p4_half_p3", "inv_p2_sq",
-    "p5_p4_half_inv_p2", "p3_inv_p2_p5_half", "p3_inv_p2_p4_half", "minus_inv_p2_p5_part_sum",
-    "inv_p1_d_gammadot_dot_d_r", "minus_p5_p4_half_inv_p2", "minus_p3_inv_p2_p5_half",
-    "minus_p3_inv_p2_p4_half", "p13_p3",
+    "minus_C_Lp_plus_C_Ls", "inv_s_stall", "inv_m_half_rho_A", "minus_g", "inv_I_d_I_a",
+    "half_rho_A_d_inv_I_d", "C_Nr_inv_I_a", "two_C_Ds", "n8_inv_s_stall_product",
+    "two_inv_I_d_half_rho_A_d", "minus_two_inv_I_d_half_sum", "minus_one_plus_inv_I_d_I_a",
+    "A_half", "half_rho_A", "inv_m", "inv_I_d", "inv_I_a", "minus_C_Lp_plus_C_Ls_n8", "rho_half",
+    "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_d", "inv_I_d_sq",
+    "half_rho_A_inv_I_d", "d_inv_I_d_rho_half", "d_inv_I_d_A_half", "minus_inv_I_d_half_rho_sum",
+    "inv_I_a_d_gammadot_dot_d_r", "minus_half_rho_A_inv_I_d", "minus_d_inv_I_d_rho_half",
+    "minus_d_inv_I_d_A_half", "C_Mq_d",
 ];
 
 /// What `quantities` computes.
