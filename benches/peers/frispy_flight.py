@@ -88,3 +88,9 @@ def measure(repeats):
         "to_landing_1e-6": timed(repeats, "to the time it lands", flight_time=end, rtol=1e-6, atol=1e-9),
         "to_landing_1e-9": timed(repeats, "to the time it lands", flight_time=end, rtol=1e-9, atol=1e-12),
     }
+
+
+if __name__ == "__main__":
+    import json
+
+    print(json.dumps(measure(31)))

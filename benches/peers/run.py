@@ -1,4 +1,6 @@
-"""Benchmarks the peers: `python3 benches/peers/run.py [--quick]` writes target/peers/results.json.
+"""Benchmarks the peers: `python3 benches/peers/run.py [--quick] [--compare]` writes target/peers/results.json.
+
+With `--compare` it then times them and us in one process and writes docs/benchmarks.md.
 
 Makes an environment of its own in target/peers/venv and leaves everything else alone.
 """
@@ -22,7 +24,11 @@ def main():
         stamp.write_text(wanted)
     # SymPy's order of terms, and so its code, depends on the seed.
     env = {**os.environ, "PYTHONHASHSEED": "0"}
-    sys.exit(subprocess.run([python, HERE / "measure.py", "--out", OUT, *sys.argv[1:]], env=env).returncode)
+    ours = [a for a in sys.argv[1:] if a != "--compare"]
+    subprocess.run([python, HERE / "measure.py", "--out", OUT, *ours], env=env, check=True)
+    if "--compare" in sys.argv:
+        command = ["cargo", "bench", "--bench", "compare", "--", "--out", "docs/benchmarks.md"]
+        subprocess.run(command, cwd=HERE.parents[1], check=True)
 
 
 if __name__ == "__main__":
