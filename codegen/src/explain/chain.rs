@@ -1,0 +1,288 @@
+//! Formulas in terms of the model's named quantities, and the chain rule over them.
+
+use super::find::{Found, symbol_of};
+use crate::differentiate::partials;
+use crate::graph::{Facts, FastMap, Graph, Node, NodeId, Symbol};
+use crate::latex::node;
+use crate::latex::piece::{Bind, Piece};
+use crate::layout::Layout;
+use crate::number::Number;
+use model_spec::model::Model;
+
+/// What is written of a quantity.
+pub(super) struct Formulas {
+    pub values: Vec<String>,
+    pub derivatives: Vec<String>,
+}
+
+/// The formulas of a quantity and its derivative.
+pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>) -> Formulas {
+    let mut cut = Cut::new(model, &found.compiled.derived.graph, &found.nodes);
+    let roots = cut.roots.clone();
+    let values = roots
+        .iter()
+        .zip(&found.symbols)
+        .map(|(&root, left)| format!("{left} = {}", cut.write(cut.inside(root))))
+        .collect();
+    let mut derivatives = Vec::new();
+    if let Some((symbol, wrt)) = by {
+        cut.by = symbol;
+        cut.wrt = symbol_of(model, wrt);
+        let mut needed = Vec::new();
+        for (&root, left) in roots.iter().zip(&found.symbols) {
+            let inside = cut.inside(root);
+            let derivative = cut.derivative(inside);
+            let left = fraction(left, &cut.wrt);
+            derivatives.push(format!("{left} = {}", cut.write(derivative)));
+            needed.push(derivative);
+        }
+        // users before what they use
+        for local in cut.mentioned(&needed).into_iter().rev() {
+            let (left, definition) = (cut.names[&local].clone(), cut.graph.definition(local));
+            derivatives.push(format!("{left} = {}", cut.write(definition)));
+        }
+    }
+    Formulas {
+        values,
+        derivatives,
+    }
+}
+
+fn fraction(above: &str, below: &str) -> String {
+    format!(r"\frac{{\partial {above}}}{{\partial {below}}}")
+}
+
+/// Sums that are a named one with opposite sign: the graph keeps no minus before a sum.
+fn opposites(source: &Graph) -> FastMap<NodeId, NodeId> {
+    let mut graph = source.clone();
+    let mut opposites = FastMap::default();
+    for id in (0..source.len() as u32).map(NodeId) {
+        if source.name_of(id).is_some() && matches!(source.node(id), Node::Sum(..)) {
+            let opposite = graph.neg(id);
+            let own = source.name_of(opposite);
+            let own = own.filter(|own| own.strip_prefix("minus_") != source.name_of(id));
+            if opposite.index() < source.len() && own.is_none() {
+                opposites.insert(opposite, id);
+            }
+        }
+    }
+    opposites
+}
+
+/// The graph with every named node made a leaf that has a definition.
+pub(super) struct Cut {
+    pub graph: Graph,
+    /// The wanted nodes.
+    pub roots: Vec<NodeId>,
+    layout: Layout,
+    /// What locals are called in formulas.
+    names: FastMap<u32, String>,
+    /// Sums whose roots have a name, as squares of that.
+    squares: FastMap<NodeId, NodeId>,
+    /// Locals that are derivatives, in the order of their making.
+    made: Vec<u32>,
+    pub by: Symbol,
+    wrt: String,
+    known: FastMap<NodeId, NodeId>,
+}
+
+impl Cut {
+    pub fn new(model: &Model, source: &Graph, roots: &[NodeId]) -> Cut {
+        let mut cut = Cut {
+            graph: Graph::new(),
+            roots: Vec::new(),
+            layout: Layout::new(model),
+            names: FastMap::default(),
+            squares: FastMap::default(),
+            made: Vec::new(),
+            by: Symbol::Time,
+            wrt: String::new(),
+            known: FastMap::default(),
+        };
+        let mut images: FastMap<NodeId, NodeId> = FastMap::default();
+        let opposites = opposites(source);
+        let mut wanted = roots.to_vec();
+        // also those that the roots do not need by themselves: they lend their names
+        wanted.extend(
+            (0..source.len() as u32)
+                .map(NodeId)
+                .filter(|&id| source.name_of(id).is_some()),
+        );
+        for id in source.reachable(&wanted) {
+            if let Some(&named) = opposites.get(&id).and_then(|named| images.get(named)) {
+                images.insert(id, cut.graph.neg(named));
+                continue;
+            }
+            let image = cut.copy(source, id, &images);
+            let facts = source.facts(id);
+            if facts.nonzero && cut.graph.as_number(image).is_none() {
+                cut.graph.assume_nonzero(image);
+            }
+            let image = match source.name_of(id) {
+                Some(name) => {
+                    let local = cut.leaf(facts, image, symbol_of(model, name));
+                    // where V is the root of a sum, that sum is V² from here on
+                    if let Node::Product(factors) = source.node(id)
+                        && let [(square, 1)] = **factors
+                    {
+                        let power = cut.graph.power(local, 4);
+                        if let Some(sum) = images.insert(square, power) {
+                            cut.squares.insert(sum, power);
+                        }
+                    }
+                    local
+                }
+                None => image,
+            };
+            images.insert(id, image);
+        }
+        cut.roots = roots.iter().map(|root| images[root]).collect();
+        cut
+    }
+
+    /// The same with sums under named roots written as squares, where the calculus made them anew.
+    pub fn tidy(&mut self, roots: &[NodeId]) -> Vec<NodeId> {
+        let source = self.graph.clone();
+        let mut images: FastMap<NodeId, NodeId> = FastMap::default();
+        for id in source.reachable(roots) {
+            let image = match (self.squares.get(&id), source.node(id)) {
+                (Some(&square), _) => square,
+                (None, Node::Symbol(_)) => id,
+                (None, _) => self.copy(&source, id, &images),
+            };
+            images.insert(id, image);
+        }
+        roots.iter().map(|root| images[root]).collect()
+    }
+
+    fn copy(&mut self, source: &Graph, id: NodeId, images: &FastMap<NodeId, NodeId>) -> NodeId {
+        let of = |id: &NodeId| images[id];
+        let graph = &mut self.graph;
+        match source.node(id) {
+            Node::Number(number) => graph.number(*number),
+            Node::Symbol(symbol) => graph.symbol(*symbol),
+            Node::Sum(terms, constant) => {
+                let terms = terms.iter().map(|(c, term)| (*c, of(term))).collect();
+                graph.sum(terms, *constant)
+            }
+            Node::Product(factors) => {
+                let factors = factors.iter().map(|(base, e)| (of(base), *e)).collect();
+                graph.product(factors)
+            }
+            Node::Call(function, x) => graph.call(*function, of(x)),
+            Node::Atan2(y, x) => graph.atan2(of(y), of(x)),
+            Node::Min(a, b) => graph.min(of(a), of(b)),
+            Node::Max(a, b) => graph.max(of(a), of(b)),
+            Node::IfZero(c, a, b) => graph.if_zero(of(c), of(a), of(b)),
+        }
+    }
+
+    /// A leaf with a definition and a name; what needs no name of its own stays as it is.
+    fn leaf(&mut self, facts: Facts, definition: NodeId, name: String) -> NodeId {
+        let inner = self.graph.split_coefficient(definition).1;
+        if matches!(self.graph.node(inner), Node::Symbol(_) | Node::Number(_)) {
+            return definition;
+        }
+        let leaf = self.graph.local(facts, definition);
+        if let Node::Symbol(Symbol::Local(k)) = self.graph.node(leaf) {
+            self.names.insert(*k, name);
+        }
+        leaf
+    }
+
+    /// What stands behind a named leaf.
+    pub fn inside(&self, id: NodeId) -> NodeId {
+        match self.graph.node(id) {
+            Node::Symbol(Symbol::Local(k)) => self.graph.definition(*k),
+            _ => id,
+        }
+    }
+
+    /// The derivative by [`Cut::by`]; those of named quantities are named in turn.
+    pub fn derivative(&mut self, id: NodeId) -> NodeId {
+        let derivative = self.differentiated(id);
+        self.tidy(&[derivative])[0]
+    }
+
+    fn differentiated(&mut self, id: NodeId) -> NodeId {
+        if let Some(&known) = self.known.get(&id) {
+            return known;
+        }
+        let derivative = match self.graph.node(id).clone() {
+            Node::Number(_) => self.graph.whole(0),
+            Node::Symbol(Symbol::Local(k)) => {
+                let inner = self.derivative(self.graph.definition(k));
+                let name = fraction(&self.names[&k], &self.wrt);
+                let leaf = self.leaf(self.graph.facts(inner), inner, name);
+                if let Node::Symbol(Symbol::Local(made)) = self.graph.node(leaf)
+                    && leaf != inner
+                {
+                    self.made.push(*made);
+                }
+                leaf
+            }
+            Node::Symbol(symbol) => self.graph.whole(i64::from(symbol == self.by)),
+            Node::Sum(..) | Node::Product(_) => {
+                let partials = partials::of_expression(&mut self.graph, id);
+                self.chain(partials)
+            }
+            _ => {
+                let partials = partials::of_node(&mut self.graph, id);
+                self.chain(partials)
+            }
+        };
+        self.known.insert(id, derivative);
+        derivative
+    }
+
+    fn chain(&mut self, partials: Vec<(NodeId, NodeId)>) -> NodeId {
+        let mut terms = Vec::new();
+        for (operand, partial) in partials {
+            let inner = self.differentiated(operand);
+            terms.push((Number::ONE, self.graph.mul(partial, inner)));
+        }
+        self.graph.sum(terms, Number::ZERO)
+    }
+
+    /// Named derivatives that some nodes need, what is used before its users.
+    fn mentioned(&self, roots: &[NodeId]) -> Vec<u32> {
+        let mut needed: Vec<u32> = Vec::new();
+        let mut waiting = roots.to_vec();
+        let mut next = 0;
+        while next < waiting.len() {
+            for id in self.graph.reachable(&waiting[next..=next]) {
+                if let Node::Symbol(Symbol::Local(k)) = self.graph.node(id)
+                    && self.made.contains(k)
+                    && !needed.contains(k)
+                {
+                    needed.push(*k);
+                    waiting.push(self.graph.definition(*k));
+                }
+            }
+            next += 1;
+        }
+        let mut ordered = self.made.clone();
+        ordered.retain(|k| needed.contains(k));
+        ordered
+    }
+
+    fn write(&self, id: NodeId) -> String {
+        let leaf = |_: NodeId, symbol: Symbol| match symbol {
+            Symbol::Time => Piece::atom("t"),
+            Symbol::Pi => Piece::atom(r"\pi"),
+            Symbol::State(k) => self.named(&self.layout.states[k as usize]),
+            Symbol::Parameter(k) => self.named(&self.layout.parameters[k as usize]),
+            Symbol::Marker(k) => self.named(&self.layout.marker[k as usize]),
+            Symbol::Local(k) => match &self.names[&k] {
+                // a fraction, which an exponent would not embrace
+                name if self.made.contains(&k) => Piece::new(name.clone(), Bind::Product),
+                name => Piece::atom(name.clone()),
+            },
+        };
+        node::piece(&self.graph, id, &leaf).text
+    }
+
+    fn named(&self, name: &str) -> Piece {
+        Piece::atom(crate::latex::name(name, crate::latex::Style::Scalar))
+    }
+}

@@ -1,0 +1,245 @@
+//! What is meant by the name of a quantity, and where it stands.
+
+use super::error::{ExplainError, nearest};
+use crate::compile::{Compiled, Selection, compile_for};
+use crate::graph::{NodeId, Symbol};
+use crate::latex;
+use crate::layout::Layout;
+use model_spec::diagnostic::Span;
+use model_spec::model::{Let, Load, Model};
+
+/// A quantity with its nodes.
+pub(super) struct Found {
+    pub label: String,
+    pub place: String,
+    pub line: String,
+    pub doc: String,
+    /// Its definition, where the model has one.
+    pub latex: Option<String>,
+    /// What its components are called in generated code.
+    pub names: Vec<String>,
+    /// What they are called in formulas.
+    pub symbols: Vec<String>,
+    pub nodes: Vec<NodeId>,
+    /// The model that the nodes belong to: a force or moment is made a quantity of its own in it.
+    pub model: Model,
+    pub compiled: Compiled,
+}
+
+/// What a name stands for.
+enum Meaning<'a> {
+    Let(&'a Let),
+    Component(&'a Let, String),
+    Load(&'a Load, &'static str),
+    Rate(usize),
+}
+
+/// Finds a quantity.
+pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainError> {
+    let wanted = wanted.trim();
+    let meaning = meaning(model, wanted)?;
+    let mut changed = model.clone();
+    let (mut label, mut prefix) = (wanted.to_string(), wanted.to_string());
+    if let Meaning::Load(load, kind) = &meaning {
+        label = format!("{kind} {}", load.name);
+        prefix = format!("{kind}_{}", load.name);
+        while changed.lets.iter().any(|quantity| quantity.name == prefix) {
+            prefix.push('_');
+        }
+        changed.lets.push(Let {
+            name: prefix.clone(),
+            doc: String::new(),
+            value: load.value.clone(),
+            span: load.span,
+            effect: load.effect,
+        });
+    }
+    let compiled = compile_for(&changed, &Selection::Only(Vec::new()));
+    let derived = &compiled.derived;
+    let of_let = |name: &str| {
+        let mut start = 0;
+        for (quantity, nodes) in changed.lets.iter().zip(&derived.lets) {
+            if quantity.name == name {
+                return derived.quantities[start..start + nodes.len()].to_vec();
+            }
+            start += nodes.len();
+        }
+        Vec::new()
+    };
+    let parts: Vec<(String, NodeId)> = match &meaning {
+        Meaning::Let(_) | Meaning::Load(..) => of_let(&prefix),
+        Meaning::Component(_, name) => derived
+            .quantities
+            .iter()
+            .filter(|(known, _)| known == name)
+            .take(1)
+            .cloned()
+            .collect(),
+        Meaning::Rate(k) => vec![(format!("{}_dot", model.states[*k].name), derived.dx[*k])],
+    };
+    let (span, end, doc) = match &meaning {
+        Meaning::Let(quantity) | Meaning::Component(quantity, _) => {
+            (quantity.span, quantity.value.span, quantity.doc.clone())
+        }
+        Meaning::Load(load, _) => (load.span, load.value.span, String::new()),
+        Meaning::Rate(k) => rate_place(model, *k),
+    };
+    let (place, line) = source(model, span, end);
+    let latex = match &meaning {
+        Meaning::Component(..) => None,
+        _ => latex::definition(model, &label),
+    };
+    let (names, nodes): (Vec<String>, Vec<NodeId>) = parts.into_iter().unzip();
+    let symbols = names.iter().map(|name| symbol_of(model, name)).collect();
+    Ok(Found {
+        label,
+        place,
+        line,
+        doc,
+        latex,
+        names,
+        symbols,
+        nodes,
+        model: changed,
+        compiled,
+    })
+}
+
+fn meaning<'a>(model: &'a Model, wanted: &str) -> Result<Meaning<'a>, ExplainError> {
+    let load = |loads: &'a [Load], name: &str| loads.iter().find(|load| load.name == name);
+    if let Some(state) = wanted
+        .strip_prefix("der(")
+        .and_then(|rest| rest.strip_suffix(')'))
+        && let Some(k) = model.states.iter().position(|s| s.name == state.trim())
+    {
+        return Ok(Meaning::Rate(k));
+    }
+    if let Some(quantity) = model.lets.iter().find(|quantity| quantity.name == wanted) {
+        return Ok(Meaning::Let(quantity));
+    }
+    let force = load(
+        &model.forces,
+        wanted.strip_prefix("force ").unwrap_or(wanted),
+    );
+    let moment = load(
+        &model.moments,
+        wanted.strip_prefix("moment ").unwrap_or(wanted),
+    );
+    match (force, moment) {
+        (Some(_), Some(_)) => {
+            return Err(ExplainError::Ambiguous {
+                wanted: wanted.to_string(),
+            });
+        }
+        (Some(force), None) => return Ok(Meaning::Load(force, "force")),
+        (None, Some(moment)) => return Ok(Meaning::Load(moment, "moment")),
+        (None, None) => {}
+    }
+    for quantity in &model.lets {
+        if let Some(component) = components(model, quantity).find(|name| name == wanted) {
+            return Ok(Meaning::Component(quantity, component));
+        }
+    }
+    let mut known: Vec<String> = model.lets.iter().map(|l| l.name.clone()).collect();
+    known.extend(model.forces.iter().map(|l| format!("force {}", l.name)));
+    known.extend(model.moments.iter().map(|l| format!("moment {}", l.name)));
+    known.extend(model.states.iter().map(|s| format!("der({})", s.name)));
+    Err(ExplainError::Quantity {
+        wanted: wanted.to_string(),
+        nearest: nearest(wanted, &known),
+        known,
+    })
+}
+
+/// Names of the components of a vector.
+fn components<'a>(model: &Model, quantity: &'a Let) -> impl Iterator<Item = String> + use<'a> {
+    let mut alone = model.clone();
+    alone.lets.retain(|other| other.name == quantity.name);
+    Layout::new(&alone)
+        .quantities
+        .into_iter()
+        .filter(move |name| *name != quantity.name)
+}
+
+/// Finds what to differentiate by.
+pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError> {
+    let layout = Layout::new(model);
+    if let Some(k) = layout.state(wanted) {
+        return Ok(Symbol::State(k as u32));
+    }
+    if let Some(k) = layout.parameter(wanted) {
+        return Ok(Symbol::Parameter(k as u32));
+    }
+    let mut known = layout.states;
+    known.extend(layout.parameters);
+    Err(ExplainError::Wrt {
+        wanted: wanted.to_string(),
+        nearest: nearest(wanted, &known),
+        known,
+    })
+}
+
+/// A quantity's name in formulas; the components of forces and moments after the paper's F and M.
+pub(super) fn symbol_of(model: &Model, name: &str) -> String {
+    for (loads, kind, letter) in [
+        (&model.forces, "force_", "F"),
+        (&model.moments, "moment_", "M"),
+    ] {
+        for load in loads {
+            let rest = name
+                .strip_prefix(kind)
+                .and_then(|rest| rest.strip_prefix(&load.name));
+            if let Some(axis) = rest.and_then(|rest| rest.strip_prefix('_')) {
+                return format!(
+                    r"{letter}_{{\mathrm{{{}}},{axis}}}",
+                    load.name.replace('_', r"\ ")
+                );
+            }
+        }
+    }
+    latex::name(name, latex::Style::Scalar)
+}
+
+/// A stated derivative stands in its equation, a derived one follows from the body.
+fn rate_place(model: &Model, state: usize) -> (Span, Span, String) {
+    if let Some(equation) = model.equations.iter().find(|e| e.state == state) {
+        return (equation.span, equation.value.span, String::new());
+    }
+    let span = model
+        .body
+        .as_ref()
+        .map_or(model.states[state].span, |body| body.span);
+    let mut end = span;
+    if model.body.is_some()
+        && let Some(source) = model.sources.get(usize::from(span.source))
+        && let Some(rest) = source.text.get(span.start as usize..)
+        && let Some(closed) = rest.find('}')
+    {
+        end.end = span.start + closed as u32;
+    }
+    (span, end, String::new())
+}
+
+/// File and line, and the lines from the one to the other place.
+fn source(model: &Model, from: Span, to: Span) -> (String, String) {
+    let Some(source) = model.sources.get(usize::from(from.source)) else {
+        return (model.name.clone(), String::new());
+    };
+    let text = &source.text;
+    let clip = |at: u32| (at as usize).min(text.len());
+    let line_of = |at: usize| {
+        text.as_bytes()[..at]
+            .iter()
+            .filter(|&&b| b == b'\n')
+            .count()
+    };
+    let first = line_of(clip(from.start));
+    let last = if to.source == from.source {
+        line_of(clip(to.end)).max(first)
+    } else {
+        first
+    };
+    let lines: Vec<&str> = text.lines().skip(first).take(last - first + 1).collect();
+    let file = source.name.rsplit('/').next().unwrap_or(&source.name);
+    (format!("{file}:{}", first + 1), lines.join("\n"))
+}

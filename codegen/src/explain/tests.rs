@@ -1,0 +1,219 @@
+use super::*;
+use crate::layout::Layout;
+use crate::tape_model::{At, Scratch, TapeModel};
+
+fn load(name: &str) -> Model {
+    model_spec::load::load(name, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Numbers without pattern, all in the interior of the model's domain.
+fn point(layout: &Layout) -> (Vec<f64>, Vec<f64>) {
+    let mut seed = 7_u64;
+    let mut next = || {
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let states = layout.states.iter().map(|_| 0.3 + 0.8 * next()).collect();
+    let defaults = layout.default_parameters();
+    let parameters = defaults
+        .iter()
+        .map(|value| value * (1.0 + 0.2 * next()) + if *value == 0.0 { 0.3 * next() } else { 0.0 })
+        .collect();
+    (states, parameters)
+}
+
+fn values(tape: &TapeModel, count: usize, x: &[f64], p: &[f64]) -> Vec<f64> {
+    let prepared = tape.prepare(p);
+    let at = At {
+        t: 0.3,
+        x,
+        p,
+        prepared: &prepared,
+    };
+    let mut q = vec![0.0; count];
+    tape.quantities(at, &mut Scratch::default(), &mut q);
+    q
+}
+
+/// Both the code and the formula of every derivative of every quantity, against differences.
+#[test]
+fn derivatives_agree_with_differences() {
+    for model in ["disc", "disc_appendix", "disc_quaternion", "ball", "discus"].map(load) {
+        let layout = Layout::new(&model);
+        let (x, p) = point(&layout);
+        let mut quantities: Vec<String> = model.lets.iter().map(|l| l.name.clone()).collect();
+        quantities.extend(model.states.iter().map(|s| format!("der({})", s.name)));
+        quantities.extend(model.forces.iter().map(|l| format!("force {}", l.name)));
+        quantities.extend(model.moments.iter().map(|l| format!("moment {}", l.name)));
+        let wrt: Vec<&String> = layout.states.iter().chain(&layout.parameters).collect();
+        for quantity in &quantities {
+            let found = find::quantity(&model, quantity).unwrap_or_else(|e| panic!("{e}"));
+            let count = found.nodes.len();
+            let plain = TapeModel::new(&code::generate(&found, None).compiled);
+            for (k, name) in wrt.iter().enumerate() {
+                let symbol = find::symbol(&model, name).unwrap_or_else(|e| panic!("{e}"));
+                let made = code::generate(&found, Some((symbol, name)));
+                let tape = TapeModel::new(&made.compiled);
+                let mut exact = vec![0.0; count];
+                let entries = values(&tape, made.rows.len(), &x, &p);
+                for (&row, entry) in made.rows.iter().zip(entries) {
+                    exact[row as usize] = entry;
+                }
+                let written = written(&model, &found, symbol, &x, &p);
+                let moved = |step: f64| {
+                    let (mut x, mut p) = (x.clone(), p.clone());
+                    match k.checked_sub(x.len()) {
+                        None => x[k] += step,
+                        Some(k) => p[k] += step,
+                    }
+                    values(&plain, count, &x, &p)
+                };
+                let size = match k.checked_sub(x.len()) {
+                    None => x[k].abs(),
+                    Some(k) => p[k].abs(),
+                };
+                let h = 1e-4 * size.max(1e-8);
+                let (low, high) = (moved(-h), moved(h));
+                let (lower, higher) = (moved(-2.0 * h), moved(2.0 * h));
+                for row in 0..count {
+                    let difference =
+                        (8.0 * (high[row] - low[row]) - (higher[row] - lower[row])) / (12.0 * h);
+                    let scale = difference
+                        .abs()
+                        .max(1e-6 * high[row].abs() / size.max(1e-8))
+                        .max(1e-9);
+                    for value in [exact[row], written[row]] {
+                        assert!(
+                            (value - difference).abs() <= 2e-5 * scale,
+                            "{}: {quantity}[{row}] by {name}: {value} is not {difference}",
+                            model.name
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The nodes that the formula is written from, computed.
+fn written(
+    model: &Model,
+    found: &find::Found,
+    symbol: crate::graph::Symbol,
+    x: &[f64],
+    p: &[f64],
+) -> Vec<f64> {
+    let mut cut = chain::Cut::new(model, &found.compiled.derived.graph, &found.nodes);
+    cut.by = symbol;
+    let roots = cut.roots.clone();
+    let nodes: Vec<_> = roots
+        .into_iter()
+        .map(|root| {
+            let inside = cut.inside(root);
+            cut.derivative(inside)
+        })
+        .collect();
+    let mut compiled = found.compiled.clone();
+    compiled.derived.graph = cut.graph;
+    let names = found.names.clone();
+    let found = find::Found {
+        nodes,
+        names,
+        compiled,
+        label: String::new(),
+        place: String::new(),
+        line: String::new(),
+        doc: String::new(),
+        latex: None,
+        symbols: Vec::new(),
+        model: model.clone(),
+    };
+    let made = code::generate(&found, None);
+    values(&TapeModel::new(&made.compiled), found.nodes.len(), x, p)
+}
+
+#[test]
+fn explanations_of_the_disc() {
+    let disc = load("disc");
+    let mut text = String::new();
+    for (quantity, wrt) in [
+        ("alpha", None),
+        ("alpha", Some("w")),
+        ("lift", Some("wind_x")),
+        ("roll", Some("C_Mq")),
+        ("d1", Some("u")),
+        ("force aero", None),
+        ("der(u)", None),
+        ("der(phidot)", Some("I_a")),
+        ("C_L", Some("gamma")),
+    ] {
+        let mut explained = explain(&disc, quantity, wrt).unwrap_or_else(|e| panic!("{e}"));
+        // the code has tests of its own, and may change for reasons of its own
+        explained.once = String::new();
+        explained.code = "…".into();
+        explained.cost = Count::default();
+        text.push_str(&format!("{explained}\n----\n\n"));
+    }
+    insta::assert_snapshot!("disc", text);
+}
+
+#[test]
+fn code_is_what_the_quantity_needs_and_no_more() {
+    let disc = load("disc");
+    let explained = explain(&disc, "C_L", Some("C_La")).unwrap_or_else(|e| panic!("{e}"));
+    assert!(explained.code.contains("atan2"), "{explained}");
+    assert!(
+        explained.code.contains("// disc.hyz:69  let alpha = "),
+        "{explained}"
+    );
+    for foreign in ["values[", "state[", "wind_x;", "C_D", "T: Real"] {
+        assert!(!explained.code.contains(foreign), "{foreign}: {explained}");
+    }
+    let explained = explain(&disc, "roll", Some("C_Mq")).unwrap_or_else(|e| panic!("{e}"));
+    assert!(explained.once.contains("rho"), "{explained}");
+    assert!(
+        explained.code.contains("let d_roll_d_C_Mq = "),
+        "{explained}"
+    );
+    assert!(explained.cost.total() > 0 && explained.cost_once.total() > 0);
+}
+
+#[test]
+fn what_is_not_there_is_said_with_what_is() {
+    let disc = load("disc");
+    for (quantity, wrt, start) in [
+        (
+            "alhpa",
+            None,
+            "there is no quantity `alhpa`; did you mean `alpha`?\nthere are: air_velocity, d3,",
+        ),
+        (
+            "u",
+            None,
+            "there is no quantity `u`; did you mean `der(u)`?\n",
+        ),
+        ("thrust", None, "there is no quantity `thrust`\n"),
+        (
+            "aero",
+            None,
+            "a force and a moment are called `aero`: write `force aero` or `moment aero`",
+        ),
+        (
+            "alpha",
+            Some("wind"),
+            "there is no state, parameter, coefficient or component of an input `wind`; did you mean `wind_x`?\nthere are: x, y",
+        ),
+        (
+            "alpha",
+            Some("C_LA"),
+            "there is no state, parameter, coefficient or component of an input `C_LA`; did you mean `C_La`?\n",
+        ),
+    ] {
+        let error = explain(&disc, quantity, wrt)
+            .expect_err("is not there")
+            .to_string();
+        assert!(error.starts_with(start), "{error}");
+    }
+}

@@ -1,0 +1,127 @@
+//! Formulas in LaTeX, in the notation of the paper: of a model's tree, and of nodes of the graph.
+//!
+//! The text needs `amsmath` (or MathJax, KaTeX).
+
+mod names;
+pub(crate) mod node;
+pub(crate) mod piece;
+mod tree;
+
+pub(crate) use names::{Style, name, rate};
+
+use model_spec::model::{Equation, Expr, ExprKind, Load, Model};
+use names::words;
+
+/// An expression.
+pub fn expression(model: &Model, expr: &Expr) -> String {
+    tree::piece(model, expr).text
+}
+
+/// The definition of a named quantity, a force, a moment, or a stated derivative `der(u)`, as `left = right`.
+/// A name that is both a force's and a moment's is the force's; `moment aero` and `force aero` tell them apart.
+pub fn definition(model: &Model, name: &str) -> Option<String> {
+    sides(model, name).map(|(left, right)| format!("{left} = {right}"))
+}
+
+/// Both sides of [`definition`].
+pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
+    if let Some(quantity) = model.lets.iter().find(|quantity| quantity.name == wanted) {
+        let left = name(&quantity.name, tree::style(&quantity.value));
+        return Some((left, expression(model, &quantity.value)));
+    }
+    let load = |loads: &[Load], letter: &str, prefix: &str| {
+        let bare = wanted.strip_prefix(prefix).unwrap_or(wanted);
+        let load = loads.iter().find(|load| load.name == bare)?;
+        Some((
+            load_name(letter, &load.name),
+            expression(model, &load.value),
+        ))
+    };
+    let equation = || {
+        let equation = model
+            .equations
+            .iter()
+            .find(|equation| format!("der({})", model.states[equation.state].name) == wanted)?;
+        let state = &model.states[equation.state].name;
+        Some((rate(state), expression(model, stated(model, equation))))
+    };
+    load(&model.forces, "F", "force ")
+        .or_else(|| load(&model.moments, "M", "moment "))
+        .or_else(equation)
+}
+
+/// The right side of an equation, also where other equations use it by a name.
+fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
+    match equation.value.kind {
+        ExprKind::Let(k) if model.lets[k].name.starts_with("der_") => &model.lets[k].value,
+        _ => &equation.value,
+    }
+}
+
+/// `\mathbf{F}_{\mathrm{weight}}`.
+pub(crate) fn load_name(letter: &str, load: &str) -> String {
+    format!(r"\mathbf{{{letter}}}_{{{}}}", words(load))
+}
+
+/// Everything that a model says of the motion, as one `align*`.
+pub fn model(model: &Model) -> String {
+    let mut lines: Vec<(String, String)> = Vec::new();
+    for quantity in &model.lets {
+        // a stated derivative that others use is among the equations too
+        if !quantity.name.starts_with("der_") {
+            lines.extend(sides(model, &quantity.name));
+        }
+    }
+    for (loads, letter) in [(&model.forces, "F"), (&model.moments, "M")] {
+        for load in loads {
+            lines.push((
+                load_name(letter, &load.name),
+                expression(model, &load.value),
+            ));
+        }
+    }
+    if let Some(body) = &model.body {
+        let sum = |loads: &[Load], letter: &str| match loads {
+            [] => r"\mathbf{0}".to_string(),
+            _ => {
+                let names: Vec<String> = loads
+                    .iter()
+                    .map(|load| load_name(letter, &load.name))
+                    .collect();
+                names.join(" + ")
+            }
+        };
+        let mass = tree::piece(model, &body.mass).at_least(piece::Bind::Product);
+        lines.push((
+            format!(r"{} \dot{{\mathbf{{v}}}}", mass.text),
+            sum(&model.forces, "F"),
+        ));
+        if body.rotation.is_some() {
+            let momentum = r"\frac{\mathrm{d}}{\mathrm{d}t} (\mathbf{I} \boldsymbol{\omega})";
+            lines.push((momentum.to_string(), sum(&model.moments, "M")));
+        }
+    }
+    for equation in &model.equations {
+        let state = &model.states[equation.state].name;
+        let line = (rate(state), expression(model, stated(model, equation)));
+        // that a state is the rate of another is in its name already
+        if line.0 != line.1 {
+            lines.push(line);
+        }
+    }
+    if let Some(observation) = &model.observation {
+        let left = format!(r"\mathbf{{y}}_{{{}}}", words(&observation.name));
+        lines.push((left, expression(model, &observation.value)));
+    }
+    let lines: Vec<String> = lines
+        .into_iter()
+        .map(|(left, right)| format!("  {left} &= {right}"))
+        .collect();
+    format!(
+        "\\begin{{align*}}\n{}\n\\end{{align*}}\n",
+        lines.join(" \\\\\n")
+    )
+}
+
+#[cfg(test)]
+mod tests;

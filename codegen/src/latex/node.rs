@@ -1,0 +1,141 @@
+//! Nodes of the graph; what a [`Symbol::Local`] stands for is written by its name.
+
+use super::piece::Piece;
+use super::tree;
+use crate::graph::{Function, Graph, Node, NodeId, Symbol};
+use crate::number::Number;
+use model_spec::model::Function as Named;
+
+/// A node, with `leaf` naming the symbols.
+pub(crate) fn piece(graph: &Graph, id: NodeId, leaf: &dyn Fn(NodeId, Symbol) -> Piece) -> Piece {
+    let of = |id: NodeId| piece(graph, id, leaf);
+    match graph.node(id) {
+        Node::Number(value) => number(*value),
+        Node::Symbol(symbol) => leaf(id, *symbol),
+        Node::Sum(terms, constant) => sum(graph, terms, *constant, &of),
+        Node::Product(factors) => product(graph, factors, &of),
+        Node::Call(function, x) => call(*function, of(*x)),
+        Node::Atan2(y, x) => Piece::operator("atan2", &[of(*y), of(*x)]),
+        Node::Min(a, b) => Piece::function(r"\min", tree::pair(of(*a), of(*b))),
+        Node::Max(a, b) => Piece::function(r"\max", tree::pair(of(*a), of(*b))),
+        Node::IfZero(c, a, b) => {
+            let case = format!("{} = 0", of(*c).text);
+            Piece::cases(of(*b), of(*a), &case)
+        }
+    }
+}
+
+fn number(value: Number) -> Piece {
+    match value {
+        // what is a fraction by intent has a small denominator
+        Number::Exact(n, d) if d > 1 && d <= 64 => {
+            let above = Piece::number(n.unsigned_abs() as f64);
+            let fraction = above.div(Piece::number(d as f64));
+            if n < 0 { fraction.neg() } else { fraction }
+        }
+        other => Piece::number(other.value()),
+    }
+}
+
+fn sum(
+    graph: &Graph,
+    terms: &[(Number, NodeId)],
+    constant: Number,
+    of: &dyn Fn(NodeId) -> Piece,
+) -> Piece {
+    let mut parts: Vec<(bool, Piece)> = terms
+        .iter()
+        .map(|&(coefficient, term)| {
+            (
+                coefficient.is_negative(),
+                scaled(graph, coefficient, term, of),
+            )
+        })
+        .collect();
+    if !constant.is_zero() {
+        parts.push((constant.is_negative(), number(constant.abs())));
+    }
+    // a formula is easier to read when it does not begin with a minus
+    if let Some(first) = parts.iter().position(|(minus, _)| !minus) {
+        let part = parts.remove(first);
+        parts.insert(0, part);
+    }
+    let mut parts = parts.into_iter();
+    let Some((minus, first)) = parts.next() else {
+        return Piece::number(0.0);
+    };
+    let first = if minus { first.neg() } else { first };
+    parts.fold(
+        first,
+        |sum, (minus, part)| {
+            if minus { sum.sub(part) } else { sum.add(part) }
+        },
+    )
+}
+
+/// A term with the absolute value of its coefficient.
+fn scaled(graph: &Graph, coefficient: Number, term: NodeId, of: &dyn Fn(NodeId) -> Piece) -> Piece {
+    let coefficient = coefficient.abs();
+    if coefficient.is_one() {
+        return of(term);
+    }
+    match (graph.node(term), coefficient) {
+        // one fraction, not a fraction beside a fraction
+        (Node::Product(factors), Number::Exact(n, d)) if d > 1 && d <= 64 => {
+            fraction(graph, factors, Number::whole(n), Number::whole(d), of)
+        }
+        (Node::Product(factors), _) => fraction(graph, factors, coefficient, Number::ONE, of),
+        _ => number(coefficient).mul(of(term)),
+    }
+}
+
+fn product(graph: &Graph, factors: &[(NodeId, i32)], of: &dyn Fn(NodeId) -> Piece) -> Piece {
+    fraction(graph, factors, Number::ONE, Number::ONE, of)
+}
+
+fn fraction(
+    graph: &Graph,
+    factors: &[(NodeId, i32)],
+    above: Number,
+    below: Number,
+    of: &dyn Fn(NodeId) -> Piece,
+) -> Piece {
+    let mut factors = factors.to_vec();
+    // constants first, as people write them
+    factors.sort_by_key(|(base, _)| !graph.facts(*base).fixed);
+    let side = |coefficient: Number, wanted: &dyn Fn(i32) -> bool| {
+        let start = (!coefficient.is_one()).then(|| number(coefficient));
+        factors
+            .iter()
+            .filter(|(_, exponent)| wanted(*exponent))
+            .map(|&(base, exponent)| of(base).power(exponent.abs()))
+            .fold(start, |product, factor| {
+                Some(match product {
+                    Some(product) => product.mul(factor),
+                    None => factor,
+                })
+            })
+    };
+    let top = side(above, &|exponent| exponent > 0).unwrap_or_else(|| Piece::number(1.0));
+    match side(below, &|exponent| exponent < 0) {
+        Some(bottom) => top.div(bottom),
+        None => top,
+    }
+}
+
+fn call(function: Function, x: Piece) -> Piece {
+    let named = match function {
+        Function::Sin => Named::Sin,
+        Function::Cos => Named::Cos,
+        Function::Asin => Named::Asin,
+        Function::Exp => Named::Exp,
+        Function::Log => Named::Log,
+        Function::Tanh => Named::Tanh,
+        Function::Abs => Named::Abs,
+        Function::Sign => Named::Sign,
+        Function::Step => Named::Step,
+        Function::Sqrt => Named::Sqrt,
+        Function::NonZero => return Piece::atom(format!(r"\left[{} \neq 0\right]", x.text)),
+    };
+    tree::call(named, x)
+}

@@ -1,0 +1,236 @@
+//! Pieces of a formula: text, and how tightly it binds, so that parentheses stand where they are needed.
+
+/// How tightly a piece binds, loosest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Bind {
+    Sum,
+    /// A scalar or vector product with a minus before it: no factor can be added.
+    MinusDotted,
+    Minus,
+    /// A scalar or vector product: a factor beside it would be taken for part of its side.
+    Dotted,
+    Product,
+    Atom,
+}
+
+/// A part of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Piece {
+    pub text: String,
+    pub bind: Bind,
+    /// Ends in a function whose argument has no parentheses.
+    bare: bool,
+}
+
+impl Piece {
+    pub fn new(text: impl Into<String>, bind: Bind) -> Piece {
+        Piece {
+            text: text.into(),
+            bind,
+            bare: false,
+        }
+    }
+
+    pub fn atom(text: impl Into<String>) -> Piece {
+        Piece::new(text, Bind::Atom)
+    }
+
+    /// A constant.
+    pub fn number(value: f64) -> Piece {
+        let magnitude = value.abs();
+        if magnitude == 0.0 {
+            return Piece::atom("0");
+        }
+        let piece = if (1e-4..1e7).contains(&magnitude) {
+            Piece::atom(format!("{magnitude}"))
+        } else {
+            let text = format!("{magnitude:e}");
+            let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            let power = format!("10^{{{exponent}}}");
+            match digits {
+                "1" => Piece::new(power, Bind::Product),
+                _ => Piece::new(format!(r"{digits} \cdot {power}"), Bind::Product),
+            }
+        };
+        if value < 0.0 { piece.neg() } else { piece }
+    }
+
+    /// In parentheses unless it binds at least as tightly.
+    pub fn at_least(self, bind: Bind) -> Piece {
+        if self.bind >= bind {
+            return self;
+        }
+        Piece::atom(parentheses(&self.text))
+    }
+
+    pub fn add(self, other: Piece) -> Piece {
+        let other = other.at_least(Bind::Dotted);
+        Piece::new(format!("{} + {}", self.text, other.text), Bind::Sum)
+    }
+
+    pub fn sub(self, other: Piece) -> Piece {
+        let other = other.at_least(Bind::Dotted);
+        Piece::new(format!("{} - {}", self.text, other.text), Bind::Sum)
+    }
+
+    pub fn neg(self) -> Piece {
+        let inner = self.at_least(Bind::Dotted);
+        let bind = match inner.bind {
+            Bind::Dotted => Bind::MinusDotted,
+            _ => Bind::Minus,
+        };
+        Piece {
+            text: format!("-{}", inner.text),
+            bind,
+            bare: inner.bare,
+        }
+    }
+
+    pub fn mul(self, other: Piece) -> Piece {
+        let (left, bind) = match self.bind {
+            // a minus may stay in front of the whole product
+            Bind::Minus => (self, Bind::Minus),
+            _ => (self.at_least(Bind::Product), Bind::Product),
+        };
+        let right = other.at_least(Bind::Product);
+        let digit = right.text.starts_with(|c: char| c.is_ascii_digit());
+        let apart = [r"\sin", r"\cos", r"\tan", r"\frac", r"\mathbf", r"\sqrt"];
+        let swallowed = left.bare && !apart.iter().any(|start| right.text.starts_with(start));
+        // words side by side would run into one
+        let clear = ["(", r"\left", r"\frac", r"\sqrt", r"\sin", r"\cos", r"\tan"];
+        let words = (right.text.starts_with(r"\mathrm") || ends_upright(&left.text))
+            && !clear.iter().any(|start| right.text.starts_with(start));
+        let sign = match () {
+            () if digit || swallowed => r" \cdot ",
+            () if words => r" \, ",
+            () => " ",
+        };
+        Piece {
+            text: format!("{}{sign}{}", left.text, right.text),
+            bind,
+            bare: right.bare,
+        }
+    }
+
+    pub fn div(self, other: Piece) -> Piece {
+        let (minus, above) = match self.text.strip_prefix('-') {
+            Some(rest) if self.bind == Bind::Minus => ("-", rest.to_string()),
+            _ => ("", self.text),
+        };
+        let bind = if minus.is_empty() {
+            Bind::Product
+        } else {
+            Bind::Minus
+        };
+        Piece::new(format!(r"{minus}\frac{{{above}}}{{{}}}", other.text), bind)
+    }
+
+    /// A power, with twice its exponent.
+    pub fn power(self, doubled: i32) -> Piece {
+        if doubled < 0 {
+            return Piece::atom("1").div(self.power(-doubled));
+        }
+        match doubled {
+            1 => Piece::atom(format!(r"\sqrt{{{}}}", self.text)),
+            2 => self,
+            _ => {
+                let exponent = match doubled % 2 {
+                    0 => (doubled / 2).to_string(),
+                    _ => format!("{doubled}/2"),
+                };
+                let exponent = braces(&exponent);
+                if self.bare
+                    && self.bind == Bind::Product
+                    && let Some((function, argument)) = split_function(&self.text)
+                {
+                    return Piece {
+                        text: format!("{function}^{exponent}{argument}"),
+                        ..self
+                    };
+                }
+                let base = self.at_least(Bind::Atom).text;
+                // no atom, for a second exponent would be an error of LaTeX
+                Piece::new(format!("{base}^{exponent}"), Bind::Product)
+            }
+        }
+    }
+
+    /// Scalar or vector product.
+    pub fn dotted(self, sign: &str, other: Piece) -> Piece {
+        let (a, b) = (self.at_least(Bind::Product), other.at_least(Bind::Product));
+        Piece::new(format!(r"{} {sign} {}", a.text, b.text), Bind::Dotted)
+    }
+
+    /// A function that is written without parentheses where its argument is one symbol.
+    pub fn function(name: &str, x: Piece) -> Piece {
+        if x.bind == Bind::Atom && is_symbol(&x.text) {
+            let gap = if x.text.starts_with('\\') { "" } else { " " };
+            return Piece {
+                text: format!("{name}{gap}{}", x.text),
+                bind: Bind::Product,
+                bare: true,
+            };
+        }
+        Piece::new(format!("{name}{}", parentheses(&x.text)), Bind::Atom)
+    }
+
+    /// A function with its arguments in parentheses.
+    pub fn operator(name: &str, arguments: &[Piece]) -> Piece {
+        let arguments: Vec<&str> = arguments.iter().map(|a| a.text.as_str()).collect();
+        let inside = parentheses(&arguments.join(r",\, "));
+        Piece::atom(format!(r"\operatorname{{{name}}}{inside}"))
+    }
+
+    /// `value` unless `case`, which gives `other`.
+    pub fn cases(value: Piece, other: Piece, case: &str) -> Piece {
+        Piece::atom(format!(
+            r"\begin{{cases}} {} & {case} \\ {} & \text{{otherwise}} \end{{cases}}",
+            other.text, value.text
+        ))
+    }
+}
+
+/// Whether the last symbol is a word.
+fn ends_upright(text: &str) -> bool {
+    text.rfind(r"\mathrm{").is_some_and(|at| {
+        let word = text[at..].replace(r"\ ", "");
+        !word.contains([' ', ')'])
+    })
+}
+
+/// Parentheses that grow with what they hold.
+pub(crate) fn parentheses(text: &str) -> String {
+    let tall = [r"\frac", r"\begin", r"\sqrt", r"\left"];
+    if tall.iter().any(|part| text.contains(part)) {
+        format!(r"\left({text}\right)")
+    } else {
+        format!("({text})")
+    }
+}
+
+/// An index or exponent, in braces where it is longer than a character.
+pub(crate) fn braces(text: &str) -> String {
+    if text.chars().count() == 1 {
+        text.to_string()
+    } else {
+        format!("{{{text}}}")
+    }
+}
+
+/// One letter or one word of LaTeX, perhaps with a dot above.
+fn is_symbol(text: &str) -> bool {
+    let text = text.strip_prefix(r"\dot").unwrap_or(text);
+    match text.strip_prefix('\\') {
+        Some(word) => word.chars().all(|c| c.is_ascii_alphabetic()),
+        None => text.chars().count() == 1,
+    }
+}
+
+/// `\sin\alpha` as `\sin` and `\alpha`, where the function is all there is.
+fn split_function(text: &str) -> Option<(&str, &str)> {
+    let functions = [r"\sin", r"\cos", r"\tan", r"\tanh", r"\exp", r"\ln"];
+    functions.iter().find_map(|function| {
+        let argument = text.strip_prefix(function)?;
+        is_symbol(argument.trim_start()).then_some((*function, argument))
+    })
+}

@@ -1,0 +1,92 @@
+use super::*;
+
+/// A model with a quantity of every shape to try expressions with.
+fn written(expression: &str) -> String {
+    let text = format!(
+        "model t;\nparam a = 1 rad;\nparam b = 2 rad;\nparam c = 3 rad;\ncoefficient C_La = 1 rad;\ninput wind in N = (1, 0, 0) rad;\n\
+         frame N;\nstate alpha = 0 rad;\nstate u = 0 rad;\nder(alpha) = 0 [rad/s];\nder(u) = 0 [rad/s];\n\
+         let e = (a, b, c) in N;\nlet t = {expression};\n"
+    );
+    let model = model_spec::load::from_text("t", &text, &[]).unwrap_or_else(|e| panic!("{e}"));
+    let wanted = model.lets.iter().find(|l| l.name == "t").expect("is there");
+    super::expression(&model, &wanted.value)
+}
+
+#[test]
+fn expressions_have_the_parentheses_they_need() {
+    for (plain, latex) in [
+        ("a + b*c", "a + b c"),
+        ("(a + b)*c", "(a + b) c"),
+        ("a - (b - c)", "a - (b - c)"),
+        ("a - b - c", "a - b - c"),
+        ("-a*b", "-a b"),
+        ("a*(-b)", "a (-b)"),
+        ("a - (-b)", "a - (-b)"),
+        ("2*3*a", r"2 \cdot 3 a"),
+        ("a*2", r"a \cdot 2"),
+        ("a/b/c", r"\frac{\frac{a}{b}}{c}"),
+        ("a/(b*c)", r"\frac{a}{b c}"),
+        ("-a/b", r"-\frac{a}{b}"),
+        ("(a/b)^2", r"\left(\frac{a}{b}\right)^2"),
+        ("(a + b)^2", "(a + b)^2"),
+        ("(-a)^2", "(-a)^2"),
+        ("(a^2)^3", "(a^2)^3"),
+        ("a^12", "a^{12}"),
+        ("sqrt(a*b)", r"\sqrt{a b}"),
+        ("sin(alpha)*a", r"\sin\alpha \cdot a"),
+        ("a*sin(alpha)*cos(alpha)", r"a \sin\alpha \cos\alpha"),
+        ("sin(2*alpha)*a", r"\sin(2 \alpha) a"),
+        ("sin(alpha)^2", r"\sin^2\alpha"),
+        ("C_La*alpha", r"C_{L\alpha} \alpha"),
+        ("atan2(-a, b)", r"\operatorname{atan2}(-a,\, b)"),
+        ("dot(e, wind)", r"\mathbf{e} \cdot \mathbf{wind}"),
+        ("a*dot(e, wind)", r"a (\mathbf{e} \cdot \mathbf{wind})"),
+        ("-dot(e, wind)*a", r"(-\mathbf{e} \cdot \mathbf{wind}) a"),
+        ("a - dot(e, wind)", r"a - \mathbf{e} \cdot \mathbf{wind}"),
+        (
+            "cross(e, cross(e, wind))",
+            r"\mathbf{e} \times (\mathbf{e} \times \mathbf{wind})",
+        ),
+        (
+            "dot(e, wind)*N.3",
+            r"(\mathbf{e} \cdot \mathbf{wind}) \mathbf{n}_3",
+        ),
+        ("cross(a*e, wind)", r"a \mathbf{e} \times \mathbf{wind}"),
+        (
+            "cross(e + wind, N.1)",
+            r"(\mathbf{e} + \mathbf{wind}) \times \mathbf{n}_1",
+        ),
+        ("norm(e)^2", r"\left|\mathbf{e}\right|^2"),
+        ("unit(e)", r"\operatorname{unit}(\mathbf{e})"),
+        ("e.2", r"\mathbf{e} \cdot \mathbf{n}_2"),
+        ("max(a, b + c)", r"\max(a,\, b + c)"),
+        ("0.00001*a", r"10^{-5} a"),
+    ] {
+        assert_eq!(written(plain), latex, "{plain}");
+    }
+}
+
+#[test]
+fn definitions_by_name() {
+    let disc = model_spec::load::load("disc", &[]).unwrap_or_else(|e| panic!("{e}"));
+    for (name, latex) in [
+        ("C_L", Some(r"C_L = C_{L0} + C_{L\alpha} \alpha")),
+        ("q", Some(r"q = \frac{\rho V^2}{2}")),
+        (
+            "weight",
+            Some(r"\mathbf{F}_{\mathrm{weight}} = -m g \mathbf{n}_3"),
+        ),
+        ("der(u)", None),
+        ("nothing", None),
+    ] {
+        assert_eq!(definition(&disc, name).as_deref(), latex, "{name}");
+    }
+}
+
+#[test]
+fn the_whole_disc() {
+    for name in ["disc", "disc_appendix"] {
+        let model = model_spec::load::load(name, &[]).unwrap_or_else(|e| panic!("{e}"));
+        insta::assert_snapshot!(name, super::model(&model));
+    }
+}

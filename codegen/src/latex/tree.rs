@@ -1,0 +1,116 @@
+//! The tree of a model, as its author wrote it.
+
+use super::names::{Style, name};
+use super::piece::{Bind, Piece};
+use model_spec::model::{Expr, ExprKind, Function, Model, Shape};
+
+/// An expression. Vectors are free of frames here: one re-expressed is the same vector.
+pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
+    use ExprKind as E;
+    let of = |e: &Expr| piece(model, e);
+    let scalar = |n: &str| Piece::atom(name(n, Style::Scalar));
+    match &expr.kind {
+        E::Number { value, .. } => Piece::number(*value),
+        E::Pi => Piece::atom(r"\pi"),
+        E::Time => Piece::atom("t"),
+        E::Param(k) => scalar(&model.params[*k].name),
+        E::Coefficient(k) => scalar(&model.coefficients[*k].name),
+        E::Input(k) => Piece::atom(name(&model.inputs[*k].name, Style::Vector)),
+        E::State(k) => scalar(&model.states[*k].name),
+        E::Let(k) => {
+            let quantity = &model.lets[*k];
+            Piece::atom(name(&quantity.name, style(&quantity.value)))
+        }
+        E::Axis(frame, k) => axis(model, *frame, *k),
+        E::Position => Piece::atom(r"\mathbf{r}"),
+        E::Velocity => Piece::atom(r"\mathbf{v}"),
+        E::AngularVelocity => Piece::atom(r"\boldsymbol{\omega}"),
+        E::Marker => {
+            let marker = model.marker.as_ref().map_or("marker", |m| m.name.as_str());
+            Piece::atom(name(marker, Style::Vector))
+        }
+        E::Components(parts) => {
+            let parts = [&parts[0], &parts[1], &parts[2]].map(|part| of(part).text);
+            let frame = match expr.shape {
+                Shape::Vector(frame) => model.frames[frame].name.as_str(),
+                Shape::Scalar => "",
+            };
+            Piece::atom(format!(r"\left({}\right)_{{{frame}}}", parts.join(r",\, ")))
+        }
+        E::Neg(a) => of(a).neg(),
+        E::Add(a, b) => of(a).add(of(b)),
+        E::Sub(a, b) => of(a).sub(of(b)),
+        E::Mul(a, b) => of(a).mul(of(b)),
+        E::Div(a, b) => of(a).div(of(b)),
+        E::Ratio(parts) => {
+            let [a, b, other] = [&parts[0], &parts[1], &parts[2]].map(of);
+            let case = format!("{} = 0", b.text);
+            let quotient = a.div(b);
+            if other.text == "0" {
+                quotient
+            } else {
+                Piece::cases(quotient, other, &case)
+            }
+        }
+        E::Pow(a, doubled) => of(a).power(*doubled),
+        E::Dot(a, b) => of(a).dotted(r"\cdot", of(b)),
+        E::Cross(a, b) => of(a).dotted(r"\times", of(b)),
+        E::Norm(v) => Piece::atom(format!(r"\left|{}\right|", of(v).text)),
+        E::Direction(v, other) => {
+            let v = of(v);
+            let case = format!(r"{} = \mathbf{{0}}", v.text);
+            let unit = Piece::operator("unit", &[v]);
+            match other {
+                None => unit,
+                Some(other) => Piece::cases(unit, of(other), &case),
+            }
+        }
+        E::Component(v, k) => match v.shape {
+            Shape::Vector(frame) => of(v).dotted(r"\cdot", axis(model, frame, *k)),
+            Shape::Scalar => of(v),
+        },
+        E::Reexpress(v) => of(v),
+        E::Call(function, x) => call(*function, of(x)),
+        E::Atan2(y, x) => Piece::operator("atan2", &[of(y), of(x)]),
+        E::Min(a, b) => Piece::function(r"\min", pair(of(a), of(b))),
+        E::Max(a, b) => Piece::function(r"\max", pair(of(a), of(b))),
+    }
+}
+
+/// Bold for vectors.
+pub(super) fn style(expr: &Expr) -> Style {
+    match expr.shape {
+        Shape::Scalar => Style::Scalar,
+        Shape::Vector(_) => Style::Vector,
+    }
+}
+
+/// A unit vector is called after its frame, in small letters, as the paper does.
+fn axis(model: &Model, frame: usize, k: u8) -> Piece {
+    let frame = model.frames[frame].name.to_lowercase();
+    Piece::atom(format!("{}_{k}", name(&frame, Style::Vector)))
+}
+
+/// Two arguments.
+pub(super) fn pair(a: Piece, b: Piece) -> Piece {
+    Piece::new(format!(r"{},\, {}", a.text, b.text), Bind::Sum)
+}
+
+/// A function of one number.
+pub(super) fn call(function: Function, x: Piece) -> Piece {
+    match function {
+        Function::Sin => Piece::function(r"\sin", x),
+        Function::Cos => Piece::function(r"\cos", x),
+        Function::Tan => Piece::function(r"\tan", x),
+        Function::Asin => Piece::function(r"\arcsin", x),
+        Function::Acos => Piece::function(r"\arccos", x),
+        Function::Atan => Piece::function(r"\arctan", x),
+        Function::Sqrt => x.power(1),
+        Function::Exp => Piece::new(format!("e^{{{}}}", x.text), Bind::Product),
+        Function::Log => Piece::function(r"\ln", x),
+        Function::Abs => Piece::atom(format!(r"\left|{}\right|", x.text)),
+        Function::Sign => Piece::operator("sgn", &[x]),
+        Function::Step => Piece::atom(format!(r"\left[{} > 0\right]", x.text)),
+        Function::Tanh => Piece::function(r"\tanh", x),
+    }
+}
