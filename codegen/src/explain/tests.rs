@@ -181,6 +181,31 @@ fn code_is_what_the_quantity_needs_and_no_more() {
 }
 
 #[test]
+fn every_formula_is_well_formed() {
+    for model in ["disc_appendix", "disc_quaternion", "ball", "discus"].map(load) {
+        let layout = Layout::new(&model);
+        let quantities = model.lets.iter().map(|l| l.name.clone());
+        let rates = model.states.iter().map(|s| format!("der({})", s.name));
+        for quantity in quantities.chain(rates) {
+            let wrt = [&layout.states[4], &layout.parameters[0]];
+            for wrt in wrt {
+                let explained = explain(&model, &quantity, Some(wrt));
+                let explained = explained.unwrap_or_else(|error| panic!("{error}"));
+                for formula in explained.latex.iter().chain(&explained.derivative) {
+                    let count = |part: &str| formula.matches(part).count();
+                    assert_eq!(count("{"), count("}"), "{formula}");
+                    assert_eq!(count("("), count(")"), "{formula}");
+                    assert_eq!(count(r"\left"), count(r"\right"), "{formula}");
+                    for wrong in ["--", "+ -", "- -", "- +", "^2^", r"\cdot -", "NaN", "()"] {
+                        assert!(!formula.contains(wrong), "{formula}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn what_is_not_there_is_said_with_what_is() {
     let disc = load("disc");
     for (quantity, wrt, start) in [

@@ -139,3 +139,43 @@ fn call(function: Function, x: Piece) -> Piece {
     };
     tree::call(named, x)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nodes_have_the_parentheses_they_need() {
+        let mut g = Graph::new();
+        let [a, b, c] = [0, 1, 2].map(|k| g.symbol(Symbol::State(k)));
+        let one = g.whole(1);
+        let sum = g.add(a, b);
+        let cases = [
+            (g.mul(sum, c), "c (a + b)"),
+            (g.div(a, sum), r"\frac{a}{a + b}"),
+            (g.power(sum, -4), r"\frac{1}{(a + b)^2}"),
+            (g.power(sum, 3), r"\sqrt{a + b}^3"),
+            (g.sub(c, sum), "c - a - b"),
+            (g.neg(a), "-a"),
+            (g.sub(b, one), "b - 1"),
+            (
+                g.sum(vec![(Number::fraction(-3, 2), a)], Number::ONE),
+                r"1 - \frac{3}{2} a",
+            ),
+            (g.call(Function::Sin, sum), r"\sin(a + b)"),
+            (g.call(Function::Abs, a), r"\left|a\right|"),
+            (g.atan2(a, sum), r"\operatorname{atan2}(a,\, a + b)"),
+            (
+                g.if_zero(c, a, b),
+                r"\begin{cases} a & c = 0 \\ b & \text{otherwise} \end{cases}",
+            ),
+        ];
+        let leaf = |_: NodeId, symbol: Symbol| match symbol {
+            Symbol::State(k) => Piece::atom(["a", "b", "c"][k as usize]),
+            other => Piece::atom(format!("{other:?}")),
+        };
+        for (node, latex) in cases {
+            assert_eq!(piece(&g, node, &leaf).text, latex);
+        }
+    }
+}
