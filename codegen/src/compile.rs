@@ -2,7 +2,7 @@
 
 use crate::count;
 use crate::derive::{Derived, derive};
-use crate::differentiate::{self, Jacobian, Linear};
+use crate::differentiate::{self, Jacobian, Linear, Order};
 use crate::graph::{Graph, NodeId, Symbol};
 use crate::layout::Layout;
 use crate::optimise::{Dag, import};
@@ -317,34 +317,51 @@ impl Compiler {
         value: &'static str,
         by: &[(&'static str, &[Symbol])],
     ) -> Function {
-        let Linear {
-            mut graph, roots, ..
-        } = linear;
         let symbols: Vec<Symbol> = by
             .iter()
-            .flat_map(|(_, symbols)| symbols.iter().copied())
+            .flat_map(|(_, part)| part.iter().copied())
             .collect();
-        let names: Vec<String> = symbols
-            .iter()
-            .map(|&symbol| self.symbol_name(symbol))
-            .collect();
-        let rows_names: Vec<String> = (0..rows).map(|row| self.row_name(value, row)).collect();
-        let all = differentiate::jacobian(&mut graph, (&roots, &rows_names), (&symbols, &names));
-        let mut wanted = roots;
-        let mut sections = vec![dense(value, rows)];
-        let mut start = 0;
-        for &(section, symbols) in by {
-            let part = columns(&all, start, symbols.len() as u32);
-            wanted.extend(&part.entries);
-            sections.push(Section {
-                name: section,
-                len: part.entries.len(),
-                pattern: Some(part.pattern),
-            });
-            start += symbols.len() as u32;
+        let names: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
+        let row_names: Vec<String> = (0..rows).map(|row| self.row_name(value, row)).collect();
+        let mut best: Option<(usize, Dag, Graph, Vec<Section>)> = None;
+        for order in [Order::FewestEdges, Order::FewestProducts] {
+            let Linear {
+                mut graph, roots, ..
+            } = linear.clone();
+            let all = differentiate::jacobian(
+                &mut graph,
+                (&roots, &row_names),
+                (&symbols, &names),
+                order,
+            );
+            let mut wanted = roots;
+            let mut sections = vec![dense(value, rows)];
+            let mut start = 0;
+            for &(section, symbols) in by {
+                let part = columns(&all, start, symbols.len() as u32);
+                wanted.extend(&part.entries);
+                sections.push(Section {
+                    name: section,
+                    len: part.entries.len(),
+                    pattern: Some(part.pattern),
+                });
+                start += symbols.len() as u32;
+            }
+            let mut dag = import(&graph, &wanted);
+            dag.optimise();
+            let cost = dag.cost();
+            if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
+                best = Some((cost, dag, graph, sections));
+            }
         }
-        let mut dag = import(&graph, &wanted);
-        dag.optimise();
+        let Some((_, dag, graph, sections)) = best else {
+            return Function {
+                name,
+                program: Program::default(),
+                sections: Vec::new(),
+                results: Vec::new(),
+            };
+        };
         self.finish(name, &dag, &graph, sections)
     }
 }

@@ -2,10 +2,19 @@
 //!
 //! Every vertex is a leaf-like node; its edges are partial derivatives by the vertices it depends on.
 //! Eliminating a vertex joins the edges above it with those below it. The order decides how many
-//! products there are: the vertex that adds fewest edges goes first (relative Markowitz).
+//! products there are, and no rule is always best: see [`Order`].
 
 use super::partials;
 use crate::graph::{FastMap, Graph, Node, NodeId, Symbol};
+
+/// Which vertex goes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// The one that costs fewest products for the edges that it takes away.
+    FewestProducts,
+    /// The one that leaves fewest edges.
+    FewestEdges,
+}
 
 /// A sparse Jacobian.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +42,7 @@ pub fn jacobian(
     graph: &mut Graph,
     (roots, rows): (&[NodeId], &[String]),
     (by, names): (&[Symbol], &[String]),
+    order: Order,
 ) -> Jacobian {
     for (&symbol, name) in by.iter().zip(names) {
         let node = graph.symbol(symbol);
@@ -66,7 +76,7 @@ pub fn jacobian(
                 .is_some_and(|node| !columns.contains_key(&node))
         })
         .collect();
-    while let Some(place) = cheapest(&vertices, &inner) {
+    while let Some(place) = cheapest(&vertices, &inner, order) {
         let v = inner.swap_remove(place);
         eliminate(graph, &mut vertices, v);
         inner.sort_unstable();
@@ -192,31 +202,60 @@ fn prune(vertices: &mut [Vertex], columns: &FastMap<NodeId, u32>, roots: usize) 
     }
 }
 
-fn cheapest(vertices: &[Vertex], inner: &[usize]) -> Option<usize> {
+fn cheapest(vertices: &[Vertex], inner: &[usize], order: Order) -> Option<usize> {
     (0..inner.len()).min_by_key(|&place| {
         let v = inner[place];
-        let (up, down) = (vertices[v].up.len() as i64, vertices[v].down.len() as i64);
-        // edges that come less those that go; where equal, what is nearest to the inputs
-        (up * down - up - down, std::cmp::Reverse(v))
+        let (up, down) = (vertices[v].up.len(), vertices[v].down.len());
+        let products = (up * down) as i64;
+        let (up, down) = (up as i64, down as i64);
+        let cost = match order {
+            Order::FewestProducts => 2 * products - 2 * up - 3 * down,
+            Order::FewestEdges => fill(vertices, v) - up - down,
+        };
+        // where equal, what is nearest to the inputs
+        (cost, products, std::cmp::Reverse(v))
     })
+}
+
+/// Edges that would appear if a vertex went.
+fn fill(vertices: &[Vertex], v: usize) -> i64 {
+    let missing = |user: usize| {
+        let known = &vertices[user].down;
+        let down = vertices[v].down.iter();
+        down.filter(|(to, _)| !known.iter().any(|(have, _)| have == to))
+            .count() as i64
+    };
+    vertices[v].up.iter().map(|&user| missing(user)).sum()
 }
 
 fn eliminate(graph: &mut Graph, vertices: &mut [Vertex], v: usize) {
     let up = std::mem::take(&mut vertices[v].up);
     let down = std::mem::take(&mut vertices[v].down);
+    for &(to, inner) in &down {
+        name_edge(graph, vertices, v, to, inner);
+    }
     for &user in &up {
         let Some(at) = vertices[user].down.iter().position(|&(to, _)| to == v) else {
             continue;
         };
         let (_, outer) = vertices[user].down.remove(at);
         name_edge(graph, vertices, user, v, outer);
+        let outer = if down.len() > 1 {
+            bind(graph, outer)
+        } else {
+            outer
+        };
         for &(to, inner) in &down {
+            let inner = if up.len() > 1 {
+                bind(graph, inner)
+            } else {
+                inner
+            };
             let product = graph.mul(outer, inner);
             add_edge(graph, vertices, user, to, product);
         }
     }
-    for &(to, inner) in &down {
-        name_edge(graph, vertices, v, to, inner);
+    for &(to, _) in &down {
         vertices[to].up.retain(|&user| user != v);
     }
 }
@@ -233,5 +272,21 @@ fn name_derivative(graph: &mut Graph, partial: NodeId, of: &str, by: &str) {
     let trivial = !matches!(graph.node(rest), Node::Sum(..) | Node::Product(_));
     if !trivial && of.len() + by.len() <= LONGEST {
         graph.name(partial, format!("d_{of}_d_{by}"));
+    }
+}
+
+/// A sum that goes into several products stays one factor of them.
+fn bind(graph: &mut Graph, id: NodeId) -> NodeId {
+    match graph.node(id) {
+        Node::Sum(terms, _) if terms.len() > 1 => {
+            let facts = graph.facts(id);
+            let name = graph.name_of(id).map(str::to_string);
+            let local = graph.local(facts, id);
+            if let Some(name) = name {
+                graph.name(local, name);
+            }
+            local
+        }
+        _ => id,
     }
 }

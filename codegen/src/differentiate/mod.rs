@@ -3,7 +3,7 @@
 mod eliminate;
 pub mod partials;
 
-pub use eliminate::{Jacobian, jacobian};
+pub use eliminate::{Jacobian, Order, jacobian};
 
 use crate::graph::{FastMap, Graph, Node, NodeId, Symbol};
 use crate::number::Number;

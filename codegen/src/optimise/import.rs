@@ -115,7 +115,9 @@ impl Import<'_> {
             Node::Symbol(Symbol::Local(k)) => {
                 let signed = self.signed(self.graph.definition(*k));
                 // the local's name and facts are the better ones
-                self.dag.origin[signed.1 as usize] = Some((signed.0, id));
+                if self.graph.name_of(id).is_some() {
+                    self.dag.origin[signed.1 as usize] = Some((signed.0, id));
+                }
                 if !signed.0 {
                     self.dag.facts[signed.1 as usize] = facts;
                 }

@@ -4,6 +4,7 @@
 //! that negations mostly disappear.
 
 mod factor;
+mod greedy;
 mod import;
 mod products;
 mod signs;
@@ -48,18 +49,30 @@ pub enum Def {
 }
 
 impl Def {
+    /// Calls `visit` with every operand, as often as it is used.
+    pub fn for_operands(&self, mut visit: impl FnMut(DefId)) {
+        match self {
+            Def::Leaf(_) | Def::Constant(_) => {}
+            Def::Sum(terms) => terms.iter().for_each(|&(_, id)| visit(id)),
+            Def::Product(factors) => factors.iter().for_each(|&id| visit(id)),
+            Def::Root(x) | Def::Recip(x) | Def::Call(_, (_, x)) => visit(*x),
+            Def::Atan2((_, a), (_, b)) | Def::Min((_, a), (_, b)) | Def::Max((_, a), (_, b)) => {
+                visit(*a);
+                visit(*b);
+            }
+            Def::IfZero(a, (_, b), (_, c)) => {
+                visit(*a);
+                visit(*b);
+                visit(*c);
+            }
+        }
+    }
+
     /// Every operand, repeated as often as it is used.
     pub fn operands(&self) -> Vec<DefId> {
-        match self {
-            Def::Leaf(_) | Def::Constant(_) => Vec::new(),
-            Def::Sum(terms) => terms.iter().map(|&(_, id)| id).collect(),
-            Def::Product(factors) => factors.clone(),
-            Def::Root(x) | Def::Recip(x) | Def::Call(_, (_, x)) => vec![*x],
-            Def::Atan2((_, a), (_, b)) | Def::Min((_, a), (_, b)) | Def::Max((_, a), (_, b)) => {
-                vec![*a, *b]
-            }
-            Def::IfZero(a, (_, b), (_, c)) => vec![*a, *b, *c],
-        }
+        let mut operands = Vec::new();
+        self.for_operands(|id| operands.push(id));
+        operands
     }
 }
 
@@ -141,12 +154,28 @@ impl Dag {
             if std::mem::replace(&mut live[id as usize], true) {
                 continue;
             }
-            for operand in self.defs[id as usize].operands() {
+            self.defs[id as usize].for_operands(|operand| {
                 uses[operand as usize] += 1;
                 stack.push(operand);
-            }
+            });
         }
         uses
+    }
+
+    /// Operations left for the flight, about: what is prepared costs a little too.
+    pub fn cost(&self) -> usize {
+        let tenths = |id: DefId| {
+            let operations = match &self.defs[id as usize] {
+                Def::Leaf(_) | Def::Constant(_) => 0,
+                Def::Sum(terms) => (terms.len() - 1).max(usize::from(terms.iter().all(|t| t.0))),
+                Def::Product(factors) => factors.len() - 1,
+                _ => 1,
+            };
+            let weight = if self.facts[id as usize].fixed { 1 } else { 10 };
+            weight * operations
+        };
+        let negated = self.roots.iter().filter(|(minus, _)| *minus).count();
+        10 * negated + self.order().into_iter().map(tenths).sum::<usize>()
     }
 
     /// All passes, until nothing gets smaller.
@@ -175,11 +204,13 @@ impl Dag {
                 } else if state[id as usize] == 0 {
                     state[id as usize] = 1;
                     stack.push((id, true));
-                    for operand in self.defs[id as usize].operands().into_iter().rev() {
+                    let first = stack.len();
+                    self.defs[id as usize].for_operands(|operand| {
                         if state[operand as usize] == 0 {
                             stack.push((operand, false));
                         }
-                    }
+                    });
+                    stack[first..].reverse();
                 }
             }
         }

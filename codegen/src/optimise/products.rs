@@ -1,5 +1,6 @@
 //! Products that several products contain are computed once: greedily, the most frequent pair first.
 
+use super::greedy::{Candidates, Score};
 use super::{Dag, Def, DefId};
 use crate::graph::FastMap;
 
@@ -8,23 +9,16 @@ type Pair = (DefId, DefId);
 /// Splits all products into pairs, sharing them.
 pub fn share(dag: &mut Dag) {
     let uses = dag.uses();
-    let mut holders: FastMap<Pair, Vec<DefId>> = FastMap::default();
-    let products: Vec<DefId> = (0..dag.defs.len() as DefId)
-        .filter(|&id| uses[id as usize] > 0 && matches!(dag.defs[id as usize], Def::Product(_)))
-        .collect();
-    for &id in &products {
-        register(dag, id, &mut holders);
-    }
-    while let Some(pair) = best(dag, &holders) {
-        let mut users = holders.remove(&pair).unwrap_or_default();
-        users.sort_unstable();
-        users.dedup();
-        users.retain(|&id| count(factors(dag, id), pair) > 0);
-        let known = dag.defs.len();
-        let shared = dag.product(vec![pair.0, pair.1]);
-        if shared as usize == known {
-            register(dag, shared, &mut FastMap::default());
+    let mut candidates = Candidates::new();
+    for id in 0..dag.defs.len() as DefId {
+        if uses[id as usize] > 0 {
+            register(dag, id, &mut candidates);
         }
+    }
+    candidates.rate(|pair, users| score(dag, pair, users));
+    while let Some((pair, mut users)) = candidates.next(|pair, users| score(dag, pair, users)) {
+        users.retain(|&id| count(factors(dag, id), pair) > 0);
+        let shared = dag.product(vec![pair.0, pair.1]);
         for id in users {
             if id == shared {
                 continue;
@@ -42,8 +36,9 @@ pub fn share(dag: &mut Dag) {
                 list.push(shared);
             }
             list.sort_unstable();
-            register(dag, id, &mut holders);
+            register(dag, id, &mut candidates);
         }
+        candidates.rate(|pair, users| score(dag, pair, users));
     }
     alias(dag);
 }
@@ -55,14 +50,11 @@ fn factors(dag: &Dag, id: DefId) -> &[DefId] {
     }
 }
 
-fn register(dag: &Dag, id: DefId, holders: &mut FastMap<Pair, Vec<DefId>>) {
+fn register(dag: &Dag, id: DefId, candidates: &mut Candidates<Pair>) {
     let list = factors(dag, id);
     for a in 0..list.len() {
         for b in a + 1..list.len() {
-            let users = holders.entry((list[a], list[b])).or_default();
-            if users.last() != Some(&id) {
-                users.push(id);
-            }
+            candidates.hold((list[a], list[b]), id);
         }
     }
 }
@@ -77,45 +69,24 @@ fn count(list: &[DefId], pair: Pair) -> usize {
     }
 }
 
-/// The pair that saves most: one multiplication at each place but one, at every place where it depends
-/// on parameters alone.
-fn best(dag: &Dag, holders: &FastMap<Pair, Vec<DefId>>) -> Option<Pair> {
-    let mut best: Option<((usize, bool), Pair)> = None;
-    for (&pair, users) in holders {
-        let bound = users.len() * 4;
-        if best.is_some_and(|(score, _)| bound < score.0) {
-            continue;
-        }
-        let mut distinct = users.clone();
-        distinct.sort_unstable();
-        distinct.dedup();
-        let (mut places, mut whole) = (0, 0);
-        for &id in &distinct {
-            let list = factors(dag, id);
-            let times = count(list, pair);
-            places += times;
-            whole += usize::from(times == 1 && list.len() == 2);
-        }
-        let fixed = dag.facts[pair.0 as usize].fixed && dag.facts[pair.1 as usize].fixed;
-        // a product that is nothing but the pair is no place where it is to be replaced
-        let saved = if fixed {
-            places - whole.min(places)
-        } else {
-            places.saturating_sub(1)
-        };
-        if saved == 0 || places == whole {
-            continue;
-        }
-        let score = (saved, fixed);
-        let better = match best {
-            None => true,
-            Some((known, chosen)) => score > known || score == known && pair < chosen,
-        };
-        if better {
-            best = Some((score, pair));
-        }
+/// What a pair saves: one multiplication at each place but one, at every place where it depends on
+/// parameters alone.
+fn score(dag: &Dag, pair: Pair, users: &[DefId]) -> Option<Score> {
+    let (mut places, mut whole) = (0, 0);
+    for &id in users {
+        let list = factors(dag, id);
+        let times = count(list, pair);
+        places += times;
+        whole += usize::from(times == 1 && list.len() == 2);
     }
-    best.map(|(_, pair)| pair)
+    let fixed = dag.facts[pair.0 as usize].fixed && dag.facts[pair.1 as usize].fixed;
+    // a product that is nothing but the pair is no place where it is to be replaced
+    let saved = if fixed {
+        places - whole
+    } else {
+        places.saturating_sub(1)
+    };
+    (saved > 0 && places > whole).then_some((saved, fixed))
 }
 
 /// Products that have become a single factor, or equal to each other, are one definition.

@@ -1,5 +1,6 @@
 //! Sums that several sums contain are computed once, whatever their sign.
 
+use super::greedy::{Candidates, Score};
 use super::{Dag, Def, DefId, Signed};
 use crate::graph::FastMap;
 
@@ -9,16 +10,14 @@ type Pair = (DefId, DefId, bool);
 /// Takes common pairs of terms out of all sums.
 pub fn share(dag: &mut Dag) {
     let uses = dag.uses();
-    let mut holders: FastMap<Pair, Vec<DefId>> = FastMap::default();
+    let mut candidates = Candidates::new();
     for id in 0..dag.defs.len() as DefId {
         if uses[id as usize] > 0 {
-            register(dag, id, &mut holders);
+            register(dag, id, &mut candidates);
         }
     }
-    while let Some(pair) = best(dag, &holders) {
-        let mut users = holders.remove(&pair).unwrap_or_default();
-        users.sort_unstable();
-        users.dedup();
+    candidates.rate(|pair, users| score(dag, pair, users));
+    while let Some((pair, users)) = candidates.next(|pair, users| score(dag, pair, users)) {
         // the sum that is nothing but the pair is the one to share
         let whole = users
             .iter()
@@ -45,8 +44,9 @@ pub fn share(dag: &mut Dag) {
             list.retain(|&(_, term)| term != pair.0 && term != pair.1);
             list.push((minus != flipped, shared));
             list.sort_unstable_by_key(|&(minus, def)| (def, minus));
-            register(dag, id, &mut holders);
+            register(dag, id, &mut candidates);
         }
+        candidates.rate(|pair, users| score(dag, pair, users));
     }
     alias(dag);
 }
@@ -58,15 +58,11 @@ fn terms(dag: &Dag, id: DefId) -> &[Signed] {
     }
 }
 
-fn register(dag: &Dag, id: DefId, holders: &mut FastMap<Pair, Vec<DefId>>) {
+fn register(dag: &Dag, id: DefId, candidates: &mut Candidates<Pair>) {
     let list = terms(dag, id);
     for a in 0..list.len() {
         for b in a + 1..list.len() {
-            let pair = (list[a].1, list[b].1, list[a].0 != list[b].0);
-            let users = holders.entry(pair).or_default();
-            if users.last() != Some(&id) {
-                users.push(id);
-            }
+            candidates.hold((list[a].1, list[b].1, list[a].0 != list[b].0), id);
         }
     }
 }
@@ -82,42 +78,22 @@ fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
     (pair.0 != pair.1 && (first != second) == pair.2).then_some(first)
 }
 
-fn best(dag: &Dag, holders: &FastMap<Pair, Vec<DefId>>) -> Option<Pair> {
-    let mut best: Option<((usize, bool), Pair)> = None;
-    for (&pair, users) in holders {
-        if pair.0 == pair.1 || best.is_some_and(|(score, _)| users.len() < score.0) {
-            continue;
-        }
-        let mut distinct = users.clone();
-        distinct.sort_unstable();
-        distinct.dedup();
-        let places = distinct
-            .iter()
-            .filter(|&&id| sign(terms(dag, id), pair).is_some())
-            .count();
-        let whole = distinct
-            .iter()
-            .filter(|&&id| terms(dag, id).len() == 2 && sign(terms(dag, id), pair).is_some())
-            .count();
-        let fixed = dag.facts[pair.0 as usize].fixed && dag.facts[pair.1 as usize].fixed;
-        let saved = if fixed {
-            places - whole
-        } else {
-            places.saturating_sub(1)
-        };
-        if saved == 0 || whole == places && whole < 2 {
-            continue;
-        }
-        let score = (saved, fixed);
-        let better = match best {
-            None => true,
-            Some((known, chosen)) => score > known || score == known && pair < chosen,
-        };
-        if better {
-            best = Some((score, pair));
-        }
-    }
-    best.map(|(_, pair)| pair)
+/// What a pair saves: one addition at each place but one, at every place where it depends on parameters
+/// alone.
+fn score(dag: &Dag, pair: Pair, users: &[DefId]) -> Option<Score> {
+    let holds = |id: DefId| sign(terms(dag, id), pair).is_some();
+    let places = users.iter().filter(|&&id| holds(id)).count();
+    let whole = users
+        .iter()
+        .filter(|&&id| terms(dag, id).len() == 2 && holds(id))
+        .count();
+    let fixed = dag.facts[pair.0 as usize].fixed && dag.facts[pair.1 as usize].fixed;
+    let saved = if fixed {
+        places - whole
+    } else {
+        places.saturating_sub(1)
+    };
+    (saved > 0 && (whole < places || whole > 1)).then_some((saved, fixed))
 }
 
 /// Sums that have become a single positive term are that term.

@@ -11,7 +11,7 @@ pub fn f<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 26],
+    prepared: &[T; 21],
     dx: &mut [T; 12],
 ) {
     let u = state[3];

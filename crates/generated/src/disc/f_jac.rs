@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`.
 ///
-/// 347 operations: 106 add, 214 mul, 3 div, 16 neg, 2 sqrt, 5 call, 1 select.
+/// 339 operations: 103 add, 212 mul, 3 div, 13 neg, 2 sqrt, 5 call, 1 select.
 #[inline(always)]
 pub fn f_jac<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 26],
+    prepared: &[T; 21],
     dx: &mut [T; 12],
     j: &mut [T; 60],
 ) {
@@ -38,8 +38,9 @@ pub fn f_jac<T: Real>(
     let half_rho_A_d_inv_I_d = prepared[2];
     let inv_I_d_I_a = prepared[3];
     let C_Nr_inv_I_a = prepared[4];
-    let C_Da_two = prepared[5];
-    let two_d_half_rho_A_inv_I_d = prepared[6];
+    let minus_wind_y = prepared[5];
+    let C_Da_two = prepared[6];
+    let two_d_half_rho_A_inv_I_d = prepared[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // disc.hyz:55  position (x, y, z) in N;
@@ -51,17 +52,15 @@ pub fn f_jac<T: Real>(
     let cos_phi_g = g * cos_phi;
     let cos_phi_g_plus_v_phidot = v * phidot + cos_phi_g;
     let sin_theta_cos_phi_g_product = sin_theta * cos_phi_g_plus_v_phidot;
-    let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
-    let minus_d_minus_air_velocity_3_d_theta =
-        sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta;
+    let sin_phi_wind_y_sum = wind_y * sin_phi - wind_z * cos_phi;
+    let d_minus_air_velocity_3_d_theta = wind_x * cos_theta + sin_theta * sin_phi_wind_y_sum;
 
     // disc.hyz:62  let air_velocity = velocity - in_B(wind);
-    let air_velocity_1 = u + minus_d_minus_air_velocity_3_d_theta;
-    let minus_d_minus_sin_phi_wind_y_sum_d_phi = wind_y * cos_phi + wind_z * sin_phi;
-    let air_velocity_2 = v - minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let air_velocity_2_sq = air_velocity_2 * air_velocity_2;
-    let air_velocity_12_sq = air_velocity_1 * air_velocity_1 + air_velocity_2_sq;
-    let d_air_velocity_1_d_theta = cos_theta * minus_sin_phi_wind_y_sum + wind_x * sin_theta;
+    let air_velocity_1 = u - d_minus_air_velocity_3_d_theta;
+    let d_minus_sin_phi_wind_y_sum_d_phi = minus_wind_y * cos_phi - wind_z * sin_phi;
+    let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
+    let air_velocity_12_sq = air_velocity_1 * air_velocity_1 + air_velocity_2 * air_velocity_2;
+    let d_air_velocity_1_d_theta = wind_x * sin_theta - cos_theta * sin_phi_wind_y_sum;
     let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
     let V_sq = air_velocity_12_sq + minus_air_velocity_3 * minus_air_velocity_3;
 
@@ -78,18 +77,18 @@ pub fn f_jac<T: Real>(
 
     // disc.hyz:73  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_D0 + C_Da * alpha * alpha;
-    let minus_air_velocity_12_C_D_sum = minus_air_velocity_3 * C_L - air_velocity_12 * C_D;
+    let air_velocity_12_C_D_sum = air_velocity_12 * C_D - minus_air_velocity_3 * C_L;
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
-    let minus_air_velocity_product = minus_air_velocity_12_C_D_sum * inv_air_velocity_12;
-    let minus_V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * minus_air_velocity_product;
-    let part_of_u_dot =
-        sin_theta_cos_phi_g_product + air_velocity_1 * minus_V_inv_m_half_rho_A_product;
+    let air_velocity_12_C_D_product = air_velocity_12_C_D_sum * inv_air_velocity_12;
+    let V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * air_velocity_12_C_D_product;
+    let part_of_u_dot = sin_theta_cos_phi_g_product - air_velocity_1 * V_inv_m_half_rho_A_product;
 
     // disc.hyz:56  velocity (u, v, w) in B;
     let u_dot = part_of_u_dot - w * thetadot;
-    let part_of_v_dot = air_velocity_2 * minus_V_inv_m_half_rho_A_product;
     let sin_phi_g = g * sin_phi;
-    let v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot + part_of_v_dot - sin_phi_g;
+    let part_of_v_dot =
+        minus_sin_theta_u_minus_w_cos_sum_2 * phidot - air_velocity_2 * V_inv_m_half_rho_A_product;
+    let v_dot = part_of_v_dot - sin_phi_g;
     let cos_theta_cos_phi_g_product = cos_theta * cos_phi_g_plus_v_phidot;
     let minus_air_velocity_3_C_sum = air_velocity_12 * C_L + minus_air_velocity_3 * C_D;
     let part_of_w_dot =
@@ -127,217 +126,203 @@ pub fn f_jac<T: Real>(
     let gammadot_dot =
         C_Nr_inv_I_a * r - thetadot * cos_theta_phidot - sin_theta * cos_theta_phidot_product;
     let d_y_dot_d_u = sin_theta * sin_phi;
+    let d_y_dot_d_phi = -z_dot;
     let d_y_dot_d_theta = x_dot * sin_phi;
     let d_z_dot_d_w = cos_theta * cos_phi;
+    let part_of_V_inv_m_half_rho_A_sum =
+        V_inv_m_half_rho_A * inv_air_velocity_12 * (air_velocity_12_C_D_product - C_D);
     let inv_V = V.recip_or_zero();
-    let inv_V_half_rho_A_inv_m = inv_m_half_rho_A * inv_V;
+    let air_velocity_12_C_D_product_2 = inv_m_half_rho_A * air_velocity_12_C_D_sum;
+    let part_of_V_inv_m_half_rho_A_sum_5 =
+        nonzero_air_velocity_12_sq * air_velocity_12_C_D_product_2;
+    let part_of_V_inv_m_half_rho_A_sum_2 = C_La * minus_air_velocity_3 * inv_air_velocity_12;
     let alpha_C_Da_two = C_Da_two * alpha;
-    let minus_d_air_velocity_12_C_D_sum_d_alpha =
-        C_La * minus_air_velocity_3 - air_velocity_12 * alpha_C_Da_two;
-    let inv_V_sq = inv_V * inv_V;
-    let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_sq;
-    let part_of_minus_air_velocity_sum =
-        minus_d_air_velocity_12_C_D_sum_d_alpha * minus_air_velocity_product_2;
-    let part_of_minus_air_velocity_sum_2 =
-        C_D + part_of_minus_air_velocity_sum + minus_air_velocity_product;
-    let part_of_minus_air_velocity_sum_3 =
-        V_inv_m_half_rho_A * inv_air_velocity_12 * part_of_minus_air_velocity_sum_2;
-    let minus_air_velocity_sum =
-        minus_air_velocity_12_C_D_sum * inv_V_half_rho_A_inv_m - part_of_minus_air_velocity_sum_3;
+    let part_of_V_inv_m_half_rho_A_sum_3 =
+        part_of_V_inv_m_half_rho_A_sum_2 - nonzero_air_velocity_12_sq * alpha_C_Da_two;
+    let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
+    let part_of_V_inv_m_half_rho_A_sum_4 =
+        V_inv_m_half_rho_A * part_of_V_inv_m_half_rho_A_sum_3 * minus_air_velocity_3_inv_V;
+    let part_of_V_inv_m_half_rho_A_sum_6 =
+        part_of_V_inv_m_half_rho_A_sum_5 + part_of_V_inv_m_half_rho_A_sum_4;
+    let V_inv_m_half_rho_A_sum =
+        part_of_V_inv_m_half_rho_A_sum - inv_V * part_of_V_inv_m_half_rho_A_sum_6;
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
-    let minus_air_velocity_product_3 = minus_air_velocity_sum * air_velocity_1_inv_product;
-    let d_u_dot_d_u =
-        minus_V_inv_m_half_rho_A_product + air_velocity_1 * minus_air_velocity_product_3;
-    let air_velocity_2_product = air_velocity_2 * minus_air_velocity_product_3;
-    let d_u_dot_d_v = sin_theta_phidot + air_velocity_2_product;
-    let minus_air_velocity_product_4 = minus_air_velocity_3 * inv_V_half_rho_A_inv_m;
-    let part_of_minus_air_velocity_sum_2_4 =
-        minus_air_velocity_product * minus_air_velocity_product_4;
-    let part_of_minus_air_velocity_sum_2_2 =
-        nonzero_air_velocity_12_sq * minus_d_air_velocity_12_C_D_sum_d_alpha;
-    let part_of_minus_air_velocity_sum_2_3 =
-        part_of_minus_air_velocity_sum_2_2 * inv_V_sq + C_L * inv_air_velocity_12;
-    let part_of_minus_air_velocity_sum_2_5 =
-        V_inv_m_half_rho_A * part_of_minus_air_velocity_sum_2_3;
-    let minus_air_velocity_sum_2 =
-        part_of_minus_air_velocity_sum_2_4 + part_of_minus_air_velocity_sum_2_5;
-    let d_u_dot_d_w = -thetadot - air_velocity_1 * minus_air_velocity_sum_2;
+    let V_inv_m_half_rho_A_product_2 = V_inv_m_half_rho_A_sum * air_velocity_1_inv_product;
+    let d_u_dot_d_air_velocity_1 =
+        air_velocity_1 * V_inv_m_half_rho_A_product_2 - V_inv_m_half_rho_A_product;
+    let air_velocity_2_V_product = air_velocity_2 * V_inv_m_half_rho_A_product_2;
+    let d_u_dot_d_v = sin_theta_phidot + air_velocity_2_V_product;
+    let inv_V_sq = inv_V * inv_V;
+    let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
+    let part_of_minus_part_part_air_sum =
+        V_inv_m_half_rho_A * part_of_V_inv_m_half_rho_A_sum_3 * air_velocity_12_inv_V_sq;
+    let part_of_minus_part_part_air_sum_2 =
+        minus_air_velocity_3_inv_V * air_velocity_12_C_D_product_2 - C_L * V_inv_m_half_rho_A;
+    let minus_part_part_air_sum =
+        inv_air_velocity_12 * part_of_minus_part_part_air_sum_2 - part_of_minus_part_part_air_sum;
+    let air_velocity_1_product = air_velocity_1 * minus_part_part_air_sum;
+    let d_u_dot_d_w = air_velocity_1_product - thetadot;
     let part_of_d_u_dot_d_phi =
-        minus_V_inv_m_half_rho_A_product * minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let sin_theta_minus_d_product = sin_theta * minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let d_air_velocity_2_d_phi = -minus_sin_phi_wind_y_sum;
-    let minus_air_velocity_1_sum =
-        air_velocity_2 * d_air_velocity_2_d_phi - air_velocity_1 * sin_theta_minus_d_product;
-    let inv_air_velocity_12_product_3 = inv_air_velocity_12 * minus_air_velocity_sum;
-    let part_of_minus_air_velocity_sum_3_2 =
-        minus_air_velocity_1_sum * inv_air_velocity_12_product_3;
-    let cos_theta_minus_d_product = cos_theta * minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let minus_air_velocity_sum_3 =
-        part_of_minus_air_velocity_sum_3_2 - minus_air_velocity_sum_2 * cos_theta_minus_d_product;
+        d_u_dot_d_air_velocity_1 * d_minus_sin_phi_wind_y_sum_d_phi - sin_phi_g;
+    let cos_theta_minus_product = cos_theta * minus_part_part_air_sum;
+    let part_of_d_u_dot_d_phi_2 = d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_minus_product;
+    let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12;
+    let V_inv_m_half_rho_A_product_3 = V_inv_m_half_rho_A_sum * air_velocity_2_inv_product;
+    let part_of_d_u_dot_d_phi_3 =
+        part_of_d_u_dot_d_phi_2 - sin_phi_wind_y_sum * V_inv_m_half_rho_A_product_3;
     let d_u_dot_d_phi =
-        air_velocity_1 * minus_air_velocity_sum_3 - sin_theta * (sin_phi_g + part_of_d_u_dot_d_phi);
-    let part_of_d_air_velocity_1_d_sum =
-        minus_air_velocity_sum_2 * minus_d_minus_air_velocity_3_d_theta;
-    let d_air_velocity_1_d_sum =
-        d_air_velocity_1_d_theta * minus_air_velocity_product_3 - part_of_d_air_velocity_1_d_sum;
+        sin_theta * part_of_d_u_dot_d_phi - air_velocity_1 * part_of_d_u_dot_d_phi_3;
     let part_of_d_u_dot_d_theta =
-        cos_theta_cos_phi_g_product + minus_V_inv_m_half_rho_A_product * d_air_velocity_1_d_theta;
-    let d_u_dot_d_theta = part_of_d_u_dot_d_theta + air_velocity_1 * d_air_velocity_1_d_sum;
+        cos_theta_cos_phi_g_product + d_u_dot_d_air_velocity_1 * d_air_velocity_1_d_theta;
+    let d_u_dot_d_theta =
+        part_of_d_u_dot_d_theta - air_velocity_1_product * d_minus_air_velocity_3_d_theta;
     let d_u_dot_d_phidot = sin_theta * v;
-    let d_v_dot_d_u = air_velocity_2_product - sin_theta_phidot;
-    let d_v_dot_d_v =
-        minus_V_inv_m_half_rho_A_product + air_velocity_2_sq * inv_air_velocity_12_product_3;
-    let d_v_dot_d_w = cos_theta_phidot - air_velocity_2 * minus_air_velocity_sum_2;
-    let part_of_d_v_dot_d_phi =
-        minus_V_inv_m_half_rho_A_product * d_air_velocity_2_d_phi - cos_phi_g;
-    let d_v_dot_d_phi = part_of_d_v_dot_d_phi + air_velocity_2 * minus_air_velocity_sum_3;
-    let d_v_dot_d_theta = air_velocity_2 * d_air_velocity_1_d_sum - x_dot * phidot;
-    let part_of_d_w_dot_d_air_velocity =
-        air_velocity_12 * minus_air_velocity_3_C_sum * inv_V_half_rho_A_inv_m;
+    let d_v_dot_d_u = air_velocity_2_V_product - sin_theta_phidot;
+    let d_v_dot_d_air_velocity_2 =
+        air_velocity_2 * V_inv_m_half_rho_A_product_3 - V_inv_m_half_rho_A_product;
+    let d_v_dot_d_w = cos_theta_phidot + air_velocity_2 * minus_part_part_air_sum;
+    let part_of_d_v_dot_d_phi = cos_theta_minus_product - sin_theta * V_inv_m_half_rho_A_product_2;
+    let part_of_d_v_dot_d_phi_2 =
+        air_velocity_2 * d_minus_sin_phi_wind_y_sum_d_phi * part_of_d_v_dot_d_phi;
+    let d_v_dot_d_phi =
+        sin_phi_wind_y_sum * d_v_dot_d_air_velocity_2 - cos_phi_g - part_of_d_v_dot_d_phi_2;
+    let part_of_d_v_dot_d_theta = minus_part_part_air_sum * d_minus_air_velocity_3_d_theta;
+    let part_of_d_v_dot_d_theta_2 =
+        d_air_velocity_1_d_theta * V_inv_m_half_rho_A_product_2 - part_of_d_v_dot_d_theta;
+    let d_v_dot_d_theta = air_velocity_2 * part_of_d_v_dot_d_theta_2 - x_dot * phidot;
     let C_La_air_velocity_12_sum = C_La * air_velocity_12 + minus_air_velocity_3 * alpha_C_Da_two;
-    let part_of_d_w_dot_d_air_velocity_2 =
-        V_inv_m_half_rho_A * (C_L - C_La_air_velocity_12_sum * minus_air_velocity_product_2);
+    let part_of_d_w_dot_d_air_velocity =
+        V_inv_m_half_rho_A * (C_L - minus_air_velocity_3 * C_La_air_velocity_12_sum * inv_V_sq);
+    let minus_air_velocity_product = inv_m_half_rho_A * minus_air_velocity_3_C_sum;
     let d_w_dot_d_air_velocity_12 =
-        part_of_d_w_dot_d_air_velocity + part_of_d_w_dot_d_air_velocity_2;
-    let d_w_dot_d_air_product = d_w_dot_d_air_velocity_12 * air_velocity_1_inv_product;
-    let d_w_dot_d_u = thetadot + d_w_dot_d_air_product;
-    let inv_air_velocity_12_product_4 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12;
-    let d_w_dot_d_v = air_velocity_2 * inv_air_velocity_12_product_4 - cos_theta_phidot;
-    let d_w_dot_d_minus_air_velocity_3 = C_D * V_inv_m_half_rho_A;
+        part_of_d_w_dot_d_air_velocity + air_velocity_12 * inv_V * minus_air_velocity_product;
+    let d_w_dot_d_air_velocity_1 = d_w_dot_d_air_velocity_12 * air_velocity_1_inv_product;
+    let d_w_dot_d_u = thetadot + d_w_dot_d_air_velocity_1;
+    let d_w_dot_d_air_velocity_2 = d_w_dot_d_air_velocity_12 * air_velocity_2_inv_product;
+    let d_w_dot_d_v = d_w_dot_d_air_velocity_2 - cos_theta_phidot;
     let part_of_d_w_dot_d_minus_air =
-        air_velocity_12 * V_inv_m_half_rho_A * C_La_air_velocity_12_sum * inv_V_sq;
-    let part_of_d_w_dot_d_minus_air_2 =
-        minus_air_velocity_3_C_sum * minus_air_velocity_product_4 + part_of_d_w_dot_d_minus_air;
-    let d_w_dot_d_minus_air_velocity_3_2 =
-        d_w_dot_d_minus_air_velocity_3 + part_of_d_w_dot_d_minus_air_2;
-    let part_of_d_w_dot_d_phi_2 = minus_air_velocity_1_sum * inv_air_velocity_12_product_4;
+        V_inv_m_half_rho_A * (C_D + C_La_air_velocity_12_sum * air_velocity_12_inv_V_sq);
+    let d_w_dot_d_minus_air_velocity_3 =
+        part_of_d_w_dot_d_minus_air + minus_air_velocity_3_inv_V * minus_air_velocity_product;
+    let sin_theta_d_minus_product = sin_theta * d_minus_sin_phi_wind_y_sum_d_phi;
     let part_of_d_w_dot_d_phi =
-        minus_d_minus_sin_phi_wind_y_sum_d_phi * d_w_dot_d_minus_air_velocity_3_2;
-    let d_w_dot_d_phi = part_of_d_w_dot_d_phi_2 + cos_theta * (sin_phi_g - part_of_d_w_dot_d_phi);
+        air_velocity_1 * sin_theta_d_minus_product + air_velocity_2 * sin_phi_wind_y_sum;
+    let part_of_d_w_dot_d_phi_2 =
+        inv_air_velocity_12 * d_w_dot_d_air_velocity_12 * part_of_d_w_dot_d_phi;
+    let part_of_d_w_dot_d_phi_3 = d_minus_sin_phi_wind_y_sum_d_phi * d_w_dot_d_minus_air_velocity_3;
+    let d_w_dot_d_phi = part_of_d_w_dot_d_phi_2 + cos_theta * (sin_phi_g + part_of_d_w_dot_d_phi_3);
     let part_of_d_w_dot_d_theta =
-        minus_d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3_2;
-    let part_of_d_w_dot_d_theta_2 =
-        sin_theta_cos_phi_g_product + d_air_velocity_1_d_theta * d_w_dot_d_air_product;
-    let d_w_dot_d_theta = part_of_d_w_dot_d_theta_2 - part_of_d_w_dot_d_theta;
+        sin_theta_cos_phi_g_product + d_air_velocity_1_d_theta * d_w_dot_d_air_velocity_1;
+    let d_w_dot_d_theta =
+        part_of_d_w_dot_d_theta + d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3;
+    let C_Ma_inv_V_sq = C_Ma * inv_V_sq;
+    let air_velocity_2_C_Ma_inv_V_sq = air_velocity_2 * C_Ma_inv_V_sq;
+    let part_of_minus_inv_air_velocity =
+        inv_air_velocity_12_product - minus_air_velocity_3 * air_velocity_2_C_Ma_inv_V_sq;
+    let inv_air_velocity_12_product_3 = inv_air_velocity_12 * V_sq_half_rho_A_d_inv_part;
+    let part_of_minus_inv_air_velocity_2 =
+        part_of_minus_inv_air_velocity * inv_air_velocity_12_product_3;
     let air_velocity_12_two_product = two_d_half_rho_A_inv_I_d * air_velocity_12;
-    let air_velocity_2_C_Ma = C_Ma * air_velocity_2;
-    let part_of_minus_cos_theta_phidot =
-        inv_air_velocity_12_product - minus_air_velocity_product_2 * air_velocity_2_C_Ma;
-    let inv_air_velocity_12_product_5 = inv_air_velocity_12 * V_sq_half_rho_A_d_inv_part;
-    let part_of_minus_cos_theta_phidot_2 =
-        part_of_minus_cos_theta_phidot * inv_air_velocity_12_product_5;
-    let minus_cos_theta_phidot_sum =
-        part_of_minus_cos_theta_phidot_2 - cos_theta_phidot_sum * air_velocity_12_two_product;
+    let minus_inv_air_velocity_sum =
+        cos_theta_phidot_sum * air_velocity_12_two_product - part_of_minus_inv_air_velocity_2;
     let V_sq_half_rho_A_d_product = V_sq_half_rho_A_d_inv_part * r_C_Rr;
     let air_velocity_1_product_sum =
-        air_velocity_1 * minus_cos_theta_phidot_sum - V_sq_half_rho_A_d_product;
-    let inv_air_velocity_12_product_6 = inv_air_velocity_12 * inv_cos_theta;
-    let d_phidot_dot_d_u = -(air_velocity_1_product_sum * inv_air_velocity_12_product_6);
+        air_velocity_1 * minus_inv_air_velocity_sum + V_sq_half_rho_A_d_product;
+    let inv_air_velocity_12_product_4 = inv_air_velocity_12 * inv_cos_theta;
+    let d_cos_theta_phidot_product_d_u = air_velocity_1_product_sum * inv_air_velocity_12_product_4;
     let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part * alpha_C_Ma;
-    let air_velocity_2_product_sum =
-        air_velocity_2 * minus_cos_theta_phidot_sum + V_sq_half_rho_A_d_product_2;
-    let d_phidot_dot_d_v = -(air_velocity_2_product_sum * inv_air_velocity_12_product_6);
-    let V_sq_half_rho_A_d_product_3 = V_sq_half_rho_A_d_inv_part * inv_V_sq;
-    let minus_air_velocity_product_5 = two_d_half_rho_A_inv_I_d * minus_air_velocity_3;
-    let part_of_air_velocity_2_C_Ma_sum = cos_theta_phidot_sum * minus_air_velocity_product_5;
-    let air_velocity_2_C_Ma_sum =
-        air_velocity_2_C_Ma * V_sq_half_rho_A_d_product_3 - part_of_air_velocity_2_C_Ma_sum;
-    let d_phidot_dot_d_w = inv_cos_theta * air_velocity_2_C_Ma_sum;
-    let part_of_d_phidot_dot_d_phi_4 =
-        minus_d_minus_sin_phi_wind_y_sum_d_phi * air_velocity_2_C_Ma_sum;
-    let part_of_d_phidot_dot_d_phi =
-        r_C_Rr * sin_theta_minus_d_product + alpha_C_Ma * d_air_velocity_2_d_phi;
-    let part_of_d_phidot_dot_d_phi_2 = V_sq_half_rho_A_d_inv_part * part_of_d_phidot_dot_d_phi;
-    let part_of_d_phidot_dot_d_phi_3 =
-        minus_air_velocity_1_sum * minus_cos_theta_phidot_sum + part_of_d_phidot_dot_d_phi_2;
-    let d_phidot_dot_d_phi =
-        part_of_d_phidot_dot_d_phi_4 - part_of_d_phidot_dot_d_phi_3 * inv_air_velocity_12_product_6;
-    let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
-    let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_product;
-    let part_of_d_cos_theta_phidot =
-        sin_theta_inv_cos_theta * (cos_theta_phidot_product - phidot * d_thetadot_dot_d_thetadot);
-    let phidot_thetadot = phidot * thetadot;
-    let inv_cos_theta_d_air_product = inv_cos_theta * d_air_velocity_1_d_theta;
+    let minus_air_velocity_2_sum =
+        V_sq_half_rho_A_d_product_2 - air_velocity_2 * minus_inv_air_velocity_sum;
+    let part_of_V_sq_half_rho_A_d_sum = V_sq_half_rho_A_d_inv_part * air_velocity_2_C_Ma_inv_V_sq;
+    let minus_air_velocity_product_2 = two_d_half_rho_A_inv_I_d * minus_air_velocity_3;
+    let V_sq_half_rho_A_d_sum =
+        part_of_V_sq_half_rho_A_d_sum - cos_theta_phidot_sum * minus_air_velocity_product_2;
+    let d_cos_theta_phidot_product_d_w = inv_cos_theta * V_sq_half_rho_A_d_sum;
+    let part_of_d_cos_theta_phidot = air_velocity_1_product_sum * sin_theta_d_minus_product;
     let part_of_d_cos_theta_phidot_2 =
-        r_C_Rr * inv_air_velocity_12_product_5 * inv_cos_theta_d_air_product;
+        part_of_d_cos_theta_phidot - sin_phi_wind_y_sum * minus_air_velocity_2_sum;
+    let part_of_d_cos_theta_phidot_3 = part_of_d_cos_theta_phidot_2 * inv_air_velocity_12_product_4;
+    let d_cos_theta_phidot_product_d_phi =
+        part_of_d_cos_theta_phidot_3 - d_minus_sin_phi_wind_y_sum_d_phi * V_sq_half_rho_A_d_sum;
+    let V_sq_half_rho_A_d_product_3 = C_Rr * V_sq_half_rho_A_d_inv_part;
     let d_cos_theta_phidot_sum_2_d_r =
-        C_Rr * V_sq_half_rho_A_d_inv_part * air_velocity_1_inv_product - inv_I_d_I_a * thetadot;
-    let part_of_d_cos_theta_phidot_3 =
-        part_of_d_cos_theta_phidot_2 + phidot * d_cos_theta_phidot_sum_2_d_r;
+        air_velocity_1_inv_product * V_sq_half_rho_A_d_product_3 - inv_I_d_I_a * thetadot;
+    let d_cos_theta_phidot_sum_sum = d_cos_theta_phidot_sum_2_d_r + T::splat(2.0) * thetadot;
+    let inv_air_velocity_12_product_5 = inv_air_velocity_12 * d_air_velocity_1_d_theta;
+    let part_of_d_cos_theta_phidot_5 = air_velocity_1_product_sum * inv_air_velocity_12_product_5;
+    let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_product;
     let part_of_d_cos_theta_phidot_4 =
-        T::splat(2.0) * phidot_thetadot + part_of_d_cos_theta_phidot_3;
+        sin_theta * (cos_theta_phidot_product - phidot * d_thetadot_dot_d_thetadot);
+    let part_of_d_cos_theta_phidot_6 =
+        part_of_d_cos_theta_phidot_5 - d_minus_air_velocity_3_d_theta * V_sq_half_rho_A_d_sum;
+    let part_of_d_cos_theta_phidot_7 =
+        inv_cos_theta * (part_of_d_cos_theta_phidot_6 + part_of_d_cos_theta_phidot_4);
     let d_cos_theta_phidot_product_d_theta =
-        part_of_d_cos_theta_phidot + part_of_d_cos_theta_phidot_4;
-    let part_of_d_phidot_dot_d_theta =
-        minus_cos_theta_phidot_sum * air_velocity_1_inv_product * inv_cos_theta_d_air_product;
-    let part_of_d_phidot_dot_d_theta_2 =
-        part_of_d_phidot_dot_d_theta - minus_d_minus_air_velocity_3_d_theta * d_phidot_dot_d_w;
-    let d_phidot_dot_d_theta = d_cos_theta_phidot_product_d_theta - part_of_d_phidot_dot_d_theta_2;
-    let d_cos_theta_phidot_product = d_cos_theta_phidot_sum_2_d_r * sin_theta_inv_cos_theta;
-    let part_of_d_cos_theta_phidot_5 = d_cos_theta_phidot_product + d_thetadot_dot_d_thetadot;
+        phidot * d_cos_theta_phidot_sum_sum + part_of_d_cos_theta_phidot_7;
+    let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
     let d_cos_theta_phidot_product_d_phidot =
-        part_of_d_cos_theta_phidot_5 + T::splat(2.0) * thetadot * sin_theta_inv_cos_theta;
-    let air_velocity_1_C_Ma = C_Ma * air_velocity_1;
-    let part_of_minus_d_thetadot_dot_d =
-        inv_air_velocity_12_product_2 + minus_air_velocity_product_2 * air_velocity_1_C_Ma;
-    let part_of_minus_d_thetadot_dot_d_2 =
-        part_of_minus_d_thetadot_dot_d * inv_air_velocity_12_product_5;
-    let minus_d_thetadot_dot_d_air_velocity_12 =
-        part_of_minus_d_thetadot_dot_d_2 - thetadot_nonzero_air_sum * air_velocity_12_two_product;
-    let part_of_d_thetadot_dot_d_u =
-        V_sq_half_rho_A_d_product_2 - air_velocity_1 * minus_d_thetadot_dot_d_air_velocity_12;
-    let d_thetadot_dot_d_u = inv_air_velocity_12 * part_of_d_thetadot_dot_d_u;
-    let part_of_d_thetadot_dot_d_v =
-        V_sq_half_rho_A_d_product - air_velocity_2 * minus_d_thetadot_dot_d_air_velocity_12;
-    let d_thetadot_dot_d_v = inv_air_velocity_12 * part_of_d_thetadot_dot_d_v;
-    let part_of_minus_d_thetadot_dot_d_w = thetadot_nonzero_air_sum * minus_air_velocity_product_5;
-    let minus_d_thetadot_dot_d_w =
-        air_velocity_1_C_Ma * V_sq_half_rho_A_d_product_3 + part_of_minus_d_thetadot_dot_d_w;
+        d_cos_theta_phidot_sum_sum * sin_theta_inv_cos_theta + d_thetadot_dot_d_thetadot;
+    let d_phidot_dot_d_gammadot = inv_cos_theta * d_cos_theta_phidot_sum_2_d_r;
+    let air_velocity_1_C_Ma_inv_V_sq = air_velocity_1 * C_Ma_inv_V_sq;
+    let part_of_d_thetadot_dot_d_air =
+        inv_air_velocity_12_product_2 + minus_air_velocity_3 * air_velocity_1_C_Ma_inv_V_sq;
+    let part_of_d_thetadot_dot_d_air_2 =
+        part_of_d_thetadot_dot_d_air * inv_air_velocity_12_product_3;
+    let d_thetadot_dot_d_air_velocity_12 =
+        thetadot_nonzero_air_sum * air_velocity_12_two_product - part_of_d_thetadot_dot_d_air_2;
+    let V_sq_half_rho_A_d_sum_2 =
+        V_sq_half_rho_A_d_product_2 + air_velocity_1 * d_thetadot_dot_d_air_velocity_12;
+    let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12 * V_sq_half_rho_A_d_sum_2;
+    let V_sq_half_rho_A_d_sum_3 =
+        V_sq_half_rho_A_d_product + air_velocity_2 * d_thetadot_dot_d_air_velocity_12;
+    let d_thetadot_dot_d_air_velocity_2 = inv_air_velocity_12 * V_sq_half_rho_A_d_sum_3;
+    let part_of_V_sq_half_rho_A_d_sum_4 = V_sq_half_rho_A_d_inv_part * air_velocity_1_C_Ma_inv_V_sq;
+    let V_sq_half_rho_A_d_sum_4 =
+        part_of_V_sq_half_rho_A_d_sum_4 + thetadot_nonzero_air_sum * minus_air_velocity_product_2;
     let part_of_d_thetadot_dot_d_phi =
-        minus_air_velocity_1_sum * minus_d_thetadot_dot_d_air_velocity_12;
-    let part_of_d_thetadot_dot_d_phi_2 =
-        alpha_C_Ma * sin_theta_minus_d_product - r_C_Rr * d_air_velocity_2_d_phi;
+        cos_theta * d_minus_sin_phi_wind_y_sum_d_phi * V_sq_half_rho_A_d_sum_4;
+    let part_of_d_thetadot_dot_d_phi_2 = V_sq_half_rho_A_d_sum_2 * sin_theta_d_minus_product;
     let part_of_d_thetadot_dot_d_phi_3 =
-        part_of_d_thetadot_dot_d_phi + V_sq_half_rho_A_d_inv_part * part_of_d_thetadot_dot_d_phi_2;
-    let part_of_d_thetadot_dot_d_phi_4 = -(minus_d_thetadot_dot_d_w * cos_theta_minus_d_product);
+        part_of_d_thetadot_dot_d_phi_2 + sin_phi_wind_y_sum * V_sq_half_rho_A_d_sum_3;
     let d_thetadot_dot_d_phi =
-        part_of_d_thetadot_dot_d_phi_4 - inv_air_velocity_12 * part_of_d_thetadot_dot_d_phi_3;
-    let part_of_d_thetadot_dot_d_theta_2 =
-        minus_d_minus_air_velocity_3_d_theta * minus_d_thetadot_dot_d_w;
+        part_of_d_thetadot_dot_d_phi + inv_air_velocity_12 * part_of_d_thetadot_dot_d_phi_3;
+    let part_of_d_thetadot_dot_d_theta_2 = d_minus_air_velocity_3_d_theta * V_sq_half_rho_A_d_sum_4;
     let d_thetadot_dot_d_r =
-        C_Rr * air_velocity_2 * inv_air_velocity_12_product_5 + inv_I_d_I_a * cos_theta_phidot;
-    let minus_cos_theta_phidot_sum_2 = d_thetadot_dot_d_r - cos_theta_phidot;
+        air_velocity_2_inv_product * V_sq_half_rho_A_d_product_3 + inv_I_d_I_a * cos_theta_phidot;
+    let d_thetadot_dot_d_sin_theta_phidot = d_thetadot_dot_d_r - cos_theta_phidot;
     let part_of_d_thetadot_dot_d_theta =
-        sin_theta * sin_theta_phidot_minus_sum + cos_theta * minus_cos_theta_phidot_sum_2;
+        sin_theta * sin_theta_phidot_minus_sum + cos_theta * d_thetadot_dot_d_sin_theta_phidot;
     let part_of_d_thetadot_dot_d_theta_3 =
-        d_air_velocity_1_d_theta * d_thetadot_dot_d_u - part_of_d_thetadot_dot_d_theta_2;
+        V_sq_half_rho_A_d_sum_2 * inv_air_velocity_12_product_5 + part_of_d_thetadot_dot_d_theta_2;
     let d_thetadot_dot_d_theta =
         part_of_d_thetadot_dot_d_theta_3 + phidot * part_of_d_thetadot_dot_d_theta;
     let d_thetadot_dot_d_phidot =
-        sin_theta * minus_cos_theta_phidot_sum_2 - cos_theta * sin_theta_phidot_minus_sum;
-    let inv_air_velocity_12_product_7 = inv_air_velocity_12 * sin_theta_inv_cos_theta;
-    let d_gammadot_dot_d_u = air_velocity_1_product_sum * inv_air_velocity_12_product_7;
-    let d_gammadot_dot_d_v = air_velocity_2_product_sum * inv_air_velocity_12_product_7;
-    let d_gammadot_dot_d_phi = -(sin_theta * d_phidot_dot_d_phi);
+        sin_theta * d_thetadot_dot_d_sin_theta_phidot - cos_theta * sin_theta_phidot_minus_sum;
+    let inv_air_velocity_12_product_6 = inv_air_velocity_12 * sin_theta_inv_cos_theta;
+    let d_gammadot_dot_d_v = minus_air_velocity_2_sum * inv_air_velocity_12_product_6;
+    let part_of_d_gammadot_dot_d_theta_2 =
+        cos_theta * (C_Nr_inv_I_a * phidot - cos_theta_phidot_product);
     let part_of_d_gammadot_dot_d_theta =
-        cos_theta * (cos_theta_phidot_product - C_Nr_inv_I_a * phidot);
-    let d_gammadot_dot_d_theta =
-        sin_theta * (phidot_thetadot - d_phidot_dot_d_theta) - part_of_d_gammadot_dot_d_theta;
+        sin_theta * (d_cos_theta_phidot_product_d_theta - phidot * thetadot);
+    let d_gammadot_dot_d_theta = part_of_d_gammadot_dot_d_theta_2 - part_of_d_gammadot_dot_d_theta;
     let d_gammadot_dot_d_phidot =
         sin_theta * (C_Nr_inv_I_a - d_cos_theta_phidot_product_d_phidot) - cos_theta * thetadot;
     let d_gammadot_dot_d_thetadot =
         r_inv_I_d_I_a_minus_sin_sum * sin_theta_inv_cos_theta - cos_theta_phidot;
-    let d_gammadot_dot_d_gammadot = C_Nr_inv_I_a - d_cos_theta_phidot_product;
+    let d_gammadot_dot_d_gammadot =
+        C_Nr_inv_I_a - d_cos_theta_phidot_sum_2_d_r * sin_theta_inv_cos_theta;
     let d_y_dot_d_w = -(cos_theta * sin_phi);
-    let d_y_dot_d_phi = -z_dot;
     let d_z_dot_d_u = -(sin_theta * cos_phi);
     let d_z_dot_d_theta = -(x_dot * cos_phi);
     let d_u_dot_d_thetadot = -w;
-    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3_2;
+    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3;
     let d_w_dot_d_phidot = -(cos_theta * v);
+    let d_phidot_dot_d_v = -(minus_air_velocity_2_sum * inv_air_velocity_12_product_4);
     let d_phidot_dot_d_thetadot = -(r_inv_I_d_I_a_minus_sin_sum * inv_cos_theta);
-    let d_thetadot_dot_d_w = -minus_d_thetadot_dot_d_w;
-    let d_gammadot_dot_d_w = -(air_velocity_2_C_Ma_sum * sin_theta_inv_cos_theta);
+    let d_thetadot_dot_d_w = -V_sq_half_rho_A_d_sum_4;
+    let d_gammadot_dot_d_u = -(air_velocity_1_product_sum * inv_air_velocity_12_product_6);
+    let d_gammadot_dot_d_w = -(V_sq_half_rho_A_d_sum * sin_theta_inv_cos_theta);
+    let d_gammadot_dot_d_phi = -(sin_theta * d_cos_theta_phidot_product_d_phi);
 
     dx[0] = x_dot;
     dx[1] = y_dot;
@@ -365,7 +350,7 @@ pub fn f_jac<T: Real>(
     j[10] = d_z_dot_d_w;
     j[11] = y_dot; // d_z_dot_d_phi
     j[12] = d_z_dot_d_theta;
-    j[13] = d_u_dot_d_u;
+    j[13] = d_u_dot_d_air_velocity_1; // d_u_dot_d_u
     j[14] = d_u_dot_d_v;
     j[15] = d_u_dot_d_w;
     j[16] = d_u_dot_d_phi;
@@ -373,7 +358,7 @@ pub fn f_jac<T: Real>(
     j[18] = d_u_dot_d_phidot;
     j[19] = d_u_dot_d_thetadot;
     j[20] = d_v_dot_d_u;
-    j[21] = d_v_dot_d_v;
+    j[21] = d_v_dot_d_air_velocity_2; // d_v_dot_d_v
     j[22] = d_v_dot_d_w;
     j[23] = d_v_dot_d_phi;
     j[24] = d_v_dot_d_theta;
@@ -388,16 +373,16 @@ pub fn f_jac<T: Real>(
     j[33] = T::splat(1.0); // d_phi_dot_d_phidot
     j[34] = T::splat(1.0); // d_theta_dot_d_thetadot
     j[35] = T::splat(1.0); // d_gamma_dot_d_gammadot
-    j[36] = d_phidot_dot_d_u;
+    j[36] = d_cos_theta_phidot_product_d_u; // d_phidot_dot_d_u
     j[37] = d_phidot_dot_d_v;
-    j[38] = d_phidot_dot_d_w;
-    j[39] = d_phidot_dot_d_phi;
-    j[40] = d_phidot_dot_d_theta;
+    j[38] = d_cos_theta_phidot_product_d_w; // d_phidot_dot_d_w
+    j[39] = d_cos_theta_phidot_product_d_phi; // d_phidot_dot_d_phi
+    j[40] = d_cos_theta_phidot_product_d_theta; // d_phidot_dot_d_theta
     j[41] = d_cos_theta_phidot_product_d_phidot; // d_phidot_dot_d_phidot
     j[42] = d_phidot_dot_d_thetadot;
-    j[43] = inv_cos_theta * d_cos_theta_phidot_sum_2_d_r; // d_phidot_dot_d_gammadot
-    j[44] = d_thetadot_dot_d_u;
-    j[45] = d_thetadot_dot_d_v;
+    j[43] = d_phidot_dot_d_gammadot;
+    j[44] = d_thetadot_dot_d_air_velocity_1; // d_thetadot_dot_d_u
+    j[45] = d_thetadot_dot_d_air_velocity_2; // d_thetadot_dot_d_v
     j[46] = d_thetadot_dot_d_w;
     j[47] = d_thetadot_dot_d_phi;
     j[48] = d_thetadot_dot_d_theta;

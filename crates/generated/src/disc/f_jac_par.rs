@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// `dx`, `j`, and the entries `jp` of the Jacobian by the parameters, see `JP_PATTERN`.
 ///
-/// 486 operations: 128 add, 313 mul, 3 div, 34 neg, 2 sqrt, 5 call, 1 select.
+/// 493 operations: 125 add, 323 mul, 3 div, 34 neg, 2 sqrt, 5 call, 1 select.
 #[inline(always)]
 pub fn f_jac_par<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 26],
+    prepared: &[T; 21],
     dx: &mut [T; 12],
     j: &mut [T; 60],
     jp: &mut [T; 67],
@@ -24,7 +24,6 @@ pub fn f_jac_par<T: Real>(
     let phidot = state[9];
     let thetadot = state[10];
     let gammadot = state[11];
-    let I_a = parameters[1];
     let g = parameters[6];
     let C_L0 = parameters[7];
     let C_La = parameters[8];
@@ -37,30 +36,24 @@ pub fn f_jac_par<T: Real>(
     let wind_y = parameters[16];
     let wind_z = parameters[17];
     let inv_m_half_rho_A = prepared[0];
-    let half_rho_A_d_inv_I_d = prepared[2];
     let inv_I_d_I_a = prepared[3];
     let C_Nr_inv_I_a = prepared[4];
-    let C_Da_two = prepared[5];
-    let two_d_half_rho_A_inv_I_d = prepared[6];
-    let A_half = prepared[7];
-    let half_rho_A = prepared[8];
-    let inv_m = prepared[9];
-    let inv_I_d = prepared[10];
-    let inv_I_a = prepared[11];
-    let rho_half = prepared[12];
-    let minus_rho_half = prepared[13];
-    let minus_A_half = prepared[14];
-    let minus_half_rho_A_inv_m = prepared[15];
-    let half_rho_A_d = prepared[16];
-    let inv_I_d_sq = prepared[17];
+    let minus_wind_y = prepared[5];
+    let C_Da_two = prepared[6];
+    let two_d_half_rho_A_inv_I_d = prepared[7];
+    let A_half = prepared[8];
+    let half_rho_A = prepared[9];
+    let inv_m = prepared[10];
+    let inv_I_d = prepared[11];
+    let inv_I_d_d = prepared[12];
+    let inv_I_a = prepared[13];
+    let rho_half = prepared[14];
+    let minus_rho_half = prepared[15];
+    let minus_A_half = prepared[16];
+    let minus_half_rho_A_inv_m = prepared[17];
     let half_rho_A_inv_I_d = prepared[18];
-    let inv_I_d_d_rho_half = prepared[19];
-    let inv_I_d_d_A_half = prepared[20];
-    let minus_inv_I_d_half_rho_sum = prepared[21];
-    let inv_I_a_d_gammadot_dot_d_r = prepared[22];
-    let minus_half_rho_A_inv_I_d = prepared[23];
-    let minus_inv_I_d_d_rho_half = prepared[24];
-    let minus_inv_I_d_d_A_half = prepared[25];
+    let minus_half_rho_A_inv_I_d = prepared[19];
+    let inv_I_a_d_gammadot_dot_d_r = prepared[20];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // disc.hyz:55  position (x, y, z) in N;
@@ -72,16 +65,15 @@ pub fn f_jac_par<T: Real>(
     let cos_phi_g = g * cos_phi;
     let cos_phi_g_plus_v_phidot = v * phidot + cos_phi_g;
     let sin_theta_cos_phi_g_product = sin_theta * cos_phi_g_plus_v_phidot;
-    let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
-    let minus_d_minus_air_velocity_3_d_theta =
-        sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta;
+    let sin_phi_wind_y_sum = wind_y * sin_phi - wind_z * cos_phi;
+    let d_minus_air_velocity_3_d_theta = wind_x * cos_theta + sin_theta * sin_phi_wind_y_sum;
 
     // disc.hyz:62  let air_velocity = velocity - in_B(wind);
-    let air_velocity_1 = u + minus_d_minus_air_velocity_3_d_theta;
-    let minus_d_minus_sin_phi_wind_y_sum_d_phi = wind_y * cos_phi + wind_z * sin_phi;
-    let air_velocity_2 = v - minus_d_minus_sin_phi_wind_y_sum_d_phi;
+    let air_velocity_1 = u - d_minus_air_velocity_3_d_theta;
+    let d_minus_sin_phi_wind_y_sum_d_phi = minus_wind_y * cos_phi - wind_z * sin_phi;
+    let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
     let air_velocity_12_sq = air_velocity_1 * air_velocity_1 + air_velocity_2 * air_velocity_2;
-    let d_air_velocity_1_d_theta = cos_theta * minus_sin_phi_wind_y_sum + wind_x * sin_theta;
+    let d_air_velocity_1_d_theta = wind_x * sin_theta - cos_theta * sin_phi_wind_y_sum;
     let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
     let V_sq = air_velocity_12_sq + minus_air_velocity_3 * minus_air_velocity_3;
 
@@ -123,7 +115,8 @@ pub fn f_jac_par<T: Real>(
     let r = gammadot + sin_theta_phidot;
     let r_inv_I_d_I_a = inv_I_d_I_a * r;
     let r_inv_I_d_I_a_minus_sin_sum = r_inv_I_d_I_a - T::splat(2.0) * sin_theta_phidot;
-    let V_sq_half_rho_A_d_inv_part = half_rho_A_d_inv_I_d * V_sq;
+    let V_sq_inv_I_d_d = inv_I_d_d * V_sq;
+    let V_sq_half_rho_A_d_inv_part = half_rho_A * V_sq_inv_I_d_d;
     let alpha_C_Ma = C_Ma * alpha;
     let r_C_Rr = C_Rr * r;
     let air_velocity_1_r_C_Rr_sum = air_velocity_1 * r_C_Rr - air_velocity_2 * alpha_C_Ma;
@@ -150,326 +143,305 @@ pub fn f_jac_par<T: Real>(
         C_Nr_inv_I_a * r - thetadot * cos_theta_phidot - sin_theta * cos_theta_phidot_product;
     let d_y_dot_d_u = sin_theta * sin_phi;
     let cos_theta_sin_phi = cos_theta * sin_phi;
+    let d_y_dot_d_phi = -z_dot;
     let d_y_dot_d_theta = x_dot * sin_phi;
     let d_air_velocity_1_d_wind_z = sin_theta * cos_phi;
     let d_minus_air_velocity_3_d_wind_z = cos_theta * cos_phi;
+    let part_of_minus_V_inv_m_half_rho =
+        V_inv_m_half_rho_A * inv_air_velocity_12 * (C_D - air_velocity_12_C_D_product);
     let inv_V = V.recip_or_zero();
-    let inv_V_half_rho_A_inv_m = inv_m_half_rho_A * inv_V;
-    let C_La_minus_air_product = C_La * minus_air_velocity_3 * inv_air_velocity_12;
+    let part_of_minus_V_inv_m_half_rho_2 = C_La * minus_air_velocity_3 * inv_air_velocity_12;
     let alpha_C_Da_two = C_Da_two * alpha;
-    let part_of_minus_air_velocity_12_C =
-        C_La_minus_air_product - nonzero_air_velocity_12_sq * alpha_C_Da_two;
-    let inv_V_sq = inv_V * inv_V;
-    let minus_air_velocity_product = minus_air_velocity_3 * inv_V_sq;
-    let part_of_minus_air_velocity_12_C_2 =
-        part_of_minus_air_velocity_12_C * minus_air_velocity_product;
-    let part_of_minus_air_velocity_12_C_3 =
-        inv_air_velocity_12 * (C_D - air_velocity_12_C_D_product);
-    let part_of_minus_air_velocity_12_C_4 =
-        part_of_minus_air_velocity_12_C_2 + part_of_minus_air_velocity_12_C_3;
-    let part_of_minus_air_velocity_12_C_5 = V_inv_m_half_rho_A * part_of_minus_air_velocity_12_C_4;
-    let minus_air_velocity_12_C_sum =
-        -(air_velocity_12_C_D_sum * inv_V_half_rho_A_inv_m) - part_of_minus_air_velocity_12_C_5;
+    let part_of_minus_V_inv_m_half_rho_3 =
+        nonzero_air_velocity_12_sq * alpha_C_Da_two - part_of_minus_V_inv_m_half_rho_2;
+    let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
+    let part_of_minus_V_inv_m_half_rho_4 =
+        V_inv_m_half_rho_A * part_of_minus_V_inv_m_half_rho_3 * minus_air_velocity_3_inv_V;
+    let air_velocity_12_C_D_product_2 = inv_m_half_rho_A * air_velocity_12_C_D_sum;
+    let part_of_minus_V_inv_m_half_rho_5 =
+        nonzero_air_velocity_12_sq * air_velocity_12_C_D_product_2;
+    let part_of_minus_V_inv_m_half_rho_6 =
+        part_of_minus_V_inv_m_half_rho_4 - part_of_minus_V_inv_m_half_rho_5;
+    let minus_V_inv_m_half_rho_sum =
+        inv_V * part_of_minus_V_inv_m_half_rho_6 - part_of_minus_V_inv_m_half_rho;
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
-    let minus_air_velocity_product_2 = minus_air_velocity_12_C_sum * air_velocity_1_inv_product;
+    let minus_V_inv_m_half_product = minus_V_inv_m_half_rho_sum * air_velocity_1_inv_product;
     let d_u_dot_d_air_velocity_1 =
-        air_velocity_1 * minus_air_velocity_product_2 - V_inv_m_half_rho_A_product;
-    let d_u_dot_d_air_velocity_2 = air_velocity_2 * minus_air_velocity_product_2;
-    let d_u_dot_d_v = sin_theta_phidot + d_u_dot_d_air_velocity_2;
-    let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_V_half_rho_A_inv_m;
-    let part_of_air_velocity_12_C_D_sum_3 =
-        air_velocity_12_C_D_product * minus_air_velocity_product_3;
-    let part_of_air_velocity_12_C_D_sum =
-        air_velocity_12 * (alpha_C_Da_two - C_La_minus_air_product) * inv_V_sq;
-    let part_of_air_velocity_12_C_D_sum_2 =
-        V_inv_m_half_rho_A * (part_of_air_velocity_12_C_D_sum - C_L * inv_air_velocity_12);
-    let air_velocity_12_C_D_sum_2 =
-        part_of_air_velocity_12_C_D_sum_3 + part_of_air_velocity_12_C_D_sum_2;
-    let minus_d_u_dot_d_minus_air_velocity_3 = air_velocity_1 * air_velocity_12_C_D_sum_2;
-    let d_u_dot_d_w = minus_d_u_dot_d_minus_air_velocity_3 - thetadot;
-    let minus_d_u_dot_d_air_velocity_1 = -d_u_dot_d_air_velocity_1;
+        air_velocity_1 * minus_V_inv_m_half_product - V_inv_m_half_rho_A_product;
+    let air_velocity_2_product = air_velocity_2 * minus_V_inv_m_half_product;
+    let d_u_dot_d_v = sin_theta_phidot + air_velocity_2_product;
+    let air_velocity_12_inv_V = air_velocity_12 * inv_V;
+    let part_of_part_part_inv_V_air_sum =
+        V_inv_m_half_rho_A * part_of_minus_V_inv_m_half_rho_3 * inv_V * air_velocity_12_inv_V;
+    let C_L_V_inv_m_half_rho_A = C_L * V_inv_m_half_rho_A;
+    let part_of_part_part_inv_V_air_sum_2 =
+        C_L_V_inv_m_half_rho_A - minus_air_velocity_3_inv_V * air_velocity_12_C_D_product_2;
+    let part_part_inv_V_air_sum =
+        part_of_part_part_inv_V_air_sum - inv_air_velocity_12 * part_of_part_part_inv_V_air_sum_2;
+    let air_velocity_1_part_product = air_velocity_1 * part_part_inv_V_air_sum;
+    let d_u_dot_d_w = air_velocity_1_part_product - thetadot;
     let part_of_d_u_dot_d_phi =
-        minus_d_u_dot_d_air_velocity_1 * minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let cos_theta_air_product = cos_theta * air_velocity_12_C_D_sum_2;
-    let part_of_d_u_dot_d_phi_2 = minus_d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_air_product;
+        d_u_dot_d_air_velocity_1 * d_minus_sin_phi_wind_y_sum_d_phi - sin_phi_g;
+    let cos_theta_part_part_product = cos_theta * part_part_inv_V_air_sum;
+    let part_of_d_u_dot_d_phi_2 = d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_part_part_product;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12;
-    let minus_air_velocity_product_4 = minus_air_velocity_12_C_sum * air_velocity_2_inv_product;
+    let minus_V_inv_m_half_product_2 = minus_V_inv_m_half_rho_sum * air_velocity_2_inv_product;
     let part_of_d_u_dot_d_phi_3 =
-        minus_sin_phi_wind_y_sum * minus_air_velocity_product_4 - part_of_d_u_dot_d_phi_2;
+        part_of_d_u_dot_d_phi_2 - sin_phi_wind_y_sum * minus_V_inv_m_half_product_2;
     let d_u_dot_d_phi =
-        sin_theta * (part_of_d_u_dot_d_phi - sin_phi_g) - air_velocity_1 * part_of_d_u_dot_d_phi_3;
+        sin_theta * part_of_d_u_dot_d_phi - air_velocity_1 * part_of_d_u_dot_d_phi_3;
     let part_of_d_u_dot_d_theta =
-        minus_d_u_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_theta;
-    let part_of_d_u_dot_d_theta_2 =
-        cos_theta_cos_phi_g_product - minus_d_u_dot_d_air_velocity_1 * d_air_velocity_1_d_theta;
-    let d_u_dot_d_theta = part_of_d_u_dot_d_theta_2 + part_of_d_u_dot_d_theta;
+        cos_theta_cos_phi_g_product + d_u_dot_d_air_velocity_1 * d_air_velocity_1_d_theta;
+    let d_u_dot_d_theta =
+        part_of_d_u_dot_d_theta - air_velocity_1_part_product * d_minus_air_velocity_3_d_theta;
     let d_u_dot_d_phidot = sin_theta * v;
-    let d_v_dot_d_u = d_u_dot_d_air_velocity_2 - sin_theta_phidot;
+    let d_v_dot_d_u = air_velocity_2_product - sin_theta_phidot;
     let d_v_dot_d_air_velocity_2 =
-        air_velocity_2 * minus_air_velocity_product_4 - V_inv_m_half_rho_A_product;
-    let minus_d_v_dot_d_minus_air_velocity_3 = air_velocity_2 * air_velocity_12_C_D_sum_2;
-    let d_v_dot_d_w = cos_theta_phidot + minus_d_v_dot_d_minus_air_velocity_3;
-    let minus_d_v_dot_d_air_velocity_2 = -d_v_dot_d_air_velocity_2;
-    let sin_theta_minus_air_sum = sin_theta * minus_air_velocity_product_2 - cos_theta_air_product;
+        air_velocity_2 * minus_V_inv_m_half_product_2 - V_inv_m_half_rho_A_product;
+    let d_v_dot_d_w = cos_theta_phidot + air_velocity_2 * part_part_inv_V_air_sum;
+    let minus_sin_theta_minus_V_sum =
+        cos_theta_part_part_product - sin_theta * minus_V_inv_m_half_product;
     let part_of_d_v_dot_d_phi =
-        air_velocity_2 * minus_d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_minus_air_sum;
-    let part_of_d_v_dot_d_phi_2 =
-        minus_sin_phi_wind_y_sum * minus_d_v_dot_d_air_velocity_2 - cos_phi_g;
-    let d_v_dot_d_phi = part_of_d_v_dot_d_phi_2 - part_of_d_v_dot_d_phi;
-    let part_of_d_v_dot_d_theta = air_velocity_12_C_D_sum_2 * minus_d_minus_air_velocity_3_d_theta;
+        air_velocity_2 * d_minus_sin_phi_wind_y_sum_d_phi * minus_sin_theta_minus_V_sum;
+    let d_v_dot_d_phi =
+        sin_phi_wind_y_sum * d_v_dot_d_air_velocity_2 - cos_phi_g - part_of_d_v_dot_d_phi;
+    let part_of_d_v_dot_d_theta = part_part_inv_V_air_sum * d_minus_air_velocity_3_d_theta;
     let part_of_d_v_dot_d_theta_2 =
-        d_air_velocity_1_d_theta * minus_air_velocity_product_2 + part_of_d_v_dot_d_theta;
+        d_air_velocity_1_d_theta * minus_V_inv_m_half_product - part_of_d_v_dot_d_theta;
     let d_v_dot_d_theta = air_velocity_2 * part_of_d_v_dot_d_theta_2 - x_dot * phidot;
+    let d_w_dot_d_alpha =
+        V_inv_m_half_rho_A * (C_La * air_velocity_12 + minus_air_velocity_3 * alpha_C_Da_two);
+    let minus_air_velocity_product = inv_m_half_rho_A * minus_air_velocity_3_C_sum;
     let part_of_d_w_dot_d_air_velocity =
-        air_velocity_12 * minus_air_velocity_3_C_sum * inv_V_half_rho_A_inv_m;
-    let C_La_air_velocity_12_sum = C_La * air_velocity_12 + minus_air_velocity_3 * alpha_C_Da_two;
-    let part_of_d_w_dot_d_air_velocity_2 =
-        V_inv_m_half_rho_A * (C_L - C_La_air_velocity_12_sum * minus_air_velocity_product);
-    let d_w_dot_d_air_velocity_12 =
-        part_of_d_w_dot_d_air_velocity + part_of_d_w_dot_d_air_velocity_2;
+        d_w_dot_d_alpha * minus_air_velocity_3_inv_V - air_velocity_12 * minus_air_velocity_product;
+    let d_w_dot_d_air_velocity_12 = C_L_V_inv_m_half_rho_A - inv_V * part_of_d_w_dot_d_air_velocity;
     let d_w_dot_d_air_velocity_1 = d_w_dot_d_air_velocity_12 * air_velocity_1_inv_product;
     let d_w_dot_d_u = thetadot + d_w_dot_d_air_velocity_1;
     let d_w_dot_d_air_velocity_2 = d_w_dot_d_air_velocity_12 * air_velocity_2_inv_product;
     let d_w_dot_d_v = d_w_dot_d_air_velocity_2 - cos_theta_phidot;
-    let d_w_dot_d_minus_air_velocity_3 = C_D * V_inv_m_half_rho_A;
-    let part_of_d_w_dot_d_minus_air = minus_air_velocity_3_C_sum * minus_air_velocity_product_3;
-    let d_w_dot_d_C_L = air_velocity_12 * V_inv_m_half_rho_A;
-    let part_of_d_w_dot_d_minus_air_2 =
-        part_of_d_w_dot_d_minus_air + C_La_air_velocity_12_sum * d_w_dot_d_C_L * inv_V_sq;
-    let d_w_dot_d_minus_air_velocity_3_2 =
-        d_w_dot_d_minus_air_velocity_3 + part_of_d_w_dot_d_minus_air_2;
+    let part_of_d_w_dot_d_minus_air =
+        d_w_dot_d_alpha * air_velocity_12_inv_V + minus_air_velocity_3 * minus_air_velocity_product;
+    let d_w_dot_d_minus_air_velocity_3 =
+        C_D * V_inv_m_half_rho_A + inv_V * part_of_d_w_dot_d_minus_air;
     let sin_theta_air_velocity_1 = sin_theta * air_velocity_1;
-    let part_of_d_w_dot_d_phi = minus_d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_air_velocity_1;
-    let part_of_d_w_dot_d_phi_2 = part_of_d_w_dot_d_phi + air_velocity_2 * minus_sin_phi_wind_y_sum;
+    let part_of_d_w_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_air_velocity_1;
+    let part_of_d_w_dot_d_phi_2 = part_of_d_w_dot_d_phi + air_velocity_2 * sin_phi_wind_y_sum;
     let inv_air_velocity_12_product_3 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12;
     let part_of_d_w_dot_d_phi_4 = part_of_d_w_dot_d_phi_2 * inv_air_velocity_12_product_3;
-    let part_of_d_w_dot_d_phi_3 =
-        minus_d_minus_sin_phi_wind_y_sum_d_phi * d_w_dot_d_minus_air_velocity_3_2;
-    let d_w_dot_d_phi = cos_theta * (sin_phi_g - part_of_d_w_dot_d_phi_3) - part_of_d_w_dot_d_phi_4;
+    let part_of_d_w_dot_d_phi_3 = d_minus_sin_phi_wind_y_sum_d_phi * d_w_dot_d_minus_air_velocity_3;
+    let d_w_dot_d_phi = part_of_d_w_dot_d_phi_4 + cos_theta * (sin_phi_g + part_of_d_w_dot_d_phi_3);
     let part_of_d_w_dot_d_theta =
-        minus_d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3_2;
-    let part_of_d_w_dot_d_theta_2 =
         sin_theta_cos_phi_g_product + d_air_velocity_1_d_theta * d_w_dot_d_air_velocity_1;
-    let d_w_dot_d_theta = part_of_d_w_dot_d_theta_2 - part_of_d_w_dot_d_theta;
-    let cos_theta_phidot_product_2 = two_d_half_rho_A_inv_I_d * cos_theta_phidot_sum;
-    let air_velocity_2_C_Ma = C_Ma * air_velocity_2;
-    let inv_air_velocity_12_sum =
-        inv_air_velocity_12_product - minus_air_velocity_product * air_velocity_2_C_Ma;
+    let d_w_dot_d_theta =
+        part_of_d_w_dot_d_theta + d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3;
+    let air_velocity_12_inv_product = two_d_half_rho_A_inv_I_d * air_velocity_12;
+    let C_Ma_inv_V = C_Ma * inv_V;
+    let air_velocity_2_C_Ma_inv_V = air_velocity_2 * C_Ma_inv_V;
+    let part_of_inv_cos_theta_cos =
+        inv_air_velocity_12_product - minus_air_velocity_3_inv_V * air_velocity_2_C_Ma_inv_V;
     let inv_air_velocity_12_product_4 = inv_air_velocity_12 * V_sq_half_rho_A_d_inv_part;
-    let part_of_air_velocity_1_cos_sum =
-        inv_air_velocity_12_sum * air_velocity_1_inv_product * inv_air_velocity_12_product_4;
-    let d_thetadot_dot_d_air_velocity_2 = r_C_Rr * inv_air_velocity_12_product_4;
-    let part_of_air_velocity_1_cos_sum_2 =
-        part_of_air_velocity_1_cos_sum - d_thetadot_dot_d_air_velocity_2;
-    let air_velocity_1_cos_sum =
-        air_velocity_1 * cos_theta_phidot_product_2 - part_of_air_velocity_1_cos_sum_2;
-    let d_phidot_dot_d_air_velocity_1 = inv_cos_theta * air_velocity_1_cos_sum;
-    let d_thetadot_dot_d_air_velocity_1 = alpha_C_Ma * inv_air_velocity_12_product_4;
-    let inv_air_velocity_12_product_5 = inv_air_velocity_12 * inv_air_velocity_12_product_4;
-    let part_of_d_thetadot_dot_d_air_sum =
-        inv_air_velocity_12_sum * inv_air_velocity_12_product_5 - cos_theta_phidot_product_2;
-    let d_thetadot_dot_d_air_sum =
-        d_thetadot_dot_d_air_velocity_1 + air_velocity_2 * part_of_d_thetadot_dot_d_air_sum;
-    let inv_cos_theta_d_product = inv_cos_theta * d_thetadot_dot_d_air_sum;
-    let V_sq_half_rho_A_d_product = V_sq_half_rho_A_d_inv_part * inv_V_sq;
-    let part_of_air_velocity_2_C_Ma_sum = minus_air_velocity_3 * cos_theta_phidot_product_2;
-    let air_velocity_2_C_Ma_sum =
-        air_velocity_2_C_Ma * V_sq_half_rho_A_d_product - part_of_air_velocity_2_C_Ma_sum;
-    let d_phidot_dot_d_w = inv_cos_theta * air_velocity_2_C_Ma_sum;
-    let part_of_d_phidot_dot_d_phi_3 =
-        minus_d_minus_sin_phi_wind_y_sum_d_phi * air_velocity_2_C_Ma_sum;
-    let part_of_d_phidot_dot_d_phi =
-        sin_theta * minus_d_minus_sin_phi_wind_y_sum_d_phi * air_velocity_1_cos_sum;
-    let part_of_d_phidot_dot_d_phi_2 =
-        part_of_d_phidot_dot_d_phi - minus_sin_phi_wind_y_sum * d_thetadot_dot_d_air_sum;
-    let d_phidot_dot_d_phi =
-        part_of_d_phidot_dot_d_phi_3 - inv_cos_theta * part_of_d_phidot_dot_d_phi_2;
-    let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part * air_velocity_1_inv_product;
-    let minus_thetadot_I_a_inv_sum = C_Rr * V_sq_half_rho_A_d_product_2 - inv_I_d_I_a * thetadot;
+    let part_of_inv_cos_theta_cos_2 = part_of_inv_cos_theta_cos * inv_air_velocity_12_product_4;
+    let part_of_inv_cos_theta_cos_3 =
+        cos_theta_phidot_sum * air_velocity_12_inv_product - part_of_inv_cos_theta_cos_2;
+    let inv_cos_theta_cos_product = inv_cos_theta * part_of_inv_cos_theta_cos_3;
+    let V_sq_half_rho_A_d_product = V_sq_half_rho_A_d_inv_part * inv_cos_theta;
+    let part_of_d_phidot_dot_d_u =
+        air_velocity_1 * inv_cos_theta_cos_product + r_C_Rr * V_sq_half_rho_A_d_product;
+    let d_phidot_dot_d_u = inv_air_velocity_12 * part_of_d_phidot_dot_d_u;
+    let part_of_d_phidot_dot_d_v =
+        air_velocity_2 * inv_cos_theta_cos_product - alpha_C_Ma * V_sq_half_rho_A_d_product;
+    let d_phidot_dot_d_v = inv_air_velocity_12 * part_of_d_phidot_dot_d_v;
+    let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part * inv_V;
+    let part_of_sin_theta_d_phidot_dot = air_velocity_2_C_Ma_inv_V * V_sq_half_rho_A_d_product_2;
+    let minus_air_velocity_product_2 = two_d_half_rho_A_inv_I_d * minus_air_velocity_3;
+    let part_of_sin_theta_d_phidot_dot_2 =
+        cos_theta_phidot_sum * minus_air_velocity_product_2 - part_of_sin_theta_d_phidot_dot;
+    let sin_theta_d_phidot_dot_d_u = sin_theta * d_phidot_dot_d_u;
+    let sin_theta_d_phidot_dot_sum =
+        sin_theta_d_phidot_dot_d_u + cos_theta * (inv_cos_theta * part_of_sin_theta_d_phidot_dot_2);
+    let part_of_d_phidot_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_d_phidot_dot_sum;
+    let d_phidot_dot_d_phi = sin_phi_wind_y_sum * d_phidot_dot_d_v + part_of_d_phidot_dot_d_phi;
     let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_product;
     let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
     let part_of_d_cos_theta_phidot =
-        minus_thetadot_I_a_inv_sum - d_thetadot_dot_d_thetadot * sin_theta_inv_cos_theta;
-    let phidot_thetadot = phidot * thetadot;
+        (cos_theta_phidot_product - phidot * d_thetadot_dot_d_thetadot) * sin_theta_inv_cos_theta;
+    let V_sq_half_rho_A_d_product_3 = V_sq_half_rho_A_d_inv_part * air_velocity_1_inv_product;
     let part_of_d_cos_theta_phidot_2 =
-        cos_theta_phidot_product * sin_theta_inv_cos_theta + T::splat(2.0) * phidot_thetadot;
+        inv_cos_theta * (C_Rr * V_sq_half_rho_A_d_product_3 - inv_I_d_I_a * thetadot);
+    let thetadot_two = T::splat(2.0) * thetadot;
+    let part_of_d_cos_theta_phidot_3 =
+        phidot * (cos_theta * part_of_d_cos_theta_phidot_2 + thetadot_two);
     let d_cos_theta_phidot_product_d_theta =
-        phidot * part_of_d_cos_theta_phidot + part_of_d_cos_theta_phidot_2;
-    let part_of_d_phidot_dot_d_theta = d_air_velocity_1_d_theta * d_phidot_dot_d_air_velocity_1;
+        part_of_d_cos_theta_phidot + part_of_d_cos_theta_phidot_3;
+    let part_of_d_phidot_dot_d_theta =
+        d_minus_air_velocity_3_d_theta * (inv_cos_theta * part_of_sin_theta_d_phidot_dot_2);
     let part_of_d_phidot_dot_d_theta_2 =
-        part_of_d_phidot_dot_d_theta + minus_d_minus_air_velocity_3_d_theta * d_phidot_dot_d_w;
+        d_air_velocity_1_d_theta * d_phidot_dot_d_u + part_of_d_phidot_dot_d_theta;
     let d_phidot_dot_d_theta = d_cos_theta_phidot_product_d_theta + part_of_d_phidot_dot_d_theta_2;
-    let minus_thetadot_I_a_product = minus_thetadot_I_a_inv_sum * sin_theta_inv_cos_theta;
-    let thetadot_sin_theta_product = thetadot * sin_theta_inv_cos_theta;
-    let part_of_d_cos_theta_phidot_3 = minus_thetadot_I_a_product + d_thetadot_dot_d_thetadot;
+    let sin_theta_d_cos_product = sin_theta * part_of_d_cos_theta_phidot_2;
+    let part_of_d_cos_theta_phidot_4 = sin_theta_d_cos_product + d_thetadot_dot_d_thetadot;
     let d_cos_theta_phidot_product_d_phidot =
-        part_of_d_cos_theta_phidot_3 + T::splat(2.0) * thetadot_sin_theta_product;
-    let d_phidot_dot_d_gammadot = inv_cos_theta * minus_thetadot_I_a_inv_sum;
-    let air_velocity_1_C_Ma = C_Ma * air_velocity_1;
-    let part_of_inv_air_velocity_12_sum =
-        inv_air_velocity_12_product_2 + minus_air_velocity_product * air_velocity_1_C_Ma;
-    let thetadot_nonzero_product = two_d_half_rho_A_inv_I_d * thetadot_nonzero_air_sum;
-    let inv_air_velocity_12_sum_2 =
-        part_of_inv_air_velocity_12_sum * inv_air_velocity_12_product_5 - thetadot_nonzero_product;
-    let d_thetadot_dot_d_air_velocity_1_2 =
-        d_thetadot_dot_d_air_velocity_1 - air_velocity_1 * inv_air_velocity_12_sum_2;
-    let minus_d_thetadot_dot_d_air_velocity_2 =
-        air_velocity_2 * inv_air_velocity_12_sum_2 - d_thetadot_dot_d_air_velocity_2;
-    let part_of_minus_d_thetadot_dot_d_w = minus_air_velocity_3 * thetadot_nonzero_product;
-    let minus_d_thetadot_dot_d_w =
-        air_velocity_1_C_Ma * V_sq_half_rho_A_d_product + part_of_minus_d_thetadot_dot_d_w;
-    let part_of_d_thetadot_dot_d_phi_2 =
-        minus_sin_phi_wind_y_sum * minus_d_thetadot_dot_d_air_velocity_2;
+        part_of_d_cos_theta_phidot_4 + thetadot_two * sin_theta_inv_cos_theta;
+    let air_velocity_1_C_Ma_inv_V = air_velocity_1 * C_Ma_inv_V;
+    let part_of_d_thetadot_dot_d_air =
+        inv_air_velocity_12_product_2 + minus_air_velocity_3_inv_V * air_velocity_1_C_Ma_inv_V;
+    let part_of_d_thetadot_dot_d_air_2 =
+        part_of_d_thetadot_dot_d_air * inv_air_velocity_12_product_4;
+    let d_thetadot_dot_d_air_velocity_12 =
+        thetadot_nonzero_air_sum * air_velocity_12_inv_product - part_of_d_thetadot_dot_d_air_2;
+    let part_of_d_thetadot_dot_d_air_3 =
+        air_velocity_1 * d_thetadot_dot_d_air_velocity_12 + V_sq_half_rho_A_d_inv_part * alpha_C_Ma;
+    let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12 * part_of_d_thetadot_dot_d_air_3;
+    let part_of_d_thetadot_dot_d_air_4 =
+        air_velocity_2 * d_thetadot_dot_d_air_velocity_12 + V_sq_half_rho_A_d_inv_part * r_C_Rr;
+    let d_thetadot_dot_d_air_velocity_2 = inv_air_velocity_12 * part_of_d_thetadot_dot_d_air_4;
+    let part_of_air_velocity_1_C_Ma_sum = thetadot_nonzero_air_sum * minus_air_velocity_product_2;
+    let air_velocity_1_C_Ma_sum =
+        air_velocity_1_C_Ma_inv_V * V_sq_half_rho_A_d_product_2 + part_of_air_velocity_1_C_Ma_sum;
     let sin_theta_d_product_sum =
-        sin_theta * d_thetadot_dot_d_air_velocity_1_2 + cos_theta * minus_d_thetadot_dot_d_w;
-    let part_of_d_thetadot_dot_d_phi =
-        minus_d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_d_product_sum;
-    let d_thetadot_dot_d_phi = part_of_d_thetadot_dot_d_phi_2 - part_of_d_thetadot_dot_d_phi;
-    let part_of_d_thetadot_dot_d_theta_3 =
-        d_air_velocity_1_d_theta * d_thetadot_dot_d_air_velocity_1_2;
+        sin_theta * d_thetadot_dot_d_air_velocity_1 + cos_theta * air_velocity_1_C_Ma_sum;
+    let part_of_d_thetadot_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_d_product_sum;
+    let d_thetadot_dot_d_phi =
+        sin_phi_wind_y_sum * d_thetadot_dot_d_air_velocity_2 + part_of_d_thetadot_dot_d_phi;
     let part_of_d_thetadot_dot_d_theta_2 =
-        minus_d_minus_air_velocity_3_d_theta * minus_d_thetadot_dot_d_w;
-    let V_sq_half_rho_A_d_product_3 = V_sq_half_rho_A_d_inv_part * air_velocity_2_inv_product;
+        d_air_velocity_1_d_theta * d_thetadot_dot_d_air_velocity_1;
+    let V_sq_half_rho_A_d_product_4 = V_sq_half_rho_A_d_inv_part * air_velocity_2_inv_product;
     let cos_theta_phidot_I_a_inv_I_d = inv_I_d_I_a * cos_theta_phidot;
-    let d_thetadot_dot_d_r = C_Rr * V_sq_half_rho_A_d_product_3 + cos_theta_phidot_I_a_inv_I_d;
+    let d_thetadot_dot_d_r = C_Rr * V_sq_half_rho_A_d_product_4 + cos_theta_phidot_I_a_inv_I_d;
     let minus_cos_theta_phidot_sum = d_thetadot_dot_d_r - cos_theta_phidot;
     let part_of_d_thetadot_dot_d_theta =
         sin_theta * sin_theta_phidot_minus_sum + cos_theta * minus_cos_theta_phidot_sum;
-    let part_of_d_thetadot_dot_d_theta_4 =
-        part_of_d_thetadot_dot_d_theta_3 - part_of_d_thetadot_dot_d_theta_2;
+    let part_of_d_thetadot_dot_d_theta_3 =
+        part_of_d_thetadot_dot_d_theta_2 + d_minus_air_velocity_3_d_theta * air_velocity_1_C_Ma_sum;
     let d_thetadot_dot_d_theta =
-        part_of_d_thetadot_dot_d_theta_4 + phidot * part_of_d_thetadot_dot_d_theta;
+        part_of_d_thetadot_dot_d_theta_3 + phidot * part_of_d_thetadot_dot_d_theta;
     let d_thetadot_dot_d_phidot =
         sin_theta * minus_cos_theta_phidot_sum - cos_theta * sin_theta_phidot_minus_sum;
-    let air_velocity_1_cos_product = air_velocity_1_cos_sum * sin_theta_inv_cos_theta;
-    let d_gammadot_dot_d_v = d_thetadot_dot_d_air_sum * sin_theta_inv_cos_theta;
-    let air_velocity_2_C_Ma_product = air_velocity_2_C_Ma_sum * sin_theta_inv_cos_theta;
-    let minus_d_phidot_dot_d_phi = -d_phidot_dot_d_phi;
-    let d_gammadot_dot_d_phi = sin_theta * minus_d_phidot_dot_d_phi;
+    let d_gammadot_dot_d_w = sin_theta * (inv_cos_theta * part_of_sin_theta_d_phidot_dot_2);
+    let d_gammadot_dot_d_phi = -(sin_theta * d_phidot_dot_d_phi);
     let part_of_d_gammadot_dot_d_theta =
         cos_theta * (cos_theta_phidot_product - C_Nr_inv_I_a * phidot);
     let d_gammadot_dot_d_theta =
-        sin_theta * (phidot_thetadot - d_phidot_dot_d_theta) - part_of_d_gammadot_dot_d_theta;
+        sin_theta * (phidot * thetadot - d_phidot_dot_d_theta) - part_of_d_gammadot_dot_d_theta;
     let d_gammadot_dot_d_phidot =
         sin_theta * (C_Nr_inv_I_a - d_cos_theta_phidot_product_d_phidot) - cos_theta * thetadot;
     let d_gammadot_dot_d_thetadot =
         r_inv_I_d_I_a_minus_sin_sum * sin_theta_inv_cos_theta - cos_theta_phidot;
-    let d_gammadot_dot_d_gammadot = C_Nr_inv_I_a - minus_thetadot_I_a_product;
-    let air_velocity_12_C_D_product_2 = air_velocity_12_C_D_sum * V_inv_m;
-    let air_velocity_1_inv_product_2 = air_velocity_1_inv_product * air_velocity_12_C_D_product_2;
+    let d_gammadot_dot_d_gammadot = C_Nr_inv_I_a - sin_theta_d_cos_product;
+    let air_velocity_12_C_D_product_3 = air_velocity_12_C_D_sum * V_inv_m;
+    let air_velocity_1_inv_product_2 = air_velocity_1_inv_product * air_velocity_12_C_D_product_3;
     let d_u_dot_d_m = inv_m_half_rho_A * air_velocity_1_inv_product_2;
     let d_w_dot_d_C_D = minus_air_velocity_3 * V_inv_m_half_rho_A;
     let d_u_dot_d_C_L0 = d_w_dot_d_C_D * air_velocity_1_inv_product;
-    let alpha_d_w_dot_d_C_D = alpha * d_w_dot_d_C_D;
-    let d_u_dot_d_C_La = air_velocity_1_inv_product * alpha_d_w_dot_d_C_D;
+    let d_u_dot_d_C_La = alpha * d_u_dot_d_C_L0;
     let air_velocity_1_V_product = air_velocity_1 * V_inv_m_half_rho_A;
-    let part_of_d_u_dot_d_wind_x = air_velocity_12_C_D_sum_2 * sin_theta_air_velocity_1;
-    let d_u_dot_d_wind_x = cos_theta * minus_d_u_dot_d_air_velocity_1 - part_of_d_u_dot_d_wind_x;
+    let part_of_d_u_dot_d_wind_x = part_part_inv_V_air_sum * sin_theta_air_velocity_1;
+    let d_u_dot_d_wind_x = -(cos_theta * d_u_dot_d_air_velocity_1) - part_of_d_u_dot_d_wind_x;
     let cos_phi_air_velocity_2 = cos_phi * air_velocity_2;
-    let sin_theta_minus_d_u_sum =
-        sin_theta * minus_d_u_dot_d_air_velocity_1 + air_velocity_1 * cos_theta_air_product;
+    let sin_theta_d_u_dot_d_sum =
+        sin_theta * d_u_dot_d_air_velocity_1 - air_velocity_1 * cos_theta_part_part_product;
     let d_u_dot_d_wind_y =
-        sin_phi * sin_theta_minus_d_u_sum - cos_phi_air_velocity_2 * minus_air_velocity_product_2;
+        -(cos_phi_air_velocity_2 * minus_V_inv_m_half_product) - sin_phi * sin_theta_d_u_dot_d_sum;
     let sin_phi_air_velocity_2 = sin_phi * air_velocity_2;
-    let part_of_d_u_dot_d_wind_z = -(sin_phi_air_velocity_2 * minus_air_velocity_product_2);
-    let d_u_dot_d_wind_z = part_of_d_u_dot_d_wind_z - cos_phi * sin_theta_minus_d_u_sum;
-    let air_velocity_2_inv_product_2 = air_velocity_2_inv_product * air_velocity_12_C_D_product_2;
+    let d_u_dot_d_wind_z =
+        cos_phi * sin_theta_d_u_dot_d_sum - sin_phi_air_velocity_2 * minus_V_inv_m_half_product;
+    let air_velocity_2_inv_product_2 = air_velocity_2_inv_product * air_velocity_12_C_D_product_3;
     let d_v_dot_d_m = inv_m_half_rho_A * air_velocity_2_inv_product_2;
     let d_v_dot_d_C_L0 = d_w_dot_d_C_D * air_velocity_2_inv_product;
-    let d_v_dot_d_C_La = air_velocity_2_inv_product * alpha_d_w_dot_d_C_D;
+    let alpha_air_velocity_product = alpha * air_velocity_2_inv_product;
+    let d_v_dot_d_C_La = d_w_dot_d_C_D * alpha_air_velocity_product;
     let air_velocity_2_V_product = air_velocity_2 * V_inv_m_half_rho_A;
     let part_of_d_v_dot_d_wind_x =
-        cos_theta * minus_air_velocity_product_2 + sin_theta * air_velocity_12_C_D_sum_2;
-    let d_v_dot_d_wind_x = -(air_velocity_2 * part_of_d_v_dot_d_wind_x);
+        -(cos_theta * minus_V_inv_m_half_product) - sin_theta * part_part_inv_V_air_sum;
+    let d_v_dot_d_wind_x = air_velocity_2 * part_of_d_v_dot_d_wind_x;
     let d_v_dot_d_wind_y =
-        cos_phi * minus_d_v_dot_d_air_velocity_2 - sin_theta_minus_air_sum * sin_phi_air_velocity_2;
-    let d_v_dot_d_wind_z =
-        sin_phi * minus_d_v_dot_d_air_velocity_2 + sin_theta_minus_air_sum * cos_phi_air_velocity_2;
-    let minus_air_velocity_product_5 = minus_air_velocity_3_C_sum * V_inv_m;
+        minus_sin_theta_minus_V_sum * sin_phi_air_velocity_2 - cos_phi * d_v_dot_d_air_velocity_2;
+    let part_of_d_v_dot_d_wind_z = minus_sin_theta_minus_V_sum * cos_phi_air_velocity_2;
+    let d_v_dot_d_wind_z = -(sin_phi * d_v_dot_d_air_velocity_2) - part_of_d_v_dot_d_wind_z;
+    let minus_air_velocity_product_3 = minus_air_velocity_3_C_sum * V_inv_m;
+    let d_w_dot_d_C_L = air_velocity_12 * V_inv_m_half_rho_A;
     let d_w_dot_d_C_La = alpha * d_w_dot_d_C_L;
     let d_w_dot_d_C_Da = d_w_dot_d_C_D * alpha_sq;
     let d_w_dot_d_wind_x =
-        sin_theta * d_w_dot_d_minus_air_velocity_3_2 - cos_theta * d_w_dot_d_air_velocity_1;
+        sin_theta * d_w_dot_d_minus_air_velocity_3 - cos_theta * d_w_dot_d_air_velocity_1;
     let part_of_d_w_dot_d_wind_y = sin_phi * sin_theta_air_velocity_1 + cos_phi_air_velocity_2;
     let part_of_d_w_dot_d_wind_y_2 = part_of_d_w_dot_d_wind_y * inv_air_velocity_12_product_3;
     let d_w_dot_d_wind_y =
-        -(cos_theta_sin_phi * d_w_dot_d_minus_air_velocity_3_2) - part_of_d_w_dot_d_wind_y_2;
-    let part_of_d_w_dot_d_wind_z =
-        d_minus_air_velocity_3_d_wind_z * d_w_dot_d_minus_air_velocity_3_2;
-    let part_of_d_w_dot_d_wind_z_2 = cos_phi * sin_theta_air_velocity_1 - sin_phi_air_velocity_2;
+        -(cos_theta_sin_phi * d_w_dot_d_minus_air_velocity_3) - part_of_d_w_dot_d_wind_y_2;
+    let part_of_d_w_dot_d_wind_z_2 =
+        d_minus_air_velocity_3_d_wind_z * d_w_dot_d_minus_air_velocity_3;
+    let part_of_d_w_dot_d_wind_z = cos_phi * sin_theta_air_velocity_1 - sin_phi_air_velocity_2;
     let d_w_dot_d_wind_z =
-        part_of_d_w_dot_d_wind_z + part_of_d_w_dot_d_wind_z_2 * inv_air_velocity_12_product_3;
+        part_of_d_w_dot_d_wind_z_2 + part_of_d_w_dot_d_wind_z * inv_air_velocity_12_product_3;
     let r_inv_I_d = inv_I_d * r;
-    let V_sq_cos_theta_phidot_sum = V_sq * cos_theta_phidot_sum;
-    let minus_V_sq_cos_product =
-        inv_I_d_sq * (I_a * thetadot * r - half_rho_A_d * V_sq_cos_theta_phidot_sum);
-    let d_phidot_dot_d_I_d = inv_cos_theta * minus_V_sq_cos_product;
-    let inv_cos_theta_V_sq_product = inv_cos_theta * V_sq_cos_theta_phidot_sum;
-    let d_cos_theta_phidot_product_d_d = half_rho_A_inv_I_d * inv_cos_theta_V_sq_product;
-    let alpha_V_sq_half_rho_product = alpha * V_sq_half_rho_A_d_product_3;
-    let V_sq_half_rho_A_d_product_4 = V_sq_half_rho_A_d_inv_part * nonzero_air_velocity_12_sq;
-    let cos_theta_phidot_V_product = cos_theta_phidot * V_sq_half_rho_A_d_product_4;
-    let d_cos_theta_phidot_product_d_C_Mq = inv_cos_theta * cos_theta_phidot_V_product;
-    let r_V_sq_half_rho_A_d_product = r * V_sq_half_rho_A_d_product_2;
-    let d_cos_theta_phidot_product_d_C_Rr = inv_cos_theta * r_V_sq_half_rho_A_d_product;
-    let minus_d_phidot_dot_d_wind_x = air_velocity_1_cos_sum + air_velocity_2_C_Ma_product;
-    let d_cos_theta_phidot_product_d_wind_y = cos_phi * inv_cos_theta_d_product;
-    let air_velocity_2_C_Ma_sum_sum = air_velocity_2_C_Ma_sum - air_velocity_1_cos_product;
-    let d_phidot_dot_d_wind_y =
-        d_cos_theta_phidot_product_d_wind_y + sin_phi * air_velocity_2_C_Ma_sum_sum;
-    let d_cos_theta_phidot_product_d_wind_z = sin_phi * inv_cos_theta_d_product;
-    let d_phidot_dot_d_wind_z =
-        d_cos_theta_phidot_product_d_wind_z - cos_phi * air_velocity_2_C_Ma_sum_sum;
+    let r_inv_I_d_thetadot_product = r_inv_I_d * (thetadot * inv_cos_theta);
+    let cos_theta_phidot_product_2 = cos_theta_phidot_sum * V_sq_inv_I_d_d;
+    let inv_cos_theta_cos_product_2 = inv_cos_theta * cos_theta_phidot_product_2;
+    let d_cos_theta_phidot_product_d_I_d =
+        inv_I_d_I_a * r_inv_I_d_thetadot_product - half_rho_A_inv_I_d * inv_cos_theta_cos_product_2;
+    let V_sq_half_rho_A_inv_I_d = half_rho_A_inv_I_d * V_sq;
+    let cos_theta_phidot_product_3 = cos_theta_phidot_sum * V_sq_half_rho_A_inv_I_d;
+    let d_cos_theta_phidot_product_d_d = inv_cos_theta * cos_theta_phidot_product_3;
+    let d_cos_theta_phidot_product_d_C_Mq =
+        nonzero_air_velocity_12_sq * cos_theta_phidot * V_sq_half_rho_A_d_product;
+    let d_cos_theta_phidot_product_d_C_Rr =
+        r * air_velocity_1_inv_product * V_sq_half_rho_A_d_product;
+    let d_phidot_dot_d_wind_x = d_gammadot_dot_d_w - cos_theta * d_phidot_dot_d_u;
+    let minus_d_phidot_dot_d_wind_y =
+        cos_phi * d_phidot_dot_d_v + sin_phi * sin_theta_d_phidot_dot_sum;
+    let d_phidot_dot_d_wind_z = cos_phi * sin_theta_d_phidot_dot_sum - sin_phi * d_phidot_dot_d_v;
     let d_thetadot_dot_d_I_a = cos_theta_phidot * r_inv_I_d;
-    let V_sq_thetadot_product = V_sq * thetadot_nonzero_air_sum;
-    let part_of_d_thetadot_dot_d_I_d = minus_inv_I_d_half_rho_sum * V_sq_thetadot_product;
+    let thetadot_nonzero_product = thetadot_nonzero_air_sum * V_sq_inv_I_d_d;
+    let part_of_d_thetadot_dot_d_I_d = minus_half_rho_A_inv_I_d * thetadot_nonzero_product;
     let d_thetadot_dot_d_I_d =
         part_of_d_thetadot_dot_d_I_d - r_inv_I_d * cos_theta_phidot_I_a_inv_I_d;
-    let d_thetadot_dot_d_d = half_rho_A_inv_I_d * V_sq_thetadot_product;
-    let d_thetadot_dot_d_C_Ma = alpha * V_sq_half_rho_A_d_product_2;
-    let d_thetadot_dot_d_C_Mq = thetadot * V_sq_half_rho_A_d_product_4;
-    let d_thetadot_dot_d_C_Rr = r * V_sq_half_rho_A_d_product_3;
+    let d_thetadot_dot_d_d = thetadot_nonzero_air_sum * V_sq_half_rho_A_inv_I_d;
+    let d_thetadot_dot_d_C_Ma = alpha * V_sq_half_rho_A_d_product_3;
+    let V_sq_half_rho_A_d_product_5 = V_sq_half_rho_A_d_inv_part * nonzero_air_velocity_12_sq;
+    let d_thetadot_dot_d_C_Mq = thetadot * V_sq_half_rho_A_d_product_5;
+    let d_thetadot_dot_d_C_Rr = r * V_sq_half_rho_A_d_product_4;
     let d_thetadot_dot_d_wind_x =
-        sin_theta * minus_d_thetadot_dot_d_w - cos_theta * d_thetadot_dot_d_air_velocity_1_2;
+        sin_theta * air_velocity_1_C_Ma_sum - cos_theta * d_thetadot_dot_d_air_velocity_1;
     let d_thetadot_dot_d_wind_y =
-        cos_phi * minus_d_thetadot_dot_d_air_velocity_2 - sin_phi * sin_theta_d_product_sum;
+        -(cos_phi * d_thetadot_dot_d_air_velocity_2) - sin_phi * sin_theta_d_product_sum;
     let d_thetadot_dot_d_wind_z =
-        sin_phi * minus_d_thetadot_dot_d_air_velocity_2 + cos_phi * sin_theta_d_product_sum;
+        cos_phi * sin_theta_d_product_sum - sin_phi * d_thetadot_dot_d_air_velocity_2;
     let part_of_d_gammadot_dot_d_I_a =
-        inv_I_d * thetadot_sin_theta_product - inv_I_a_d_gammadot_dot_d_r;
+        inv_I_d * thetadot * sin_theta_inv_cos_theta - inv_I_a_d_gammadot_dot_d_r;
     let d_gammadot_dot_d_I_a = r * part_of_d_gammadot_dot_d_I_a;
-    let sin_theta_inv_cos_product = sin_theta_inv_cos_theta * V_sq_cos_theta_phidot_sum;
-    let d_gammadot_dot_d_C_Ma = sin_theta_inv_cos_theta * alpha_V_sq_half_rho_product;
+    let sin_theta_inv_cos_product = sin_theta_inv_cos_theta * cos_theta_phidot_product_2;
+    let d_gammadot_dot_d_C_Ma =
+        V_sq_half_rho_A_d_inv_part * sin_theta_inv_cos_theta * alpha_air_velocity_product;
+    let part_of_d_gammadot_dot_d_C_Mq =
+        cos_theta_phidot * sin_theta_inv_cos_theta * V_sq_half_rho_A_d_product_5;
     let d_gammadot_dot_d_C_Nr = inv_I_a * r;
-    let d_gammadot_dot_d_wind_x = sin_theta * minus_d_phidot_dot_d_wind_x;
-    let minus_d_phidot_dot_d_wind_y = -d_phidot_dot_d_wind_y;
+    let d_gammadot_dot_d_wind_x = -(sin_theta * d_phidot_dot_d_wind_x);
     let d_gammadot_dot_d_wind_y = sin_theta * minus_d_phidot_dot_d_wind_y;
     let d_gammadot_dot_d_wind_z = -(sin_theta * d_phidot_dot_d_wind_z);
     let d_y_dot_d_w = -cos_theta_sin_phi;
-    let d_y_dot_d_phi = -z_dot;
     let d_z_dot_d_u = -d_air_velocity_1_d_wind_z;
     let d_z_dot_d_theta = -(x_dot * cos_phi);
     let d_u_dot_d_thetadot = -w;
-    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3_2;
+    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3;
     let d_w_dot_d_phidot = -(cos_theta * v);
-    let d_phidot_dot_d_v = -inv_cos_theta_d_product;
+    let d_phidot_dot_d_w = -(inv_cos_theta * part_of_sin_theta_d_phidot_dot_2);
     let d_phidot_dot_d_thetadot = -(r_inv_I_d_I_a_minus_sin_sum * inv_cos_theta);
-    let d_thetadot_dot_d_v = -minus_d_thetadot_dot_d_air_velocity_2;
-    let d_thetadot_dot_d_w = -minus_d_thetadot_dot_d_w;
-    let d_gammadot_dot_d_u = -air_velocity_1_cos_product;
-    let d_gammadot_dot_d_w = -air_velocity_2_C_Ma_product;
+    let d_thetadot_dot_d_w = -air_velocity_1_C_Ma_sum;
+    let d_gammadot_dot_d_u = -sin_theta_d_phidot_dot_d_u;
+    let d_gammadot_dot_d_v = -(sin_theta * d_phidot_dot_d_v);
     let d_u_dot_d_C_D0 = -air_velocity_1_V_product;
     let d_u_dot_d_C_Da = -(air_velocity_1_V_product * alpha_sq);
     let d_v_dot_d_g = -sin_phi;
     let d_v_dot_d_C_D0 = -air_velocity_2_V_product;
     let d_v_dot_d_C_Da = -(air_velocity_2_V_product * alpha_sq);
     let d_w_dot_d_g = -d_minus_air_velocity_3_d_wind_z;
-    let d_phidot_dot_d_I_a = -(thetadot * inv_cos_theta * r_inv_I_d);
-    let d_phidot_dot_d_C_Ma = -(inv_cos_theta * alpha_V_sq_half_rho_product);
-    let d_phidot_dot_d_wind_x = -minus_d_phidot_dot_d_wind_x;
-    let d_gammadot_dot_d_I_d = -(sin_theta_inv_cos_theta * minus_V_sq_cos_product);
-    let d_gammadot_dot_d_C_Mq = -(sin_theta_inv_cos_theta * cos_theta_phidot_V_product);
-    let d_gammadot_dot_d_C_Rr = -(sin_theta_inv_cos_theta * r_V_sq_half_rho_A_d_product);
+    let d_phidot_dot_d_I_a = -r_inv_I_d_thetadot_product;
+    let d_phidot_dot_d_C_Ma = -(V_sq_half_rho_A_d_product * alpha_air_velocity_product);
+    let d_phidot_dot_d_wind_y = -minus_d_phidot_dot_d_wind_y;
+    let d_gammadot_dot_d_I_d = -(sin_theta * d_cos_theta_phidot_product_d_I_d);
+    let d_gammadot_dot_d_d = -(sin_theta_inv_cos_theta * cos_theta_phidot_product_3);
+    let d_gammadot_dot_d_C_Mq = -part_of_d_gammadot_dot_d_C_Mq;
+    let d_gammadot_dot_d_C_Rr = -(r * sin_theta_inv_cos_theta * V_sq_half_rho_A_d_product_3);
 
     dx[0] = x_dot;
     dx[1] = y_dot;
@@ -520,16 +492,16 @@ pub fn f_jac_par<T: Real>(
     j[33] = T::splat(1.0); // d_phi_dot_d_phidot
     j[34] = T::splat(1.0); // d_theta_dot_d_thetadot
     j[35] = T::splat(1.0); // d_gamma_dot_d_gammadot
-    j[36] = d_phidot_dot_d_air_velocity_1; // d_phidot_dot_d_u
+    j[36] = d_phidot_dot_d_u;
     j[37] = d_phidot_dot_d_v;
     j[38] = d_phidot_dot_d_w;
     j[39] = d_phidot_dot_d_phi;
     j[40] = d_phidot_dot_d_theta;
     j[41] = d_cos_theta_phidot_product_d_phidot; // d_phidot_dot_d_phidot
     j[42] = d_phidot_dot_d_thetadot;
-    j[43] = d_phidot_dot_d_gammadot;
-    j[44] = d_thetadot_dot_d_air_velocity_1_2; // d_thetadot_dot_d_u
-    j[45] = d_thetadot_dot_d_v;
+    j[43] = part_of_d_cos_theta_phidot_2; // d_phidot_dot_d_gammadot
+    j[44] = d_thetadot_dot_d_air_velocity_1; // d_thetadot_dot_d_u
+    j[45] = d_thetadot_dot_d_air_velocity_2; // d_thetadot_dot_d_v
     j[46] = d_thetadot_dot_d_w;
     j[47] = d_thetadot_dot_d_phi;
     j[48] = d_thetadot_dot_d_theta;
@@ -567,9 +539,9 @@ pub fn f_jac_par<T: Real>(
     jp[19] = d_v_dot_d_wind_x;
     jp[20] = d_v_dot_d_wind_y;
     jp[21] = d_v_dot_d_wind_z;
-    jp[22] = minus_half_rho_A_inv_m * minus_air_velocity_product_5; // d_w_dot_d_m
-    jp[23] = rho_half * minus_air_velocity_product_5; // d_w_dot_d_A
-    jp[24] = A_half * minus_air_velocity_product_5; // d_w_dot_d_rho
+    jp[22] = minus_half_rho_A_inv_m * minus_air_velocity_product_3; // d_w_dot_d_m
+    jp[23] = rho_half * minus_air_velocity_product_3; // d_w_dot_d_A
+    jp[24] = A_half * minus_air_velocity_product_3; // d_w_dot_d_rho
     jp[25] = d_w_dot_d_g;
     jp[26] = d_w_dot_d_C_L; // d_w_dot_d_C_L0
     jp[27] = d_w_dot_d_C_La;
@@ -579,10 +551,10 @@ pub fn f_jac_par<T: Real>(
     jp[31] = d_w_dot_d_wind_y;
     jp[32] = d_w_dot_d_wind_z;
     jp[33] = d_phidot_dot_d_I_a;
-    jp[34] = d_phidot_dot_d_I_d;
+    jp[34] = d_cos_theta_phidot_product_d_I_d; // d_phidot_dot_d_I_d
     jp[35] = d_cos_theta_phidot_product_d_d; // d_phidot_dot_d_d
-    jp[36] = inv_I_d_d_rho_half * inv_cos_theta_V_sq_product; // d_phidot_dot_d_A
-    jp[37] = inv_I_d_d_A_half * inv_cos_theta_V_sq_product; // d_phidot_dot_d_rho
+    jp[36] = rho_half * inv_cos_theta_cos_product_2; // d_phidot_dot_d_A
+    jp[37] = A_half * inv_cos_theta_cos_product_2; // d_phidot_dot_d_rho
     jp[38] = d_phidot_dot_d_C_Ma;
     jp[39] = d_cos_theta_phidot_product_d_C_Mq; // d_phidot_dot_d_C_Mq
     jp[40] = d_cos_theta_phidot_product_d_C_Rr; // d_phidot_dot_d_C_Rr
@@ -592,8 +564,8 @@ pub fn f_jac_par<T: Real>(
     jp[44] = d_thetadot_dot_d_I_a;
     jp[45] = d_thetadot_dot_d_I_d;
     jp[46] = d_thetadot_dot_d_d;
-    jp[47] = inv_I_d_d_rho_half * V_sq_thetadot_product; // d_thetadot_dot_d_A
-    jp[48] = inv_I_d_d_A_half * V_sq_thetadot_product; // d_thetadot_dot_d_rho
+    jp[47] = rho_half * thetadot_nonzero_product; // d_thetadot_dot_d_A
+    jp[48] = A_half * thetadot_nonzero_product; // d_thetadot_dot_d_rho
     jp[49] = d_thetadot_dot_d_C_Ma;
     jp[50] = d_thetadot_dot_d_C_Mq;
     jp[51] = d_thetadot_dot_d_C_Rr;
@@ -602,9 +574,9 @@ pub fn f_jac_par<T: Real>(
     jp[54] = d_thetadot_dot_d_wind_z;
     jp[55] = d_gammadot_dot_d_I_a;
     jp[56] = d_gammadot_dot_d_I_d;
-    jp[57] = minus_half_rho_A_inv_I_d * sin_theta_inv_cos_product; // d_gammadot_dot_d_d
-    jp[58] = minus_inv_I_d_d_rho_half * sin_theta_inv_cos_product; // d_gammadot_dot_d_A
-    jp[59] = minus_inv_I_d_d_A_half * sin_theta_inv_cos_product; // d_gammadot_dot_d_rho
+    jp[57] = d_gammadot_dot_d_d;
+    jp[58] = minus_rho_half * sin_theta_inv_cos_product; // d_gammadot_dot_d_A
+    jp[59] = minus_A_half * sin_theta_inv_cos_product; // d_gammadot_dot_d_rho
     jp[60] = d_gammadot_dot_d_C_Ma;
     jp[61] = d_gammadot_dot_d_C_Mq;
     jp[62] = d_gammadot_dot_d_C_Rr;

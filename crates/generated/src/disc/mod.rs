@@ -9,10 +9,10 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 32 operations: 21 mul, 3 div, 8 neg |
+//! | `prepare` | 22 operations: 13 mul, 3 div, 6 neg |
 //! | `f` | 108 operations: 35 add, 63 mul, 2 div, 2 sqrt, 5 call, 1 select |
-//! | `f_jac` | 347 operations: 106 add, 214 mul, 3 div, 16 neg, 2 sqrt, 5 call, 1 select |
-//! | `f_jac_par` | 486 operations: 128 add, 313 mul, 3 div, 34 neg, 2 sqrt, 5 call, 1 select |
+//! | `f_jac` | 339 operations: 103 add, 212 mul, 3 div, 13 neg, 2 sqrt, 5 call, 1 select |
+//! | `f_jac_par` | 493 operations: 125 add, 323 mul, 3 div, 34 neg, 2 sqrt, 5 call, 1 select |
 //! | `observe` | 27 operations: 9 add, 12 mul, 6 call |
 //! | `observe_jac` | 59 operations: 15 add, 33 mul, 5 neg, 6 call |
 //! | `quantities` | 63 operations: 16 add, 37 mul, 1 div, 2 neg, 2 sqrt, 5 call |
@@ -70,13 +70,12 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 26] = [
+pub const PREPARED: [&str; 21] = [
     "inv_m_half_rho_A", "minus_g", "half_rho_A_d_inv_I_d", "inv_I_d_I_a", "C_Nr_inv_I_a",
-    "C_Da_two", "two_d_half_rho_A_inv_I_d", "A_half", "half_rho_A", "inv_m", "inv_I_d", "inv_I_a",
-    "rho_half", "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_d",
-    "inv_I_d_sq", "half_rho_A_inv_I_d", "inv_I_d_d_rho_half", "inv_I_d_d_A_half",
-    "minus_inv_I_d_half_rho_sum", "inv_I_a_d_gammadot_dot_d_r", "minus_half_rho_A_inv_I_d",
-    "minus_inv_I_d_d_rho_half", "minus_inv_I_d_d_A_half",
+    "minus_wind_y", "C_Da_two", "two_d_half_rho_A_inv_I_d", "A_half", "half_rho_A", "inv_m",
+    "inv_I_d", "inv_I_d_d", "inv_I_a", "rho_half", "minus_rho_half", "minus_A_half",
+    "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d", "minus_half_rho_A_inv_I_d",
+    "inv_I_a_d_gammadot_dot_d_r",
 ];
 
 /// What `quantities` computes.

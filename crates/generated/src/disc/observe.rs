@@ -11,7 +11,7 @@ pub fn observe<T: Real>(
     _time: T,
     state: &[T; 12],
     _parameters: &[T; 18],
-    _prepared: &[T; 26],
+    _prepared: &[T; 21],
     marker: &[T; 3],
     seen: &mut [T; 3],
 ) {

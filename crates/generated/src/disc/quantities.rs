@@ -11,7 +11,7 @@ pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 26],
+    prepared: &[T; 21],
     values: &mut [T; 25],
 ) {
     let u = state[3];
@@ -34,8 +34,8 @@ pub fn quantities<T: Real>(
     let wind_x = parameters[15];
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let half_rho_A = prepared[8];
-    let rho_half = prepared[12];
+    let half_rho_A = prepared[9];
+    let rho_half = prepared[14];
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
     let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;

@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// `dx`, `j`, and the entries `jp` of the Jacobian by the parameters, see `JP_PATTERN`.
 ///
-/// 608 operations: 154 add, 418 mul, 3 div, 26 neg, 2 sqrt, 5 call.
+/// 552 operations: 144 add, 363 mul, 3 div, 35 neg, 2 sqrt, 5 call.
 #[inline(always)]
 pub fn f_jac_par<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 28],
+    prepared: &[T; 25],
     dx: &mut [T; 12],
     j: &mut [T; 60],
     jp: &mut [T; 67],
@@ -45,24 +45,22 @@ pub fn f_jac_par<T: Real>(
     let I_d_two = prepared[3];
     let inv_I_d = prepared[4];
     let inv_I_a = prepared[5];
-    let C_Da_two = prepared[6];
-    let minus_inv_m = prepared[7];
-    let half_rho_A_inv_m = prepared[8];
-    let minus_half_rho_A_inv_m = prepared[9];
+    let minus_wind_y = prepared[6];
+    let C_Da_two = prepared[8];
+    let half_rho_A_inv_m = prepared[9];
     let two_d = prepared[10];
-    let minus_two_plus_I_a_inv_I_d = prepared[13];
-    let minus_inv_I_d = prepared[14];
-    let minus_one_plus_I_a_inv_I_d = prepared[15];
-    let d_gammadot_dot_d_angular_velocity_3 = prepared[17];
-    let A_half = prepared[18];
-    let g_inv_m = prepared[19];
-    let inv_m_sq = prepared[20];
-    let rho_half = prepared[21];
-    let minus_rho_half = prepared[22];
-    let minus_A_half = prepared[23];
-    let minus_g_inv_m = prepared[24];
-    let minus_inv_I_d_sq = prepared[25];
-    let inv_I_a_sq = prepared[26];
+    let d_gammadot_dot_d_angular_velocity_3 = prepared[12];
+    let A_half = prepared[13];
+    let minus_C_Da_two = prepared[14];
+    let C_La_half_rho_A_inv_m = prepared[15];
+    let C_Da_two_half_rho_A_inv_m = prepared[16];
+    let rho_half = prepared[17];
+    let minus_rho_half = prepared[18];
+    let minus_A_half = prepared[19];
+    let minus_g_inv_m = prepared[20];
+    let inv_m_sq = prepared[21];
+    let minus_inv_I_d_sq = prepared[22];
+    let inv_I_a_sq = prepared[23];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // disc_appendix.hyz:122  der(x) = u*cos(theta) + w*sin(theta);
@@ -75,24 +73,21 @@ pub fn f_jac_par<T: Real>(
 
     // disc_appendix.hyz:124  der(z) = -u*sin(theta)*cos(phi) + v*sin(phi) + w*cos(theta)*cos(p …
     let z_dot = w_cos_theta_minus_sin_sum * cos_phi + sin_phi * v;
-    let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
-    let minus_d_minus_air_velocity_3_d_theta =
-        sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta;
+    let sin_phi_wind_y_sum = wind_y * sin_phi - wind_z * cos_phi;
+    let d_minus_air_velocity_3_d_theta = wind_x * cos_theta + sin_theta * sin_phi_wind_y_sum;
 
     // disc_appendix.hyz:67  let air_velocity = velocity - in_B(wind);
-    let air_velocity_1 = u + minus_d_minus_air_velocity_3_d_theta;
-    let minus_d_minus_sin_phi_wind_y_sum_d_phi = wind_y * cos_phi + wind_z * sin_phi;
-    let air_velocity_2 = v - minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let air_velocity_12_sq = air_velocity_1 * air_velocity_1 + air_velocity_2 * air_velocity_2;
-    let air_velocity_12 = air_velocity_12_sq.sqrt();
-    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
-    let inv_air_velocity_12_product = half_rho_A * inv_air_velocity_12;
-    let d_air_velocity_1_d_theta = cos_theta * minus_sin_phi_wind_y_sum + wind_x * sin_theta;
+    let air_velocity_1 = u - d_minus_air_velocity_3_d_theta;
+    let d_air_velocity_1_d_theta = wind_x * sin_theta - cos_theta * sin_phi_wind_y_sum;
     let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
+    let d_minus_sin_phi_wind_y_sum_d_phi = minus_wind_y * cos_phi - wind_z * sin_phi;
+    let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
+    let air_velocity_12_sq = air_velocity_1 * air_velocity_1 + air_velocity_2 * air_velocity_2;
     let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
     // disc_appendix.hyz:69  let V = norm(air_velocity);
     let V = V_sq.sqrt();
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
 
     // disc_appendix.hyz:74  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
@@ -103,39 +98,45 @@ pub fn f_jac_par<T: Real>(
     // disc_appendix.hyz:78  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_D0 + C_Da * alpha * alpha;
     let air_velocity_12_C_D_sum = air_velocity_12 * C_D - minus_air_velocity_3 * C_L;
-    let V_air_velocity_12_C_D_sum = V * air_velocity_12_C_D_sum;
-    let inv_air_velocity_12_product_2 = inv_air_velocity_12_product * V_air_velocity_12_C_D_sum;
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let inv_air_velocity_12_product = half_rho_A * inv_air_velocity_12;
+    let air_velocity_12_C_D_product = air_velocity_12_C_D_sum * inv_air_velocity_12_product;
+    let inv_air_velocity_12_product_2 = V * air_velocity_12_C_D_product;
     let cos_phi_g_m = g_m * cos_phi;
 
     // disc_appendix.hyz:91  let force_b = (lift*sin(alpha) - drag*cos(alpha))*d1 + (lift*cos(a …
     let minus_force_b_1 = air_velocity_1 * inv_air_velocity_12_product_2 - sin_theta * cos_phi_g_m;
+    let minus_force_b_1_inv_m = inv_m * minus_force_b_1;
     let sin_theta_phidot = sin_theta * phidot;
 
     // disc_appendix.hyz:102  der(u) = F_b1/m - w*thetadot + v*phidot*sin(theta);
-    let u_dot = v * sin_theta_phidot - inv_m * minus_force_b_1 - w * thetadot;
-    let sin_phi_g_m = g_m * sin_phi;
-    let minus_force_b_2 = air_velocity_2 * inv_air_velocity_12_product_2 + sin_phi_g_m;
+    let u_dot = v * sin_theta_phidot - minus_force_b_1_inv_m - w * thetadot;
+    let minus_force_b_2 = air_velocity_2 * inv_air_velocity_12_product_2 + g_m * sin_phi;
+    let inv_m_minus_force_b_2 = inv_m * minus_force_b_2;
 
     // disc_appendix.hyz:104  der(v) = F_b2/m + w*phidot*cos(theta) - u*phidot*sin(theta);
-    let v_dot = w_cos_theta_minus_sin_sum * phidot - inv_m * minus_force_b_2;
+    let v_dot = w_cos_theta_minus_sin_sum * phidot - inv_m_minus_force_b_2;
     let minus_air_velocity_3_C_sum = air_velocity_12 * C_L + minus_air_velocity_3 * C_D;
-    let cos_theta_cos_phi_g_m = cos_theta * cos_phi_g_m;
-    let force_b_3 = half_rho_A * V * minus_air_velocity_3_C_sum - cos_theta_cos_phi_g_m;
+    let force_b_3 = half_rho_A * V * minus_air_velocity_3_C_sum - cos_theta * cos_phi_g_m;
     let cos_theta_phidot = cos_theta * phidot;
-    let v_cos_theta_phidot = v * cos_theta_phidot;
 
     // disc_appendix.hyz:106  der(w) = F_b3/m + u*thetadot - v*phidot*cos(theta);
-    let w_dot = inv_m * force_b_3 + u * thetadot - v_cos_theta_phidot;
+    let w_dot = inv_m * force_b_3 + u * thetadot - v * cos_theta_phidot;
 
     // disc_appendix.hyz:64  let angular_velocity = (phidot*cos(theta), thetadot, phidot*sin(th …
     let angular_velocity_3 = sin_theta_phidot + gammadot;
     let angular_velocity_3_I_a = I_a * angular_velocity_3;
     let angular_velocity_3_I_a_sum = angular_velocity_3_I_a - I_d_two * sin_theta_phidot;
-    let inv_air_velocity_12_product_3 = d * V_sq * inv_air_velocity_12_product;
-    let minus_thetadot_air_sum = air_velocity_2 * cos_theta_phidot - air_velocity_1 * thetadot;
+    let V_sq_d = d * V_sq;
+    let inv_air_velocity_12_product_3 = inv_air_velocity_12_product * V_sq_d;
+    let air_velocity_2_cos_product = air_velocity_2 * cos_theta_phidot;
+    let air_velocity_1_thetadot = air_velocity_1 * thetadot;
+    let minus_thetadot_air_sum = air_velocity_2_cos_product - air_velocity_1_thetadot;
     let inv_air_velocity_12_C_Mq = C_Mq * inv_air_velocity_12;
     let minus_minus_thetadot_sum = C_Ma * alpha - minus_thetadot_air_sum * inv_air_velocity_12_C_Mq;
-    let thetadot_air_velocity_2_sum = air_velocity_1 * cos_theta_phidot + air_velocity_2 * thetadot;
+    let air_velocity_1_cos_product = air_velocity_1 * cos_theta_phidot;
+    let air_velocity_2_thetadot = air_velocity_2 * thetadot;
+    let thetadot_air_velocity_2_sum = air_velocity_1_cos_product + air_velocity_2_thetadot;
     let thetadot_air_product_sum =
         C_Rr * angular_velocity_3 + inv_air_velocity_12_C_Mq * thetadot_air_velocity_2_sum;
     let air_velocity_1_product_sum =
@@ -167,396 +168,342 @@ pub fn f_jac_par<T: Real>(
     let gammadot_dot = inv_I_a * minus_I_a_thetadot_cos_sum;
     let d_y_dot_d_u = sin_theta * sin_phi;
     let cos_theta_sin_phi = cos_theta * sin_phi;
-    let d_y_dot_d_theta = x_dot * sin_phi;
-    let d_air_velocity_1_d_wind_z = sin_theta * cos_phi;
+    let d_y_dot_d_phi = -z_dot;
+    let d_w_cos_theta_minus_sin_sum_d_theta = -x_dot;
+    let d_u_dot_d_g = sin_theta * cos_phi;
     let d_minus_air_velocity_3_d_wind_z = cos_theta * cos_phi;
-    let inv_air_velocity_12_sq = inv_air_velocity_12 * inv_air_velocity_12;
-    let half_rho_A_inv_air_product = half_rho_A * inv_air_velocity_12_sq;
-    let V_C_D = V * C_D;
+    let d_z_dot_d_theta = cos_phi * d_w_cos_theta_minus_sin_sum_d_theta;
+    let air_velocity_1_inv_m = inv_m * air_velocity_1;
     let inv_V = V.recip_or_zero();
     let air_velocity_12_alpha = air_velocity_12 * alpha;
-    let minus_air_velocity_3_C_sum_2 =
-        C_La * minus_air_velocity_3 - C_Da_two * air_velocity_12_alpha;
-    let part_of_minus_V_air_velocity_12 = minus_air_velocity_3 * minus_air_velocity_3_C_sum_2;
-    let part_of_minus_V_air_velocity_12_2 =
-        air_velocity_12 * air_velocity_12_C_D_sum + part_of_minus_V_air_velocity_12;
-    let part_of_minus_V_air_velocity_12_3 =
-        inv_air_velocity_12_product * (V_C_D + inv_V * part_of_minus_V_air_velocity_12_2);
-    let minus_V_air_velocity_12_sum =
-        part_of_minus_V_air_velocity_12_3 - V_air_velocity_12_C_D_sum * half_rho_A_inv_air_product;
+    let part_of_minus_inv_air_velocity =
+        minus_air_velocity_3 * (C_La * minus_air_velocity_3 - C_Da_two * air_velocity_12_alpha);
+    let part_of_minus_inv_air_velocity_2 =
+        air_velocity_12 * air_velocity_12_C_D_sum + part_of_minus_inv_air_velocity;
+    let part_of_minus_inv_air_velocity_3 =
+        inv_air_velocity_12_product * inv_V * part_of_minus_inv_air_velocity_2;
+    let part_of_minus_inv_air_velocity_4 =
+        inv_air_velocity_12 * air_velocity_12_C_D_product - C_D * inv_air_velocity_12_product;
+    let minus_inv_air_velocity_sum =
+        V * part_of_minus_inv_air_velocity_4 - part_of_minus_inv_air_velocity_3;
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
-    let minus_V_air_product = minus_V_air_velocity_12_sum * air_velocity_1_inv_product;
-    let inv_air_velocity_12_sum =
-        inv_air_velocity_12_product_2 + air_velocity_1 * minus_V_air_product;
+    let minus_inv_air_product = minus_inv_air_velocity_sum * air_velocity_1_inv_product;
+    let inv_air_velocity_12_product_4 = inv_m * inv_air_velocity_12_product_2;
+    let d_u_dot_d_air_velocity_1 =
+        air_velocity_1_inv_m * minus_inv_air_product - inv_air_velocity_12_product_4;
     let air_velocity_2_inv_m = inv_m * air_velocity_2;
-    let minus_V_air_product_product = minus_V_air_product * air_velocity_2_inv_m;
-    let d_u_dot_d_v = sin_theta_phidot - minus_V_air_product_product;
+    let air_velocity_2_inv_product = air_velocity_2_inv_m * minus_inv_air_product;
+    let d_u_dot_d_v = sin_theta_phidot + air_velocity_2_inv_product;
     let V_C_L = V * C_L;
-    let part_of_inv_air_velocity_12 = air_velocity_12 * minus_air_velocity_3_C_sum_2;
-    let part_of_inv_air_velocity_12_2 =
-        minus_air_velocity_3 * air_velocity_12_C_D_sum - part_of_inv_air_velocity_12;
-    let inv_air_velocity_12_product_4 =
-        inv_air_velocity_12_product * (V_C_L - inv_V * part_of_inv_air_velocity_12_2);
-    let air_velocity_1_inv_product_2 = air_velocity_1 * inv_air_velocity_12_product_4;
-    let d_u_dot_d_w = minus_inv_m * air_velocity_1_inv_product_2 - thetadot;
-    let cos_theta_inv_air_product = cos_theta * inv_air_velocity_12_product_4;
-    let part_of_d_u_dot_d_phi = minus_d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_inv_air_product;
-    let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12;
-    let minus_V_air_product_2 = minus_V_air_velocity_12_sum * air_velocity_2_inv_product;
+    let air_velocity_12_C_La = C_La * air_velocity_12;
+    let part_of_minus_inv_air_velocity_5 =
+        minus_air_velocity_3 * (air_velocity_12_C_D_sum - air_velocity_12_C_La);
+    let part_of_minus_inv_air_velocity_6 =
+        minus_C_Da_two * air_velocity_12_sq * alpha - part_of_minus_inv_air_velocity_5;
+    let part_of_minus_inv_air_velocity_7 =
+        inv_air_velocity_12_product * (V_C_L + inv_V * part_of_minus_inv_air_velocity_6);
+    let minus_inv_air_velocity_sum_2 = -part_of_minus_inv_air_velocity_7;
+    let minus_inv_air_product_2 = minus_inv_air_velocity_sum_2 * air_velocity_1_inv_m;
+    let d_u_dot_d_w = minus_inv_air_product_2 - thetadot;
+    let cos_theta_minus_inv_product = cos_theta * minus_inv_air_velocity_sum_2;
+    let part_of_d_u_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_minus_inv_product;
+    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
+    let minus_inv_air_product_3 = minus_inv_air_velocity_sum * air_velocity_2_inv_product_2;
     let part_of_d_u_dot_d_phi_2 =
-        part_of_d_u_dot_d_phi - minus_sin_phi_wind_y_sum * minus_V_air_product_2;
+        part_of_d_u_dot_d_phi - sin_phi_wind_y_sum * minus_inv_air_product_3;
+    let sin_phi_g_m_inv_m = g * sin_phi;
     let part_of_d_u_dot_d_phi_3 =
-        sin_phi_g_m - inv_air_velocity_12_sum * minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let part_of_d_u_dot_d_phi_4 =
-        air_velocity_1 * part_of_d_u_dot_d_phi_2 + sin_theta * part_of_d_u_dot_d_phi_3;
-    let part_of_d_u_dot_d_theta =
-        minus_d_minus_air_velocity_3_d_theta * air_velocity_1_inv_product_2;
+        d_u_dot_d_air_velocity_1 * d_minus_sin_phi_wind_y_sum_d_phi - sin_phi_g_m_inv_m;
+    let d_u_dot_d_phi =
+        sin_theta * part_of_d_u_dot_d_phi_3 - part_of_d_u_dot_d_phi_2 * air_velocity_1_inv_m;
+    let part_of_d_u_dot_d_theta = d_minus_air_velocity_3_d_theta * minus_inv_air_product_2;
+    let v_phidot_plus_cos_phi_g_sum = v * phidot + inv_m * cos_phi_g_m;
     let part_of_d_u_dot_d_theta_2 =
-        cos_theta_cos_phi_g_m - inv_air_velocity_12_sum * d_air_velocity_1_d_theta;
-    let d_u_dot_d_theta =
-        v_cos_theta_phidot + inv_m * (part_of_d_u_dot_d_theta_2 - part_of_d_u_dot_d_theta);
+        d_u_dot_d_air_velocity_1 * d_air_velocity_1_d_theta - part_of_d_u_dot_d_theta;
+    let d_u_dot_d_theta = part_of_d_u_dot_d_theta_2 + cos_theta * v_phidot_plus_cos_phi_g_sum;
     let d_u_dot_d_phidot = sin_theta * v;
-    let d_v_dot_d_u = -sin_theta_phidot - minus_V_air_product_product;
-    let inv_air_velocity_12_sum_2 =
-        inv_air_velocity_12_product_2 + air_velocity_2 * minus_V_air_product_2;
-    let d_v_dot_d_minus_air_velocity_3 = inv_air_velocity_12_product_4 * air_velocity_2_inv_m;
-    let d_v_dot_d_w = cos_theta_phidot - d_v_dot_d_minus_air_velocity_3;
-    let sin_theta_minus_V_sum = sin_theta * minus_V_air_product - cos_theta_inv_air_product;
-    let part_of_d_v_dot_d_phi =
-        air_velocity_2 * minus_d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_minus_V_sum;
-    let part_of_d_v_dot_d_phi_2 =
-        cos_phi_g_m - minus_sin_phi_wind_y_sum * inv_air_velocity_12_sum_2;
-    let part_of_d_v_dot_d_theta =
-        minus_d_minus_air_velocity_3_d_theta * inv_air_velocity_12_product_4;
+    let d_v_dot_d_u = air_velocity_2_inv_product - sin_theta_phidot;
+    let d_v_dot_d_air_velocity_2 =
+        air_velocity_2_inv_m * minus_inv_air_product_3 - inv_air_velocity_12_product_4;
+    let d_v_dot_d_w = cos_theta_phidot + minus_inv_air_velocity_sum_2 * air_velocity_2_inv_m;
+    let minus_sin_theta_product =
+        (cos_theta_minus_inv_product - sin_theta * minus_inv_air_product) * air_velocity_2_inv_m;
+    let part_of_d_v_dot_d_phi = sin_phi_wind_y_sum * d_v_dot_d_air_velocity_2 - g * cos_phi;
+    let d_v_dot_d_phi =
+        part_of_d_v_dot_d_phi - d_minus_sin_phi_wind_y_sum_d_phi * minus_sin_theta_product;
+    let part_of_d_v_dot_d_theta = minus_inv_air_velocity_sum_2 * d_minus_air_velocity_3_d_theta;
     let part_of_d_v_dot_d_theta_2 =
-        d_air_velocity_1_d_theta * minus_V_air_product + part_of_d_v_dot_d_theta;
-    let d_v_dot_d_theta = -(x_dot * phidot) - part_of_d_v_dot_d_theta_2 * air_velocity_2_inv_m;
+        part_of_d_v_dot_d_theta - d_air_velocity_1_d_theta * minus_inv_air_product;
+    let part_of_d_v_dot_d_theta_3 = part_of_d_v_dot_d_theta_2 * air_velocity_2_inv_m;
+    let d_v_dot_d_theta = phidot * d_w_cos_theta_minus_sin_sum_d_theta - part_of_d_v_dot_d_theta_3;
+    let air_velocity_12_inv_V = air_velocity_12 * inv_V;
     let minus_air_velocity_3_alpha = minus_air_velocity_3 * alpha;
-    let air_velocity_12_C_La_sum = C_La * air_velocity_12 + C_Da_two * minus_air_velocity_3_alpha;
-    let part_of_V_C_L_plus_inv_V_part = minus_air_velocity_3 * air_velocity_12_C_La_sum;
-    let part_of_V_C_L_plus_inv_V_part_2 =
-        air_velocity_12 * minus_air_velocity_3_C_sum - part_of_V_C_L_plus_inv_V_part;
-    let V_C_L_plus_inv_V_part_sum = V_C_L + inv_V * part_of_V_C_L_plus_inv_V_part_2;
-    let V_C_L_plus_inv_V_product = V_C_L_plus_inv_V_part_sum * air_velocity_1_inv_product;
-    let d_w_dot_d_air_velocity_1 = half_rho_A_inv_m * V_C_L_plus_inv_V_product;
+    let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
+    let part_of_d_w_dot_d_air_velocity =
+        (air_velocity_12_C_La + C_Da_two * minus_air_velocity_3_alpha) * minus_air_velocity_3_inv_V;
+    let part_of_d_w_dot_d_air_velocity_2 =
+        minus_air_velocity_3_C_sum * air_velocity_12_inv_V + V_C_L - part_of_d_w_dot_d_air_velocity;
+    let d_w_dot_d_air_velocity_12 = half_rho_A_inv_m * part_of_d_w_dot_d_air_velocity_2;
+    let d_w_dot_d_air_velocity_1 = d_w_dot_d_air_velocity_12 * air_velocity_1_inv_product;
     let d_w_dot_d_u = thetadot + d_w_dot_d_air_velocity_1;
-    let d_w_dot_d_air_velocity_2 =
-        half_rho_A_inv_m * V_C_L_plus_inv_V_part_sum * air_velocity_2_inv_product;
+    let d_w_dot_d_air_velocity_2 = d_w_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
     let d_w_dot_d_v = d_w_dot_d_air_velocity_2 - cos_theta_phidot;
-    let part_of_V_C_D_plus_inv_V_part = minus_air_velocity_3 * minus_air_velocity_3_C_sum;
-    let part_of_V_C_D_plus_inv_V_part_2 =
-        part_of_V_C_D_plus_inv_V_part + air_velocity_12 * air_velocity_12_C_La_sum;
-    let V_C_D_plus_inv_V_part_sum = V_C_D + inv_V * part_of_V_C_D_plus_inv_V_part_2;
-    let part_of_d_w_dot_d_phi =
-        cos_theta * minus_d_minus_sin_phi_wind_y_sum_d_phi * V_C_D_plus_inv_V_part_sum;
-    let sin_theta_air_velocity_1 = sin_theta * air_velocity_1;
-    let part_of_d_w_dot_d_phi_2 = minus_d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_air_velocity_1;
-    let part_of_d_w_dot_d_phi_3 =
-        part_of_d_w_dot_d_phi_2 + air_velocity_2 * minus_sin_phi_wind_y_sum;
-    let inv_air_velocity_12_product_5 = inv_air_velocity_12 * V_C_L_plus_inv_V_part_sum;
-    let part_of_d_w_dot_d_phi_4 =
-        part_of_d_w_dot_d_phi + part_of_d_w_dot_d_phi_3 * inv_air_velocity_12_product_5;
-    let d_w_dot_d_phi = g * cos_theta_sin_phi - half_rho_A_inv_m * part_of_d_w_dot_d_phi_4;
-    let part_of_d_w_dot_d_theta_3 = sin_theta * (v * phidot + inv_m * cos_phi_g_m);
-    let part_of_d_w_dot_d_theta = minus_d_minus_air_velocity_3_d_theta * V_C_D_plus_inv_V_part_sum;
+    let part_of_d_w_dot_d_minus_air_3 = C_La_half_rho_A_inv_m * air_velocity_12_sq * inv_V;
+    let part_of_d_w_dot_d_minus_air =
+        minus_air_velocity_3_C_sum * minus_air_velocity_3_inv_V + V * C_D;
+    let part_of_d_w_dot_d_minus_air_2 =
+        C_Da_two_half_rho_A_inv_m * minus_air_velocity_3_alpha * air_velocity_12_inv_V;
+    let part_of_d_w_dot_d_minus_air_4 =
+        part_of_d_w_dot_d_minus_air_3 + half_rho_A_inv_m * part_of_d_w_dot_d_minus_air;
+    let d_w_dot_d_minus_air_velocity_3 =
+        part_of_d_w_dot_d_minus_air_4 + part_of_d_w_dot_d_minus_air_2;
+    let part_of_d_w_dot_d_phi = sin_theta * air_velocity_1 * d_minus_sin_phi_wind_y_sum_d_phi;
+    let part_of_d_w_dot_d_phi_2 = part_of_d_w_dot_d_phi + air_velocity_2 * sin_phi_wind_y_sum;
+    let inv_air_velocity_12_product_5 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12;
+    let part_of_d_w_dot_d_phi_3 = d_minus_sin_phi_wind_y_sum_d_phi * d_w_dot_d_minus_air_velocity_3;
+    let part_of_d_w_dot_d_phi_4 = cos_theta * (sin_phi_g_m_inv_m + part_of_d_w_dot_d_phi_3);
+    let d_w_dot_d_phi =
+        part_of_d_w_dot_d_phi_2 * inv_air_velocity_12_product_5 + part_of_d_w_dot_d_phi_4;
+    let part_of_d_w_dot_d_theta = d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3;
     let part_of_d_w_dot_d_theta_2 =
-        d_air_velocity_1_d_theta * V_C_L_plus_inv_V_product - part_of_d_w_dot_d_theta;
-    let d_w_dot_d_theta = part_of_d_w_dot_d_theta_3 + half_rho_A_inv_m * part_of_d_w_dot_d_theta_2;
-    let inv_V_C_Ma_inv_V = inv_V * (C_Ma * inv_V);
-    let C_Mq_inv_air_velocity_12_sq = C_Mq * inv_air_velocity_12_sq;
-    let part_of_minus_minus_air_sum = minus_thetadot_air_sum * C_Mq_inv_air_velocity_12_sq;
-    let minus_minus_air_sum = part_of_minus_minus_air_sum - minus_air_velocity_3 * inv_V_C_Ma_inv_V;
-    let thetadot_inv_air_product = thetadot * inv_air_velocity_12_C_Mq;
-    let minus_minus_air_sum_sum =
-        minus_minus_air_sum * air_velocity_1_inv_product + thetadot_inv_air_product;
-    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12_product_3;
-    let inv_air_velocity_12_product_6 = inv_air_velocity_12_product_3 * thetadot_air_product_sum;
-    let thetadot_air_product = thetadot_air_velocity_2_sum * C_Mq_inv_air_velocity_12_sq;
-    let cos_theta_phidot_product = cos_theta_phidot * inv_air_velocity_12_C_Mq;
-    let minus_air_velocity_1_sum =
-        cos_theta_phidot_product - air_velocity_1_inv_product * thetadot_air_product;
-    let part_of_minus_V_sq_half_rho_A =
-        T::splat(2.0) * air_velocity_12 * inv_air_velocity_12_product;
-    let minus_V_sq_half_rho_A_sum =
-        part_of_minus_V_sq_half_rho_A - V_sq * half_rho_A_inv_air_product;
-    let inv_air_velocity_12_d = d * inv_air_velocity_12;
-    let air_velocity_1_product =
-        air_velocity_1_product_sum * minus_V_sq_half_rho_A_sum * inv_air_velocity_12_d;
-    let part_of_minus_minus_minus_air =
-        inv_air_velocity_12_product_3 * minus_air_velocity_1_sum + air_velocity_1_product;
-    let part_of_minus_minus_minus_air_2 =
-        inv_air_velocity_12_product_6 - minus_minus_air_sum_sum * air_velocity_2_inv_product_2;
-    let minus_minus_minus_air_sum =
-        part_of_minus_minus_minus_air_2 + air_velocity_1 * part_of_minus_minus_minus_air;
-    let d_phidot_dot_d_air_velocity_1 = minus_minus_minus_air_sum * inv_cos_theta_inv_I_d;
-    let thetadot_inv_air_sum =
-        thetadot_inv_air_product - air_velocity_2_inv_product * thetadot_air_product;
-    let air_velocity_1_inv_product_3 = air_velocity_1 * inv_air_velocity_12_product_3;
-    let inv_air_velocity_12_product_7 = inv_air_velocity_12_product_3 * minus_minus_thetadot_sum;
-    let cos_theta_phidot_sum =
-        cos_theta_phidot_product - minus_minus_air_sum * air_velocity_2_inv_product;
-    let part_of_minus_thetadot_inv_air =
-        air_velocity_1_product + inv_air_velocity_12_product_3 * cos_theta_phidot_sum;
-    let part_of_minus_thetadot_inv_air_2 =
-        inv_air_velocity_12_product_7 - thetadot_inv_air_sum * air_velocity_1_inv_product_3;
-    let minus_thetadot_inv_air_sum =
-        part_of_minus_thetadot_inv_air_2 - air_velocity_2 * part_of_minus_thetadot_inv_air;
-    let air_velocity_12_inv_product = air_velocity_12 * inv_V_C_Ma_inv_V;
-    let part_of_minus_air_velocity_2_sum =
-        air_velocity_2_inv_product_2 * air_velocity_12_inv_product;
-    let two_d_minus_air_product = two_d * (minus_air_velocity_3 * inv_air_velocity_12_product);
-    let minus_air_velocity_2_sum =
-        air_velocity_1_product_sum * two_d_minus_air_product - part_of_minus_air_velocity_2_sum;
-    let d_phidot_dot_d_minus_air_velocity_3 = minus_air_velocity_2_sum * inv_cos_theta_inv_I_d;
-    let part_of_minus_d_minus_sin_sum =
-        minus_d_minus_sin_phi_wind_y_sum_d_phi * minus_air_velocity_2_sum;
-    let part_of_minus_d_minus_sin_sum_2 =
-        sin_theta * minus_d_minus_sin_phi_wind_y_sum_d_phi * minus_minus_minus_air_sum;
-    let part_of_minus_d_minus_sin_sum_3 =
-        part_of_minus_d_minus_sin_sum_2 - minus_sin_phi_wind_y_sum * minus_thetadot_inv_air_sum;
-    let minus_d_minus_sin_sum =
-        part_of_minus_d_minus_sin_sum + inv_cos_theta * part_of_minus_d_minus_sin_sum_3;
-    let inv_air_velocity_12_product_8 = inv_air_velocity_12_C_Mq * sin_theta_air_velocity_1;
-    let minus_cos_theta_C_Rr_sum = inv_air_velocity_12_product_8 - C_Rr * cos_theta;
-    let inv_cos_theta_inv_I_product = inv_cos_theta_inv_I_d * air_velocity_1_inv_product_3;
-    let sin_theta_inv_cos_product = sin_theta * inv_cos_theta_inv_I_d;
-    let air_velocity_2_inv_product_3 = air_velocity_2 * inv_air_velocity_12_C_Mq;
-    let part_of_minus_d_der_phidot_d =
-        sin_theta_inv_cos_product * air_velocity_2_inv_product_2 * air_velocity_2_inv_product_3;
+        d_air_velocity_1_d_theta * d_w_dot_d_air_velocity_1 + part_of_d_w_dot_d_theta;
+    let d_w_dot_d_theta = part_of_d_w_dot_d_theta_2 + sin_theta * v_phidot_plus_cos_phi_g_sum;
+    let part_of_d_der_phidot_d_C_Mq =
+        air_velocity_1 * thetadot_air_velocity_2_sum + air_velocity_2 * minus_thetadot_air_sum;
+    let inv_air_velocity_12_product_6 = inv_air_velocity_12_product_3 * inv_cos_theta_inv_I_d;
+    let d_der_phidot_d_C_Mq =
+        inv_air_velocity_12 * (part_of_d_der_phidot_d_C_Mq * inv_air_velocity_12_product_6);
+    let C_Ma_inv_V = C_Ma * inv_V;
+    let minus_air_velocity_product = minus_air_velocity_3_inv_V * C_Ma_inv_V;
+    let part_of_d_der_phidot_d_air =
+        air_velocity_2 * inv_air_velocity_12_product_3 * minus_air_velocity_product;
+    let inv_air_velocity_12_V_sq_d = inv_air_velocity_12 * V_sq_d;
+    let part_of_minus_inv_air_velocity_8 = inv_air_velocity_12_product * inv_air_velocity_12_V_sq_d;
+    let inv_air_velocity_12_product_7 = two_d * inv_air_velocity_12_product;
+    let minus_inv_air_velocity_sum_3 =
+        air_velocity_12 * inv_air_velocity_12_product_7 - part_of_minus_inv_air_velocity_8;
+    let part_of_d_der_phidot_d_air_2 =
+        part_of_d_der_phidot_d_air + air_velocity_1_product_sum * minus_inv_air_velocity_sum_3;
+    let part_of_d_der_phidot_d_air_3 = part_of_d_der_phidot_d_air_2 * inv_cos_theta_inv_I_d;
+    let d_der_phidot_d_air_velocity_12 =
+        part_of_d_der_phidot_d_air_3 - inv_air_velocity_12_C_Mq * d_der_phidot_d_C_Mq;
+    let inv_air_velocity_12_product_8 =
+        inv_air_velocity_12_C_Mq * (air_velocity_1_cos_product - air_velocity_2_thetadot);
+    let part_of_d_der_phidot_d_air_4 =
+        (thetadot_air_product_sum + inv_air_velocity_12_product_8) * inv_air_velocity_12_product_6;
+    let d_der_phidot_d_air_velocity_1 =
+        d_der_phidot_d_air_velocity_12 * air_velocity_1_inv_product + part_of_d_der_phidot_d_air_4;
     let part_of_minus_d_der_phidot_d_2 =
-        minus_cos_theta_C_Rr_sum * inv_cos_theta_inv_I_product + part_of_minus_d_der_phidot_d;
-    let thetadot_phidot = thetadot * phidot;
-    let part_of_minus_d_der_phidot_d_3 =
-        air_velocity_1_product_sum_2 * inv_cos_theta * sin_theta_inv_cos_product;
-    let part_of_minus_d_der_phidot_d_4 =
-        minus_two_plus_I_a_inv_I_d * thetadot_phidot - part_of_minus_d_der_phidot_d_3;
-    let minus_d_der_phidot_d_theta =
-        phidot * part_of_minus_d_der_phidot_d_2 + part_of_minus_d_der_phidot_d_4;
-    let part_of_d_phidot_dot_d_theta =
-        minus_d_minus_air_velocity_3_d_theta * d_phidot_dot_d_minus_air_velocity_3;
-    let part_of_d_phidot_dot_d_theta_2 =
-        d_air_velocity_1_d_theta * d_phidot_dot_d_air_velocity_1 - part_of_d_phidot_dot_d_theta;
-    let d_phidot_dot_d_theta = part_of_d_phidot_dot_d_theta_2 - minus_d_der_phidot_d_theta;
-    let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
-    let part_of_d_der_phidot_d_phidot_2 =
-        minus_two_plus_I_a_inv_I_d * thetadot * sin_theta_inv_cos_theta;
-    let air_velocity_1_inv_product_4 = air_velocity_1 * inv_air_velocity_12_C_Mq;
-    let cos_theta_air_product = cos_theta * air_velocity_1_inv_product_4;
-    let d_thetadot_air_product_sum_d_phidot = C_Rr * sin_theta + cos_theta_air_product;
-    let part_of_d_der_phidot_d_phidot =
-        d_thetadot_air_product_sum_d_phidot * inv_cos_theta_inv_I_product;
-    let inv_I_d_air_product = inv_I_d * air_velocity_2_inv_product_2;
-    let inv_I_d_air_product_product = inv_I_d_air_product * air_velocity_2_inv_product_3;
-    let part_of_d_der_phidot_d_phidot_3 =
-        part_of_d_der_phidot_d_phidot + inv_I_d_air_product_product;
-    let d_der_phidot_d_phidot = part_of_d_der_phidot_d_phidot_3 - part_of_d_der_phidot_d_phidot_2;
-    let C_Rr_air_velocity_1_sum = C_Rr * air_velocity_1_inv_product_3 - I_a * thetadot;
-    let air_velocity_2_product = air_velocity_2_product_sum * inv_air_velocity_12_d;
-    let minus_V_sq_half_rho_product = minus_V_sq_half_rho_A_sum * air_velocity_2_product;
-    let part_of_inv_air_velocity_12_sum =
-        inv_air_velocity_12_product_3 * minus_minus_air_sum_sum + minus_V_sq_half_rho_product;
-    let part_of_inv_air_velocity_12_sum_2 =
-        inv_air_velocity_12_product_7 + minus_air_velocity_1_sum * air_velocity_2_inv_product_2;
-    let inv_air_velocity_12_sum_3 =
-        part_of_inv_air_velocity_12_sum_2 + air_velocity_1 * part_of_inv_air_velocity_12_sum;
-    let d_thetadot_dot_d_u = inv_I_d * inv_air_velocity_12_sum_3;
-    let part_of_inv_air_velocity_12_sum_3 =
-        minus_V_sq_half_rho_product + inv_air_velocity_12_product_3 * thetadot_inv_air_sum;
-    let part_of_inv_air_velocity_12_sum_4 =
-        inv_air_velocity_12_product_6 - cos_theta_phidot_sum * air_velocity_1_inv_product_3;
-    let inv_air_velocity_12_sum_4 =
-        part_of_inv_air_velocity_12_sum_4 + air_velocity_2 * part_of_inv_air_velocity_12_sum_3;
-    let d_thetadot_dot_d_v = inv_I_d * inv_air_velocity_12_sum_4;
+        d_der_phidot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let inv_air_velocity_12_product_9 =
+        inv_air_velocity_12_C_Mq * (air_velocity_2_cos_product + air_velocity_1_thetadot);
+    let part_of_minus_d_der_phidot_d =
+        (minus_minus_thetadot_sum - inv_air_velocity_12_product_9) * inv_air_velocity_12_product_6;
+    let minus_d_der_phidot_d_air_velocity_2 =
+        part_of_minus_d_der_phidot_d - part_of_minus_d_der_phidot_d_2;
+    let air_velocity_2_inv_product_3 = air_velocity_2 * inv_air_velocity_12_product_6;
+    let air_velocity_12_inv_product = air_velocity_12_inv_V * C_Ma_inv_V;
+    let part_of_d_der_phidot_d_minus = air_velocity_2_inv_product_3 * air_velocity_12_inv_product;
+    let air_velocity_1_product = air_velocity_1_product_sum * inv_cos_theta_inv_I_d;
+    let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_air_velocity_12_product_7;
+    let d_der_phidot_d_minus_air_velocity_3 =
+        air_velocity_1_product * minus_air_velocity_product_2 - part_of_d_der_phidot_d_minus;
+    let sin_theta_d_der_product = sin_theta * d_der_phidot_d_air_velocity_1;
+    let sin_theta_d_der_product_sum =
+        sin_theta_d_der_product + cos_theta * d_der_phidot_d_minus_air_velocity_3;
+    let part_of_d_der_phidot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_d_der_product_sum;
+    let d_der_phidot_d_phi =
+        part_of_d_der_phidot_d_phi - sin_phi_wind_y_sum * minus_d_der_phidot_d_air_velocity_2;
+    let part_of_d_der_phidot_d_theta =
+        d_minus_air_velocity_3_d_theta * d_der_phidot_d_minus_air_velocity_3;
+    let thetadot_inv_cos_product = thetadot * inv_cos_theta_inv_I_d;
+    let air_velocity_1_inv_product_2 = air_velocity_1 * inv_air_velocity_12_product_6;
+    let d_der_phidot_d_angular_velocity_3 =
+        C_Rr * air_velocity_1_inv_product_2 - I_a * thetadot_inv_cos_product;
+    let d_der_phidot_d_sin_theta_phidot =
+        d_der_phidot_d_angular_velocity_3 + T::splat(2.0) * thetadot * inv_cos_theta;
+    let air_velocity_12_sq_product = air_velocity_12_sq * inv_air_velocity_12_C_Mq;
+    let d_der_phidot_d_cos_theta_phidot =
+        inv_air_velocity_12_product_6 * air_velocity_12_sq_product;
+    let part_of_d_der_phidot_d_theta_2 =
+        phidot * d_der_phidot_d_cos_theta_phidot - inv_cos_theta * der_phidot;
+    let part_of_d_der_phidot_d_theta_3 =
+        d_air_velocity_1_d_theta * d_der_phidot_d_air_velocity_1 + part_of_d_der_phidot_d_theta;
+    let part_of_d_der_phidot_d_theta_4 =
+        part_of_d_der_phidot_d_theta_3 + cos_theta_phidot * d_der_phidot_d_sin_theta_phidot;
+    let d_der_phidot_d_theta =
+        part_of_d_der_phidot_d_theta_4 - sin_theta * part_of_d_der_phidot_d_theta_2;
+    let d_der_phidot_d_phidot =
+        sin_theta * d_der_phidot_d_sin_theta_phidot + cos_theta * d_der_phidot_d_cos_theta_phidot;
+    let angular_velocity_3_product = angular_velocity_3_I_a_sum * inv_cos_theta_inv_I_d;
+    let inv_air_velocity_12_product_10 = inv_I_d * inv_air_velocity_12_product_3;
+    let air_velocity_1_inv_product_3 = air_velocity_1 * inv_air_velocity_12_product_10;
+    let part_of_d_thetadot_dot_d_air = air_velocity_1_inv_product_3 * minus_air_velocity_product;
+    let inv_I_d_air_product = inv_I_d * air_velocity_2_product_sum;
+    let part_of_d_thetadot_dot_d_C_Mq =
+        air_velocity_2 * thetadot_air_velocity_2_sum - air_velocity_1 * minus_thetadot_air_sum;
+    let d_thetadot_dot_d_C_Mq =
+        inv_air_velocity_12 * (part_of_d_thetadot_dot_d_C_Mq * inv_air_velocity_12_product_10);
+    let part_of_d_thetadot_dot_d_air_2 =
+        minus_inv_air_velocity_sum_3 * inv_I_d_air_product - part_of_d_thetadot_dot_d_air;
+    let d_thetadot_dot_d_air_velocity_12 =
+        part_of_d_thetadot_dot_d_air_2 - inv_air_velocity_12_C_Mq * d_thetadot_dot_d_C_Mq;
+    let part_of_d_thetadot_dot_d_air_4 =
+        d_thetadot_dot_d_air_velocity_12 * air_velocity_1_inv_product;
+    let part_of_d_thetadot_dot_d_air_3 =
+        (minus_minus_thetadot_sum + inv_air_velocity_12_product_9) * inv_air_velocity_12_product_10;
+    let d_thetadot_dot_d_air_velocity_1 =
+        part_of_d_thetadot_dot_d_air_4 + part_of_d_thetadot_dot_d_air_3;
+    let part_of_d_thetadot_dot_d_air_6 =
+        d_thetadot_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let part_of_d_thetadot_dot_d_air_5 =
+        (thetadot_air_product_sum - inv_air_velocity_12_product_8) * inv_air_velocity_12_product_10;
+    let d_thetadot_dot_d_air_velocity_2 =
+        part_of_d_thetadot_dot_d_air_6 + part_of_d_thetadot_dot_d_air_5;
     let part_of_air_velocity_1_inv_sum = air_velocity_1_inv_product_3 * air_velocity_12_inv_product;
     let air_velocity_1_inv_sum =
-        part_of_air_velocity_1_inv_sum + air_velocity_2_product_sum * two_d_minus_air_product;
-    let sin_theta_inv_air_sum =
-        sin_theta * inv_air_velocity_12_sum_3 + cos_theta * air_velocity_1_inv_sum;
-    let part_of_d_thetadot_dot_d_phi =
-        minus_d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_inv_air_sum;
-    let part_of_d_thetadot_dot_d_phi_2 =
-        minus_sin_phi_wind_y_sum * inv_air_velocity_12_sum_4 + part_of_d_thetadot_dot_d_phi;
-    let cos_theta_phidot_product_2 = minus_one_plus_I_a_inv_I_d * cos_theta_phidot;
-    let part_of_d_thetadot_dot_d_theta_3 =
-        minus_d_minus_air_velocity_3_d_theta * air_velocity_1_inv_sum;
-    let part_of_d_thetadot_dot_d_theta =
-        (inv_air_velocity_12_product_8 - minus_cos_theta_C_Rr_sum) * air_velocity_2_inv_product_2;
+        part_of_air_velocity_1_inv_sum + inv_I_d_air_product * minus_air_velocity_product_2;
+    let sin_theta_d_product_sum =
+        sin_theta * d_thetadot_dot_d_air_velocity_1 + cos_theta * air_velocity_1_inv_sum;
+    let part_of_d_thetadot_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_d_product_sum;
+    let d_thetadot_dot_d_phi =
+        sin_phi_wind_y_sum * d_thetadot_dot_d_air_velocity_2 + part_of_d_thetadot_dot_d_phi;
     let part_of_d_thetadot_dot_d_theta_2 =
-        sin_theta * angular_velocity_3_I_a_sum_2 - part_of_d_thetadot_dot_d_theta;
-    let part_of_d_thetadot_dot_d_theta_4 =
-        d_air_velocity_1_d_theta * inv_air_velocity_12_sum_3 - part_of_d_thetadot_dot_d_theta_3;
-    let part_of_d_thetadot_dot_d_theta_5 =
-        part_of_d_thetadot_dot_d_theta_4 - phidot * part_of_d_thetadot_dot_d_theta_2;
-    let d_thetadot_dot_d_theta =
-        cos_theta_phidot * cos_theta_phidot_product_2 + inv_I_d * part_of_d_thetadot_dot_d_theta_5;
-    let part_of_d_thetadot_dot_d_phidot =
-        cos_theta_air_product - d_thetadot_air_product_sum_d_phidot;
-    let part_of_d_thetadot_dot_d_phidot_2 =
-        part_of_d_thetadot_dot_d_phidot * air_velocity_2_inv_product_2;
-    let part_of_d_thetadot_dot_d_phidot_3 =
-        cos_theta * angular_velocity_3_I_a_sum_2 - part_of_d_thetadot_dot_d_phidot_2;
-    let d_thetadot_dot_d_phidot =
-        sin_theta * cos_theta_phidot_product_2 + inv_I_d * part_of_d_thetadot_dot_d_phidot_3;
-    let inv_I_d_air_product_2 = inv_I_d * air_velocity_1_inv_product_3;
-    let d_thetadot_dot_d_thetadot =
-        inv_I_d_air_product_product + air_velocity_1_inv_product_4 * inv_I_d_air_product_2;
+        d_air_velocity_1_d_theta * d_thetadot_dot_d_air_velocity_1;
     let cos_theta_phidot_inv_I_d = inv_I_d * cos_theta_phidot;
-    let d_thetadot_dot_d_angular_velocity_3 = I_a * cos_theta_phidot_inv_I_d;
-    let d_thetadot_dot_d_gammadot =
-        C_Rr * inv_I_d_air_product + d_thetadot_dot_d_angular_velocity_3;
-    let d_gammadot_dot_d_v = minus_thetadot_inv_air_sum * sin_theta_inv_cos_product;
-    let d_gammadot_dot_d_w = minus_air_velocity_2_sum * sin_theta_inv_cos_product;
-    let sin_theta_inv_I_d = inv_I_d * sin_theta;
-    let d_gammadot_dot_d_phi = minus_d_minus_sin_sum * sin_theta_inv_I_d;
+    let air_velocity_2_inv_product_4 = air_velocity_2 * inv_air_velocity_12_product_10;
+    let d_thetadot_dot_d_angular_velocity_3 =
+        I_a * cos_theta_phidot_inv_I_d + C_Rr * air_velocity_2_inv_product_4;
+    let d_thetadot_dot_d_sin_theta_phidot = d_thetadot_dot_d_angular_velocity_3 - cos_theta_phidot;
+    let inv_I_d_angular_product = inv_I_d * angular_velocity_3_I_a_sum_2;
+    let part_of_d_thetadot_dot_d_theta =
+        cos_theta * d_thetadot_dot_d_sin_theta_phidot - sin_theta * inv_I_d_angular_product;
+    let part_of_d_thetadot_dot_d_theta_3 =
+        part_of_d_thetadot_dot_d_theta_2 + d_minus_air_velocity_3_d_theta * air_velocity_1_inv_sum;
+    let d_thetadot_dot_d_theta =
+        part_of_d_thetadot_dot_d_theta_3 + phidot * part_of_d_thetadot_dot_d_theta;
+    let d_thetadot_dot_d_phidot =
+        sin_theta * d_thetadot_dot_d_sin_theta_phidot + cos_theta * inv_I_d_angular_product;
+    let d_thetadot_dot_d_thetadot = inv_air_velocity_12_product_10 * air_velocity_12_sq_product;
+    let d_gammadot_dot_d_w = sin_theta * d_der_phidot_d_minus_air_velocity_3;
     let part_of_d_gammadot_dot_d_theta =
-        cos_theta * (der_phidot - d_gammadot_dot_d_angular_velocity_3 * phidot);
+        cos_theta * (d_gammadot_dot_d_angular_velocity_3 * phidot - der_phidot);
     let d_gammadot_dot_d_theta =
-        sin_theta * (thetadot_phidot - d_phidot_dot_d_theta) - part_of_d_gammadot_dot_d_theta;
+        part_of_d_gammadot_dot_d_theta - sin_theta * (d_der_phidot_d_theta - thetadot * phidot);
     let part_of_d_gammadot_dot_d_phidot =
         sin_theta * (d_gammadot_dot_d_angular_velocity_3 - d_der_phidot_d_phidot);
     let d_gammadot_dot_d_phidot = part_of_d_gammadot_dot_d_phidot - cos_theta * thetadot;
-    let d_gammadot_dot_d_thetadot =
-        angular_velocity_3_I_a_sum * sin_theta_inv_cos_product - cos_theta_phidot;
+    let d_gammadot_dot_d_thetadot = sin_theta * angular_velocity_3_product - cos_theta_phidot;
     let d_gammadot_dot_d_gammadot =
-        d_gammadot_dot_d_angular_velocity_3 - C_Rr_air_velocity_1_sum * sin_theta_inv_cos_product;
-    let d_u_dot_d_m = inv_m_sq * minus_force_b_1;
-    let d_u_dot_d_m_2 = g_inv_m * d_air_velocity_1_d_wind_z + d_u_dot_d_m;
+        d_gammadot_dot_d_angular_velocity_3 - sin_theta * d_der_phidot_d_angular_velocity_3;
+    let d_u_dot_d_m = inv_m * (minus_force_b_1_inv_m + g * d_u_dot_d_g);
     let V_inv_m = inv_m * V;
-    let air_velocity_12_C_D_product = air_velocity_12_C_D_sum * V_inv_m;
-    let air_velocity_1_inv_product_5 = air_velocity_1_inv_product * air_velocity_12_C_D_product;
-    let inv_air_velocity_12_product_9 = inv_air_velocity_12_product * V_inv_m;
-    let air_velocity_1_inv_product_6 = air_velocity_1 * inv_air_velocity_12_product_9;
-    let d_u_dot_d_C_L0 = minus_air_velocity_3 * air_velocity_1_inv_product_6;
-    let d_u_dot_d_C_La = minus_air_velocity_3_alpha * air_velocity_1_inv_product_6;
+    let air_velocity_12_C_D_product_2 = air_velocity_12_C_D_sum * V_inv_m;
+    let air_velocity_1_inv_product_4 = air_velocity_1_inv_product * air_velocity_12_C_D_product_2;
+    let inv_air_velocity_12_product_11 = inv_air_velocity_12_product * V_inv_m;
+    let air_velocity_1_inv_product_5 = air_velocity_1 * inv_air_velocity_12_product_11;
+    let d_u_dot_d_C_L0 = minus_air_velocity_3 * air_velocity_1_inv_product_5;
+    let d_u_dot_d_C_La = minus_air_velocity_3_alpha * air_velocity_1_inv_product_5;
     let alpha_air_velocity_12_alpha = alpha * air_velocity_12_alpha;
-    let part_of_d_u_dot_d_wind_x = inv_air_velocity_12_product_4 * sin_theta_air_velocity_1;
-    let d_u_dot_d_wind_x = inv_m * (cos_theta * inv_air_velocity_12_sum + part_of_d_u_dot_d_wind_x);
-    let cos_phi_air_velocity_2 = cos_phi * air_velocity_2;
-    let sin_theta_inv_air_sum_2 =
-        sin_theta * inv_air_velocity_12_sum - air_velocity_1 * cos_theta_inv_air_product;
+    let d_u_dot_d_wind_x =
+        -(cos_theta * d_u_dot_d_air_velocity_1) - sin_theta * minus_inv_air_product_2;
     let part_of_d_u_dot_d_wind_y =
-        cos_phi_air_velocity_2 * minus_V_air_product + sin_phi * sin_theta_inv_air_sum_2;
-    let d_u_dot_d_wind_y = inv_m * part_of_d_u_dot_d_wind_y;
-    let sin_phi_air_velocity_2 = sin_phi * air_velocity_2;
-    let part_of_d_u_dot_d_wind_z =
-        sin_phi_air_velocity_2 * minus_V_air_product - cos_phi * sin_theta_inv_air_sum_2;
-    let d_u_dot_d_wind_z = inv_m * part_of_d_u_dot_d_wind_z;
-    let d_v_dot_d_m = inv_m_sq * minus_force_b_2;
-    let d_v_dot_d_m_2 = d_v_dot_d_m - g_inv_m * sin_phi;
-    let air_velocity_2_inv_product_4 = air_velocity_2_inv_product * air_velocity_12_C_D_product;
-    let air_velocity_2_inv_product_5 = air_velocity_2 * inv_air_velocity_12_product_9;
-    let d_v_dot_d_C_L0 = minus_air_velocity_3 * air_velocity_2_inv_product_5;
-    let d_v_dot_d_C_La = minus_air_velocity_3_alpha * air_velocity_2_inv_product_5;
+        cos_theta_sin_phi * minus_inv_air_velocity_sum_2 - cos_phi * minus_inv_air_product_3;
+    let d_u_dot_d_wind_y =
+        part_of_d_u_dot_d_wind_y * air_velocity_1_inv_m - d_y_dot_d_u * d_u_dot_d_air_velocity_1;
+    let part_of_d_u_dot_d_wind_z = d_minus_air_velocity_3_d_wind_z * minus_inv_air_velocity_sum_2;
+    let part_of_d_u_dot_d_wind_z_2 =
+        (part_of_d_u_dot_d_wind_z + sin_phi * minus_inv_air_product_3) * air_velocity_1_inv_m;
+    let d_u_dot_d_wind_z = d_u_dot_d_g * d_u_dot_d_air_velocity_1 - part_of_d_u_dot_d_wind_z_2;
+    let d_v_dot_d_m = inv_m * (inv_m_minus_force_b_2 - g * sin_phi);
+    let air_velocity_2_inv_product_5 = air_velocity_2_inv_product_2 * air_velocity_12_C_D_product_2;
+    let air_velocity_2_inv_product_6 = air_velocity_2 * inv_air_velocity_12_product_11;
+    let d_v_dot_d_C_L0 = minus_air_velocity_3 * air_velocity_2_inv_product_6;
+    let d_v_dot_d_C_La = minus_air_velocity_3_alpha * air_velocity_2_inv_product_6;
     let part_of_d_v_dot_d_wind_x =
-        cos_theta * minus_V_air_product + sin_theta * inv_air_velocity_12_product_4;
+        -(cos_theta * minus_inv_air_product) - sin_theta * minus_inv_air_velocity_sum_2;
     let d_v_dot_d_wind_x = part_of_d_v_dot_d_wind_x * air_velocity_2_inv_m;
-    let part_of_d_v_dot_d_wind_y =
-        cos_phi * inv_air_velocity_12_sum_2 + sin_theta_minus_V_sum * sin_phi_air_velocity_2;
-    let d_v_dot_d_wind_y = inv_m * part_of_d_v_dot_d_wind_y;
-    let part_of_d_v_dot_d_wind_z =
-        sin_phi * inv_air_velocity_12_sum_2 - sin_theta_minus_V_sum * cos_phi_air_velocity_2;
-    let d_v_dot_d_wind_z = inv_m * part_of_d_v_dot_d_wind_z;
+    let d_v_dot_d_wind_y = sin_phi * minus_sin_theta_product - cos_phi * d_v_dot_d_air_velocity_2;
+    let d_v_dot_d_wind_z =
+        -(sin_phi * d_v_dot_d_air_velocity_2) - cos_phi * minus_sin_theta_product;
     let d_w_dot_d_m = minus_g_inv_m * d_minus_air_velocity_3_d_wind_z - inv_m_sq * force_b_3;
-    let minus_air_velocity_product = minus_air_velocity_3_C_sum * V_inv_m;
+    let minus_air_velocity_product_3 = minus_air_velocity_3_C_sum * V_inv_m;
     let half_rho_A_V_inv_m = half_rho_A * V_inv_m;
     let d_w_dot_d_C_L = air_velocity_12 * half_rho_A_V_inv_m;
     let d_w_dot_d_C_La = air_velocity_12_alpha * half_rho_A_V_inv_m;
     let d_w_dot_d_C_D = minus_air_velocity_3 * half_rho_A_V_inv_m;
     let d_w_dot_d_C_Da = alpha * minus_air_velocity_3_alpha * half_rho_A_V_inv_m;
-    let part_of_d_w_dot_d_wind_x =
-        cos_theta * V_C_L_plus_inv_V_product - sin_theta * V_C_D_plus_inv_V_part_sum;
-    let part_of_d_w_dot_d_wind_y = sin_phi * sin_theta_air_velocity_1 + cos_phi_air_velocity_2;
-    let part_of_d_w_dot_d_wind_y_2 = part_of_d_w_dot_d_wind_y * inv_air_velocity_12_product_5;
-    let part_of_d_w_dot_d_wind_y_3 =
-        cos_theta_sin_phi * V_C_D_plus_inv_V_part_sum + part_of_d_w_dot_d_wind_y_2;
-    let part_of_d_w_dot_d_wind_z_2 = d_minus_air_velocity_3_d_wind_z * V_C_D_plus_inv_V_part_sum;
-    let part_of_d_w_dot_d_wind_z = cos_phi * sin_theta_air_velocity_1 - sin_phi_air_velocity_2;
-    let part_of_d_w_dot_d_wind_z_3 =
-        part_of_d_w_dot_d_wind_z_2 + part_of_d_w_dot_d_wind_z * inv_air_velocity_12_product_5;
-    let d_w_dot_d_wind_z = half_rho_A_inv_m * part_of_d_w_dot_d_wind_z_3;
-    let thetadot_angular_velocity_3 = thetadot * angular_velocity_3;
-    let air_velocity_1_product_sum_3 =
-        inv_I_d * air_velocity_1_product_sum_2 - T::splat(2.0) * thetadot * sin_theta_phidot;
-    let V_sq_air_velocity_1_product = V_sq * air_velocity_1_product_sum;
-    let inv_air_velocity_12_product_10 = inv_air_velocity_12_product * V_sq_air_velocity_1_product;
-    let d_der_phidot_d_d = inv_cos_theta_inv_I_d * inv_air_velocity_12_product_10;
-    let inv_air_velocity_12_product_11 = inv_air_velocity_12_d * V_sq_air_velocity_1_product;
-    let inv_cos_theta_inv_I_product_2 = inv_cos_theta_inv_I_d * inv_air_velocity_12_product_11;
-    let alpha_air_velocity_product = alpha * air_velocity_2_inv_product_2;
-    let part_of_air_velocity_1_product_2 =
-        air_velocity_1 * thetadot_air_velocity_2_sum + air_velocity_2 * minus_thetadot_air_sum;
-    let inv_air_velocity_12_product_12 = inv_air_velocity_12 * inv_air_velocity_12_product_3;
-    let air_velocity_1_product_2 =
-        part_of_air_velocity_1_product_2 * inv_air_velocity_12_product_12;
-    let d_phidot_dot_d_C_Mq = inv_cos_theta_inv_I_d * air_velocity_1_product_2;
-    let d_der_phidot_d_C_Rr = angular_velocity_3 * inv_cos_theta_inv_I_product;
-    let d_phidot_dot_d_wind_x = d_gammadot_dot_d_w - inv_I_d * minus_minus_minus_air_sum;
-    let inv_cos_theta_minus_product = inv_cos_theta * minus_thetadot_inv_air_sum;
-    let minus_air_velocity_2_sum_2 =
-        minus_air_velocity_2_sum + minus_minus_minus_air_sum * sin_theta_inv_cos_theta;
-    let cos_phi_inv_cos_product_sum =
-        cos_phi * inv_cos_theta_minus_product - sin_phi * minus_air_velocity_2_sum_2;
-    let d_phidot_dot_d_wind_y = inv_I_d * cos_phi_inv_cos_product_sum;
-    let sin_phi_inv_cos_product_sum =
-        sin_phi * inv_cos_theta_minus_product + cos_phi * minus_air_velocity_2_sum_2;
-    let d_phidot_dot_d_wind_z = inv_I_d * sin_phi_inv_cos_product_sum;
+    let d_w_dot_d_wind_x =
+        sin_theta * d_w_dot_d_minus_air_velocity_3 - cos_theta * d_w_dot_d_air_velocity_1;
+    let part_of_d_w_dot_d_wind_y =
+        (air_velocity_1 * d_y_dot_d_u + cos_phi * air_velocity_2) * inv_air_velocity_12_product_5;
+    let d_w_dot_d_wind_y =
+        -(cos_theta_sin_phi * d_w_dot_d_minus_air_velocity_3) - part_of_d_w_dot_d_wind_y;
+    let part_of_d_w_dot_d_wind_z =
+        (air_velocity_1 * d_u_dot_d_g - sin_phi * air_velocity_2) * inv_air_velocity_12_product_5;
+    let d_w_dot_d_wind_z =
+        d_minus_air_velocity_3_d_wind_z * d_w_dot_d_minus_air_velocity_3 + part_of_d_w_dot_d_wind_z;
+    let d_der_phidot_d_I_d =
+        T::splat(2.0) * sin_theta_phidot * thetadot_inv_cos_product - inv_I_d * der_phidot;
+    let V_sq_inv_air_product = V_sq * inv_air_velocity_12_product;
+    let d_der_phidot_d_d = air_velocity_1_product * V_sq_inv_air_product;
+    let inv_air_velocity_12_product_12 = inv_air_velocity_12_V_sq_d * air_velocity_1_product;
+    let alpha_air_velocity_product = alpha * air_velocity_2_inv_product_3;
+    let d_der_phidot_d_C_Rr = angular_velocity_3 * air_velocity_1_inv_product_2;
+    let d_der_phidot_d_wind_x = d_gammadot_dot_d_w - cos_theta * d_der_phidot_d_air_velocity_1;
+    let d_der_phidot_d_wind_y =
+        cos_phi * minus_d_der_phidot_d_air_velocity_2 - sin_phi * sin_theta_d_der_product_sum;
+    let d_der_phidot_d_wind_z =
+        sin_phi * minus_d_der_phidot_d_air_velocity_2 + cos_phi * sin_theta_d_der_product_sum;
     let d_thetadot_dot_d_I_a = angular_velocity_3 * cos_theta_phidot_inv_I_d;
     let part_of_d_thetadot_dot_d_I_d = minus_inv_I_d_sq * air_velocity_2_product_sum_2;
     let d_thetadot_dot_d_I_d =
         part_of_d_thetadot_dot_d_I_d - sin_theta_phidot * cos_theta_phidot_inv_I_d;
-    let V_sq_inv_I_d = inv_I_d * V_sq;
-    let d_thetadot_dot_d_d =
-        inv_air_velocity_12_product * air_velocity_2_product_sum * V_sq_inv_I_d;
-    let V_sq_inv_I_d_air_product = V_sq_inv_I_d * air_velocity_2_product;
-    let d_thetadot_dot_d_C_Ma = alpha * inv_I_d_air_product_2;
-    let part_of_d_thetadot_dot_d_C_Mq =
-        air_velocity_2 * thetadot_air_velocity_2_sum - air_velocity_1 * minus_thetadot_air_sum;
-    let d_thetadot_dot_d_C_Mq =
-        inv_I_d * part_of_d_thetadot_dot_d_C_Mq * inv_air_velocity_12_product_12;
-    let d_thetadot_dot_d_C_Rr = angular_velocity_3 * inv_I_d_air_product;
-    let part_of_d_thetadot_dot_d_wind_x =
-        cos_theta * inv_air_velocity_12_sum_3 - sin_theta * air_velocity_1_inv_sum;
-    let part_of_d_thetadot_dot_d_wind_y =
-        cos_phi * inv_air_velocity_12_sum_4 + sin_phi * sin_theta_inv_air_sum;
-    let part_of_d_thetadot_dot_d_wind_z =
-        sin_phi * inv_air_velocity_12_sum_4 - cos_phi * sin_theta_inv_air_sum;
+    let d_thetadot_dot_d_d = inv_I_d_air_product * V_sq_inv_air_product;
+    let inv_air_velocity_12_product_13 = inv_air_velocity_12_V_sq_d * inv_I_d_air_product;
+    let d_thetadot_dot_d_C_Ma = alpha * air_velocity_1_inv_product_3;
+    let d_thetadot_dot_d_C_Rr = angular_velocity_3 * air_velocity_2_inv_product_4;
+    let d_thetadot_dot_d_wind_x =
+        sin_theta * air_velocity_1_inv_sum - cos_theta * d_thetadot_dot_d_air_velocity_1;
+    let d_thetadot_dot_d_wind_y =
+        -(cos_phi * d_thetadot_dot_d_air_velocity_2) - sin_phi * sin_theta_d_product_sum;
+    let d_thetadot_dot_d_wind_z =
+        cos_phi * sin_theta_d_product_sum - sin_phi * d_thetadot_dot_d_air_velocity_2;
+    let sin_theta_angular_velocity_3 = sin_theta * angular_velocity_3;
     let part_of_d_gammadot_dot_d_I_a =
-        sin_theta_inv_cos_product * thetadot_angular_velocity_3 - inv_I_a * thetadot_cos_theta_sum;
+        thetadot_inv_cos_product * sin_theta_angular_velocity_3 - inv_I_a * thetadot_cos_theta_sum;
     let d_gammadot_dot_d_I_a =
         part_of_d_gammadot_dot_d_I_a - inv_I_a_sq * minus_I_a_thetadot_cos_sum;
-    let d_gammadot_dot_d_I_d = air_velocity_1_product_sum_3 * sin_theta_inv_cos_product;
-    let sin_theta_inv_cos_product_2 = sin_theta_inv_cos_product * inv_air_velocity_12_product_11;
-    let d_gammadot_dot_d_C_Ma = sin_theta_inv_cos_product * alpha_air_velocity_product;
-    let part_of_d_gammadot_dot_d_C_Rr =
-        angular_velocity_3 * sin_theta_inv_cos_product * air_velocity_1_inv_product_3;
+    let sin_theta_inv_air_product = sin_theta * inv_air_velocity_12_product_12;
+    let d_gammadot_dot_d_C_Ma = sin_theta * alpha_air_velocity_product;
     let d_gammadot_dot_d_C_Nr = inv_I_a * angular_velocity_3;
-    let part_of_d_gammadot_dot_d_wind_x =
-        minus_minus_minus_air_sum - minus_air_velocity_2_sum * sin_theta_inv_cos_theta;
-    let d_gammadot_dot_d_wind_x = part_of_d_gammadot_dot_d_wind_x * sin_theta_inv_I_d;
-    let d_gammadot_dot_d_wind_y = -(cos_phi_inv_cos_product_sum * sin_theta_inv_I_d);
-    let d_gammadot_dot_d_wind_z = -(sin_phi_inv_cos_product_sum * sin_theta_inv_I_d);
     let d_y_dot_d_w = -cos_theta_sin_phi;
-    let d_y_dot_d_phi = -z_dot;
-    let d_z_dot_d_u = -d_air_velocity_1_d_wind_z;
-    let d_z_dot_d_theta = -(x_dot * cos_phi);
+    let d_y_dot_d_theta = -(sin_phi * d_w_cos_theta_minus_sin_sum_d_theta);
+    let d_z_dot_d_u = -d_u_dot_d_g;
     let d_u_dot_d_thetadot = -w;
+    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3;
     let d_w_dot_d_phidot = -(cos_theta * v);
-    let d_phidot_dot_d_v = -(minus_thetadot_inv_air_sum * inv_cos_theta_inv_I_d);
-    let d_phidot_dot_d_w = -d_phidot_dot_d_minus_air_velocity_3;
-    let d_phidot_dot_d_thetadot = -(angular_velocity_3_I_a_sum * inv_cos_theta_inv_I_d);
-    let d_gammadot_dot_d_u = -(minus_minus_minus_air_sum * sin_theta_inv_cos_product);
-    let d_u_dot_d_C_D0 = -(air_velocity_12 * air_velocity_1_inv_product_6);
-    let d_u_dot_d_C_Da = -(air_velocity_1_inv_product_6 * alpha_air_velocity_12_alpha);
+    let d_phidot_dot_d_v = -minus_d_der_phidot_d_air_velocity_2;
+    let d_phidot_dot_d_w = -d_der_phidot_d_minus_air_velocity_3;
+    let d_phidot_dot_d_thetadot = -angular_velocity_3_product;
+    let d_thetadot_dot_d_w = -air_velocity_1_inv_sum;
+    let d_gammadot_dot_d_u = -sin_theta_d_der_product;
+    let d_gammadot_dot_d_phi = -(sin_theta * d_der_phidot_d_phi);
+    let d_u_dot_d_C_D0 = -(air_velocity_12 * air_velocity_1_inv_product_5);
+    let d_u_dot_d_C_Da = -(air_velocity_1_inv_product_5 * alpha_air_velocity_12_alpha);
     let d_v_dot_d_g = -sin_phi;
-    let d_v_dot_d_C_D0 = -(air_velocity_12 * air_velocity_2_inv_product_5);
-    let d_v_dot_d_C_Da = -(air_velocity_2_inv_product_5 * alpha_air_velocity_12_alpha);
+    let d_v_dot_d_C_D0 = -(air_velocity_12 * air_velocity_2_inv_product_6);
+    let d_v_dot_d_C_Da = -(air_velocity_2_inv_product_6 * alpha_air_velocity_12_alpha);
     let d_w_dot_d_g = -d_minus_air_velocity_3_d_wind_z;
-    let d_phidot_dot_d_I_a = -(inv_cos_theta_inv_I_d * thetadot_angular_velocity_3);
-    let d_phidot_dot_d_I_d = -(air_velocity_1_product_sum_3 * inv_cos_theta_inv_I_d);
-    let d_phidot_dot_d_C_Ma = -(inv_cos_theta_inv_I_d * alpha_air_velocity_product);
-    let d_gammadot_dot_d_d = -(sin_theta_inv_cos_product * inv_air_velocity_12_product_10);
-    let d_gammadot_dot_d_C_Mq = -(sin_theta_inv_cos_product * air_velocity_1_product_2);
-    let d_gammadot_dot_d_C_Rr = -part_of_d_gammadot_dot_d_C_Rr;
+    let d_phidot_dot_d_I_a = -(angular_velocity_3 * thetadot_inv_cos_product);
+    let d_phidot_dot_d_C_Ma = -alpha_air_velocity_product;
+    let d_gammadot_dot_d_I_d = -(sin_theta * d_der_phidot_d_I_d);
+    let d_gammadot_dot_d_d = -(sin_theta * d_der_phidot_d_d);
+    let d_gammadot_dot_d_C_Mq = -(sin_theta * d_der_phidot_d_C_Mq);
+    let d_gammadot_dot_d_C_Rr = -(air_velocity_1_inv_product_2 * sin_theta_angular_velocity_3);
+    let d_gammadot_dot_d_wind_x = -(sin_theta * d_der_phidot_d_wind_x);
+    let d_gammadot_dot_d_wind_y = -(sin_theta * d_der_phidot_d_wind_y);
+    let d_gammadot_dot_d_wind_z = -(sin_theta * d_der_phidot_d_wind_z);
 
     dx[0] = x_dot;
     dx[1] = y_dot;
@@ -584,22 +531,22 @@ pub fn f_jac_par<T: Real>(
     j[10] = d_minus_air_velocity_3_d_wind_z; // d_z_dot_d_w
     j[11] = y_dot; // d_z_dot_d_phi
     j[12] = d_z_dot_d_theta;
-    j[13] = minus_inv_m * inv_air_velocity_12_sum; // d_u_dot_d_u
+    j[13] = d_u_dot_d_air_velocity_1; // d_u_dot_d_u
     j[14] = d_u_dot_d_v;
     j[15] = d_u_dot_d_w;
-    j[16] = minus_inv_m * part_of_d_u_dot_d_phi_4; // d_u_dot_d_phi
+    j[16] = d_u_dot_d_phi;
     j[17] = d_u_dot_d_theta;
     j[18] = d_u_dot_d_phidot;
     j[19] = d_u_dot_d_thetadot;
     j[20] = d_v_dot_d_u;
-    j[21] = minus_inv_m * inv_air_velocity_12_sum_2; // d_v_dot_d_v
+    j[21] = d_v_dot_d_air_velocity_2; // d_v_dot_d_v
     j[22] = d_v_dot_d_w;
-    j[23] = minus_inv_m * (part_of_d_v_dot_d_phi_2 - part_of_d_v_dot_d_phi); // d_v_dot_d_phi
+    j[23] = d_v_dot_d_phi;
     j[24] = d_v_dot_d_theta;
     j[25] = w_cos_theta_minus_sin_sum; // d_v_dot_d_phidot
     j[26] = d_w_dot_d_u;
     j[27] = d_w_dot_d_v;
-    j[28] = minus_half_rho_A_inv_m * V_C_D_plus_inv_V_part_sum; // d_w_dot_d_w
+    j[28] = d_w_dot_d_w;
     j[29] = d_w_dot_d_phi;
     j[30] = d_w_dot_d_theta;
     j[31] = d_w_dot_d_phidot;
@@ -607,24 +554,24 @@ pub fn f_jac_par<T: Real>(
     j[33] = T::splat(1.0); // d_phi_dot_d_phidot
     j[34] = T::splat(1.0); // d_theta_dot_d_thetadot
     j[35] = T::splat(1.0); // d_gamma_dot_d_gammadot
-    j[36] = d_phidot_dot_d_air_velocity_1; // d_phidot_dot_d_u
+    j[36] = d_der_phidot_d_air_velocity_1; // d_phidot_dot_d_u
     j[37] = d_phidot_dot_d_v;
     j[38] = d_phidot_dot_d_w;
-    j[39] = minus_inv_I_d * minus_d_minus_sin_sum; // d_phidot_dot_d_phi
-    j[40] = d_phidot_dot_d_theta;
+    j[39] = d_der_phidot_d_phi; // d_phidot_dot_d_phi
+    j[40] = d_der_phidot_d_theta; // d_phidot_dot_d_theta
     j[41] = d_der_phidot_d_phidot; // d_phidot_dot_d_phidot
     j[42] = d_phidot_dot_d_thetadot;
-    j[43] = C_Rr_air_velocity_1_sum * inv_cos_theta_inv_I_d; // d_phidot_dot_d_gammadot
-    j[44] = d_thetadot_dot_d_u;
-    j[45] = d_thetadot_dot_d_v;
-    j[46] = minus_inv_I_d * air_velocity_1_inv_sum; // d_thetadot_dot_d_w
-    j[47] = minus_inv_I_d * part_of_d_thetadot_dot_d_phi_2; // d_thetadot_dot_d_phi
+    j[43] = d_der_phidot_d_angular_velocity_3; // d_phidot_dot_d_gammadot
+    j[44] = d_thetadot_dot_d_air_velocity_1; // d_thetadot_dot_d_u
+    j[45] = d_thetadot_dot_d_air_velocity_2; // d_thetadot_dot_d_v
+    j[46] = d_thetadot_dot_d_w;
+    j[47] = d_thetadot_dot_d_phi;
     j[48] = d_thetadot_dot_d_theta;
     j[49] = d_thetadot_dot_d_phidot;
     j[50] = d_thetadot_dot_d_thetadot;
-    j[51] = d_thetadot_dot_d_gammadot;
+    j[51] = d_thetadot_dot_d_angular_velocity_3; // d_thetadot_dot_d_gammadot
     j[52] = d_gammadot_dot_d_u;
-    j[53] = d_gammadot_dot_d_v;
+    j[53] = sin_theta * minus_d_der_phidot_d_air_velocity_2; // d_gammadot_dot_d_v
     j[54] = d_gammadot_dot_d_w;
     j[55] = d_gammadot_dot_d_phi;
     j[56] = d_gammadot_dot_d_theta;
@@ -632,10 +579,10 @@ pub fn f_jac_par<T: Real>(
     j[58] = d_gammadot_dot_d_thetadot;
     j[59] = d_gammadot_dot_d_gammadot;
 
-    jp[0] = d_u_dot_d_m_2; // d_u_dot_d_m
-    jp[1] = minus_rho_half * air_velocity_1_inv_product_5; // d_u_dot_d_A
-    jp[2] = minus_A_half * air_velocity_1_inv_product_5; // d_u_dot_d_rho
-    jp[3] = d_air_velocity_1_d_wind_z; // d_u_dot_d_g
+    jp[0] = d_u_dot_d_m;
+    jp[1] = minus_rho_half * air_velocity_1_inv_product_4; // d_u_dot_d_A
+    jp[2] = minus_A_half * air_velocity_1_inv_product_4; // d_u_dot_d_rho
+    jp[3] = d_u_dot_d_g;
     jp[4] = d_u_dot_d_C_L0;
     jp[5] = d_u_dot_d_C_La;
     jp[6] = d_u_dot_d_C_D0;
@@ -643,9 +590,9 @@ pub fn f_jac_par<T: Real>(
     jp[8] = d_u_dot_d_wind_x;
     jp[9] = d_u_dot_d_wind_y;
     jp[10] = d_u_dot_d_wind_z;
-    jp[11] = d_v_dot_d_m_2; // d_v_dot_d_m
-    jp[12] = minus_rho_half * air_velocity_2_inv_product_4; // d_v_dot_d_A
-    jp[13] = minus_A_half * air_velocity_2_inv_product_4; // d_v_dot_d_rho
+    jp[11] = d_v_dot_d_m;
+    jp[12] = minus_rho_half * air_velocity_2_inv_product_5; // d_v_dot_d_A
+    jp[13] = minus_A_half * air_velocity_2_inv_product_5; // d_v_dot_d_rho
     jp[14] = d_v_dot_d_g;
     jp[15] = d_v_dot_d_C_L0;
     jp[16] = d_v_dot_d_C_La;
@@ -655,43 +602,43 @@ pub fn f_jac_par<T: Real>(
     jp[20] = d_v_dot_d_wind_y;
     jp[21] = d_v_dot_d_wind_z;
     jp[22] = d_w_dot_d_m;
-    jp[23] = rho_half * minus_air_velocity_product; // d_w_dot_d_A
-    jp[24] = A_half * minus_air_velocity_product; // d_w_dot_d_rho
+    jp[23] = rho_half * minus_air_velocity_product_3; // d_w_dot_d_A
+    jp[24] = A_half * minus_air_velocity_product_3; // d_w_dot_d_rho
     jp[25] = d_w_dot_d_g;
     jp[26] = d_w_dot_d_C_L; // d_w_dot_d_C_L0
     jp[27] = d_w_dot_d_C_La;
     jp[28] = d_w_dot_d_C_D; // d_w_dot_d_C_D0
     jp[29] = d_w_dot_d_C_Da;
-    jp[30] = minus_half_rho_A_inv_m * part_of_d_w_dot_d_wind_x; // d_w_dot_d_wind_x
-    jp[31] = minus_half_rho_A_inv_m * part_of_d_w_dot_d_wind_y_3; // d_w_dot_d_wind_y
+    jp[30] = d_w_dot_d_wind_x;
+    jp[31] = d_w_dot_d_wind_y;
     jp[32] = d_w_dot_d_wind_z;
     jp[33] = d_phidot_dot_d_I_a;
-    jp[34] = d_phidot_dot_d_I_d;
+    jp[34] = d_der_phidot_d_I_d; // d_phidot_dot_d_I_d
     jp[35] = d_der_phidot_d_d; // d_phidot_dot_d_d
-    jp[36] = rho_half * inv_cos_theta_inv_I_product_2; // d_phidot_dot_d_A
-    jp[37] = A_half * inv_cos_theta_inv_I_product_2; // d_phidot_dot_d_rho
+    jp[36] = rho_half * inv_air_velocity_12_product_12; // d_phidot_dot_d_A
+    jp[37] = A_half * inv_air_velocity_12_product_12; // d_phidot_dot_d_rho
     jp[38] = d_phidot_dot_d_C_Ma;
-    jp[39] = d_phidot_dot_d_C_Mq;
+    jp[39] = d_der_phidot_d_C_Mq; // d_phidot_dot_d_C_Mq
     jp[40] = d_der_phidot_d_C_Rr; // d_phidot_dot_d_C_Rr
-    jp[41] = d_phidot_dot_d_wind_x;
-    jp[42] = d_phidot_dot_d_wind_y;
-    jp[43] = d_phidot_dot_d_wind_z;
+    jp[41] = d_der_phidot_d_wind_x; // d_phidot_dot_d_wind_x
+    jp[42] = d_der_phidot_d_wind_y; // d_phidot_dot_d_wind_y
+    jp[43] = d_der_phidot_d_wind_z; // d_phidot_dot_d_wind_z
     jp[44] = d_thetadot_dot_d_I_a;
     jp[45] = d_thetadot_dot_d_I_d;
     jp[46] = d_thetadot_dot_d_d;
-    jp[47] = rho_half * V_sq_inv_I_d_air_product; // d_thetadot_dot_d_A
-    jp[48] = A_half * V_sq_inv_I_d_air_product; // d_thetadot_dot_d_rho
+    jp[47] = rho_half * inv_air_velocity_12_product_13; // d_thetadot_dot_d_A
+    jp[48] = A_half * inv_air_velocity_12_product_13; // d_thetadot_dot_d_rho
     jp[49] = d_thetadot_dot_d_C_Ma;
     jp[50] = d_thetadot_dot_d_C_Mq;
     jp[51] = d_thetadot_dot_d_C_Rr;
-    jp[52] = minus_inv_I_d * part_of_d_thetadot_dot_d_wind_x; // d_thetadot_dot_d_wind_x
-    jp[53] = minus_inv_I_d * part_of_d_thetadot_dot_d_wind_y; // d_thetadot_dot_d_wind_y
-    jp[54] = minus_inv_I_d * part_of_d_thetadot_dot_d_wind_z; // d_thetadot_dot_d_wind_z
+    jp[52] = d_thetadot_dot_d_wind_x;
+    jp[53] = d_thetadot_dot_d_wind_y;
+    jp[54] = d_thetadot_dot_d_wind_z;
     jp[55] = d_gammadot_dot_d_I_a;
     jp[56] = d_gammadot_dot_d_I_d;
     jp[57] = d_gammadot_dot_d_d;
-    jp[58] = minus_rho_half * sin_theta_inv_cos_product_2; // d_gammadot_dot_d_A
-    jp[59] = minus_A_half * sin_theta_inv_cos_product_2; // d_gammadot_dot_d_rho
+    jp[58] = minus_rho_half * sin_theta_inv_air_product; // d_gammadot_dot_d_A
+    jp[59] = minus_A_half * sin_theta_inv_air_product; // d_gammadot_dot_d_rho
     jp[60] = d_gammadot_dot_d_C_Ma;
     jp[61] = d_gammadot_dot_d_C_Mq;
     jp[62] = d_gammadot_dot_d_C_Rr;

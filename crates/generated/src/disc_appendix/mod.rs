@@ -6,10 +6,10 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 30 operations: 2 add, 17 mul, 3 div, 8 neg |
+//! | `prepare` | 30 operations: 18 mul, 3 div, 9 neg |
 //! | `f` | 123 operations: 38 add, 76 mul, 2 div, 2 sqrt, 5 call |
-//! | `f_jac` | 423 operations: 128 add, 272 mul, 3 div, 13 neg, 2 sqrt, 5 call |
-//! | `f_jac_par` | 608 operations: 154 add, 418 mul, 3 div, 26 neg, 2 sqrt, 5 call |
+//! | `f_jac` | 394 operations: 116 add, 255 mul, 3 div, 13 neg, 2 sqrt, 5 call |
+//! | `f_jac_par` | 552 operations: 144 add, 363 mul, 3 div, 35 neg, 2 sqrt, 5 call |
 //! | `observe` | 27 operations: 9 add, 12 mul, 6 call |
 //! | `observe_jac` | 59 operations: 15 add, 33 mul, 5 neg, 6 call |
 //! | `quantities` | 96 operations: 25 add, 60 mul, 2 div, 2 neg, 2 sqrt, 5 call |
@@ -67,12 +67,11 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 28] = [
-    "g_m", "half_rho_A", "inv_m", "I_d_two", "inv_I_d", "inv_I_a", "C_Da_two", "minus_inv_m",
-    "half_rho_A_inv_m", "minus_half_rho_A_inv_m", "two_d", "half_rho_A_d", "I_a_inv_I_d",
-    "minus_two_plus_I_a_inv_I_d", "minus_inv_I_d", "minus_one_plus_I_a_inv_I_d", "C_Rr_inv_I_d",
-    "d_gammadot_dot_d_angular_velocity_3", "A_half", "g_inv_m", "inv_m_sq", "rho_half",
-    "minus_rho_half", "minus_A_half", "minus_g_inv_m", "minus_inv_I_d_sq", "inv_I_a_sq",
+pub const PREPARED: [&str; 25] = [
+    "g_m", "half_rho_A", "inv_m", "I_d_two", "inv_I_d", "inv_I_a", "minus_wind_y", "minus_inv_m",
+    "C_Da_two", "half_rho_A_inv_m", "two_d", "minus_inv_I_d", "d_gammadot_dot_d_angular_velocity_3",
+    "A_half", "minus_C_Da_two", "C_La_half_rho_A_inv_m", "C_Da_two_half_rho_A_inv_m", "rho_half",
+    "minus_rho_half", "minus_A_half", "minus_g_inv_m", "inv_m_sq", "minus_inv_I_d_sq", "inv_I_a_sq",
     "minus_g_m",
 ];
 

@@ -11,7 +11,7 @@ pub fn observe_jac<T: Real>(
     _time: T,
     state: &[T; 12],
     _parameters: &[T; 18],
-    _prepared: &[T; 28],
+    _prepared: &[T; 25],
     marker: &[T; 3],
     seen: &mut [T; 3],
     dy_dx: &mut [T; 11],
@@ -36,26 +36,28 @@ pub fn observe_jac<T: Real>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let sin_gamma_mark_x_plus_sum = cos_gamma * mark_y + mark_x * sin_gamma;
     let minus_sin_theta_minus_sum = cos_theta * mark_z - minus_sin_gamma_mark_y_sum * sin_theta;
-    let d_seen_z_d_phi = cos_phi * sin_gamma_mark_x_plus_sum - sin_phi * minus_sin_theta_minus_sum;
-    let mark_y_2 = y + d_seen_z_d_phi;
+    let d_mark_z_2_d_phi =
+        cos_phi * sin_gamma_mark_x_plus_sum - sin_phi * minus_sin_theta_minus_sum;
+    let mark_y_2 = y + d_mark_z_2_d_phi;
     let d_mark_y_2_d_phi =
         -(cos_phi * minus_sin_theta_minus_sum) - sin_gamma_mark_x_plus_sum * sin_phi;
     let mark_z_2 = z - d_mark_y_2_d_phi;
-    let d_seen_y_d_theta = sin_phi * minus_d_minus_sin_theta_minus_sum_d_theta;
+    let minus_sin_gamma_mark_x_sum = -sin_gamma_mark_x_plus_sum;
+    let d_seen_x_d_gamma = cos_theta * minus_sin_gamma_mark_x_sum;
     let sin_theta_sin_phi = sin_theta * sin_phi;
     let d_seen_y_d_gamma =
-        minus_sin_gamma_mark_y_sum * cos_phi - sin_gamma_mark_x_plus_sum * sin_theta_sin_phi;
+        minus_sin_gamma_mark_x_sum * sin_theta_sin_phi + minus_sin_gamma_mark_y_sum * cos_phi;
+    let minus_d_seen_z_d_theta = cos_phi * minus_d_minus_sin_theta_minus_sum_d_theta;
     let sin_theta_cos_phi = sin_theta * cos_phi;
     let d_seen_z_d_gamma =
-        sin_gamma_mark_x_plus_sum * sin_theta_cos_phi + minus_sin_gamma_mark_y_sum * sin_phi;
+        minus_sin_gamma_mark_y_sum * sin_phi - minus_sin_gamma_mark_x_sum * sin_theta_cos_phi;
     let d_seen_x_d_mark_x = cos_theta * cos_gamma;
     let d_seen_y_d_mark_x = cos_gamma * sin_theta_sin_phi + sin_gamma * cos_phi;
     let d_seen_y_d_mark_y = cos_gamma * cos_phi - sin_gamma * sin_theta_sin_phi;
     let d_seen_z_d_mark_x = sin_gamma * sin_phi - cos_gamma * sin_theta_cos_phi;
     let d_seen_z_d_mark_y = sin_gamma * sin_theta_cos_phi + cos_gamma * sin_phi;
     let d_seen_z_d_mark_z = cos_theta * cos_phi;
-    let d_seen_x_d_gamma = -(cos_theta * sin_gamma_mark_x_plus_sum);
-    let d_seen_z_d_theta = -(cos_phi * minus_d_minus_sin_theta_minus_sum_d_theta);
+    let d_seen_z_d_theta = -minus_d_seen_z_d_theta;
     let d_seen_x_d_mark_y = -(cos_theta * sin_gamma);
     let d_seen_y_d_mark_z = -(cos_theta * sin_phi);
 
@@ -68,10 +70,10 @@ pub fn observe_jac<T: Real>(
     dy_dx[2] = d_seen_x_d_gamma;
     dy_dx[3] = T::splat(1.0); // d_seen_y_d_y
     dy_dx[4] = d_mark_y_2_d_phi; // d_seen_y_d_phi
-    dy_dx[5] = d_seen_y_d_theta;
+    dy_dx[5] = sin_phi * minus_d_minus_sin_theta_minus_sum_d_theta; // d_seen_y_d_theta
     dy_dx[6] = d_seen_y_d_gamma;
     dy_dx[7] = T::splat(1.0); // d_seen_z_d_z
-    dy_dx[8] = d_seen_z_d_phi;
+    dy_dx[8] = d_mark_z_2_d_phi; // d_seen_z_d_phi
     dy_dx[9] = d_seen_z_d_theta;
     dy_dx[10] = d_seen_z_d_gamma;
 

@@ -11,7 +11,7 @@ pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 28],
+    prepared: &[T; 25],
     values: &mut [T; 44],
 ) {
     let u = state[3];
@@ -39,8 +39,8 @@ pub fn quantities<T: Real>(
     let half_rho_A = prepared[1];
     let I_d_two = prepared[3];
     let inv_I_d = prepared[4];
-    let rho_half = prepared[21];
-    let minus_g_m = prepared[27];
+    let rho_half = prepared[17];
+    let minus_g_m = prepared[24];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // disc_appendix.hyz:64  let angular_velocity = (phidot*cos(theta), thetadot, phidot*sin(th …

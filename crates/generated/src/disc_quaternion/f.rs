@@ -11,7 +11,7 @@ pub fn f<T: Real>(
     _time: T,
     state: &[T; 13],
     parameters: &[T; 18],
-    prepared: &[T; 16],
+    prepared: &[T; 17],
     dx: &mut [T; 13],
 ) {
     let vx = state[3];

@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`.
 ///
-/// 586 operations: 207 add, 359 mul, 2 div, 14 neg, 2 sqrt, 1 call, 1 select.
+/// 574 operations: 205 add, 349 mul, 2 div, 13 neg, 2 sqrt, 1 call, 2 select.
 #[inline(always)]
 pub fn f_jac<T: Real>(
     _time: T,
     state: &[T; 13],
     parameters: &[T; 18],
-    prepared: &[T; 16],
+    prepared: &[T; 17],
     dx: &mut [T; 13],
     j: &mut [T; 69],
 ) {
@@ -42,8 +42,11 @@ pub fn f_jac<T: Real>(
     let C_Nr_inv_I_a = prepared[3];
     let d_rho_A_inv_I_d = prepared[4];
     let two_C_Da = prepared[5];
-    let q2_sq_two = T::splat(2.0) * q2 * q2;
-    let q1_sq_two = T::splat(2.0) * q1 * q1;
+    let C_Mq_d_rho_A_inv_I_d = prepared[6];
+    let q2_two = T::splat(2.0) * q2;
+    let q2_sq_two = q2 * q2_two;
+    let q1_two = T::splat(2.0) * q1;
+    let q1_sq_two = q1 * q1_two;
     let q1_sq_two_minus_one_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
     let vz_minus_wind_z = vz - wind_z;
     let vx_minus_wind_x = vx - wind_x;
@@ -53,21 +56,22 @@ pub fn f_jac<T: Real>(
     let q3_q2 = q3 * q2;
     let q1_q0 = q1 * q0;
     let minus_q1_q0_plus_q3_q2 = q3_q2 - q1_q0;
-    let vy_minus_wind_y = vy - wind_y;
+    let minus_vy_minus_wind_y = wind_y - vy;
     let vy_minus_wind_y_product_sum =
-        vx_minus_wind_x * q0_q2_plus_q1_q3 + minus_q1_q0_plus_q3_q2 * vy_minus_wind_y;
+        vx_minus_wind_x * q0_q2_plus_q1_q3 - minus_q1_q0_plus_q3_q2 * minus_vy_minus_wind_y;
 
     // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
     let minus_air_velocity_3 =
         q1_sq_two_minus_one_sum * vz_minus_wind_z - T::splat(2.0) * vy_minus_wind_y_product_sum;
-    let q3_sq_two_minus_one = T::splat(2.0) * q3 * q3 - T::splat(1.0);
+    let q3_two = T::splat(2.0) * q3;
+    let q3_sq_two_minus_one = q3 * q3_two - T::splat(1.0);
     let q2_sq_two_plus_q3_sq_sum = q2_sq_two + q3_sq_two_minus_one;
     let q1_q2 = q1 * q2;
     let q0_q3 = q3 * q0;
     let q0_q3_plus_q1_q2 = q1_q2 + q0_q3;
     let minus_q0_q2_plus_q1_q3 = q1_q3 - q0_q2;
     let vz_minus_wind_z_product_sum =
-        vy_minus_wind_y * q0_q3_plus_q1_q2 + vz_minus_wind_z * minus_q0_q2_plus_q1_q3;
+        vz_minus_wind_z * minus_q0_q2_plus_q1_q3 - minus_vy_minus_wind_y * q0_q3_plus_q1_q2;
     let minus_air_velocity_1 =
         vx_minus_wind_x * q2_sq_two_plus_q3_sq_sum - T::splat(2.0) * vz_minus_wind_z_product_sum;
     let q1_sq_two_plus_q3_sq_sum = q1_sq_two + q3_sq_two_minus_one;
@@ -76,7 +80,7 @@ pub fn f_jac<T: Real>(
     let q1_q0_plus_q3_q2_vz_sum =
         vx_minus_wind_x * minus_q0_q3_plus_q1_q2 + vz_minus_wind_z * q1_q0_plus_q3_q2;
     let air_velocity_2 =
-        T::splat(2.0) * q1_q0_plus_q3_q2_vz_sum - vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum;
+        minus_vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum + T::splat(2.0) * q1_q0_plus_q3_q2_vz_sum;
     let air_velocity_12_sq =
         minus_air_velocity_1 * minus_air_velocity_1 + air_velocity_2 * air_velocity_2;
     let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
@@ -94,33 +98,33 @@ pub fn f_jac<T: Real>(
 
     // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_D0 + C_Da * alpha * alpha;
-    let air_velocity_12_C_D_sum = air_velocity_12 * C_D - minus_air_velocity_3 * C_L;
+    let minus_air_velocity_12_C_D_sum = minus_air_velocity_3 * C_L - air_velocity_12 * C_D;
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
-    let air_velocity_12_C_D_product = air_velocity_12_C_D_sum * inv_air_velocity_12;
+    let minus_air_velocity_12_C_D_product = minus_air_velocity_12_C_D_sum * inv_air_velocity_12;
     let q2_sq_two_plus_q3_product = T::splat(0.5) * q2_sq_two_plus_q3_sq_sum;
     let minus_q0_q3_plus_q1_sum =
         minus_q0_q3_plus_q1_q2 * air_velocity_2 + minus_air_velocity_1 * q2_sq_two_plus_q3_product;
-    let part_of_q0_q2_plus_q1_q3_sum = air_velocity_12_C_D_product * minus_q0_q3_plus_q1_sum;
+    let part_of_q0_q2_plus_q1_q3_sum = minus_air_velocity_12_C_D_product * minus_q0_q3_plus_q1_sum;
     let minus_air_velocity_3_C_sum = air_velocity_12 * C_L + minus_air_velocity_3 * C_D;
     let q0_q2_plus_q1_q3_sum =
-        q0_q2_plus_q1_q3 * minus_air_velocity_3_C_sum - part_of_q0_q2_plus_q1_q3_sum;
+        part_of_q0_q2_plus_q1_q3_sum + q0_q2_plus_q1_q3 * minus_air_velocity_3_C_sum;
 
     // disc_quaternion.hyz:50  velocity (vx, vy, vz) in N;
     let vx_dot = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum;
     let q1_sq_two_plus_q3_product = T::splat(0.5) * q1_sq_two_plus_q3_sq_sum;
     let q0_q3_plus_q1_q2_sum =
         q0_q3_plus_q1_q2 * minus_air_velocity_1 + air_velocity_2 * q1_sq_two_plus_q3_product;
-    let part_of_minus_q1_q0_plus_q3_sum = minus_q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum;
+    let part_of_minus_q1_q0_plus_q3_sum = minus_air_velocity_12_C_D_product * q0_q3_plus_q1_q2_sum;
     let minus_q1_q0_plus_q3_sum =
-        air_velocity_12_C_D_product * q0_q3_plus_q1_q2_sum + part_of_minus_q1_q0_plus_q3_sum;
+        minus_q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum - part_of_minus_q1_q0_plus_q3_sum;
     let vy_dot = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum;
     let q1_q0_plus_q3_q2_sum =
         q1_q0_plus_q3_q2 * air_velocity_2 - minus_q0_q2_plus_q1_q3 * minus_air_velocity_1;
     let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
-    let part_of_q1_sq_two_minus_one_sum = minus_air_velocity_3_C_sum * q1_sq_two_minus_one_sum_half;
-    let q1_sq_two_minus_one_sum_2 =
-        air_velocity_12_C_D_product * q1_q0_plus_q3_q2_sum + part_of_q1_sq_two_minus_one_sum;
-    let vz_dot = -(V_inv_m_rho_A * q1_sq_two_minus_one_sum_2) - g;
+    let part_of_minus_q1_sq_two_minus = minus_air_velocity_3_C_sum * q1_sq_two_minus_one_sum_half;
+    let minus_q1_sq_two_minus_one_sum_2 =
+        minus_air_velocity_12_C_D_product * q1_q0_plus_q3_q2_sum - part_of_minus_q1_sq_two_minus;
+    let vz_dot = V_inv_m_rho_A * minus_q1_sq_two_minus_one_sum_2 - g;
     let q3_r_plus_q2_q_plus_q1_p = q1 * p + q2 * q + q3 * r;
     let q3_q_minus_q2_r_minus_q0_p = q3 * q - q0 * p - q2 * r;
     let q1_r_minus_q3_p_minus_q0_q = q1 * r - q0 * q - q3 * p;
@@ -142,424 +146,399 @@ pub fn f_jac<T: Real>(
     let part_of_q_dot = r * C_Rr_air_velocity_sum + q * V_sq_half_d_inv_product;
     let q_dot = part_of_q_dot - minus_air_velocity_product * alpha_C_Ma;
     let r_dot = C_Nr_inv_I_a * r;
+    let V_inv_m_rho_A_minus_product = V_inv_m_rho_A * minus_air_velocity_12_C_D_product;
+    let part_of_d_vx_dot_d_minus_air = V_inv_m_rho_A_minus_product * q2_sq_two_plus_q3_product;
     let inv_V = V.recip_or_zero();
     let inv_V_rho_A_inv_m = inv_m_rho_A * inv_V;
-    let air_velocity_12_inv_product = air_velocity_12 * inv_V_rho_A_inv_m;
-    let part_of_d_vx_dot_d_air_velocity_3 = q0_q2_plus_q1_q3_sum * air_velocity_12_inv_product;
     let alpha_two_C_Da = two_C_Da * alpha;
     let air_velocity_12_C_La_sum = C_La * air_velocity_12 + minus_air_velocity_3 * alpha_two_C_Da;
     let inv_V_sq = inv_V * inv_V;
     let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_sq;
     let C_L_minus_air_velocity_sum = C_L - air_velocity_12_C_La_sum * minus_air_velocity_product_2;
-    let minus_air_velocity_product_3 = C_La * minus_air_velocity_3 * inv_air_velocity_12;
-    let part_of_minus_minus_air_sum_sum =
-        nonzero_air_velocity_12_sq * alpha_two_C_Da - minus_air_velocity_product_3;
-    let part_of_minus_minus_air_sum_sum_2 =
-        part_of_minus_minus_air_sum_sum * minus_air_velocity_product_2;
-    let part_of_minus_minus_air_sum_sum_3 =
-        inv_air_velocity_12 * (C_D - air_velocity_12_C_D_product);
-    let minus_minus_air_sum_sum =
-        part_of_minus_minus_air_sum_sum_2 - part_of_minus_minus_air_sum_sum_3;
-    let part_of_d_vx_dot_d_air_velocity = minus_q0_q3_plus_q1_sum * minus_minus_air_sum_sum;
-    let part_of_d_vx_dot_d_air_velocity_2 =
-        q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum + part_of_d_vx_dot_d_air_velocity;
-    let d_vx_dot_d_air_velocity_12 =
-        part_of_d_vx_dot_d_air_velocity_3 + V_inv_m_rho_A * part_of_d_vx_dot_d_air_velocity_2;
-    let minus_air_velocity_product_4 = minus_air_velocity_1 * inv_air_velocity_12;
-    let part_of_minus_d_vx_dot_d_minus = d_vx_dot_d_air_velocity_12 * minus_air_velocity_product_4;
-    let V_inv_m_rho_A_air_product = V_inv_m_rho_A * air_velocity_12_C_D_product;
-    let minus_d_vx_dot_d_minus_air_velocity_1 =
-        V_inv_m_rho_A_air_product * q2_sq_two_plus_q3_product - part_of_minus_d_vx_dot_d_minus;
-    let part_of_d_vx_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * minus_d_vx_dot_d_minus_air_velocity_1;
-    let minus_air_velocity_product_5 = minus_air_velocity_3 * inv_V_rho_A_inv_m;
-    let part_of_d_vx_dot_d_minus_air_3 = q0_q2_plus_q1_q3_sum * minus_air_velocity_product_5;
+    let part_of_minus_minus_air_sum = C_La * minus_air_velocity_3 * inv_air_velocity_12;
+    let minus_minus_air_sum =
+        nonzero_air_velocity_12_sq * alpha_two_C_Da - part_of_minus_minus_air_sum;
+    let part_of_minus_minus_minus_air =
+        inv_air_velocity_12 * (C_D + minus_air_velocity_12_C_D_product);
+    let minus_minus_minus_air_sum =
+        part_of_minus_minus_minus_air - minus_minus_air_sum * minus_air_velocity_product_2;
+    let part_of_q0_q2_plus_q1_q3_sum_2 = minus_q0_q3_plus_q1_sum * minus_minus_minus_air_sum;
+    let part_of_q0_q2_plus_q1_q3_sum_2_2 =
+        q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum - part_of_q0_q2_plus_q1_q3_sum_2;
+    let V_inv_m_rho_A_inv_product = V_inv_m_rho_A * inv_air_velocity_12;
+    let part_of_q0_q2_plus_q1_q3_sum_2_3 =
+        part_of_q0_q2_plus_q1_q3_sum_2_2 * V_inv_m_rho_A_inv_product;
+    let q0_q2_plus_q1_q3_sum_2 =
+        q0_q2_plus_q1_q3_sum * inv_V_rho_A_inv_m + part_of_q0_q2_plus_q1_q3_sum_2_3;
+    let d_vx_dot_d_minus_air_velocity_1 =
+        part_of_d_vx_dot_d_minus_air + minus_air_velocity_1 * q0_q2_plus_q1_q3_sum_2;
+    let part_of_d_vx_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vx_dot_d_minus_air_velocity_1;
+    let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_V_rho_A_inv_m;
+    let part_of_d_vx_dot_d_minus_air_4 = q0_q2_plus_q1_q3_sum * minus_air_velocity_product_3;
     let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
     let C_D_plus_air_velocity_sum = C_D + air_velocity_12_C_La_sum * air_velocity_12_inv_V_sq;
-    let part_of_minus_minus_minus_air =
-        (alpha_two_C_Da - minus_air_velocity_product_3) * air_velocity_12_inv_V_sq;
-    let minus_minus_minus_air_sum = C_L * inv_air_velocity_12 - part_of_minus_minus_minus_air;
-    let part_of_d_vx_dot_d_minus_air = minus_q0_q3_plus_q1_sum * minus_minus_minus_air_sum;
-    let part_of_d_vx_dot_d_minus_air_2 =
-        q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum + part_of_d_vx_dot_d_minus_air;
+    let minus_minus_air_sum_sum =
+        minus_minus_air_sum * air_velocity_12_inv_V_sq - C_L * inv_air_velocity_12;
+    let part_of_d_vx_dot_d_minus_air_2 = minus_q0_q3_plus_q1_sum * minus_minus_air_sum_sum;
+    let part_of_d_vx_dot_d_minus_air_3 =
+        q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum - part_of_d_vx_dot_d_minus_air_2;
     let d_vx_dot_d_minus_air_velocity_3 =
-        part_of_d_vx_dot_d_minus_air_3 + V_inv_m_rho_A * part_of_d_vx_dot_d_minus_air_2;
-    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
-    let part_of_minus_d_vx_dot_d_air = d_vx_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
-    let minus_d_vx_dot_d_air_velocity_2 =
-        minus_q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product - part_of_minus_d_vx_dot_d_air;
-    let part_of_d_vx_dot_d_vx = minus_q0_q3_plus_q1_q2 * minus_d_vx_dot_d_air_velocity_2;
+        part_of_d_vx_dot_d_minus_air_4 + V_inv_m_rho_A * part_of_d_vx_dot_d_minus_air_3;
+    let part_of_d_vx_dot_d_air_velocity = minus_q0_q3_plus_q1_q2 * V_inv_m_rho_A_minus_product;
+    let d_vx_dot_d_air_velocity_2 =
+        part_of_d_vx_dot_d_air_velocity + air_velocity_2 * q0_q2_plus_q1_q3_sum_2;
+    let part_of_d_vx_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_vx_dot_d_air_velocity_2;
     let part_of_d_vx_dot_d_vx_2 =
-        q0_q2_plus_q1_q3 * d_vx_dot_d_minus_air_velocity_3 + part_of_d_vx_dot_d_vx;
-    let d_vx_dot_d_vx = T::splat(-2.0) * part_of_d_vx_dot_d_vx_2 - part_of_d_vx_dot_d_vx_3;
-    let part_of_d_vx_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * minus_d_vx_dot_d_air_velocity_2;
-    let part_of_d_vx_dot_d_vy = q0_q3_plus_q1_q2 * minus_d_vx_dot_d_minus_air_velocity_1;
+        q0_q2_plus_q1_q3 * d_vx_dot_d_minus_air_velocity_3 - part_of_d_vx_dot_d_vx;
+    let d_vx_dot_d_vx = part_of_d_vx_dot_d_vx_3 - T::splat(2.0) * part_of_d_vx_dot_d_vx_2;
+    let part_of_d_vx_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vx_dot_d_air_velocity_2;
+    let part_of_d_vx_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vx_dot_d_minus_air_velocity_3;
     let part_of_d_vx_dot_d_vy_2 =
-        minus_q1_q0_plus_q3_q2 * d_vx_dot_d_minus_air_velocity_3 - part_of_d_vx_dot_d_vy;
-    let d_vx_dot_d_vy = part_of_d_vx_dot_d_vy_3 - T::splat(2.0) * part_of_d_vx_dot_d_vy_2;
+        part_of_d_vx_dot_d_vy + q0_q3_plus_q1_q2 * d_vx_dot_d_minus_air_velocity_1;
+    let d_vx_dot_d_vy = T::splat(-2.0) * part_of_d_vx_dot_d_vy_2 - part_of_d_vx_dot_d_vy_3;
     let part_of_d_vx_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vx_dot_d_minus_air_velocity_3;
-    let part_of_d_vx_dot_d_vz = minus_q0_q2_plus_q1_q3 * minus_d_vx_dot_d_minus_air_velocity_1;
+    let part_of_d_vx_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vx_dot_d_minus_air_velocity_1;
     let part_of_d_vx_dot_d_vz_2 =
-        q1_q0_plus_q3_q2 * minus_d_vx_dot_d_air_velocity_2 - part_of_d_vx_dot_d_vz;
-    let d_vx_dot_d_vz = part_of_d_vx_dot_d_vz_3 - T::splat(2.0) * part_of_d_vx_dot_d_vz_2;
-    let V_inv_m_rho_A_minus_product = V_inv_m_rho_A * minus_air_velocity_3_C_sum;
-    let q2_V_inv_m_rho_A_product = q2 * V_inv_m_rho_A_minus_product;
-    let air_velocity_2_V_product = air_velocity_2 * V_inv_m_rho_A_air_product;
+        q1_q0_plus_q3_q2 * d_vx_dot_d_air_velocity_2 - part_of_d_vx_dot_d_vz;
+    let d_vx_dot_d_vz = part_of_d_vx_dot_d_vz_3 + T::splat(2.0) * part_of_d_vx_dot_d_vz_2;
+    let vx_minus_wind_x_q2_two = vx_minus_wind_x * q2_two;
+    let minus_vy_minus_wind_y_q1_two = minus_vy_minus_wind_y * q1_two;
+    let minus_d_minus_air_velocity_3_d_q0 = vx_minus_wind_x_q2_two + minus_vy_minus_wind_y_q1_two;
+    let part_of_d_vx_dot_d_q0 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q0;
+    let vx_minus_wind_x_q3_two = vx_minus_wind_x * q3_two;
+    let vz_minus_wind_z_q1_two = vz_minus_wind_z * q1_two;
+    let d_air_velocity_2_d_q0 = vz_minus_wind_z_q1_two - vx_minus_wind_x_q3_two;
+    let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
+    let vz_minus_wind_z_q2_two = vz_minus_wind_z * q2_two;
+    let d_minus_air_velocity_1_d_q0 = minus_vy_minus_wind_y_q3_two + vz_minus_wind_z_q2_two;
+    let V_inv_m_rho_A_minus_product_2 = V_inv_m_rho_A * minus_air_velocity_3_C_sum;
+    let q2_V_inv_m_rho_A_product = q2 * V_inv_m_rho_A_minus_product_2;
+    let air_velocity_2_V_product = air_velocity_2 * V_inv_m_rho_A_minus_product;
     let q3_air_velocity_2_V_product = q3 * air_velocity_2_V_product;
-    let q1_vy_minus_wind_y = q1 * vy_minus_wind_y;
-    let vx_minus_wind_x_q2 = vx_minus_wind_x * q2;
-    let minus_q1_vy_minus_wind_sum = vx_minus_wind_x_q2 - q1_vy_minus_wind_y;
-    let q1_vz_minus_wind_z = q1 * vz_minus_wind_z;
-    let vx_minus_wind_x_q3 = vx_minus_wind_x * q3;
-    let minus_q1_vz_minus_wind_sum = vx_minus_wind_x_q3 - q1_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q0_2 = minus_d_vx_dot_d_air_velocity_2 * minus_q1_vz_minus_wind_sum;
-    let q2_vz_minus_wind_z = q2 * vz_minus_wind_z;
-    let q3_vy_minus_wind_y = q3 * vy_minus_wind_y;
-    let minus_q2_vz_minus_wind_sum = q3_vy_minus_wind_y - q2_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q0 = minus_d_vx_dot_d_minus_air_velocity_1 * minus_q2_vz_minus_wind_sum;
+    let part_of_d_vx_dot_d_q0_2 =
+        d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q0 - part_of_d_vx_dot_d_q0;
     let part_of_d_vx_dot_d_q0_3 =
-        d_vx_dot_d_minus_air_velocity_3 * minus_q1_vy_minus_wind_sum - part_of_d_vx_dot_d_q0_2;
-    let part_of_d_vx_dot_d_q0_4 = T::splat(2.0) * (part_of_d_vx_dot_d_q0_3 - part_of_d_vx_dot_d_q0);
+        part_of_d_vx_dot_d_q0_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q0;
     let d_vx_dot_d_q0 =
-        q2_V_inv_m_rho_A_product + q3_air_velocity_2_V_product - part_of_d_vx_dot_d_q0_4;
+        part_of_d_vx_dot_d_q0_3 + q2_V_inv_m_rho_A_product - q3_air_velocity_2_V_product;
     let q0_two = T::splat(2.0) * q0;
-    let vy_minus_wind_y_q0_two = vy_minus_wind_y * q0_two;
-    let part_of_minus_d_minus_air =
-        T::splat(2.0) * vx_minus_wind_x_q3 - T::splat(4.0) * q1_vz_minus_wind_z;
-    let minus_d_minus_air_velocity_3_d_q1 = part_of_minus_d_minus_air - vy_minus_wind_y_q0_two;
-    let part_of_d_vx_dot_d_q1 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q1;
+    let minus_vy_minus_wind_y_q0_two = minus_vy_minus_wind_y * q0_two;
+    let q1_n4 = T::splat(4.0) * q1;
+    let d_minus_air_velocity_3_d_q1 =
+        vz_minus_wind_z * q1_n4 - vx_minus_wind_x_q3_two - minus_vy_minus_wind_y_q0_two;
+    let part_of_d_vx_dot_d_q1 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q1;
     let vz_minus_wind_z_q0_two = vz_minus_wind_z * q0_two;
-    let part_of_d_air_velocity_2_d_q1 =
-        T::splat(2.0) * vx_minus_wind_x_q2 - T::splat(4.0) * q1_vy_minus_wind_y;
-    let d_air_velocity_2_d_q1 = part_of_d_air_velocity_2_d_q1 + vz_minus_wind_z_q0_two;
-    let part_of_d_vx_dot_d_q1_2 = minus_d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q1;
-    let q3_V_inv_m_rho_A_product = q3 * V_inv_m_rho_A_minus_product;
+    let d_air_velocity_2_d_q1 =
+        vx_minus_wind_x_q2_two + minus_vy_minus_wind_y * q1_n4 + vz_minus_wind_z_q0_two;
+    let minus_vy_minus_wind_y_q2_two = minus_vy_minus_wind_y * q2_two;
+    let vz_minus_wind_z_q3_two = vz_minus_wind_z * q3_two;
+    let d_minus_air_velocity_1_d_q1 = minus_vy_minus_wind_y_q2_two - vz_minus_wind_z_q3_two;
+    let q3_V_inv_m_rho_A_product = q3 * V_inv_m_rho_A_minus_product_2;
     let q2_air_velocity_2_V_product = q2 * air_velocity_2_V_product;
-    let q3_vz_minus_wind_z = q3 * vz_minus_wind_z;
-    let q2_vy_minus_wind_y = q2 * vy_minus_wind_y;
-    let q3_vz_minus_wind_z_plus_sum = q3_vz_minus_wind_z + q2_vy_minus_wind_y;
-    let two_q3_vz_minus_product = T::splat(2.0) * q3_vz_minus_wind_z_plus_sum;
-    let part_of_d_vx_dot_d_q1_4 = minus_d_vx_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
+    let part_of_d_vx_dot_d_q1_2 =
+        part_of_d_vx_dot_d_q1 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q1;
     let part_of_d_vx_dot_d_q1_3 =
-        q3_V_inv_m_rho_A_product - part_of_d_vx_dot_d_q1 - part_of_d_vx_dot_d_q1_2;
+        part_of_d_vx_dot_d_q1_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q1;
     let d_vx_dot_d_q1 =
-        part_of_d_vx_dot_d_q1_3 - q2_air_velocity_2_V_product + part_of_d_vx_dot_d_q1_4;
+        part_of_d_vx_dot_d_q1_3 + q3_V_inv_m_rho_A_product + q2_air_velocity_2_V_product;
     let vx_minus_wind_x_q0_two = vx_minus_wind_x * q0_two;
-    let part_of_minus_d_minus_air_2 =
-        T::splat(2.0) * q3_vy_minus_wind_y - T::splat(4.0) * q2_vz_minus_wind_z;
-    let minus_d_minus_air_velocity_3_d_q2 = part_of_minus_d_minus_air_2 + vx_minus_wind_x_q0_two;
-    let part_of_d_vx_dot_d_q2 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q2;
-    let part_of_d_minus_air_velocity_1 =
-        vz_minus_wind_z_q0_two + T::splat(4.0) * vx_minus_wind_x_q2;
+    let part_of_d_minus_air_velocity_3 = minus_vy_minus_wind_y_q3_two - vx_minus_wind_x_q0_two;
+    let d_minus_air_velocity_3_d_q2 =
+        part_of_d_minus_air_velocity_3 + T::splat(4.0) * q2 * vz_minus_wind_z;
+    let part_of_d_vx_dot_d_q2 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q2;
+    let vx_minus_wind_x_q1_two = vx_minus_wind_x * q1_two;
+    let d_air_velocity_2_d_q2 = vz_minus_wind_z_q3_two + vx_minus_wind_x_q1_two;
+    let vx_minus_wind_x_n4 = T::splat(4.0) * vx_minus_wind_x;
     let d_minus_air_velocity_1_d_q2 =
-        part_of_d_minus_air_velocity_1 - T::splat(2.0) * q1_vy_minus_wind_y;
-    let part_of_d_vx_dot_d_q2_2 =
-        minus_d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q2;
-    let q0_V_inv_m_rho_A_product = q0 * V_inv_m_rho_A_minus_product;
+        minus_vy_minus_wind_y_q1_two + vz_minus_wind_z_q0_two + q2 * vx_minus_wind_x_n4;
+    let q0_V_inv_m_rho_A_product = q0 * V_inv_m_rho_A_minus_product_2;
     let q1_air_velocity_2_V_product = q1 * air_velocity_2_V_product;
-    let vx_minus_wind_x_q1 = vx_minus_wind_x * q1;
-    let q3_vz_minus_wind_z_plus_sum_2 = q3_vz_minus_wind_z + vx_minus_wind_x_q1;
-    let minus_air_velocity_product_6 = minus_air_velocity_1 * V_inv_m_rho_A_air_product;
-    let q2_minus_air_product = q2 * minus_air_velocity_product_6;
+    let minus_air_velocity_product_4 = minus_air_velocity_1 * V_inv_m_rho_A_minus_product;
+    let part_of_d_vx_dot_d_q2_2 =
+        part_of_d_vx_dot_d_q2 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q2;
     let part_of_d_vx_dot_d_q2_3 =
-        minus_d_vx_dot_d_air_velocity_2 * q3_vz_minus_wind_z_plus_sum_2 + q2_minus_air_product;
+        part_of_d_vx_dot_d_q2_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q2;
     let part_of_d_vx_dot_d_q2_4 =
-        q0_V_inv_m_rho_A_product - part_of_d_vx_dot_d_q2 - part_of_d_vx_dot_d_q2_2;
-    let part_of_d_vx_dot_d_q2_5 = part_of_d_vx_dot_d_q2_4 - q1_air_velocity_2_V_product;
-    let d_vx_dot_d_q2 = part_of_d_vx_dot_d_q2_5 - T::splat(2.0) * part_of_d_vx_dot_d_q2_3;
-    let part_of_minus_d_air_velocity_2 =
-        vx_minus_wind_x_q0_two + T::splat(4.0) * q3_vy_minus_wind_y;
-    let minus_d_air_velocity_2_d_q3 =
-        part_of_minus_d_air_velocity_2 - T::splat(2.0) * q2_vz_minus_wind_z;
-    let part_of_d_minus_air_velocity_1_2 =
-        T::splat(4.0) * vx_minus_wind_x_q3 - vy_minus_wind_y_q0_two;
+        part_of_d_vx_dot_d_q2_3 + q0_V_inv_m_rho_A_product + q1_air_velocity_2_V_product;
+    let d_vx_dot_d_q2 = part_of_d_vx_dot_d_q2_4 + q2_two * minus_air_velocity_product_4;
+    let d_minus_air_velocity_3_d_q3 = minus_vy_minus_wind_y_q2_two - vx_minus_wind_x_q1_two;
+    let part_of_d_vx_dot_d_q3 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q3;
+    let part_of_d_air_velocity_2_d_q3 = vz_minus_wind_z_q2_two - vx_minus_wind_x_q0_two;
+    let d_air_velocity_2_d_q3 =
+        part_of_d_air_velocity_2_d_q3 + T::splat(4.0) * q3 * minus_vy_minus_wind_y;
     let d_minus_air_velocity_1_d_q3 =
-        part_of_d_minus_air_velocity_1_2 - T::splat(2.0) * q1_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q3 = minus_d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q3;
+        minus_vy_minus_wind_y_q0_two - vz_minus_wind_z_q1_two + q3 * vx_minus_wind_x_n4;
+    let q1_V_inv_m_rho_A_product = q1 * V_inv_m_rho_A_minus_product_2;
     let q0_air_velocity_2_V_product = q0 * air_velocity_2_V_product;
-    let q1_V_inv_m_rho_A_product = q1 * V_inv_m_rho_A_minus_product;
-    let q2_vy_minus_wind_y_plus_sum = q2_vy_minus_wind_y + vx_minus_wind_x_q1;
-    let q3_minus_air_product = q3 * minus_air_velocity_product_6;
     let part_of_d_vx_dot_d_q3_2 =
-        d_vx_dot_d_minus_air_velocity_3 * q2_vy_minus_wind_y_plus_sum + q3_minus_air_product;
+        part_of_d_vx_dot_d_q3 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q3;
     let part_of_d_vx_dot_d_q3_3 =
-        minus_d_vx_dot_d_air_velocity_2 * minus_d_air_velocity_2_d_q3 - part_of_d_vx_dot_d_q3;
+        part_of_d_vx_dot_d_q3_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q3;
     let part_of_d_vx_dot_d_q3_4 =
-        part_of_d_vx_dot_d_q3_3 + q0_air_velocity_2_V_product + q1_V_inv_m_rho_A_product;
-    let d_vx_dot_d_q3 = part_of_d_vx_dot_d_q3_4 - T::splat(2.0) * part_of_d_vx_dot_d_q3_2;
-    let part_of_d_vy_dot_d_air_velocity_3 = minus_q1_q0_plus_q3_sum * air_velocity_12_inv_product;
-    let part_of_d_vy_dot_d_air_velocity = minus_q1_q0_plus_q3_q2 * C_L_minus_air_velocity_sum;
-    let part_of_d_vy_dot_d_air_velocity_2 =
-        part_of_d_vy_dot_d_air_velocity - q0_q3_plus_q1_q2_sum * minus_minus_air_sum_sum;
-    let d_vy_dot_d_air_velocity_12 =
-        part_of_d_vy_dot_d_air_velocity_3 + V_inv_m_rho_A * part_of_d_vy_dot_d_air_velocity_2;
-    let part_of_d_vy_dot_d_minus_air = d_vy_dot_d_air_velocity_12 * minus_air_velocity_product_4;
+        part_of_d_vx_dot_d_q3_3 + q1_V_inv_m_rho_A_product - q0_air_velocity_2_V_product;
+    let d_vx_dot_d_q3 = part_of_d_vx_dot_d_q3_4 + q3_two * minus_air_velocity_product_4;
+    let part_of_minus_q1_q0_plus_q3_sum_2 = minus_q1_q0_plus_q3_q2 * C_L_minus_air_velocity_sum;
+    let part_of_minus_q1_q0_plus_q3_sum_3 =
+        part_of_minus_q1_q0_plus_q3_sum_2 + q0_q3_plus_q1_q2_sum * minus_minus_minus_air_sum;
+    let part_of_minus_q1_q0_plus_q3_sum_4 =
+        part_of_minus_q1_q0_plus_q3_sum_3 * V_inv_m_rho_A_inv_product;
+    let minus_q1_q0_plus_q3_sum_2 =
+        minus_q1_q0_plus_q3_sum * inv_V_rho_A_inv_m + part_of_minus_q1_q0_plus_q3_sum_4;
+    let part_of_d_vy_dot_d_minus_air = minus_air_velocity_1 * minus_q1_q0_plus_q3_sum_2;
     let d_vy_dot_d_minus_air_velocity_1 =
-        part_of_d_vy_dot_d_minus_air + q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product;
+        part_of_d_vy_dot_d_minus_air - q0_q3_plus_q1_q2 * V_inv_m_rho_A_minus_product;
     let part_of_d_vy_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vy_dot_d_minus_air_velocity_1;
-    let part_of_minus_d_vy_dot_d_minus_3 = minus_q1_q0_plus_q3_sum * minus_air_velocity_product_5;
-    let part_of_minus_d_vy_dot_d_minus = minus_q1_q0_plus_q3_q2 * C_D_plus_air_velocity_sum;
-    let part_of_minus_d_vy_dot_d_minus_2 =
-        q0_q3_plus_q1_q2_sum * minus_minus_minus_air_sum - part_of_minus_d_vy_dot_d_minus;
-    let minus_d_vy_dot_d_minus_air_velocity_3 =
-        V_inv_m_rho_A * part_of_minus_d_vy_dot_d_minus_2 - part_of_minus_d_vy_dot_d_minus_3;
-    let part_of_d_vy_dot_d_vx = q0_q2_plus_q1_q3 * minus_d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_air_velocity_4 =
-        d_vy_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let part_of_d_vy_dot_d_minus_air_4 = minus_q1_q0_plus_q3_sum * minus_air_velocity_product_3;
+    let part_of_d_vy_dot_d_minus_air_2 = minus_q1_q0_plus_q3_q2 * C_D_plus_air_velocity_sum;
+    let part_of_d_vy_dot_d_minus_air_3 =
+        part_of_d_vy_dot_d_minus_air_2 + q0_q3_plus_q1_q2_sum * minus_minus_air_sum_sum;
+    let d_vy_dot_d_minus_air_velocity_3 =
+        part_of_d_vy_dot_d_minus_air_4 + V_inv_m_rho_A * part_of_d_vy_dot_d_minus_air_3;
+    let part_of_d_vy_dot_d_air_velocity = V_inv_m_rho_A_minus_product * q1_sq_two_plus_q3_product;
     let d_vy_dot_d_air_velocity_2 =
-        part_of_d_vy_dot_d_air_velocity_4 + V_inv_m_rho_A_air_product * q1_sq_two_plus_q3_product;
+        air_velocity_2 * minus_q1_q0_plus_q3_sum_2 - part_of_d_vy_dot_d_air_velocity;
+    let part_of_d_vy_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_vy_dot_d_air_velocity_2;
     let part_of_d_vy_dot_d_vx_2 =
-        part_of_d_vy_dot_d_vx + minus_q0_q3_plus_q1_q2 * d_vy_dot_d_air_velocity_2;
-    let d_vy_dot_d_vx = part_of_d_vy_dot_d_vx_3 + T::splat(2.0) * part_of_d_vy_dot_d_vx_2;
+        q0_q2_plus_q1_q3 * d_vy_dot_d_minus_air_velocity_3 - part_of_d_vy_dot_d_vx;
+    let d_vy_dot_d_vx = part_of_d_vy_dot_d_vx_3 - T::splat(2.0) * part_of_d_vy_dot_d_vx_2;
     let part_of_d_vy_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vy_dot_d_air_velocity_2;
-    let part_of_d_vy_dot_d_vy = minus_q1_q0_plus_q3_q2 * minus_d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_vy_2 =
-        part_of_d_vy_dot_d_vy - q0_q3_plus_q1_q2 * d_vy_dot_d_minus_air_velocity_1;
-    let d_vy_dot_d_vy = T::splat(2.0) * part_of_d_vy_dot_d_vy_2 - part_of_d_vy_dot_d_vy_3;
-    let part_of_d_vy_dot_d_vz_3 = q1_sq_two_minus_one_sum * minus_d_vy_dot_d_minus_air_velocity_3;
+        part_of_d_vy_dot_d_vy + q0_q3_plus_q1_q2 * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_vy = T::splat(-2.0) * part_of_d_vy_dot_d_vy_2 - part_of_d_vy_dot_d_vy_3;
+    let part_of_d_vy_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vy_dot_d_minus_air_velocity_1;
     let part_of_d_vy_dot_d_vz_2 =
         q1_q0_plus_q3_q2 * d_vy_dot_d_air_velocity_2 - part_of_d_vy_dot_d_vz;
-    let d_vy_dot_d_vz = T::splat(2.0) * part_of_d_vy_dot_d_vz_2 - part_of_d_vy_dot_d_vz_3;
-    let part_of_d_vy_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_vy_dot_d_minus_air_velocity_3;
+    let d_vy_dot_d_vz = part_of_d_vy_dot_d_vz_3 + T::splat(2.0) * part_of_d_vy_dot_d_vz_2;
+    let q3_minus_air_product = q3 * minus_air_velocity_product_4;
+    let part_of_d_vy_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_q0_2 =
-        part_of_d_vy_dot_d_q0 - minus_q1_vz_minus_wind_sum * d_vy_dot_d_air_velocity_2;
+        d_air_velocity_2_d_q0 * d_vy_dot_d_air_velocity_2 - q1_V_inv_m_rho_A_product;
     let part_of_d_vy_dot_d_q0_3 =
-        part_of_d_vy_dot_d_q0_2 - minus_q2_vz_minus_wind_sum * d_vy_dot_d_minus_air_velocity_1;
+        part_of_d_vy_dot_d_q0_2 - q3_minus_air_product - part_of_d_vy_dot_d_q0;
     let d_vy_dot_d_q0 =
-        q3_minus_air_product - q1_V_inv_m_rho_A_product + T::splat(2.0) * part_of_d_vy_dot_d_q0_3;
+        part_of_d_vy_dot_d_q0_3 + d_minus_air_velocity_1_d_q0 * d_vy_dot_d_minus_air_velocity_1;
+    let q2_minus_air_product = q2 * minus_air_velocity_product_4;
+    let part_of_d_vy_dot_d_q1_2 = d_air_velocity_2_d_q1 * d_vy_dot_d_air_velocity_2;
     let part_of_d_vy_dot_d_q1 =
-        minus_d_minus_air_velocity_3_d_q1 * minus_d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_q1_2 =
-        q1_air_velocity_2_V_product - q3_vz_minus_wind_z_plus_sum * d_vy_dot_d_minus_air_velocity_1;
+        d_minus_air_velocity_3_d_q1 * d_vy_dot_d_minus_air_velocity_3 - q0_V_inv_m_rho_A_product;
     let part_of_d_vy_dot_d_q1_3 =
-        q2_minus_air_product - q0_V_inv_m_rho_A_product + part_of_d_vy_dot_d_q1;
+        part_of_d_vy_dot_d_q1 - q2_minus_air_product + part_of_d_vy_dot_d_q1_2;
     let part_of_d_vy_dot_d_q1_4 =
-        part_of_d_vy_dot_d_q1_3 + d_air_velocity_2_d_q1 * d_vy_dot_d_air_velocity_2;
-    let d_vy_dot_d_q1 = part_of_d_vy_dot_d_q1_4 + T::splat(2.0) * part_of_d_vy_dot_d_q1_2;
+        part_of_d_vy_dot_d_q1_3 + d_minus_air_velocity_1_d_q1 * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_q1 = part_of_d_vy_dot_d_q1_4 - q1_two * air_velocity_2_V_product;
+    let q1_minus_air_product = q1 * minus_air_velocity_product_4;
     let part_of_d_vy_dot_d_q2 =
-        minus_d_minus_air_velocity_3_d_q2 * minus_d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * d_vy_dot_d_minus_air_velocity_1;
-    let q1_minus_air_product = q1 * minus_air_velocity_product_6;
-    let two_q3_vz_minus_product_2 = T::splat(2.0) * q3_vz_minus_wind_z_plus_sum_2;
-    let part_of_d_vy_dot_d_q2_4 = d_vy_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
+        q3_V_inv_m_rho_A_product + d_minus_air_velocity_3_d_q2 * d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_q2_2 =
+        part_of_d_vy_dot_d_q2 + d_air_velocity_2_d_q2 * d_vy_dot_d_air_velocity_2;
     let part_of_d_vy_dot_d_q2_3 =
-        q3_V_inv_m_rho_A_product + part_of_d_vy_dot_d_q2 + part_of_d_vy_dot_d_q2_2;
-    let d_vy_dot_d_q2 = part_of_d_vy_dot_d_q2_3 + q1_minus_air_product + part_of_d_vy_dot_d_q2_4;
-    let q0_minus_air_product = q0 * minus_air_velocity_product_6;
-    let part_of_d_vy_dot_d_q3 = q2_vy_minus_wind_y_plus_sum * minus_d_vy_dot_d_minus_air_velocity_3;
+        part_of_d_vy_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_q2 = part_of_d_vy_dot_d_q2_3 - q1_minus_air_product;
+    let q0_minus_air_product = q0 * minus_air_velocity_product_4;
+    let part_of_d_vy_dot_d_q3 =
+        q2_V_inv_m_rho_A_product + d_minus_air_velocity_3_d_q3 * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_q3_2 =
-        T::splat(2.0) * (q3_air_velocity_2_V_product + part_of_d_vy_dot_d_q3);
+        part_of_d_vy_dot_d_q3 + d_air_velocity_2_d_q3 * d_vy_dot_d_air_velocity_2;
     let part_of_d_vy_dot_d_q3_3 =
-        q2_V_inv_m_rho_A_product - minus_d_air_velocity_2_d_q3 * d_vy_dot_d_air_velocity_2;
-    let part_of_d_vy_dot_d_q3_4 =
-        part_of_d_vy_dot_d_q3_3 + d_minus_air_velocity_1_d_q3 * d_vy_dot_d_minus_air_velocity_1;
-    let d_vy_dot_d_q3 = part_of_d_vy_dot_d_q3_4 + q0_minus_air_product + part_of_d_vy_dot_d_q3_2;
-    let part_of_d_vz_dot_d_air_velocity_3 = q1_sq_two_minus_one_sum_2 * air_velocity_12_inv_product;
-    let part_of_d_vz_dot_d_air_velocity = C_L_minus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
-    let part_of_d_vz_dot_d_air_velocity_2 =
-        q1_q0_plus_q3_q2_sum * minus_minus_air_sum_sum - part_of_d_vz_dot_d_air_velocity;
-    let d_vz_dot_d_air_velocity_12 =
-        V_inv_m_rho_A * part_of_d_vz_dot_d_air_velocity_2 - part_of_d_vz_dot_d_air_velocity_3;
-    let d_vz_dot_d_minus_air_velocity_1 = minus_q0_q2_plus_q1_q3 * V_inv_m_rho_A_air_product;
-    let d_vz_dot_d_minus_air_velocity_1_2 =
-        d_vz_dot_d_air_velocity_12 * minus_air_velocity_product_4 + d_vz_dot_d_minus_air_velocity_1;
-    let part_of_d_vz_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1_2;
-    let part_of_d_vz_dot_d_minus_air_3 = q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_5;
-    let part_of_d_vz_dot_d_minus_air = C_D_plus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
-    let part_of_d_vz_dot_d_minus_air_2 =
-        q1_q0_plus_q3_q2_sum * minus_minus_minus_air_sum - part_of_d_vz_dot_d_minus_air;
+        part_of_d_vy_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_q3 =
+        part_of_d_vy_dot_d_q3_3 - q0_minus_air_product - q3_two * air_velocity_2_V_product;
+    let part_of_d_vz_dot_d_minus_air = minus_q0_q2_plus_q1_q3 * V_inv_m_rho_A_minus_product;
+    let part_of_minus_q1_sq_two_product = C_L_minus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
+    let part_of_minus_q1_sq_two_product_2 =
+        q1_q0_plus_q3_q2_sum * minus_minus_minus_air_sum + part_of_minus_q1_sq_two_product;
+    let part_of_minus_q1_sq_two_product_3 =
+        part_of_minus_q1_sq_two_product_2 * V_inv_m_rho_A_inv_product;
+    let minus_q1_sq_two_product_sum =
+        minus_q1_sq_two_minus_one_sum_2 * inv_V_rho_A_inv_m - part_of_minus_q1_sq_two_product_3;
+    let d_vz_dot_d_minus_air_velocity_1 =
+        minus_air_velocity_1 * minus_q1_sq_two_product_sum - part_of_d_vz_dot_d_minus_air;
+    let part_of_d_vz_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1;
+    let part_of_d_vz_dot_d_minus_air_4 =
+        minus_q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_3;
+    let part_of_d_vz_dot_d_minus_air_2 = C_D_plus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
+    let part_of_d_vz_dot_d_minus_air_3 =
+        q1_q0_plus_q3_q2_sum * minus_minus_air_sum_sum + part_of_d_vz_dot_d_minus_air_2;
     let d_vz_dot_d_minus_air_velocity_3 =
-        V_inv_m_rho_A * part_of_d_vz_dot_d_minus_air_2 - part_of_d_vz_dot_d_minus_air_3;
-    let part_of_minus_d_vz_dot_d_air = d_vz_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
-    let minus_d_vz_dot_d_air_velocity_2 =
-        q1_q0_plus_q3_q2 * V_inv_m_rho_A_air_product - part_of_minus_d_vz_dot_d_air;
-    let part_of_d_vz_dot_d_vx = minus_q0_q3_plus_q1_q2 * minus_d_vz_dot_d_air_velocity_2;
+        part_of_d_vz_dot_d_minus_air_4 - V_inv_m_rho_A * part_of_d_vz_dot_d_minus_air_3;
+    let part_of_d_vz_dot_d_air_velocity = q1_q0_plus_q3_q2 * V_inv_m_rho_A_minus_product;
+    let d_vz_dot_d_air_velocity_2 =
+        part_of_d_vz_dot_d_air_velocity + air_velocity_2 * minus_q1_sq_two_product_sum;
+    let part_of_d_vz_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_vx_2 =
-        q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_3 + part_of_d_vz_dot_d_vx;
+        q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_3 - part_of_d_vz_dot_d_vx;
     let d_vz_dot_d_vx = part_of_d_vz_dot_d_vx_3 - T::splat(2.0) * part_of_d_vz_dot_d_vx_2;
-    let part_of_d_vz_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * minus_d_vz_dot_d_air_velocity_2;
+    let part_of_d_vz_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_vy_2 =
-        part_of_d_vz_dot_d_vy + q0_q3_plus_q1_q2 * d_vz_dot_d_minus_air_velocity_1_2;
-    let d_vz_dot_d_vy = part_of_d_vz_dot_d_vy_3 - T::splat(2.0) * part_of_d_vz_dot_d_vy_2;
+        part_of_d_vz_dot_d_vy + q0_q3_plus_q1_q2 * d_vz_dot_d_minus_air_velocity_1;
+    let d_vz_dot_d_vy = T::splat(-2.0) * part_of_d_vz_dot_d_vy_2 - part_of_d_vz_dot_d_vy_3;
     let part_of_d_vz_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_1_2;
+    let part_of_d_vz_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_1;
     let part_of_d_vz_dot_d_vz_2 =
-        q1_q0_plus_q3_q2 * minus_d_vz_dot_d_air_velocity_2 + part_of_d_vz_dot_d_vz;
-    let d_vz_dot_d_vz = part_of_d_vz_dot_d_vz_3 - T::splat(2.0) * part_of_d_vz_dot_d_vz_2;
-    let part_of_d_vz_dot_d_q0 = minus_q1_vz_minus_wind_sum * minus_d_vz_dot_d_air_velocity_2;
+        q1_q0_plus_q3_q2 * d_vz_dot_d_air_velocity_2 - part_of_d_vz_dot_d_vz;
+    let d_vz_dot_d_vz = part_of_d_vz_dot_d_vz_3 + T::splat(2.0) * part_of_d_vz_dot_d_vz_2;
+    let part_of_d_vz_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_q0_2 =
-        minus_q1_vy_minus_wind_sum * d_vz_dot_d_minus_air_velocity_3 - part_of_d_vz_dot_d_q0;
+        q1_air_velocity_2_V_product + q2_minus_air_product - part_of_d_vz_dot_d_q0;
     let part_of_d_vz_dot_d_q0_3 =
-        part_of_d_vz_dot_d_q0_2 + minus_q2_vz_minus_wind_sum * d_vz_dot_d_minus_air_velocity_1_2;
-    let part_of_d_vz_dot_d_q0_4 =
-        T::splat(-2.0) * part_of_d_vz_dot_d_q0_3 - q1_air_velocity_2_V_product;
-    let d_vz_dot_d_q0 = part_of_d_vz_dot_d_q0_4 - q2_minus_air_product;
-    let part_of_d_vz_dot_d_q1 = minus_d_minus_air_velocity_3_d_q1 * d_vz_dot_d_minus_air_velocity_3;
+        part_of_d_vz_dot_d_q0_2 + d_air_velocity_2_d_q0 * d_vz_dot_d_air_velocity_2;
+    let d_vz_dot_d_q0 =
+        part_of_d_vz_dot_d_q0_3 + d_minus_air_velocity_1_d_q0 * d_vz_dot_d_minus_air_velocity_1;
+    let part_of_d_vz_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_q1_2 =
-        q1_V_inv_m_rho_A_product + q3_vz_minus_wind_z_plus_sum * d_vz_dot_d_minus_air_velocity_1_2;
+        q0_air_velocity_2_V_product - q3_minus_air_product + part_of_d_vz_dot_d_q1;
     let part_of_d_vz_dot_d_q1_3 =
-        q3_minus_air_product - q0_air_velocity_2_V_product - part_of_d_vz_dot_d_q1;
+        part_of_d_vz_dot_d_q1_2 + d_air_velocity_2_d_q1 * d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_q1_4 =
-        part_of_d_vz_dot_d_q1_3 - d_air_velocity_2_d_q1 * minus_d_vz_dot_d_air_velocity_2;
-    let d_vz_dot_d_q1 = part_of_d_vz_dot_d_q1_4 - T::splat(2.0) * part_of_d_vz_dot_d_q1_2;
-    let part_of_d_vz_dot_d_q2 = minus_d_minus_air_velocity_3_d_q2 * d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_q2_3 = d_minus_air_velocity_1_d_q2 * d_vz_dot_d_minus_air_velocity_1_2;
+        part_of_d_vz_dot_d_q1_3 + d_minus_air_velocity_1_d_q1 * d_vz_dot_d_minus_air_velocity_1;
+    let d_vz_dot_d_q1 = part_of_d_vz_dot_d_q1_4 - q1_two * V_inv_m_rho_A_minus_product_2;
+    let part_of_d_vz_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_q2_2 =
-        q2_V_inv_m_rho_A_product + q3_vz_minus_wind_z_plus_sum_2 * minus_d_vz_dot_d_air_velocity_2;
+        q3_air_velocity_2_V_product + q0_minus_air_product + part_of_d_vz_dot_d_q2;
+    let part_of_d_vz_dot_d_q2_3 =
+        part_of_d_vz_dot_d_q2_2 + d_air_velocity_2_d_q2 * d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_q2_4 =
-        part_of_d_vz_dot_d_q2_3 - q3_air_velocity_2_V_product - q0_minus_air_product;
-    let d_vz_dot_d_q2 =
-        part_of_d_vz_dot_d_q2_4 - part_of_d_vz_dot_d_q2 - T::splat(2.0) * part_of_d_vz_dot_d_q2_2;
-    let part_of_d_vz_dot_d_q3 = minus_d_air_velocity_2_d_q3 * minus_d_vz_dot_d_air_velocity_2;
-    let two_q2_vy_minus_product = T::splat(2.0) * q2_vy_minus_wind_y_plus_sum;
+        part_of_d_vz_dot_d_q2_3 + d_minus_air_velocity_1_d_q2 * d_vz_dot_d_minus_air_velocity_1;
+    let d_vz_dot_d_q2 = part_of_d_vz_dot_d_q2_4 - q2_two * V_inv_m_rho_A_minus_product_2;
+    let part_of_d_vz_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_q3_2 =
-        q1_minus_air_product - q2_air_velocity_2_V_product + part_of_d_vz_dot_d_q3;
+        q2_air_velocity_2_V_product - q1_minus_air_product + part_of_d_vz_dot_d_q3;
     let part_of_d_vz_dot_d_q3_3 =
-        part_of_d_vz_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_vz_dot_d_minus_air_velocity_1_2;
+        part_of_d_vz_dot_d_q3_2 + d_air_velocity_2_d_q3 * d_vz_dot_d_air_velocity_2;
     let d_vz_dot_d_q3 =
-        part_of_d_vz_dot_d_q3_3 - d_vz_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
-    let minus_d_q3_dot_d_q2 = T::splat(0.5) * p;
-    let minus_d_q1_dot_d_q3 = T::splat(0.5) * q;
-    let minus_d_q2_dot_d_q1 = T::splat(0.5) * r;
-    let minus_d_q2_dot_d_r = T::splat(0.5) * q1;
-    let minus_d_q3_dot_d_p = T::splat(0.5) * q2;
-    let minus_d_q1_dot_d_q = T::splat(0.5) * q3;
+        part_of_d_vz_dot_d_q3_3 + d_minus_air_velocity_1_d_q3 * d_vz_dot_d_minus_air_velocity_1;
+    let minus_d_q0_dot_d_q1 = T::splat(0.5) * p;
+    let minus_d_q0_dot_d_q2 = T::splat(0.5) * q;
+    let minus_d_q0_dot_d_q3 = T::splat(0.5) * r;
+    let minus_d_q0_dot_d_p = T::splat(0.5) * q1;
+    let minus_d_q0_dot_d_q = T::splat(0.5) * q2;
+    let minus_d_q0_dot_d_r = T::splat(0.5) * q3;
     let d_q1_dot_d_p = T::splat(0.5) * q0;
+    let air_velocity_12_C_product = C_Mq_d_rho_A_inv_I_d * air_velocity_12;
+    let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
+    let nonzero_V = V.if_zero(T::splat(0.0), T::splat(1.0));
+    let part_of_nonzero_air_product_sum = d_rho_A_inv_I_d * nonzero_air_velocity_12_sq * nonzero_V;
+    let nonzero_air_product_sum =
+        part_of_nonzero_air_product_sum - inv_air_velocity_12 * inv_air_velocity_12_product;
     let r_C_Rr = C_Rr * r;
     let air_velocity_2_alpha_C_sum = air_velocity_2 * alpha_C_Ma + minus_air_velocity_1 * r_C_Rr;
-    let inv_air_velocity_12_product_2 = inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
-    let air_velocity_12_d_product = d_rho_A_inv_I_d * air_velocity_12;
     let part_of_d_p_dot_d_air_velocity =
-        (inv_air_velocity_12_product_2 - C_Mq * p) * air_velocity_12_d_product;
-    let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
-    let inv_air_velocity_12_product_3 = inv_air_velocity_12 * inv_air_velocity_12_product;
-    let part_of_d_p_dot_d_air_velocity_3 =
-        air_velocity_2_alpha_C_sum * inv_air_velocity_12_product_3;
-    let part_of_d_p_dot_d_air_velocity_2 =
-        minus_air_velocity_product_2 * C_Ma_air_velocity_2_product - part_of_d_p_dot_d_air_velocity;
+        p * air_velocity_12_C_product + minus_air_velocity_product_2 * C_Ma_air_velocity_2_product;
     let d_p_dot_d_air_velocity_12 =
-        part_of_d_p_dot_d_air_velocity_2 + part_of_d_p_dot_d_air_velocity_3;
-    let inv_air_velocity_12_product_4 = inv_air_velocity_12_product * r_C_Rr;
-    let minus_d_p_dot_d_minus_air_velocity_1 =
-        inv_air_velocity_12_product_4 - d_p_dot_d_air_velocity_12 * minus_air_velocity_product_4;
-    let part_of_d_p_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * minus_d_p_dot_d_minus_air_velocity_1;
-    let part_of_minus_d_p_dot_d_minus =
-        p * C_Mq_nonzero_air_product - inv_air_velocity_12_product_2;
-    let minus_air_velocity_product_7 = d_rho_A_inv_I_d * minus_air_velocity_3;
-    let part_of_minus_d_p_dot_d_minus_2 =
-        part_of_minus_d_p_dot_d_minus * minus_air_velocity_product_7;
-    let minus_d_p_dot_d_minus_air_velocity_3 =
-        air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product - part_of_minus_d_p_dot_d_minus_2;
-    let inv_air_velocity_12_product_5 = inv_air_velocity_12_product * alpha_C_Ma;
-    let minus_d_p_dot_d_air_velocity_2 =
-        inv_air_velocity_12_product_5 - d_p_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
-    let part_of_d_p_dot_d_vx = minus_q0_q3_plus_q1_q2 * minus_d_p_dot_d_air_velocity_2;
+        part_of_d_p_dot_d_air_velocity - nonzero_air_product_sum * air_velocity_2_alpha_C_sum;
+    let minus_air_velocity_product_5 = minus_air_velocity_1 * inv_air_velocity_12;
+    let inv_air_velocity_12_product_2 = inv_air_velocity_12_product * r_C_Rr;
+    let d_p_dot_d_minus_air_velocity_1 =
+        d_p_dot_d_air_velocity_12 * minus_air_velocity_product_5 - inv_air_velocity_12_product_2;
+    let part_of_d_p_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_minus_air =
+        p * C_Mq_nonzero_air_product - inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
+    let minus_air_velocity_product_6 = d_rho_A_inv_I_d * minus_air_velocity_3;
+    let part_of_d_p_dot_d_minus_air_2 = part_of_d_p_dot_d_minus_air * minus_air_velocity_product_6;
+    let d_p_dot_d_minus_air_velocity_3 =
+        part_of_d_p_dot_d_minus_air_2 - air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product;
+    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
+    let inv_air_velocity_12_product_3 = inv_air_velocity_12_product * alpha_C_Ma;
+    let d_p_dot_d_air_velocity_2 =
+        d_p_dot_d_air_velocity_12 * air_velocity_2_inv_product_2 - inv_air_velocity_12_product_3;
+    let part_of_d_p_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_p_dot_d_air_velocity_2;
     let part_of_d_p_dot_d_vx_2 =
-        q0_q2_plus_q1_q3 * minus_d_p_dot_d_minus_air_velocity_3 - part_of_d_p_dot_d_vx;
-    let d_p_dot_d_vx = T::splat(2.0) * part_of_d_p_dot_d_vx_2 - part_of_d_p_dot_d_vx_3;
-    let part_of_d_p_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * minus_d_p_dot_d_air_velocity_2;
-    let part_of_d_p_dot_d_vy = minus_q1_q0_plus_q3_q2 * minus_d_p_dot_d_minus_air_velocity_3;
+        q0_q2_plus_q1_q3 * d_p_dot_d_minus_air_velocity_3 - part_of_d_p_dot_d_vx;
+    let d_p_dot_d_vx = part_of_d_p_dot_d_vx_3 - T::splat(2.0) * part_of_d_p_dot_d_vx_2;
+    let part_of_d_p_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_p_dot_d_air_velocity_2;
+    let part_of_d_p_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_vy_2 =
-        part_of_d_p_dot_d_vy + q0_q3_plus_q1_q2 * minus_d_p_dot_d_minus_air_velocity_1;
-    let d_p_dot_d_vy = part_of_d_p_dot_d_vy_3 + T::splat(2.0) * part_of_d_p_dot_d_vy_2;
-    let part_of_d_p_dot_d_vz_3 = q1_sq_two_minus_one_sum * minus_d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_vz = minus_q0_q2_plus_q1_q3 * minus_d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_vz_2 =
-        q1_q0_plus_q3_q2 * minus_d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_vz;
-    let d_p_dot_d_vz = T::splat(-2.0) * part_of_d_p_dot_d_vz_2 - part_of_d_p_dot_d_vz_3;
-    let part_of_d_p_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q0_2 = minus_q2_vz_minus_wind_sum * minus_d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_q0_3 =
-        part_of_d_p_dot_d_q0 + minus_q1_vz_minus_wind_sum * minus_d_p_dot_d_air_velocity_2;
-    let d_p_dot_d_q0 = T::splat(2.0) * (part_of_d_p_dot_d_q0_3 + part_of_d_p_dot_d_q0_2);
-    let part_of_d_p_dot_d_q1 =
-        minus_d_minus_air_velocity_3_d_q1 * minus_d_p_dot_d_minus_air_velocity_3;
+        part_of_d_p_dot_d_vy + q0_q3_plus_q1_q2 * d_p_dot_d_minus_air_velocity_1;
+    let d_p_dot_d_vy = T::splat(-2.0) * part_of_d_p_dot_d_vy_2 - part_of_d_p_dot_d_vy_3;
+    let part_of_d_p_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_vz_2 = q1_q0_plus_q3_q2 * d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_vz;
+    let d_p_dot_d_vz = part_of_d_p_dot_d_vz_3 + T::splat(2.0) * part_of_d_p_dot_d_vz_2;
+    let part_of_d_p_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q0_2 =
+        d_air_velocity_2_d_q0 * d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_q0;
+    let d_p_dot_d_q0 =
+        part_of_d_p_dot_d_q0_2 + d_minus_air_velocity_1_d_q0 * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_q1_2 =
-        part_of_d_p_dot_d_q1 - d_air_velocity_2_d_q1 * minus_d_p_dot_d_air_velocity_2;
+        part_of_d_p_dot_d_q1 + d_air_velocity_2_d_q1 * d_p_dot_d_air_velocity_2;
     let d_p_dot_d_q1 =
-        part_of_d_p_dot_d_q1_2 + minus_d_p_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
-    let part_of_d_p_dot_d_q2 =
-        minus_d_minus_air_velocity_3_d_q2 * minus_d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * minus_d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_q2_3 = minus_d_p_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
-    let d_p_dot_d_q2 = part_of_d_p_dot_d_q2 - part_of_d_p_dot_d_q2_2 - part_of_d_p_dot_d_q2_3;
-    let part_of_d_p_dot_d_q3 = d_minus_air_velocity_1_d_q3 * minus_d_p_dot_d_minus_air_velocity_1;
+        part_of_d_p_dot_d_q1_2 + d_minus_air_velocity_1_d_q1 * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q2_2 =
+        part_of_d_p_dot_d_q2 + d_air_velocity_2_d_q2 * d_p_dot_d_air_velocity_2;
+    let d_p_dot_d_q2 =
+        part_of_d_p_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_q3_2 =
-        minus_d_air_velocity_2_d_q3 * minus_d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_q3;
+        part_of_d_p_dot_d_q3 + d_air_velocity_2_d_q3 * d_p_dot_d_air_velocity_2;
     let d_p_dot_d_q3 =
-        part_of_d_p_dot_d_q3_2 + minus_d_p_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
+        part_of_d_p_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_p_dot_d_minus_air_velocity_1;
     let d_p_dot_d_q = one_minus_inv_I_d_I_a * r;
-    let minus_air_velocity_2_r_sum = minus_air_velocity_1 * alpha_C_Ma - air_velocity_2 * r_C_Rr;
-    let inv_air_velocity_12_product_6 = inv_air_velocity_12 * minus_air_velocity_2_r_sum;
+    let minus_air_velocity_product_7 = C_Ma * minus_air_velocity_product;
+    let air_velocity_2_r_C_Rr_sum = air_velocity_2 * r_C_Rr - minus_air_velocity_1 * alpha_C_Ma;
     let part_of_d_q_dot_d_air_velocity =
-        (inv_air_velocity_12_product_6 - C_Mq * q) * air_velocity_12_d_product;
-    let minus_air_velocity_product_8 = C_Ma * minus_air_velocity_product;
-    let part_of_d_q_dot_d_air_velocity_2 =
-        minus_air_velocity_product_2 * minus_air_velocity_product_8;
-    let part_of_d_q_dot_d_air_velocity_4 =
-        minus_air_velocity_2_r_sum * inv_air_velocity_12_product_3;
-    let part_of_d_q_dot_d_air_velocity_3 =
-        part_of_d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_air_velocity;
+        q * air_velocity_12_C_product + minus_air_velocity_product_2 * minus_air_velocity_product_7;
     let d_q_dot_d_air_velocity_12 =
-        part_of_d_q_dot_d_air_velocity_3 + part_of_d_q_dot_d_air_velocity_4;
-    let minus_d_q_dot_d_minus_air_velocity_1 =
-        inv_air_velocity_12_product_5 - d_q_dot_d_air_velocity_12 * minus_air_velocity_product_4;
-    let part_of_d_q_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * minus_d_q_dot_d_minus_air_velocity_1;
-    let part_of_minus_d_q_dot_d_minus =
-        q * C_Mq_nonzero_air_product - inv_air_velocity_12_product_6;
-    let part_of_minus_d_q_dot_d_minus_2 =
-        part_of_minus_d_q_dot_d_minus * minus_air_velocity_product_7;
-    let minus_d_q_dot_d_minus_air_velocity_3 =
-        air_velocity_12_inv_V_sq * minus_air_velocity_product_8 - part_of_minus_d_q_dot_d_minus_2;
-    let part_of_d_q_dot_d_vx = q0_q2_plus_q1_q3 * minus_d_q_dot_d_minus_air_velocity_3;
+        part_of_d_q_dot_d_air_velocity + nonzero_air_product_sum * air_velocity_2_r_C_Rr_sum;
+    let d_q_dot_d_minus_air_velocity_1 =
+        d_q_dot_d_air_velocity_12 * minus_air_velocity_product_5 - inv_air_velocity_12_product_3;
+    let part_of_d_q_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_minus_air =
+        q * C_Mq_nonzero_air_product + inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum;
+    let part_of_d_q_dot_d_minus_air_2 = part_of_d_q_dot_d_minus_air * minus_air_velocity_product_6;
+    let d_q_dot_d_minus_air_velocity_3 =
+        part_of_d_q_dot_d_minus_air_2 - air_velocity_12_inv_V_sq * minus_air_velocity_product_7;
     let d_q_dot_d_air_velocity_2 =
-        inv_air_velocity_12_product_4 + d_q_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+        inv_air_velocity_12_product_2 + d_q_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+    let part_of_d_q_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_q_dot_d_air_velocity_2;
     let part_of_d_q_dot_d_vx_2 =
-        part_of_d_q_dot_d_vx + minus_q0_q3_plus_q1_q2 * d_q_dot_d_air_velocity_2;
-    let d_q_dot_d_vx = T::splat(2.0) * part_of_d_q_dot_d_vx_2 - part_of_d_q_dot_d_vx_3;
+        q0_q2_plus_q1_q3 * d_q_dot_d_minus_air_velocity_3 - part_of_d_q_dot_d_vx;
+    let d_q_dot_d_vx = part_of_d_q_dot_d_vx_3 - T::splat(2.0) * part_of_d_q_dot_d_vx_2;
     let part_of_d_q_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_q_dot_d_air_velocity_2;
-    let part_of_d_q_dot_d_vy = minus_q1_q0_plus_q3_q2 * minus_d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_q_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_vy_2 =
-        part_of_d_q_dot_d_vy + q0_q3_plus_q1_q2 * minus_d_q_dot_d_minus_air_velocity_1;
-    let d_q_dot_d_vy = T::splat(2.0) * part_of_d_q_dot_d_vy_2 - part_of_d_q_dot_d_vy_3;
-    let part_of_d_q_dot_d_vz_3 = q1_sq_two_minus_one_sum * minus_d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_q_dot_d_vz = minus_q0_q2_plus_q1_q3 * minus_d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_vz_2 = q1_q0_plus_q3_q2 * d_q_dot_d_air_velocity_2 + part_of_d_q_dot_d_vz;
-    let d_q_dot_d_vz = T::splat(2.0) * part_of_d_q_dot_d_vz_2 - part_of_d_q_dot_d_vz_3;
-    let part_of_d_q_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_q_dot_d_q0_2 = minus_q2_vz_minus_wind_sum * minus_d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_q0_3 =
-        part_of_d_q_dot_d_q0 - minus_q1_vz_minus_wind_sum * d_q_dot_d_air_velocity_2;
-    let d_q_dot_d_q0 = T::splat(2.0) * (part_of_d_q_dot_d_q0_3 + part_of_d_q_dot_d_q0_2);
-    let part_of_d_q_dot_d_q1 =
-        minus_d_minus_air_velocity_3_d_q1 * minus_d_q_dot_d_minus_air_velocity_3;
+        part_of_d_q_dot_d_vy + q0_q3_plus_q1_q2 * d_q_dot_d_minus_air_velocity_1;
+    let d_q_dot_d_vy = T::splat(-2.0) * part_of_d_q_dot_d_vy_2 - part_of_d_q_dot_d_vy_3;
+    let part_of_d_q_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_vz_2 = q1_q0_plus_q3_q2 * d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_vz;
+    let d_q_dot_d_vz = part_of_d_q_dot_d_vz_3 + T::splat(2.0) * part_of_d_q_dot_d_vz_2;
+    let part_of_d_q_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_q0_2 =
+        d_air_velocity_2_d_q0 * d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_q0;
+    let d_q_dot_d_q0 =
+        part_of_d_q_dot_d_q0_2 + d_minus_air_velocity_1_d_q0 * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_q_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_q1_2 =
         part_of_d_q_dot_d_q1 + d_air_velocity_2_d_q1 * d_q_dot_d_air_velocity_2;
     let d_q_dot_d_q1 =
-        part_of_d_q_dot_d_q1_2 + minus_d_q_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
-    let part_of_d_q_dot_d_q2 =
-        minus_d_minus_air_velocity_3_d_q2 * minus_d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_q_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * minus_d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_q2_3 = d_q_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
-    let d_q_dot_d_q2 = part_of_d_q_dot_d_q2 - part_of_d_q_dot_d_q2_2 + part_of_d_q_dot_d_q2_3;
-    let part_of_d_q_dot_d_q3 = d_minus_air_velocity_1_d_q3 * minus_d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_q3_2 = minus_d_q_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
-    let part_of_d_q_dot_d_q3_3 =
-        part_of_d_q_dot_d_q3_2 - minus_d_air_velocity_2_d_q3 * d_q_dot_d_air_velocity_2;
-    let d_q_dot_d_q3 = part_of_d_q_dot_d_q3_3 - part_of_d_q_dot_d_q3;
-    let d_q0_dot_d_q1 = -minus_d_q3_dot_d_q2;
-    let d_q0_dot_d_q2 = -minus_d_q1_dot_d_q3;
-    let d_q0_dot_d_q3 = -minus_d_q2_dot_d_q1;
-    let d_q0_dot_d_p = -minus_d_q2_dot_d_r;
-    let d_q0_dot_d_q = -minus_d_q3_dot_d_p;
-    let d_q0_dot_d_r = -minus_d_q1_dot_d_q;
-    let d_q1_dot_d_q3 = -minus_d_q1_dot_d_q3;
-    let d_q1_dot_d_q = -minus_d_q1_dot_d_q;
-    let d_q2_dot_d_q1 = -minus_d_q2_dot_d_q1;
-    let d_q2_dot_d_r = -minus_d_q2_dot_d_r;
-    let d_q3_dot_d_q2 = -minus_d_q3_dot_d_q2;
-    let d_q3_dot_d_p = -minus_d_q3_dot_d_p;
+        part_of_d_q_dot_d_q1_2 + d_minus_air_velocity_1_d_q1 * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_q2_2 =
+        part_of_d_q_dot_d_q2 + d_air_velocity_2_d_q2 * d_q_dot_d_air_velocity_2;
+    let d_q_dot_d_q2 =
+        part_of_d_q_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_q3_2 =
+        part_of_d_q_dot_d_q3 + d_air_velocity_2_d_q3 * d_q_dot_d_air_velocity_2;
+    let d_q_dot_d_q3 =
+        part_of_d_q_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_q_dot_d_minus_air_velocity_1;
+    let d_q0_dot_d_q1 = -minus_d_q0_dot_d_q1;
+    let d_q0_dot_d_q2 = -minus_d_q0_dot_d_q2;
+    let d_q0_dot_d_q3 = -minus_d_q0_dot_d_q3;
+    let d_q0_dot_d_p = -minus_d_q0_dot_d_p;
+    let d_q0_dot_d_q = -minus_d_q0_dot_d_q;
+    let d_q0_dot_d_r = -minus_d_q0_dot_d_r;
+    let d_q1_dot_d_q3 = -minus_d_q0_dot_d_q2;
+    let d_q1_dot_d_q = -minus_d_q0_dot_d_r;
+    let d_q2_dot_d_q1 = -minus_d_q0_dot_d_q3;
+    let d_q2_dot_d_r = -minus_d_q0_dot_d_p;
+    let d_q3_dot_d_q2 = -minus_d_q0_dot_d_q1;
+    let d_q3_dot_d_p = -minus_d_q0_dot_d_q;
     let d_q_dot_d_p = -d_p_dot_d_q;
 
     dx[0] = vx;
@@ -606,23 +585,23 @@ pub fn f_jac<T: Real>(
     j[27] = d_q0_dot_d_p;
     j[28] = d_q0_dot_d_q;
     j[29] = d_q0_dot_d_r;
-    j[30] = minus_d_q3_dot_d_q2; // d_q1_dot_d_q0
-    j[31] = minus_d_q2_dot_d_q1; // d_q1_dot_d_q2
+    j[30] = minus_d_q0_dot_d_q1; // d_q1_dot_d_q0
+    j[31] = minus_d_q0_dot_d_q3; // d_q1_dot_d_q2
     j[32] = d_q1_dot_d_q3;
     j[33] = d_q1_dot_d_p;
     j[34] = d_q1_dot_d_q;
-    j[35] = minus_d_q3_dot_d_p; // d_q1_dot_d_r
-    j[36] = minus_d_q1_dot_d_q3; // d_q2_dot_d_q0
+    j[35] = minus_d_q0_dot_d_q; // d_q1_dot_d_r
+    j[36] = minus_d_q0_dot_d_q2; // d_q2_dot_d_q0
     j[37] = d_q2_dot_d_q1;
-    j[38] = minus_d_q3_dot_d_q2; // d_q2_dot_d_q3
-    j[39] = minus_d_q1_dot_d_q; // d_q2_dot_d_p
+    j[38] = minus_d_q0_dot_d_q1; // d_q2_dot_d_q3
+    j[39] = minus_d_q0_dot_d_r; // d_q2_dot_d_p
     j[40] = d_q1_dot_d_p; // d_q2_dot_d_q
     j[41] = d_q2_dot_d_r;
-    j[42] = minus_d_q2_dot_d_q1; // d_q3_dot_d_q0
-    j[43] = minus_d_q1_dot_d_q3; // d_q3_dot_d_q1
+    j[42] = minus_d_q0_dot_d_q3; // d_q3_dot_d_q0
+    j[43] = minus_d_q0_dot_d_q2; // d_q3_dot_d_q1
     j[44] = d_q3_dot_d_q2;
     j[45] = d_q3_dot_d_p;
-    j[46] = minus_d_q2_dot_d_r; // d_q3_dot_d_q
+    j[46] = minus_d_q0_dot_d_p; // d_q3_dot_d_q
     j[47] = d_q1_dot_d_p; // d_q3_dot_d_r
     j[48] = d_p_dot_d_vx;
     j[49] = d_p_dot_d_vy;

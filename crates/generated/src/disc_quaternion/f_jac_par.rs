@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// `dx`, `j`, and the entries `jp` of the Jacobian by the parameters, see `JP_PATTERN`.
 ///
-/// 676 operations: 215 add, 417 mul, 2 div, 38 neg, 2 sqrt, 1 call, 1 select.
+/// 660 operations: 212 add, 405 mul, 2 div, 37 neg, 2 sqrt, 1 call, 1 select.
 #[inline(always)]
 pub fn f_jac_par<T: Real>(
     _time: T,
     state: &[T; 13],
     parameters: &[T; 18],
-    prepared: &[T; 16],
+    prepared: &[T; 17],
     dx: &mut [T; 13],
     j: &mut [T; 69],
     jp: &mut [T; 55],
@@ -44,16 +44,18 @@ pub fn f_jac_par<T: Real>(
     let C_Nr_inv_I_a = prepared[3];
     let d_rho_A_inv_I_d = prepared[4];
     let two_C_Da = prepared[5];
-    let rho_A = prepared[6];
-    let inv_m = prepared[7];
-    let inv_I_d = prepared[8];
-    let I_a_inv_I_d = prepared[9];
-    let inv_I_d_d = prepared[10];
-    let inv_I_a = prepared[11];
-    let minus_I_a_inv_I_d = prepared[12];
-    let minus_inv_I_a_d_r_dot_d_r = prepared[13];
-    let q2_sq_two = T::splat(2.0) * q2 * q2;
-    let q1_sq_two = T::splat(2.0) * q1 * q1;
+    let rho_A = prepared[7];
+    let inv_m = prepared[8];
+    let inv_I_d = prepared[9];
+    let I_a_inv_I_d = prepared[10];
+    let inv_I_d_d = prepared[11];
+    let inv_I_a = prepared[12];
+    let minus_I_a_inv_I_d = prepared[13];
+    let minus_inv_I_a_d_r_dot_d_r = prepared[14];
+    let q2_two = T::splat(2.0) * q2;
+    let q2_sq_two = q2 * q2_two;
+    let q1_two = T::splat(2.0) * q1;
+    let q1_sq_two = q1 * q1_two;
     let q1_sq_two_minus_one_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
     let vz_minus_wind_z = vz - wind_z;
     let vx_minus_wind_x = vx - wind_x;
@@ -62,31 +64,32 @@ pub fn f_jac_par<T: Real>(
     let q0_q2_plus_q1_q3 = q1_q3 + q0_q2;
     let q3_q2 = q3 * q2;
     let q1_q0 = q1 * q0;
-    let minus_q1_q0_plus_q3_q2 = q3_q2 - q1_q0;
-    let vy_minus_wind_y = vy - wind_y;
+    let q1_q0_plus_q3_q2 = q1_q0 - q3_q2;
+    let minus_vy_minus_wind_y = wind_y - vy;
     let vy_minus_wind_y_product_sum =
-        vx_minus_wind_x * q0_q2_plus_q1_q3 + minus_q1_q0_plus_q3_q2 * vy_minus_wind_y;
+        vx_minus_wind_x * q0_q2_plus_q1_q3 + q1_q0_plus_q3_q2 * minus_vy_minus_wind_y;
 
     // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
     let minus_air_velocity_3 =
         q1_sq_two_minus_one_sum * vz_minus_wind_z - T::splat(2.0) * vy_minus_wind_y_product_sum;
-    let q3_sq_two_minus_one = T::splat(2.0) * q3 * q3 - T::splat(1.0);
+    let q3_two = T::splat(2.0) * q3;
+    let q3_sq_two_minus_one = q3 * q3_two - T::splat(1.0);
     let q2_sq_two_plus_q3_sq_sum = q2_sq_two + q3_sq_two_minus_one;
     let q1_q2 = q1 * q2;
     let q0_q3 = q3 * q0;
     let q0_q3_plus_q1_q2 = q1_q2 + q0_q3;
     let minus_q0_q2_plus_q1_q3 = q1_q3 - q0_q2;
     let vz_minus_wind_z_product_sum =
-        vy_minus_wind_y * q0_q3_plus_q1_q2 + vz_minus_wind_z * minus_q0_q2_plus_q1_q3;
+        vz_minus_wind_z * minus_q0_q2_plus_q1_q3 - minus_vy_minus_wind_y * q0_q3_plus_q1_q2;
     let minus_air_velocity_1 =
         vx_minus_wind_x * q2_sq_two_plus_q3_sq_sum - T::splat(2.0) * vz_minus_wind_z_product_sum;
     let q1_sq_two_plus_q3_sq_sum = q1_sq_two + q3_sq_two_minus_one;
     let minus_q0_q3_plus_q1_q2 = q1_q2 - q0_q3;
-    let q1_q0_plus_q3_q2 = q3_q2 + q1_q0;
+    let q1_q0_plus_q3_q2_2 = q3_q2 + q1_q0;
     let q1_q0_plus_q3_q2_vz_sum =
-        vx_minus_wind_x * minus_q0_q3_plus_q1_q2 + vz_minus_wind_z * q1_q0_plus_q3_q2;
+        vx_minus_wind_x * minus_q0_q3_plus_q1_q2 + vz_minus_wind_z * q1_q0_plus_q3_q2_2;
     let air_velocity_2 =
-        T::splat(2.0) * q1_q0_plus_q3_q2_vz_sum - vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum;
+        minus_vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum + T::splat(2.0) * q1_q0_plus_q3_q2_vz_sum;
     let air_velocity_12_sq =
         minus_air_velocity_1 * minus_air_velocity_1 + air_velocity_2 * air_velocity_2;
     let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
@@ -120,17 +123,17 @@ pub fn f_jac_par<T: Real>(
     let q1_sq_two_plus_q3_product = T::splat(0.5) * q1_sq_two_plus_q3_sq_sum;
     let q0_q3_plus_q1_q2_sum =
         q0_q3_plus_q1_q2 * minus_air_velocity_1 + air_velocity_2 * q1_sq_two_plus_q3_product;
-    let part_of_minus_q1_q0_plus_q3_sum = minus_q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum;
+    let part_of_minus_q1_q0_plus_q3_sum = air_velocity_12_C_D_product * q0_q3_plus_q1_q2_sum;
     let minus_q1_q0_plus_q3_sum =
-        air_velocity_12_C_D_product * q0_q3_plus_q1_q2_sum + part_of_minus_q1_q0_plus_q3_sum;
+        part_of_minus_q1_q0_plus_q3_sum - q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum;
     let vy_dot = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum;
-    let q1_q0_plus_q3_q2_sum =
-        q1_q0_plus_q3_q2 * air_velocity_2 - minus_q0_q2_plus_q1_q3 * minus_air_velocity_1;
+    let minus_q1_q0_plus_q3_q2_sum =
+        minus_q0_q2_plus_q1_q3 * minus_air_velocity_1 - q1_q0_plus_q3_q2_2 * air_velocity_2;
     let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
-    let part_of_q1_sq_two_minus_one_sum = minus_air_velocity_3_C_sum * q1_sq_two_minus_one_sum_half;
-    let q1_sq_two_minus_one_sum_2 =
-        air_velocity_12_C_D_product * q1_q0_plus_q3_q2_sum + part_of_q1_sq_two_minus_one_sum;
-    let vz_dot = -(V_inv_m_rho_A * q1_sq_two_minus_one_sum_2) - g;
+    let part_of_minus_q1_sq_two_minus = minus_air_velocity_3_C_sum * q1_sq_two_minus_one_sum_half;
+    let minus_q1_sq_two_minus_one_sum_2 =
+        air_velocity_12_C_D_product * minus_q1_q0_plus_q3_q2_sum - part_of_minus_q1_sq_two_minus;
+    let vz_dot = V_inv_m_rho_A * minus_q1_sq_two_minus_one_sum_2 - g;
     let q3_r_plus_q2_q_plus_q1_p = q1 * p + q2 * q + q3 * r;
     let q3_q_minus_q2_r_minus_q0_p = q3 * q - q0 * p - q2 * r;
     let q1_r_minus_q3_p_minus_q0_q = q1 * r - q0 * q - q3 * p;
@@ -163,161 +166,147 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
     let C_D_plus_air_velocity_sum = C_D + air_velocity_12_C_La_sum * air_velocity_12_inv_V_sq;
     let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_air_velocity_12;
-    let C_La_minus_air_product = C_La * minus_air_velocity_product_3;
-    let part_of_minus_minus_C_La_minus =
-        (alpha_two_C_Da - C_La_minus_air_product) * air_velocity_12_inv_V_sq;
-    let minus_minus_C_La_minus_sum = C_L * inv_air_velocity_12 - part_of_minus_minus_C_La_minus;
-    let part_of_d_vx_dot_d_minus_air = minus_q0_q3_plus_q1_sum * minus_minus_C_La_minus_sum;
+    let minus_C_La_minus_air_sum =
+        nonzero_air_velocity_12_sq * alpha_two_C_Da - C_La * minus_air_velocity_product_3;
+    let minus_C_La_minus_sum =
+        minus_C_La_minus_air_sum * air_velocity_12_inv_V_sq - C_L * inv_air_velocity_12;
+    let part_of_d_vx_dot_d_minus_air = minus_q0_q3_plus_q1_sum * minus_C_La_minus_sum;
     let part_of_d_vx_dot_d_minus_air_2 =
-        q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum + part_of_d_vx_dot_d_minus_air;
+        q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum - part_of_d_vx_dot_d_minus_air;
     let d_vx_dot_d_minus_air_velocity_3 =
         part_of_d_vx_dot_d_minus_air_3 + V_inv_m_rho_A * part_of_d_vx_dot_d_minus_air_2;
     let q0_q2_plus_q1_q3_two = T::splat(2.0) * q0_q2_plus_q1_q3;
     let V_inv_m_rho_A_air_product = V_inv_m_rho_A * air_velocity_12_C_D_product;
-    let part_of_minus_d_vx_dot_d_minus = V_inv_m_rho_A_air_product * q2_sq_two_plus_q3_product;
+    let part_of_d_vx_dot_d_minus_air_4 = V_inv_m_rho_A_air_product * q2_sq_two_plus_q3_product;
     let minus_air_velocity_product_4 = minus_air_velocity_3 * inv_V_sq;
     let C_L_minus_air_velocity_sum = C_L - air_velocity_12_C_La_sum * minus_air_velocity_product_4;
-    let part_of_minus_C_La_minus_sum =
-        nonzero_air_velocity_12_sq * alpha_two_C_Da - C_La_minus_air_product;
-    let part_of_minus_C_La_minus_sum_2 =
-        part_of_minus_C_La_minus_sum * minus_air_velocity_product_4;
-    let minus_C_La_minus_sum =
-        part_of_minus_C_La_minus_sum_2 - inv_air_velocity_12 * (C_D - air_velocity_12_C_D_product);
-    let part_of_q0_q2_plus_q1_q3_sum_2 = minus_q0_q3_plus_q1_sum * minus_C_La_minus_sum;
+    let part_of_minus_minus_C_La_minus = inv_air_velocity_12 * (C_D - air_velocity_12_C_D_product);
+    let minus_minus_C_La_minus_sum =
+        part_of_minus_minus_C_La_minus - minus_C_La_minus_air_sum * minus_air_velocity_product_4;
+    let part_of_q0_q2_plus_q1_q3_sum_2 = minus_q0_q3_plus_q1_sum * minus_minus_C_La_minus_sum;
     let part_of_q0_q2_plus_q1_q3_sum_2_2 =
-        q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum + part_of_q0_q2_plus_q1_q3_sum_2;
+        q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum - part_of_q0_q2_plus_q1_q3_sum_2;
     let V_inv_m_rho_A_inv_product = V_inv_m_rho_A * inv_air_velocity_12;
     let part_of_q0_q2_plus_q1_q3_sum_2_3 =
         part_of_q0_q2_plus_q1_q3_sum_2_2 * V_inv_m_rho_A_inv_product;
     let q0_q2_plus_q1_q3_sum_2 =
         q0_q2_plus_q1_q3_sum * inv_V_rho_A_inv_m + part_of_q0_q2_plus_q1_q3_sum_2_3;
-    let minus_d_vx_dot_d_minus_air_velocity_1 =
-        part_of_minus_d_vx_dot_d_minus - minus_air_velocity_1 * q0_q2_plus_q1_q3_sum_2;
-    let part_of_minus_d_vx_dot_d_vx =
-        q2_sq_two_plus_q3_sq_sum * minus_d_vx_dot_d_minus_air_velocity_1;
-    let part_of_minus_d_vx_dot_d_air = minus_q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product;
-    let minus_d_vx_dot_d_air_velocity_2 =
-        part_of_minus_d_vx_dot_d_air - air_velocity_2 * q0_q2_plus_q1_q3_sum_2;
+    let d_vx_dot_d_minus_air_velocity_1 =
+        minus_air_velocity_1 * q0_q2_plus_q1_q3_sum_2 - part_of_d_vx_dot_d_minus_air_4;
+    let part_of_d_vx_dot_d_vx = q2_sq_two_plus_q3_sq_sum * d_vx_dot_d_minus_air_velocity_1;
+    let part_of_d_vx_dot_d_air_velocity = minus_q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product;
+    let d_vx_dot_d_air_velocity_2 =
+        air_velocity_2 * q0_q2_plus_q1_q3_sum_2 - part_of_d_vx_dot_d_air_velocity;
     let two_minus_q0_q3_plus_q1_q2 = T::splat(2.0) * minus_q0_q3_plus_q1_q2;
-    let part_of_minus_d_vx_dot_d_vx_2 =
-        part_of_minus_d_vx_dot_d_vx + minus_d_vx_dot_d_air_velocity_2 * two_minus_q0_q3_plus_q1_q2;
-    let minus_d_vx_dot_d_vx =
-        d_vx_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two + part_of_minus_d_vx_dot_d_vx_2;
-    let minus_q1_q0_plus_q3_q2_two = T::splat(2.0) * minus_q1_q0_plus_q3_q2;
+    let part_of_d_vx_dot_d_vx_2 =
+        part_of_d_vx_dot_d_vx + d_vx_dot_d_air_velocity_2 * two_minus_q0_q3_plus_q1_q2;
+    let d_vx_dot_d_vx =
+        part_of_d_vx_dot_d_vx_2 - d_vx_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two;
+    let q1_q0_plus_q3_q2_two = T::splat(2.0) * q1_q0_plus_q3_q2;
     let two_q0_q3_plus_q1_q2 = T::splat(2.0) * q0_q3_plus_q1_q2;
-    let part_of_d_vx_dot_d_vy = minus_d_vx_dot_d_minus_air_velocity_1 * two_q0_q3_plus_q1_q2;
+    let part_of_d_vx_dot_d_vy = d_vx_dot_d_minus_air_velocity_1 * two_q0_q3_plus_q1_q2;
     let part_of_d_vx_dot_d_vy_2 =
-        q1_sq_two_plus_q3_sq_sum * minus_d_vx_dot_d_air_velocity_2 + part_of_d_vx_dot_d_vy;
+        q1_sq_two_plus_q3_sq_sum * d_vx_dot_d_air_velocity_2 + part_of_d_vx_dot_d_vy;
     let d_vx_dot_d_vy =
-        part_of_d_vx_dot_d_vy_2 - d_vx_dot_d_minus_air_velocity_3 * minus_q1_q0_plus_q3_q2_two;
-    let two_q1_q0_plus_q3_q2 = T::splat(2.0) * q1_q0_plus_q3_q2;
+        d_vx_dot_d_minus_air_velocity_3 * q1_q0_plus_q3_q2_two - part_of_d_vx_dot_d_vy_2;
+    let two_q1_q0_plus_q3_q2_2 = T::splat(2.0) * q1_q0_plus_q3_q2_2;
     let two_minus_q0_q2_plus_q1_q3 = T::splat(2.0) * minus_q0_q2_plus_q1_q3;
-    let part_of_d_vx_dot_d_vz = minus_d_vx_dot_d_minus_air_velocity_1 * two_minus_q0_q2_plus_q1_q3;
+    let part_of_d_vx_dot_d_vz = d_vx_dot_d_minus_air_velocity_1 * two_minus_q0_q2_plus_q1_q3;
     let part_of_d_vx_dot_d_vz_2 =
-        q1_sq_two_minus_one_sum * d_vx_dot_d_minus_air_velocity_3 + part_of_d_vx_dot_d_vz;
+        q1_sq_two_minus_one_sum * d_vx_dot_d_minus_air_velocity_3 - part_of_d_vx_dot_d_vz;
     let d_vx_dot_d_vz =
-        part_of_d_vx_dot_d_vz_2 - minus_d_vx_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2;
+        d_vx_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2_2 + part_of_d_vx_dot_d_vz_2;
+    let vx_minus_wind_x_q2_two = vx_minus_wind_x * q2_two;
+    let minus_vy_minus_wind_y_q1_two = minus_vy_minus_wind_y * q1_two;
+    let minus_d_minus_air_velocity_3_d_q0 = vx_minus_wind_x_q2_two + minus_vy_minus_wind_y_q1_two;
+    let part_of_d_vx_dot_d_q0 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q0;
+    let vx_minus_wind_x_q3_two = vx_minus_wind_x * q3_two;
+    let vz_minus_wind_z_q1_two = vz_minus_wind_z * q1_two;
+    let d_air_velocity_2_d_q0 = vz_minus_wind_z_q1_two - vx_minus_wind_x_q3_two;
+    let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
+    let vz_minus_wind_z_q2_two = vz_minus_wind_z * q2_two;
+    let d_minus_air_velocity_1_d_q0 = minus_vy_minus_wind_y_q3_two + vz_minus_wind_z_q2_two;
     let V_inv_m_rho_A_minus_product = V_inv_m_rho_A * minus_air_velocity_3_C_sum;
     let q2_V_inv_m_rho_A_product = q2 * V_inv_m_rho_A_minus_product;
     let air_velocity_2_V_product = air_velocity_2 * V_inv_m_rho_A_air_product;
     let q3_air_velocity_2_V_product = q3 * air_velocity_2_V_product;
-    let q1_vy_minus_wind_y = q1 * vy_minus_wind_y;
-    let vx_minus_wind_x_q2 = vx_minus_wind_x * q2;
-    let minus_q1_vy_minus_wind_sum = vx_minus_wind_x_q2 - q1_vy_minus_wind_y;
-    let q1_vz_minus_wind_z = q1 * vz_minus_wind_z;
-    let vx_minus_wind_x_q3 = vx_minus_wind_x * q3;
-    let minus_q1_vz_minus_wind_sum = vx_minus_wind_x_q3 - q1_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q0_2 = minus_d_vx_dot_d_air_velocity_2 * minus_q1_vz_minus_wind_sum;
-    let q2_vz_minus_wind_z = q2 * vz_minus_wind_z;
-    let q3_vy_minus_wind_y = q3 * vy_minus_wind_y;
-    let minus_q2_vz_minus_wind_sum = q3_vy_minus_wind_y - q2_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q0 = minus_d_vx_dot_d_minus_air_velocity_1 * minus_q2_vz_minus_wind_sum;
+    let part_of_d_vx_dot_d_q0_2 =
+        d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q0 - part_of_d_vx_dot_d_q0;
     let part_of_d_vx_dot_d_q0_3 =
-        d_vx_dot_d_minus_air_velocity_3 * minus_q1_vy_minus_wind_sum - part_of_d_vx_dot_d_q0_2;
-    let part_of_d_vx_dot_d_q0_4 = T::splat(2.0) * (part_of_d_vx_dot_d_q0_3 - part_of_d_vx_dot_d_q0);
+        part_of_d_vx_dot_d_q0_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q0;
     let d_vx_dot_d_q0 =
-        q2_V_inv_m_rho_A_product + q3_air_velocity_2_V_product - part_of_d_vx_dot_d_q0_4;
+        part_of_d_vx_dot_d_q0_3 + q2_V_inv_m_rho_A_product + q3_air_velocity_2_V_product;
+    let q1_n4 = T::splat(4.0) * q1;
     let q0_two = T::splat(2.0) * q0;
-    let vy_minus_wind_y_q0_two = vy_minus_wind_y * q0_two;
-    let part_of_minus_d_minus_air =
-        T::splat(2.0) * vx_minus_wind_x_q3 - T::splat(4.0) * q1_vz_minus_wind_z;
-    let minus_d_minus_air_velocity_3_d_q1 = part_of_minus_d_minus_air - vy_minus_wind_y_q0_two;
-    let part_of_d_vx_dot_d_q1 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q1;
+    let minus_vy_minus_wind_y_q0_two = minus_vy_minus_wind_y * q0_two;
+    let d_minus_air_velocity_3_d_q1 =
+        vz_minus_wind_z * q1_n4 - vx_minus_wind_x_q3_two - minus_vy_minus_wind_y_q0_two;
+    let part_of_d_vx_dot_d_q1 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q1;
     let vz_minus_wind_z_q0_two = vz_minus_wind_z * q0_two;
-    let part_of_d_air_velocity_2_d_q1 =
-        T::splat(2.0) * vx_minus_wind_x_q2 - T::splat(4.0) * q1_vy_minus_wind_y;
-    let d_air_velocity_2_d_q1 = part_of_d_air_velocity_2_d_q1 + vz_minus_wind_z_q0_two;
-    let part_of_d_vx_dot_d_q1_2 = minus_d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q1;
+    let d_air_velocity_2_d_q1 =
+        vx_minus_wind_x_q2_two + minus_vy_minus_wind_y * q1_n4 + vz_minus_wind_z_q0_two;
+    let minus_vy_minus_wind_y_q2_two = minus_vy_minus_wind_y * q2_two;
+    let vz_minus_wind_z_q3_two = vz_minus_wind_z * q3_two;
+    let d_minus_air_velocity_1_d_q1 = minus_vy_minus_wind_y_q2_two - vz_minus_wind_z_q3_two;
     let q3_V_inv_m_rho_A_product = q3 * V_inv_m_rho_A_minus_product;
     let q2_air_velocity_2_V_product = q2 * air_velocity_2_V_product;
-    let q3_vz_minus_wind_z = q3 * vz_minus_wind_z;
-    let q2_vy_minus_wind_y = q2 * vy_minus_wind_y;
-    let q3_vz_minus_wind_z_plus_sum = q3_vz_minus_wind_z + q2_vy_minus_wind_y;
-    let two_q3_vz_minus_product = T::splat(2.0) * q3_vz_minus_wind_z_plus_sum;
-    let part_of_d_vx_dot_d_q1_4 = minus_d_vx_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
+    let part_of_d_vx_dot_d_q1_2 =
+        part_of_d_vx_dot_d_q1 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q1;
     let part_of_d_vx_dot_d_q1_3 =
-        q3_V_inv_m_rho_A_product - part_of_d_vx_dot_d_q1 - part_of_d_vx_dot_d_q1_2;
+        part_of_d_vx_dot_d_q1_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q1;
     let d_vx_dot_d_q1 =
-        part_of_d_vx_dot_d_q1_3 - q2_air_velocity_2_V_product + part_of_d_vx_dot_d_q1_4;
+        part_of_d_vx_dot_d_q1_3 + q3_V_inv_m_rho_A_product - q2_air_velocity_2_V_product;
     let vx_minus_wind_x_q0_two = vx_minus_wind_x * q0_two;
-    let part_of_minus_d_minus_air_2 =
-        T::splat(2.0) * q3_vy_minus_wind_y - T::splat(4.0) * q2_vz_minus_wind_z;
-    let minus_d_minus_air_velocity_3_d_q2 = part_of_minus_d_minus_air_2 + vx_minus_wind_x_q0_two;
-    let part_of_d_vx_dot_d_q2 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q2;
-    let part_of_d_minus_air_velocity_1 =
-        vz_minus_wind_z_q0_two + T::splat(4.0) * vx_minus_wind_x_q2;
+    let part_of_d_minus_air_velocity_3 =
+        minus_vy_minus_wind_y_q3_two + T::splat(4.0) * q2 * vz_minus_wind_z;
+    let d_minus_air_velocity_3_d_q2 = part_of_d_minus_air_velocity_3 - vx_minus_wind_x_q0_two;
+    let part_of_d_vx_dot_d_q2 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q2;
+    let vx_minus_wind_x_q1_two = vx_minus_wind_x * q1_two;
+    let d_air_velocity_2_d_q2 = vz_minus_wind_z_q3_two + vx_minus_wind_x_q1_two;
+    let vx_minus_wind_x_n4 = T::splat(4.0) * vx_minus_wind_x;
     let d_minus_air_velocity_1_d_q2 =
-        part_of_d_minus_air_velocity_1 - T::splat(2.0) * q1_vy_minus_wind_y;
-    let part_of_d_vx_dot_d_q2_2 =
-        minus_d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q2;
+        minus_vy_minus_wind_y_q1_two + vz_minus_wind_z_q0_two + q2 * vx_minus_wind_x_n4;
     let q0_V_inv_m_rho_A_product = q0 * V_inv_m_rho_A_minus_product;
     let q1_air_velocity_2_V_product = q1 * air_velocity_2_V_product;
-    let vx_minus_wind_x_q1 = vx_minus_wind_x * q1;
-    let q3_vz_minus_wind_z_plus_sum_2 = q3_vz_minus_wind_z + vx_minus_wind_x_q1;
     let minus_air_velocity_product_5 = minus_air_velocity_1 * V_inv_m_rho_A_air_product;
-    let q2_minus_air_product = q2 * minus_air_velocity_product_5;
+    let part_of_d_vx_dot_d_q2_2 =
+        part_of_d_vx_dot_d_q2 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q2;
     let part_of_d_vx_dot_d_q2_3 =
-        minus_d_vx_dot_d_air_velocity_2 * q3_vz_minus_wind_z_plus_sum_2 + q2_minus_air_product;
+        part_of_d_vx_dot_d_q2_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q2;
     let part_of_d_vx_dot_d_q2_4 =
-        q0_V_inv_m_rho_A_product - part_of_d_vx_dot_d_q2 - part_of_d_vx_dot_d_q2_2;
-    let part_of_d_vx_dot_d_q2_5 = part_of_d_vx_dot_d_q2_4 - q1_air_velocity_2_V_product;
-    let d_vx_dot_d_q2 = part_of_d_vx_dot_d_q2_5 - T::splat(2.0) * part_of_d_vx_dot_d_q2_3;
-    let part_of_minus_d_air_velocity_2 =
-        vx_minus_wind_x_q0_two + T::splat(4.0) * q3_vy_minus_wind_y;
-    let minus_d_air_velocity_2_d_q3 =
-        part_of_minus_d_air_velocity_2 - T::splat(2.0) * q2_vz_minus_wind_z;
-    let part_of_d_minus_air_velocity_1_2 =
-        T::splat(4.0) * vx_minus_wind_x_q3 - vy_minus_wind_y_q0_two;
+        part_of_d_vx_dot_d_q2_3 + q0_V_inv_m_rho_A_product - q1_air_velocity_2_V_product;
+    let d_vx_dot_d_q2 = part_of_d_vx_dot_d_q2_4 - q2_two * minus_air_velocity_product_5;
+    let d_minus_air_velocity_3_d_q3 = minus_vy_minus_wind_y_q2_two - vx_minus_wind_x_q1_two;
+    let part_of_d_vx_dot_d_q3 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q3;
+    let part_of_d_air_velocity_2_d_q3 = vz_minus_wind_z_q2_two - vx_minus_wind_x_q0_two;
+    let d_air_velocity_2_d_q3 =
+        part_of_d_air_velocity_2_d_q3 + T::splat(4.0) * q3 * minus_vy_minus_wind_y;
     let d_minus_air_velocity_1_d_q3 =
-        part_of_d_minus_air_velocity_1_2 - T::splat(2.0) * q1_vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q3 = minus_d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q3;
+        minus_vy_minus_wind_y_q0_two - vz_minus_wind_z_q1_two + q3 * vx_minus_wind_x_n4;
     let q0_air_velocity_2_V_product = q0 * air_velocity_2_V_product;
     let q1_V_inv_m_rho_A_product = q1 * V_inv_m_rho_A_minus_product;
-    let q2_vy_minus_wind_y_plus_sum = q2_vy_minus_wind_y + vx_minus_wind_x_q1;
-    let q3_minus_air_product = q3 * minus_air_velocity_product_5;
     let part_of_d_vx_dot_d_q3_2 =
-        d_vx_dot_d_minus_air_velocity_3 * q2_vy_minus_wind_y_plus_sum + q3_minus_air_product;
+        part_of_d_vx_dot_d_q3 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q3;
     let part_of_d_vx_dot_d_q3_3 =
-        minus_d_vx_dot_d_air_velocity_2 * minus_d_air_velocity_2_d_q3 - part_of_d_vx_dot_d_q3;
+        part_of_d_vx_dot_d_q3_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q3;
     let part_of_d_vx_dot_d_q3_4 =
         part_of_d_vx_dot_d_q3_3 + q0_air_velocity_2_V_product + q1_V_inv_m_rho_A_product;
-    let d_vx_dot_d_q3 = part_of_d_vx_dot_d_q3_4 - T::splat(2.0) * part_of_d_vx_dot_d_q3_2;
-    let part_of_d_vy_dot_d_minus_air_3 = minus_q1_q0_plus_q3_sum * minus_air_velocity_product_2;
-    let part_of_d_vy_dot_d_minus_air = minus_q1_q0_plus_q3_q2 * C_D_plus_air_velocity_sum;
-    let part_of_d_vy_dot_d_minus_air_2 =
-        part_of_d_vy_dot_d_minus_air - q0_q3_plus_q1_q2_sum * minus_minus_C_La_minus_sum;
+    let d_vx_dot_d_q3 = part_of_d_vx_dot_d_q3_4 - q3_two * minus_air_velocity_product_5;
+    let part_of_d_vy_dot_d_minus_air_2 = minus_q1_q0_plus_q3_sum * minus_air_velocity_product_2;
+    let part_of_d_vy_dot_d_minus_air =
+        q0_q3_plus_q1_q2_sum * minus_C_La_minus_sum - q1_q0_plus_q3_q2 * C_D_plus_air_velocity_sum;
     let d_vy_dot_d_minus_air_velocity_3 =
-        part_of_d_vy_dot_d_minus_air_3 + V_inv_m_rho_A * part_of_d_vy_dot_d_minus_air_2;
-    let part_of_minus_q1_q0_plus_q3_sum_2 = minus_q1_q0_plus_q3_q2 * C_L_minus_air_velocity_sum;
+        part_of_d_vy_dot_d_minus_air_2 + V_inv_m_rho_A * part_of_d_vy_dot_d_minus_air;
+    let part_of_minus_q1_q0_plus_q3_sum_2 = q0_q3_plus_q1_q2_sum * minus_minus_C_La_minus_sum;
     let part_of_minus_q1_q0_plus_q3_sum_3 =
-        part_of_minus_q1_q0_plus_q3_sum_2 - q0_q3_plus_q1_q2_sum * minus_C_La_minus_sum;
+        part_of_minus_q1_q0_plus_q3_sum_2 - q1_q0_plus_q3_q2 * C_L_minus_air_velocity_sum;
     let part_of_minus_q1_q0_plus_q3_sum_4 =
         part_of_minus_q1_q0_plus_q3_sum_3 * V_inv_m_rho_A_inv_product;
     let minus_q1_q0_plus_q3_sum_2 =
         minus_q1_q0_plus_q3_sum * inv_V_rho_A_inv_m + part_of_minus_q1_q0_plus_q3_sum_4;
-    let part_of_d_vy_dot_d_minus_air_4 = minus_air_velocity_1 * minus_q1_q0_plus_q3_sum_2;
+    let part_of_d_vy_dot_d_minus_air_3 = minus_air_velocity_1 * minus_q1_q0_plus_q3_sum_2;
     let d_vy_dot_d_minus_air_velocity_1 =
-        q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product + part_of_d_vy_dot_d_minus_air_4;
+        q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product + part_of_d_vy_dot_d_minus_air_3;
     let part_of_d_vy_dot_d_vx = q2_sq_two_plus_q3_sq_sum * d_vy_dot_d_minus_air_velocity_1;
     let part_of_d_vy_dot_d_air_velocity = V_inv_m_rho_A_air_product * q1_sq_two_plus_q3_product;
     let d_vy_dot_d_air_velocity_2 =
@@ -326,118 +315,113 @@ pub fn f_jac_par<T: Real>(
         part_of_d_vy_dot_d_vx + d_vy_dot_d_air_velocity_2 * two_minus_q0_q3_plus_q1_q2;
     let d_vy_dot_d_vx =
         part_of_d_vy_dot_d_vx_2 - d_vy_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two;
-    let part_of_minus_d_vy_dot_d_vy_3 =
-        d_vy_dot_d_minus_air_velocity_3 * minus_q1_q0_plus_q3_q2_two;
-    let part_of_minus_d_vy_dot_d_vy = d_vy_dot_d_minus_air_velocity_1 * two_q0_q3_plus_q1_q2;
-    let part_of_minus_d_vy_dot_d_vy_2 =
-        q1_sq_two_plus_q3_sq_sum * d_vy_dot_d_air_velocity_2 + part_of_minus_d_vy_dot_d_vy;
-    let minus_d_vy_dot_d_vy = part_of_minus_d_vy_dot_d_vy_3 + part_of_minus_d_vy_dot_d_vy_2;
+    let part_of_d_vy_dot_d_vy = d_vy_dot_d_minus_air_velocity_1 * two_q0_q3_plus_q1_q2;
+    let part_of_d_vy_dot_d_vy_2 =
+        q1_sq_two_plus_q3_sq_sum * d_vy_dot_d_air_velocity_2 + part_of_d_vy_dot_d_vy;
+    let d_vy_dot_d_vy =
+        d_vy_dot_d_minus_air_velocity_3 * q1_q0_plus_q3_q2_two - part_of_d_vy_dot_d_vy_2;
     let part_of_d_vy_dot_d_vz = d_vy_dot_d_minus_air_velocity_1 * two_minus_q0_q2_plus_q1_q3;
     let part_of_d_vy_dot_d_vz_2 =
         q1_sq_two_minus_one_sum * d_vy_dot_d_minus_air_velocity_3 - part_of_d_vy_dot_d_vz;
-    let d_vy_dot_d_vz = d_vy_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2 + part_of_d_vy_dot_d_vz_2;
-    let part_of_d_vy_dot_d_q0 = minus_q1_vy_minus_wind_sum * d_vy_dot_d_minus_air_velocity_3;
+    let d_vy_dot_d_vz =
+        d_vy_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2_2 + part_of_d_vy_dot_d_vz_2;
+    let q3_minus_air_product = q3 * minus_air_velocity_product_5;
+    let part_of_d_vy_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_q0_2 =
-        part_of_d_vy_dot_d_q0 + minus_q1_vz_minus_wind_sum * d_vy_dot_d_air_velocity_2;
+        q3_minus_air_product - q1_V_inv_m_rho_A_product - part_of_d_vy_dot_d_q0;
     let part_of_d_vy_dot_d_q0_3 =
-        part_of_d_vy_dot_d_q0_2 + minus_q2_vz_minus_wind_sum * d_vy_dot_d_minus_air_velocity_1;
+        part_of_d_vy_dot_d_q0_2 + d_air_velocity_2_d_q0 * d_vy_dot_d_air_velocity_2;
     let d_vy_dot_d_q0 =
-        q3_minus_air_product - q1_V_inv_m_rho_A_product - T::splat(2.0) * part_of_d_vy_dot_d_q0_3;
-    let part_of_d_vy_dot_d_q1 = minus_d_minus_air_velocity_3_d_q1 * d_vy_dot_d_minus_air_velocity_3;
+        part_of_d_vy_dot_d_q0_3 + d_minus_air_velocity_1_d_q0 * d_vy_dot_d_minus_air_velocity_1;
+    let q2_minus_air_product = q2 * minus_air_velocity_product_5;
+    let part_of_d_vy_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_q1_2 =
-        q1_air_velocity_2_V_product - q3_vz_minus_wind_z_plus_sum * d_vy_dot_d_minus_air_velocity_1;
+        q2_minus_air_product - q0_V_inv_m_rho_A_product + part_of_d_vy_dot_d_q1;
     let part_of_d_vy_dot_d_q1_3 =
-        q2_minus_air_product - q0_V_inv_m_rho_A_product - part_of_d_vy_dot_d_q1;
+        part_of_d_vy_dot_d_q1_2 + d_air_velocity_2_d_q1 * d_vy_dot_d_air_velocity_2;
     let part_of_d_vy_dot_d_q1_4 =
-        part_of_d_vy_dot_d_q1_3 + d_air_velocity_2_d_q1 * d_vy_dot_d_air_velocity_2;
-    let d_vy_dot_d_q1 = part_of_d_vy_dot_d_q1_4 + T::splat(2.0) * part_of_d_vy_dot_d_q1_2;
-    let part_of_d_vy_dot_d_q2 = minus_d_minus_air_velocity_3_d_q2 * d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * d_vy_dot_d_minus_air_velocity_1;
+        part_of_d_vy_dot_d_q1_3 + d_minus_air_velocity_1_d_q1 * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_q1 = part_of_d_vy_dot_d_q1_4 + q1_two * air_velocity_2_V_product;
     let q1_minus_air_product = q1 * minus_air_velocity_product_5;
-    let two_q3_vz_minus_product_2 = T::splat(2.0) * q3_vz_minus_wind_z_plus_sum_2;
-    let part_of_d_vy_dot_d_q2_4 = d_vy_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
+    let part_of_d_vy_dot_d_q2 =
+        q3_V_inv_m_rho_A_product + d_minus_air_velocity_3_d_q2 * d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_q2_2 =
+        part_of_d_vy_dot_d_q2 + d_air_velocity_2_d_q2 * d_vy_dot_d_air_velocity_2;
     let part_of_d_vy_dot_d_q2_3 =
-        q3_V_inv_m_rho_A_product - part_of_d_vy_dot_d_q2 + part_of_d_vy_dot_d_q2_2;
-    let d_vy_dot_d_q2 = part_of_d_vy_dot_d_q2_3 + q1_minus_air_product + part_of_d_vy_dot_d_q2_4;
+        part_of_d_vy_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_q2 = part_of_d_vy_dot_d_q2_3 + q1_minus_air_product;
     let q0_minus_air_product = q0 * minus_air_velocity_product_5;
     let part_of_d_vy_dot_d_q3 =
-        q3_air_velocity_2_V_product - q2_vy_minus_wind_y_plus_sum * d_vy_dot_d_minus_air_velocity_3;
+        q2_V_inv_m_rho_A_product + d_minus_air_velocity_3_d_q3 * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_q3_2 =
-        q2_V_inv_m_rho_A_product - minus_d_air_velocity_2_d_q3 * d_vy_dot_d_air_velocity_2;
+        part_of_d_vy_dot_d_q3 + d_air_velocity_2_d_q3 * d_vy_dot_d_air_velocity_2;
     let part_of_d_vy_dot_d_q3_3 =
         part_of_d_vy_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_vy_dot_d_minus_air_velocity_1;
     let d_vy_dot_d_q3 =
-        part_of_d_vy_dot_d_q3_3 + q0_minus_air_product + T::splat(2.0) * part_of_d_vy_dot_d_q3;
-    let part_of_minus_d_vz_dot_d_minus_3 = q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_2;
-    let part_of_minus_d_vz_dot_d_minus = C_D_plus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
-    let part_of_minus_d_vz_dot_d_minus_2 =
-        q1_q0_plus_q3_q2_sum * minus_minus_C_La_minus_sum - part_of_minus_d_vz_dot_d_minus;
-    let minus_d_vz_dot_d_minus_air_velocity_3 =
-        part_of_minus_d_vz_dot_d_minus_3 - V_inv_m_rho_A * part_of_minus_d_vz_dot_d_minus_2;
+        part_of_d_vy_dot_d_q3_3 + q0_minus_air_product + q3_two * air_velocity_2_V_product;
+    let part_of_d_vz_dot_d_minus_air_3 =
+        minus_q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_2;
+    let part_of_d_vz_dot_d_minus_air = C_D_plus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
+    let part_of_d_vz_dot_d_minus_air_2 =
+        part_of_d_vz_dot_d_minus_air - minus_q1_q0_plus_q3_q2_sum * minus_C_La_minus_sum;
+    let d_vz_dot_d_minus_air_velocity_3 =
+        part_of_d_vz_dot_d_minus_air_3 - V_inv_m_rho_A * part_of_d_vz_dot_d_minus_air_2;
     let d_vz_dot_d_minus_air_velocity_1 = minus_q0_q2_plus_q1_q3 * V_inv_m_rho_A_air_product;
-    let part_of_q1_sq_two_minus_one_sum_2 =
-        C_L_minus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
-    let part_of_q1_sq_two_minus_one_sum_3 =
-        q1_q0_plus_q3_q2_sum * minus_C_La_minus_sum - part_of_q1_sq_two_minus_one_sum_2;
-    let part_of_q1_sq_two_minus_one_sum_4 =
-        part_of_q1_sq_two_minus_one_sum_3 * V_inv_m_rho_A_inv_product;
-    let q1_sq_two_minus_one_sum_3 =
-        q1_sq_two_minus_one_sum_2 * inv_V_rho_A_inv_m - part_of_q1_sq_two_minus_one_sum_4;
+    let part_of_minus_minus_q1_sq_two = C_L_minus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
+    let part_of_minus_minus_q1_sq_two_2 =
+        part_of_minus_minus_q1_sq_two - minus_q1_q0_plus_q3_q2_sum * minus_minus_C_La_minus_sum;
+    let part_of_minus_minus_q1_sq_two_3 =
+        part_of_minus_minus_q1_sq_two_2 * V_inv_m_rho_A_inv_product;
+    let minus_minus_q1_sq_two_sum =
+        part_of_minus_minus_q1_sq_two_3 - minus_q1_sq_two_minus_one_sum_2 * inv_V_rho_A_inv_m;
     let d_vz_dot_d_minus_air_velocity_1_2 =
-        d_vz_dot_d_minus_air_velocity_1 - minus_air_velocity_1 * q1_sq_two_minus_one_sum_3;
+        d_vz_dot_d_minus_air_velocity_1 - minus_air_velocity_1 * minus_minus_q1_sq_two_sum;
     let minus_d_vz_dot_d_air_velocity_2 =
-        q1_q0_plus_q3_q2 * V_inv_m_rho_A_air_product + air_velocity_2 * q1_sq_two_minus_one_sum_3;
+        q1_q0_plus_q3_q2_2 * V_inv_m_rho_A_air_product + air_velocity_2 * minus_minus_q1_sq_two_sum;
     let part_of_d_vz_dot_d_vx = minus_d_vz_dot_d_air_velocity_2 * two_minus_q0_q3_plus_q1_q2;
     let part_of_d_vz_dot_d_vx_2 =
         q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1_2 - part_of_d_vz_dot_d_vx;
     let d_vz_dot_d_vx =
-        minus_d_vz_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two + part_of_d_vz_dot_d_vx_2;
-    let part_of_d_vz_dot_d_vy = minus_d_vz_dot_d_minus_air_velocity_3 * minus_q1_q0_plus_q3_q2_two;
-    let part_of_d_vz_dot_d_vy_2 = q1_sq_two_plus_q3_sq_sum * minus_d_vz_dot_d_air_velocity_2;
-    let part_of_d_vz_dot_d_vy_3 =
-        part_of_d_vz_dot_d_vy_2 - d_vz_dot_d_minus_air_velocity_1_2 * two_q0_q3_plus_q1_q2;
-    let d_vz_dot_d_vy = part_of_d_vz_dot_d_vy + part_of_d_vz_dot_d_vy_3;
-    let part_of_minus_d_vz_dot_d_vz =
-        q1_sq_two_minus_one_sum * minus_d_vz_dot_d_minus_air_velocity_3;
-    let part_of_minus_d_vz_dot_d_vz_2 =
-        d_vz_dot_d_minus_air_velocity_1_2 * two_minus_q0_q2_plus_q1_q3;
-    let part_of_minus_d_vz_dot_d_vz_3 = part_of_minus_d_vz_dot_d_vz + part_of_minus_d_vz_dot_d_vz_2;
-    let minus_d_vz_dot_d_vz =
-        minus_d_vz_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2 + part_of_minus_d_vz_dot_d_vz_3;
-    let part_of_d_vz_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_q0_2 =
-        part_of_d_vz_dot_d_q0 + minus_q1_vz_minus_wind_sum * minus_d_vz_dot_d_air_velocity_2;
+        part_of_d_vz_dot_d_vx_2 - d_vz_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two;
+    let part_of_d_vz_dot_d_vy = q1_sq_two_plus_q3_sq_sum * minus_d_vz_dot_d_air_velocity_2;
+    let part_of_d_vz_dot_d_vy_2 =
+        d_vz_dot_d_minus_air_velocity_1_2 * two_q0_q3_plus_q1_q2 - part_of_d_vz_dot_d_vy;
+    let d_vz_dot_d_vy =
+        d_vz_dot_d_minus_air_velocity_3 * q1_q0_plus_q3_q2_two - part_of_d_vz_dot_d_vy_2;
+    let part_of_d_vz_dot_d_vz = d_vz_dot_d_minus_air_velocity_1_2 * two_minus_q0_q2_plus_q1_q3;
+    let part_of_d_vz_dot_d_vz_2 =
+        q1_sq_two_minus_one_sum * d_vz_dot_d_minus_air_velocity_3 - part_of_d_vz_dot_d_vz;
+    let d_vz_dot_d_vz =
+        part_of_d_vz_dot_d_vz_2 - minus_d_vz_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2_2;
+    let part_of_d_vz_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_vz_dot_d_minus_air_velocity_3;
+    let part_of_d_vz_dot_d_q0_4 = d_air_velocity_2_d_q0 * minus_d_vz_dot_d_air_velocity_2;
+    let part_of_d_vz_dot_d_q0_2 = d_minus_air_velocity_1_d_q0 * d_vz_dot_d_minus_air_velocity_1_2;
     let part_of_d_vz_dot_d_q0_3 =
-        part_of_d_vz_dot_d_q0_2 - minus_q2_vz_minus_wind_sum * d_vz_dot_d_minus_air_velocity_1_2;
-    let part_of_d_vz_dot_d_q0_4 =
-        T::splat(2.0) * part_of_d_vz_dot_d_q0_3 - q1_air_velocity_2_V_product;
-    let d_vz_dot_d_q0 = part_of_d_vz_dot_d_q0_4 - q2_minus_air_product;
-    let part_of_d_vz_dot_d_q1 =
-        minus_d_minus_air_velocity_3_d_q1 * minus_d_vz_dot_d_minus_air_velocity_3;
+        part_of_d_vz_dot_d_q0_2 - q1_air_velocity_2_V_product - q2_minus_air_product;
+    let d_vz_dot_d_q0 = part_of_d_vz_dot_d_q0_3 - part_of_d_vz_dot_d_q0 - part_of_d_vz_dot_d_q0_4;
+    let part_of_d_vz_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_q1_2 =
-        q1_V_inv_m_rho_A_product + q3_vz_minus_wind_z_plus_sum * d_vz_dot_d_minus_air_velocity_1_2;
-    let part_of_d_vz_dot_d_q1_3 =
         q3_minus_air_product - q0_air_velocity_2_V_product + part_of_d_vz_dot_d_q1;
+    let part_of_d_vz_dot_d_q1_3 =
+        part_of_d_vz_dot_d_q1_2 - d_air_velocity_2_d_q1 * minus_d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_q1_4 =
-        part_of_d_vz_dot_d_q1_3 - d_air_velocity_2_d_q1 * minus_d_vz_dot_d_air_velocity_2;
-    let d_vz_dot_d_q1 = part_of_d_vz_dot_d_q1_4 - T::splat(2.0) * part_of_d_vz_dot_d_q1_2;
+        part_of_d_vz_dot_d_q1_3 + d_minus_air_velocity_1_d_q1 * d_vz_dot_d_minus_air_velocity_1_2;
+    let d_vz_dot_d_q1 = part_of_d_vz_dot_d_q1_4 - q1_two * V_inv_m_rho_A_minus_product;
+    let part_of_d_vz_dot_d_q2_2 = d_air_velocity_2_d_q2 * minus_d_vz_dot_d_air_velocity_2;
     let part_of_d_vz_dot_d_q2 =
-        minus_d_minus_air_velocity_3_d_q2 * minus_d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_q2_2 =
-        q2_V_inv_m_rho_A_product + q3_vz_minus_wind_z_plus_sum_2 * minus_d_vz_dot_d_air_velocity_2;
+        d_minus_air_velocity_3_d_q2 * d_vz_dot_d_minus_air_velocity_3 - q3_air_velocity_2_V_product;
     let part_of_d_vz_dot_d_q2_3 =
-        part_of_d_vz_dot_d_q2 - q3_air_velocity_2_V_product - q0_minus_air_product;
+        part_of_d_vz_dot_d_q2 - q0_minus_air_product - part_of_d_vz_dot_d_q2_2;
     let part_of_d_vz_dot_d_q2_4 =
         part_of_d_vz_dot_d_q2_3 + d_minus_air_velocity_1_d_q2 * d_vz_dot_d_minus_air_velocity_1_2;
-    let d_vz_dot_d_q2 = part_of_d_vz_dot_d_q2_4 - T::splat(2.0) * part_of_d_vz_dot_d_q2_2;
-    let part_of_d_vz_dot_d_q3 = minus_d_air_velocity_2_d_q3 * minus_d_vz_dot_d_air_velocity_2;
-    let two_q2_vy_minus_product = T::splat(2.0) * q2_vy_minus_wind_y_plus_sum;
+    let d_vz_dot_d_q2 = part_of_d_vz_dot_d_q2_4 - q2_two * V_inv_m_rho_A_minus_product;
+    let part_of_d_vz_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_q3_2 =
         q1_minus_air_product - q2_air_velocity_2_V_product + part_of_d_vz_dot_d_q3;
     let part_of_d_vz_dot_d_q3_3 =
-        part_of_d_vz_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_vz_dot_d_minus_air_velocity_1_2;
+        part_of_d_vz_dot_d_q3_2 - d_air_velocity_2_d_q3 * minus_d_vz_dot_d_air_velocity_2;
     let d_vz_dot_d_q3 =
-        part_of_d_vz_dot_d_q3_3 + minus_d_vz_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
+        part_of_d_vz_dot_d_q3_3 + d_minus_air_velocity_1_d_q3 * d_vz_dot_d_minus_air_velocity_1_2;
     let minus_d_q3_dot_d_q2 = T::splat(0.5) * p;
     let minus_d_q1_dot_d_q3 = T::splat(0.5) * q;
     let minus_d_q2_dot_d_q1 = T::splat(0.5) * r;
@@ -447,127 +431,119 @@ pub fn f_jac_par<T: Real>(
     let d_q1_dot_d_p = T::splat(0.5) * q0;
     let r_C_Rr = C_Rr * r;
     let air_velocity_2_alpha_C_sum = air_velocity_2 * alpha_C_Ma + minus_air_velocity_1 * r_C_Rr;
-    let inv_air_velocity_12_product_2 = inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
-    let p_C_Mq = C_Mq * p;
+    let C_Mq_nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
     let minus_inv_air_velocity_sum =
-        nonzero_air_velocity_12_sq * p_C_Mq - inv_air_velocity_12_product_2;
-    let minus_air_velocity_product_6 = d_rho_A_inv_I_d * minus_air_velocity_3;
-    let part_of_minus_d_p_dot_d_minus = minus_inv_air_velocity_sum * minus_air_velocity_product_6;
+        p * C_Mq_nonzero_air_product - inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
+    let minus_inv_air_product = d_rho_A_inv_I_d * minus_inv_air_velocity_sum;
     let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
-    let minus_d_p_dot_d_minus_air_velocity_3 =
-        air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product - part_of_minus_d_p_dot_d_minus;
-    let air_velocity_12_rho_product = d_rho_A_inv_I_d * air_velocity_12;
-    let part_of_d_p_dot_d_air_velocity =
-        (inv_air_velocity_12_product_2 - p_C_Mq) * air_velocity_12_rho_product;
-    let inv_air_velocity_12_product_3 = inv_air_velocity_12 * inv_air_velocity_12_product;
+    let part_of_d_p_dot_d_minus_air = air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product;
+    let d_p_dot_d_minus_air_velocity_3 =
+        minus_air_velocity_3 * minus_inv_air_product - part_of_d_p_dot_d_minus_air;
+    let part_of_d_p_dot_d_air_velocity = minus_air_velocity_product_4 * C_Ma_air_velocity_2_product;
+    let inv_air_velocity_12_product_2 = inv_air_velocity_12 * inv_air_velocity_12_product;
     let part_of_d_p_dot_d_air_velocity_3 =
-        air_velocity_2_alpha_C_sum * inv_air_velocity_12_product_3;
+        air_velocity_2_alpha_C_sum * inv_air_velocity_12_product_2;
     let part_of_d_p_dot_d_air_velocity_2 =
-        minus_air_velocity_product_4 * C_Ma_air_velocity_2_product - part_of_d_p_dot_d_air_velocity;
+        air_velocity_12 * minus_inv_air_product + part_of_d_p_dot_d_air_velocity;
     let d_p_dot_d_air_velocity_12 =
         part_of_d_p_dot_d_air_velocity_2 + part_of_d_p_dot_d_air_velocity_3;
-    let minus_air_velocity_product_7 = minus_air_velocity_1 * inv_air_velocity_12;
-    let inv_air_velocity_12_product_4 = inv_air_velocity_12_product * r_C_Rr;
-    let minus_d_p_dot_d_minus_air_velocity_1 =
-        inv_air_velocity_12_product_4 - d_p_dot_d_air_velocity_12 * minus_air_velocity_product_7;
-    let part_of_d_p_dot_d_vx = q2_sq_two_plus_q3_sq_sum * minus_d_p_dot_d_minus_air_velocity_1;
+    let minus_air_velocity_product_6 = minus_air_velocity_1 * inv_air_velocity_12;
+    let inv_air_velocity_12_product_3 = inv_air_velocity_12_product * r_C_Rr;
+    let d_p_dot_d_minus_air_velocity_1 =
+        d_p_dot_d_air_velocity_12 * minus_air_velocity_product_6 - inv_air_velocity_12_product_3;
+    let part_of_d_p_dot_d_vx = q2_sq_two_plus_q3_sq_sum * d_p_dot_d_minus_air_velocity_1;
     let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
-    let inv_air_velocity_12_product_5 = inv_air_velocity_12_product * alpha_C_Ma;
+    let inv_air_velocity_12_product_4 = inv_air_velocity_12_product * alpha_C_Ma;
     let d_p_dot_d_air_velocity_2 =
-        d_p_dot_d_air_velocity_12 * air_velocity_2_inv_product_2 - inv_air_velocity_12_product_5;
+        d_p_dot_d_air_velocity_12 * air_velocity_2_inv_product_2 - inv_air_velocity_12_product_4;
     let part_of_d_p_dot_d_vx_2 =
-        part_of_d_p_dot_d_vx - d_p_dot_d_air_velocity_2 * two_minus_q0_q3_plus_q1_q2;
+        part_of_d_p_dot_d_vx + d_p_dot_d_air_velocity_2 * two_minus_q0_q3_plus_q1_q2;
     let d_p_dot_d_vx =
-        minus_d_p_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two - part_of_d_p_dot_d_vx_2;
-    let part_of_d_p_dot_d_vy = minus_d_p_dot_d_minus_air_velocity_3 * minus_q1_q0_plus_q3_q2_two;
-    let part_of_d_p_dot_d_vy_2 = minus_d_p_dot_d_minus_air_velocity_1 * two_q0_q3_plus_q1_q2;
-    let part_of_d_p_dot_d_vy_3 =
-        part_of_d_p_dot_d_vy_2 - q1_sq_two_plus_q3_sq_sum * d_p_dot_d_air_velocity_2;
-    let d_p_dot_d_vy = part_of_d_p_dot_d_vy + part_of_d_p_dot_d_vy_3;
-    let part_of_d_p_dot_d_vz = minus_d_p_dot_d_minus_air_velocity_1 * two_minus_q0_q2_plus_q1_q3;
+        part_of_d_p_dot_d_vx_2 - d_p_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two;
+    let part_of_d_p_dot_d_vy = d_p_dot_d_minus_air_velocity_1 * two_q0_q3_plus_q1_q2;
+    let part_of_d_p_dot_d_vy_2 =
+        q1_sq_two_plus_q3_sq_sum * d_p_dot_d_air_velocity_2 + part_of_d_p_dot_d_vy;
+    let d_p_dot_d_vy =
+        d_p_dot_d_minus_air_velocity_3 * q1_q0_plus_q3_q2_two - part_of_d_p_dot_d_vy_2;
+    let part_of_d_p_dot_d_vz = d_p_dot_d_minus_air_velocity_1 * two_minus_q0_q2_plus_q1_q3;
     let part_of_d_p_dot_d_vz_2 =
-        q1_sq_two_minus_one_sum * minus_d_p_dot_d_minus_air_velocity_3 - part_of_d_p_dot_d_vz;
-    let d_p_dot_d_vz = d_p_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2 - part_of_d_p_dot_d_vz_2;
-    let part_of_d_p_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q0_2 = minus_q2_vz_minus_wind_sum * minus_d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_q0_3 =
-        part_of_d_p_dot_d_q0 - minus_q1_vz_minus_wind_sum * d_p_dot_d_air_velocity_2;
-    let d_p_dot_d_q0 = T::splat(2.0) * (part_of_d_p_dot_d_q0_3 + part_of_d_p_dot_d_q0_2);
-    let part_of_d_p_dot_d_q1 =
-        minus_d_minus_air_velocity_3_d_q1 * minus_d_p_dot_d_minus_air_velocity_3;
+        q1_sq_two_minus_one_sum * d_p_dot_d_minus_air_velocity_3 - part_of_d_p_dot_d_vz;
+    let d_p_dot_d_vz = d_p_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2_2 + part_of_d_p_dot_d_vz_2;
+    let part_of_d_p_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q0_2 =
+        d_air_velocity_2_d_q0 * d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_q0;
+    let d_p_dot_d_q0 =
+        part_of_d_p_dot_d_q0_2 + d_minus_air_velocity_1_d_q0 * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_q1_2 =
         part_of_d_p_dot_d_q1 + d_air_velocity_2_d_q1 * d_p_dot_d_air_velocity_2;
     let d_p_dot_d_q1 =
-        part_of_d_p_dot_d_q1_2 + minus_d_p_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
-    let part_of_d_p_dot_d_q2 =
-        minus_d_minus_air_velocity_3_d_q2 * minus_d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * minus_d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_q2_3 = d_p_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
-    let d_p_dot_d_q2 = part_of_d_p_dot_d_q2 - part_of_d_p_dot_d_q2_2 + part_of_d_p_dot_d_q2_3;
-    let part_of_d_p_dot_d_q3 = d_minus_air_velocity_1_d_q3 * minus_d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_q3_2 = minus_d_p_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
-    let part_of_d_p_dot_d_q3_3 =
-        part_of_d_p_dot_d_q3_2 - minus_d_air_velocity_2_d_q3 * d_p_dot_d_air_velocity_2;
-    let d_p_dot_d_q3 = part_of_d_p_dot_d_q3_3 - part_of_d_p_dot_d_q3;
+        part_of_d_p_dot_d_q1_2 + d_minus_air_velocity_1_d_q1 * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q2_2 =
+        part_of_d_p_dot_d_q2 + d_air_velocity_2_d_q2 * d_p_dot_d_air_velocity_2;
+    let d_p_dot_d_q2 =
+        part_of_d_p_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q3_2 =
+        part_of_d_p_dot_d_q3 + d_air_velocity_2_d_q3 * d_p_dot_d_air_velocity_2;
+    let d_p_dot_d_q3 =
+        part_of_d_p_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_p_dot_d_minus_air_velocity_1;
     let d_p_dot_d_q = one_minus_inv_I_d_I_a * r;
-    let minus_air_velocity_2_r_sum = minus_air_velocity_1 * alpha_C_Ma - air_velocity_2 * r_C_Rr;
-    let inv_air_velocity_12_product_6 = inv_air_velocity_12 * minus_air_velocity_2_r_sum;
-    let q_C_Mq = C_Mq * q;
-    let minus_inv_air_velocity_sum_2 =
-        nonzero_air_velocity_12_sq * q_C_Mq - inv_air_velocity_12_product_6;
-    let part_of_minus_d_q_dot_d_minus = minus_inv_air_velocity_sum_2 * minus_air_velocity_product_6;
-    let minus_air_velocity_product_8 = C_Ma * minus_air_velocity_product;
-    let minus_d_q_dot_d_minus_air_velocity_3 =
-        air_velocity_12_inv_V_sq * minus_air_velocity_product_8 - part_of_minus_d_q_dot_d_minus;
+    let air_velocity_2_r_C_Rr_sum = air_velocity_2 * r_C_Rr - minus_air_velocity_1 * alpha_C_Ma;
+    let inv_air_velocity_12_sum =
+        inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum + q * C_Mq_nonzero_air_product;
+    let inv_air_velocity_12_product_5 = d_rho_A_inv_I_d * inv_air_velocity_12_sum;
+    let minus_air_velocity_product_7 = C_Ma * minus_air_velocity_product;
+    let part_of_d_q_dot_d_minus_air = air_velocity_12_inv_V_sq * minus_air_velocity_product_7;
+    let d_q_dot_d_minus_air_velocity_3 =
+        minus_air_velocity_3 * inv_air_velocity_12_product_5 - part_of_d_q_dot_d_minus_air;
     let part_of_d_q_dot_d_air_velocity =
-        (inv_air_velocity_12_product_6 - q_C_Mq) * air_velocity_12_rho_product;
-    let part_of_d_q_dot_d_air_velocity_2 =
-        minus_air_velocity_product_4 * minus_air_velocity_product_8;
-    let part_of_d_q_dot_d_air_velocity_4 =
-        minus_air_velocity_2_r_sum * inv_air_velocity_12_product_3;
+        minus_air_velocity_product_4 * minus_air_velocity_product_7;
     let part_of_d_q_dot_d_air_velocity_3 =
-        part_of_d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_air_velocity;
+        air_velocity_2_r_C_Rr_sum * inv_air_velocity_12_product_2;
+    let part_of_d_q_dot_d_air_velocity_2 =
+        air_velocity_12 * inv_air_velocity_12_product_5 + part_of_d_q_dot_d_air_velocity;
     let d_q_dot_d_air_velocity_12 =
-        part_of_d_q_dot_d_air_velocity_3 + part_of_d_q_dot_d_air_velocity_4;
-    let minus_d_q_dot_d_minus_air_velocity_1 =
-        inv_air_velocity_12_product_5 - d_q_dot_d_air_velocity_12 * minus_air_velocity_product_7;
-    let part_of_d_q_dot_d_vx = q2_sq_two_plus_q3_sq_sum * minus_d_q_dot_d_minus_air_velocity_1;
+        part_of_d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_air_velocity_3;
+    let d_q_dot_d_minus_air_velocity_1 =
+        d_q_dot_d_air_velocity_12 * minus_air_velocity_product_6 - inv_air_velocity_12_product_4;
+    let part_of_d_q_dot_d_vx = q2_sq_two_plus_q3_sq_sum * d_q_dot_d_minus_air_velocity_1;
     let d_q_dot_d_air_velocity_2 =
-        inv_air_velocity_12_product_4 + d_q_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
+        inv_air_velocity_12_product_3 + d_q_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
     let part_of_d_q_dot_d_vx_2 =
-        part_of_d_q_dot_d_vx - d_q_dot_d_air_velocity_2 * two_minus_q0_q3_plus_q1_q2;
+        part_of_d_q_dot_d_vx + d_q_dot_d_air_velocity_2 * two_minus_q0_q3_plus_q1_q2;
     let d_q_dot_d_vx =
-        minus_d_q_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two - part_of_d_q_dot_d_vx_2;
-    let part_of_d_q_dot_d_vy = minus_d_q_dot_d_minus_air_velocity_3 * minus_q1_q0_plus_q3_q2_two;
-    let part_of_d_q_dot_d_vy_2 = minus_d_q_dot_d_minus_air_velocity_1 * two_q0_q3_plus_q1_q2;
-    let part_of_d_q_dot_d_vy_3 =
-        q1_sq_two_plus_q3_sq_sum * d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_vy_2;
-    let d_q_dot_d_vy = part_of_d_q_dot_d_vy - part_of_d_q_dot_d_vy_3;
-    let part_of_d_q_dot_d_vz = minus_d_q_dot_d_minus_air_velocity_1 * two_minus_q0_q2_plus_q1_q3;
+        part_of_d_q_dot_d_vx_2 - d_q_dot_d_minus_air_velocity_3 * q0_q2_plus_q1_q3_two;
+    let part_of_d_q_dot_d_vy = d_q_dot_d_minus_air_velocity_1 * two_q0_q3_plus_q1_q2;
+    let part_of_d_q_dot_d_vy_2 =
+        q1_sq_two_plus_q3_sq_sum * d_q_dot_d_air_velocity_2 + part_of_d_q_dot_d_vy;
+    let d_q_dot_d_vy =
+        d_q_dot_d_minus_air_velocity_3 * q1_q0_plus_q3_q2_two - part_of_d_q_dot_d_vy_2;
+    let part_of_d_q_dot_d_vz = d_q_dot_d_minus_air_velocity_1 * two_minus_q0_q2_plus_q1_q3;
     let part_of_d_q_dot_d_vz_2 =
-        q1_sq_two_minus_one_sum * minus_d_q_dot_d_minus_air_velocity_3 - part_of_d_q_dot_d_vz;
-    let d_q_dot_d_vz = d_q_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2 - part_of_d_q_dot_d_vz_2;
-    let part_of_d_q_dot_d_q0 = minus_q1_vy_minus_wind_sum * minus_d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_q_dot_d_q0_2 = minus_q2_vz_minus_wind_sum * minus_d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_q0_3 =
-        part_of_d_q_dot_d_q0 - minus_q1_vz_minus_wind_sum * d_q_dot_d_air_velocity_2;
-    let d_q_dot_d_q0 = T::splat(2.0) * (part_of_d_q_dot_d_q0_3 + part_of_d_q_dot_d_q0_2);
-    let part_of_d_q_dot_d_q1 =
-        minus_d_minus_air_velocity_3_d_q1 * minus_d_q_dot_d_minus_air_velocity_3;
+        q1_sq_two_minus_one_sum * d_q_dot_d_minus_air_velocity_3 - part_of_d_q_dot_d_vz;
+    let d_q_dot_d_vz = d_q_dot_d_air_velocity_2 * two_q1_q0_plus_q3_q2_2 + part_of_d_q_dot_d_vz_2;
+    let part_of_d_q_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_q0_2 =
+        d_air_velocity_2_d_q0 * d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_q0;
+    let d_q_dot_d_q0 =
+        part_of_d_q_dot_d_q0_2 + d_minus_air_velocity_1_d_q0 * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_q_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_q1_2 =
         part_of_d_q_dot_d_q1 + d_air_velocity_2_d_q1 * d_q_dot_d_air_velocity_2;
     let d_q_dot_d_q1 =
-        part_of_d_q_dot_d_q1_2 + minus_d_q_dot_d_minus_air_velocity_1 * two_q3_vz_minus_product;
-    let part_of_d_q_dot_d_q2 =
-        minus_d_minus_air_velocity_3_d_q2 * minus_d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_q_dot_d_q2_2 = d_minus_air_velocity_1_d_q2 * minus_d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_q2_3 = d_q_dot_d_air_velocity_2 * two_q3_vz_minus_product_2;
-    let d_q_dot_d_q2 = part_of_d_q_dot_d_q2 - part_of_d_q_dot_d_q2_2 + part_of_d_q_dot_d_q2_3;
-    let part_of_d_q_dot_d_q3 = d_minus_air_velocity_1_d_q3 * minus_d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_q3_2 = minus_d_q_dot_d_minus_air_velocity_3 * two_q2_vy_minus_product;
-    let part_of_d_q_dot_d_q3_3 =
-        part_of_d_q_dot_d_q3_2 - minus_d_air_velocity_2_d_q3 * d_q_dot_d_air_velocity_2;
-    let d_q_dot_d_q3 = part_of_d_q_dot_d_q3_3 - part_of_d_q_dot_d_q3;
+        part_of_d_q_dot_d_q1_2 + d_minus_air_velocity_1_d_q1 * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_q2_2 =
+        part_of_d_q_dot_d_q2 + d_air_velocity_2_d_q2 * d_q_dot_d_air_velocity_2;
+    let d_q_dot_d_q2 =
+        part_of_d_q_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_q3_2 =
+        part_of_d_q_dot_d_q3 + d_air_velocity_2_d_q3 * d_q_dot_d_air_velocity_2;
+    let d_q_dot_d_q3 =
+        part_of_d_q_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_q_dot_d_minus_air_velocity_1;
     let V_inv_m = inv_m * V;
     let rho_A_inv_m_V_inv_m = inv_m_rho_A * V_inv_m;
     let rho_V_inv_m = rho * V_inv_m;
@@ -585,39 +561,39 @@ pub fn f_jac_par<T: Real>(
     let d_vx_dot_d_C_D0 = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum_4;
     let alpha_V_inv_m_rho_A_alpha = alpha * V_inv_m_rho_A_alpha;
     let d_vx_dot_d_C_Da = q0_q2_plus_q1_q3_sum_4 * alpha_V_inv_m_rho_A_alpha;
+    let minus_d_vx_dot_d_vx = -d_vx_dot_d_vx;
     let minus_d_vx_dot_d_vy = -d_vx_dot_d_vy;
     let minus_d_vx_dot_d_vz = -d_vx_dot_d_vz;
     let d_vy_dot_d_A = minus_q1_q0_plus_q3_sum * rho_V_inv_m;
     let d_vy_dot_d_rho = minus_q1_q0_plus_q3_sum * A_V_inv_m;
-    let part_of_minus_q1_q0_plus_q3_sum_5 = q0_q3_plus_q1_q2_sum * minus_air_velocity_product_3;
-    let minus_q1_q0_plus_q3_sum_3 =
-        minus_q1_q0_plus_q3_q2 * air_velocity_12 - part_of_minus_q1_q0_plus_q3_sum_5;
-    let d_vy_dot_d_C_L0 = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum_3;
-    let d_vy_dot_d_C_La = minus_q1_q0_plus_q3_sum_3 * V_inv_m_rho_A_alpha;
-    let part_of_minus_q1_q0_plus_q3_sum_6 = q0_q3_plus_q1_q2_sum * nonzero_air_velocity_12_sq;
-    let minus_q1_q0_plus_q3_sum_4 =
-        minus_q1_q0_plus_q3_q2 * minus_air_velocity_3 + part_of_minus_q1_q0_plus_q3_sum_6;
-    let d_vy_dot_d_C_D0 = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum_4;
-    let d_vy_dot_d_C_Da = minus_q1_q0_plus_q3_sum_4 * alpha_V_inv_m_rho_A_alpha;
+    let minus_q1_q0_plus_q3_q2_sum_2 =
+        -(q1_q0_plus_q3_q2 * air_velocity_12) - q0_q3_plus_q1_q2_sum * minus_air_velocity_product_3;
+    let d_vy_dot_d_C_L0 = V_inv_m_rho_A * minus_q1_q0_plus_q3_q2_sum_2;
+    let d_vy_dot_d_C_La = minus_q1_q0_plus_q3_q2_sum_2 * V_inv_m_rho_A_alpha;
+    let minus_q1_q0_plus_q3_q2_sum_3 =
+        q0_q3_plus_q1_q2_sum * nonzero_air_velocity_12_sq - q1_q0_plus_q3_q2 * minus_air_velocity_3;
+    let d_vy_dot_d_C_D0 = V_inv_m_rho_A * minus_q1_q0_plus_q3_q2_sum_3;
+    let d_vy_dot_d_C_Da = minus_q1_q0_plus_q3_q2_sum_3 * alpha_V_inv_m_rho_A_alpha;
     let minus_d_vy_dot_d_vx = -d_vy_dot_d_vx;
+    let minus_d_vy_dot_d_vy = -d_vy_dot_d_vy;
     let minus_d_vy_dot_d_vz = -d_vy_dot_d_vz;
-    let d_vz_dot_d_m = q1_sq_two_minus_one_sum_2 * rho_A_inv_m_V_inv_m;
-    let part_of_q1_q0_plus_q3_q2_sum_2 = q1_q0_plus_q3_q2_sum * minus_air_velocity_product_3;
-    let q1_q0_plus_q3_q2_sum_2 =
-        part_of_q1_q0_plus_q3_q2_sum_2 - air_velocity_12 * q1_sq_two_minus_one_sum_half;
-    let d_vz_dot_d_C_L0 = V_inv_m_rho_A * q1_q0_plus_q3_q2_sum_2;
-    let d_vz_dot_d_C_La = q1_q0_plus_q3_q2_sum_2 * V_inv_m_rho_A_alpha;
-    let part_of_minus_q1_q0_plus_q3_q2 = -(q1_q0_plus_q3_q2_sum * nonzero_air_velocity_12_sq);
-    let minus_q1_q0_plus_q3_q2_sum =
-        part_of_minus_q1_q0_plus_q3_q2 - minus_air_velocity_3 * q1_sq_two_minus_one_sum_half;
+    let minus_d_vz_dot_d_m = minus_q1_sq_two_minus_one_sum_2 * rho_A_inv_m_V_inv_m;
+    let part_of_minus_minus_q1_q0_plus =
+        -(minus_q1_q0_plus_q3_q2_sum * minus_air_velocity_product_3);
+    let minus_minus_q1_q0_plus_sum =
+        part_of_minus_minus_q1_q0_plus - air_velocity_12 * q1_sq_two_minus_one_sum_half;
+    let d_vz_dot_d_C_L0 = V_inv_m_rho_A * minus_minus_q1_q0_plus_sum;
+    let d_vz_dot_d_C_La = minus_minus_q1_q0_plus_sum * V_inv_m_rho_A_alpha;
+    let part_of_minus_q1_q0_plus_q3_sum_5 = minus_q1_q0_plus_q3_q2_sum * nonzero_air_velocity_12_sq;
+    let minus_q1_q0_plus_q3_sum_3 =
+        part_of_minus_q1_q0_plus_q3_sum_5 - minus_air_velocity_3 * q1_sq_two_minus_one_sum_half;
     let minus_d_vz_dot_d_vx = -d_vz_dot_d_vx;
     let minus_d_vz_dot_d_vy = -d_vz_dot_d_vy;
+    let minus_d_vz_dot_d_vz = -d_vz_dot_d_vz;
     let r_inv_I_d = inv_I_d * r;
     let q_r_inv_I_d = q * r_inv_I_d;
     let inv_I_d_V_sq_half = inv_I_d * V_sq_half;
-    let rho_A_inv_part_d_product = d_rho_A_inv_I_d * inv_I_d_V_sq_half;
-    let d_p_dot_d_I_d =
-        I_a_inv_I_d * q_r_inv_I_d - minus_inv_air_velocity_sum * rho_A_inv_part_d_product;
+    let d_p_dot_d_I_d = I_a_inv_I_d * q_r_inv_I_d - inv_I_d_V_sq_half * minus_inv_air_product;
     let rho_A_inv_I_d_V_sq_half = rho_A * inv_I_d_V_sq_half;
     let inv_I_d_d_V_sq_half = inv_I_d_d * V_sq_half;
     let rho_inv_I_d_d_V_sq_half = rho * inv_I_d_d_V_sq_half;
@@ -628,16 +604,13 @@ pub fn f_jac_par<T: Real>(
     let minus_d_p_dot_d_vz = -d_p_dot_d_vz;
     let d_q_dot_d_I_a = p * r_inv_I_d;
     let d_q_dot_d_I_d =
-        minus_I_a_inv_I_d * d_q_dot_d_I_a - minus_inv_air_velocity_sum_2 * rho_A_inv_part_d_product;
+        minus_I_a_inv_I_d * d_q_dot_d_I_a - inv_I_d_V_sq_half * inv_air_velocity_12_product_5;
     let d_q_dot_d_C_Mq = q * V_sq_half_d_inv_product;
     let d_q_dot_d_C_Rr = r * air_velocity_2_inv_product;
     let minus_d_q_dot_d_vx = -d_q_dot_d_vx;
     let minus_d_q_dot_d_vy = -d_q_dot_d_vy;
     let minus_d_q_dot_d_vz = -d_q_dot_d_vz;
     let d_r_dot_d_C_Nr = inv_I_a * r;
-    let d_vx_dot_d_vx = -minus_d_vx_dot_d_vx;
-    let d_vy_dot_d_vy = -minus_d_vy_dot_d_vy;
-    let d_vz_dot_d_vz = -minus_d_vz_dot_d_vz;
     let d_q0_dot_d_q1 = -minus_d_q3_dot_d_q2;
     let d_q0_dot_d_q2 = -minus_d_q1_dot_d_q3;
     let d_q0_dot_d_q3 = -minus_d_q2_dot_d_q1;
@@ -653,8 +626,7 @@ pub fn f_jac_par<T: Real>(
     let d_q_dot_d_p = -d_p_dot_d_q;
     let d_vx_dot_d_m = -(q0_q2_plus_q1_q3_sum * rho_A_inv_m_V_inv_m);
     let d_vy_dot_d_m = -(minus_q1_q0_plus_q3_sum * rho_A_inv_m_V_inv_m);
-    let d_vz_dot_d_A = -(q1_sq_two_minus_one_sum_2 * rho_V_inv_m);
-    let d_vz_dot_d_rho = -(q1_sq_two_minus_one_sum_2 * A_V_inv_m);
+    let d_vz_dot_d_m = -minus_d_vz_dot_d_m;
     let d_p_dot_d_I_a = -q_r_inv_I_d;
     let d_p_dot_d_C_Ma = -(alpha * air_velocity_2_inv_product);
     let d_p_dot_d_C_Rr = -(r * minus_air_velocity_product);
@@ -765,13 +737,13 @@ pub fn f_jac_par<T: Real>(
     jp[18] = minus_d_vy_dot_d_vy; // d_vy_dot_d_wind_y
     jp[19] = minus_d_vy_dot_d_vz; // d_vy_dot_d_wind_z
     jp[20] = d_vz_dot_d_m;
-    jp[21] = d_vz_dot_d_A;
-    jp[22] = d_vz_dot_d_rho;
+    jp[21] = minus_q1_sq_two_minus_one_sum_2 * rho_V_inv_m; // d_vz_dot_d_A
+    jp[22] = minus_q1_sq_two_minus_one_sum_2 * A_V_inv_m; // d_vz_dot_d_rho
     jp[23] = T::splat(-1.0); // d_vz_dot_d_g
     jp[24] = d_vz_dot_d_C_L0;
     jp[25] = d_vz_dot_d_C_La;
-    jp[26] = V_inv_m_rho_A * minus_q1_q0_plus_q3_q2_sum; // d_vz_dot_d_C_D0
-    jp[27] = minus_q1_q0_plus_q3_q2_sum * alpha_V_inv_m_rho_A_alpha; // d_vz_dot_d_C_Da
+    jp[26] = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum_3; // d_vz_dot_d_C_D0
+    jp[27] = minus_q1_q0_plus_q3_sum_3 * alpha_V_inv_m_rho_A_alpha; // d_vz_dot_d_C_Da
     jp[28] = minus_d_vz_dot_d_vx; // d_vz_dot_d_wind_x
     jp[29] = minus_d_vz_dot_d_vy; // d_vz_dot_d_wind_y
     jp[30] = minus_d_vz_dot_d_vz; // d_vz_dot_d_wind_z
@@ -788,9 +760,9 @@ pub fn f_jac_par<T: Real>(
     jp[41] = minus_d_p_dot_d_vz; // d_p_dot_d_wind_z
     jp[42] = d_q_dot_d_I_a;
     jp[43] = d_q_dot_d_I_d;
-    jp[44] = minus_inv_air_velocity_sum_2 * rho_A_inv_I_d_V_sq_half; // d_q_dot_d_d
-    jp[45] = minus_inv_air_velocity_sum_2 * rho_inv_I_d_d_V_sq_half; // d_q_dot_d_A
-    jp[46] = minus_inv_air_velocity_sum_2 * A_inv_I_d_d_V_sq_half; // d_q_dot_d_rho
+    jp[44] = inv_air_velocity_12_sum * rho_A_inv_I_d_V_sq_half; // d_q_dot_d_d
+    jp[45] = inv_air_velocity_12_sum * rho_inv_I_d_d_V_sq_half; // d_q_dot_d_A
+    jp[46] = inv_air_velocity_12_sum * A_inv_I_d_d_V_sq_half; // d_q_dot_d_rho
     jp[47] = d_q_dot_d_C_Ma;
     jp[48] = d_q_dot_d_C_Mq;
     jp[49] = d_q_dot_d_C_Rr;

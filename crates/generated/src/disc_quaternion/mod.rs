@@ -5,10 +5,10 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 17 operations: 1 add, 11 mul, 3 div, 2 neg |
+//! | `prepare` | 18 operations: 1 add, 12 mul, 3 div, 2 neg |
 //! | `f` | 141 operations: 47 add, 88 mul, 1 div, 1 neg, 2 sqrt, 1 call, 1 select |
-//! | `f_jac` | 586 operations: 207 add, 359 mul, 2 div, 14 neg, 2 sqrt, 1 call, 1 select |
-//! | `f_jac_par` | 676 operations: 215 add, 417 mul, 2 div, 38 neg, 2 sqrt, 1 call, 1 select |
+//! | `f_jac` | 574 operations: 205 add, 349 mul, 2 div, 13 neg, 2 sqrt, 1 call, 2 select |
+//! | `f_jac_par` | 660 operations: 212 add, 405 mul, 2 div, 37 neg, 2 sqrt, 1 call, 1 select |
 //! | `observe` | 44 operations: 20 add, 24 mul |
 //! | `observe_jac` | 92 operations: 38 add, 52 mul, 2 neg |
 //! | `quantities` | 86 operations: 28 add, 52 mul, 1 div, 2 neg, 2 sqrt, 1 call |
@@ -66,10 +66,11 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 16] = [
+pub const PREPARED: [&str; 17] = [
     "inv_m_rho_A", "half_d_inv_I_d_rho_A", "one_minus_inv_I_d_I_a", "C_Nr_inv_I_a",
-    "d_rho_A_inv_I_d", "two_C_Da", "rho_A", "inv_m", "inv_I_d", "I_a_inv_I_d", "inv_I_d_d",
-    "inv_I_a", "minus_I_a_inv_I_d", "minus_inv_I_a_d_r_dot_d_r", "rho_half", "A_rho_half",
+    "d_rho_A_inv_I_d", "two_C_Da", "C_Mq_d_rho_A_inv_I_d", "rho_A", "inv_m", "inv_I_d",
+    "I_a_inv_I_d", "inv_I_d_d", "inv_I_a", "minus_I_a_inv_I_d", "minus_inv_I_a_d_r_dot_d_r",
+    "rho_half", "A_rho_half",
 ];
 
 /// What `quantities` computes.

@@ -11,7 +11,7 @@ pub fn observe<T: Real>(
     _time: T,
     state: &[T; 13],
     _parameters: &[T; 18],
-    _prepared: &[T; 16],
+    _prepared: &[T; 17],
     marker: &[T; 3],
     seen: &mut [T; 3],
 ) {

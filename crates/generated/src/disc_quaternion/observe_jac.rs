@@ -11,7 +11,7 @@ pub fn observe_jac<T: Real>(
     _time: T,
     state: &[T; 13],
     _parameters: &[T; 18],
-    _prepared: &[T; 16],
+    _prepared: &[T; 17],
     marker: &[T; 3],
     seen: &mut [T; 3],
     dy_dx: &mut [T; 15],
@@ -61,9 +61,9 @@ pub fn observe_jac<T: Real>(
     let mark_z_q2_two = mark_z * q2_two;
     let mark_y_q3_two = mark_y * q3_two;
     let d_seen_x_d_q0 = mark_z_q2_two - mark_y_q3_two;
-    let mark_y_q2_two = mark_y * q2_two;
     let mark_z_q3_two = mark_z * q3_two;
-    let d_seen_x_d_q1 = mark_y_q2_two + mark_z_q3_two;
+    let mark_y_q2_two = mark_y * q2_two;
+    let d_seen_x_d_q1 = mark_z_q3_two + mark_y_q2_two;
     let mark_y_q1_two = mark_y * q1_two;
     let q2_n4 = T::splat(4.0) * q2;
     let q0_two = T::splat(2.0) * q0;

@@ -11,7 +11,7 @@ pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 13],
     parameters: &[T; 18],
-    prepared: &[T; 16],
+    prepared: &[T; 17],
     values: &mut [T; 24],
 ) {
     let vx = state[3];
@@ -36,8 +36,8 @@ pub fn quantities<T: Real>(
     let wind_x = parameters[15];
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let rho_half = prepared[14];
-    let A_rho_half = prepared[15];
+    let rho_half = prepared[15];
+    let A_rho_half = prepared[16];
     let q2_q0 = q2 * q0;
     let q3_q1 = q3 * q1;
     let minus_wind_z_plus_vz = vz - wind_z;

@@ -5,13 +5,13 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`.
 ///
-/// 368 operations: 108 add, 233 mul, 4 div, 13 neg, 2 sqrt, 7 call, 1 select.
+/// 350 operations: 104 add, 218 mul, 4 div, 14 neg, 2 sqrt, 7 call, 1 select.
 #[inline(always)]
 pub fn f_jac<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 33],
+    prepared: &[T; 28],
     dx: &mut [T; 12],
     j: &mut [T; 60],
 ) {
@@ -38,11 +38,12 @@ pub fn f_jac<T: Real>(
     let inv_I_d_I_a = prepared[4];
     let half_rho_A_d_inv_I_d = prepared[5];
     let C_Nr_inv_I_a = prepared[6];
-    let two_C_Ds = prepared[7];
-    let n8_inv_s_stall_product = prepared[8];
-    let two_inv_I_d_half_rho_A_d = prepared[9];
-    let minus_two_inv_I_d_half_sum = prepared[10];
-    let minus_one_plus_inv_I_d_I_a = prepared[11];
+    let minus_wind_y = prepared[7];
+    let two_C_Ds = prepared[8];
+    let n8_inv_s_stall_product = prepared[9];
+    let two_inv_I_d_half_rho_A_d = prepared[10];
+    let two_minus_inv_I_d_I_a = prepared[11];
+    let minus_one_plus_inv_I_d_I_a = prepared[12];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
     // discus.hyz:63  position (x, y, z) in N;
@@ -54,16 +55,15 @@ pub fn f_jac<T: Real>(
     let cos_phi_g = g * cos_phi;
     let cos_phi_g_plus_v_phidot = v * phidot + cos_phi_g;
     let sin_theta_cos_phi_g_product = sin_theta * cos_phi_g_plus_v_phidot;
-    let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
-    let d_air_velocity_1_d_theta = cos_theta * minus_sin_phi_wind_y_sum + wind_x * sin_theta;
+    let sin_phi_wind_y_sum = wind_y * sin_phi - wind_z * cos_phi;
+    let d_air_velocity_1_d_theta = wind_x * sin_theta - cos_theta * sin_phi_wind_y_sum;
 
     // discus.hyz:70  let air_velocity = velocity - in_B(wind);
     let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
-    let minus_d_minus_air_velocity_3_d_theta =
-        sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta;
-    let air_velocity_1 = u + minus_d_minus_air_velocity_3_d_theta;
-    let minus_d_minus_sin_phi_wind_y_sum_d_phi = wind_y * cos_phi + wind_z * sin_phi;
-    let air_velocity_2 = v - minus_d_minus_sin_phi_wind_y_sum_d_phi;
+    let d_minus_air_velocity_3_d_theta = wind_x * cos_theta + sin_theta * sin_phi_wind_y_sum;
+    let air_velocity_1 = u - d_minus_air_velocity_3_d_theta;
+    let d_minus_sin_phi_wind_y_sum_d_phi = minus_wind_y * cos_phi - wind_z * sin_phi;
+    let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
     let air_velocity_12_sq = air_velocity_1 * air_velocity_1 + air_velocity_2 * air_velocity_2;
     let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
@@ -86,9 +86,10 @@ pub fn f_jac<T: Real>(
     let alpha_two = T::splat(2.0) * alpha;
     let (sin_alpha_two, cos_alpha_two) = alpha_two.sin_cos();
     let sin_alpha_two_C_Lp_product = C_Lp_plus_minus_C_Lp_sum * sin_alpha_two;
+    let minus_air_velocity_product = minus_air_velocity_3_inv_V * minus_air_velocity_3_inv_V;
 
     // discus.hyz:83  let C_D = C_D0 + C_Ds*sin(alpha)^2;
-    let C_D = C_D0 + C_Ds * minus_air_velocity_3_inv_V * minus_air_velocity_3_inv_V;
+    let C_D = C_D0 + C_Ds * minus_air_velocity_product;
     let C_D_air_velocity_12_sum =
         air_velocity_12 * C_D - minus_air_velocity_3 * sin_alpha_two_C_Lp_product;
     let C_D_air_velocity_12_product = V_inv_m_half_rho_A * C_D_air_velocity_12_sum;
@@ -113,9 +114,8 @@ pub fn f_jac<T: Real>(
     let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
     let C_Mq_nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
     let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part * C_Mq_nonzero_air_product;
-    let sin_theta_two = T::splat(2.0) * sin_theta;
     let sin_theta_two_thetadot_sum =
-        cos_theta * V_sq_half_rho_A_d_product_2 + thetadot * sin_theta_two;
+        cos_theta * V_sq_half_rho_A_d_product_2 + T::splat(2.0) * sin_theta * thetadot;
     let V_sq_half_rho_A_d_product = C_Ms * V_sq_half_rho_A_d_inv_part;
     let V_sq_half_rho_A_d_product_3 = sin_alpha_two * V_sq_half_rho_A_d_product;
     let part_of_minus_thetadot_r_inv_I = air_velocity_2_inv_product * V_sq_half_rho_A_d_product_3;
@@ -142,227 +142,219 @@ pub fn f_jac<T: Real>(
     let gammadot_dot =
         C_Nr_inv_I_a * r - thetadot * cos_theta_phidot - sin_theta * minus_thetadot_r_product;
     let d_y_dot_d_u = sin_theta * sin_phi;
+    let d_y_dot_d_phi = -z_dot;
     let d_y_dot_d_theta = x_dot * sin_phi;
     let d_z_dot_d_w = cos_theta * cos_phi;
-    let C_D_air_velocity_12_product_2 = C_D_air_velocity_12_product * inv_air_velocity_12;
-    let minus_air_velocity_product = two_C_Ds * minus_air_velocity_3_inv_V;
+    let minus_air_velocity_product_2 = two_C_Ds * minus_air_velocity_3_inv_V;
     let part_of_n8_part_part_inv_s =
         n8_inv_s_stall_product * (inv_s_stall_minus_product * inv_s_stall_minus_product_sq);
     let part_of_n8_part_part_inv_s_2 = inv_s_stall_minus_product_2 * inv_inv_s_stall_minus_sum;
     let part_of_n8_part_part_inv_s_3 =
         part_of_n8_part_part_inv_s_2 * (inv_inv_s_stall_minus_sum * sin_alpha_two);
     let n8_part_part_inv_s_product = part_of_n8_part_part_inv_s * part_of_n8_part_part_inv_s_3;
-    let part_of_air_velocity_12_product = minus_air_velocity_3 * n8_part_part_inv_s_product;
-    let air_velocity_12_product_sum =
-        air_velocity_12 * minus_air_velocity_product + part_of_air_velocity_12_product;
-    let V_inv_m_half_rho_A_inv_V = V_inv_m_half_rho_A * inv_V;
-    let minus_air_velocity_product_2 = minus_air_velocity_3_inv_V * V_inv_m_half_rho_A_inv_V;
-    let part_of_d_C_D_air_velocity_12 = air_velocity_12_product_sum * minus_air_velocity_product_2;
+    let part_of_inv_V_air_velocity = minus_air_velocity_3 * n8_part_part_inv_s_product;
+    let part_of_inv_V_air_velocity_2 =
+        air_velocity_12 * minus_air_velocity_product_2 + part_of_inv_V_air_velocity;
+    let inv_V_air_velocity_product = inv_V * part_of_inv_V_air_velocity_2;
+    let V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * minus_air_velocity_3_inv_V;
+    let part_of_d_C_D_air_velocity_12 = inv_V_air_velocity_product * V_inv_m_half_rho_A_product;
     let d_C_D_air_velocity_12_product_d_V =
         inv_m_half_rho_A * C_D_air_velocity_12_sum - part_of_d_C_D_air_velocity_12;
     let air_velocity_12_inv_V = air_velocity_12 * inv_V;
+    let part_of_minus_d_C_D_air_sum_2 = d_C_D_air_velocity_12_product_d_V * air_velocity_12_inv_V;
     let two_cos_alpha_two = T::splat(2.0) * cos_alpha_two;
-    let minus_air_velocity_product_3 = minus_air_velocity_3_inv_V * two_cos_alpha_two;
-    let C_Lp_plus_minus_C_product = C_Lp_plus_minus_C_Lp_sum * minus_air_velocity_product_3;
-    let part_of_C_D_air_velocity_12_sum =
-        V_inv_m_half_rho_A * (C_D + minus_air_velocity_3_inv_V * C_Lp_plus_minus_C_product);
-    let part_of_C_D_air_velocity_12_sum_2 =
-        d_C_D_air_velocity_12_product_d_V * air_velocity_12_inv_V + part_of_C_D_air_velocity_12_sum;
-    let C_D_air_velocity_12_sum_2 =
-        C_D_air_velocity_12_product_2 - part_of_C_D_air_velocity_12_sum_2;
-    let d_u_dot_d_air_velocity_12 = air_velocity_1_inv_product * C_D_air_velocity_12_sum_2;
-    let d_u_dot_d_u =
-        air_velocity_1_inv_product * d_u_dot_d_air_velocity_12 - C_D_air_velocity_12_product_2;
-    let d_u_dot_d_v = sin_theta_phidot + air_velocity_2_inv_product * d_u_dot_d_air_velocity_12;
-    let part_of_minus_air_velocity_sum_3 =
+    let part_of_minus_d_C_D_air_sum =
+        C_Lp_plus_minus_C_Lp_sum * two_cos_alpha_two * minus_air_velocity_product;
+    let part_of_minus_d_C_D_air_sum_3 =
+        part_of_minus_d_C_D_air_sum_2 + V_inv_m_half_rho_A * (C_D + part_of_minus_d_C_D_air_sum);
+    let C_D_air_velocity_12_product_2 = C_D_air_velocity_12_product * inv_air_velocity_12;
+    let minus_d_C_D_air_sum = C_D_air_velocity_12_product_2 - part_of_minus_d_C_D_air_sum_3;
+    let part_of_d_u_dot_d_air_velocity_1 =
+        air_velocity_1_inv_product * (air_velocity_1_inv_product * minus_d_C_D_air_sum);
+    let d_u_dot_d_air_velocity_1 = part_of_d_u_dot_d_air_velocity_1 - C_D_air_velocity_12_product_2;
+    let d_u_dot_d_air_velocity_2 =
+        air_velocity_2_inv_product * (air_velocity_1_inv_product * minus_d_C_D_air_sum);
+    let d_u_dot_d_v = sin_theta_phidot + d_u_dot_d_air_velocity_2;
+    let part_of_minus_air_velocity_sum_2 =
         minus_air_velocity_3_inv_V * d_C_D_air_velocity_12_product_d_V;
     let part_of_minus_air_velocity_sum =
-        air_velocity_12_product_sum - air_velocity_12 * C_Lp_plus_minus_C_product;
-    let part_of_minus_air_velocity_sum_2 =
-        sin_alpha_two_C_Lp_product - inv_V * part_of_minus_air_velocity_sum;
-    let minus_air_velocity_sum =
-        part_of_minus_air_velocity_sum_3 - V_inv_m_half_rho_A * part_of_minus_air_velocity_sum_2;
+        V_inv_m_half_rho_A * (sin_alpha_two_C_Lp_product - inv_V_air_velocity_product);
+    let inv_V_two_cos_alpha_two = inv_V * two_cos_alpha_two;
+    let C_Lp_plus_minus_C_product = C_Lp_plus_minus_C_Lp_sum * inv_V_two_cos_alpha_two;
+    let air_velocity_12_V_product =
+        air_velocity_12 * V_inv_m_half_rho_A_product * C_Lp_plus_minus_C_product;
+    let part_of_minus_air_velocity_sum_3 =
+        part_of_minus_air_velocity_sum_2 - part_of_minus_air_velocity_sum;
+    let minus_air_velocity_sum = part_of_minus_air_velocity_sum_3 - air_velocity_12_V_product;
     let air_velocity_1_inv_product_2 = air_velocity_1_inv_product * minus_air_velocity_sum;
     let d_u_dot_d_w = air_velocity_1_inv_product_2 - thetadot;
-    let sin_theta_minus_d_product = sin_theta * minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let d_air_velocity_2_d_phi = -minus_sin_phi_wind_y_sum;
-    let minus_air_velocity_1_sum =
-        air_velocity_2 * d_air_velocity_2_d_phi - air_velocity_1 * sin_theta_minus_d_product;
-    let inv_air_velocity_12_product = inv_air_velocity_12 * minus_air_velocity_1_sum;
-    let cos_theta_minus_d_product = cos_theta * minus_d_minus_sin_phi_wind_y_sum_d_phi;
-    let part_of_d_u_dot_d_phi_2 = air_velocity_1_inv_product_2 * cos_theta_minus_d_product;
     let part_of_d_u_dot_d_phi =
-        C_D_air_velocity_12_product_2 * minus_d_minus_sin_phi_wind_y_sum_d_phi;
+        cos_theta * air_velocity_1_inv_product_2 * d_minus_sin_phi_wind_y_sum_d_phi;
+    let part_of_d_u_dot_d_phi_2 =
+        sin_phi_g - d_u_dot_d_air_velocity_1 * d_minus_sin_phi_wind_y_sum_d_phi;
     let part_of_d_u_dot_d_phi_3 =
-        d_u_dot_d_air_velocity_12 * inv_air_velocity_12_product + part_of_d_u_dot_d_phi_2;
-    let d_u_dot_d_phi = part_of_d_u_dot_d_phi_3 - sin_theta * (sin_phi_g - part_of_d_u_dot_d_phi);
+        sin_phi_wind_y_sum * d_u_dot_d_air_velocity_2 - part_of_d_u_dot_d_phi;
+    let d_u_dot_d_phi = part_of_d_u_dot_d_phi_3 - sin_theta * part_of_d_u_dot_d_phi_2;
     let part_of_d_u_dot_d_theta =
-        air_velocity_1_inv_product_2 * minus_d_minus_air_velocity_3_d_theta;
-    let part_of_d_u_dot_d_theta_2 =
-        C_D_air_velocity_12_product - air_velocity_1 * d_u_dot_d_air_velocity_12;
-    let inv_air_velocity_12_product_2 = inv_air_velocity_12 * d_air_velocity_1_d_theta;
-    let part_of_d_u_dot_d_theta_3 = part_of_d_u_dot_d_theta_2 * inv_air_velocity_12_product_2;
+        cos_theta_cos_phi_g_product + d_u_dot_d_air_velocity_1 * d_air_velocity_1_d_theta;
     let d_u_dot_d_theta =
-        cos_theta_cos_phi_g_product + part_of_d_u_dot_d_theta - part_of_d_u_dot_d_theta_3;
+        part_of_d_u_dot_d_theta - air_velocity_1_inv_product_2 * d_minus_air_velocity_3_d_theta;
     let d_u_dot_d_phidot = sin_theta * v;
-    let d_v_dot_d_air_velocity_12 = air_velocity_2_inv_product * C_D_air_velocity_12_sum_2;
-    let d_v_dot_d_u = air_velocity_1_inv_product * d_v_dot_d_air_velocity_12 - sin_theta_phidot;
-    let d_v_dot_d_v =
-        air_velocity_2_inv_product * d_v_dot_d_air_velocity_12 - C_D_air_velocity_12_product_2;
+    let d_v_dot_d_air_velocity_1 =
+        air_velocity_1_inv_product * (air_velocity_2_inv_product * minus_d_C_D_air_sum);
+    let d_v_dot_d_u = d_v_dot_d_air_velocity_1 - sin_theta_phidot;
+    let part_of_d_v_dot_d_air_velocity_2 =
+        air_velocity_2_inv_product * (air_velocity_2_inv_product * minus_d_C_D_air_sum);
+    let d_v_dot_d_air_velocity_2 = part_of_d_v_dot_d_air_velocity_2 - C_D_air_velocity_12_product_2;
     let air_velocity_2_inv_product_2 = air_velocity_2_inv_product * minus_air_velocity_sum;
     let d_v_dot_d_w = cos_theta_phidot + air_velocity_2_inv_product_2;
-    let part_of_d_v_dot_d_phi = C_D_air_velocity_12_product * d_air_velocity_2_d_phi;
-    let part_of_d_v_dot_d_phi_2 =
-        minus_air_velocity_1_sum * d_v_dot_d_air_velocity_12 - part_of_d_v_dot_d_phi;
-    let part_of_d_v_dot_d_phi_3 =
-        air_velocity_2_inv_product_2 * cos_theta_minus_d_product - cos_phi_g;
-    let d_v_dot_d_phi = part_of_d_v_dot_d_phi_3 + inv_air_velocity_12 * part_of_d_v_dot_d_phi_2;
+    let sin_theta_air_product = sin_theta * air_velocity_1_inv_product;
+    let part_of_d_v_dot_d_phi =
+        air_velocity_2_inv_product * minus_d_C_D_air_sum * sin_theta_air_product;
+    let part_of_d_v_dot_d_phi_2 = part_of_d_v_dot_d_phi - cos_theta * air_velocity_2_inv_product_2;
+    let part_of_d_v_dot_d_phi_3 = d_minus_sin_phi_wind_y_sum_d_phi * part_of_d_v_dot_d_phi_2;
+    let d_v_dot_d_phi =
+        sin_phi_wind_y_sum * d_v_dot_d_air_velocity_2 - cos_phi_g + part_of_d_v_dot_d_phi_3;
     let air_velocity_1_inv_product_3 = air_velocity_1_inv_product * d_air_velocity_1_d_theta;
     let part_of_d_v_dot_d_theta =
-        minus_d_minus_air_velocity_3_d_theta * air_velocity_2_inv_product_2;
-    let part_of_d_v_dot_d_theta_2 =
-        d_v_dot_d_air_velocity_12 * air_velocity_1_inv_product_3 + part_of_d_v_dot_d_theta;
-    let d_v_dot_d_theta = part_of_d_v_dot_d_theta_2 - x_dot * phidot;
-    let d_w_dot_d_air_velocity_12 = V_inv_m_half_rho_A * sin_alpha_two_C_Lp_product;
-    let part_of_minus_air_velocity_sum_2_2 = minus_air_velocity_3 * minus_air_velocity_product;
-    let minus_air_velocity_sum_2 =
-        part_of_minus_air_velocity_sum_2_2 - air_velocity_12 * n8_part_part_inv_s_product;
-    let part_of_d_w_dot_d_V = minus_air_velocity_sum_2 * minus_air_velocity_product_2;
+        air_velocity_2_inv_product * minus_d_C_D_air_sum * air_velocity_1_inv_product_3;
+    let part_of_d_v_dot_d_theta_2 = d_minus_air_velocity_3_d_theta * air_velocity_2_inv_product_2;
+    let d_v_dot_d_theta = part_of_d_v_dot_d_theta - x_dot * phidot - part_of_d_v_dot_d_theta_2;
+    let part_of_inv_V_minus_air = minus_air_velocity_3 * minus_air_velocity_product_2;
+    let part_of_inv_V_minus_air_2 =
+        part_of_inv_V_minus_air - air_velocity_12 * n8_part_part_inv_s_product;
+    let inv_V_minus_air_velocity_sum = inv_V * part_of_inv_V_minus_air_2;
+    let part_of_d_w_dot_d_V = inv_V_minus_air_velocity_sum * V_inv_m_half_rho_A_product;
     let d_w_dot_d_V = inv_m_half_rho_A * minus_air_velocity_3_C_sum - part_of_d_w_dot_d_V;
     let part_of_d_w_dot_d_air_velocity =
-        (d_w_dot_d_V - V_inv_m_half_rho_A * C_Lp_plus_minus_C_product) * air_velocity_12_inv_V;
-    let d_w_dot_d_air_velocity_12_2 = d_w_dot_d_air_velocity_12 + part_of_d_w_dot_d_air_velocity;
-    let d_w_dot_d_u = thetadot + air_velocity_1_inv_product * d_w_dot_d_air_velocity_12_2;
-    let d_w_dot_d_v = air_velocity_2_inv_product * d_w_dot_d_air_velocity_12_2 - cos_theta_phidot;
-    let part_of_d_w_dot_d_minus_air = minus_air_velocity_sum_2 * V_inv_m_half_rho_A_inv_V;
-    let part_of_d_w_dot_d_minus_air_2 =
-        minus_air_velocity_3_inv_V * d_w_dot_d_V + part_of_d_w_dot_d_minus_air;
-    let d_w_dot_d_minus_air_velocity_3 = V_inv_m_half_rho_A * C_D;
-    let part_of_d_w_dot_d_minus_air_3 =
-        air_velocity_12_sq * inv_V * C_Lp_plus_minus_C_Lp_sum * two_cos_alpha_two;
-    let part_of_d_w_dot_d_minus_air_4 =
-        d_w_dot_d_minus_air_velocity_3 + part_of_d_w_dot_d_minus_air_3 * V_inv_m_half_rho_A_inv_V;
-    let d_w_dot_d_minus_air_velocity_3_2 =
-        part_of_d_w_dot_d_minus_air_2 + part_of_d_w_dot_d_minus_air_4;
-    let part_of_d_w_dot_d_phi_2 = d_w_dot_d_air_velocity_12_2 * inv_air_velocity_12_product;
-    let part_of_d_w_dot_d_phi =
-        minus_d_minus_sin_phi_wind_y_sum_d_phi * d_w_dot_d_minus_air_velocity_3_2;
-    let d_w_dot_d_phi = part_of_d_w_dot_d_phi_2 + cos_theta * (sin_phi_g - part_of_d_w_dot_d_phi);
+        d_w_dot_d_V * air_velocity_12_inv_V - air_velocity_12_V_product;
+    let d_w_dot_d_air_velocity_12 =
+        part_of_d_w_dot_d_air_velocity + V_inv_m_half_rho_A * sin_alpha_two_C_Lp_product;
+    let d_w_dot_d_air_velocity_1 = air_velocity_1_inv_product * d_w_dot_d_air_velocity_12;
+    let d_w_dot_d_u = thetadot + d_w_dot_d_air_velocity_1;
+    let d_w_dot_d_air_velocity_2 = air_velocity_2_inv_product * d_w_dot_d_air_velocity_12;
+    let d_w_dot_d_v = d_w_dot_d_air_velocity_2 - cos_theta_phidot;
+    let part_of_d_w_dot_d_minus_air =
+        C_D + inv_V_minus_air_velocity_sum + air_velocity_12_sq * inv_V * C_Lp_plus_minus_C_product;
+    let d_w_dot_d_minus_air_velocity_3 =
+        minus_air_velocity_3_inv_V * d_w_dot_d_V + V_inv_m_half_rho_A * part_of_d_w_dot_d_minus_air;
+    let part_of_d_w_dot_d_phi = sin_theta * air_velocity_1 * d_minus_sin_phi_wind_y_sum_d_phi;
+    let part_of_d_w_dot_d_phi_2 = part_of_d_w_dot_d_phi + air_velocity_2 * sin_phi_wind_y_sum;
+    let part_of_d_w_dot_d_phi_3 =
+        inv_air_velocity_12 * d_w_dot_d_air_velocity_12 * part_of_d_w_dot_d_phi_2;
+    let part_of_d_w_dot_d_phi_4 = d_minus_sin_phi_wind_y_sum_d_phi * d_w_dot_d_minus_air_velocity_3;
+    let d_w_dot_d_phi = part_of_d_w_dot_d_phi_3 + cos_theta * (sin_phi_g + part_of_d_w_dot_d_phi_4);
     let part_of_d_w_dot_d_theta =
-        minus_d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3_2;
-    let part_of_d_w_dot_d_theta_2 =
-        sin_theta_cos_phi_g_product + d_w_dot_d_air_velocity_12_2 * air_velocity_1_inv_product_3;
-    let d_w_dot_d_theta = part_of_d_w_dot_d_theta_2 - part_of_d_w_dot_d_theta;
-    let air_velocity_2_inv_product_3 = air_velocity_2_inv_product * inv_cos_theta;
+        sin_theta_cos_phi_g_product + d_w_dot_d_air_velocity_12 * air_velocity_1_inv_product_3;
+    let d_w_dot_d_theta =
+        part_of_d_w_dot_d_theta + d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3;
     let sin_alpha_two_C_Ms = C_Ms * sin_alpha_two;
-    let air_velocity_2_inv_product_4 = air_velocity_2_inv_product_3 * sin_alpha_two_C_Ms;
+    let air_velocity_2_inv_product_3 = air_velocity_2_inv_product * inv_cos_theta;
+    let sin_alpha_two_C_Ms_product = sin_alpha_two_C_Ms * air_velocity_2_inv_product_3;
     let air_velocity_12_two_product = two_inv_I_d_half_rho_A_d * air_velocity_12;
-    let part_of_d_phidot_dot_d_air =
-        (air_velocity_2_inv_product_4 - C_Mq * phidot) * air_velocity_12_two_product;
+    let part_of_minus_minus_part_part =
+        (sin_alpha_two_C_Ms_product - C_Mq * phidot) * air_velocity_12_two_product;
     let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12 * V_sq_half_rho_A_d_product_3;
-    let inv_V_V_sq_half_rho_product = inv_V * V_sq_half_rho_A_d_product;
-    let part_of_d_thetadot_dot_d_air_sum =
-        inv_V_V_sq_half_rho_product * minus_air_velocity_product_3;
+    let inv_V_two_cos_alpha_product = inv_V_two_cos_alpha_two * V_sq_half_rho_A_d_product;
     let d_thetadot_dot_d_air_sum =
-        d_thetadot_dot_d_air_velocity_1 + part_of_d_thetadot_dot_d_air_sum;
-    let part_of_d_phidot_dot_d_air_2 =
+        d_thetadot_dot_d_air_velocity_1 + minus_air_velocity_3_inv_V * inv_V_two_cos_alpha_product;
+    let part_of_minus_minus_part_part_2 =
         inv_cos_theta * (air_velocity_2_inv_product * d_thetadot_dot_d_air_sum);
-    let d_phidot_dot_d_air_velocity_12 = part_of_d_phidot_dot_d_air_2 - part_of_d_phidot_dot_d_air;
-    let d_phidot_dot_d_u = air_velocity_1_inv_product * d_phidot_dot_d_air_velocity_12;
-    let V_sq_half_rho_A_d_product_4 = V_sq_half_rho_A_d_product_3 * inv_cos_theta;
+    let minus_minus_part_part_sum = part_of_minus_minus_part_part_2 - part_of_minus_minus_part_part;
+    let d_minus_thetadot_r_product_d_u = air_velocity_1_inv_product * minus_minus_part_part_sum;
     let part_of_d_phidot_dot_d_v =
-        air_velocity_2 * d_phidot_dot_d_air_velocity_12 - V_sq_half_rho_A_d_product_4;
+        air_velocity_2 * minus_minus_part_part_sum - V_sq_half_rho_A_d_product_3 * inv_cos_theta;
     let d_phidot_dot_d_v = inv_air_velocity_12 * part_of_d_phidot_dot_d_v;
-    let air_velocity_12_inv_product = air_velocity_12_inv_V * inv_V_V_sq_half_rho_product;
-    let air_velocity_12_inv_product_2 = air_velocity_12_inv_product * air_velocity_2_inv_product_3;
-    let minus_air_velocity_product_4 =
-        minus_air_velocity_3 * (phidot * C_Mq_nonzero_air_product - air_velocity_2_inv_product_4);
-    let part_of_minus_d_phidot_dot_d = two_inv_I_d_half_rho_A_d * minus_air_velocity_product_4;
-    let minus_d_phidot_dot_d_minus_air_velocity_3 =
-        two_cos_alpha_two * air_velocity_12_inv_product_2 - part_of_minus_d_phidot_dot_d;
-    let part_of_inv_part_part_part_sum = half_rho_A_d_inv_I_d * minus_air_velocity_product_4;
-    let inv_part_part_part_sum =
-        part_of_inv_part_part_part_sum - cos_alpha_two * air_velocity_12_inv_product_2;
-    let two_cos_theta_minus_product = T::splat(2.0) * cos_theta_minus_d_product;
-    let part_of_d_phidot_dot_d_phi_3 = inv_part_part_part_sum * two_cos_theta_minus_product;
-    let part_of_d_phidot_dot_d_phi = minus_air_velocity_1_sum * d_phidot_dot_d_air_velocity_12;
-    let part_of_d_phidot_dot_d_phi_2 =
-        part_of_d_phidot_dot_d_phi - d_air_velocity_2_d_phi * V_sq_half_rho_A_d_product_4;
-    let d_phidot_dot_d_phi =
-        inv_air_velocity_12 * part_of_d_phidot_dot_d_phi_2 - part_of_d_phidot_dot_d_phi_3;
-    let phidot_thetadot = phidot * thetadot;
-    let thetadot_inv_I_d_I_a = inv_I_d_I_a * thetadot;
-    let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
+    let air_velocity_12_inv_product = air_velocity_12_inv_V * inv_V_two_cos_alpha_product;
+    let part_of_minus_air_velocity_2_sum_3 =
+        air_velocity_2_inv_product_3 * air_velocity_12_inv_product;
+    let part_of_minus_air_velocity_2_sum =
+        phidot * C_Mq_nonzero_air_product - sin_alpha_two_C_Ms_product;
+    let minus_air_velocity_product_3 = two_inv_I_d_half_rho_A_d * minus_air_velocity_3;
+    let part_of_minus_air_velocity_2_sum_2 =
+        part_of_minus_air_velocity_2_sum * minus_air_velocity_product_3;
+    let minus_air_velocity_2_sum =
+        part_of_minus_air_velocity_2_sum_2 - part_of_minus_air_velocity_2_sum_3;
+    let minus_minus_part_product = minus_minus_part_part_sum * sin_theta_air_product;
     let part_of_d_minus_thetadot_r =
+        minus_minus_part_product + cos_theta * minus_air_velocity_2_sum;
+    let part_of_d_minus_thetadot_r_2 =
+        d_minus_sin_phi_wind_y_sum_d_phi * part_of_d_minus_thetadot_r;
+    let d_minus_thetadot_r_product_d_phi =
+        sin_phi_wind_y_sum * d_phidot_dot_d_v + part_of_d_minus_thetadot_r_2;
+    let part_of_d_minus_thetadot_r_4 = d_minus_air_velocity_3_d_theta * minus_air_velocity_2_sum;
+    let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
+    let part_of_d_minus_thetadot_r_3 =
         (minus_thetadot_r_product - phidot * V_sq_half_rho_A_d_product_2) * sin_theta_inv_cos_theta;
-    let part_of_d_minus_thetadot_r_2 = phidot * thetadot_inv_I_d_I_a - part_of_d_minus_thetadot_r;
+    let phidot_thetadot = phidot * thetadot;
+    let part_of_d_minus_thetadot_r_5 =
+        minus_minus_part_part_sum * air_velocity_1_inv_product_3 + part_of_d_minus_thetadot_r_4;
+    let part_of_d_minus_thetadot_r_6 = part_of_d_minus_thetadot_r_5 + part_of_d_minus_thetadot_r_3;
     let d_minus_thetadot_r_product_d_theta =
-        T::splat(2.0) * phidot_thetadot - part_of_d_minus_thetadot_r_2;
-    let part_of_d_phidot_dot_d_theta =
-        d_phidot_dot_d_air_velocity_12 * air_velocity_1_inv_product_3;
-    let two_minus_d_minus_product = T::splat(2.0) * minus_d_minus_air_velocity_3_d_theta;
-    let part_of_d_phidot_dot_d_theta_2 =
-        part_of_d_phidot_dot_d_theta - inv_part_part_part_sum * two_minus_d_minus_product;
-    let d_phidot_dot_d_theta = d_minus_thetadot_r_product_d_theta + part_of_d_phidot_dot_d_theta_2;
-    let d_phidot_dot_d_phidot =
-        inv_cos_theta * (sin_theta_two_thetadot_sum - sin_theta * thetadot_inv_I_d_I_a);
-    let minus_r_inv_I_d_I_a_sum = phidot * sin_theta_two - r_inv_I_d_I_a;
+        part_of_d_minus_thetadot_r_6 + two_minus_inv_I_d_I_a * phidot_thetadot;
+    let thetadot_inv_I_d_I_a = inv_I_d_I_a * thetadot;
+    let sin_theta_inv_cos_product = sin_theta_inv_cos_theta * thetadot_inv_I_d_I_a;
+    let d_minus_thetadot_r_product_d_phidot =
+        sin_theta_two_thetadot_sum * inv_cos_theta - sin_theta_inv_cos_product;
+    let minus_r_inv_I_d_I_a_sum = T::splat(2.0) * sin_theta_phidot - r_inv_I_d_I_a;
     let d_phidot_dot_d_thetadot = inv_cos_theta * minus_r_inv_I_d_I_a_sum;
     let air_velocity_1_inv_product_4 = air_velocity_1_inv_product * sin_alpha_two_C_Ms;
     let part_of_d_thetadot_dot_d_air =
         (C_Mq * thetadot + air_velocity_1_inv_product_4) * air_velocity_12_two_product;
     let d_thetadot_dot_d_air_velocity_12 =
         part_of_d_thetadot_dot_d_air - air_velocity_1_inv_product * d_thetadot_dot_d_air_sum;
-    let V_sq_half_rho_A_d_sum =
+    let part_of_d_thetadot_dot_d_air_2 =
         V_sq_half_rho_A_d_product_3 + air_velocity_1 * d_thetadot_dot_d_air_velocity_12;
-    let d_thetadot_dot_d_u = inv_air_velocity_12 * V_sq_half_rho_A_d_sum;
-    let air_velocity_1_inv_product_5 = air_velocity_1_inv_product * air_velocity_12_inv_product;
-    let part_of_minus_air_velocity =
+    let d_thetadot_dot_d_air_velocity_1_2 = inv_air_velocity_12 * part_of_d_thetadot_dot_d_air_2;
+    let d_thetadot_dot_d_air_velocity_2 =
+        air_velocity_2_inv_product * d_thetadot_dot_d_air_velocity_12;
+    let part_of_air_velocity_1_inv_sum =
         air_velocity_1_inv_product_4 + thetadot * C_Mq_nonzero_air_product;
-    let minus_air_velocity_product_5 = minus_air_velocity_3 * part_of_minus_air_velocity;
-    let part_of_d_thetadot_dot_d_w = minus_two_inv_I_d_half_sum * minus_air_velocity_product_5;
-    let d_thetadot_dot_d_w =
-        part_of_d_thetadot_dot_d_w - two_cos_alpha_two * air_velocity_1_inv_product_5;
-    let part_of_inv_part_part_part_sum_2 = half_rho_A_d_inv_I_d * minus_air_velocity_product_5;
-    let inv_part_part_part_sum_2 =
-        part_of_inv_part_part_part_sum_2 + cos_alpha_two * air_velocity_1_inv_product_5;
-    let part_of_d_thetadot_dot_d_phi_3 = inv_part_part_part_sum_2 * two_cos_theta_minus_product;
-    let part_of_d_thetadot_dot_d_phi = minus_air_velocity_1_sum * d_thetadot_dot_d_air_velocity_12;
+    let part_of_air_velocity_1_inv_sum_2 =
+        part_of_air_velocity_1_inv_sum * minus_air_velocity_product_3;
+    let air_velocity_1_inv_sum =
+        air_velocity_1_inv_product * air_velocity_12_inv_product + part_of_air_velocity_1_inv_sum_2;
+    let part_of_d_thetadot_dot_d_phi =
+        sin_theta * d_thetadot_dot_d_air_velocity_1_2 + cos_theta * air_velocity_1_inv_sum;
     let part_of_d_thetadot_dot_d_phi_2 =
-        part_of_d_thetadot_dot_d_phi - V_sq_half_rho_A_d_product_3 * sin_theta_minus_d_product;
+        d_minus_sin_phi_wind_y_sum_d_phi * part_of_d_thetadot_dot_d_phi;
     let d_thetadot_dot_d_phi =
-        inv_air_velocity_12 * part_of_d_thetadot_dot_d_phi_2 - part_of_d_thetadot_dot_d_phi_3;
-    let part_of_d_thetadot_dot_d_theta_2 = V_sq_half_rho_A_d_sum * inv_air_velocity_12_product_2;
+        sin_phi_wind_y_sum * d_thetadot_dot_d_air_velocity_2 + part_of_d_thetadot_dot_d_phi_2;
+    let part_of_d_thetadot_dot_d_theta_2 =
+        d_air_velocity_1_d_theta * d_thetadot_dot_d_air_velocity_1_2;
     let cos_theta_phidot_product = minus_one_plus_inv_I_d_I_a * cos_theta_phidot;
     let part_of_d_thetadot_dot_d_theta =
         sin_theta * sin_theta_phidot_minus_sum + cos_theta * cos_theta_phidot_product;
     let part_of_d_thetadot_dot_d_theta_3 =
-        part_of_d_thetadot_dot_d_theta_2 - inv_part_part_part_sum_2 * two_minus_d_minus_product;
+        part_of_d_thetadot_dot_d_theta_2 + d_minus_air_velocity_3_d_theta * air_velocity_1_inv_sum;
     let d_thetadot_dot_d_theta =
         part_of_d_thetadot_dot_d_theta_3 + phidot * part_of_d_thetadot_dot_d_theta;
     let d_thetadot_dot_d_phidot =
         sin_theta * cos_theta_phidot_product - cos_theta * sin_theta_phidot_minus_sum;
     let d_thetadot_dot_d_r = inv_I_d_I_a * cos_theta_phidot;
-    let d_gammadot_dot_d_v = -(sin_theta * d_phidot_dot_d_v);
-    let d_gammadot_dot_d_phi = -(sin_theta * d_phidot_dot_d_phi);
-    let part_of_d_gammadot_dot_d_theta =
+    let d_gammadot_dot_d_w = sin_theta * minus_air_velocity_2_sum;
+    let part_of_d_gammadot_dot_d_theta_2 =
         cos_theta * (minus_thetadot_r_product - C_Nr_inv_I_a * phidot);
-    let d_gammadot_dot_d_theta =
-        sin_theta * (phidot_thetadot - d_phidot_dot_d_theta) - part_of_d_gammadot_dot_d_theta;
+    let part_of_d_gammadot_dot_d_theta =
+        sin_theta * (phidot_thetadot - d_minus_thetadot_r_product_d_theta);
+    let d_gammadot_dot_d_theta = part_of_d_gammadot_dot_d_theta - part_of_d_gammadot_dot_d_theta_2;
     let d_gammadot_dot_d_phidot =
-        sin_theta * (C_Nr_inv_I_a - d_phidot_dot_d_phidot) - cos_theta * thetadot;
+        sin_theta * (C_Nr_inv_I_a - d_minus_thetadot_r_product_d_phidot) - cos_theta * thetadot;
     let d_gammadot_dot_d_thetadot =
         -cos_theta_phidot - minus_r_inv_I_d_I_a_sum * sin_theta_inv_cos_theta;
-    let d_gammadot_dot_d_gammadot = thetadot_inv_I_d_I_a * sin_theta_inv_cos_theta + C_Nr_inv_I_a;
+    let d_gammadot_dot_d_gammadot = sin_theta_inv_cos_product + C_Nr_inv_I_a;
     let d_y_dot_d_w = -(cos_theta * sin_phi);
-    let d_y_dot_d_phi = -z_dot;
     let d_z_dot_d_u = -(sin_theta * cos_phi);
     let d_z_dot_d_theta = -(x_dot * cos_phi);
     let d_u_dot_d_thetadot = -w;
-    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3_2;
+    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3;
     let d_w_dot_d_phidot = -(cos_theta * v);
+    let d_phidot_dot_d_w = -minus_air_velocity_2_sum;
     let d_phidot_dot_d_gammadot = -(inv_cos_theta * thetadot_inv_I_d_I_a);
-    let d_gammadot_dot_d_u = -(sin_theta * d_phidot_dot_d_u);
+    let d_thetadot_dot_d_w = -air_velocity_1_inv_sum;
+    let d_gammadot_dot_d_u = -minus_minus_part_product;
+    let d_gammadot_dot_d_v = -(sin_theta * d_phidot_dot_d_v);
+    let d_gammadot_dot_d_phi = -(sin_theta * d_minus_thetadot_r_product_d_phi);
 
     dx[0] = x_dot;
     dx[1] = y_dot;
@@ -390,7 +382,7 @@ pub fn f_jac<T: Real>(
     j[10] = d_z_dot_d_w;
     j[11] = y_dot; // d_z_dot_d_phi
     j[12] = d_z_dot_d_theta;
-    j[13] = d_u_dot_d_u;
+    j[13] = d_u_dot_d_air_velocity_1; // d_u_dot_d_u
     j[14] = d_u_dot_d_v;
     j[15] = d_u_dot_d_w;
     j[16] = d_u_dot_d_phi;
@@ -398,7 +390,7 @@ pub fn f_jac<T: Real>(
     j[18] = d_u_dot_d_phidot;
     j[19] = d_u_dot_d_thetadot;
     j[20] = d_v_dot_d_u;
-    j[21] = d_v_dot_d_v;
+    j[21] = d_v_dot_d_air_velocity_2; // d_v_dot_d_v
     j[22] = d_v_dot_d_w;
     j[23] = d_v_dot_d_phi;
     j[24] = d_v_dot_d_theta;
@@ -413,16 +405,16 @@ pub fn f_jac<T: Real>(
     j[33] = T::splat(1.0); // d_phi_dot_d_phidot
     j[34] = T::splat(1.0); // d_theta_dot_d_thetadot
     j[35] = T::splat(1.0); // d_gamma_dot_d_gammadot
-    j[36] = d_phidot_dot_d_u;
+    j[36] = d_minus_thetadot_r_product_d_u; // d_phidot_dot_d_u
     j[37] = d_phidot_dot_d_v;
-    j[38] = minus_d_phidot_dot_d_minus_air_velocity_3; // d_phidot_dot_d_w
-    j[39] = d_phidot_dot_d_phi;
-    j[40] = d_phidot_dot_d_theta;
-    j[41] = d_phidot_dot_d_phidot;
+    j[38] = d_phidot_dot_d_w;
+    j[39] = d_minus_thetadot_r_product_d_phi; // d_phidot_dot_d_phi
+    j[40] = d_minus_thetadot_r_product_d_theta; // d_phidot_dot_d_theta
+    j[41] = d_minus_thetadot_r_product_d_phidot; // d_phidot_dot_d_phidot
     j[42] = d_phidot_dot_d_thetadot;
     j[43] = d_phidot_dot_d_gammadot;
-    j[44] = d_thetadot_dot_d_u;
-    j[45] = air_velocity_2_inv_product * d_thetadot_dot_d_air_velocity_12; // d_thetadot_dot_d_v
+    j[44] = d_thetadot_dot_d_air_velocity_1_2; // d_thetadot_dot_d_u
+    j[45] = d_thetadot_dot_d_air_velocity_2; // d_thetadot_dot_d_v
     j[46] = d_thetadot_dot_d_w;
     j[47] = d_thetadot_dot_d_phi;
     j[48] = d_thetadot_dot_d_theta;
@@ -431,7 +423,7 @@ pub fn f_jac<T: Real>(
     j[51] = d_thetadot_dot_d_r; // d_thetadot_dot_d_gammadot
     j[52] = d_gammadot_dot_d_u;
     j[53] = d_gammadot_dot_d_v;
-    j[54] = inv_part_part_part_sum * sin_theta_two; // d_gammadot_dot_d_w
+    j[54] = d_gammadot_dot_d_w;
     j[55] = d_gammadot_dot_d_phi;
     j[56] = d_gammadot_dot_d_theta;
     j[57] = d_gammadot_dot_d_phidot;

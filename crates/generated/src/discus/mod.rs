@@ -18,10 +18,10 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 42 operations: 3 add, 26 mul, 4 div, 9 neg |
+//! | `prepare` | 31 operations: 4 add, 17 mul, 4 div, 6 neg |
 //! | `f` | 114 operations: 34 add, 67 mul, 4 div, 2 sqrt, 6 call, 1 select |
-//! | `f_jac` | 368 operations: 108 add, 233 mul, 4 div, 13 neg, 2 sqrt, 7 call, 1 select |
-//! | `f_jac_par` | 538 operations: 134 add, 358 mul, 4 div, 32 neg, 2 sqrt, 7 call, 1 select |
+//! | `f_jac` | 350 operations: 104 add, 218 mul, 4 div, 14 neg, 2 sqrt, 7 call, 1 select |
+//! | `f_jac_par` | 503 operations: 126 add, 330 mul, 4 div, 33 neg, 2 sqrt, 7 call, 1 select |
 //! | `observe` | 27 operations: 9 add, 12 mul, 6 call |
 //! | `observe_jac` | 59 operations: 15 add, 33 mul, 5 neg, 6 call |
 //! | `quantities` | 72 operations: 16 add, 43 mul, 3 div, 2 neg, 2 sqrt, 6 call |
@@ -79,15 +79,13 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 33] = [
+pub const PREPARED: [&str; 28] = [
     "minus_C_Lp_plus_C_Ls", "inv_s_stall", "inv_m_half_rho_A", "minus_g", "inv_I_d_I_a",
-    "half_rho_A_d_inv_I_d", "C_Nr_inv_I_a", "two_C_Ds", "n8_inv_s_stall_product",
-    "two_inv_I_d_half_rho_A_d", "minus_two_inv_I_d_half_sum", "minus_one_plus_inv_I_d_I_a",
-    "A_half", "half_rho_A", "inv_m", "inv_I_d", "inv_I_a", "minus_C_Lp_plus_C_Ls_n8", "rho_half",
-    "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_d", "inv_I_d_sq",
-    "half_rho_A_inv_I_d", "d_inv_I_d_rho_half", "d_inv_I_d_A_half", "minus_inv_I_d_half_rho_sum",
-    "inv_I_a_d_gammadot_dot_d_r", "minus_half_rho_A_inv_I_d", "minus_d_inv_I_d_rho_half",
-    "minus_d_inv_I_d_A_half", "C_Mq_d",
+    "half_rho_A_d_inv_I_d", "C_Nr_inv_I_a", "minus_wind_y", "two_C_Ds", "n8_inv_s_stall_product",
+    "two_inv_I_d_half_rho_A_d", "two_minus_inv_I_d_I_a", "minus_one_plus_inv_I_d_I_a", "A_half",
+    "half_rho_A", "inv_m", "inv_I_d", "d_inv_I_d", "inv_I_a", "minus_C_Lp_plus_C_Ls_n8", "rho_half",
+    "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d",
+    "minus_half_rho_A_inv_I_d", "inv_I_a_d_gammadot_dot_d_r", "C_Mq_d",
 ];
 
 /// What `quantities` computes.

@@ -11,7 +11,7 @@ pub fn observe<T: Real>(
     _time: T,
     state: &[T; 12],
     _parameters: &[T; 18],
-    _prepared: &[T; 33],
+    _prepared: &[T; 28],
     marker: &[T; 3],
     seen: &mut [T; 3],
 ) {

@@ -11,7 +11,7 @@ pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 33],
+    prepared: &[T; 28],
     values: &mut [T; 26],
 ) {
     let u = state[3];
@@ -34,9 +34,9 @@ pub fn quantities<T: Real>(
     let wind_z = parameters[17];
     let minus_C_Lp_plus_C_Ls = prepared[0];
     let inv_s_stall = prepared[1];
-    let half_rho_A = prepared[13];
-    let rho_half = prepared[18];
-    let C_Mq_d = prepared[32];
+    let half_rho_A = prepared[14];
+    let rho_half = prepared[20];
+    let C_Mq_d = prepared[27];
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
     let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
