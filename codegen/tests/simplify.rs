@@ -83,3 +83,23 @@ table! {
         let (two, four) = (b.g.whole(2), b.g.whole(4)); let (p, q) = (b.g.mul(two, x), b.g.mul(four, y)); b.g.div(p, q)
     } => "1/2*a*b^(-1)";
 }
+
+table! {
+    a_vector_in_a_plane_from_its_projections: |b, [x, y, p, q]| {
+        // (w·e1) e1 - (w·e2) e2 by its first component, e1 = (x, y)/n, e2 = (-y, x)/n, w = (p, q)
+        let n = b.norm(&[x, y]);
+        let (e, f) = (b.g.div(x, n), b.g.div(y, n));
+        let (pe, qf, pf, qe) = (b.g.mul(p, e), b.g.mul(q, f), b.g.mul(p, f), b.g.mul(q, e));
+        let (along, across) = (b.g.add(pe, qf), b.g.sub(qe, pf));
+        let (first, second) = (b.g.mul(along, e), b.g.mul(across, f));
+        let whole = b.g.sub(first, second);
+        b.g.project(whole)
+    } => "c*nonzero(a^2 + b^2)";
+    an_unprofitable_product_stays_one: |b, [x, y, p, q]| {
+        let (s, t) = (b.g.add(x, y), b.g.add(p, q)); let m = b.g.mul(s, t); let w = b.g.add(m, x); b.g.project(w)
+    } => "a + (a + b)*(c + d)";
+    a_mask_of_a_parameter_known_nonzero: |b, [x, ..]| { b.g.assume_nonzero(x); b.g.call(Function::NonZero, x) } => "1";
+    cosine_of_an_arcsine: |b, [x, ..]| { let t = b.g.call(Function::Asin, x); b.g.call(Function::Cos, t) }
+        => "sqrt(-a^2 + 1)";
+    logarithm_of_an_exponential: |b, [x, ..]| { let e = b.g.call(Function::Exp, x); b.g.call(Function::Log, e) } => "a";
+}

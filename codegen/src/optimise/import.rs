@@ -1,7 +1,7 @@
 //! From nodes to definitions: powers become repeated factors, coefficients become factors, signs move out.
 
 use super::{Dag, Def, DefId, Signed};
-use crate::graph::{Facts, FastMap, Graph, Node, NodeId, Symbol};
+use crate::graph::{Facts, FastMap, Function, Graph, Node, NodeId, Symbol};
 use crate::number::Number;
 
 /// The definitions that the roots need.
@@ -126,8 +126,17 @@ impl Import<'_> {
             Node::Symbol(symbol) => (false, self.dag.define(Def::Leaf(*symbol), facts, origin)),
             Node::Sum(terms, constant) => self.sum(id, terms, *constant),
             Node::Product(factors) => self.product(Number::ONE, factors, id),
-            Node::Call(function, x) => {
-                let x = self.signed(*x);
+            Node::Call(function, base) => {
+                let mut x = self.signed(*base);
+                if *function == Function::NonZero && self.rooted[base.index()] {
+                    // a norm is 0 where its reciprocal is, not where its square is
+                    let root = self.graph.root_node(*base).map(|node| (false, node));
+                    x = (
+                        false,
+                        self.dag
+                            .define(Def::Root(x.1), self.graph.facts(*base), root),
+                    );
+                }
                 (
                     false,
                     self.dag.define(Def::Call(*function, x), facts, origin),

@@ -6,7 +6,7 @@ pub mod prepare;
 pub use naming::{Namer, is_reserved};
 use prepare::Prepare;
 
-use crate::graph::{Function, Graph, Symbol};
+use crate::graph::{FastMap, Function, Graph, Symbol};
 use crate::optimise::{Dag, Def, DefId, Signed};
 use crate::program::{About, Binary, Op, Operand, Program, Statement, Unary};
 use std::f64::consts::PI;
@@ -46,6 +46,7 @@ pub fn schedule_named(
         uses,
         values: vec![None; dag.defs.len()],
         program: Program::default(),
+        negated: FastMap::default(),
         namer,
         prepare,
     };
@@ -75,6 +76,8 @@ struct Schedule<'a> {
     uses: Vec<u32>,
     values: Vec<Option<Operand>>,
     program: Program,
+    /// Opposites that have been computed.
+    negated: FastMap<DefId, Operand>,
     namer: &'a mut Namer,
     prepare: Option<&'a mut Prepare>,
 }
@@ -99,7 +102,12 @@ impl Schedule<'_> {
         {
             // only what the flight needs gets a place
             if self.uses[id as usize] > 0 {
-                self.values[id as usize] = Some(prepare.operand(self.dag, self.graph, id, false));
+                let operand = prepare.operand(self.dag, self.graph, id, false);
+                if let Operand::Prepared(slot) = operand {
+                    // names made of other names are to say what the constant is called
+                    self.namer.give(id, &prepare.names()[slot as usize]);
+                }
+                self.values[id as usize] = Some(operand);
             }
             return;
         }
@@ -210,7 +218,11 @@ impl Schedule<'_> {
                 None => value,
             },
             _ => {
+                if let Some(&known) = self.negated.get(&id) {
+                    return known;
+                }
                 let negated = self.push(Op::Unary(Unary::Neg, value));
+                self.negated.insert(id, negated);
                 let name = self.namer.negated(self.dag, self.graph, id);
                 let last = self.program.statements.len() - 1;
                 self.program.statements[last].name = Some(name);

@@ -113,6 +113,12 @@ impl Namer {
         }
     }
 
+    /// The name of a constant of the flight.
+    pub fn give(&mut self, id: DefId, name: &str) {
+        self.taken.insert(name.to_string());
+        self.given.insert(id, name.to_string());
+    }
+
     /// A better name than one given before.
     pub fn rename(&mut self, old: Option<String>, name: &str) -> String {
         if let Some(old) = old {

@@ -32,15 +32,15 @@ pub fn f<T: Real>(
 
     // ball.hyz:34  let V = norm(air_velocity);
     let V = (part_of_V + minus_air_velocity_x * minus_air_velocity_x).sqrt();
-    let V_half_part_part_product = half_pi_C_D_rho_product * V;
+    let V_half_pi_C_D_rho_product = half_pi_C_D_rho_product * V;
 
     // ball.hyz:30  velocity (vx, vy, vz) in N;
-    let vz_dot = minus_air_velocity_z * V_half_part_part_product - g;
+    let vz_dot = minus_air_velocity_z * V_half_pi_C_D_rho_product - g;
 
     dx[0] = vx;
     dx[1] = vy;
     dx[2] = vz;
-    dx[3] = minus_air_velocity_x * V_half_part_part_product;
-    dx[4] = minus_air_velocity_y * V_half_part_part_product;
+    dx[3] = minus_air_velocity_x * V_half_pi_C_D_rho_product;
+    dx[4] = minus_air_velocity_y * V_half_pi_C_D_rho_product;
     dx[5] = vz_dot;
 }

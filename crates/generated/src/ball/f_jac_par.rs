@@ -5,7 +5,7 @@ use lanes::Real;
 
 /// `dx`, `j`, and the entries `jp` of the Jacobian by the parameters, see `JP_PATTERN`.
 ///
-/// 56 operations: 9 add, 33 mul, 1 div, 12 neg, 1 sqrt.
+/// 53 operations: 9 add, 33 mul, 1 div, 9 neg, 1 sqrt.
 #[inline(always)]
 pub fn f_jac_par<T: Real>(
     _time: T,
@@ -45,38 +45,34 @@ pub fn f_jac_par<T: Real>(
     // ball.hyz:30  velocity (vx, vy, vz) in N;
     let vz_dot = minus_air_velocity_z * V_half_part_part_product - g;
     let inv_V = V.recip_or_zero();
-    let inv_V_radius_half_C_product = half_pi_C_D_rho_product * inv_V;
-    let minus_air_velocity_product = minus_air_velocity_x * inv_V_radius_half_C_product;
+    let inv_V_half_pi_C_D_product = half_pi_C_D_rho_product * inv_V;
+    let minus_air_velocity_product = minus_air_velocity_x * inv_V_half_pi_C_D_product;
     let minus_d_vx_dot_d_vx =
         V_half_part_part_product + minus_air_velocity_x * minus_air_velocity_product;
     let d_vx_dot_d_wind_y = minus_air_velocity_y * minus_air_velocity_product;
     let d_vx_dot_d_wind_z = minus_air_velocity_z * minus_air_velocity_product;
     let minus_d_vy_dot_d_vy =
-        V_half_part_part_product + minus_air_velocity_y_sq * inv_V_radius_half_C_product;
-    let d_vy_dot_d_wind_z =
-        minus_air_velocity_y * minus_air_velocity_z * inv_V_radius_half_C_product;
+        V_half_part_part_product + minus_air_velocity_y_sq * inv_V_half_pi_C_D_product;
+    let d_vy_dot_d_wind_z = minus_air_velocity_y * minus_air_velocity_z * inv_V_half_pi_C_D_product;
     let minus_d_vz_dot_d_vz =
-        V_half_part_part_product + minus_air_velocity_z_sq * inv_V_radius_half_C_product;
-    let V_C_D_rho_part_part = C_D_rho_pi_radius_inv_part * V;
-    let V_C_D_rho_part_part_product = half_radius_inv_m * V_C_D_rho_part_part;
-    let d_vx_dot_d_radius = minus_air_velocity_x * V_C_D_rho_part_part;
+        V_half_part_part_product + minus_air_velocity_z_sq * inv_V_half_pi_C_D_product;
+    let V_C_D_rho_pi_radius_inv_part = C_D_rho_pi_radius_inv_part * V;
+    let V_C_D_rho_pi_radius_product = half_radius_inv_m * V_C_D_rho_pi_radius_inv_part;
+    let d_vx_dot_d_radius = minus_air_velocity_x * V_C_D_rho_pi_radius_inv_part;
     let V_radius_half = radius_half * V;
     let V_radius_half_C_D_product = C_D_pi_radius_inv_m * V_radius_half;
-    let rho_pi_part_part_V_product = rho_pi_radius_inv_m * V_radius_half;
-    let d_vy_dot_d_radius = minus_air_velocity_y * V_C_D_rho_part_part;
-    let d_vz_dot_d_radius = minus_air_velocity_z * V_C_D_rho_part_part;
+    let rho_pi_radius_inv_m_product = rho_pi_radius_inv_m * V_radius_half;
+    let d_vy_dot_d_radius = minus_air_velocity_y * V_C_D_rho_pi_radius_inv_part;
+    let d_vz_dot_d_radius = minus_air_velocity_z * V_C_D_rho_pi_radius_inv_part;
     let d_vx_dot_d_vx = -minus_d_vx_dot_d_vx;
     let d_vx_dot_d_vy = -d_vx_dot_d_wind_y;
     let d_vx_dot_d_vz = -d_vx_dot_d_wind_z;
-    let d_vy_dot_d_vx = -d_vx_dot_d_wind_y;
     let d_vy_dot_d_vy = -minus_d_vy_dot_d_vy;
     let d_vy_dot_d_vz = -d_vy_dot_d_wind_z;
-    let d_vz_dot_d_vx = -d_vx_dot_d_wind_z;
-    let d_vz_dot_d_vy = -d_vy_dot_d_wind_z;
     let d_vz_dot_d_vz = -minus_d_vz_dot_d_vz;
-    let d_vx_dot_d_m = -(minus_air_velocity_x * V_C_D_rho_part_part_product);
-    let d_vy_dot_d_m = -(minus_air_velocity_y * V_C_D_rho_part_part_product);
-    let d_vz_dot_d_m = -(minus_air_velocity_z * V_C_D_rho_part_part_product);
+    let d_vx_dot_d_m = -(minus_air_velocity_x * V_C_D_rho_pi_radius_product);
+    let d_vy_dot_d_m = -(minus_air_velocity_y * V_C_D_rho_pi_radius_product);
+    let d_vz_dot_d_m = -(minus_air_velocity_z * V_C_D_rho_pi_radius_product);
 
     dx[0] = vx;
     dx[1] = vy;
@@ -91,24 +87,24 @@ pub fn f_jac_par<T: Real>(
     j[3] = d_vx_dot_d_vx;
     j[4] = d_vx_dot_d_vy;
     j[5] = d_vx_dot_d_vz;
-    j[6] = d_vy_dot_d_vx;
+    j[6] = d_vx_dot_d_vy; // d_vy_dot_d_vx
     j[7] = d_vy_dot_d_vy;
     j[8] = d_vy_dot_d_vz;
-    j[9] = d_vz_dot_d_vx;
-    j[10] = d_vz_dot_d_vy;
+    j[9] = d_vx_dot_d_vz; // d_vz_dot_d_vx
+    j[10] = d_vy_dot_d_vz; // d_vz_dot_d_vy
     j[11] = d_vz_dot_d_vz;
 
     jp[0] = d_vx_dot_d_m;
     jp[1] = d_vx_dot_d_radius;
     jp[2] = minus_air_velocity_x * V_radius_half_C_D_product; // d_vx_dot_d_rho
-    jp[3] = minus_air_velocity_x * rho_pi_part_part_V_product; // d_vx_dot_d_C_D
+    jp[3] = minus_air_velocity_x * rho_pi_radius_inv_m_product; // d_vx_dot_d_C_D
     jp[4] = minus_d_vx_dot_d_vx; // d_vx_dot_d_wind_x
     jp[5] = d_vx_dot_d_wind_y;
     jp[6] = d_vx_dot_d_wind_z;
     jp[7] = d_vy_dot_d_m;
     jp[8] = d_vy_dot_d_radius;
     jp[9] = minus_air_velocity_y * V_radius_half_C_D_product; // d_vy_dot_d_rho
-    jp[10] = minus_air_velocity_y * rho_pi_part_part_V_product; // d_vy_dot_d_C_D
+    jp[10] = minus_air_velocity_y * rho_pi_radius_inv_m_product; // d_vy_dot_d_C_D
     jp[11] = d_vx_dot_d_wind_y; // d_vy_dot_d_wind_x
     jp[12] = minus_d_vy_dot_d_vy; // d_vy_dot_d_wind_y
     jp[13] = d_vy_dot_d_wind_z;
@@ -116,7 +112,7 @@ pub fn f_jac_par<T: Real>(
     jp[15] = d_vz_dot_d_radius;
     jp[16] = minus_air_velocity_z * V_radius_half_C_D_product; // d_vz_dot_d_rho
     jp[17] = T::splat(-1.0); // d_vz_dot_d_g
-    jp[18] = minus_air_velocity_z * rho_pi_part_part_V_product; // d_vz_dot_d_C_D
+    jp[18] = minus_air_velocity_z * rho_pi_radius_inv_m_product; // d_vz_dot_d_C_D
     jp[19] = d_vx_dot_d_wind_z; // d_vz_dot_d_wind_x
     jp[20] = d_vy_dot_d_wind_z; // d_vz_dot_d_wind_y
     jp[21] = minus_d_vz_dot_d_vz; // d_vz_dot_d_wind_z

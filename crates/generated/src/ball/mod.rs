@@ -8,8 +8,8 @@
 //! |---|---|
 //! | `prepare` | 13 operations: 12 mul, 1 div |
 //! | `f` | 14 operations: 6 add, 7 mul, 1 sqrt |
-//! | `f_jac` | 33 operations: 9 add, 16 mul, 1 div, 6 neg, 1 sqrt |
-//! | `f_jac_par` | 56 operations: 9 add, 33 mul, 1 div, 12 neg, 1 sqrt |
+//! | `f_jac` | 32 operations: 9 add, 16 mul, 1 div, 5 neg, 1 sqrt |
+//! | `f_jac_par` | 53 operations: 9 add, 33 mul, 1 div, 9 neg, 1 sqrt |
 //! | `observe` | 3 operations: 3 add |
 //! | `observe_jac` | 3 operations: 3 add |
 //! | `quantities` | 10 operations: 5 add, 4 mul, 1 sqrt |

@@ -57,7 +57,7 @@ pub fn f<T: Real>(
 
     // disc.hyz:64  let V = norm(air_velocity);
     let V = V_sq.sqrt();
-    let V_inv_m_half_part_part = inv_m_half_rho_A * V;
+    let V_inv_m_half_rho_A = inv_m_half_rho_A * V;
     let air_velocity_12 = air_velocity_12_sq.sqrt();
 
     // disc.hyz:69  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
@@ -69,22 +69,21 @@ pub fn f<T: Real>(
     // disc.hyz:72  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La * alpha + C_L0;
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
-    let part_of_V_inv_m_half_part =
+    let part_of_V_inv_m_half_rho_A =
         (air_velocity_12 * C_D - minus_air_velocity_3 * C_L) * inv_air_velocity_12;
-    let V_inv_m_half_part_product = V_inv_m_half_part_part * part_of_V_inv_m_half_part;
+    let V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * part_of_V_inv_m_half_rho_A;
     let cos_phi_g_plus_v_phidot = g * cos_phi + v * phidot;
     let part_of_u_dot = sin_theta * cos_phi_g_plus_v_phidot - w * thetadot;
 
     // disc.hyz:56  velocity (u, v, w) in B;
-    let u_dot = part_of_u_dot - air_velocity_1 * V_inv_m_half_part_product;
-    let part_of_v_dot = minus_g * sin_phi - air_velocity_2 * V_inv_m_half_part_product;
+    let u_dot = part_of_u_dot - air_velocity_1 * V_inv_m_half_rho_A_product;
+    let part_of_v_dot = minus_g * sin_phi - air_velocity_2 * V_inv_m_half_rho_A_product;
     let v_dot = part_of_v_dot - phidot * sin_theta_u_minus_w_cos_sum;
-    let part_of_w_dot =
-        (minus_air_velocity_3 * C_D + air_velocity_12 * C_L) * V_inv_m_half_part_part;
+    let part_of_w_dot = (minus_air_velocity_3 * C_D + air_velocity_12 * C_L) * V_inv_m_half_rho_A;
     let w_dot = u * thetadot + part_of_w_dot - cos_theta * cos_phi_g_plus_v_phidot;
     let cos_theta_phidot = cos_theta * phidot;
-    let nonzero_air_velocity_12_sq = air_velocity_12_sq.if_zero(T::splat(0.0), T::splat(1.0));
-    let nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let sin_theta_phidot = sin_theta * phidot;
 
     // disc.hyz:78  let r = dot(angular_velocity, d3);
@@ -93,21 +92,20 @@ pub fn f<T: Real>(
     let alpha_C_Ma = C_Ma * alpha;
     let part_of_phidot_dot =
         inv_air_velocity_12 * (air_velocity_1 * r_C_Rr - air_velocity_2 * alpha_C_Ma);
-    let V_sq_half_part_part_product = half_rho_A_d_inv_I_d * V_sq;
-    let part_of_phidot_dot_2 =
-        (cos_theta_phidot * nonzero_air_product + part_of_phidot_dot) * V_sq_half_part_part_product;
+    let part_of_phidot_dot_2 = cos_theta_phidot * nonzero_air_velocity_12_C_Mq + part_of_phidot_dot;
+    let V_sq_half_rho_A_d_inv_I_d = half_rho_A_d_inv_I_d * V_sq;
     let r_inv_I_d_I_a = inv_I_d_I_a * r;
-    let part_of_phidot_dot_3 =
-        part_of_phidot_dot_2 - thetadot * (r_inv_I_d_I_a - T::splat(2.0) * sin_theta_phidot);
-    let phidot_dot = part_of_phidot_dot_3 / cos_theta;
+    let part_of_phidot_dot_3 = thetadot * (r_inv_I_d_I_a - T::splat(2.0) * sin_theta_phidot);
+    let part_of_phidot_dot_4 =
+        part_of_phidot_dot_2 * V_sq_half_rho_A_d_inv_I_d - part_of_phidot_dot_3;
+    let phidot_dot = part_of_phidot_dot_4 / cos_theta;
+    let part_of_thetadot_dot_3 = (sin_theta_phidot - r_inv_I_d_I_a) * cos_theta_phidot;
     let part_of_thetadot_dot =
         inv_air_velocity_12 * (air_velocity_2 * r_C_Rr + air_velocity_1 * alpha_C_Ma);
-    let part_of_thetadot_dot_2 =
-        (thetadot * nonzero_air_product + part_of_thetadot_dot) * V_sq_half_part_part_product;
+    let part_of_thetadot_dot_2 = thetadot * nonzero_air_velocity_12_C_Mq + part_of_thetadot_dot;
 
     // disc.hyz:48  frame B = A turned theta about 2; // does not spin with the disc
-    let thetadot_dot =
-        part_of_thetadot_dot_2 - (sin_theta_phidot - r_inv_I_d_I_a) * cos_theta_phidot;
+    let thetadot_dot = part_of_thetadot_dot_2 * V_sq_half_rho_A_d_inv_I_d - part_of_thetadot_dot_3;
 
     // disc.hyz:49  frame C = B turned gamma about 3; // fixed in the disc
     let gammadot_dot = C_Nr_inv_I_a * r - sin_theta * phidot_dot - thetadot * cos_theta_phidot;

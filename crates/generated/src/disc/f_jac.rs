@@ -105,18 +105,20 @@ pub fn f_jac<T: Real>(
     let r_C_Rr = C_Rr * r;
     let air_velocity_1_r_C_Rr_sum = air_velocity_1 * r_C_Rr - air_velocity_2 * alpha_C_Ma;
     let inv_air_velocity_12_product = inv_air_velocity_12 * air_velocity_1_r_C_Rr_sum;
-    let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
-    let nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let cos_theta_phidot = cos_theta * phidot;
-    let cos_theta_phidot_sum = inv_air_velocity_12_product + nonzero_air_product * cos_theta_phidot;
+    let cos_theta_phidot_sum =
+        inv_air_velocity_12_product + nonzero_air_velocity_12_C_Mq * cos_theta_phidot;
     let cos_theta_phidot_sum_2 =
         V_sq_half_rho_A_d_inv_part * cos_theta_phidot_sum - thetadot * r_inv_I_d_I_a_minus_sin_sum;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
     let cos_theta_phidot_product = cos_theta_phidot_sum_2 * inv_cos_theta;
     let air_velocity_2_r_C_Rr_sum = air_velocity_1 * alpha_C_Ma + air_velocity_2 * r_C_Rr;
     let inv_air_velocity_12_product_2 = inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum;
-    let thetadot_nonzero_air_sum = inv_air_velocity_12_product_2 + thetadot * nonzero_air_product;
-    let part_of_thetadot_dot = V_sq_half_rho_A_d_inv_part * thetadot_nonzero_air_sum;
+    let thetadot_nonzero_sum =
+        inv_air_velocity_12_product_2 + thetadot * nonzero_air_velocity_12_C_Mq;
+    let part_of_thetadot_dot = V_sq_half_rho_A_d_inv_part * thetadot_nonzero_sum;
     let sin_theta_phidot_minus_sum = sin_theta_phidot - r_inv_I_d_I_a;
 
     // disc.hyz:48  frame B = A turned theta about 2; // does not spin with the disc
@@ -133,19 +135,17 @@ pub fn f_jac<T: Real>(
         V_inv_m_half_rho_A * inv_air_velocity_12 * (air_velocity_12_C_D_product - C_D);
     let inv_V = V.recip_or_zero();
     let air_velocity_12_C_D_product_2 = inv_m_half_rho_A * air_velocity_12_C_D_sum;
-    let part_of_V_inv_m_half_rho_A_sum_5 =
-        nonzero_air_velocity_12_sq * air_velocity_12_C_D_product_2;
     let part_of_V_inv_m_half_rho_A_sum_2 = C_La * minus_air_velocity_3 * inv_air_velocity_12;
     let alpha_C_Da_two = C_Da_two * alpha;
     let part_of_V_inv_m_half_rho_A_sum_3 =
-        part_of_V_inv_m_half_rho_A_sum_2 - nonzero_air_velocity_12_sq * alpha_C_Da_two;
+        part_of_V_inv_m_half_rho_A_sum_2 - nonzero_air_velocity_12 * alpha_C_Da_two;
     let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
     let part_of_V_inv_m_half_rho_A_sum_4 =
         V_inv_m_half_rho_A * part_of_V_inv_m_half_rho_A_sum_3 * minus_air_velocity_3_inv_V;
-    let part_of_V_inv_m_half_rho_A_sum_6 =
-        part_of_V_inv_m_half_rho_A_sum_5 + part_of_V_inv_m_half_rho_A_sum_4;
+    let part_of_V_inv_m_half_rho_A_sum_5 =
+        nonzero_air_velocity_12 * air_velocity_12_C_D_product_2 + part_of_V_inv_m_half_rho_A_sum_4;
     let V_inv_m_half_rho_A_sum =
-        part_of_V_inv_m_half_rho_A_sum - inv_V * part_of_V_inv_m_half_rho_A_sum_6;
+        part_of_V_inv_m_half_rho_A_sum - inv_V * part_of_V_inv_m_half_rho_A_sum_5;
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
     let V_inv_m_half_rho_A_product_2 = V_inv_m_half_rho_A_sum * air_velocity_1_inv_product;
     let d_u_dot_d_air_velocity_1 =
@@ -250,7 +250,7 @@ pub fn f_jac<T: Real>(
     let d_cos_theta_phidot_sum_sum = d_cos_theta_phidot_sum_2_d_r + T::splat(2.0) * thetadot;
     let inv_air_velocity_12_product_5 = inv_air_velocity_12 * d_air_velocity_1_d_theta;
     let part_of_d_cos_theta_phidot_5 = air_velocity_1_product_sum * inv_air_velocity_12_product_5;
-    let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_product;
+    let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_velocity_12_C_Mq;
     let part_of_d_cos_theta_phidot_4 =
         sin_theta * (cos_theta_phidot_product - phidot * d_thetadot_dot_d_thetadot);
     let part_of_d_cos_theta_phidot_6 =
@@ -269,7 +269,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_thetadot_dot_d_air_2 =
         part_of_d_thetadot_dot_d_air * inv_air_velocity_12_product_3;
     let d_thetadot_dot_d_air_velocity_12 =
-        thetadot_nonzero_air_sum * air_velocity_12_two_product - part_of_d_thetadot_dot_d_air_2;
+        thetadot_nonzero_sum * air_velocity_12_two_product - part_of_d_thetadot_dot_d_air_2;
     let V_sq_half_rho_A_d_sum_2 =
         V_sq_half_rho_A_d_product_2 + air_velocity_1 * d_thetadot_dot_d_air_velocity_12;
     let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12 * V_sq_half_rho_A_d_sum_2;
@@ -278,7 +278,7 @@ pub fn f_jac<T: Real>(
     let d_thetadot_dot_d_air_velocity_2 = inv_air_velocity_12 * V_sq_half_rho_A_d_sum_3;
     let part_of_V_sq_half_rho_A_d_sum_4 = V_sq_half_rho_A_d_inv_part * air_velocity_1_C_Ma_inv_V_sq;
     let V_sq_half_rho_A_d_sum_4 =
-        part_of_V_sq_half_rho_A_d_sum_4 + thetadot_nonzero_air_sum * minus_air_velocity_product_2;
+        part_of_V_sq_half_rho_A_d_sum_4 + thetadot_nonzero_sum * minus_air_velocity_product_2;
     let part_of_d_thetadot_dot_d_phi =
         cos_theta * d_minus_sin_phi_wind_y_sum_d_phi * V_sq_half_rho_A_d_sum_4;
     let part_of_d_thetadot_dot_d_phi_2 = V_sq_half_rho_A_d_sum_2 * sin_theta_d_minus_product;

@@ -121,18 +121,20 @@ pub fn f_jac_par<T: Real>(
     let r_C_Rr = C_Rr * r;
     let air_velocity_1_r_C_Rr_sum = air_velocity_1 * r_C_Rr - air_velocity_2 * alpha_C_Ma;
     let inv_air_velocity_12_product = inv_air_velocity_12 * air_velocity_1_r_C_Rr_sum;
-    let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
-    let nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let cos_theta_phidot = cos_theta * phidot;
-    let cos_theta_phidot_sum = inv_air_velocity_12_product + nonzero_air_product * cos_theta_phidot;
+    let cos_theta_phidot_sum =
+        inv_air_velocity_12_product + nonzero_air_velocity_12_C_Mq * cos_theta_phidot;
     let cos_theta_phidot_sum_2 =
         V_sq_half_rho_A_d_inv_part * cos_theta_phidot_sum - thetadot * r_inv_I_d_I_a_minus_sin_sum;
     let inv_cos_theta = T::splat(1.0) / cos_theta;
     let cos_theta_phidot_product = cos_theta_phidot_sum_2 * inv_cos_theta;
     let air_velocity_2_r_C_Rr_sum = air_velocity_1 * alpha_C_Ma + air_velocity_2 * r_C_Rr;
     let inv_air_velocity_12_product_2 = inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum;
-    let thetadot_nonzero_air_sum = inv_air_velocity_12_product_2 + thetadot * nonzero_air_product;
-    let part_of_thetadot_dot = V_sq_half_rho_A_d_inv_part * thetadot_nonzero_air_sum;
+    let thetadot_nonzero_sum =
+        inv_air_velocity_12_product_2 + thetadot * nonzero_air_velocity_12_C_Mq;
+    let part_of_thetadot_dot = V_sq_half_rho_A_d_inv_part * thetadot_nonzero_sum;
     let sin_theta_phidot_minus_sum = sin_theta_phidot - r_inv_I_d_I_a;
 
     // disc.hyz:48  frame B = A turned theta about 2; // does not spin with the disc
@@ -153,17 +155,15 @@ pub fn f_jac_par<T: Real>(
     let part_of_minus_V_inv_m_half_rho_2 = C_La * minus_air_velocity_3 * inv_air_velocity_12;
     let alpha_C_Da_two = C_Da_two * alpha;
     let part_of_minus_V_inv_m_half_rho_3 =
-        nonzero_air_velocity_12_sq * alpha_C_Da_two - part_of_minus_V_inv_m_half_rho_2;
+        nonzero_air_velocity_12 * alpha_C_Da_two - part_of_minus_V_inv_m_half_rho_2;
     let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
     let part_of_minus_V_inv_m_half_rho_4 =
         V_inv_m_half_rho_A * part_of_minus_V_inv_m_half_rho_3 * minus_air_velocity_3_inv_V;
     let air_velocity_12_C_D_product_2 = inv_m_half_rho_A * air_velocity_12_C_D_sum;
     let part_of_minus_V_inv_m_half_rho_5 =
-        nonzero_air_velocity_12_sq * air_velocity_12_C_D_product_2;
-    let part_of_minus_V_inv_m_half_rho_6 =
-        part_of_minus_V_inv_m_half_rho_4 - part_of_minus_V_inv_m_half_rho_5;
+        part_of_minus_V_inv_m_half_rho_4 - nonzero_air_velocity_12 * air_velocity_12_C_D_product_2;
     let minus_V_inv_m_half_rho_sum =
-        inv_V * part_of_minus_V_inv_m_half_rho_6 - part_of_minus_V_inv_m_half_rho;
+        inv_V * part_of_minus_V_inv_m_half_rho_5 - part_of_minus_V_inv_m_half_rho;
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
     let minus_V_inv_m_half_product = minus_V_inv_m_half_rho_sum * air_velocity_1_inv_product;
     let d_u_dot_d_air_velocity_1 =
@@ -234,7 +234,7 @@ pub fn f_jac_par<T: Real>(
         sin_theta_cos_phi_g_product + d_air_velocity_1_d_theta * d_w_dot_d_air_velocity_1;
     let d_w_dot_d_theta =
         part_of_d_w_dot_d_theta + d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3;
-    let air_velocity_12_inv_product = two_d_half_rho_A_inv_I_d * air_velocity_12;
+    let air_velocity_12_two_product = two_d_half_rho_A_inv_I_d * air_velocity_12;
     let C_Ma_inv_V = C_Ma * inv_V;
     let air_velocity_2_C_Ma_inv_V = air_velocity_2 * C_Ma_inv_V;
     let part_of_inv_cos_theta_cos =
@@ -242,7 +242,7 @@ pub fn f_jac_par<T: Real>(
     let inv_air_velocity_12_product_4 = inv_air_velocity_12 * V_sq_half_rho_A_d_inv_part;
     let part_of_inv_cos_theta_cos_2 = part_of_inv_cos_theta_cos * inv_air_velocity_12_product_4;
     let part_of_inv_cos_theta_cos_3 =
-        cos_theta_phidot_sum * air_velocity_12_inv_product - part_of_inv_cos_theta_cos_2;
+        cos_theta_phidot_sum * air_velocity_12_two_product - part_of_inv_cos_theta_cos_2;
     let inv_cos_theta_cos_product = inv_cos_theta * part_of_inv_cos_theta_cos_3;
     let V_sq_half_rho_A_d_product = V_sq_half_rho_A_d_inv_part * inv_cos_theta;
     let part_of_d_phidot_dot_d_u =
@@ -261,7 +261,7 @@ pub fn f_jac_par<T: Real>(
         sin_theta_d_phidot_dot_d_u + cos_theta * (inv_cos_theta * part_of_sin_theta_d_phidot_dot_2);
     let part_of_d_phidot_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_d_phidot_dot_sum;
     let d_phidot_dot_d_phi = sin_phi_wind_y_sum * d_phidot_dot_d_v + part_of_d_phidot_dot_d_phi;
-    let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_product;
+    let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_velocity_12_C_Mq;
     let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
     let part_of_d_cos_theta_phidot =
         (cos_theta_phidot_product - phidot * d_thetadot_dot_d_thetadot) * sin_theta_inv_cos_theta;
@@ -288,16 +288,16 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_thetadot_dot_d_air_2 =
         part_of_d_thetadot_dot_d_air * inv_air_velocity_12_product_4;
     let d_thetadot_dot_d_air_velocity_12 =
-        thetadot_nonzero_air_sum * air_velocity_12_inv_product - part_of_d_thetadot_dot_d_air_2;
+        thetadot_nonzero_sum * air_velocity_12_two_product - part_of_d_thetadot_dot_d_air_2;
     let part_of_d_thetadot_dot_d_air_3 =
         air_velocity_1 * d_thetadot_dot_d_air_velocity_12 + V_sq_half_rho_A_d_inv_part * alpha_C_Ma;
     let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12 * part_of_d_thetadot_dot_d_air_3;
     let part_of_d_thetadot_dot_d_air_4 =
         air_velocity_2 * d_thetadot_dot_d_air_velocity_12 + V_sq_half_rho_A_d_inv_part * r_C_Rr;
     let d_thetadot_dot_d_air_velocity_2 = inv_air_velocity_12 * part_of_d_thetadot_dot_d_air_4;
-    let part_of_air_velocity_1_C_Ma_sum = thetadot_nonzero_air_sum * minus_air_velocity_product_2;
+    let part_of_air_velocity_1_C_Ma_sum = air_velocity_1_C_Ma_inv_V * V_sq_half_rho_A_d_product_2;
     let air_velocity_1_C_Ma_sum =
-        air_velocity_1_C_Ma_inv_V * V_sq_half_rho_A_d_product_2 + part_of_air_velocity_1_C_Ma_sum;
+        part_of_air_velocity_1_C_Ma_sum + thetadot_nonzero_sum * minus_air_velocity_product_2;
     let sin_theta_d_product_sum =
         sin_theta * d_thetadot_dot_d_air_velocity_1 + cos_theta * air_velocity_1_C_Ma_sum;
     let part_of_d_thetadot_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * sin_theta_d_product_sum;
@@ -306,8 +306,8 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_thetadot_dot_d_theta_2 =
         d_air_velocity_1_d_theta * d_thetadot_dot_d_air_velocity_1;
     let V_sq_half_rho_A_d_product_4 = V_sq_half_rho_A_d_inv_part * air_velocity_2_inv_product;
-    let cos_theta_phidot_I_a_inv_I_d = inv_I_d_I_a * cos_theta_phidot;
-    let d_thetadot_dot_d_r = C_Rr * V_sq_half_rho_A_d_product_4 + cos_theta_phidot_I_a_inv_I_d;
+    let cos_theta_phidot_inv_I_d_I_a = inv_I_d_I_a * cos_theta_phidot;
+    let d_thetadot_dot_d_r = C_Rr * V_sq_half_rho_A_d_product_4 + cos_theta_phidot_inv_I_d_I_a;
     let minus_cos_theta_phidot_sum = d_thetadot_dot_d_r - cos_theta_phidot;
     let part_of_d_thetadot_dot_d_theta =
         sin_theta * sin_theta_phidot_minus_sum + cos_theta * minus_cos_theta_phidot_sum;
@@ -383,7 +383,7 @@ pub fn f_jac_par<T: Real>(
     let cos_theta_phidot_product_3 = cos_theta_phidot_sum * V_sq_half_rho_A_inv_I_d;
     let d_cos_theta_phidot_product_d_d = inv_cos_theta * cos_theta_phidot_product_3;
     let d_cos_theta_phidot_product_d_C_Mq =
-        nonzero_air_velocity_12_sq * cos_theta_phidot * V_sq_half_rho_A_d_product;
+        nonzero_air_velocity_12 * cos_theta_phidot * V_sq_half_rho_A_d_product;
     let d_cos_theta_phidot_product_d_C_Rr =
         r * air_velocity_1_inv_product * V_sq_half_rho_A_d_product;
     let d_phidot_dot_d_wind_x = d_gammadot_dot_d_w - cos_theta * d_phidot_dot_d_u;
@@ -391,13 +391,13 @@ pub fn f_jac_par<T: Real>(
         cos_phi * d_phidot_dot_d_v + sin_phi * sin_theta_d_phidot_dot_sum;
     let d_phidot_dot_d_wind_z = cos_phi * sin_theta_d_phidot_dot_sum - sin_phi * d_phidot_dot_d_v;
     let d_thetadot_dot_d_I_a = cos_theta_phidot * r_inv_I_d;
-    let thetadot_nonzero_product = thetadot_nonzero_air_sum * V_sq_inv_I_d_d;
+    let thetadot_nonzero_product = thetadot_nonzero_sum * V_sq_inv_I_d_d;
     let part_of_d_thetadot_dot_d_I_d = minus_half_rho_A_inv_I_d * thetadot_nonzero_product;
     let d_thetadot_dot_d_I_d =
-        part_of_d_thetadot_dot_d_I_d - r_inv_I_d * cos_theta_phidot_I_a_inv_I_d;
-    let d_thetadot_dot_d_d = thetadot_nonzero_air_sum * V_sq_half_rho_A_inv_I_d;
+        part_of_d_thetadot_dot_d_I_d - r_inv_I_d * cos_theta_phidot_inv_I_d_I_a;
+    let d_thetadot_dot_d_d = thetadot_nonzero_sum * V_sq_half_rho_A_inv_I_d;
     let d_thetadot_dot_d_C_Ma = alpha * V_sq_half_rho_A_d_product_3;
-    let V_sq_half_rho_A_d_product_5 = V_sq_half_rho_A_d_inv_part * nonzero_air_velocity_12_sq;
+    let V_sq_half_rho_A_d_product_5 = V_sq_half_rho_A_d_inv_part * nonzero_air_velocity_12;
     let d_thetadot_dot_d_C_Mq = thetadot * V_sq_half_rho_A_d_product_5;
     let d_thetadot_dot_d_C_Rr = r * V_sq_half_rho_A_d_product_4;
     let d_thetadot_dot_d_wind_x =

@@ -64,7 +64,7 @@ pub fn quantities<T: Real>(
 
     // disc.hyz:73  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_Da * alpha * alpha + C_D0;
-    let V_sq_A_rho_half = half_rho_A * V_sq;
+    let V_sq_half_rho_A = half_rho_A * V_sq;
 
     // disc.hyz:78  let r = dot(angular_velocity, d3);
     let r = sin_theta * phidot + gammadot;
@@ -77,7 +77,7 @@ pub fn quantities<T: Real>(
 
     // disc.hyz:80  let rate_2 = dot(angular_velocity, d2);
     let rate_2 = inv_air_velocity_12 * air_velocity_1_thetadot_sum;
-    let d_V_sq_A_rho_half = d * V_sq_A_rho_half;
+    let d_V_sq_half_rho_A = d * V_sq_half_rho_A;
     let part_of_pitch = C_Mq * inv_air_velocity_12 * air_velocity_1_thetadot_sum + C_Ma * alpha;
 
     // disc.hyz:83  let spin_down = C_Nr*r;
@@ -102,12 +102,12 @@ pub fn quantities<T: Real>(
     values[14] = rho_half * V_sq;
     values[15] = C_L;
     values[16] = C_D;
-    values[17] = C_L * V_sq_A_rho_half;
-    values[18] = C_D * V_sq_A_rho_half;
+    values[17] = C_L * V_sq_half_rho_A;
+    values[18] = C_D * V_sq_half_rho_A;
     values[19] = r;
     values[20] = rate_1;
     values[21] = rate_2;
-    values[22] = (C_Mq * rate_1 + C_Rr * r) * d_V_sq_A_rho_half;
-    values[23] = part_of_pitch * d_V_sq_A_rho_half;
+    values[22] = (C_Mq * rate_1 + C_Rr * r) * d_V_sq_half_rho_A;
+    values[23] = part_of_pitch * d_V_sq_half_rho_A;
     values[24] = spin_down;
 }

@@ -74,7 +74,7 @@ pub fn quantities<T: Real>(
 
     // disc_appendix.hyz:78  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_Da * alpha * alpha + C_D0;
-    let V_sq_A_rho_half = half_rho_A * V_sq;
+    let V_sq_half_rho_A = half_rho_A * V_sq;
 
     // disc_appendix.hyz:84  let rate_1 = dot(angular_velocity, d1);
     let rate_1 =
@@ -85,30 +85,30 @@ pub fn quantities<T: Real>(
     // disc_appendix.hyz:85  let rate_2 = dot(angular_velocity, d2);
     let rate_2 = inv_air_velocity_12 * thetadot_air_velocity_1_sum;
     let C_Mq_rate_1_plus_sum = C_Mq * rate_1 + C_Rr * angular_velocity_3;
-    let d_V_sq_A_rho_half = d * V_sq_A_rho_half;
-    let roll = C_Mq_rate_1_plus_sum * d_V_sq_A_rho_half;
+    let d_V_sq_half_rho_A = d * V_sq_half_rho_A;
+    let roll = C_Mq_rate_1_plus_sum * d_V_sq_half_rho_A;
     let inv_air_velocity_12_sum =
         C_Mq * inv_air_velocity_12 * thetadot_air_velocity_1_sum + C_Ma * alpha;
-    let pitch = inv_air_velocity_12_sum * d_V_sq_A_rho_half;
+    let pitch = inv_air_velocity_12_sum * d_V_sq_half_rho_A;
 
     // disc_appendix.hyz:88  let spin_down = C_Nr*r;
     let spin_down = C_Nr * angular_velocity_3;
     let cos_phi_g_m = g_m * cos_phi;
-    let V_A_rho_half = half_rho_A * V;
+    let V_half_rho_A = half_rho_A * V;
     let air_velocity_12_C_D_product =
-        (air_velocity_12 * C_D - minus_air_velocity_3 * C_L) * V_A_rho_half;
+        (air_velocity_12 * C_D - minus_air_velocity_3 * C_L) * V_half_rho_A;
 
     // disc_appendix.hyz:91  let force_b = (lift*sin(alpha) - drag*cos(alpha))*d1 + (lift*cos(a …
     let force_b_1 = sin_theta * cos_phi_g_m - d1_1 * air_velocity_12_C_D_product;
     let force_b_2 = minus_g_m * sin_phi - d1_2 * air_velocity_12_C_D_product;
-    let part_of_force_b_3 = (minus_air_velocity_3 * C_D + air_velocity_12 * C_L) * V_A_rho_half;
+    let part_of_force_b_3 = (minus_air_velocity_3 * C_D + air_velocity_12 * C_L) * V_half_rho_A;
     let force_b_3 = part_of_force_b_3 - cos_theta * cos_phi_g_m;
 
     // disc_appendix.hyz:92  let moment_b = roll*d1 + pitch*d2 + spin_down*d3;
     let moment_b_1 = d1_1 * roll - d1_2 * pitch;
     let part_of_moment_b_2 =
         air_velocity_2 * C_Mq_rate_1_plus_sum + air_velocity_1 * inv_air_velocity_12_sum;
-    let moment_b_2 = inv_air_velocity_12 * part_of_moment_b_2 * d_V_sq_A_rho_half;
+    let moment_b_2 = inv_air_velocity_12 * part_of_moment_b_2 * d_V_sq_half_rho_A;
     let part_of_der_phidot = thetadot * (I_a * angular_velocity_3 - I_d_two * phidot_sin_theta);
 
     // disc_appendix.hyz:112  der(phidot) = (M_b1 + 2*I_d*phidot*thetadot*sin(theta) - I_a*thet …
@@ -139,8 +139,8 @@ pub fn quantities<T: Real>(
     values[20] = rho_half * V_sq;
     values[21] = C_L;
     values[22] = C_D;
-    values[23] = C_L * V_sq_A_rho_half;
-    values[24] = C_D * V_sq_A_rho_half;
+    values[23] = C_L * V_sq_half_rho_A;
+    values[24] = C_D * V_sq_half_rho_A;
     values[25] = angular_velocity_3;
     values[26] = rate_1;
     values[27] = rate_2;

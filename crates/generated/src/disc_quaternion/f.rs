@@ -112,20 +112,20 @@ pub fn f<T: Real>(
     let part_of_vz_dot_3 =
         (part_of_vz_dot + part_of_vz_dot_2 * air_velocity_12_C_D_product) * V_inv_m_rho_A;
     let vz_dot = -g - part_of_vz_dot_3;
-    let V_sq_half_d_inv_product = half_d_inv_I_d_rho_A * V_sq;
-    let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_product;
+    let V_sq_half_d_inv_I_d_rho_A = half_d_inv_I_d_rho_A * V_sq;
+    let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_I_d_rho_A;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
     let alpha_C_Ma = C_Ma * alpha;
-    let nonzero_air_velocity_12_sq = air_velocity_12_sq.if_zero(T::splat(0.0), T::splat(1.0));
-    let V_sq_half_d_inv_product_2 = V_sq_half_d_inv_product * (C_Mq * nonzero_air_velocity_12_sq);
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let V_sq_half_d_inv_I_d_product = V_sq_half_d_inv_I_d_rho_A * (C_Mq * nonzero_air_velocity_12);
     let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
     let part_of_p_dot = r * (one_minus_inv_I_d_I_a * q - C_Rr * minus_air_velocity_product);
-    let part_of_p_dot_2 = p * V_sq_half_d_inv_product_2 - air_velocity_2_inv_product * alpha_C_Ma;
+    let part_of_p_dot_2 = p * V_sq_half_d_inv_I_d_product - air_velocity_2_inv_product * alpha_C_Ma;
 
     // disc_quaternion.hyz:51  angular velocity (p, q, r) in C;
     let p_dot = part_of_p_dot_2 + part_of_p_dot;
     let part_of_q_dot = r * (one_minus_inv_I_d_I_a * p - C_Rr * air_velocity_2_inv_product);
-    let part_of_q_dot_2 = q * V_sq_half_d_inv_product_2 - minus_air_velocity_product * alpha_C_Ma;
+    let part_of_q_dot_2 = q * V_sq_half_d_inv_I_d_product - minus_air_velocity_product * alpha_C_Ma;
     let q_dot = part_of_q_dot_2 - part_of_q_dot;
     let r_dot = C_Nr_inv_I_a * r;
 

@@ -5,7 +5,7 @@ use lanes::Real;
 
 /// Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`.
 ///
-/// 574 operations: 205 add, 349 mul, 2 div, 13 neg, 2 sqrt, 1 call, 2 select.
+/// 568 operations: 205 add, 349 mul, 2 div, 7 neg, 2 sqrt, 1 call, 2 select.
 #[inline(always)]
 pub fn f_jac<T: Real>(
     _time: T,
@@ -133,9 +133,9 @@ pub fn f_jac<T: Real>(
     let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_part_rho_A;
     let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
     let minus_C_Rr_minus_air_sum = one_minus_inv_I_d_I_a * q - C_Rr * minus_air_velocity_product;
-    let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
-    let C_Mq_nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
-    let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * C_Mq_nonzero_air_product;
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
+    let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * C_Mq_nonzero_air_velocity_12;
     let alpha_C_Ma = C_Ma * alpha;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
     let part_of_p_dot = r * minus_C_Rr_minus_air_sum + p * V_sq_half_d_inv_product;
@@ -149,7 +149,7 @@ pub fn f_jac<T: Real>(
     let V_inv_m_rho_A_minus_product = V_inv_m_rho_A * minus_air_velocity_12_C_D_product;
     let part_of_d_vx_dot_d_minus_air = V_inv_m_rho_A_minus_product * q2_sq_two_plus_q3_product;
     let inv_V = V.recip_or_zero();
-    let inv_V_rho_A_inv_m = inv_m_rho_A * inv_V;
+    let inv_V_inv_m_rho_A = inv_m_rho_A * inv_V;
     let alpha_two_C_Da = two_C_Da * alpha;
     let air_velocity_12_C_La_sum = C_La * air_velocity_12 + minus_air_velocity_3 * alpha_two_C_Da;
     let inv_V_sq = inv_V * inv_V;
@@ -157,7 +157,7 @@ pub fn f_jac<T: Real>(
     let C_L_minus_air_velocity_sum = C_L - air_velocity_12_C_La_sum * minus_air_velocity_product_2;
     let part_of_minus_minus_air_sum = C_La * minus_air_velocity_3 * inv_air_velocity_12;
     let minus_minus_air_sum =
-        nonzero_air_velocity_12_sq * alpha_two_C_Da - part_of_minus_minus_air_sum;
+        nonzero_air_velocity_12 * alpha_two_C_Da - part_of_minus_minus_air_sum;
     let part_of_minus_minus_minus_air =
         inv_air_velocity_12 * (C_D + minus_air_velocity_12_C_D_product);
     let minus_minus_minus_air_sum =
@@ -169,11 +169,11 @@ pub fn f_jac<T: Real>(
     let part_of_q0_q2_plus_q1_q3_sum_2_3 =
         part_of_q0_q2_plus_q1_q3_sum_2_2 * V_inv_m_rho_A_inv_product;
     let q0_q2_plus_q1_q3_sum_2 =
-        q0_q2_plus_q1_q3_sum * inv_V_rho_A_inv_m + part_of_q0_q2_plus_q1_q3_sum_2_3;
+        q0_q2_plus_q1_q3_sum * inv_V_inv_m_rho_A + part_of_q0_q2_plus_q1_q3_sum_2_3;
     let d_vx_dot_d_minus_air_velocity_1 =
         part_of_d_vx_dot_d_minus_air + minus_air_velocity_1 * q0_q2_plus_q1_q3_sum_2;
     let part_of_d_vx_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vx_dot_d_minus_air_velocity_1;
-    let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_V_rho_A_inv_m;
+    let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_V_inv_m_rho_A;
     let part_of_d_vx_dot_d_minus_air_4 = q0_q2_plus_q1_q3_sum * minus_air_velocity_product_3;
     let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
     let C_D_plus_air_velocity_sum = C_D + air_velocity_12_C_La_sum * air_velocity_12_inv_V_sq;
@@ -283,7 +283,7 @@ pub fn f_jac<T: Real>(
     let part_of_minus_q1_q0_plus_q3_sum_4 =
         part_of_minus_q1_q0_plus_q3_sum_3 * V_inv_m_rho_A_inv_product;
     let minus_q1_q0_plus_q3_sum_2 =
-        minus_q1_q0_plus_q3_sum * inv_V_rho_A_inv_m + part_of_minus_q1_q0_plus_q3_sum_4;
+        minus_q1_q0_plus_q3_sum * inv_V_inv_m_rho_A + part_of_minus_q1_q0_plus_q3_sum_4;
     let part_of_d_vy_dot_d_minus_air = minus_air_velocity_1 * minus_q1_q0_plus_q3_sum_2;
     let d_vy_dot_d_minus_air_velocity_1 =
         part_of_d_vy_dot_d_minus_air - q0_q3_plus_q1_q2 * V_inv_m_rho_A_minus_product;
@@ -352,7 +352,7 @@ pub fn f_jac<T: Real>(
     let part_of_minus_q1_sq_two_product_3 =
         part_of_minus_q1_sq_two_product_2 * V_inv_m_rho_A_inv_product;
     let minus_q1_sq_two_product_sum =
-        minus_q1_sq_two_minus_one_sum_2 * inv_V_rho_A_inv_m - part_of_minus_q1_sq_two_product_3;
+        minus_q1_sq_two_minus_one_sum_2 * inv_V_inv_m_rho_A - part_of_minus_q1_sq_two_product_3;
     let d_vz_dot_d_minus_air_velocity_1 =
         minus_air_velocity_1 * minus_q1_sq_two_product_sum - part_of_d_vz_dot_d_minus_air;
     let part_of_d_vz_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1;
@@ -420,7 +420,7 @@ pub fn f_jac<T: Real>(
     let air_velocity_12_C_product = C_Mq_d_rho_A_inv_I_d * air_velocity_12;
     let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
     let nonzero_V = V.if_zero(T::splat(0.0), T::splat(1.0));
-    let part_of_nonzero_air_product_sum = d_rho_A_inv_I_d * nonzero_air_velocity_12_sq * nonzero_V;
+    let part_of_nonzero_air_product_sum = d_rho_A_inv_I_d * nonzero_air_velocity_12 * nonzero_V;
     let nonzero_air_product_sum =
         part_of_nonzero_air_product_sum - inv_air_velocity_12 * inv_air_velocity_12_product;
     let r_C_Rr = C_Rr * r;
@@ -435,7 +435,7 @@ pub fn f_jac<T: Real>(
         d_p_dot_d_air_velocity_12 * minus_air_velocity_product_5 - inv_air_velocity_12_product_2;
     let part_of_d_p_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_p_dot_d_minus_air_velocity_1;
     let part_of_d_p_dot_d_minus_air =
-        p * C_Mq_nonzero_air_product - inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
+        p * C_Mq_nonzero_air_velocity_12 - inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
     let minus_air_velocity_product_6 = d_rho_A_inv_I_d * minus_air_velocity_3;
     let part_of_d_p_dot_d_minus_air_2 = part_of_d_p_dot_d_minus_air * minus_air_velocity_product_6;
     let d_p_dot_d_minus_air_velocity_3 =
@@ -488,7 +488,7 @@ pub fn f_jac<T: Real>(
         d_q_dot_d_air_velocity_12 * minus_air_velocity_product_5 - inv_air_velocity_12_product_3;
     let part_of_d_q_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_q_dot_d_minus_air_velocity_1;
     let part_of_d_q_dot_d_minus_air =
-        q * C_Mq_nonzero_air_product + inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum;
+        q * C_Mq_nonzero_air_velocity_12 + inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum;
     let part_of_d_q_dot_d_minus_air_2 = part_of_d_q_dot_d_minus_air * minus_air_velocity_product_6;
     let d_q_dot_d_minus_air_velocity_3 =
         part_of_d_q_dot_d_minus_air_2 - air_velocity_12_inv_V_sq * minus_air_velocity_product_7;
@@ -533,12 +533,6 @@ pub fn f_jac<T: Real>(
     let d_q0_dot_d_p = -minus_d_q0_dot_d_p;
     let d_q0_dot_d_q = -minus_d_q0_dot_d_q;
     let d_q0_dot_d_r = -minus_d_q0_dot_d_r;
-    let d_q1_dot_d_q3 = -minus_d_q0_dot_d_q2;
-    let d_q1_dot_d_q = -minus_d_q0_dot_d_r;
-    let d_q2_dot_d_q1 = -minus_d_q0_dot_d_q3;
-    let d_q2_dot_d_r = -minus_d_q0_dot_d_p;
-    let d_q3_dot_d_q2 = -minus_d_q0_dot_d_q1;
-    let d_q3_dot_d_p = -minus_d_q0_dot_d_q;
     let d_q_dot_d_p = -d_p_dot_d_q;
 
     dx[0] = vx;
@@ -587,20 +581,20 @@ pub fn f_jac<T: Real>(
     j[29] = d_q0_dot_d_r;
     j[30] = minus_d_q0_dot_d_q1; // d_q1_dot_d_q0
     j[31] = minus_d_q0_dot_d_q3; // d_q1_dot_d_q2
-    j[32] = d_q1_dot_d_q3;
+    j[32] = d_q0_dot_d_q2; // d_q1_dot_d_q3
     j[33] = d_q1_dot_d_p;
-    j[34] = d_q1_dot_d_q;
+    j[34] = d_q0_dot_d_r; // d_q1_dot_d_q
     j[35] = minus_d_q0_dot_d_q; // d_q1_dot_d_r
     j[36] = minus_d_q0_dot_d_q2; // d_q2_dot_d_q0
-    j[37] = d_q2_dot_d_q1;
+    j[37] = d_q0_dot_d_q3; // d_q2_dot_d_q1
     j[38] = minus_d_q0_dot_d_q1; // d_q2_dot_d_q3
     j[39] = minus_d_q0_dot_d_r; // d_q2_dot_d_p
     j[40] = d_q1_dot_d_p; // d_q2_dot_d_q
-    j[41] = d_q2_dot_d_r;
+    j[41] = d_q0_dot_d_p; // d_q2_dot_d_r
     j[42] = minus_d_q0_dot_d_q3; // d_q3_dot_d_q0
     j[43] = minus_d_q0_dot_d_q2; // d_q3_dot_d_q1
-    j[44] = d_q3_dot_d_q2;
-    j[45] = d_q3_dot_d_p;
+    j[44] = d_q0_dot_d_q1; // d_q3_dot_d_q2
+    j[45] = d_q0_dot_d_q; // d_q3_dot_d_p
     j[46] = minus_d_q0_dot_d_p; // d_q3_dot_d_q
     j[47] = d_q1_dot_d_p; // d_q3_dot_d_r
     j[48] = d_p_dot_d_vx;

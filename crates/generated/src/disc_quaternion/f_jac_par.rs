@@ -5,7 +5,7 @@ use lanes::Real;
 
 /// `dx`, `j`, and the entries `jp` of the Jacobian by the parameters, see `JP_PATTERN`.
 ///
-/// 660 operations: 212 add, 405 mul, 2 div, 37 neg, 2 sqrt, 1 call, 1 select.
+/// 654 operations: 212 add, 405 mul, 2 div, 31 neg, 2 sqrt, 1 call, 1 select.
 #[inline(always)]
 pub fn f_jac_par<T: Real>(
     _time: T,
@@ -143,8 +143,8 @@ pub fn f_jac_par<T: Real>(
     let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_part_rho_A;
     let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
     let minus_C_Rr_minus_air_sum = one_minus_inv_I_d_I_a * q - C_Rr * minus_air_velocity_product;
-    let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
-    let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * nonzero_air_velocity_12_sq;
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * nonzero_air_velocity_12;
     let V_sq_half_d_inv_product_2 = C_Mq * V_sq_half_d_inv_product;
     let alpha_C_Ma = C_Ma * alpha;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
@@ -157,8 +157,8 @@ pub fn f_jac_par<T: Real>(
     let q_dot = part_of_q_dot - minus_air_velocity_product * alpha_C_Ma;
     let r_dot = C_Nr_inv_I_a * r;
     let inv_V = V.recip_or_zero();
-    let inv_V_rho_A_inv_m = inv_m_rho_A * inv_V;
-    let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_rho_A_inv_m;
+    let inv_V_inv_m_rho_A = inv_m_rho_A * inv_V;
+    let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_inv_m_rho_A;
     let part_of_d_vx_dot_d_minus_air_3 = q0_q2_plus_q1_q3_sum * minus_air_velocity_product_2;
     let alpha_two_C_Da = two_C_Da * alpha;
     let air_velocity_12_C_La_sum = C_La * air_velocity_12 + minus_air_velocity_3 * alpha_two_C_Da;
@@ -167,7 +167,7 @@ pub fn f_jac_par<T: Real>(
     let C_D_plus_air_velocity_sum = C_D + air_velocity_12_C_La_sum * air_velocity_12_inv_V_sq;
     let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_air_velocity_12;
     let minus_C_La_minus_air_sum =
-        nonzero_air_velocity_12_sq * alpha_two_C_Da - C_La * minus_air_velocity_product_3;
+        nonzero_air_velocity_12 * alpha_two_C_Da - C_La * minus_air_velocity_product_3;
     let minus_C_La_minus_sum =
         minus_C_La_minus_air_sum * air_velocity_12_inv_V_sq - C_L * inv_air_velocity_12;
     let part_of_d_vx_dot_d_minus_air = minus_q0_q3_plus_q1_sum * minus_C_La_minus_sum;
@@ -190,7 +190,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_q0_q2_plus_q1_q3_sum_2_3 =
         part_of_q0_q2_plus_q1_q3_sum_2_2 * V_inv_m_rho_A_inv_product;
     let q0_q2_plus_q1_q3_sum_2 =
-        q0_q2_plus_q1_q3_sum * inv_V_rho_A_inv_m + part_of_q0_q2_plus_q1_q3_sum_2_3;
+        q0_q2_plus_q1_q3_sum * inv_V_inv_m_rho_A + part_of_q0_q2_plus_q1_q3_sum_2_3;
     let d_vx_dot_d_minus_air_velocity_1 =
         minus_air_velocity_1 * q0_q2_plus_q1_q3_sum_2 - part_of_d_vx_dot_d_minus_air_4;
     let part_of_d_vx_dot_d_vx = q2_sq_two_plus_q3_sq_sum * d_vx_dot_d_minus_air_velocity_1;
@@ -303,7 +303,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_minus_q1_q0_plus_q3_sum_4 =
         part_of_minus_q1_q0_plus_q3_sum_3 * V_inv_m_rho_A_inv_product;
     let minus_q1_q0_plus_q3_sum_2 =
-        minus_q1_q0_plus_q3_sum * inv_V_rho_A_inv_m + part_of_minus_q1_q0_plus_q3_sum_4;
+        minus_q1_q0_plus_q3_sum * inv_V_inv_m_rho_A + part_of_minus_q1_q0_plus_q3_sum_4;
     let part_of_d_vy_dot_d_minus_air_3 = minus_air_velocity_1 * minus_q1_q0_plus_q3_sum_2;
     let d_vy_dot_d_minus_air_velocity_1 =
         q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product + part_of_d_vy_dot_d_minus_air_3;
@@ -373,7 +373,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_minus_minus_q1_sq_two_3 =
         part_of_minus_minus_q1_sq_two_2 * V_inv_m_rho_A_inv_product;
     let minus_minus_q1_sq_two_sum =
-        part_of_minus_minus_q1_sq_two_3 - minus_q1_sq_two_minus_one_sum_2 * inv_V_rho_A_inv_m;
+        part_of_minus_minus_q1_sq_two_3 - minus_q1_sq_two_minus_one_sum_2 * inv_V_inv_m_rho_A;
     let d_vz_dot_d_minus_air_velocity_1_2 =
         d_vz_dot_d_minus_air_velocity_1 - minus_air_velocity_1 * minus_minus_q1_sq_two_sum;
     let minus_d_vz_dot_d_air_velocity_2 =
@@ -431,9 +431,9 @@ pub fn f_jac_par<T: Real>(
     let d_q1_dot_d_p = T::splat(0.5) * q0;
     let r_C_Rr = C_Rr * r;
     let air_velocity_2_alpha_C_sum = air_velocity_2 * alpha_C_Ma + minus_air_velocity_1 * r_C_Rr;
-    let C_Mq_nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
+    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
     let minus_inv_air_velocity_sum =
-        p * C_Mq_nonzero_air_product - inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
+        p * C_Mq_nonzero_air_velocity_12 - inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
     let minus_inv_air_product = d_rho_A_inv_I_d * minus_inv_air_velocity_sum;
     let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
     let part_of_d_p_dot_d_minus_air = air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product;
@@ -492,7 +492,7 @@ pub fn f_jac_par<T: Real>(
     let d_p_dot_d_q = one_minus_inv_I_d_I_a * r;
     let air_velocity_2_r_C_Rr_sum = air_velocity_2 * r_C_Rr - minus_air_velocity_1 * alpha_C_Ma;
     let inv_air_velocity_12_sum =
-        inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum + q * C_Mq_nonzero_air_product;
+        inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum + q * C_Mq_nonzero_air_velocity_12;
     let inv_air_velocity_12_product_5 = d_rho_A_inv_I_d * inv_air_velocity_12_sum;
     let minus_air_velocity_product_7 = C_Ma * minus_air_velocity_product;
     let part_of_d_q_dot_d_minus_air = air_velocity_12_inv_V_sq * minus_air_velocity_product_7;
@@ -545,7 +545,7 @@ pub fn f_jac_par<T: Real>(
     let d_q_dot_d_q3 =
         part_of_d_q_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_q_dot_d_minus_air_velocity_1;
     let V_inv_m = inv_m * V;
-    let rho_A_inv_m_V_inv_m = inv_m_rho_A * V_inv_m;
+    let inv_m_rho_A_V_inv_m = inv_m_rho_A * V_inv_m;
     let rho_V_inv_m = rho * V_inv_m;
     let d_vx_dot_d_A = q0_q2_plus_q1_q3_sum * rho_V_inv_m;
     let A_V_inv_m = A * V_inv_m;
@@ -555,9 +555,8 @@ pub fn f_jac_par<T: Real>(
     let d_vx_dot_d_C_L0 = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum_3;
     let V_inv_m_rho_A_alpha = V_inv_m_rho_A * alpha;
     let d_vx_dot_d_C_La = q0_q2_plus_q1_q3_sum_3 * V_inv_m_rho_A_alpha;
-    let part_of_q0_q2_plus_q1_q3_sum_4 = minus_q0_q3_plus_q1_sum * nonzero_air_velocity_12_sq;
     let q0_q2_plus_q1_q3_sum_4 =
-        q0_q2_plus_q1_q3 * minus_air_velocity_3 - part_of_q0_q2_plus_q1_q3_sum_4;
+        q0_q2_plus_q1_q3 * minus_air_velocity_3 - minus_q0_q3_plus_q1_sum * nonzero_air_velocity_12;
     let d_vx_dot_d_C_D0 = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum_4;
     let alpha_V_inv_m_rho_A_alpha = alpha * V_inv_m_rho_A_alpha;
     let d_vx_dot_d_C_Da = q0_q2_plus_q1_q3_sum_4 * alpha_V_inv_m_rho_A_alpha;
@@ -571,20 +570,20 @@ pub fn f_jac_par<T: Real>(
     let d_vy_dot_d_C_L0 = V_inv_m_rho_A * minus_q1_q0_plus_q3_q2_sum_2;
     let d_vy_dot_d_C_La = minus_q1_q0_plus_q3_q2_sum_2 * V_inv_m_rho_A_alpha;
     let minus_q1_q0_plus_q3_q2_sum_3 =
-        q0_q3_plus_q1_q2_sum * nonzero_air_velocity_12_sq - q1_q0_plus_q3_q2 * minus_air_velocity_3;
+        q0_q3_plus_q1_q2_sum * nonzero_air_velocity_12 - q1_q0_plus_q3_q2 * minus_air_velocity_3;
     let d_vy_dot_d_C_D0 = V_inv_m_rho_A * minus_q1_q0_plus_q3_q2_sum_3;
     let d_vy_dot_d_C_Da = minus_q1_q0_plus_q3_q2_sum_3 * alpha_V_inv_m_rho_A_alpha;
     let minus_d_vy_dot_d_vx = -d_vy_dot_d_vx;
     let minus_d_vy_dot_d_vy = -d_vy_dot_d_vy;
     let minus_d_vy_dot_d_vz = -d_vy_dot_d_vz;
-    let minus_d_vz_dot_d_m = minus_q1_sq_two_minus_one_sum_2 * rho_A_inv_m_V_inv_m;
+    let minus_d_vz_dot_d_m = minus_q1_sq_two_minus_one_sum_2 * inv_m_rho_A_V_inv_m;
     let part_of_minus_minus_q1_q0_plus =
         -(minus_q1_q0_plus_q3_q2_sum * minus_air_velocity_product_3);
     let minus_minus_q1_q0_plus_sum =
         part_of_minus_minus_q1_q0_plus - air_velocity_12 * q1_sq_two_minus_one_sum_half;
     let d_vz_dot_d_C_L0 = V_inv_m_rho_A * minus_minus_q1_q0_plus_sum;
     let d_vz_dot_d_C_La = minus_minus_q1_q0_plus_sum * V_inv_m_rho_A_alpha;
-    let part_of_minus_q1_q0_plus_q3_sum_5 = minus_q1_q0_plus_q3_q2_sum * nonzero_air_velocity_12_sq;
+    let part_of_minus_q1_q0_plus_q3_sum_5 = minus_q1_q0_plus_q3_q2_sum * nonzero_air_velocity_12;
     let minus_q1_q0_plus_q3_sum_3 =
         part_of_minus_q1_q0_plus_q3_sum_5 - minus_air_velocity_3 * q1_sq_two_minus_one_sum_half;
     let minus_d_vz_dot_d_vx = -d_vz_dot_d_vx;
@@ -617,15 +616,9 @@ pub fn f_jac_par<T: Real>(
     let d_q0_dot_d_p = -minus_d_q2_dot_d_r;
     let d_q0_dot_d_q = -minus_d_q3_dot_d_p;
     let d_q0_dot_d_r = -minus_d_q1_dot_d_q;
-    let d_q1_dot_d_q3 = -minus_d_q1_dot_d_q3;
-    let d_q1_dot_d_q = -minus_d_q1_dot_d_q;
-    let d_q2_dot_d_q1 = -minus_d_q2_dot_d_q1;
-    let d_q2_dot_d_r = -minus_d_q2_dot_d_r;
-    let d_q3_dot_d_q2 = -minus_d_q3_dot_d_q2;
-    let d_q3_dot_d_p = -minus_d_q3_dot_d_p;
     let d_q_dot_d_p = -d_p_dot_d_q;
-    let d_vx_dot_d_m = -(q0_q2_plus_q1_q3_sum * rho_A_inv_m_V_inv_m);
-    let d_vy_dot_d_m = -(minus_q1_q0_plus_q3_sum * rho_A_inv_m_V_inv_m);
+    let d_vx_dot_d_m = -(q0_q2_plus_q1_q3_sum * inv_m_rho_A_V_inv_m);
+    let d_vy_dot_d_m = -(minus_q1_q0_plus_q3_sum * inv_m_rho_A_V_inv_m);
     let d_vz_dot_d_m = -minus_d_vz_dot_d_m;
     let d_p_dot_d_I_a = -q_r_inv_I_d;
     let d_p_dot_d_C_Ma = -(alpha * air_velocity_2_inv_product);
@@ -678,20 +671,20 @@ pub fn f_jac_par<T: Real>(
     j[29] = d_q0_dot_d_r;
     j[30] = minus_d_q3_dot_d_q2; // d_q1_dot_d_q0
     j[31] = minus_d_q2_dot_d_q1; // d_q1_dot_d_q2
-    j[32] = d_q1_dot_d_q3;
+    j[32] = d_q0_dot_d_q2; // d_q1_dot_d_q3
     j[33] = d_q1_dot_d_p;
-    j[34] = d_q1_dot_d_q;
+    j[34] = d_q0_dot_d_r; // d_q1_dot_d_q
     j[35] = minus_d_q3_dot_d_p; // d_q1_dot_d_r
     j[36] = minus_d_q1_dot_d_q3; // d_q2_dot_d_q0
-    j[37] = d_q2_dot_d_q1;
+    j[37] = d_q0_dot_d_q3; // d_q2_dot_d_q1
     j[38] = minus_d_q3_dot_d_q2; // d_q2_dot_d_q3
     j[39] = minus_d_q1_dot_d_q; // d_q2_dot_d_p
     j[40] = d_q1_dot_d_p; // d_q2_dot_d_q
-    j[41] = d_q2_dot_d_r;
+    j[41] = d_q0_dot_d_p; // d_q2_dot_d_r
     j[42] = minus_d_q2_dot_d_q1; // d_q3_dot_d_q0
     j[43] = minus_d_q1_dot_d_q3; // d_q3_dot_d_q1
-    j[44] = d_q3_dot_d_q2;
-    j[45] = d_q3_dot_d_p;
+    j[44] = d_q0_dot_d_q1; // d_q3_dot_d_q2
+    j[45] = d_q0_dot_d_q; // d_q3_dot_d_p
     j[46] = minus_d_q2_dot_d_r; // d_q3_dot_d_q
     j[47] = d_q1_dot_d_p; // d_q3_dot_d_r
     j[48] = d_p_dot_d_vx;

@@ -7,8 +7,8 @@
 //! |---|---|
 //! | `prepare` | 18 operations: 1 add, 12 mul, 3 div, 2 neg |
 //! | `f` | 141 operations: 47 add, 88 mul, 1 div, 1 neg, 2 sqrt, 1 call, 1 select |
-//! | `f_jac` | 574 operations: 205 add, 349 mul, 2 div, 13 neg, 2 sqrt, 1 call, 2 select |
-//! | `f_jac_par` | 660 operations: 212 add, 405 mul, 2 div, 37 neg, 2 sqrt, 1 call, 1 select |
+//! | `f_jac` | 568 operations: 205 add, 349 mul, 2 div, 7 neg, 2 sqrt, 1 call, 2 select |
+//! | `f_jac_par` | 654 operations: 212 add, 405 mul, 2 div, 31 neg, 2 sqrt, 1 call, 1 select |
 //! | `observe` | 44 operations: 20 add, 24 mul |
 //! | `observe_jac` | 92 operations: 38 add, 52 mul, 2 neg |
 //! | `quantities` | 86 operations: 28 add, 52 mul, 1 div, 2 neg, 2 sqrt, 1 call |

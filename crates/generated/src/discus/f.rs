@@ -78,8 +78,8 @@ pub fn f<T: Real>(
         sin_alpha_two * (C_Lp + minus_C_Lp_plus_C_Ls / part_of_sin_alpha_two_C_Lp);
     let part_of_C_D_air_velocity_12 =
         C_D * air_velocity_12 - minus_air_velocity_3 * sin_alpha_two_C_Lp_product;
-    let V_inv_m_half_part_part = inv_m_half_rho_A * V;
-    let C_D_air_velocity_12_product = part_of_C_D_air_velocity_12 * V_inv_m_half_part_part;
+    let V_inv_m_half_rho_A = inv_m_half_rho_A * V;
+    let C_D_air_velocity_12_product = part_of_C_D_air_velocity_12 * V_inv_m_half_rho_A;
     let part_of_u_dot = air_velocity_1_inv_product * C_D_air_velocity_12_product;
     let cos_phi_g_plus_v_phidot = g * cos_phi + v * phidot;
 
@@ -91,26 +91,25 @@ pub fn f<T: Real>(
     let v_dot = part_of_v_dot - phidot * sin_theta_u_minus_w_cos_sum;
     let part_of_w_dot = minus_air_velocity_3 * C_D + air_velocity_12 * sin_alpha_two_C_Lp_product;
     let w_dot =
-        u * thetadot + part_of_w_dot * V_inv_m_half_part_part - cos_theta * cos_phi_g_plus_v_phidot;
+        u * thetadot + part_of_w_dot * V_inv_m_half_rho_A - cos_theta * cos_phi_g_plus_v_phidot;
     let sin_theta_phidot = sin_theta * phidot;
 
     // discus.hyz:88  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let r_inv_I_d_I_a = inv_I_d_I_a * r;
-    let V_sq_half_part_part_product = half_rho_A_d_inv_I_d * V_sq;
-    let V_sq_half_part_part_product_2 = V_sq_half_part_part_product * (C_Ms * sin_alpha_two);
-    let part_of_phidot_dot_2 = air_velocity_2_inv_product * V_sq_half_part_part_product_2;
-    let nonzero_air_velocity_12_sq = air_velocity_12_sq.if_zero(T::splat(0.0), T::splat(1.0));
-    let V_sq_half_part_part_product_3 =
-        V_sq_half_part_part_product * (C_Mq * nonzero_air_velocity_12_sq);
+    let V_sq_half_rho_A_d_inv_I_d = half_rho_A_d_inv_I_d * V_sq;
+    let V_sq_half_rho_A_d_product = V_sq_half_rho_A_d_inv_I_d * (C_Ms * sin_alpha_two);
+    let part_of_phidot_dot_2 = air_velocity_2_inv_product * V_sq_half_rho_A_d_product;
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_I_d * (C_Mq * nonzero_air_velocity_12);
     let part_of_phidot_dot =
-        T::splat(2.0) * sin_theta * thetadot + cos_theta * V_sq_half_part_part_product_3;
+        T::splat(2.0) * sin_theta * thetadot + cos_theta * V_sq_half_rho_A_d_product_2;
     let part_of_phidot_dot_3 =
         phidot * part_of_phidot_dot - thetadot * r_inv_I_d_I_a - part_of_phidot_dot_2;
     let phidot_dot = part_of_phidot_dot_3 / cos_theta;
-    let part_of_thetadot_dot = air_velocity_1_inv_product * V_sq_half_part_part_product_2;
+    let part_of_thetadot_dot = air_velocity_1_inv_product * V_sq_half_rho_A_d_product;
     let cos_theta_phidot = cos_theta * phidot;
-    let part_of_thetadot_dot_2 = part_of_thetadot_dot + thetadot * V_sq_half_part_part_product_3;
+    let part_of_thetadot_dot_2 = part_of_thetadot_dot + thetadot * V_sq_half_rho_A_d_product_2;
 
     // discus.hyz:56  frame B = A turned theta about 2; // does not spin with the discus
     let thetadot_dot =

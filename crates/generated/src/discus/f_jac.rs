@@ -111,9 +111,9 @@ pub fn f_jac<T: Real>(
         V_inv_m_half_rho_A * minus_air_velocity_3_C_sum - cos_theta_cos_phi_g_product;
     let w_dot = part_of_w_dot + u * thetadot;
     let V_sq_half_rho_A_d_inv_part = half_rho_A_d_inv_I_d * V_sq;
-    let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
-    let C_Mq_nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
-    let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part * C_Mq_nonzero_air_product;
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
+    let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part * C_Mq_nonzero_air_velocity_12;
     let sin_theta_two_thetadot_sum =
         cos_theta * V_sq_half_rho_A_d_product_2 + T::splat(2.0) * sin_theta * thetadot;
     let V_sq_half_rho_A_d_product = C_Ms * V_sq_half_rho_A_d_inv_part;
@@ -146,13 +146,15 @@ pub fn f_jac<T: Real>(
     let d_y_dot_d_theta = x_dot * sin_phi;
     let d_z_dot_d_w = cos_theta * cos_phi;
     let minus_air_velocity_product_2 = two_C_Ds * minus_air_velocity_3_inv_V;
-    let part_of_n8_part_part_inv_s =
+    let part_of_n8_inv_s_stall_product_2 =
         n8_inv_s_stall_product * (inv_s_stall_minus_product * inv_s_stall_minus_product_sq);
-    let part_of_n8_part_part_inv_s_2 = inv_s_stall_minus_product_2 * inv_inv_s_stall_minus_sum;
-    let part_of_n8_part_part_inv_s_3 =
-        part_of_n8_part_part_inv_s_2 * (inv_inv_s_stall_minus_sum * sin_alpha_two);
-    let n8_part_part_inv_s_product = part_of_n8_part_part_inv_s * part_of_n8_part_part_inv_s_3;
-    let part_of_inv_V_air_velocity = minus_air_velocity_3 * n8_part_part_inv_s_product;
+    let part_of_n8_inv_s_stall_product_2_2 =
+        inv_s_stall_minus_product_2 * inv_inv_s_stall_minus_sum;
+    let part_of_n8_inv_s_stall_product_2_3 =
+        part_of_n8_inv_s_stall_product_2_2 * (inv_inv_s_stall_minus_sum * sin_alpha_two);
+    let n8_inv_s_stall_product_2 =
+        part_of_n8_inv_s_stall_product_2 * part_of_n8_inv_s_stall_product_2_3;
+    let part_of_inv_V_air_velocity = minus_air_velocity_3 * n8_inv_s_stall_product_2;
     let part_of_inv_V_air_velocity_2 =
         air_velocity_12 * minus_air_velocity_product_2 + part_of_inv_V_air_velocity;
     let inv_V_air_velocity_product = inv_V * part_of_inv_V_air_velocity_2;
@@ -222,7 +224,7 @@ pub fn f_jac<T: Real>(
     let d_v_dot_d_theta = part_of_d_v_dot_d_theta - x_dot * phidot - part_of_d_v_dot_d_theta_2;
     let part_of_inv_V_minus_air = minus_air_velocity_3 * minus_air_velocity_product_2;
     let part_of_inv_V_minus_air_2 =
-        part_of_inv_V_minus_air - air_velocity_12 * n8_part_part_inv_s_product;
+        part_of_inv_V_minus_air - air_velocity_12 * n8_inv_s_stall_product_2;
     let inv_V_minus_air_velocity_sum = inv_V * part_of_inv_V_minus_air_2;
     let part_of_d_w_dot_d_V = inv_V_minus_air_velocity_sum * V_inv_m_half_rho_A_product;
     let d_w_dot_d_V = inv_m_half_rho_A * minus_air_velocity_3_C_sum - part_of_d_w_dot_d_V;
@@ -269,7 +271,7 @@ pub fn f_jac<T: Real>(
     let part_of_minus_air_velocity_2_sum_3 =
         air_velocity_2_inv_product_3 * air_velocity_12_inv_product;
     let part_of_minus_air_velocity_2_sum =
-        phidot * C_Mq_nonzero_air_product - sin_alpha_two_C_Ms_product;
+        phidot * C_Mq_nonzero_air_velocity_12 - sin_alpha_two_C_Ms_product;
     let minus_air_velocity_product_3 = two_inv_I_d_half_rho_A_d * minus_air_velocity_3;
     let part_of_minus_air_velocity_2_sum_2 =
         part_of_minus_air_velocity_2_sum * minus_air_velocity_product_3;
@@ -309,7 +311,7 @@ pub fn f_jac<T: Real>(
     let d_thetadot_dot_d_air_velocity_2 =
         air_velocity_2_inv_product * d_thetadot_dot_d_air_velocity_12;
     let part_of_air_velocity_1_inv_sum =
-        air_velocity_1_inv_product_4 + thetadot * C_Mq_nonzero_air_product;
+        air_velocity_1_inv_product_4 + thetadot * C_Mq_nonzero_air_velocity_12;
     let part_of_air_velocity_1_inv_sum_2 =
         part_of_air_velocity_1_inv_sum * minus_air_velocity_product_3;
     let air_velocity_1_inv_sum =

@@ -122,10 +122,10 @@ pub fn f_jac_par<T: Real>(
     let part_of_w_dot =
         V_inv_m_half_rho_A * minus_air_velocity_3_C_sum - cos_theta_cos_phi_g_product;
     let w_dot = part_of_w_dot + u * thetadot;
-    let nonzero_air_velocity_12_sq = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
     let V_sq_d_inv_I_d = d_inv_I_d * V_sq;
     let V_sq_half_rho_A_d_inv_part = half_rho_A * V_sq_d_inv_I_d;
-    let nonzero_air_product = nonzero_air_velocity_12_sq * V_sq_half_rho_A_d_inv_part;
+    let nonzero_air_product = nonzero_air_velocity_12 * V_sq_half_rho_A_d_inv_part;
     let V_sq_half_rho_A_d_product_2 = C_Mq * nonzero_air_product;
     let sin_theta_two_thetadot_sum =
         cos_theta * V_sq_half_rho_A_d_product_2 + T::splat(2.0) * sin_theta * thetadot;
@@ -206,8 +206,8 @@ pub fn f_jac_par<T: Real>(
     let part_of_inv_V_air_velocity_2 =
         part_of_inv_V_air_velocity - one_minus_minus_air_sum * inv_s_stall_minus_product_4;
     let inv_V_air_velocity_product = inv_V * part_of_inv_V_air_velocity_2;
-    let inv_V_half_rho_A_inv_m = inv_m_half_rho_A * inv_V;
-    let part_of_minus_d_C_D_d_minus_air = C_D_air_velocity_12_sum * inv_V_half_rho_A_inv_m;
+    let inv_V_inv_m_half_rho_A = inv_m_half_rho_A * inv_V;
+    let part_of_minus_d_C_D_d_minus_air = C_D_air_velocity_12_sum * inv_V_inv_m_half_rho_A;
     let part_of_minus_d_C_D_d_minus_air_2 =
         V_inv_m_half_rho_A * inv_V_air_velocity_product - part_of_minus_d_C_D_d_minus_air;
     let part_of_minus_d_C_D_d_minus_air_4 =
@@ -246,7 +246,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_v_dot_d_theta_2 =
         part_of_d_u_dot_d_v * d_air_velocity_1_d_theta + part_of_d_v_dot_d_theta;
     let d_v_dot_d_theta = part_of_d_v_dot_d_theta_2 - x_dot * phidot;
-    let minus_air_velocity_product_3 = minus_air_velocity_3_C_sum * inv_V_half_rho_A_inv_m;
+    let minus_air_velocity_product_3 = minus_air_velocity_3_C_sum * inv_V_inv_m_half_rho_A;
     let part_of_d_w_dot_d_air_velocity =
         part_of_minus_C_D_air_velocity_4 - minus_air_velocity_product * C_Ds_minus_air_product;
     let part_of_d_w_dot_d_air_velocity_2 =
@@ -277,10 +277,11 @@ pub fn f_jac_par<T: Real>(
         d_w_dot_d_theta + d_air_velocity_1_d_theta * d_w_dot_d_air_velocity_1;
     let d_w_dot_d_theta_2 = part_of_d_w_dot_d_theta_2_2 + part_of_d_w_dot_d_theta_2;
     let sin_alpha_two_air_product = sin_alpha_two * air_velocity_2_inv_product;
-    let C_Mq_nonzero_air_product = C_Mq * nonzero_air_velocity_12_sq;
+    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
     let minus_C_Ms_inv_cos_sum =
-        phidot * C_Mq_nonzero_air_product - C_Ms * inv_cos_theta * sin_alpha_two_air_product;
-    let air_velocity_12_d_product = two_inv_I_d_half_rho_A_d * air_velocity_12;
+        phidot * C_Mq_nonzero_air_velocity_12 - C_Ms * inv_cos_theta * sin_alpha_two_air_product;
+    let air_velocity_12_two_product = two_inv_I_d_half_rho_A_d * air_velocity_12;
+    let part_of_minus_C_Ms_inv_cos_sum_2_4 = minus_C_Ms_inv_cos_sum * air_velocity_12_two_product;
     let inv_air_velocity_12_product_2 = inv_air_velocity_12 * V_sq_half_rho_A_d_product_3;
     let part_of_minus_C_Ms_inv_cos_sum_2_2 =
         air_velocity_2_inv_product * inv_air_velocity_12_product_2;
@@ -290,9 +291,8 @@ pub fn f_jac_par<T: Real>(
         minus_air_velocity_product_2 * air_velocity_2_inv_product_3;
     let part_of_minus_C_Ms_inv_cos_sum_2_3 =
         part_of_minus_C_Ms_inv_cos_sum_2_2 + part_of_minus_C_Ms_inv_cos_sum_2;
-    let part_of_minus_C_Ms_inv_cos_sum_2_4 = inv_cos_theta * part_of_minus_C_Ms_inv_cos_sum_2_3;
     let minus_C_Ms_inv_cos_sum_2 =
-        minus_C_Ms_inv_cos_sum * air_velocity_12_d_product + part_of_minus_C_Ms_inv_cos_sum_2_4;
+        part_of_minus_C_Ms_inv_cos_sum_2_4 + inv_cos_theta * part_of_minus_C_Ms_inv_cos_sum_2_3;
     let d_minus_thetadot_r_product_d_u = air_velocity_1_inv_product * minus_C_Ms_inv_cos_sum_2;
     let part_of_d_phidot_dot_d_v =
         air_velocity_2 * minus_C_Ms_inv_cos_sum_2 - V_sq_half_rho_A_d_product_3 * inv_cos_theta;
@@ -332,9 +332,9 @@ pub fn f_jac_par<T: Real>(
         minus_air_velocity_product_2 * air_velocity_1_inv_product_3;
     let sin_alpha_two_air_product_2 = sin_alpha_two * air_velocity_1_inv_product;
     let C_Ms_sin_alpha_two_sum =
-        C_Ms * sin_alpha_two_air_product_2 + thetadot * C_Mq_nonzero_air_product;
+        C_Ms * sin_alpha_two_air_product_2 + thetadot * C_Mq_nonzero_air_velocity_12;
     let part_of_d_thetadot_dot_d_air_2 =
-        C_Ms_sin_alpha_two_sum * air_velocity_12_d_product - part_of_d_thetadot_dot_d_air;
+        C_Ms_sin_alpha_two_sum * air_velocity_12_two_product - part_of_d_thetadot_dot_d_air;
     let d_thetadot_dot_d_air_velocity_12 =
         part_of_d_thetadot_dot_d_air_2 - part_of_d_thetadot_dot_d_air_3;
     let part_of_d_thetadot_dot_d_air_4 =

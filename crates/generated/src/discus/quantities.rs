@@ -74,7 +74,7 @@ pub fn quantities<T: Real>(
 
     // discus.hyz:83  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = C_Ds * minus_air_velocity_3_inv_V * minus_air_velocity_3_inv_V + C_D0;
-    let V_sq_A_rho_half = half_rho_A * V_sq;
+    let V_sq_half_rho_A = half_rho_A * V_sq;
 
     // discus.hyz:88  let r = dot(angular_velocity, d3);
     let r = sin_theta * phidot + gammadot;
@@ -113,12 +113,12 @@ pub fn quantities<T: Real>(
     values[15] = attached;
     values[16] = C_L;
     values[17] = C_D;
-    values[18] = C_L * V_sq_A_rho_half;
-    values[19] = C_D * V_sq_A_rho_half;
+    values[18] = C_L * V_sq_half_rho_A;
+    values[19] = C_D * V_sq_half_rho_A;
     values[20] = r;
     values[21] = rate_1;
     values[22] = rate_2;
-    values[23] = C_Mq_d * rate_1 * V_sq_A_rho_half;
-    values[24] = d * part_of_pitch * V_sq_A_rho_half;
+    values[23] = C_Mq_d * rate_1 * V_sq_half_rho_A;
+    values[24] = d * part_of_pitch * V_sq_half_rho_A;
     values[25] = spin_down;
 }
