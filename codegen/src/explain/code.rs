@@ -53,6 +53,7 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
                 &mut graph,
                 (&roots, &found.names),
                 (&[symbol], &[wrt.to_string()]),
+                differentiate::Order::FewestEdges,
             );
             let mut dag = import(&graph, &jacobian.entries);
             dag.optimise();
