@@ -57,7 +57,12 @@ pub fn measure(root: &Path, landing: &Value) -> Result<Vec<Timed>, String> {
         };
         tape.f(at, &mut scratch, dx);
     };
-    let mut timed = vec![fly_frispy("tape", &start, &reference, by_tape)];
+    let mut timed = vec![fly_frispy(
+        ("tape", Method::Tsit5),
+        &start,
+        &reference,
+        by_tape,
+    )];
 
     let library = compile(root, &model)?;
     // SAFETY: the library is our own, with these two symbols of these types (see EXPORTS).
@@ -75,19 +80,22 @@ pub fn measure(root: &Path, landing: &Value) -> Result<Vec<Timed>, String> {
         // SAFETY: as above.
         unsafe { rate(x.as_ptr(), p.as_ptr(), k.as_ptr(), dx.as_mut_ptr()) }
     };
-    timed.push(fly_frispy("generated code", &start, &reference, by_code));
+    for method in [Method::Tsit5, Method::Dop853] {
+        let how = ("generated code", method);
+        timed.push(fly_frispy(how, &start, &reference, by_code));
+    }
     timed.push(backhand());
     Ok(timed)
 }
 
 fn fly_frispy(
-    how: &str,
+    (how, method): (&str, Method),
     start: &[f64; 12],
     reference: &[f64],
     mut rate: impl FnMut(f64, &[f64; 12], &mut [f64; 12]),
 ) -> Timed {
     let options = Options {
-        method: Method::Tsit5,
+        method,
         relative: 1e-6,
         absolute: 1e-9,
         ..Options::default()
@@ -110,7 +118,7 @@ fn fly_frispy(
         .zip(reference)
         .map(|(found, want)| (found - want).abs() / want.abs().max(1.0));
     Timed {
-        title: format!("FrisPy's flight by hyzer, {how}, rtol 1e-6, atol 1e-9"),
+        title: format!("FrisPy's flight by hyzer, {how}, {method:?}, rtol 1e-6, atol 1e-9"),
         microseconds: median_microseconds(|| _ = black_box(once())),
         error: Some(error.fold(0.0, f64::max)),
         work: format!(
@@ -133,7 +141,7 @@ fn backhand() -> Timed {
     let p: [f64; disc::PARAMETERS.len()] = p.try_into().expect("all parameters");
     (disc::MODEL.prepare)(&p, &mut k);
     let mut disc = equations(&disc::STATES, |t, x: &[f64; 12], dx: &mut [f64; 12]| {
-        disc::f(t, x, &p, &k, dx);
+        (disc::MODEL.f)(t, x, &p, &k, dx);
     });
     let options = Options::tolerance(1e-6);
     let mut once = || {
@@ -195,7 +203,7 @@ pub unsafe extern "C" fn prepare(p: *const f64, k: *mut f64) {
 /// See `frispy::f`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn rate(x: *const f64, p: *const f64, k: *const f64, dx: *mut f64) {
-    unsafe { frispy::f::<f64>(0.0, &*x.cast(), &*p.cast(), &*k.cast(), &mut *dx.cast()) }
+    unsafe { (frispy::MODEL.f)(0.0, &*x.cast::<[f64; 12]>(), &*p.cast::<[f64; frispy::PARAMETERS.len()]>(), &*k.cast::<[f64; frispy::PREPARED.len()]>(), &mut *dx.cast::<[f64; 12]>()) }
 }
 "#;
 

@@ -1,56 +1,38 @@
 // Written by `hyzer generate`; changes belong in the compiler.
-//! Each function for `f64`, compiled once.
+//! Each function for `f64`, compiled once for each kind of machine that [`lanes::alone`] tells apart.
 
 use crate::Equations;
+use lanes::{Alone, alone};
+use std::marker::PhantomData;
 
-/// See [`Equations::prepare`].
-#[inline(never)]
-pub fn prepare<E: Equations>(p: &[f64], k: &mut [f64]) {
-    E::prepare(p, k);
+macro_rules! functions {
+    ($($name:ident $call:ident ($($argument:ident: $type:ty),*))*) => {$(
+        struct $call<E, A>(PhantomData<E>, A);
+
+        impl<'a, E: Equations> Alone for $call<E, ($($type,)*)> {
+            #[inline(always)]
+            fn run(self) {
+                let ($($argument,)*) = self.1;
+                E::$name($($argument),*);
+            }
+        }
+
+        #[doc = concat!("See [`Equations::", stringify!($name), "`].")]
+        #[inline(never)]
+        pub fn $name<'a, E: Equations>($($argument: $type),*) {
+            alone($call::<E, _>(PhantomData, ($($argument,)*)));
+        }
+    )*};
 }
 
-/// See [`Equations::f`].
-#[inline(never)]
-pub fn f<E: Equations>(t: f64, x: &[f64], p: &[f64], k: &[f64], dx: &mut [f64]) {
-    E::f(t, x, p, k, dx);
-}
-
-/// See [`Equations::f_jac`].
-#[inline(never)]
 #[rustfmt::skip]
-pub fn f_jac<E: Equations>(t: f64, x: &[f64], p: &[f64], k: &[f64], dx: &mut [f64], j: &mut [f64]) {
-    E::f_jac(t, x, p, k, dx, j);
-}
-
-/// See [`Equations::f_jac_par`].
-#[inline(never)]
-#[rustfmt::skip]
-pub fn f_jac_par<E: Equations>(t: f64, x: &[f64], p: &[f64], k: &[f64], dx: &mut [f64], j: &mut [f64], jp: &mut [f64]) {
-    E::f_jac_par(t, x, p, k, dx, j, jp);
-}
-
-/// See [`Equations::observe`].
-#[inline(never)]
-#[rustfmt::skip]
-pub fn observe<E: Equations>(t: f64, x: &[f64], p: &[f64], k: &[f64], marker: &[f64], y: &mut [f64]) {
-    E::observe(t, x, p, k, marker, y);
-}
-
-/// See [`Equations::observe_jac`].
-#[inline(never)]
-#[rustfmt::skip]
-pub fn observe_jac<E: Equations>(t: f64, x: &[f64], p: &[f64], k: &[f64], marker: &[f64], y: &mut [f64], dy_dx: &mut [f64], dy_dp: &mut [f64], dy_dmarker: &mut [f64]) {
-    E::observe_jac(t, x, p, k, marker, y, dy_dx, dy_dp, dy_dmarker);
-}
-
-/// See [`Equations::quantities`].
-#[inline(never)]
-pub fn quantities<E: Equations>(t: f64, x: &[f64], p: &[f64], k: &[f64], q: &mut [f64]) {
-    E::quantities(t, x, p, k, q);
-}
-
-/// See [`Equations::limits`].
-#[inline(never)]
-pub fn limits<E: Equations>(t: f64, x: &[f64], p: &[f64], k: &[f64], l: &mut [f64]) {
-    E::limits(t, x, p, k, l);
+functions! {
+    prepare Prepare(p: &'a [f64], k: &'a mut [f64])
+    f F(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], dx: &'a mut [f64])
+    f_jac FJac(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], dx: &'a mut [f64], j: &'a mut [f64])
+    f_jac_par FJacPar(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], dx: &'a mut [f64], j: &'a mut [f64], jp: &'a mut [f64])
+    observe Observe(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], marker: &'a [f64], y: &'a mut [f64])
+    observe_jac ObserveJac(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], marker: &'a [f64], y: &'a mut [f64], dy_dx: &'a mut [f64], dy_dp: &'a mut [f64], dy_dmarker: &'a mut [f64])
+    quantities Quantities(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], q: &'a mut [f64])
+    limits Limits(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], l: &'a mut [f64])
 }

@@ -28,6 +28,7 @@
 
 #![deny(unsafe_code)]
 
+mod alone;
 mod dispatch;
 mod functions;
 mod portable;
@@ -38,6 +39,7 @@ mod x86;
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+pub use alone::{Alone, alone};
 pub use dispatch::{Isa, Kernel, dispatch, dispatch_with};
 
 /// A number, or one number in each of several lanes. Generated code and the tape are written once, over this.

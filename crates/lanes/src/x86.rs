@@ -12,6 +12,7 @@ use crate::dispatch::{Isa, Kernel};
 use crate::primitive::{Primitive, real_by_primitives};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::OnceLock;
 
 /// Eight lanes.
 #[derive(Clone, Copy)]
@@ -41,6 +42,46 @@ pub(crate) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     assert!(Isa::Avx2.is_supported());
     // SAFETY: the machine has just been asked.
     unsafe { run(kernel) }
+}
+
+/// What `f64` alone is compiled for.
+#[derive(Clone, Copy)]
+enum Alone {
+    Avx512,
+    Avx2,
+    Plain,
+}
+
+impl Alone {
+    #[inline(always)]
+    fn best() -> Alone {
+        static BEST: OnceLock<Alone> = OnceLock::new();
+        *BEST.get_or_init(|| match Isa::best() {
+            Isa::Avx512 if is_x86_feature_detected!("avx512vl") => Alone::Avx512,
+            Isa::Avx512 | Isa::Avx2 if Isa::Avx2.is_supported() => Alone::Avx2,
+            _ => Alone::Plain,
+        })
+    }
+}
+
+/// Runs a computation on `f64` with what this machine has.
+#[inline(always)]
+pub(crate) fn run_alone<A: crate::Alone>(computation: A) {
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+    fn avx512<A: crate::Alone>(computation: A) {
+        computation.run();
+    }
+    #[target_feature(enable = "avx2")]
+    fn avx2<A: crate::Alone>(computation: A) {
+        computation.run();
+    }
+    match Alone::best() {
+        // SAFETY: the machine was asked.
+        Alone::Avx512 => unsafe { avx512(computation) },
+        // SAFETY: the machine was asked.
+        Alone::Avx2 => unsafe { avx2(computation) },
+        Alone::Plain => computation.run(),
+    }
 }
 
 /// A call of an instruction, which is there since a value of the type is (see the head of this file).

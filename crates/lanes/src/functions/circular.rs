@@ -2,6 +2,7 @@
 
 use super::{ROUNDER, polynomial};
 use crate::primitive::{Primitive, one_by_one};
+use std::hint::cold_path;
 
 /// Up to here the products of the reduction below are exact: the count of quarter turns has 16 bits.
 const FARTHEST: f64 = 1e5;
@@ -31,8 +32,48 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
+/// Up to here, a little less than an eighth of a turn, no quarter turns are to be taken off.
+const NEAR: f64 = 0.785;
+
 #[inline(always)]
 pub(crate) fn sin_cos<T: Primitive>(x: T) -> (T, T) {
+    // The angles of a flight mostly are small. The bits are those of the way around, which would take off 0.
+    if T::everywhere(x.magnitude().below(T::all(NEAR))) {
+        return near(x);
+    }
+    if T::WIDTH == 1 {
+        cold_path();
+        return around_alone(x);
+    }
+    around(x)
+}
+
+/// Not among what is done mostly, which it would crowd.
+#[inline(never)]
+fn around_alone<T: Primitive>(x: T) -> (T, T) {
+    around(x)
+}
+
+/// For `|x|` below `NEAR`.
+#[inline(always)]
+fn near<T: Primitive>(x: T) -> (T, T) {
+    let z = x * x;
+    let cube = z * x;
+    let [s1, s @ ..] = SINE;
+    let sine = x - (z * -(cube * polynomial(z, s)) - cube * T::all(s1));
+    (sine, cosine(z, z * z * polynomial(z, COSINE)))
+}
+
+/// 1 - z/2 + `rest`.
+#[inline(always)]
+fn cosine<T: Primitive>(z: T, rest: T) -> T {
+    let half_z = T::all(0.5) * z;
+    let main = T::all(1.0) - half_z;
+    main + (((T::all(1.0) - main) - half_z) + rest)
+}
+
+#[inline(always)]
+fn around<T: Primitive>(x: T) -> (T, T) {
     let rounded = x * T::all(std::f64::consts::FRAC_2_PI) + T::all(ROUNDER);
     let quarters = rounded - T::all(ROUNDER);
 
@@ -46,14 +87,11 @@ pub(crate) fn sin_cos<T: Primitive>(x: T) -> (T, T) {
     let tail = ((second - head) - third_part) + second_tail;
 
     let z = head * head;
-    let half = T::all(0.5);
     let cube = z * head;
     let [s1, s @ ..] = SINE;
-    let sine = head - ((z * (half * tail - cube * polynomial(z, s)) - tail) - cube * T::all(s1));
-    let half_z = half * z;
-    let main = T::all(1.0) - half_z;
-    let cosine =
-        main + (((T::all(1.0) - main) - half_z) + (z * (z * polynomial(z, COSINE)) - head * tail));
+    let sine =
+        head - ((z * (T::all(0.5) * tail - cube * polynomial(z, s)) - tail) - cube * T::all(s1));
+    let cosine = cosine(z, z * z * polynomial(z, COSINE) - head * tail);
 
     // Bit 0 of the count of quarters exchanges the two, bits 0 and 1 give their signs.
     let (odd, upper) = (rounded.bits_up::<63>(), rounded.bits_up::<62>());

@@ -3,6 +3,7 @@
 use super::polynomial;
 use crate::primitive::{Primitive, one_by_one};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::hint::cold_path;
 
 /// Below this the sum of two magnitudes is far from overflow.
 const FARTHEST: f64 = 1e300;
@@ -33,6 +34,32 @@ const TANGENT: [f64; 13] = [
 
 #[inline(always)]
 pub(crate) fn atan2<T: Primitive>(y: T, x: T) -> T {
+    let y_size = y.magnitude();
+    if T::WIDTH == 1 {
+        // Small angles, one by one: what is selected and added below is 0 or the same.
+        // Where `x` is a normal number, so is the product; NaN and infinity do not come here.
+        let least = T::all(FARTHEST.recip()).at_most(x);
+        let small = (y_size * T::all(16.0)).at_most(x * T::all(16.0 * UPPER));
+        let far = x.at_most(T::all(0.5 * FARTHEST));
+        if T::everywhere(least) && T::everywhere(small) && T::everywhere(far) {
+            let q = y_size / x;
+            let z = q * q;
+            return (q + q * z * polynomial(z, TANGENT)).bits_xor(y.sign_bit());
+        }
+        cold_path();
+        return atan2_alone(y, x);
+    }
+    everywhere(y, x)
+}
+
+/// Not among what is done mostly, which it would crowd.
+#[inline(never)]
+fn atan2_alone<T: Primitive>(y: T, x: T) -> T {
+    everywhere(y, x)
+}
+
+#[inline(always)]
+fn everywhere<T: Primitive>(y: T, x: T) -> T {
     let (x_size, y_size) = (x.magnitude(), y.magnitude());
     let sum = x_size + y_size;
     let steep = x_size.below(y_size);
@@ -44,7 +71,7 @@ pub(crate) fn atan2<T: Primitive>(y: T, x: T) -> T {
     let upper = (large * T::all(16.0 * UPPER)).below(small * T::all(16.0));
     let q = T::select(upper, small - large, small) / T::select(upper, sum, large);
     let z = q * q;
-    let within = q + q * (z * polynomial(z, TANGENT));
+    let within = q + q * z * polynomial(z, TANGENT);
 
     // Quadrant by quadrant: offset ± within, the offset as head + tail.
     let zero = T::all(0.0);
