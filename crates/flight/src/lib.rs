@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 pub mod batch;
+pub mod body;
 mod control;
 mod dynamics;
 mod error;

@@ -1,0 +1,183 @@
+//! A model made ready to fly: by its generated code where that belongs to the model's text, by the tape where not.
+
+use crate::dynamics::Dynamics;
+use crate::event::Event;
+use codegen::compile::{Selection, compile_for};
+use codegen::layout::Layout;
+use codegen::rust::source_hash;
+use codegen::tape_model::{At, Scratch, TapeModel};
+use model_spec::model::Model;
+use std::borrow::Cow;
+
+/// A model ready to fly.
+pub struct Body {
+    layout: Layout,
+    /// Bound and reason of each limit.
+    limits: Vec<(f64, String)>,
+    functions: Functions,
+}
+
+enum Functions {
+    Generated(&'static generated::Model),
+    Tape(Box<TapeModel>),
+}
+
+impl Body {
+    /// Takes the generated code if it was made from this very text, and lays out a tape if not.
+    pub fn new(model: &Model) -> Body {
+        let same = |code: &&generated::Model| code.source_hash == source_hash(model);
+        match generated::model(&model.name).filter(same) {
+            Some(code) => Body {
+                layout: Layout::new(model),
+                limits: limits(model),
+                functions: Functions::Generated(code),
+            },
+            None => Body::on_tape(model),
+        }
+    }
+
+    /// Lays out a tape in any case.
+    pub fn on_tape(model: &Model) -> Body {
+        let compiled = compile_for(model, &Selection::Only(Vec::new()));
+        Body {
+            layout: Layout::new(model),
+            limits: limits(model),
+            functions: Functions::Tape(Box::new(TapeModel::new(&compiled))),
+        }
+    }
+
+    /// Whether it flies by generated code.
+    pub fn is_generated(&self) -> bool {
+        matches!(self.functions, Functions::Generated(_))
+    }
+
+    /// Names and places of states and parameters.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// The body with these parameters, in the order of the layout.
+    pub fn with(&self, parameters: Vec<f64>) -> Conditions<'_> {
+        let prepared = match &self.functions {
+            Functions::Tape(tape) => tape.prepare(&parameters),
+            Functions::Generated(code) => {
+                let mut prepared = vec![0.0; code.prepared.len()];
+                (code.prepare)(&parameters, &mut prepared);
+                prepared
+            }
+        };
+        Conditions {
+            body: self,
+            parameters,
+            prepared,
+        }
+    }
+}
+
+fn limits(model: &Model) -> Vec<(f64, String)> {
+    let limits = model.limits.iter();
+    limits
+        .map(|limit| (limit.bound, limit.reason.clone()))
+        .collect()
+}
+
+/// A body in the conditions of one flight.
+pub struct Conditions<'a> {
+    body: &'a Body,
+    parameters: Vec<f64>,
+    prepared: Vec<f64>,
+}
+
+impl Conditions<'_> {
+    /// The equations of motion.
+    pub fn motion(&self) -> Motion<'_> {
+        Motion {
+            conditions: self,
+            scratch: Scratch::default(),
+        }
+    }
+
+    /// Events that end a flight, with the model's own reason, where the model ends.
+    pub fn limits(&self) -> Vec<Event<'_, Box<[f64]>>> {
+        let each = self.body.limits.iter().enumerate();
+        each.map(|(index, (bound, reason))| {
+            let mut scratch = Scratch::default();
+            let mut values = vec![0.0; self.body.limits.len()];
+            Event::limit(reason.as_str(), move |t, x: &Box<[f64]>| {
+                match &self.body.functions {
+                    Functions::Generated(code) => {
+                        (code.limits)(t, x, &self.parameters, &self.prepared, &mut values);
+                    }
+                    Functions::Tape(tape) => tape.limits(self.at(t, x), &mut scratch, &mut values),
+                }
+                values[index] - bound
+            })
+        })
+        .collect()
+    }
+
+    fn at<'a>(&'a self, t: f64, x: &'a [f64]) -> At<'a> {
+        At {
+            t,
+            x,
+            p: &self.parameters,
+            prepared: &self.prepared,
+        }
+    }
+}
+
+/// The equations of motion of a body in the conditions of one flight.
+pub struct Motion<'a> {
+    conditions: &'a Conditions<'a>,
+    scratch: Scratch,
+}
+
+impl Dynamics for Motion<'_> {
+    type State = Box<[f64]>;
+
+    fn derivative(&mut self, t: f64, x: &Box<[f64]>, dx: &mut Box<[f64]>) {
+        let conditions = self.conditions;
+        match &conditions.body.functions {
+            Functions::Generated(code) => {
+                (code.f)(t, x, &conditions.parameters, &conditions.prepared, dx);
+            }
+            Functions::Tape(tape) => tape.f(conditions.at(t, x), &mut self.scratch, dx),
+        }
+    }
+
+    fn state_name(&self, component: usize) -> Cow<'_, str> {
+        match self.conditions.body.layout.states.get(component) {
+            Some(name) => name.as_str().into(),
+            None => format!("state {component}").into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Options, fly};
+
+    #[test]
+    fn the_tape_flies_as_the_generated_code_does() {
+        let model = model_spec::load::load("disc", &[]).expect("the disc");
+        let (code, tape) = (Body::new(&model), Body::on_tape(&model));
+        assert!(code.is_generated() && !tape.is_generated());
+        let flown = |body: &Body| {
+            let conditions = body.with(body.layout().default_parameters());
+            let start = [0.0, 0.0, 1.0, 14.0, 0.0, -1.0, 0.1, -0.2, 0.0, 0.5, 0.0, -50.0];
+            let start: Box<[f64]> = Box::new(start);
+            let options = Options::default();
+            let flight = fly(&mut conditions.motion(), (0.0, &start), 1.0, &options, &mut []);
+            flight.expect("it flies").end_state
+        };
+        assert_eq!(flown(&code), flown(&tape));
+    }
+
+    #[test]
+    fn a_changed_model_flies_by_the_tape() {
+        let (_, text) = model_spec::load::MODELS[0];
+        let model = model_spec::load::from_text("changed", &format!("{text}\n"), &[]);
+        assert!(!Body::new(&model.expect("still a model")).is_generated());
+    }
+}

@@ -1,0 +1,90 @@
+//! What is wrong with an input, and where.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A malformed input: the place, what was found there and what was expected.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InputError {
+    /// The file.
+    pub file: PathBuf,
+    /// Line and column, from 1, where they are known.
+    pub place: Option<(usize, usize)>,
+    /// What was found.
+    pub found: String,
+    /// What was expected instead.
+    pub expected: String,
+}
+
+impl InputError {
+    /// An error about a whole file.
+    pub fn of_file(file: &Path, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self {
+            file: file.to_path_buf(),
+            place: None,
+            found: found.into(),
+            expected: expected.into(),
+        }
+    }
+
+    /// An error at a line and column, both from 1.
+    pub fn at(
+        file: &Path,
+        place: (usize, usize),
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Self {
+        Self {
+            place: Some(place),
+            ..Self::of_file(file, found, expected)
+        }
+    }
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.file.display())?;
+        if let Some((line, column)) = self.place {
+            write!(f, ":{line}:{column}")?;
+        }
+        write!(f, ": found {}, expected {}", self.found, self.expected)
+    }
+}
+
+impl std::error::Error for InputError {}
+
+/// Line and column (from 1, in characters) of a byte offset in a text.
+pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
+    let mut end = offset.min(text.len());
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    let before = &text[..end];
+    let line = before.matches('\n').count() + 1;
+    let column = before
+        .rsplit('\n')
+        .next()
+        .map_or(0, |last| last.chars().count())
+        + 1;
+    (line, column)
+}
+
+/// The text of a file, without its byte-order mark.
+///
+/// # Errors
+/// With the place of the first byte that is not UTF-8.
+pub fn utf8<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
+        Err(error) => {
+            let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
+            let place = line_and_column(&good, good.len());
+            Err(InputError::at(
+                file,
+                place,
+                format!("the byte {:#04x}", bytes[error.valid_up_to()]),
+                "UTF-8 text",
+            ))
+        }
+    }
+}

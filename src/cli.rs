@@ -1,0 +1,159 @@
+//! The command line: names, options and help, as the contract of the program has them.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Declare how a body flies, once; get checked, fast, verified code, and fit it to measured flights.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true, max_term_width = 100)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What the program does.
+#[derive(Subcommand)]
+pub enum Command {
+    /// Check models: grammar, units, frames, singular points; say what they mean, and every fault with its place
+    #[command(after_help = "Example:\n  hyzer check disc ball\n  hyzer check disc_appendix_printed     # refused, and told why")]
+    Check(Check),
+    /// Write the models as Rust into crates/generated; run it inside the repository
+    #[command(after_help = "Example:\n  hyzer generate --check")]
+    Generate(Generate),
+    /// Verify models by every independent check, against their oracle
+    #[command(after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models")]
+    Verify(Verify),
+    /// Follow one quantity, or its derivative, from its line in the model to formula and code
+    #[command(after_help = "Example:\n  hyzer explain disc alpha --wrt w")]
+    Explain(Explain),
+    /// Fly a release to a CSV and a picture
+    #[command(after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out against\n\nReleases by name: run `hyzer simulate --list`.")]
+    Simulate(Simulate),
+    /// Fit a model's coefficients to measured flights
+    #[command(after_help = "Example:\n  hyzer fit examples/ball --out fitted")]
+    Fit(Fit),
+    /// Hold the paper's claims against every reading of its tables
+    #[command(after_help = "Example:\n  hyzer paper --out docs/paper.md")]
+    Paper(Paper),
+}
+
+/// `hyzer check`.
+#[derive(Args)]
+pub struct Check {
+    /// Models: names or paths
+    #[arg(required = true, value_name = "MODEL")]
+    pub models: Vec<String>,
+    /// Switch an effect on, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+}
+
+/// `hyzer generate`.
+#[derive(Args)]
+pub struct Generate {
+    /// Change nothing; fail with the differences where the committed code is stale
+    #[arg(long)]
+    pub check: bool,
+    /// The repository, by default the one around the current folder
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
+}
+
+/// `hyzer verify`.
+#[derive(Args)]
+pub struct Verify {
+    /// Models: names or paths; all built-in ones where none is given
+    #[arg(value_name = "MODEL")]
+    pub models: Vec<String>,
+    /// Switch an effect on, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Show the kill table: every mutant of the model and the check that finds it
+    #[arg(long)]
+    pub mutants: bool,
+    /// Seed of the random states
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Random states for each check
+    #[arg(long, default_value_t = 200)]
+    pub cases: usize,
+}
+
+/// `hyzer explain`.
+#[derive(Args)]
+pub struct Explain {
+    /// Model: a name or a path
+    pub model: String,
+    /// A named quantity, or `der(u)`
+    pub quantity: String,
+    /// The state or parameter to differentiate by
+    #[arg(long, value_name = "X")]
+    pub wrt: Option<String>,
+    /// Switch an effect on, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+}
+
+/// `hyzer simulate`.
+#[derive(Args)]
+pub struct Simulate {
+    /// Model: a name or a path; by default the release's own
+    #[arg(value_name = "MODEL")]
+    pub model: Option<String>,
+    /// A release: a name, or a TOML file
+    #[arg(long, value_name = "RELEASE")]
+    pub release: Option<String>,
+    /// Set a parameter, coefficient or initial state, SI; may be repeated
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Velocity of the air in the inertial frame, m/s
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub wind: Option<String>,
+    /// Fly for so many seconds, or until `ground`
+    #[arg(long, value_name = "SECONDS|ground")]
+    pub until: Option<String>,
+    /// Rows of the table per second
+    #[arg(long, default_value_t = 120.0)]
+    pub rate: f64,
+    /// Relative tolerance of the integration
+    #[arg(long, default_value_t = 1e-9)]
+    pub tolerance: f64,
+    /// Switch an effect on, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+    /// Folder for trajectory.csv and flight.svg; without it a summary is printed
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// List the named releases
+    #[arg(long)]
+    pub list: bool,
+}
+
+/// `hyzer fit`.
+#[derive(Args)]
+pub struct Fit {
+    /// Folder with dataset.toml
+    pub dataset: PathBuf,
+    /// Model: a name or a path; by default the dataset's own
+    #[arg(long, value_name = "MODEL")]
+    pub model: Option<String>,
+    /// Switch an effect on, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+    /// Folder for report.json and the tables; without it a summary is printed
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer paper`.
+#[derive(Args)]
+pub struct Paper {
+    /// File for the page; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}

@@ -1,0 +1,30 @@
+//! One file per command.
+
+mod check;
+//mod explain;
+mod fit;
+mod generate;
+mod paper;
+mod simulate;
+mod verify;
+
+use crate::Answer;
+use crate::cli::Command;
+
+/// Runs a command.
+pub fn run(command: Command) -> anyhow::Result<Answer> {
+    match command {
+        Command::Check(options) => check::run(&options),
+        Command::Generate(options) => generate::run(&options),
+        Command::Verify(options) => verify::run(&options),
+        Command::Explain(_) => todo!(),
+        Command::Simulate(options) => simulate::run(&options),
+        Command::Fit(options) => fit::run(&options),
+        Command::Paper(options) => paper::run(&options),
+    }
+}
+
+/// Names of effects as the loader takes them.
+fn names(with: &[String]) -> Vec<&str> {
+    with.iter().map(String::as_str).collect()
+}

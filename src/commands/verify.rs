@@ -1,0 +1,57 @@
+//! `hyzer verify`: every independent check of a model.
+
+use model_spec::load::{Loaded, MODELS, inspect};
+use model_spec::model::Model;
+use verify::Options;
+
+use crate::cli::Verify;
+use crate::{Answer, output};
+
+/// The models that are one motion, told in different ways.
+const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
+
+/// Verifies; the answer is no where any check of any model fails.
+pub fn run(options: &Verify) -> anyhow::Result<Answer> {
+    if options.cases == 0 || options.cases > 100_000 {
+        anyhow::bail!("--cases: found {}, expected 1 to 100000", options.cases);
+    }
+    let all = options.models.is_empty();
+    let names: Vec<&str> = match all {
+        true => MODELS.iter().map(|(name, _)| *name).collect(),
+        false => options.models.iter().map(String::as_str).collect(),
+    };
+    let settings = Options { seed: options.seed, cases: options.cases, mutants: options.mutants };
+    let mut holds = true;
+    let mut reports = Vec::new();
+    let mut models: Vec<Model> = Vec::new();
+    for name in names {
+        let loaded = inspect(name, &super::names(&options.with))?;
+        if loaded.model.is_none() {
+            refuse(&loaded);
+            holds = false;
+            continue;
+        }
+        let report = verify::run(&loaded, &settings);
+        holds &= report.holds();
+        if options.json {
+            reports.push(serde_json::to_value(&report)?);
+        } else {
+            output::print(report.table())?;
+        }
+        models.extend(loaded.model.filter(|model| SAME.contains(&model.name.as_str())));
+    }
+    let same = (models.len() > 1).then(|| verify::same_motion(&models, &settings));
+    holds &= same.as_ref().is_none_or(verify::same_motion::SameMotion::holds);
+    if options.json {
+        let value = serde_json::json!({ "holds": holds, "models": reports, "same_motion": same });
+        output::print(serde_json::to_string_pretty(&value)? + "\n")?;
+    } else if let Some(same) = &same {
+        output::print(same.table())?;
+    }
+    Ok(if holds { Answer::Yes } else { Answer::No })
+}
+
+fn refuse(loaded: &Loaded) {
+    let text = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+    eprint!("{text}");
+}
