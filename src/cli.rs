@@ -17,19 +17,25 @@ pub struct Cli {
 #[derive(Subcommand)]
 pub enum Command {
     /// Check models: grammar, units, frames, singular points; say what they mean, and every fault with its place
-    #[command(after_help = "Example:\n  hyzer check disc ball\n  hyzer check disc_appendix_printed     # refused, and told why")]
+    #[command(
+        after_help = "Example:\n  hyzer check disc ball\n  hyzer check disc_appendix_printed     # refused, and told why"
+    )]
     Check(Check),
     /// Write the models as Rust into crates/generated; run it inside the repository
     #[command(after_help = "Example:\n  hyzer generate --check")]
     Generate(Generate),
     /// Verify models by every independent check, against their oracle
-    #[command(after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models")]
+    #[command(
+        after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models"
+    )]
     Verify(Verify),
     /// Follow one quantity, or its derivative, from its line in the model to formula and code
     #[command(after_help = "Example:\n  hyzer explain disc alpha --wrt w")]
     Explain(Explain),
     /// Fly a release to a CSV and a picture
-    #[command(after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out against\n\nReleases by name: run `hyzer simulate --list`.")]
+    #[command(
+        after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out against\n\nReleases by name: run `hyzer simulate --list`."
+    )]
     Simulate(Simulate),
     /// Fit a model's coefficients to measured flights
     #[command(after_help = "Example:\n  hyzer fit examples/ball --out fitted")]

@@ -28,5 +28,9 @@ pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
 pub fn told(error: &anyhow::Error) -> String {
     let text = format!("{error:#}");
     // Faults of a model file bring their own heading.
-    if text.contains("] Error:") { text } else { format!("error: {text}") }
+    if text.contains("] Error:") {
+        text
+    } else {
+        format!("error: {text}")
+    }
 }

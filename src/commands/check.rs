@@ -17,7 +17,14 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
         match loaded.model {
             Some(model) if loaded.diagnostics.is_empty() => output::print(summary(&model))?,
             _ => {
-                eprint!("{}", render(&loaded.diagnostics, &loaded.sources, std::io::stderr().is_terminal()));
+                eprint!(
+                    "{}",
+                    render(
+                        &loaded.diagnostics,
+                        &loaded.sources,
+                        std::io::stderr().is_terminal()
+                    )
+                );
                 answer = Answer::No;
             }
         }

@@ -25,10 +25,16 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         output::write(&folder.join("report.json"), json + "\n")?;
         output::write(&folder.join("coefficients.csv"), coefficients(&report))?;
         output::write(&folder.join("flights.csv"), flights(&report))?;
-        eprintln!("report.json, coefficients.csv and flights.csv are in {}", folder.display());
+        eprintln!(
+            "report.json, coefficients.csv and flights.csv are in {}",
+            folder.display()
+        );
     }
     if !report.iterations.converged {
-        eprintln!("the fit did not converge in {} steps: do not rely on it", report.iterations.steps);
+        eprintln!(
+            "the fit did not converge in {} steps: do not rely on it",
+            report.iterations.steps
+        );
         return Ok(Answer::No);
     }
     Ok(Answer::Yes)
@@ -40,7 +46,8 @@ fn model_of(options: &Fit, dataset: &Dataset) -> anyhow::Result<String> {
         return Ok(model.clone());
     }
     let beside = options.dataset.join(&dataset.model);
-    let is_path = Path::new(&dataset.model).components().count() > 1 || dataset.model.ends_with(".hyz");
+    let is_path =
+        Path::new(&dataset.model).components().count() > 1 || dataset.model.ends_with(".hyz");
     match beside.to_str() {
         Some(path) if is_path => Ok(path.to_owned()),
         _ => Ok(dataset.model.clone()),
@@ -48,7 +55,11 @@ fn model_of(options: &Fit, dataset: &Dataset) -> anyhow::Result<String> {
 }
 
 fn summary(report: &Report) -> String {
-    let fitted = report.flights.iter().filter(|flight| flight.role == Role::Fit).count();
+    let fitted = report
+        .flights
+        .iter()
+        .filter(|flight| flight.role == Role::Fit)
+        .count();
     let mut text = format!(
         "{}: {fitted} flights fitted, {} held out; rms {:.2} mm in {} steps\n",
         report.model,
@@ -57,32 +68,58 @@ fn summary(report: &Report) -> String {
         report.iterations.steps,
     );
     let noise = &report.noise;
-    let how = if noise.estimated { "estimated, taken as white" } else { "given, taken as white" };
-    let _ = writeln!(text, "noise of one coordinate: {:.2} mm ({how})\n", 1e3 * noise.sigma_m);
+    let how = if noise.estimated {
+        "estimated, taken as white"
+    } else {
+        "given, taken as white"
+    };
+    let _ = writeln!(
+        text,
+        "noise of one coordinate: {:.2} mm ({how})\n",
+        1e3 * noise.sigma_m
+    );
     let mut table = table(&["coefficient", "value", "standard error", "unit", ""]);
     for (name, found) in &report.coefficients {
         let bound = if found.at_bound { "at its bound" } else { "" };
-        table.add_row([name, &format!("{:.5}", found.value), &format!("{:.2e}", found.std_error), &found.unit, bound]);
+        table.add_row([
+            name,
+            &format!("{:.5}", found.value),
+            &format!("{:.2e}", found.std_error),
+            &found.unit,
+            bound,
+        ]);
     }
     let _ = writeln!(text, "{table}\n");
     let mut table = self::table(&["flight", "role", "samples", "rms, mm"]);
     for flight in &report.flights {
         let rms = format!("{:.2}", 1e3 * flight.rms_m);
-        table.add_row([flight.file.as_str(), role(flight.role), &flight.samples.to_string(), &rms]);
+        table.add_row([
+            flight.file.as_str(),
+            role(flight.role),
+            &flight.samples.to_string(),
+            &rms,
+        ]);
     }
     let _ = writeln!(text, "{table}");
     if fitted < report.flights.len() {
         text.push_str("held out: initial state fitted on the first 30 % of the samples, rms of the rest as predicted\n");
     }
     for undetermined in &report.undetermined {
-        let _ = writeln!(text, "not determined: {}: {}", undetermined.combination.join(", "), undetermined.why);
+        let _ = writeln!(
+            text,
+            "not determined: {}: {}",
+            undetermined.combination.join(", "),
+            undetermined.why
+        );
     }
     text
 }
 
 fn table(head: &[&str]) -> Table {
     let mut table = Table::new();
-    table.load_style(UTF8_BORDERS_ONLY).set_header(head.to_vec());
+    table
+        .load_style(UTF8_BORDERS_ONLY)
+        .set_header(head.to_vec());
     table
 }
 
@@ -96,7 +133,11 @@ fn role(role: Role) -> &'static str {
 fn coefficients(report: &Report) -> String {
     let mut text = "name,value,std_error,unit,at_bound\n".to_owned();
     for (name, found) in &report.coefficients {
-        let _ = writeln!(text, "{name},{},{},{},{}", found.value, found.std_error, found.unit, found.at_bound);
+        let _ = writeln!(
+            text,
+            "{name},{},{},{},{}",
+            found.value, found.std_error, found.unit, found.at_bound
+        );
     }
     text
 }
@@ -104,7 +145,14 @@ fn coefficients(report: &Report) -> String {
 fn flights(report: &Report) -> String {
     let mut text = "file,role,samples,rms_m\n".to_owned();
     for flight in &report.flights {
-        let _ = writeln!(text, "{},{},{},{}", flight.file, role(flight.role), flight.samples, flight.rms_m);
+        let _ = writeln!(
+            text,
+            "{},{},{},{}",
+            flight.file,
+            role(flight.role),
+            flight.samples,
+            flight.rms_m
+        );
     }
     text
 }

@@ -24,7 +24,8 @@ pub fn run(options: &Generate) -> anyhow::Result<Answer> {
     let models = models(&root.join(MODELS))?;
     let sources = root.join(SOURCES);
     if options.check {
-        let differences = generate::check(&sources, &models).with_context(|| format!("cannot read {}", sources.display()))?;
+        let differences = generate::check(&sources, &models)
+            .with_context(|| format!("cannot read {}", sources.display()))?;
         for difference in &differences {
             output::print(difference.to_string())?;
         }
@@ -32,10 +33,14 @@ pub fn run(options: &Generate) -> anyhow::Result<Answer> {
             eprintln!("{} models, and {SOURCES} is what they say", models.len());
             return Ok(Answer::Yes);
         }
-        eprintln!("{} files of {SOURCES} are stale; run `hyzer generate`", differences.len());
+        eprintln!(
+            "{} files of {SOURCES} are stale; run `hyzer generate`",
+            differences.len()
+        );
         return Ok(Answer::No);
     }
-    let changed = generate::write(&sources, &models).with_context(|| format!("cannot write {}", sources.display()))?;
+    let changed = generate::write(&sources, &models)
+        .with_context(|| format!("cannot write {}", sources.display()))?;
     for path in &changed {
         output::print(format!("{SOURCES}/{path}\n"))?;
     }
@@ -46,7 +51,10 @@ pub fn run(options: &Generate) -> anyhow::Result<Answer> {
 /// The repository around the current folder.
 fn repository() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir()?;
-    match here.ancestors().find(|folder| folder.join(SOURCES).is_dir() && folder.join(MODELS).is_dir()) {
+    match here
+        .ancestors()
+        .find(|folder| folder.join(SOURCES).is_dir() && folder.join(MODELS).is_dir())
+    {
         Some(root) => Ok(root.to_path_buf()),
         None => bail!(
             "found no {MODELS} and {SOURCES} in {} or above it; generate works inside the repository, or give --root DIR",
@@ -57,8 +65,11 @@ fn repository() -> anyhow::Result<PathBuf> {
 
 /// The models of the repository as they are now, not as they were built into the program.
 fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
-    let entries = std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
-    let mut paths: Vec<PathBuf> = entries.map(|entry| Ok(entry?.path())).collect::<std::io::Result<_>>()?;
+    let entries =
+        std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
+    let mut paths: Vec<PathBuf> = entries
+        .map(|entry| Ok(entry?.path()))
+        .collect::<std::io::Result<_>>()?;
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "hyz"));
     paths.sort();
     if paths.is_empty() {
@@ -66,8 +77,13 @@ fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
     }
     let mut models = Vec::with_capacity(paths.len());
     for path in paths {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let text = std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let name = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let text =
+            std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
         // By its bare name: the place of the repository must not reach the generated text.
         let text = load::decode(&name, text)?;
         models.push(load::from_text(&name, &text, &[])?);

@@ -10,7 +10,11 @@ pub fn run(options: &Paper) -> anyhow::Result<Answer> {
     match &options.out {
         Some(file) => {
             output::write(file, page)?;
-            eprintln!("{} readings flown; the page is {}", study.ranking.len(), file.display());
+            eprintln!(
+                "{} readings flown; the page is {}",
+                study.ranking.len(),
+                file.display()
+            );
         }
         None => output::print(page)?,
     }

@@ -17,7 +17,11 @@ use crate::{Answer, output};
 pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     if options.list {
         for (name, text) in BUILT_IN {
-            let about = text.lines().next().unwrap_or_default().trim_start_matches(['#', ' ']);
+            let about = text
+                .lines()
+                .next()
+                .unwrap_or_default()
+                .trim_start_matches(['#', ' ']);
             output::print(format!("{name:9} {about}\n"))?;
         }
         return Ok(Answer::Yes);
@@ -35,10 +39,16 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
 
 fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
     if !(options.rate > 0.0 && options.rate <= 1e6) {
-        bail!("--rate: found {}, expected rows per second above 0, at most 1e6", options.rate);
+        bail!(
+            "--rate: found {}, expected rows per second above 0, at most 1e6",
+            options.rate
+        );
     }
     if !(1e-14..=0.1).contains(&options.tolerance) {
-        bail!("--tolerance: found {}, expected 1e-14 to 0.1", options.tolerance);
+        bail!(
+            "--tolerance: found {}, expected 1e-14 to 0.1",
+            options.tolerance
+        );
     }
     Ok(())
 }
@@ -56,7 +66,10 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     };
     let Some(name) = &options.release else {
         let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
-        bail!("no --release: name one of {} or a TOML file", names.join(", "));
+        bail!(
+            "no --release: name one of {} or a TOML file",
+            names.join(", ")
+        );
     };
     let mut release = match built_in(name) {
         Some(text) if !Path::new(name).is_file() => read(name, text, vocabulary)?,
@@ -71,33 +84,56 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         let [x, y, z] = parts[..] else {
             bail!("--wind: found {wind:?}, expected three numbers X,Y,Z in m/s");
         };
-        release.wind = [number("--wind", x)?, number("--wind", y)?, number("--wind", z)?];
+        release.wind = [
+            number("--wind", x)?,
+            number("--wind", y)?,
+            number("--wind", z)?,
+        ];
     }
     match options.until.as_deref() {
         None => {}
         Some("ground") => release.stop = Stop::Ground,
         Some(seconds) => match number("--until", seconds)? {
-            duration if duration > 0.0 && duration <= Release::LONGEST => release.stop = Stop::Duration(duration),
-            other => bail!("--until: found {other}, expected 0 to {} s, or ground", Release::LONGEST),
+            duration if duration > 0.0 && duration <= Release::LONGEST => {
+                release.stop = Stop::Duration(duration)
+            }
+            other => bail!(
+                "--until: found {other}, expected 0 to {} s, or ground",
+                Release::LONGEST
+            ),
         },
     }
     Ok((model, release))
 }
 
 fn number(option: &str, text: &str) -> anyhow::Result<f64> {
-    let value: f64 =
-        text.trim().parse().map_err(|_| anyhow!("{option}: found {text:?}, expected a number"))?;
-    if value.is_finite() { Ok(value) } else { bail!("{option}: found {text:?}, expected a finite number") }
+    let value: f64 = text
+        .trim()
+        .parse()
+        .map_err(|_| anyhow!("{option}: found {text:?}, expected a number"))?;
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        bail!("{option}: found {text:?}, expected a finite number")
+    }
 }
 
 /// `NAME=VALUE` from the command line.
 fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
-    let (name, value) = set.split_once('=').with_context(|| format!("--set: found {set:?}, expected NAME=VALUE"))?;
+    let (name, value) = set
+        .split_once('=')
+        .with_context(|| format!("--set: found {set:?}, expected NAME=VALUE"))?;
     let (name, value) = (name.trim(), number("--set", value)?);
     let constants = model.params.iter().chain(&model.coefficients);
     if let Some(constant) = constants.clone().find(|constant| constant.name == name) {
-        if let Some((low, high)) = constant.bounds.filter(|&(low, high)| value < low || value > high) {
-            bail!("--set: found {name} = {value}, expected {low} to {high} {}", constant.unit_text);
+        if let Some((low, high)) = constant
+            .bounds
+            .filter(|&(low, high)| value < low || value > high)
+        {
+            bail!(
+                "--set: found {name} = {value}, expected {low} to {high} {}",
+                constant.unit_text
+            );
         }
         let is_mass = ["m", "I_a", "I_d", "d", "A", "radius"].contains(&name);
         if is_mass && value <= 0.0 {
@@ -117,7 +153,11 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
         None => {
             let mut known: Vec<&str> = constants.map(|constant| constant.name.as_str()).collect();
             known.extend(release.initial.iter().map(|(name, _)| name.as_str()));
-            bail!("--set: the model {} has no {name:?}; it has {}", model.name, known.join(", "));
+            bail!(
+                "--set: the model {} has no {name:?}; it has {}",
+                model.name,
+                known.join(", ")
+            );
         }
     }
     Ok(())
@@ -125,9 +165,16 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
 
 fn flown(body: &Body, release: &Release, options: &Simulate) -> anyhow::Result<Flight> {
     let layout = body.layout();
-    let defaults = layout.parameters.iter().map(String::as_str).zip(layout.default_parameters());
+    let defaults = layout
+        .parameters
+        .iter()
+        .map(String::as_str)
+        .zip(layout.default_parameters());
     let mut parameters = release.constants(defaults);
-    let inputs = release.known.iter().map(|(name, value)| (name.as_str(), value));
+    let inputs = release
+        .known
+        .iter()
+        .map(|(name, value)| (name.as_str(), value));
     for (name, vector) in inputs.chain([("wind", &release.wind)]) {
         for (axis, value) in ["x", "y", "z"].iter().zip(vector) {
             if let Some(place) = layout.parameter(&format!("{name}_{axis}")) {
@@ -148,13 +195,23 @@ fn flown(body: &Body, release: &Release, options: &Simulate) -> anyhow::Result<F
     let mut motion = conditions.motion();
     let flight = match release.stop {
         Stop::Duration(end) => fly(&mut motion, (0.0, &start), end, &settings, &mut events),
-        Stop::Ground => fly_to_event(&mut motion, (0.0, &start), Release::LONGEST, &settings, &mut events),
+        Stop::Ground => fly_to_event(
+            &mut motion,
+            (0.0, &start),
+            Release::LONGEST,
+            &settings,
+            &mut events,
+        ),
     };
     Ok(flight?)
 }
 
 fn summary(model: &Model, body: &Body, flight: &Flight) -> String {
-    let end = |name: &str| body.layout().state(name).map(|place| flight.end_state[place]);
+    let end = |name: &str| {
+        body.layout()
+            .state(name)
+            .map(|place| flight.end_state[place])
+    };
     let why = flight.ended_by.as_deref().unwrap_or("time");
     let mut text = format!("{}: {:.4} s, ended by {why}\n", model.name, flight.end);
     for state in &model.states {
@@ -163,10 +220,24 @@ fn summary(model: &Model, body: &Body, flight: &Flight) -> String {
     }
     for event in &flight.events {
         let z = body.layout().state("z").map(|place| event.state[place]);
-        let _ = writeln!(text, "  {} at {:.4} s, z = {:.4} m", event.event, event.time, z.unwrap_or(f64::NAN));
+        let _ = writeln!(
+            text,
+            "  {} at {:.4} s, z = {:.4} m",
+            event.event,
+            event.time,
+            z.unwrap_or(f64::NAN)
+        );
     }
-    let by = if body.is_generated() { "generated code" } else { "the tape" };
-    let _ = writeln!(text, "  {} steps, {} evaluations of {by}", flight.work.steps, flight.work.evaluations);
+    let by = if body.is_generated() {
+        "generated code"
+    } else {
+        "the tape"
+    };
+    let _ = writeln!(
+        text,
+        "  {} steps, {} evaluations of {by}",
+        flight.work.steps, flight.work.evaluations
+    );
     text
 }
 
@@ -177,14 +248,27 @@ fn write(
     flight: &Flight,
     options: &Simulate,
 ) -> anyhow::Result<()> {
-    let names: Vec<&str> = model.states.iter().map(|state| state.name.as_str()).collect();
-    output::write(&folder.join("trajectory.csv"), trajectory_csv(flight, &names, options.rate))?;
-    let labels = model.states.iter().map(|state| StateLabel { name: &state.name, unit: &state.unit_text });
+    let names: Vec<&str> = model
+        .states
+        .iter()
+        .map(|state| state.name.as_str())
+        .collect();
+    output::write(
+        &folder.join("trajectory.csv"),
+        trajectory_csv(flight, &names, options.rate),
+    )?;
+    let labels = model.states.iter().map(|state| StateLabel {
+        name: &state.name,
+        unit: &state.unit_text,
+    });
     let title = match options.release.as_deref() {
         Some(name) => format!("{} · {name}", model.name),
         None => release.model.clone(),
     };
-    output::write(&folder.join("flight.svg"), picture(&title, flight, &labels.collect::<Vec<_>>()))?;
+    output::write(
+        &folder.join("flight.svg"),
+        picture(&title, flight, &labels.collect::<Vec<_>>()),
+    )?;
     eprintln!("trajectory.csv and flight.svg are in {}", folder.display());
     Ok(())
 }

@@ -20,7 +20,11 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
         true => MODELS.iter().map(|(name, _)| *name).collect(),
         false => options.models.iter().map(String::as_str).collect(),
     };
-    let settings = Options { seed: options.seed, cases: options.cases, mutants: options.mutants };
+    let settings = Options {
+        seed: options.seed,
+        cases: options.cases,
+        mutants: options.mutants,
+    };
     let mut holds = true;
     let mut reports = Vec::new();
     let mut models: Vec<Model> = Vec::new();
@@ -38,10 +42,16 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
         } else {
             output::print(report.table())?;
         }
-        models.extend(loaded.model.filter(|model| SAME.contains(&model.name.as_str())));
+        models.extend(
+            loaded
+                .model
+                .filter(|model| SAME.contains(&model.name.as_str())),
+        );
     }
     let same = (models.len() > 1).then(|| verify::same_motion(&models, &settings));
-    holds &= same.as_ref().is_none_or(verify::same_motion::SameMotion::holds);
+    holds &= same
+        .as_ref()
+        .is_none_or(verify::same_motion::SameMotion::holds);
     if options.json {
         let value = serde_json::json!({ "holds": holds, "models": reports, "same_motion": same });
         output::print(serde_json::to_string_pretty(&value)? + "\n")?;

@@ -165,10 +165,18 @@ mod tests {
         assert!(code.is_generated() && !tape.is_generated());
         let flown = |body: &Body| {
             let conditions = body.with(body.layout().default_parameters());
-            let start = [0.0, 0.0, 1.0, 14.0, 0.0, -1.0, 0.1, -0.2, 0.0, 0.5, 0.0, -50.0];
+            let start = [
+                0.0, 0.0, 1.0, 14.0, 0.0, -1.0, 0.1, -0.2, 0.0, 0.5, 0.0, -50.0,
+            ];
             let start: Box<[f64]> = Box::new(start);
             let options = Options::default();
-            let flight = fly(&mut conditions.motion(), (0.0, &start), 1.0, &options, &mut []);
+            let flight = fly(
+                &mut conditions.motion(),
+                (0.0, &start),
+                1.0,
+                &options,
+                &mut [],
+            );
             flight.expect("it flies").end_state
         };
         assert_eq!(flown(&code), flown(&tape));

@@ -41,21 +41,43 @@ pub enum FitError {
 pub fn fit(model: &Model, dataset: &Dataset) -> Result<Report, FitError> {
     let begun = std::time::Instant::now();
     let setting = Setting::new(model, dataset)?;
-    let fitted: Vec<&Flight> = dataset.flights.iter().filter(|flight| flight.role == Role::Fit).collect();
+    let fitted: Vec<&Flight> = dataset
+        .flights
+        .iter()
+        .filter(|flight| flight.role == Role::Fit)
+        .collect();
     if fitted.is_empty() {
-        return Err(FitError::Mismatch("every flight is held out: none is left to fit".into()));
+        return Err(FitError::Mismatch(
+            "every flight is held out: none is left to fit".into(),
+        ));
     }
-    let own = fitted.iter().map(|flight| setting.start(flight)).collect::<Result<_, _>>()?;
+    let own = fitted
+        .iter()
+        .map(|flight| setting.start(flight))
+        .collect::<Result<_, _>>()?;
     let free = setting.free.iter().map(|&place| setting.parameters[place]);
-    let start = Point { shared: DVector::from_iterator(setting.free.len(), free), own };
-    let problem = Squares { setting: &setting, flights: fitted, held: None };
+    let start = Point {
+        shared: DVector::from_iterator(setting.free.len(), free),
+        own,
+    };
+    let problem = Squares {
+        setting: &setting,
+        flights: fitted,
+        held: None,
+    };
     let solution = solve(&problem, start).map_err(|failure| problem.told(failure))?;
     let mut report = setting.report(model, &problem, &solution)?;
     for flight in &dataset.flights {
-        report.flights.push(match problem.flights.iter().position(|fitted| std::ptr::eq(*fitted, flight)) {
-            Some(index) => setting.fitted(flight, index, &solution, report.noise.sigma_m),
-            None => setting.held_out(flight, &solution.point.shared, report.noise.sigma_m)?,
-        });
+        report.flights.push(
+            match problem
+                .flights
+                .iter()
+                .position(|fitted| std::ptr::eq(*fitted, flight))
+            {
+                Some(index) => setting.fitted(flight, index, &solution, report.noise.sigma_m),
+                None => setting.held_out(flight, &solution.point.shared, report.noise.sigma_m)?,
+            },
+        );
     }
     report.seconds = BTreeMap::from([("total".to_owned(), begun.elapsed().as_secs_f64())]);
     Ok(report)
@@ -75,7 +97,11 @@ struct Setting {
 
 impl Setting {
     fn new(model: &Model, dataset: &Dataset) -> Result<Self, FitError> {
-        if model.body.as_ref().is_none_or(|body| body.rotation.is_some()) {
+        if model
+            .body
+            .as_ref()
+            .is_none_or(|body| body.rotation.is_some())
+        {
             return Err(FitError::Mismatch(format!(
                 "the model {} has an attitude, and a start is only found for point masses so far",
                 model.name
@@ -83,37 +109,85 @@ impl Setting {
         }
         if dataset.markers.len() != 1 {
             let found = dataset.markers.len();
-            return Err(FitError::Mismatch(format!("a point mass is tracked by one marker, and the dataset has {found}")));
+            return Err(FitError::Mismatch(format!(
+                "a point mass is tracked by one marker, and the dataset has {found}"
+            )));
         }
         let first = model.params.len();
         let free: Vec<usize> = (first..first + model.coefficients.len()).collect();
         let predictor = Predictor::new(model, &free);
         let mut parameters = predictor.layout().default_parameters();
         for (name, &value) in &dataset.parameters {
-            let place = predictor.layout().parameter(name).filter(|&place| place < first);
+            let place = predictor
+                .layout()
+                .parameter(name)
+                .filter(|&place| place < first);
             let place = place.ok_or_else(|| {
-                let known: Vec<&str> = model.params.iter().map(|constant| constant.name.as_str()).collect();
-                FitError::Mismatch(format!("the dataset sets {name}, and the model {} has {}", model.name, known.join(", ")))
+                let known: Vec<&str> = model
+                    .params
+                    .iter()
+                    .map(|constant| constant.name.as_str())
+                    .collect();
+                FitError::Mismatch(format!(
+                    "the dataset sets {name}, and the model {} has {}",
+                    model.name,
+                    known.join(", ")
+                ))
             })?;
             parameters[place] = value;
         }
-        let inputs: Vec<&str> = model.inputs.iter().map(|input| input.name.as_str()).collect();
+        let inputs: Vec<&str> = model
+            .inputs
+            .iter()
+            .map(|input| input.name.as_str())
+            .collect();
         for flight in &dataset.flights {
-            if let Some(name) = flight.known.keys().find(|name| !inputs.contains(&name.as_str())) {
-                let reason = format!("{name} is known of it, and the model {} takes {}", model.name, inputs.join(", "));
-                return Err(FitError::Flight { file: flight.file.clone(), reason });
+            if let Some(name) = flight
+                .known
+                .keys()
+                .find(|name| !inputs.contains(&name.as_str()))
+            {
+                let reason = format!(
+                    "{name} is known of it, and the model {} takes {}",
+                    model.name,
+                    inputs.join(", ")
+                );
+                return Err(FitError::Flight {
+                    file: flight.file.clone(),
+                    reason,
+                });
             }
         }
         let unbounded = (f64::NEG_INFINITY, f64::INFINITY);
-        let bounds = model.coefficients.iter().map(|constant| constant.bounds.unwrap_or(unbounded)).collect();
-        let markers = dataset.markers.iter().map(|marker| marker.position).collect();
-        Ok(Self { predictor, parameters, free, bounds, markers, sigma: dataset.sigma })
+        let bounds = model
+            .coefficients
+            .iter()
+            .map(|constant| constant.bounds.unwrap_or(unbounded))
+            .collect();
+        let markers = dataset
+            .markers
+            .iter()
+            .map(|marker| marker.position)
+            .collect();
+        Ok(Self {
+            predictor,
+            parameters,
+            free,
+            bounds,
+            markers,
+            sigma: dataset.sigma,
+        })
     }
 
     fn start(&self, flight: &Flight) -> Result<DVector<f64>, FitError> {
-        let (position, velocity) =
-            start::of_point(flight).map_err(|reason| FitError::Flight { file: flight.file.clone(), reason })?;
-        Ok(DVector::from_iterator(6, position.into_iter().chain(velocity)))
+        let (position, velocity) = start::of_point(flight).map_err(|reason| FitError::Flight {
+            file: flight.file.clone(),
+            reason,
+        })?;
+        Ok(DVector::from_iterator(
+            6,
+            position.into_iter().chain(velocity),
+        ))
     }
 
     /// Constants of a flight with these values of the free coefficients.
@@ -132,17 +206,24 @@ impl Setting {
         self.predictor.conditions(parameters)
     }
 
-    fn report(&self, model: &Model, problem: &Squares<'_>, solution: &Solution) -> Result<Report, FitError> {
+    fn report(
+        &self,
+        model: &Model,
+        problem: &Squares<'_>,
+        solution: &Solution,
+    ) -> Result<Report, FitError> {
         let squares: f64 = solution.blocks.iter().map(|block| block.squares).sum();
         let count: usize = solution.blocks.iter().map(|block| block.count).sum();
         let unknowns = self.free.len() + solution.point.own.iter().map(DVector::len).sum::<usize>();
         if count <= unknowns {
-            let reason = format!("{count} measured coordinates do not determine {unknowns} unknowns");
+            let reason =
+                format!("{count} measured coordinates do not determine {unknowns} unknowns");
             return Err(FitError::Unsolved(reason));
         }
         let estimated = (squares / (count - unknowns) as f64).sqrt();
         let sigma = self.sigma.unwrap_or(estimated);
-        let system = eliminate(&solution.blocks, 0.0).map_err(|singular| problem.told(Failure::Singular(singular)))?;
+        let system = eliminate(&solution.blocks, 0.0)
+            .map_err(|singular| problem.told(Failure::Singular(singular)))?;
         let covariance = system.shared_covariance() * sigma.powi(2);
         let error = |i: usize| covariance[(i, i)].max(0.0).sqrt();
         let mut coefficients = BTreeMap::new();
@@ -159,64 +240,128 @@ impl Setting {
                 });
             }
             let unit = constant.unit_text.clone();
-            coefficients.insert(constant.name.clone(), Coefficient { value, std_error: error(i), unit, at_bound });
+            coefficients.insert(
+                constant.name.clone(),
+                Coefficient {
+                    value,
+                    std_error: error(i),
+                    unit,
+                    at_bound,
+                },
+            );
             let row = model.coefficients.iter().enumerate();
-            let row = row.map(|(j, other)| (other.name.clone(), covariance[(i, j)] / (error(i) * error(j))));
+            let row = row.map(|(j, other)| {
+                (
+                    other.name.clone(),
+                    covariance[(i, j)] / (error(i) * error(j)),
+                )
+            });
             correlations.insert(constant.name.clone(), row.collect());
         }
         Ok(Report {
             schema: "hyzer.fit/1",
             model: model.name.clone(),
             rms_m: (squares / count as f64).sqrt(),
-            noise: Noise { sigma_m: sigma, estimated: self.sigma.is_none(), kind: "white" },
+            noise: Noise {
+                sigma_m: sigma,
+                estimated: self.sigma.is_none(),
+                kind: "white",
+            },
             coefficients,
             correlations,
             flights: Vec::new(),
             undetermined,
-            iterations: Iterations { steps: solution.iterations, converged: solution.converged },
+            iterations: Iterations {
+                steps: solution.iterations,
+                converged: solution.converged,
+            },
             seconds: BTreeMap::new(),
         })
     }
 
-    fn fitted(&self, flight: &Flight, index: usize, solution: &Solution, sigma: f64) -> FlightReport {
+    fn fitted(
+        &self,
+        flight: &Flight,
+        index: usize,
+        solution: &Solution,
+        sigma: f64,
+    ) -> FlightReport {
         let block = &solution.blocks[index];
         let rms = (block.squares / block.count.max(1) as f64).sqrt();
         let initial = match eliminate(&solution.blocks, 0.0) {
-            Ok(system) => self.initial(&solution.point.own[index], &system.own_covariance(index), sigma),
+            Ok(system) => self.initial(
+                &solution.point.own[index],
+                &system.own_covariance(index),
+                sigma,
+            ),
             Err(_) => BTreeMap::new(),
         };
-        FlightReport { file: flight.file.clone(), role: flight.role, samples: flight.times.len(), rms_m: rms, initial }
+        FlightReport {
+            file: flight.file.clone(),
+            role: flight.role,
+            samples: flight.times.len(),
+            rms_m: rms,
+            initial,
+        }
     }
 
-    fn initial(&self, own: &DVector<f64>, covariance: &nalgebra::DMatrix<f64>, sigma: f64) -> BTreeMap<String, Estimate> {
+    fn initial(
+        &self,
+        own: &DVector<f64>,
+        covariance: &nalgebra::DMatrix<f64>,
+        sigma: f64,
+    ) -> BTreeMap<String, Estimate> {
         let names = self.predictor.layout().states.iter().enumerate();
-        let estimate = |i: usize| Estimate { value: own[i], std_error: sigma * covariance[(i, i)].max(0.0).sqrt() };
+        let estimate = |i: usize| Estimate {
+            value: own[i],
+            std_error: sigma * covariance[(i, i)].max(0.0).sqrt(),
+        };
         names.map(|(i, name)| (name.clone(), estimate(i))).collect()
     }
 
     /// Fits the initial state on the first part of a flight, with the coefficients held, and predicts the rest.
-    fn held_out(&self, flight: &Flight, shared: &DVector<f64>, sigma: f64) -> Result<FlightReport, FitError> {
-        let cut = ((flight.times.len() as f64 * HELD_OUT_START).ceil() as usize).clamp(1, flight.times.len());
+    fn held_out(
+        &self,
+        flight: &Flight,
+        shared: &DVector<f64>,
+        sigma: f64,
+    ) -> Result<FlightReport, FitError> {
+        let cut = ((flight.times.len() as f64 * HELD_OUT_START).ceil() as usize)
+            .clamp(1, flight.times.len());
         let head = Flight {
             times: flight.times[..cut].to_vec(),
             positions: flight.positions[..cut].to_vec(),
             ..flight.clone()
         };
-        let start = Point { shared: DVector::zeros(0), own: vec![self.start(&head)?] };
-        let problem = Squares { setting: self, flights: vec![&head], held: Some(shared) };
+        let start = Point {
+            shared: DVector::zeros(0),
+            own: vec![self.start(&head)?],
+        };
+        let problem = Squares {
+            setting: self,
+            flights: vec![&head],
+            held: Some(shared),
+        };
         let solution = solve(&problem, start).map_err(|failure| problem.told(failure))?;
         let conditions = self.conditions(flight, shared);
         let own = &solution.point.own[0];
         let predicted = self
             .predictor
             .positions(&conditions, own.as_slice(), &flight.times, &self.markers)
-            .map_err(|reason| FitError::Flight { file: flight.file.clone(), reason })?;
+            .map_err(|reason| FitError::Flight {
+                file: flight.file.clone(),
+                reason,
+            })?;
         let mut squares = 0.0;
         let mut count = 0_usize;
         for (row, seen) in predicted.iter().zip(&flight.positions).skip(cut) {
             for (position, seen) in row.iter().zip(seen) {
                 let Some(seen) = seen else { continue };
-                squares += position.iter().zip(seen).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+                squares += position
+                    .iter()
+                    .zip(seen)
+                    .map(|(a, b)| (a - b).powi(2))
+                    .sum::<f64>();
                 count += 3;
             }
         }
@@ -225,7 +370,13 @@ impl Setting {
             Err(_) => BTreeMap::new(),
         };
         let rms_m = (squares / count.max(1) as f64).sqrt();
-        Ok(FlightReport { file: flight.file.clone(), role: flight.role, samples: flight.times.len(), rms_m, initial })
+        Ok(FlightReport {
+            file: flight.file.clone(),
+            role: flight.role,
+            samples: flight.times.len(),
+            rms_m,
+            initial,
+        })
     }
 }
 
@@ -239,7 +390,10 @@ struct Squares<'a> {
 impl Squares<'_> {
     fn told(&self, failure: Failure) -> FitError {
         match failure {
-            Failure::Start { flight, reason } => FitError::Flight { file: self.flights[flight].file.clone(), reason },
+            Failure::Start { flight, reason } => FitError::Flight {
+                file: self.flights[flight].file.clone(),
+                reason,
+            },
             Failure::Singular(crate::normal::Singular::Own(flight)) => FitError::Flight {
                 file: self.flights[flight].file.clone(),
                 reason: "its samples do not determine its initial state".into(),
@@ -254,18 +408,33 @@ impl Problem for Squares<'_> {
         self.flights.len()
     }
 
-    fn linearise(&self, flight: usize, shared: &DVector<f64>, own: &DVector<f64>) -> Result<Block, String> {
+    fn linearise(
+        &self,
+        flight: usize,
+        shared: &DVector<f64>,
+        own: &DVector<f64>,
+    ) -> Result<Block, String> {
         let (setting, data) = (self.setting, self.flights[flight]);
         let conditions = setting.conditions(data, self.held.unwrap_or(shared));
-        let rows = setting.predictor.observe(&conditions, own.as_slice(), &data.times, &setting.markers)?;
+        let rows = setting.predictor.observe(
+            &conditions,
+            own.as_slice(),
+            &data.times,
+            &setting.markers,
+        )?;
         let mut block = Block::zero(own.len(), shared.len());
         for (row, seen) in rows.iter().zip(&data.positions) {
             for (observed, seen) in row.iter().zip(seen) {
                 let Some(seen) = seen else { continue };
                 for axis in 0..3 {
                     let by = observed.sensitivity.row(axis).transpose();
-                    let (by_own, by_shared) = (by.rows(0, own.len()), by.rows(own.len(), shared.len()));
-                    block.add(observed.position[axis] - seen[axis], &by_own.clone_owned(), &by_shared.clone_owned());
+                    let (by_own, by_shared) =
+                        (by.rows(0, own.len()), by.rows(own.len(), shared.len()));
+                    block.add(
+                        observed.position[axis] - seen[axis],
+                        &by_own.clone_owned(),
+                        &by_shared.clone_owned(),
+                    );
                 }
             }
         }
@@ -275,15 +444,28 @@ impl Problem for Squares<'_> {
     fn squares(&self, flight: usize, shared: &DVector<f64>, own: &DVector<f64>) -> f64 {
         let (setting, data) = (self.setting, self.flights[flight]);
         let conditions = setting.conditions(data, self.held.unwrap_or(shared));
-        let rows = setting.predictor.positions(&conditions, own.as_slice(), &data.times, &setting.markers);
+        let rows =
+            setting
+                .predictor
+                .positions(&conditions, own.as_slice(), &data.times, &setting.markers);
         let Ok(rows) = rows else { return f64::INFINITY };
         let seen = rows.iter().flatten().zip(data.positions.iter().flatten());
         seen.filter_map(|(position, seen)| seen.map(|seen| (position, seen)))
-            .map(|(position, seen)| position.iter().zip(&seen).map(|(a, b)| (a - b).powi(2)).sum::<f64>())
+            .map(|(position, seen)| {
+                position
+                    .iter()
+                    .zip(&seen)
+                    .map(|(a, b)| (a - b).powi(2))
+                    .sum::<f64>()
+            })
             .sum()
     }
 
     fn bounds(&self) -> &[(f64, f64)] {
-        if self.held.is_some() { &[] } else { &self.setting.bounds }
+        if self.held.is_some() {
+            &[]
+        } else {
+            &self.setting.bounds
+        }
     }
 }

@@ -41,7 +41,11 @@ impl Predictor {
     /// Compiles a model, with derivatives by the parameters at these places of its layout.
     pub fn new(model: &Model, free: &[usize]) -> Self {
         let compiled = compile_for(model, &Selection::Only(free.to_vec()));
-        Self { tapes: TapeModel::new(&compiled), layout: compiled.layout, free: free.len() }
+        Self {
+            tapes: TapeModel::new(&compiled),
+            layout: compiled.layout,
+            free: free.len(),
+        }
     }
 
     /// Names and places of states and parameters.
@@ -52,7 +56,10 @@ impl Predictor {
     /// Prepares a flight with these parameters, in the order of the layout.
     pub fn conditions(&self, parameters: Vec<f64>) -> Conditions {
         let prepared = self.tapes.prepare(&parameters);
-        Conditions { parameters, prepared }
+        Conditions {
+            parameters,
+            prepared,
+        }
     }
 
     /// The markers at the times of a flight from an initial state: `[sample][marker]`, m.
@@ -76,7 +83,8 @@ impl Predictor {
         let row = |(&t, x): (&f64, &[f64])| {
             let each = markers.iter().map(|marker| {
                 let mut position = [0.0; 3];
-                self.tapes.observe(conditions.at(t, x), marker, &mut scratch, &mut position);
+                self.tapes
+                    .observe(conditions.at(t, x), marker, &mut scratch, &mut position);
                 position
             });
             each.collect()
@@ -96,22 +104,36 @@ impl Predictor {
         markers: &[[f64; 3]],
     ) -> Result<Vec<Vec<Observed>>, String> {
         let states = self.tapes.states;
-        let (by_start, by_free): (Vec<usize>, Vec<usize>) = ((0..states).collect(), (0..self.free).collect());
+        let (by_start, by_free): (Vec<usize>, Vec<usize>) =
+            ((0..states).collect(), (0..self.free).collect());
         let mut variations = Sensitivities::new(self.model(conditions), &by_start, &by_free);
         let start = variations.start(initial);
         let samples = flown(&mut variations, start, times)?;
         let mut observer = Observer::new(self);
         let row = |(&t, both): (&f64, &[f64])| {
-            let sensitivity =
-                DMatrix::from_fn(states, variations.columns(), |state, by| variations.row(both, state)[by]);
+            let sensitivity = DMatrix::from_fn(states, variations.columns(), |state, by| {
+                variations.row(both, state)[by]
+            });
             let at = conditions.at(t, variations.state(both));
-            markers.iter().map(|marker| observer.observe(at, marker, &sensitivity)).collect()
+            markers
+                .iter()
+                .map(|marker| observer.observe(at, marker, &sensitivity))
+                .collect()
         };
-        Ok(times.iter().zip(samples.chunks(variations.len())).map(row).collect())
+        Ok(times
+            .iter()
+            .zip(samples.chunks(variations.len()))
+            .map(row)
+            .collect())
     }
 
     fn model<'a>(&'a self, conditions: &'a Conditions) -> Tapes<'a> {
-        let wide = |pattern: &[(u32, u32)]| pattern.iter().map(|&(r, c)| (r as usize, c as usize)).collect();
+        let wide = |pattern: &[(u32, u32)]| {
+            pattern
+                .iter()
+                .map(|&(r, c)| (r as usize, c as usize))
+                .collect()
+        };
         Tapes {
             predictor: self,
             conditions,
@@ -124,15 +146,32 @@ impl Predictor {
 
 impl Conditions {
     fn at<'a>(&'a self, t: f64, x: &'a [f64]) -> At<'a> {
-        At { t, x, p: &self.parameters, prepared: &self.prepared }
+        At {
+            t,
+            x,
+            p: &self.parameters,
+            prepared: &self.prepared,
+        }
     }
 }
 
 /// Flies from the first of the times to the last, and gives the state at each.
-fn flown(dynamics: &mut impl Dynamics<State = Box<[f64]>>, start: Box<[f64]>, times: &[f64]) -> Result<Vec<f64>, String> {
+fn flown(
+    dynamics: &mut impl Dynamics<State = Box<[f64]>>,
+    start: Box<[f64]>,
+    times: &[f64],
+) -> Result<Vec<f64>, String> {
     let mut samples = vec![0.0; start.len() * times.len()];
     let options = Options::tolerance(TOLERANCE);
-    fly_at(dynamics, (times[0], &start), times, &options, &mut [], &mut samples).map_err(|error| error.to_string())?;
+    fly_at(
+        dynamics,
+        (times[0], &start),
+        times,
+        &options,
+        &mut [],
+        &mut samples,
+    )
+    .map_err(|error| error.to_string())?;
     Ok(samples)
 }
 
@@ -158,13 +197,26 @@ impl Linearised for Tapes<'_> {
         &self.jp
     }
 
-    fn linearise(&mut self, t: f64, x: &[f64], dx: &mut [f64], by_state: &mut [f64], by_constant: &mut [f64]) {
+    fn linearise(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        dx: &mut [f64],
+        by_state: &mut [f64],
+        by_constant: &mut [f64],
+    ) {
         let at = self.conditions.at(t, x);
-        self.predictor.tapes.f_jac_par(at, &mut self.scratch, dx, by_state, by_constant);
+        self.predictor
+            .tapes
+            .f_jac_par(at, &mut self.scratch, dx, by_state, by_constant);
     }
 
     fn state_name(&self, state: usize) -> Cow<'_, str> {
-        self.predictor.layout.states.get(state).map_or_else(|| "a state".into(), |name| name.as_str().into())
+        self.predictor
+            .layout
+            .states
+            .get(state)
+            .map_or_else(|| "a state".into(), |name| name.as_str().into())
     }
 }
 
@@ -192,7 +244,12 @@ impl<'a> Observer<'a> {
     fn observe(&mut self, at: At<'_>, marker: &[f64; 3], state: &DMatrix<f64>) -> Observed {
         let tapes = &self.predictor.tapes;
         let mut position = [0.0; 3];
-        let results = [&mut position[..], &mut self.dy_dx, &mut self.dy_dp, &mut self.dy_dmarker];
+        let results = [
+            &mut position[..],
+            &mut self.dy_dx,
+            &mut self.dy_dp,
+            &mut self.dy_dmarker,
+        ];
         tapes.observe_jac(at, marker, &mut self.scratch, results);
         let mut sensitivity = DMatrix::zeros(3, state.ncols());
         for (&(row, by), &value) in tapes.dy_dx_pattern().iter().zip(&self.dy_dx) {
@@ -203,6 +260,9 @@ impl<'a> Observer<'a> {
         for (&(row, parameter), &value) in tapes.dy_dp_pattern().iter().zip(&self.dy_dp) {
             sensitivity[(row as usize, tapes.states + parameter as usize)] += value;
         }
-        Observed { position, sensitivity }
+        Observed {
+            position,
+            sensitivity,
+        }
     }
 }

@@ -14,12 +14,22 @@ const SAMPLES: usize = 16;
 pub fn of_point(flight: &Flight) -> Result<([f64; 3], [f64; 3]), String> {
     let origin = flight.times[0];
     let seen = flight.times.iter().zip(&flight.positions);
-    let seen = seen.filter_map(|(&time, row)| row.first().copied().flatten().map(|position| (time - origin, position)));
+    let seen = seen.filter_map(|(&time, row)| {
+        row.first()
+            .copied()
+            .flatten()
+            .map(|position| (time - origin, position))
+    });
     let samples: Vec<(f64, [f64; 3])> = seen.take(SAMPLES).collect();
     if samples.len() < 4 {
-        return Err(format!("only {} samples were seen, and a start needs 4", samples.len()));
+        return Err(format!(
+            "only {} samples were seen, and a start needs 4",
+            samples.len()
+        ));
     }
-    let design = DMatrix::from_fn(samples.len(), 3, |row, power| samples[row].0.powi(power as i32));
+    let design = DMatrix::from_fn(samples.len(), 3, |row, power| {
+        samples[row].0.powi(power as i32)
+    });
     let factor = design.svd(true, true);
     let (mut position, mut velocity) = ([0.0; 3], [0.0; 3]);
     for axis in 0..3 {
@@ -52,8 +62,15 @@ mod tests {
         let mut flight = flight(&[0.0, 0.1, 0.25, 0.3, 0.4]);
         flight.positions[1] = vec![None];
         let (position, velocity) = of_point(&flight).unwrap();
-        for (found, expected) in position.iter().chain(&velocity).zip([1.0, 0.0, 0.0, 2.0, -1.0, 3.0]) {
-            assert!((found - expected).abs() < 1e-10, "{position:?} {velocity:?}");
+        for (found, expected) in position
+            .iter()
+            .chain(&velocity)
+            .zip([1.0, 0.0, 0.0, 2.0, -1.0, 3.0])
+        {
+            assert!(
+                (found - expected).abs() < 1e-10,
+                "{position:?} {velocity:?}"
+            );
         }
     }
 

@@ -26,7 +26,8 @@ struct File {
 
 /// All claims, in the order of the file.
 pub fn all() -> Vec<Claim> {
-    let file: File = toml::from_str(include_str!("../facts/claims.toml")).expect("the built-in claims are well formed");
+    let file: File = toml::from_str(include_str!("../facts/claims.toml"))
+        .expect("the built-in claims are well formed");
     file.claim
 }
 

@@ -31,11 +31,21 @@ impl Flyer {
         let model = model()?;
         let body = Body::new(&model);
         let text = built_in(name).ok_or_else(|| format!("no release {name} is built in"))?;
-        let release = read(name, text, |_| Ok(Vocabulary::of(&model))).map_err(|e| e.to_string())?;
+        let release =
+            read(name, text, |_| Ok(Vocabulary::of(&model))).map_err(|e| e.to_string())?;
         let layout = body.layout();
-        let defaults = layout.parameters.iter().map(String::as_str).zip(layout.default_parameters());
+        let defaults = layout
+            .parameters
+            .iter()
+            .map(String::as_str)
+            .zip(layout.default_parameters());
         let parameters = release.constants(defaults);
-        Ok(Self { parameters, initial: release.state().into(), duration, body })
+        Ok(Self {
+            parameters,
+            initial: release.state().into(),
+            duration,
+            body,
+        })
     }
 
     /// Diameter of the disc (m) and gravity (m/s²), which some readings need.
@@ -44,12 +54,25 @@ impl Flyer {
     }
 
     fn parameter(&self, name: &str) -> f64 {
-        self.body.layout().parameter(name).map_or(f64::NAN, |place| self.parameters[place])
+        self.body
+            .layout()
+            .parameter(name)
+            .map_or(f64::NAN, |place| self.parameters[place])
     }
 
     /// What comes out; `None` where the flight cannot be flown to its end.
     pub fn fly(&self, coefficients: &Coefficients, common: &Common) -> Option<Outcome> {
-        let [c_l0, c_la, c_d0, c_da, c_ma, pitch, roll, roll_spin, spin_down] = *coefficients;
+        let [
+            c_l0,
+            c_la,
+            c_d0,
+            c_da,
+            c_ma,
+            pitch,
+            roll,
+            roll_spin,
+            spin_down,
+        ] = *coefficients;
         let by_ratio = common.roll_spin == RollSpin::SpinRatio;
         let by_pressure = common.spin_down == SpinDown::TimesDynamicPressure;
         let split = |value: f64, second: bool| if second { (0.0, value) } else { (value, 0.0) };
@@ -78,20 +101,33 @@ impl Flyer {
     fn outcome(&self, p: Vec<f64>) -> Option<Outcome> {
         let layout = self.body.layout();
         let conditions = self.body.with(p);
-        let options = Options { most_steps: 5_000, ..Options::tolerance(TOLERANCE) };
+        let options = Options {
+            most_steps: 5_000,
+            ..Options::tolerance(TOLERANCE)
+        };
         let z = layout.state("z")?;
         let peak = Event::peak_of("apex", z);
-        let flight = fly(&mut conditions.motion(), (0.0, &self.initial), self.duration, &options, &mut [peak]).ok()?;
-        let (start, end) = (|name| Some(self.initial[layout.state(name)?]), |name| {
-            Some(flight.end_state[layout.state(name)?])
-        });
+        let flight = fly(
+            &mut conditions.motion(),
+            (0.0, &self.initial),
+            self.duration,
+            &options,
+            &mut [peak],
+        )
+        .ok()?;
+        let (start, end) = (
+            |name| Some(self.initial[layout.state(name)?]),
+            |name| Some(flight.end_state[layout.state(name)?]),
+        );
         let (spin, spun): (f64, f64) = (start("gammadot")?, end("gammadot")?);
         // The highest point is where the flight begins or ends, unless it turns down in between.
         let mut highest = (0.0, self.initial[z]);
-        for (time, height) in [(flight.end, flight.end_state[z])]
-            .into_iter()
-            .chain(flight.events.iter().map(|event| (event.time, event.state[z])))
-        {
+        for (time, height) in [(flight.end, flight.end_state[z])].into_iter().chain(
+            flight
+                .events
+                .iter()
+                .map(|event| (event.time, event.state[z])),
+        ) {
             if height > highest.1 {
                 highest = (time, height);
             }
@@ -110,7 +146,10 @@ impl Flyer {
 
 /// The disc with the effect that the readings need.
 fn model() -> Result<Model, String> {
-    let (name, disc) = model_spec::load::MODELS.iter().find(|(name, _)| *name == "disc").ok_or("no model disc")?;
+    let (name, disc) = model_spec::load::MODELS
+        .iter()
+        .find(|(name, _)| *name == "disc")
+        .ok_or("no model disc")?;
     let text = format!("{disc}\n{READINGS}");
     model_spec::load::from_text(name, &text, &["readings"]).map_err(|error| error.to_string())
 }

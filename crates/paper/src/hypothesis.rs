@@ -17,7 +17,8 @@ pub struct Table1 {
 impl Table1 {
     /// The built-in copy.
     pub fn printed() -> Self {
-        toml::from_str(include_str!("../facts/table1.toml")).expect("the built-in table is well formed")
+        toml::from_str(include_str!("../facts/table1.toml"))
+            .expect("the built-in table is well formed")
     }
 }
 
@@ -95,8 +96,17 @@ impl Common {
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         for signs in 0..16_u8 {
-            for roll_spin in [RollSpin::RadPerSecond, RollSpin::RevPerSecond, RollSpin::RootDOverG, RollSpin::SpinRatio] {
-                for spin_down in [SpinDown::NewtonMetreSecond, SpinDown::PerRevPerSecond, SpinDown::TimesDynamicPressure] {
+            for roll_spin in [
+                RollSpin::RadPerSecond,
+                RollSpin::RevPerSecond,
+                RollSpin::RootDOverG,
+                RollSpin::SpinRatio,
+            ] {
+                for spin_down in [
+                    SpinDown::NewtonMetreSecond,
+                    SpinDown::PerRevPerSecond,
+                    SpinDown::TimesDynamicPressure,
+                ] {
                     all.push(Self {
                         pitch_damping_reversed: signs & 1 != 0,
                         roll_damping_reversed: signs & 2 != 0,
@@ -123,11 +133,26 @@ impl Common {
         say(self.roll_damping_reversed, "roll damping reversed");
         say(self.roll_spin_reversed, "rolling moment by spin reversed");
         say(self.spin_down_reversed, "spin-down reversed");
-        say(self.roll_spin == RollSpin::RevPerSecond, "rolling moment per rev/s");
-        say(self.roll_spin == RollSpin::RootDOverG, "rolling moment by spin × √(d/g)");
-        say(self.roll_spin == RollSpin::SpinRatio, "rolling moment by spin × d/2V");
-        say(self.spin_down == SpinDown::PerRevPerSecond, "C_Nr per rev/s");
-        say(self.spin_down == SpinDown::TimesDynamicPressure, "C_Nr in s, times ρV²Ad/2");
+        say(
+            self.roll_spin == RollSpin::RevPerSecond,
+            "rolling moment per rev/s",
+        );
+        say(
+            self.roll_spin == RollSpin::RootDOverG,
+            "rolling moment by spin × √(d/g)",
+        );
+        say(
+            self.roll_spin == RollSpin::SpinRatio,
+            "rolling moment by spin × d/2V",
+        );
+        say(
+            self.spin_down == SpinDown::PerRevPerSecond,
+            "C_Nr per rev/s",
+        );
+        say(
+            self.spin_down == SpinDown::TimesDynamicPressure,
+            "C_Nr in s, times ρV²Ad/2",
+        );
         words
     }
 }
@@ -161,17 +186,30 @@ pub fn interchanges(order: Columns) -> usize {
     count
 }
 
-/// `C_L0, C_La, C_D0, C_Da taken from the columns …`, or nothing for the printed order.
+/// What an order changes, or nothing for the printed one: `C_L0 ↔ C_La` for two that are interchanged, `C_L0 from C_D0`
+/// where more than two are moved around.
 fn order_in_words(order: Columns) -> Option<String> {
     let names = ["C_L0", "C_La", "C_D0", "C_Da"];
-    let moved = (0..4).filter(|&i| order[i] as usize != i);
-    let words: Vec<String> = moved.map(|i| format!("{} from {}", names[i], names[order[i] as usize])).collect();
+    let mut words = Vec::new();
+    for i in 0..4 {
+        let j = order[i] as usize;
+        let interchanged = order[j] as usize == i;
+        if j > i && interchanged {
+            words.push(format!("{} ↔ {}", names[i], names[j]));
+        } else if j != i && !interchanged {
+            words.push(format!("{} from {}", names[i], names[j]));
+        }
+    }
     (!words.is_empty()).then(|| words.join(", "))
 }
 
 impl Reading {
     /// The print at its word.
-    pub const PRINTED: Self = Self { common: Common::PRINTED, fssh3: PRINTED, bffl8: PRINTED };
+    pub const PRINTED: Self = Self {
+        common: Common::PRINTED,
+        fssh3: PRINTED,
+        bffl8: PRINTED,
+    };
 
     /// How many hypotheses it uses: an interchange of columns in both flights counts once.
     pub fn hypotheses(&self) -> usize {
@@ -181,6 +219,34 @@ impl Reading {
             interchanges(self.fssh3) + interchanges(self.bffl8)
         };
         columns + self.common.hypotheses().len()
+    }
+
+    /// The one answer in which another reading differs from this one, as (here, there); nothing where it is not one.
+    pub fn difference(&self, other: &Self) -> Option<(String, String)> {
+        let columns = |reading: &Self| {
+            Self {
+                common: Common::PRINTED,
+                ..*reading
+            }
+            .words()
+        };
+        let only = |left: &Common, right: &Common| -> Vec<&'static str> {
+            left.hypotheses()
+                .into_iter()
+                .filter(|word| !right.hypotheses().contains(word))
+                .collect()
+        };
+        let say = |words: &[&str]| words.first().map_or("as printed", |word| word).to_owned();
+        let (here, there) = (
+            only(&self.common, &other.common),
+            only(&other.common, &self.common),
+        );
+        let same = (self.fssh3, self.bffl8) == (other.fssh3, other.bffl8);
+        match (same, here.len(), there.len()) {
+            (true, 0..=1, 0..=1) => Some((say(&here), say(&there))),
+            (false, 0, 0) => Some((columns(self), columns(other))),
+            _ => None,
+        }
     }
 
     /// What it assumes, in words.
@@ -193,7 +259,11 @@ impl Reading {
             words.extend(order_in_words(self.bffl8).map(|order| format!("bffl8: {order}")));
         }
         words.extend(self.common.hypotheses().iter().map(|&word| word.to_owned()));
-        if words.is_empty() { "as printed".to_owned() } else { words.join("; ") }
+        if words.is_empty() {
+            "as printed".to_owned()
+        } else {
+            words.join("; ")
+        }
     }
 }
 
@@ -202,7 +272,13 @@ impl Reading {
 pub type Coefficients = [f64; 9];
 
 /// The coefficients that a reading makes of a printed row. `d` in m, `g` in m/s².
-pub fn coefficients(row: &[f64; 8], columns: Columns, common: &Common, d: f64, g: f64) -> Coefficients {
+pub fn coefficients(
+    row: &[f64; 8],
+    columns: Columns,
+    common: &Common,
+    d: f64,
+    g: f64,
+) -> Coefficients {
     let sign = |reversed: bool| if reversed { -1.0 } else { 1.0 };
     let roll_scale = match common.roll_spin {
         RollSpin::RadPerSecond | RollSpin::SpinRatio => 1.0,
@@ -241,7 +317,12 @@ mod tests {
 
     #[test]
     fn interchanges_are_counted() {
-        for (order, count) in [([0, 1, 2, 3], 0), ([1, 0, 2, 3], 1), ([1, 0, 3, 2], 2), ([1, 2, 3, 0], 3)] {
+        for (order, count) in [
+            ([0, 1, 2, 3], 0),
+            ([1, 0, 2, 3], 1),
+            ([1, 0, 3, 2], 2),
+            ([1, 2, 3, 0], 3),
+        ] {
             assert_eq!(interchanges(order), count, "{order:?}");
         }
     }
@@ -250,5 +331,12 @@ mod tests {
     fn the_print_at_its_word_uses_no_hypothesis() {
         assert_eq!(Reading::PRINTED.hypotheses(), 0);
         assert_eq!(Reading::PRINTED.words(), "as printed");
+        let swapped = Reading {
+            fssh3: [1, 0, 2, 3],
+            bffl8: [1, 0, 2, 3],
+            ..Reading::PRINTED
+        };
+        assert_eq!(swapped.hypotheses(), 1);
+        assert_eq!(swapped.words(), "both flights: C_L0 ↔ C_La");
     }
 }

@@ -6,7 +6,7 @@
 //! the page that tells which readings survive ([`page`]).
 
 pub mod claims;
-pub mod hypothesis;
 pub mod fly;
+pub mod hypothesis;
 pub mod page;
 pub mod study;

@@ -1,8 +1,8 @@
 //! Both flights under every reading, ranked.
 
 use crate::claims::{self, Claim, Outcome};
-use crate::hypothesis::{Columns, Common, Reading, Table1, coefficients, orders};
 use crate::fly::Flyer;
+use crate::hypothesis::{Columns, Common, Reading, Table1, coefficients, orders};
 
 /// A departure of more tolerances than this counts as this: wrong is wrong.
 const WORST: f64 = 10.0;
@@ -50,18 +50,25 @@ impl Study {
         let claims = claims::all();
         let table = Table1::printed();
         let (orders, commons) = (orders(), Common::all());
-        let mut flown = [("fssh3", table.fssh3), ("bffl8", table.bffl8)].into_iter().map(|(name, row)| {
-            let mut flyer = Flyer::new(name, duration(&claims, name))?;
+        let flown = |name: &str, row: &[f64; 8]| -> Result<Vec<Vec<Option<Outcome>>>, String> {
+            let flyer = Flyer::new(name, duration(&claims, name))?;
             let (d, g) = flyer.scales();
-            let under = |common: &Common| {
-                let each = orders.iter().map(|&order| flyer.fly(&coefficients(&row, order, common, d, g), common));
-                each.collect::<Vec<_>>()
-            };
-            Ok(commons.iter().map(under).collect::<Vec<_>>())
-        });
-        let mut next = || flown.next().expect("two flights").map_err(|error: String| error);
-        let (fssh3, bffl8) = (next()?, next()?);
-        let mut study = Self { claims, ranking: Vec::new(), orders, commons, fssh3, bffl8 };
+            Ok(flight::batch::each(commons.len(), |index| {
+                let common = &commons[index];
+                let fly =
+                    |&order: &Columns| flyer.fly(&coefficients(row, order, common, d, g), common);
+                orders.iter().map(fly).collect()
+            }))
+        };
+        let (fssh3, bffl8) = (flown("fssh3", &table.fssh3)?, flown("bffl8", &table.bffl8)?);
+        let mut study = Self {
+            claims,
+            ranking: Vec::new(),
+            orders,
+            commons,
+            fssh3,
+            bffl8,
+        };
         study.rank();
         Ok(study)
     }
@@ -70,20 +77,34 @@ impl Study {
         let mut ranking = Vec::new();
         for (c, common) in self.commons.iter().enumerate() {
             let score = |flight: &str, outcomes: &[Option<Outcome>]| -> Vec<(f64, usize)> {
-                outcomes.iter().map(|outcome| self.judge(flight, outcome.as_ref())).collect()
+                outcomes
+                    .iter()
+                    .map(|outcome| self.judge(flight, outcome.as_ref()))
+                    .collect()
             };
-            let (first, second) = (score("fssh3", &self.fssh3[c]), score("bffl8", &self.bffl8[c]));
+            let (first, second) = (
+                score("fssh3", &self.fssh3[c]),
+                score("bffl8", &self.bffl8[c]),
+            );
             for (i, &fssh3) in self.orders.iter().enumerate() {
                 for (j, &bffl8) in self.orders.iter().enumerate() {
                     ranking.push(Scored {
-                        reading: Reading { common: *common, fssh3, bffl8 },
+                        reading: Reading {
+                            common: *common,
+                            fssh3,
+                            bffl8,
+                        },
                         misfit: first[i].0 + second[j].0,
                         held: first[i].1 + second[j].1,
                     });
                 }
             }
         }
-        ranking.sort_by(|a, b| a.score().total_cmp(&b.score()).then(a.reading.cmp(&b.reading)));
+        ranking.sort_by(|a, b| {
+            a.score()
+                .total_cmp(&b.score())
+                .then(a.reading.cmp(&b.reading))
+        });
         self.ranking = ranking;
     }
 
@@ -92,14 +113,24 @@ impl Study {
         let claims = self.claims.iter().filter(|claim| claim.flight == flight);
         claims.fold((0.0, 0), |(misfit, held), claim| {
             let departure = outcome.map_or(f64::INFINITY, |outcome| outcome.departure(claim).abs());
-            let departure = if departure.is_finite() { departure } else { WORST };
-            (misfit + departure.min(WORST).powi(2), held + usize::from(departure <= 1.0))
+            let departure = if departure.is_finite() {
+                departure
+            } else {
+                WORST
+            };
+            (
+                misfit + departure.min(WORST).powi(2),
+                held + usize::from(departure <= 1.0),
+            )
         })
     }
 
     /// What came out of a flight under a reading; `None` where it could not be flown to its end.
     pub fn outcome(&self, reading: &Reading, flight: &str) -> Option<Outcome> {
-        let common = self.commons.iter().position(|common| *common == reading.common)?;
+        let common = self
+            .commons
+            .iter()
+            .position(|common| *common == reading.common)?;
         let (outcomes, order) = match flight {
             "fssh3" => (&self.fssh3, reading.fssh3),
             _ => (&self.bffl8, reading.bffl8),
@@ -109,7 +140,9 @@ impl Study {
 
     /// The scored entry of a reading.
     pub fn of(&self, reading: &Reading) -> Option<&Scored> {
-        self.ranking.iter().find(|scored| scored.reading == *reading)
+        self.ranking
+            .iter()
+            .find(|scored| scored.reading == *reading)
     }
 
     /// The best reading and all that hold as many claims with a misfit less than one squared tolerance worse:
@@ -123,5 +156,9 @@ impl Study {
 
 /// When the last claim about a flight is made, s.
 fn duration(claims: &[Claim], flight: &str) -> f64 {
-    claims.iter().filter(|claim| claim.flight == flight).filter_map(|claim| claim.at).fold(0.0, f64::max)
+    claims
+        .iter()
+        .filter(|claim| claim.flight == flight)
+        .filter_map(|claim| claim.at)
+        .fold(0.0, f64::max)
 }
