@@ -1,7 +1,6 @@
 //! One file per command.
 
 mod check;
-//mod explain;
 mod fit;
 mod generate;
 mod paper;
@@ -17,7 +16,6 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Check(options) => check::run(&options),
         Command::Generate(options) => generate::run(&options),
         Command::Verify(options) => verify::run(&options),
-        Command::Explain(_) => todo!(),
         Command::Simulate(options) => simulate::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Paper(options) => paper::run(&options),

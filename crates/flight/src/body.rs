@@ -2,7 +2,7 @@
 
 use crate::dynamics::Dynamics;
 use crate::event::Event;
-use codegen::compile::{Selection, compile_for};
+use codegen::compile::compile;
 use codegen::layout::Layout;
 use codegen::rust::source_hash;
 use codegen::tape_model::{At, Scratch, TapeModel};
@@ -38,7 +38,8 @@ impl Body {
 
     /// Lays out a tape in any case.
     pub fn on_tape(model: &Model) -> Body {
-        let compiled = compile_for(model, &Selection::Only(Vec::new()));
+        // With every derivative, as the generated code was: what is computed once per flight is then the same too.
+        let compiled = compile(model);
         Body {
             layout: Layout::new(model),
             limits: limits(model),
