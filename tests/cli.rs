@@ -122,11 +122,10 @@ fn the_committed_code_is_what_the_models_say_and_a_changed_model_is_found_out() 
             .current_dir(folder.path()),
         1,
     );
-    let added = |line: &&str| line.starts_with('+') && line.contains("let side = ");
-    assert!(
-        told.lines().any(|line| added(&line)),
-        "the new term by its name in\n{told}"
-    );
+    for new in ["let C_Yr = parameters", "d_v_dot_d_C_Yr", "\"side\""] {
+        let added = |line: &str| line.starts_with('+') && line.contains(new);
+        assert!(told.lines().any(added), "{new} in\n{told}");
+    }
 
     hyzer()
         .arg("generate")

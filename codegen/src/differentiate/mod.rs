@@ -56,14 +56,7 @@ pub fn linearise(dag: &Dag, graph: &Graph, namer: &mut Namer) -> Linear {
                     })
                     .collect();
                 let sum = new.sum(terms, Number::ZERO);
-<<<<<<< HEAD
                 if rooted[id as usize] && matches!(new.node(sum), Node::Sum(..)) {
-=======
-                if rooted[id as usize]
-                    && std::env::var("NOROOT").is_err()
-                    && matches!(new.node(sum), Node::Sum(..))
-                {
->>>>>>> de63a14 (Name the discus's reference and the ball's drag coefficient a pure number; test the program as its users meet it)
                     let root = new.local_root(facts, sum);
                     new.power(root, 4)
                 } else {

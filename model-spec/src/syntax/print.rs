@@ -35,6 +35,10 @@ impl fmt::Display for UnitExpr {
             power(f, factor.doubled)?;
             any = true;
         }
+        // A pure number stands in brackets: a bare 1 would read as another number.
+        if self.factors.iter().all(|u| u.doubled == 0) {
+            return f.write_str("[1]");
+        }
         if !any {
             f.write_str("1")?;
         }

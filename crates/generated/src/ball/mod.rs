@@ -127,7 +127,7 @@ pub const DY_DMARKER_PATTERN: [(u32, u32); 3] = [
 ];
 
 /// Tells whether this code belongs to a model's text.
-pub const SOURCE_HASH: u64 = 0x4aacfd02d0a3220e;
+pub const SOURCE_HASH: u64 = 0xff1b83d552583d3b;
 
 /// These equations as a type.
 #[derive(Clone, Copy, Debug)]

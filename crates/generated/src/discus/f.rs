@@ -40,7 +40,7 @@ pub fn f<T: Real>(
     let C_Nr_inv_I_a = prepared[6];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
-    // discus.hyz:63  position (x, y, z) in N;
+    // discus.hyz:64  position (x, y, z) in N;
     let x_dot = sin_theta * w + cos_theta * u;
     let sin_theta_u_minus_w_cos_sum = sin_theta * u - w * cos_theta;
     let (sin_phi, cos_phi) = phi.sin_cos();
@@ -48,7 +48,7 @@ pub fn f<T: Real>(
     let z_dot = sin_phi * v - sin_theta_u_minus_w_cos_sum * cos_phi;
     let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
 
-    // discus.hyz:70  let air_velocity = velocity - in_B(wind);
+    // discus.hyz:71  let air_velocity = velocity - in_B(wind);
     let air_velocity_1 = u + sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta;
     let air_velocity_2 = v - wind_z * sin_phi - wind_y * cos_phi;
     let air_velocity_12_sq = air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
@@ -58,15 +58,15 @@ pub fn f<T: Real>(
     let minus_air_velocity_3 = wind_x * sin_theta - w + cos_theta * minus_sin_phi_wind_y_sum;
     let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
-    // discus.hyz:72  let V = norm(air_velocity);
+    // discus.hyz:73  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let inv_V = V.recip_or_zero();
     let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
 
-    // discus.hyz:83  let C_D = C_D0 + C_Ds*sin(alpha)^2;
+    // discus.hyz:84  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = C_Ds * minus_air_velocity_3_inv_V * minus_air_velocity_3_inv_V + C_D0;
 
-    // discus.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // discus.hyz:78  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let sin_alpha_two = (T::splat(2.0) * alpha).sin_cos().0;
     let inv_s_stall_minus_product = inv_s_stall * minus_air_velocity_3_inv_V;
@@ -83,7 +83,7 @@ pub fn f<T: Real>(
     let part_of_u_dot = air_velocity_1_inv_product * C_D_air_velocity_12_product;
     let cos_phi_g_plus_v_phidot = g * cos_phi + v * phidot;
 
-    // discus.hyz:64  velocity (u, v, w) in B;
+    // discus.hyz:65  velocity (u, v, w) in B;
     let u_dot = sin_theta * cos_phi_g_plus_v_phidot - w * thetadot - part_of_u_dot;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12;
     let part_of_v_dot =
@@ -94,7 +94,7 @@ pub fn f<T: Real>(
         u * thetadot + part_of_w_dot * V_inv_m_half_rho_A - cos_theta * cos_phi_g_plus_v_phidot;
     let sin_theta_phidot = sin_theta * phidot;
 
-    // discus.hyz:88  let r = dot(angular_velocity, d3);
+    // discus.hyz:89  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let r_inv_I_d_I_a = inv_I_d_I_a * r;
     let V_sq_half_rho_A_d_inv_I_d = half_rho_A_d_inv_I_d * V_sq;
@@ -111,11 +111,11 @@ pub fn f<T: Real>(
     let cos_theta_phidot = cos_theta * phidot;
     let part_of_thetadot_dot_2 = part_of_thetadot_dot + thetadot * V_sq_half_rho_A_d_product_2;
 
-    // discus.hyz:56  frame B = A turned theta about 2; // does not spin with the discus
+    // discus.hyz:57  frame B = A turned theta about 2; // does not spin with the discus
     let thetadot_dot =
         part_of_thetadot_dot_2 - (sin_theta_phidot - r_inv_I_d_I_a) * cos_theta_phidot;
 
-    // discus.hyz:57  frame C = B turned gamma about 3; // fixed in the discus
+    // discus.hyz:58  frame C = B turned gamma about 3; // fixed in the discus
     let gammadot_dot = C_Nr_inv_I_a * r - sin_theta * phidot_dot - thetadot * cos_theta_phidot;
 
     dx[0] = x_dot;

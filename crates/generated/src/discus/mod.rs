@@ -158,7 +158,7 @@ pub const DY_DMARKER_PATTERN: [(u32, u32); 9] = [
 ];
 
 /// Tells whether this code belongs to a model's text.
-pub const SOURCE_HASH: u64 = 0x3e3e60e025dd3f59;
+pub const SOURCE_HASH: u64 = 0x9c0624c3ab804270;
 
 /// These equations as a type.
 #[derive(Clone, Copy, Debug)]

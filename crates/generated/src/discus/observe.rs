@@ -28,7 +28,7 @@ pub fn observe<T: Real>(
     let (sin_gamma, cos_gamma) = gamma.sin_cos();
     let minus_sin_gamma_mark_y_sum = cos_gamma * mark_x - sin_gamma * mark_y;
 
-    // discus.hyz:101  observe mark = position + in_N(mark);
+    // discus.hyz:102  observe mark = position + in_N(mark);
     let mark_x_2 = mark_z * sin_theta + minus_sin_gamma_mark_y_sum * cos_theta + x;
     let minus_sin_theta_minus_sum = mark_z * cos_theta - sin_theta * minus_sin_gamma_mark_y_sum;
     let (sin_phi, cos_phi) = phi.sin_cos();

@@ -41,23 +41,23 @@ pub fn quantities<T: Real>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
 
-    // discus.hyz:70  let air_velocity = velocity - in_B(wind);
+    // discus.hyz:71  let air_velocity = velocity - in_B(wind);
     let air_velocity_1 = sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta + u;
     let air_velocity_2 = v - wind_z * sin_phi - wind_y * cos_phi;
     let minus_air_velocity_3 = wind_x * sin_theta + minus_sin_phi_wind_y_sum * cos_theta - w;
     let air_velocity_12_sq = air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
     let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
-    // discus.hyz:72  let V = norm(air_velocity);
+    // discus.hyz:73  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
 
-    // discus.hyz:73  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
+    // discus.hyz:74  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
     let d1_1 = air_velocity_1 * inv_air_velocity_12;
     let d1_2 = air_velocity_2 * inv_air_velocity_12;
 
-    // discus.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // discus.hyz:78  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let inv_V = V.recip_or_zero();
     let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
@@ -69,28 +69,28 @@ pub fn quantities<T: Real>(
     let attached = T::splat(1.0) / part_of_attached;
     let sin_alpha_two = (T::splat(2.0) * alpha).sin_cos().0;
 
-    // discus.hyz:82  let C_L = (C_Lp + (C_Ls - C_Lp)*attached)*sin(2*alpha);
+    // discus.hyz:83  let C_L = (C_Lp + (C_Ls - C_Lp)*attached)*sin(2*alpha);
     let C_L = sin_alpha_two * (C_Lp + minus_C_Lp_plus_C_Ls * attached);
 
-    // discus.hyz:83  let C_D = C_D0 + C_Ds*sin(alpha)^2;
+    // discus.hyz:84  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = C_Ds * minus_air_velocity_3_inv_V * minus_air_velocity_3_inv_V + C_D0;
     let V_sq_half_rho_A = half_rho_A * V_sq;
 
-    // discus.hyz:88  let r = dot(angular_velocity, d3);
+    // discus.hyz:89  let r = dot(angular_velocity, d3);
     let r = sin_theta * phidot + gammadot;
     let cos_theta_phidot = cos_theta * phidot;
 
-    // discus.hyz:89  let rate_1 = dot(angular_velocity, d1);
+    // discus.hyz:90  let rate_1 = dot(angular_velocity, d1);
     let rate_1 =
         inv_air_velocity_12 * (air_velocity_2 * thetadot + air_velocity_1 * cos_theta_phidot);
     let air_velocity_1_thetadot_sum = air_velocity_1 * thetadot - air_velocity_2 * cos_theta_phidot;
 
-    // discus.hyz:90  let rate_2 = dot(angular_velocity, d2);
+    // discus.hyz:91  let rate_2 = dot(angular_velocity, d2);
     let rate_2 = inv_air_velocity_12 * air_velocity_1_thetadot_sum;
     let part_of_pitch =
         C_Mq * inv_air_velocity_12 * air_velocity_1_thetadot_sum + C_Ms * sin_alpha_two;
 
-    // discus.hyz:93  let spin_down = C_Nr*r;
+    // discus.hyz:94  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
     let air_velocity_3 = -minus_air_velocity_3;
     let d2_1 = -d1_2;
