@@ -29,7 +29,9 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
     };
     let terms = terms.clone();
     let lists: Vec<Vec<DefId>> = terms.iter().map(|&(_, term)| list(dag, term)).collect();
+    // a 1 is a factor of everything, its own sum included
     let mut candidates: Vec<DefId> = lists.iter().flatten().copied().collect();
+    candidates.retain(|&factor| dag.defs[factor as usize] != Def::Constant(Number::ONE));
     candidates.sort_unstable();
     candidates.dedup();
     let mut best: Option<(i64, DefId)> = None;
@@ -92,18 +94,24 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
     cancel(&mut inner);
     let others = (0..terms.len()).filter(|t| !with.contains(t));
     let mut rest: Vec<Signed> = others.map(|t| terms[t]).collect();
-    if inner.is_empty() {
+    let number = number(dag, &inner);
+    if number.is_some_and(Number::is_zero) {
         replace(dag, id, rest);
         *uses = dag.uses();
         return true;
     }
     // a sum inside a product starts with plus
-    let flip = inner[0].0;
+    let flip = number.map_or(inner[0].0, Number::is_negative);
     if flip {
         inner.iter_mut().for_each(|(minus, _)| *minus = !*minus);
     }
-    let facts = dag.sum_facts(&inner);
-    let inner = dag.define(Def::Sum(inner), facts, None);
+    let inner = match number {
+        Some(number) => constant(dag, number.abs()),
+        None => {
+            let facts = dag.sum_facts(&inner);
+            dag.define(Def::Sum(inner), facts, None)
+        }
+    };
     let mut outside = common;
     outside.extend(list(dag, inner));
     let product = dag.product(outside);
@@ -123,13 +131,30 @@ fn replace(dag: &mut Dag, id: DefId, mut terms: Vec<Signed>) {
     };
 }
 
+/// The sum of terms that are all constants.
+fn number(dag: &Dag, terms: &[Signed]) -> Option<Number> {
+    let mut sum = Number::ZERO;
+    for &(minus, id) in terms {
+        let Def::Constant(number) = dag.defs[id as usize] else {
+            return None;
+        };
+        sum = sum.plus(if minus { number.opposite() } else { number });
+    }
+    Some(sum)
+}
+
 fn one(dag: &mut Dag) -> DefId {
+    constant(dag, Number::ONE)
+}
+
+/// A constant above 0.
+fn constant(dag: &mut Dag, number: Number) -> DefId {
     let facts = crate::graph::Facts {
         fixed: true,
         nonneg: true,
         nonzero: true,
     };
-    dag.define(Def::Constant(Number::ONE), facts, None)
+    dag.define(Def::Constant(number), facts, None)
 }
 
 fn common(lists: &[Vec<DefId>], with: &[usize]) -> Vec<DefId> {
