@@ -29,6 +29,11 @@ pub enum Command {
         after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models"
     )]
     Verify(Verify),
+    /// Follow one quantity, or its derivative, from its line in the model to formula and code
+    #[command(
+        after_help = "Example:\n  hyzer explain disc alpha --wrt w\n  hyzer explain disc 'der(u)'"
+    )]
+    Explain(Explain),
     /// Fly a release to a CSV and a picture
     #[command(
         after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out against\n\nReleases by name: run `hyzer simulate --list`."
@@ -85,6 +90,21 @@ pub struct Verify {
     /// Random states for each check
     #[arg(long, default_value_t = 200)]
     pub cases: usize,
+}
+
+/// `hyzer explain`.
+#[derive(Args)]
+pub struct Explain {
+    /// Model: a name or a path
+    pub model: String,
+    /// A named quantity, a component of one, a force or moment, or `der(u)`
+    pub quantity: String,
+    /// The state, parameter, coefficient or component of an input to differentiate by
+    #[arg(long, value_name = "X")]
+    pub wrt: Option<String>,
+    /// Switch an effect on, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
 }
 
 /// `hyzer simulate`.

@@ -305,6 +305,19 @@ fn the_page_on_the_paper_is_what_the_command_writes() {
 }
 
 #[test]
+fn a_derivative_is_explained_from_its_line_to_its_code() {
+    let told = stdout(hyzer().args(["explain", "disc", "alpha", "--wrt", "w"]), 0);
+    for part in [
+        "disc.hyz:",
+        "let alpha = atan2",
+        r"\frac{\partial \alpha}{\partial w}",
+        "operations",
+    ] {
+        assert!(told.contains(part), "{part} in {told}");
+    }
+}
+
+#[test]
 fn bad_input_is_status_2_and_says_what_was_expected() {
     let told = |args: &[&str]| stderr(hyzer().args(args), 2);
     assert!(told(&["check", "dsic"]).contains("disc"));
@@ -328,11 +341,14 @@ fn bad_input_is_status_2_and_says_what_was_expected() {
     );
     assert!(told(&["simulate", "disc", "--release", "backhand", "--rate", "0"]).contains("--rate"));
     assert!(told(&["fit", "nowhere"]).contains("dataset.toml"));
+    assert!(told(&["explain", "disc", "alhpa"]).contains("alpha"));
 }
 
 #[test]
 fn every_command_has_help_with_an_example() {
-    for command in ["check", "generate", "verify", "simulate", "fit", "paper"] {
+    for command in [
+        "check", "generate", "verify", "explain", "simulate", "fit", "paper",
+    ] {
         let told = stdout(hyzer().args([command, "--help"]), 0);
         assert!(told.contains(&format!("  hyzer {command}")), "{told}");
     }

@@ -1,6 +1,7 @@
 //! One file per command.
 
 mod check;
+mod explain;
 mod fit;
 mod generate;
 mod paper;
@@ -16,6 +17,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Check(options) => check::run(&options),
         Command::Generate(options) => generate::run(&options),
         Command::Verify(options) => verify::run(&options),
+        Command::Explain(options) => explain::run(&options),
         Command::Simulate(options) => simulate::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Paper(options) => paper::run(&options),

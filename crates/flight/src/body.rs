@@ -9,6 +9,9 @@ use codegen::tape_model::{At, Scratch, TapeModel};
 use model_spec::model::Model;
 use std::borrow::Cow;
 
+/// States of a model whose number is known only when it is read.
+pub type States = Box<[f64]>;
+
 /// A model ready to fly.
 pub struct Body {
     layout: Layout,
@@ -99,12 +102,12 @@ impl Conditions<'_> {
     }
 
     /// Events that end a flight, with the model's own reason, where the model ends.
-    pub fn limits(&self) -> Vec<Event<'_, Box<[f64]>>> {
+    pub fn limits(&self) -> Vec<Event<'_, States>> {
         let each = self.body.limits.iter().enumerate();
         each.map(|(index, (bound, reason))| {
             let mut scratch = Scratch::default();
             let mut values = vec![0.0; self.body.limits.len()];
-            Event::limit(reason.as_str(), move |t, x: &Box<[f64]>| {
+            Event::limit(reason.as_str(), move |t, x: &States| {
                 match &self.body.functions {
                     Functions::Generated(code) => {
                         (code.limits)(t, x, &self.parameters, &self.prepared, &mut values);
@@ -134,9 +137,9 @@ pub struct Motion<'a> {
 }
 
 impl Dynamics for Motion<'_> {
-    type State = Box<[f64]>;
+    type State = States;
 
-    fn derivative(&mut self, t: f64, x: &Box<[f64]>, dx: &mut Box<[f64]>) {
+    fn derivative(&mut self, t: f64, x: &States, dx: &mut States) {
         let conditions = self.conditions;
         match &conditions.body.functions {
             Functions::Generated(code) => {

@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use codegen::compile::{Selection, compile_for};
 use codegen::layout::Layout;
 use codegen::tape_model::{At, Scratch, TapeModel};
+use flight::body::States;
 use flight::sensitivity::{Linearised, Sensitivities};
 use flight::{Dynamics, Options, equations, fly_at};
 use model_spec::model::Model;
@@ -75,7 +76,7 @@ impl Predictor {
     ) -> Result<Vec<Vec<[f64; 3]>>, String> {
         let (states, mut scratch) = (self.tapes.states, Scratch::default());
         let names: Vec<&str> = self.layout.states.iter().map(String::as_str).collect();
-        let mut motion = equations(&names, |t, x: &Box<[f64]>, dx: &mut Box<[f64]>| {
+        let mut motion = equations(&names, |t, x: &States, dx: &mut States| {
             self.tapes.f(conditions.at(t, x), &mut scratch, dx);
         });
         let samples = flown(&mut motion, initial.into(), times)?;
@@ -157,8 +158,8 @@ impl Conditions {
 
 /// Flies from the first of the times to the last, and gives the state at each.
 fn flown(
-    dynamics: &mut impl Dynamics<State = Box<[f64]>>,
-    start: Box<[f64]>,
+    dynamics: &mut impl Dynamics<State = States>,
+    start: States,
     times: &[f64],
 ) -> Result<Vec<f64>, String> {
     let mut samples = vec![0.0; start.len() * times.len()];

@@ -43,7 +43,7 @@ fn head(text: &mut String, study: &Study) {
     );
     line(
         text,
-        &format!(
+        format!(
             "against the paper's {} statements. It is made by `hyzer paper --out docs/paper.md`.\n",
             study.claims.len()
         ),
@@ -66,7 +66,7 @@ fn head(text: &mut String, study: &Study) {
     );
     line(
         text,
-        &format!(
+        format!(
             "{} readings of the two flights together.\n",
             study.ranking.len()
         ),
@@ -77,7 +77,7 @@ fn head(text: &mut String, study: &Study) {
     );
     line(
         text,
-        &format!(
+        format!(
             "counted as 10 at most; its score adds {PRICE} for every hypothesis it uses (an interchange of two columns is one,"
         ),
     );
@@ -90,7 +90,7 @@ fn as_printed(text: &mut String, study: &Study) {
     let held = study.of(&Reading::PRINTED).map_or(0, |scored| scored.held);
     line(
         text,
-        &format!(
+        format!(
             "\nTaken at its word, the print reproduces {held} of its own {} claims.\n",
             study.claims.len()
         ),
@@ -124,7 +124,7 @@ fn claims_table(text: &mut String, study: &Study, reading: &Reading) {
         };
         line(
             text,
-            &format!(
+            format!(
                 "| {} | {} | {stated}{unit} | {value}{unit} | {departure} | {holds} |",
                 claim.flight,
                 what(claim)
@@ -179,7 +179,7 @@ fn row(text: &mut String, rank: usize, scored: &Scored, claims: usize) {
 fn best(text: &mut String, study: &Study) {
     let best = &study.ranking[0];
     line(text, "## The best reading\n");
-    line(text, &format!("{}.\n", capitalised(&best.reading.words())));
+    line(text, format!("{}.\n", capitalised(&best.reading.words())));
     claims_table(text, study, &best.reading);
     let table = Table1::printed();
     line(text, "\nIts coefficients, by the paper's names:\n");
@@ -190,7 +190,7 @@ fn best(text: &mut String, study: &Study) {
         ("bffl8", table.bffl8, best.reading.bffl8),
     ] {
         let [a, b, c, d] = order.map(|column| row[column as usize]);
-        line(text, &format!("| {name} | {a} | {b} | {c} | {d} |"));
+        line(text, format!("| {name} | {a} | {b} | {c} | {d} |"));
     }
     line(text, "");
 }
@@ -201,6 +201,9 @@ fn capitalised(words: &str) -> String {
         first.to_uppercase().chain(characters).collect()
     })
 }
+
+/// Whether a reading uses a hypothesis.
+type Uses = Box<dyn Fn(&Reading) -> bool>;
 
 /// What each hypothesis of the best reading is worth: the best score that is reached without it.
 fn worth(text: &mut String, study: &Study) {
@@ -215,7 +218,7 @@ fn worth(text: &mut String, study: &Study) {
         "| hypothesis | best score without it | claims that hold then | loss |",
     );
     line(text, "|---|---|---|---|");
-    let mut parts: Vec<(String, Box<dyn Fn(&Reading) -> bool>)> = Vec::new();
+    let mut parts: Vec<(String, Uses)> = Vec::new();
     for word in best.reading.common.hypotheses() {
         parts.push((
             word.to_owned(),
@@ -241,7 +244,7 @@ fn worth(text: &mut String, study: &Study) {
             let (score, loss) = (without.score(), without.score() - best.score());
             line(
                 text,
-                &format!(
+                format!(
                     "| {word} | {score:.2} | {} of {} | {loss:.2} |",
                     without.held,
                     study.claims.len()
@@ -260,7 +263,7 @@ fn undecided(text: &mut String, study: &Study) {
     line(text, "## What the claims cannot tell apart\n");
     line(
         text,
-        &format!(
+        format!(
             "{} readings hold as many claims as the best with a misfit less than one squared tolerance above its",
             set.len()
         ),
@@ -287,7 +290,7 @@ fn undecided(text: &mut String, study: &Study) {
         let (misfit, count) = (scored.misfit, scored.reading.hypotheses());
         line(
             text,
-            &format!(
+            format!(
                 "| {here} | {there}{same} | {misfit:.2}, {:.2} | {count} |",
                 best.misfit
             ),
