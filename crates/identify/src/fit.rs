@@ -426,12 +426,12 @@ impl Problem for Squares<'_> {
         for (row, seen) in rows.iter().zip(&data.positions) {
             for (observed, seen) in row.iter().zip(seen) {
                 let Some(seen) = seen else { continue };
-                for axis in 0..3 {
+                for (axis, measured) in seen.iter().enumerate() {
                     let by = observed.sensitivity.row(axis).transpose();
                     let (by_own, by_shared) =
                         (by.rows(0, own.len()), by.rows(own.len(), shared.len()));
                     block.add(
-                        observed.position[axis] - seen[axis],
+                        observed.position[axis] - measured,
                         &by_own.clone_owned(),
                         &by_shared.clone_owned(),
                     );
