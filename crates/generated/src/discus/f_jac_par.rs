@@ -58,7 +58,7 @@ pub fn f_jac_par<T: Real>(
     let inv_I_a_d_gammadot_dot_d_r = prepared[26];
     let (sin_theta, cos_theta) = theta.sin_cos();
 
-    // discus.hyz:63  position (x, y, z) in N;
+    // discus.hyz:64  position (x, y, z) in N;
     let x_dot = u * cos_theta + w * sin_theta;
     let (sin_phi, cos_phi) = phi.sin_cos();
     let minus_sin_theta_u_minus_w_cos_sum_2 = cos_theta * w - u * sin_theta;
@@ -70,7 +70,7 @@ pub fn f_jac_par<T: Real>(
     let sin_phi_wind_y_sum = wind_y * sin_phi - wind_z * cos_phi;
     let d_air_velocity_1_d_theta = wind_x * sin_theta - cos_theta * sin_phi_wind_y_sum;
 
-    // discus.hyz:70  let air_velocity = velocity - in_B(wind);
+    // discus.hyz:71  let air_velocity = velocity - in_B(wind);
     let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
     let d_minus_air_velocity_3_d_theta = wind_x * cos_theta + sin_theta * sin_phi_wind_y_sum;
     let air_velocity_1 = u - d_minus_air_velocity_3_d_theta;
@@ -79,7 +79,7 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_12_sq = air_velocity_1 * air_velocity_1 + air_velocity_2 * air_velocity_2;
     let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
 
-    // discus.hyz:72  let V = norm(air_velocity);
+    // discus.hyz:73  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let V_inv_m = inv_m * V;
     let V_inv_m_half_rho_A = half_rho_A * V_inv_m;
@@ -94,14 +94,14 @@ pub fn f_jac_par<T: Real>(
     let C_Lp_plus_minus_C_Lp_sum = C_Lp + minus_C_Lp_plus_C_Ls * inv_inv_s_stall_minus_sum;
     let air_velocity_12 = air_velocity_12_sq.sqrt();
 
-    // discus.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // discus.hyz:78  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let alpha_two = T::splat(2.0) * alpha;
     let (sin_alpha_two, cos_alpha_two) = alpha_two.sin_cos();
     let sin_alpha_two_C_Lp_product = C_Lp_plus_minus_C_Lp_sum * sin_alpha_two;
     let minus_air_velocity_product = minus_air_velocity_3_inv_V * minus_air_velocity_3_inv_V;
 
-    // discus.hyz:83  let C_D = C_D0 + C_Ds*sin(alpha)^2;
+    // discus.hyz:84  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = C_D0 + C_Ds * minus_air_velocity_product;
     let C_D_air_velocity_12_sum =
         air_velocity_12 * C_D - minus_air_velocity_3 * sin_alpha_two_C_Lp_product;
@@ -110,7 +110,7 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
     let part_of_u_dot = d_w_dot_d_theta - C_D_air_velocity_12_product * air_velocity_1_inv_product;
 
-    // discus.hyz:64  velocity (u, v, w) in B;
+    // discus.hyz:65  velocity (u, v, w) in B;
     let u_dot = part_of_u_dot - w * thetadot;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12;
     let part_of_v_dot = C_D_air_velocity_12_product * air_velocity_2_inv_product;
@@ -134,7 +134,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_minus_thetadot_r_inv_I = air_velocity_2_inv_product * V_sq_half_rho_A_d_product_3;
     let sin_theta_phidot = sin_theta * phidot;
 
-    // discus.hyz:88  let r = dot(angular_velocity, d3);
+    // discus.hyz:89  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let r_inv_I_d_I_a = inv_I_d_I_a * r;
     let part_of_minus_thetadot_r_inv_I_2 =
@@ -147,11 +147,11 @@ pub fn f_jac_par<T: Real>(
     let part_of_thetadot_dot =
         thetadot * V_sq_half_rho_A_d_product_2 - cos_theta_phidot * sin_theta_phidot_minus_sum;
 
-    // discus.hyz:56  frame B = A turned theta about 2; // does not spin with the discus
+    // discus.hyz:57  frame B = A turned theta about 2; // does not spin with the discus
     let thetadot_dot =
         part_of_thetadot_dot + air_velocity_1_inv_product * V_sq_half_rho_A_d_product_3;
 
-    // discus.hyz:57  frame C = B turned gamma about 3; // fixed in the discus
+    // discus.hyz:58  frame C = B turned gamma about 3; // fixed in the discus
     let gammadot_dot =
         C_Nr_inv_I_a * r - thetadot * cos_theta_phidot - sin_theta * minus_thetadot_r_product;
     let d_y_dot_d_u = sin_theta * sin_phi;
