@@ -96,8 +96,7 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
     let mut rest: Vec<Signed> = others.map(|t| terms[t]).collect();
     let number = number(dag, &inner);
     if number.is_some_and(Number::is_zero) {
-        replace(dag, id, rest);
-        *uses = dag.uses();
+        replace(dag, id, rest, uses);
         return true;
     }
     // a sum inside a product starts with plus
@@ -116,19 +115,40 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
     outside.extend(list(dag, inner));
     let product = dag.product(outside);
     rest.push((flip, product));
-    replace(dag, id, rest);
-    *uses = dag.uses();
+    replace(dag, id, rest, uses);
     true
 }
 
-/// Makes a definition the sum of these terms.
-fn replace(dag: &mut Dag, id: DefId, mut terms: Vec<Signed>) {
+/// Makes a definition the sum of these terms, and counts uses anew where they change.
+fn replace(dag: &mut Dag, id: DefId, mut terms: Vec<Signed>, uses: &mut Vec<u32>) {
     cancel(&mut terms);
-    dag.defs[id as usize] = match terms.as_slice() {
+    let new = match terms.as_slice() {
         [] => Def::Constant(Number::ZERO),
         [(false, single)] => dag.defs[*single as usize].clone(),
         _ => Def::Sum(terms),
     };
+    uses.resize(dag.defs.len(), 0);
+    let old = std::mem::replace(&mut dag.defs[id as usize], new);
+    for operand in dag.defs[id as usize].operands() {
+        take(dag, operand, uses);
+    }
+    for operand in old.operands() {
+        leave(dag, operand, uses);
+    }
+}
+
+fn take(dag: &Dag, id: DefId, uses: &mut [u32]) {
+    uses[id as usize] += 1;
+    if uses[id as usize] == 1 {
+        dag.defs[id as usize].for_operands(|operand| take(dag, operand, uses));
+    }
+}
+
+fn leave(dag: &Dag, id: DefId, uses: &mut [u32]) {
+    uses[id as usize] = uses[id as usize].saturating_sub(1);
+    if uses[id as usize] == 0 {
+        dag.defs[id as usize].for_operands(|operand| leave(dag, operand, uses));
+    }
 }
 
 /// The sum of terms that are all constants.
