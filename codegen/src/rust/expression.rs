@@ -144,3 +144,73 @@ pub(super) fn local(name: &str) -> String {
         name.to_string()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::Statement;
+
+    /// The text of `op` over a = temp 0 = `inner` of states b, c.
+    fn nested(inner: Op, outer: impl Fn(Operand) -> Op) -> String {
+        let unnamed = |op| Statement {
+            op,
+            name: None,
+            about: None,
+        };
+        let program = Program {
+            statements: vec![unnamed(inner), unnamed(outer(Operand::Temp(0)))],
+            outputs: Vec::new(),
+        };
+        let states = ["a", "b", "c"].map(String::from);
+        let writer = Writer {
+            program: &program,
+            names: vec![None; 2],
+            states: &states,
+            parameters: &[],
+            prepared: &[],
+            marker: &[],
+        };
+        writer.statement(1)
+    }
+
+    #[test]
+    fn parentheses_stand_where_the_order_needs_them() {
+        use Binary::{Add, Atan2, Div, Mul, Sub};
+        let [a, b, c] = [0, 1, 2].map(Operand::State);
+        let inner = |binary| Op::Binary(binary, b, c);
+        let table = [
+            (inner(Add), Sub, "a - (b + c)", "b + c - a"),
+            (inner(Sub), Add, "a + (b - c)", "b - c + a"),
+            (inner(Mul), Sub, "a - b * c", "b * c - a"),
+            (inner(Add), Mul, "a * (b + c)", "(b + c) * a"),
+            (inner(Mul), Div, "a / (b * c)", "b * c / a"),
+            (inner(Div), Mul, "a * (b / c)", "b / c * a"),
+            (inner(Add), Atan2, "a.atan2(b + c)", "(b + c).atan2(a)"),
+            (Op::Unary(Unary::Neg, b), Mul, "a * -b", "-b * a"),
+            (
+                Op::Unary(Unary::Recip, b),
+                Mul,
+                "a * (T::splat(1.0) / b)",
+                "T::splat(1.0) / b * a",
+            ),
+            (
+                Op::Unary(Unary::Sqrt, b),
+                Div,
+                "a / b.sqrt()",
+                "b.sqrt() / a",
+            ),
+        ];
+        for (inner, outer, right, left) in table {
+            assert_eq!(nested(inner, |t| Op::Binary(outer, a, t)), right);
+            assert_eq!(nested(inner, |t| Op::Binary(outer, t, a)), left);
+        }
+        let product = Op::Binary(Mul, b, c);
+        assert_eq!(nested(product, |t| Op::Unary(Unary::Neg, t)), "-(b * c)");
+        assert_eq!(
+            nested(product, |t| Op::Unary(Unary::Sqrt, t)),
+            "(b * c).sqrt()"
+        );
+        let negative = Op::Unary(Unary::Neg, b);
+        assert_eq!(nested(negative, |t| Op::Unary(Unary::Abs, t)), "(-b).abs()");
+    }
+}
