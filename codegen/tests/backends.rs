@@ -9,6 +9,13 @@ use codegen::{Compiled, TapeModel, compile};
 use lanes::{Kernel, Lanes, dispatch};
 use support::{Random, model, point};
 
+#[allow(non_snake_case, clippy::all)]
+#[path = "zoo/f_jac_par.rs"]
+mod zoo_f_jac_par;
+#[allow(non_snake_case, clippy::all)]
+#[path = "zoo/prepare.rs"]
+mod zoo_prepare;
+
 const MARK: [f64; 3] = [0.1, -0.02, 0.01];
 
 fn bits(values: &[f64]) -> Vec<u64> {
@@ -67,6 +74,57 @@ fn committed_code_agrees_with_the_tape() {
             assert_eq!(bits(&q), bits(&q2), "{} quantities", table.name);
         }
     }
+}
+
+/// The zoo's code is kept beside its model; `UPDATE_ZOO=1` writes it anew.
+#[test]
+fn every_function_agrees_as_rust_and_on_the_tape() {
+    let zoo = support::zoo();
+    let compiled = compile(&zoo);
+    for (path, text) in codegen::rust::emit(&compiled, &zoo) {
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests")
+            .join(&path);
+        if !["zoo/f_jac_par.rs", "zoo/prepare.rs"].contains(&path.as_str()) {
+            continue;
+        }
+        if std::env::var_os("UPDATE_ZOO").is_some() {
+            std::fs::write(&file, &text).expect("writable");
+        }
+        let there = std::fs::read_to_string(&file).unwrap_or_default();
+        assert_eq!(there, text, "{path} is stale");
+    }
+    let tape = TapeModel::new(&compiled);
+    let mut random = Random(3);
+    let mut scratch = Scratch::default();
+    for _ in 0..100 {
+        let (x, p) = point(&compiled, &mut random);
+        let mut k = [0.0; zoo_sizes::PREPARED];
+        zoo_prepare::prepare(p[..].try_into().expect("all parameters"), &mut k);
+        let (mut dx, mut j, mut jp) = ([0.0; 3], [0.0; zoo_sizes::J], [0.0; zoo_sizes::JP]);
+        let (mut dx2, mut j2, mut jp2) = (dx, j, jp);
+        let state = x[..].try_into().expect("all states");
+        let parameters = p[..].try_into().expect("all parameters");
+        zoo_f_jac_par::f_jac_par(0.2, state, parameters, &k, &mut dx, &mut j, &mut jp);
+        let prepared = tape.prepare(&p);
+        let at = At {
+            t: 0.2,
+            x: &x,
+            p: &p,
+            prepared: &prepared,
+        };
+        tape.f_jac_par(at, &mut scratch, &mut dx2, &mut j2, &mut jp2);
+        assert_eq!(
+            (bits(&dx), bits(&j), bits(&jp)),
+            (bits(&dx2), bits(&j2), bits(&jp2))
+        );
+    }
+}
+
+mod zoo_sizes {
+    pub const PREPARED: usize = 13;
+    pub const J: usize = 8;
+    pub const JP: usize = 7;
 }
 
 struct EveryLane<'a> {
@@ -138,8 +196,8 @@ impl Kernel for EveryLane<'_> {
 #[test]
 fn every_lane_agrees_with_one_flight() {
     let mut random = Random(5);
-    for name in support::models() {
-        let compiled = compile(&model(name));
+    for model in support::with_zoo() {
+        let compiled = compile(&model);
         let points: Vec<_> = (0..8).map(|_| point(&compiled, &mut random)).collect();
         dispatch(EveryLane {
             compiled: &compiled,

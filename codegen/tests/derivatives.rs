@@ -175,8 +175,8 @@ fn check(compiled: &Compiled, x: &[f64], p: &[f64]) {
 #[test]
 fn at_random_states() {
     let mut random = Random(7);
-    for name in support::models() {
-        let compiled = compile(&model(name));
+    for model in support::with_zoo() {
+        let compiled = compile(&model);
         for _ in 0..50 {
             let (x, p) = point(&compiled, &mut random);
             check(&compiled, &x, &p);

@@ -19,6 +19,19 @@ pub fn model(name: &str) -> Model {
     model_spec::load::load(name, &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// Every function of the language in one model.
+pub fn zoo() -> Model {
+    let text = include_str!("../zoo/zoo.hyz");
+    model_spec::load::from_text("zoo", text, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The built-in models and the zoo.
+pub fn with_zoo() -> Vec<Model> {
+    let mut all: Vec<Model> = models().into_iter().map(model).collect();
+    all.push(zoo());
+    all
+}
+
 /// A number with one derivative, by num-dual; the tape's own operations carry it.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual(pub Dual64);
@@ -141,6 +154,7 @@ pub fn point(compiled: &codegen::Compiled, random: &mut Random) -> (Vec<f64>, Ve
                 "u" | "v" | "w" | "vx" | "vy" | "vz" => 12.0,
                 "phi" | "theta" | "gamma" => 0.9,
                 name if name.starts_with('q') => 0.0,
+                "a" | "b" | "e" => 0.9,
                 _ => 5.0,
             };
             start + size * random.next()
