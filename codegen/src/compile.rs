@@ -6,7 +6,7 @@ use crate::differentiate::{self, Jacobian, Linear, Order};
 use crate::graph::{Graph, NodeId, Symbol};
 use crate::layout::Layout;
 use crate::optimise::{Dag, import};
-use crate::program::{Function, Program, Section};
+use crate::program::{Function, Operand, Program, Section};
 use crate::schedule::prepare::Prepare;
 use crate::schedule::{Namer, schedule_named};
 use model_spec::model::Model;
@@ -71,6 +71,23 @@ impl Compiled {
         self.functions()
             .into_iter()
             .find(|function| function.name == name)
+    }
+
+    /// Operations of `prepare` that a function relies on: what they would cost it if nothing were prepared.
+    pub fn count_prepared(&self, name: &str) -> count::Count {
+        let Some(function) = self.function(name) else {
+            return count::Count::default();
+        };
+        let program = &function.program;
+        let inside = program.statements.iter().flat_map(|s| s.op.operands());
+        let slots: Vec<usize> = inside
+            .chain(program.outputs.iter().copied())
+            .filter_map(|operand| match operand {
+                Operand::Prepared(slot) => Some(slot as usize),
+                _ => None,
+            })
+            .collect();
+        count::count_for(&self.prepare.program, &slots)
     }
 
     /// Operations of a function.

@@ -1,6 +1,6 @@
 //! How many operations a program takes, by kind. A sine and a cosine of one angle count as two.
 
-use crate::program::{Binary, Op, Program, Unary};
+use crate::program::{Binary, Op, Operand, Program, Unary};
 use std::fmt;
 
 /// Operations by kind.
@@ -57,6 +57,28 @@ pub fn count(program: &Program) -> Count {
     let mut count = Count::default();
     for statement in &program.statements {
         count.one(&statement.op);
+    }
+    count
+}
+
+/// Counts the operations that some outputs of a program need.
+pub fn count_for(program: &Program, outputs: &[usize]) -> Count {
+    let mut needed = vec![false; program.statements.len()];
+    for &output in outputs {
+        if let Operand::Temp(t) = program.outputs[output] {
+            needed[t as usize] = true;
+        }
+    }
+    let mut count = Count::default();
+    for (k, statement) in program.statements.iter().enumerate().rev() {
+        if needed[k] {
+            count.one(&statement.op);
+            for operand in statement.op.operands() {
+                if let Operand::Temp(t) = operand {
+                    needed[t as usize] = true;
+                }
+            }
+        }
     }
     count
 }

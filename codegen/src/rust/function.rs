@@ -32,6 +32,10 @@ pub(super) fn emit(compiled: &Compiled, function: &Function) -> String {
     text.push('\n');
     let _ = writeln!(text, "/// {}", sentence(function.name));
     let _ = writeln!(text, "///\n/// {}.", count::count(&function.program));
+    let prepared = compiled.count_prepared(function.name).total();
+    if prepared > 0 {
+        let _ = writeln!(text, "/// `prepare` takes {prepared} operations for it.");
+    }
     let inputs = inputs(compiled, function.name);
     text.push_str("#[inline(always)]\n");
     text.push_str(&signature(compiled, function, &inputs, &used));

@@ -6,6 +6,7 @@ use lanes::Real;
 /// `dx`, `j`, and the entries `jp` of the Jacobian by the parameters, see `JP_PATTERN`.
 ///
 /// 53 operations: 9 add, 33 mul, 1 div, 9 neg, 1 sqrt.
+/// `prepare` takes 11 operations for it.
 #[inline(always)]
 pub fn f_jac_par<T: Real>(
     _time: T,

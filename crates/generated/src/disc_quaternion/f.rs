@@ -6,6 +6,7 @@ use lanes::Real;
 /// Derivatives `dx` of the states.
 ///
 /// 141 operations: 47 add, 88 mul, 1 div, 1 neg, 2 sqrt, 1 call, 1 select.
+/// `prepare` takes 11 operations for it.
 #[inline(always)]
 pub fn f<T: Real>(
     _time: T,

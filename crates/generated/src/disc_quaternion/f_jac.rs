@@ -6,6 +6,7 @@ use lanes::Real;
 /// Derivatives `dx` of the states and the entries `j` of their Jacobian, see `J_PATTERN`.
 ///
 /// 568 operations: 205 add, 349 mul, 2 div, 7 neg, 2 sqrt, 1 call, 2 select.
+/// `prepare` takes 13 operations for it.
 #[inline(always)]
 pub fn f_jac<T: Real>(
     _time: T,

@@ -6,6 +6,7 @@ use lanes::Real;
 /// Every named quantity, see `QUANTITIES`.
 ///
 /// 86 operations: 28 add, 52 mul, 1 div, 2 neg, 2 sqrt, 1 call.
+/// `prepare` takes 3 operations for it.
 #[inline(always)]
 pub fn quantities<T: Real>(
     _time: T,

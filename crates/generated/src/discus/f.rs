@@ -6,6 +6,7 @@ use lanes::Real;
 /// Derivatives `dx` of the states.
 ///
 /// 114 operations: 34 add, 67 mul, 4 div, 2 sqrt, 6 call, 1 select.
+/// `prepare` takes 13 operations for it.
 #[inline(always)]
 pub fn f<T: Real>(
     _time: T,
