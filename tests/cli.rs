@@ -333,6 +333,18 @@ fn bad_input_is_status_2_and_says_what_was_expected() {
         ])
         .contains("C_La")
     );
+    let told_of_rho = told(&[
+        "simulate",
+        "disc",
+        "--release",
+        "backhand",
+        "--set",
+        "rho=-1",
+    ]);
+    assert!(
+        told_of_rho.contains("rho = -1, expected 0"),
+        "{told_of_rho}"
+    );
     assert!(
         told(&["simulate", "disc", "--release", "backhand", "--set", "m=-1"]).contains("above 0")
     );

@@ -124,33 +124,25 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
         .split_once('=')
         .with_context(|| format!("--set: found {set:?}, expected NAME=VALUE"))?;
     let (name, value) = (name.trim(), number("--set", value)?);
-    let constants = model.params.iter().chain(&model.coefficients);
-    if let Some(constant) = constants.clone().find(|constant| constant.name == name) {
-        if let Some((low, high)) = constant
-            .bounds
-            .filter(|&(low, high)| value < low || value > high)
-        {
-            bail!(
-                "--set: found {name} = {value}, expected {low} to {high} {}",
-                constant.unit_text
-            );
-        }
-        let is_mass = ["m", "I_a", "I_d", "d", "A", "radius"].contains(&name);
-        if is_mass && value <= 0.0 {
-            bail!("--set: found {name} = {value}, expected a number above 0");
-        }
-        let list = if model.params.iter().any(|param| param.name == name) {
-            &mut release.parameters
-        } else {
-            &mut release.coefficients
+    let vocabulary = Vocabulary::of(model);
+    for (names, values) in [
+        (&vocabulary.parameters, &mut release.parameters),
+        (&vocabulary.coefficients, &mut release.coefficients),
+    ] {
+        let Some(constant) = names.iter().find(|constant| constant.name == name) else {
+            continue;
         };
-        list.retain(|(known, _)| known != name);
-        list.push((name.to_owned(), value));
+        if let Some(expected) = constant.expected_instead_of(value) {
+            bail!("--set: found {name} = {value}, expected {expected}");
+        }
+        values.retain(|(known, _)| known != name);
+        values.push((name.to_owned(), value));
         return Ok(());
     }
     match release.initial.iter_mut().find(|(known, _)| known == name) {
         Some((_, state)) => *state = value,
         None => {
+            let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
             let mut known: Vec<&str> = constants.map(|constant| constant.name.as_str()).collect();
             known.extend(release.initial.iter().map(|(name, _)| name.as_str()));
             bail!(
@@ -165,24 +157,7 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
 
 fn flown(body: &Body, release: &Release, options: &Simulate) -> anyhow::Result<Flight> {
     let layout = body.layout();
-    let defaults = layout
-        .parameters
-        .iter()
-        .map(String::as_str)
-        .zip(layout.default_parameters());
-    let mut parameters = release.constants(defaults);
-    let inputs = release
-        .known
-        .iter()
-        .map(|(name, value)| (name.as_str(), value));
-    for (name, vector) in inputs.chain([("wind", &release.wind)]) {
-        for (axis, value) in ["x", "y", "z"].iter().zip(vector) {
-            if let Some(place) = layout.parameter(&format!("{name}_{axis}")) {
-                parameters[place] = *value;
-            }
-        }
-    }
-    let conditions = body.with(parameters);
+    let conditions = body.with(body.parameters(release));
     let start: Box<[f64]> = release.state().into();
     let mut events = conditions.limits();
     if let Some(z) = layout.state("z") {

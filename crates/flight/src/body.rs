@@ -2,6 +2,7 @@
 
 use crate::dynamics::Dynamics;
 use crate::event::Event;
+use crate::release::Release;
 use codegen::compile::compile;
 use codegen::layout::Layout;
 use codegen::rust::source_hash;
@@ -58,6 +59,25 @@ impl Body {
     /// Names and places of states and parameters.
     pub fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// The parameters of a release, in the order of the layout: the model's defaults with its values, its wind and
+    /// what else is known of the flight.
+    pub fn parameters(&self, release: &Release) -> Vec<f64> {
+        let names = self.layout.parameters.iter().map(String::as_str);
+        let mut parameters = release.constants(names.zip(self.layout.default_parameters()));
+        let known = release
+            .known
+            .iter()
+            .map(|(name, value)| (name.as_str(), value));
+        for (name, vector) in known.chain([("wind", &release.wind)]) {
+            for (axis, value) in ["x", "y", "z"].iter().zip(vector) {
+                if let Some(place) = self.layout.parameter(&format!("{name}_{axis}")) {
+                    parameters[place] = *value;
+                }
+            }
+        }
+        parameters
     }
 
     /// The body with these parameters, in the order of the layout.

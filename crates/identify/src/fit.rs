@@ -7,7 +7,7 @@ use nalgebra::DVector;
 
 use crate::dataset::{Dataset, Flight, Role};
 use crate::levenberg::{Failure, Point, Problem, Solution, solve};
-use crate::normal::{Block, eliminate};
+use crate::normal::{Block, Eliminated, eliminate};
 use crate::predict::{Conditions, Predictor};
 use crate::report::{Coefficient, Estimate, FlightReport, Iterations, Noise, Report, Undetermined};
 use crate::start;
@@ -66,18 +66,20 @@ pub fn fit(model: &Model, dataset: &Dataset) -> Result<Report, FitError> {
         held: None,
     };
     let solution = solve(&problem, start).map_err(|failure| problem.told(failure))?;
-    let mut report = setting.report(model, &problem, &solution)?;
+    // Once for all flights, so that the work stays proportional to their number.
+    let system = eliminate(&solution.blocks, 0.0)
+        .map_err(|singular| problem.told(Failure::Singular(singular)))?;
+    let mut report = setting.report(model, &system, &solution)?;
+    let sigma = report.noise.sigma_m;
+    let mut indices = 0_usize..;
     for flight in &dataset.flights {
-        report.flights.push(
-            match problem
-                .flights
-                .iter()
-                .position(|fitted| std::ptr::eq(*fitted, flight))
-            {
-                Some(index) => setting.fitted(flight, index, &solution, report.noise.sigma_m),
-                None => setting.held_out(flight, &solution.point.shared, report.noise.sigma_m)?,
-            },
-        );
+        report.flights.push(match flight.role {
+            Role::Fit => {
+                let index = indices.next().unwrap_or_default();
+                setting.fitted(flight, index, &system, &solution, sigma)
+            }
+            Role::HeldOut => setting.held_out(flight, &solution.point.shared, sigma)?,
+        });
     }
     report.seconds = BTreeMap::from([("total".to_owned(), begun.elapsed().as_secs_f64())]);
     Ok(report)
@@ -209,7 +211,7 @@ impl Setting {
     fn report(
         &self,
         model: &Model,
-        problem: &Squares<'_>,
+        system: &Eliminated<'_>,
         solution: &Solution,
     ) -> Result<Report, FitError> {
         let squares: f64 = solution.blocks.iter().map(|block| block.squares).sum();
@@ -222,8 +224,6 @@ impl Setting {
         }
         let estimated = (squares / (count - unknowns) as f64).sqrt();
         let sigma = self.sigma.unwrap_or(estimated);
-        let system = eliminate(&solution.blocks, 0.0)
-            .map_err(|singular| problem.told(Failure::Singular(singular)))?;
         let covariance = system.shared_covariance() * sigma.powi(2);
         let error = |i: usize| covariance[(i, i)].max(0.0).sqrt();
         let mut coefficients = BTreeMap::new();
@@ -283,19 +283,14 @@ impl Setting {
         &self,
         flight: &Flight,
         index: usize,
+        system: &Eliminated<'_>,
         solution: &Solution,
         sigma: f64,
     ) -> FlightReport {
         let block = &solution.blocks[index];
         let rms = (block.squares / block.count.max(1) as f64).sqrt();
-        let initial = match eliminate(&solution.blocks, 0.0) {
-            Ok(system) => self.initial(
-                &solution.point.own[index],
-                &system.own_covariance(index),
-                sigma,
-            ),
-            Err(_) => BTreeMap::new(),
-        };
+        let covariance = system.own_covariance(index);
+        let initial = self.initial(&solution.point.own[index], &covariance, sigma);
         FlightReport {
             file: flight.file.clone(),
             role: flight.role,

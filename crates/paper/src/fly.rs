@@ -33,13 +33,7 @@ impl Flyer {
         let text = built_in(name).ok_or_else(|| format!("no release {name} is built in"))?;
         let release =
             read(name, text, |_| Ok(Vocabulary::of(&model))).map_err(|e| e.to_string())?;
-        let layout = body.layout();
-        let defaults = layout
-            .parameters
-            .iter()
-            .map(String::as_str)
-            .zip(layout.default_parameters());
-        let parameters = release.constants(defaults);
+        let parameters = body.parameters(&release);
         Ok(Self {
             parameters,
             initial: release.state().into(),

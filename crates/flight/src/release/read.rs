@@ -269,7 +269,7 @@ impl<'t> Reader<'t> {
             let Some(number) = self.number(value, name) else {
                 continue;
             };
-            if let Some(expected) = outside(known, number) {
+            if let Some(expected) = known.expected_instead_of(number) {
                 self.fault(
                     value.span(),
                     format!("{name} is {number}; expected {expected}"),
@@ -434,15 +434,17 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// What is expected of a constant that is not so.
-fn outside(name: &Name, value: f64) -> Option<String> {
-    let named = |names: &[&str]| names.contains(&&*name.name);
-    match name.bounds {
-        Some((least, greatest)) if value < least || value > greatest => {
-            Some(format!("a number from {least} to {greatest}"))
+impl Name {
+    /// What is expected of the constant where this value is none it may have.
+    pub fn expected_instead_of(&self, value: f64) -> Option<String> {
+        let named = |names: &[&str]| names.contains(&&*self.name);
+        match self.bounds {
+            Some((least, greatest)) if value < least || value > greatest => {
+                Some(format!("a number from {least} to {greatest}"))
+            }
+            _ if named(&ABOVE_ZERO) && value <= 0.0 => Some("a number above 0".into()),
+            _ if named(&NOT_BELOW_ZERO) && value < 0.0 => Some("0 or a number above".into()),
+            _ => None,
         }
-        _ if named(&ABOVE_ZERO) && value <= 0.0 => Some("a number above 0".into()),
-        _ if named(&NOT_BELOW_ZERO) && value < 0.0 => Some("0 or a number above".into()),
-        _ => None,
     }
 }
