@@ -69,9 +69,9 @@ fn summary(report: &Report) -> String {
     );
     let noise = &report.noise;
     let how = if noise.estimated {
-        "estimated, taken as white"
+        "estimated"
     } else {
-        "given, taken as white"
+        "given"
     };
     let _ = writeln!(
         text,

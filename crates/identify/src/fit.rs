@@ -235,6 +235,8 @@ impl Setting {
             let at_bound = value == low || value == high;
             if at_bound {
                 undetermined.push(Undetermined {
+                    weights: BTreeMap::new(),
+                    relative_error: f64::INFINITY,
                     combination: vec![constant.name.clone()],
                     why: format!("it rests on its bound {value}: the least squares want it beyond"),
                 });
@@ -245,8 +247,13 @@ impl Setting {
                 Coefficient {
                     value,
                     std_error: error(i),
+                    std_error_clustered: None,
+                    interval: [value - 1.96 * error(i), value + 1.96 * error(i)],
                     unit,
                     at_bound,
+                    held: false,
+                    model_value: constant.value,
+                    prior: None,
                 },
             );
             let row = model.coefficients.iter().enumerate();
@@ -259,20 +266,30 @@ impl Setting {
             correlations.insert(constant.name.clone(), row.collect());
         }
         Ok(Report {
-            schema: "hyzer.fit/1",
+            schema: "hyzer.fit/1".into(),
+            effects: Vec::new(),
             model: model.name.clone(),
             rms_m: (squares / count as f64).sqrt(),
             noise: Noise {
                 sigma_m: sigma,
+                ar1: 0.0,
                 estimated: self.sigma.is_none(),
-                kind: "white",
+                axes: BTreeMap::new(),
+                interval_s: 0.0,
+                points: 0,
+                outliers: 0,
+                outlier_fraction: 0.0,
+                dropouts: 0,
             },
+            profiles: Vec::new(),
+            residuals: BTreeMap::new(),
             coefficients,
             correlations,
             flights: Vec::new(),
             undetermined,
             iterations: Iterations {
                 steps: solution.iterations,
+                rounds: 1,
                 converged: solution.converged,
             },
             seconds: BTreeMap::new(),
@@ -296,6 +313,9 @@ impl Setting {
             role: flight.role,
             samples: flight.times.len(),
             rms_m: rms,
+            outliers: 0,
+            cut: None,
+            notes: Vec::new(),
             initial,
         }
     }
@@ -370,6 +390,9 @@ impl Setting {
             role: flight.role,
             samples: flight.times.len(),
             rms_m,
+            outliers: 0,
+            cut: None,
+            notes: Vec::new(),
             initial,
         })
     }
