@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
-use crate::dataset::{Dataset, Flight, Role};
+use crate::dataset::{Dataset, Flight, Known, Role};
 use crate::levenberg::{Failure, Point, Problem, Solution, solve};
 use crate::normal::{Block, Eliminated, eliminate};
 use crate::predict::{Conditions, Predictor};
@@ -159,6 +159,15 @@ impl Setting {
                     reason,
                 });
             }
+            let scalar = |(name, known): (&String, &Known)| {
+                matches!(known, Known::Scalar(_)).then(|| name.clone())
+            };
+            if let Some(name) = flight.known.iter().find_map(scalar) {
+                return Err(FitError::Flight {
+                    file: flight.file.clone(),
+                    reason: format!("{name} is known as one number, expected three"),
+                });
+            }
         }
         let unbounded = (f64::NEG_INFINITY, f64::INFINITY);
         let bounds = model
@@ -198,7 +207,10 @@ impl Setting {
         for (&place, &value) in self.free.iter().zip(shared.iter()) {
             parameters[place] = value;
         }
-        for (name, vector) in &flight.known {
+        for (name, known) in &flight.known {
+            let Known::Vector(vector) = known else {
+                continue;
+            };
             for (axis, value) in ["x", "y", "z"].iter().zip(vector) {
                 if let Some(place) = self.predictor.layout().parameter(&format!("{name}_{axis}")) {
                     parameters[place] = *value;

@@ -2,27 +2,28 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use std::path::{Component, Path};
+use std::path::Path;
 
-use serde::Deserialize;
-use toml::Spanned;
+use toml::de::DeTable;
 
-use super::Marker;
-use crate::error::{InputError, line_and_column, utf8};
+use super::fields::{Fields, Value};
+use super::words::{meant, shown};
+use super::{Known, Marker, Role, file, names};
+use crate::error::{InputError, line_and_column};
 
-/// What a flight is for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Role {
-    /// Coefficients are fitted to it.
-    #[default]
-    Fit,
-    /// It is kept to judge predictions.
-    HeldOut,
-}
+/// Largest manifest that is read, bytes.
+const LARGEST: u64 = 4 << 20;
+/// Most markers of a dataset.
+const MOST_MARKERS: usize = 1000;
+/// Farthest marker from the body's origin, m: beyond it, millimetres were given.
+const FARTHEST: f64 = 10.0;
+/// Markers nearer to each other than this are one, m.
+const NEAREST: f64 = 1e-6;
+/// Largest standard deviation of a measurement, m: beyond it, millimetres were given.
+const NOISIEST: f64 = 1.0;
 
 /// The checked contents of `dataset.toml`.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub(super) struct Manifest {
     pub model: String,
     pub parameters: BTreeMap<String, f64>,
@@ -32,202 +33,236 @@ pub(super) struct Manifest {
 }
 
 /// A flight as the manifest names it.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub(super) struct Entry {
     pub file: String,
     pub role: Role,
-    pub known: BTreeMap<String, [f64; 3]>,
+    pub known: BTreeMap<String, Known>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Raw {
-    model: String,
-    #[serde(default)]
-    parameters: BTreeMap<String, Spanned<f64>>,
-    #[serde(default)]
-    markers: Vec<RawMarker>,
-    noise: Option<RawNoise>,
-    #[serde(default)]
-    flights: Vec<RawFlight>,
+pub(super) fn read(path: &Path) -> Result<Manifest, InputError> {
+    let bytes = file::bytes(path, LARGEST, "a dataset.toml")?;
+    parse(path, file::text(path, &bytes)?)
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RawMarker {
-    name: Spanned<String>,
-    position: Spanned<[f64; 3]>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RawNoise {
-    sigma: Spanned<f64>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RawFlight {
-    file: Spanned<String>,
-    #[serde(default)]
-    role: Role,
-    #[serde(default)]
-    known: BTreeMap<String, Spanned<[f64; 3]>>,
-}
-
-/// Constants that are physically positive in every model of the contract.
-const POSITIVE: [&str; 7] = ["m", "I_a", "I_d", "d", "A", "radius", "rho"];
-
-pub(super) fn read(file: &Path) -> Result<Manifest, InputError> {
-    let bytes = std::fs::read(file)
-        .map_err(|error| InputError::of_file(file, error.to_string(), "a readable dataset.toml"))?;
-    let text = utf8(file, &bytes)?;
-    let raw: Raw = toml::from_str(text).map_err(|error| syntax(file, text, &error))?;
-    Checker { file, text }.manifest(raw)
+pub(super) fn parse(file: &Path, text: &str) -> Result<Manifest, InputError> {
+    let document = DeTable::parse(text).map_err(|error| syntax(file, text, &error))?;
+    Checker(Fields { file, text }).manifest(document.get_ref())
 }
 
 fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
     // The reader's own words say "…, expected …"; they are taken apart so that the sentence has one of each.
     let message = error.message().trim().replace('\n', " ");
-    let (found, expected) = message.split_once(", expected ").unwrap_or((
-        &message,
-        "model, [parameters], [[markers]], [noise] and [[flights]] with their keys",
-    ));
-    match error.span() {
-        Some(span) => InputError::at(file, line_and_column(text, span.start), found, expected),
-        None => InputError::of_file(file, found, expected),
-    }
+    let (found, expected) = message
+        .split_once(", expected ")
+        .unwrap_or((&message, "TOML"));
+    let place = error
+        .span()
+        .map_or((1, 1), |span| line_and_column(text, span.start));
+    InputError::at(file, place, found, expected)
 }
 
-/// Checks values with the text at hand, for places.
-struct Checker<'a> {
-    file: &'a Path,
-    text: &'a str,
-}
+/// Checks what the values mean.
+struct Checker<'a>(Fields<'a>);
 
 impl Checker<'_> {
-    fn fault(
-        &self,
-        span: Range<usize>,
-        found: impl Into<String>,
-        expected: impl Into<String>,
-    ) -> InputError {
-        InputError::at(
-            self.file,
-            line_and_column(self.text, span.start),
-            found,
-            expected,
-        )
-    }
-
-    fn manifest(&self, raw: Raw) -> Result<Manifest, InputError> {
+    fn manifest(&self, document: &DeTable<'_>) -> Result<Manifest, InputError> {
+        let fields = &self.0;
+        const KEYS: [&str; 5] = ["model", "parameters", "markers", "noise", "flights"];
+        fields.keys(document, "", &KEYS)?;
+        let model = self.model(document)?;
         let mut parameters = BTreeMap::new();
-        for (name, value) in raw.parameters {
-            self.finite(&value, std::slice::from_ref(value.get_ref()))?;
-            if POSITIVE.contains(&name.as_str()) && *value.get_ref() <= 0.0 {
-                return Err(self.fault(
-                    value.span(),
-                    format!("{name} = {}", value.get_ref()),
-                    "a number above 0",
-                ));
+        if let Some(table) = fields.table(document, "parameters")? {
+            for (name, value) in table.iter() {
+                let name = name.get_ref().to_string();
+                let number = self.constant(&name, value)?;
+                parameters.insert(name, number);
             }
-            parameters.insert(name, value.into_inner());
         }
-        if raw.markers.is_empty() {
-            return Err(InputError::of_file(
-                self.file,
-                "no [[markers]]",
-                "at least one marker: what was tracked",
-            ));
-        }
-        if raw.flights.is_empty() {
-            return Err(InputError::of_file(
-                self.file,
-                "no [[flights]]",
-                "at least one flight",
-            ));
-        }
+        let markers = self.markers(document)?;
+        let sigma = self.sigma(document)?;
+        let flights = self.flights(document)?;
         Ok(Manifest {
-            model: raw.model,
+            model,
             parameters,
-            markers: self.markers(raw.markers)?,
-            sigma: raw.noise.map(|noise| self.sigma(&noise)).transpose()?,
-            flights: raw
-                .flights
-                .into_iter()
-                .map(|flight| self.flight(flight))
-                .collect::<Result<_, _>>()?,
+            markers,
+            sigma,
+            flights,
         })
     }
 
-    fn finite<T>(&self, place: &Spanned<T>, values: &[f64]) -> Result<(), InputError> {
-        match values.iter().find(|value| !value.is_finite()) {
-            Some(value) => Err(self.fault(place.span(), value.to_string(), "a finite number")),
-            None => Ok(()),
+    fn model(&self, document: &DeTable<'_>) -> Result<String, InputError> {
+        let expected = "a name or a path, as in model = \"disc\"";
+        let Some(value) = document.get("model") else {
+            return Err(self.0.fault(0..0, "no model", expected));
+        };
+        let model = self.0.text(value, "model", expected)?;
+        if model.trim().is_empty() || model.chars().any(char::is_control) {
+            let found = format!("model = {}", shown(&model));
+            return Err(self.0.fault(value.span(), found, expected));
+        }
+        Ok(model)
+    }
+
+    /// A known constant: the same values are refused as in a release.
+    fn constant(&self, name: &str, value: &Value<'_>) -> Result<f64, InputError> {
+        let number = self.0.number(value, name)?;
+        let rule = flight::release::Name {
+            name: name.to_owned(),
+            bounds: None,
+        };
+        match rule.expected_instead_of(number) {
+            Some(expected) => {
+                let found = format!("{name} = {number}");
+                Err(self.0.fault(value.span(), found, expected))
+            }
+            None => Ok(number),
         }
     }
 
-    fn markers(&self, raw: Vec<RawMarker>) -> Result<Vec<Marker>, InputError> {
+    /// A value that must be there, in the table at `span`.
+    fn needed<'d, 't>(
+        &self,
+        (span, table): &(Range<usize>, &'d DeTable<'t>),
+        key: &str,
+        expected: &str,
+    ) -> Result<&'d Value<'t>, InputError> {
+        table
+            .get(key)
+            .ok_or_else(|| self.0.fault(span.clone(), format!("no {key}"), expected))
+    }
+
+    fn markers(&self, document: &DeTable<'_>) -> Result<Vec<Marker>, InputError> {
+        let fields = &self.0;
+        let tables = fields.tables(document, "markers")?;
+        if tables.is_empty() {
+            let expected = "at least one marker: what was tracked";
+            return Err(fields.fault(0..0, "no [[markers]]", expected));
+        }
+        if tables.len() > MOST_MARKERS {
+            let found = format!("{} markers", tables.len());
+            let expected = format!("at most {MOST_MARKERS}");
+            return Err(fields.fault(tables[MOST_MARKERS].0.clone(), found, expected));
+        }
+        let mut markers: Vec<Marker> = Vec::with_capacity(tables.len());
         let mut seen = BTreeSet::new();
-        let mut markers = Vec::with_capacity(raw.len());
-        for marker in raw {
-            self.finite(&marker.position, marker.position.get_ref())?;
-            let name = marker.name.get_ref();
-            if name.is_empty()
-                || name
-                    .chars()
-                    .any(|c| c.is_whitespace() || c == ',' || c == ';')
-            {
-                return Err(self.fault(
-                    marker.name.span(),
-                    format!("the marker name {name:?}"),
-                    "a name without spaces",
-                ));
+        for entry in &tables {
+            fields.keys(entry.1, " in [[markers]]", &["name", "position"])?;
+            let value = self.needed(entry, "name", "the marker's name")?;
+            let name = fields.text(value, "name", "the marker's name in quotes")?;
+            if let Some(expected) = names::wrong_with_marker(&name) {
+                let found = format!("the marker name {}", shown(&name));
+                return Err(fields.fault(value.span(), found, expected));
             }
             if !seen.insert(name.clone()) {
-                return Err(self.fault(
-                    marker.name.span(),
-                    format!("a second marker {name:?}"),
-                    "each marker once",
-                ));
+                let found = format!("a second marker {}", shown(&name));
+                return Err(fields.fault(value.span(), found, "each marker once"));
             }
-            markers.push(Marker {
-                position: *marker.position.get_ref(),
-                name: marker.name.into_inner(),
-            });
+            let value = self.needed(entry, "position", "the marker's position on the body, m")?;
+            let position = fields.vector(value, "position")?;
+            if let Some(far) = position.iter().find(|axis| axis.abs() > FARTHEST) {
+                let expected = format!(
+                    "at most {FARTHEST} m from the body's origin (millimetres given for metres?)"
+                );
+                return Err(fields.fault(value.span(), format!("a marker at {far} m"), expected));
+            }
+            let near = |other: &&Marker| {
+                let apart = position
+                    .iter()
+                    .zip(other.position)
+                    .map(|(a, b)| (a - b).powi(2));
+                apart.sum::<f64>().sqrt() < NEAREST
+            };
+            if let Some(other) = markers.iter().find(near) {
+                let found = format!("{name} at the place of {}", other.name);
+                return Err(fields.fault(value.span(), found, "each marker at a place of its own"));
+            }
+            markers.push(Marker { name, position });
         }
         Ok(markers)
     }
 
-    fn sigma(&self, noise: &RawNoise) -> Result<f64, InputError> {
-        self.finite(&noise.sigma, std::slice::from_ref(noise.sigma.get_ref()))?;
-        match *noise.sigma.get_ref() {
-            sigma if sigma > 0.0 => Ok(sigma),
-            sigma => Err(self.fault(
-                noise.sigma.span(),
-                format!("sigma = {sigma}"),
-                "a standard deviation above 0, m",
-            )),
+    fn sigma(&self, document: &DeTable<'_>) -> Result<Option<f64>, InputError> {
+        let Some(noise) = self.0.table(document, "noise")? else {
+            return Ok(None);
+        };
+        self.0.keys(noise, " in [noise]", &["sigma"])?;
+        let Some(value) = noise.get("sigma") else {
+            return Ok(None);
+        };
+        let sigma = self.0.number(value, "sigma")?;
+        if sigma > 0.0 && sigma <= NOISIEST {
+            return Ok(Some(sigma));
+        }
+        let hint = if sigma > NOISIEST {
+            " (millimetres given for metres?)"
+        } else {
+            ""
+        };
+        let expected = format!("a standard deviation above 0 and up to {NOISIEST} m{hint}");
+        Err(self
+            .0
+            .fault(value.span(), format!("sigma = {sigma}"), expected))
+    }
+
+    fn flights(&self, document: &DeTable<'_>) -> Result<Vec<Entry>, InputError> {
+        let tables = self.0.tables(document, "flights")?;
+        if tables.is_empty() {
+            return Err(self.0.fault(0..0, "no [[flights]]", "at least one flight"));
+        }
+        let mut seen = BTreeSet::new();
+        let mut flights = Vec::with_capacity(tables.len());
+        for entry in &tables {
+            self.0
+                .keys(entry.1, " in [[flights]]", &["file", "role", "known"])?;
+            let value = self.needed(entry, "file", "the flight's table")?;
+            let file = self.0.text(value, "file", "the flight's table in quotes")?;
+            if let Some(expected) = names::wrong_with_file(&file) {
+                return Err(self.0.fault(value.span(), shown(&file), expected));
+            }
+            if !seen.insert(file.clone()) {
+                let found = format!("a second flight {}", shown(&file));
+                return Err(self.0.fault(value.span(), found, "each file once"));
+            }
+            flights.push(Entry {
+                file,
+                role: self.role(entry.1)?,
+                known: self.known(entry.1)?,
+            });
+        }
+        Ok(flights)
+    }
+
+    fn role(&self, flight: &DeTable<'_>) -> Result<Role, InputError> {
+        let Some(value) = flight.get("role") else {
+            return Ok(Role::Fit);
+        };
+        let expected = "\"fit\" or \"held-out\"";
+        match self.0.text(value, "role", expected)?.as_str() {
+            "fit" => Ok(Role::Fit),
+            "held-out" => Ok(Role::HeldOut),
+            other => {
+                let expected = format!("{expected}{}", meant(other, ["fit", "held-out"]));
+                let found = format!("role = {}", shown(other));
+                Err(self.0.fault(value.span(), found, expected))
+            }
         }
     }
 
-    fn flight(&self, raw: RawFlight) -> Result<Entry, InputError> {
-        let inside = Path::new(raw.file.get_ref())
-            .components()
-            .all(|part| matches!(part, Component::Normal(_)));
-        if !inside || raw.file.get_ref().is_empty() {
-            let found = format!("{:?}", raw.file.get_ref());
-            return Err(self.fault(raw.file.span(), found, "a file inside the dataset's folder"));
-        }
+    fn known(&self, flight: &DeTable<'_>) -> Result<BTreeMap<String, Known>, InputError> {
         let mut known = BTreeMap::new();
-        for (name, value) in raw.known {
-            self.finite(&value, value.get_ref())?;
-            known.insert(name, value.into_inner());
+        let Some(table) = self.0.table(flight, "known")? else {
+            return Ok(known);
+        };
+        for (name, value) in table.iter() {
+            let name = name.get_ref().to_string();
+            let found = if value.get_ref().is_array() {
+                Known::Vector(self.0.vector(value, &name)?)
+            } else {
+                Known::Scalar(self.constant(&name, value)?)
+            };
+            known.insert(name, found);
         }
-        Ok(Entry {
-            file: raw.file.into_inner(),
-            role: raw.role,
-            known,
-        })
+        Ok(known)
     }
 }

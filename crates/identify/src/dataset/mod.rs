@@ -1,14 +1,30 @@
-//! A dataset: a folder with `dataset.toml` and one table per flight.
+//! A dataset: a folder with `dataset.toml` and one table, or one C3D file, per flight.
+//!
+//! What comes in is read whole or refused with its place; what a fit can make of it, the fit says: a flight of one
+//! sample, or a dataset whose flights are all held out, is a dataset.
 
+mod c3d;
+mod fields;
+mod file;
+mod header;
 mod manifest;
+mod names;
+mod number;
+mod place;
+mod samples;
 mod table;
+mod words;
+mod write;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
-pub use manifest::Role;
+pub use write::{manifest_text, table_text, write, write_with};
 
 use crate::error::InputError;
+
+/// Largest table or C3D file that is read, bytes.
+const LARGEST: u64 = 1 << 30;
 
 /// Measured flights of one body.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +50,26 @@ pub struct Marker {
     pub position: [f64; 3],
 }
 
+/// What a flight is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Role {
+    /// Coefficients are fitted to it.
+    #[default]
+    Fit,
+    /// It is kept to judge predictions.
+    HeldOut,
+}
+
+/// A quantity of one flight that was measured by other means, by the model's own name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Known {
+    /// A parameter of this flight, or a state at its first sample.
+    Scalar(f64),
+    /// An input of the model.
+    Vector([f64; 3]),
+}
+
 /// One measured flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flight {
@@ -41,8 +77,8 @@ pub struct Flight {
     pub file: String,
     /// Whether it is fitted or held out.
     pub role: Role,
-    /// Inputs of the model that are known for this flight, by name.
-    pub known: BTreeMap<String, [f64; 3]>,
+    /// What else is known of this flight, by name.
+    pub known: BTreeMap<String, Known>,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,
     /// `positions[sample][marker]`, m, in the inertial frame; `None` where the marker was not seen.
@@ -66,22 +102,50 @@ impl Flight {
 /// # Errors
 /// The first fault found, with its file and place: nothing is guessed.
 pub fn load(folder: &Path) -> Result<Dataset, InputError> {
+    if !folder.is_dir() {
+        let found = if folder.exists() {
+            "a file"
+        } else {
+            "no such folder"
+        };
+        let expected = "a dataset: a folder with dataset.toml";
+        return Err(InputError::of_file(folder, found, expected));
+    }
     let manifest = manifest::read(&folder.join("dataset.toml"))?;
-    let names: Vec<&str> = manifest
-        .markers
-        .iter()
-        .map(|marker| marker.name.as_str())
-        .collect();
+    assemble(manifest, |entry, markers| {
+        let path = folder.join(&entry.file);
+        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
+        if names::is_c3d(&entry.file) {
+            let bytes = file::bytes(&path, LARGEST, "a C3D file")?;
+            c3d::parse(&path, &bytes, &names)
+        } else {
+            let bytes = file::bytes(&path, LARGEST, "a table")?;
+            table::parse(&path, file::text(&path, &bytes)?, &names)
+        }
+        .map(|table| (path, table))
+    })
+}
+
+/// Puts the flights' samples to what the manifest says of them.
+fn assemble(
+    manifest: manifest::Manifest,
+    mut samples: impl FnMut(
+        &manifest::Entry,
+        &[Marker],
+    ) -> Result<(std::path::PathBuf, table::Table), InputError>,
+) -> Result<Dataset, InputError> {
     let mut flights = Vec::with_capacity(manifest.flights.len());
     for entry in manifest.flights {
-        let table = table::read(&folder.join(&entry.file), &names)?;
-        flights.push(Flight {
+        let (path, table) = samples(&entry, &manifest.markers)?;
+        let flight = Flight {
             file: entry.file,
             role: entry.role,
             known: entry.known,
             times: table.times,
             positions: table.positions,
-        });
+        };
+        samples::whole(&path, &flight, &manifest.markers)?;
+        flights.push(flight);
     }
     Ok(Dataset {
         model: manifest.model,

@@ -2,64 +2,49 @@
 
 use std::path::Path;
 
-use crate::error::{InputError, utf8};
+use csv::{ReaderBuilder, StringRecord};
 
-/// Largest table that is read, bytes.
-const LARGEST: u64 = 1 << 30;
+use super::header::{Header, separator};
+use super::place::Places;
+use super::words::shown;
+use super::{number::number, samples};
+use crate::error::InputError;
 
-#[derive(Debug)]
+#[derive(Debug, Default, PartialEq)]
 pub(super) struct Table {
     pub times: Vec<f64>,
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
 }
 
-pub(super) fn read(file: &Path, markers: &[&str]) -> Result<Table, InputError> {
-    let unreadable =
-        |error: std::io::Error| InputError::of_file(file, error.to_string(), "a readable table");
-    let size = std::fs::metadata(file).map_err(unreadable)?.len();
-    if size > LARGEST {
-        return Err(InputError::of_file(
-            file,
-            format!("{size} bytes"),
-            format!("a table of at most {LARGEST} bytes"),
-        ));
+pub(super) fn parse(file: &Path, text: &str, markers: &[&str]) -> Result<Table, InputError> {
+    let separator = separator(text);
+    let mut reader = ReaderBuilder::new()
+        .delimiter(separator as u8)
+        .comment(Some(b'#'))
+        .has_headers(false)
+        .flexible(true)
+        .from_reader(text.as_bytes());
+    let mut lines = Lines {
+        file,
+        places: Places { text, separator },
+        quotes: text.contains('"'),
+        start: 0,
+    };
+    let mut record = StringRecord::new();
+    if !lines.next(&mut reader, &mut record)? {
+        let expected = format!("a header such as t,{}_x,…", markers[0]);
+        return Err(InputError::at(file, (1, 1), "no header", expected));
     }
-    let bytes = std::fs::read(file).map_err(unreadable)?;
-    parse(file, utf8(file, &bytes)?, markers)
-}
-
-/// Where the columns of each marker are.
-struct Header {
-    separator: char,
-    width: usize,
-    time: usize,
-    columns: Vec<[usize; 3]>,
-}
-
-fn parse(file: &Path, text: &str, markers: &[&str]) -> Result<Table, InputError> {
-    let mut lines = text
-        .lines()
-        .enumerate()
-        .map(|(index, line)| (index + 1, line.trim_end_matches('\r')))
-        .filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
-    let Some((first, line)) = lines.next() else {
-        return Err(InputError::of_file(
-            file,
-            "no header",
-            format!("a header such as t,{}_x,…", markers[0]),
-        ));
-    };
-    let header = header(file, first, line, markers)?;
-    let mut table = Table {
-        times: Vec::new(),
-        positions: Vec::new(),
-    };
-    for (number, line) in lines {
-        row(file, number, line, &header, markers, &mut table)?;
+    let header = Header::new(&lines, &record, markers)?;
+    let mut table = Table::default();
+    while lines.next(&mut reader, &mut record)? {
+        row(&lines, &record, &header, markers, &mut table)?;
     }
     if table.times.is_empty() {
-        return Err(InputError::of_file(
+        let place = lines.places.cell(text.len(), 0);
+        return Err(InputError::at(
             file,
+            place,
             "a header and no rows",
             "at least one sample",
         ));
@@ -67,145 +52,112 @@ fn parse(file: &Path, text: &str, markers: &[&str]) -> Result<Table, InputError>
     Ok(table)
 }
 
-fn header(file: &Path, number: usize, line: &str, markers: &[&str]) -> Result<Header, InputError> {
-    let separator = [';', '\t', ',']
-        .into_iter()
-        .find(|&c| line.contains(c))
-        .unwrap_or(',');
-    let names: Vec<&str> = line.split(separator).map(str::trim).collect();
-    let mut time = None;
-    let mut columns = vec![[usize::MAX; 3]; markers.len()];
-    for (index, &name) in names.iter().enumerate() {
-        let refuse = |found: String, expected: &str| {
-            Err(InputError::at(
-                file,
-                (number, column(line, separator, index)),
-                found,
-                expected,
-            ))
-        };
-        let slot = if name == "t" {
-            time.replace(index).map(|_| ())
-        } else {
-            let Some((marker, axis)) = split(name, markers) else {
-                let expected = format!(
-                    "t or a declared marker's column ({}_x, …)",
-                    markers.join("_x, ")
-                );
-                return refuse(format!("the column {name:?}"), &expected);
-            };
-            let slot = &mut columns[marker][axis];
-            let before = *slot;
-            *slot = index;
-            (before != usize::MAX).then_some(())
-        };
-        if slot.is_some() {
-            return refuse(format!("a second column {name:?}"), "each column once");
-        }
-    }
-    let Some(time) = time else {
-        return Err(InputError::at(
-            file,
-            (number, 1),
-            "no column t",
-            "the time of each row, s, in a column t",
-        ));
-    };
-    for (marker, axes) in markers.iter().zip(&columns) {
-        if let Some(axis) = axes.iter().position(|&index| index == usize::MAX) {
-            let name = format!("{marker}_{}", ["x", "y", "z"][axis]);
-            return Err(InputError::at(
-                file,
-                (number, 1),
-                format!("no column {name}"),
-                "x, y and z of every marker",
-            ));
-        }
-    }
-    Ok(Header {
-        separator,
-        width: names.len(),
-        time,
-        columns,
-    })
+/// The records of a table, with the place of the one that was read last.
+pub(super) struct Lines<'a> {
+    file: &'a Path,
+    places: Places<'a>,
+    quotes: bool,
+    start: usize,
 }
 
-fn split(name: &str, markers: &[&str]) -> Option<(usize, usize)> {
-    let (marker, axis) = name.rsplit_once('_')?;
-    let axis = ["x", "y", "z"].iter().position(|&known| known == axis)?;
-    Some((markers.iter().position(|&known| known == marker)?, axis))
-}
+impl Lines<'_> {
+    /// Reads the next record; false at the end.
+    fn next(
+        &mut self,
+        reader: &mut csv::Reader<&[u8]>,
+        record: &mut StringRecord,
+    ) -> Result<bool, InputError> {
+        loop {
+            let read = reader.read_record(record).map_err(|error| {
+                InputError::of_file(self.file, error.to_string(), "a readable table")
+            })?;
+            if !read {
+                return Ok(false);
+            }
+            self.start = record.position().map_or(0, |place| place.byte() as usize);
+            if self.quotes {
+                self.quotes_are_closed(reader.position().byte() as usize, record)?;
+            }
+            let first = record.get(0).unwrap_or_default().trim();
+            // The reader itself skips empty lines, and comments that begin a line.
+            let blank = record.len() == 1 && first.is_empty();
+            if !blank && !first.starts_with('#') {
+                return Ok(true);
+            }
+        }
+    }
 
-/// Column (from 1, in characters) where cell `index` begins.
-fn column(line: &str, separator: char, index: usize) -> usize {
-    line.split(separator)
-        .take(index)
-        .map(|cell| cell.chars().count() + 1)
-        .sum::<usize>()
-        + 1
+    /// A quote that is left open would swallow the rows after it.
+    fn quotes_are_closed(&self, end: usize, record: &StringRecord) -> Result<(), InputError> {
+        let text = self.places.text;
+        let raw = &text[self.places.record(self.start).min(end)..end.min(text.len())];
+        let broken = record.iter().position(|cell| cell.contains(['\n', '\r']));
+        let open = raw.matches('"').count() % 2 == 1;
+        match broken.or(open.then_some(0)) {
+            Some(index) => {
+                Err(self.fault(index, "a quote that is not closed", "a quote at both ends"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// A fault at a cell of the record.
+    pub fn fault(
+        &self,
+        index: usize,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> InputError {
+        let place = self.places.cell(self.start, index);
+        InputError::at(self.file, place, found, expected)
+    }
 }
 
 fn row(
-    file: &Path,
-    number: usize,
-    line: &str,
+    lines: &Lines<'_>,
+    record: &StringRecord,
     header: &Header,
     markers: &[&str],
     table: &mut Table,
 ) -> Result<(), InputError> {
-    let cells: Vec<&str> = line.split(header.separator).map(str::trim).collect();
-    if cells.len() != header.width {
-        let expected = format!("{} as in the header", header.width);
-        return Err(InputError::at(
-            file,
-            (number, 1),
-            format!("{} cells", cells.len()),
-            expected,
-        ));
+    if record.len() != header.width {
+        let hint = if record.len() > header.width && lines.places.separator == ',' {
+            " (decimal points, not commas?)"
+        } else {
+            ""
+        };
+        let expected = format!("{} as in the header{hint}", header.width);
+        let found = format!("{} cells", record.len());
+        return Err(lines.fault(record.len().min(header.width), found, expected));
     }
-    let place = |index| (number, column(line, header.separator, index));
-    let read = |index: usize| -> Result<Option<f64>, InputError> {
-        match cells[index] {
-            "" => Ok(None),
-            cell => match cell.parse::<f64>() {
-                Ok(value) if value.is_nan() => Ok(None),
-                Ok(value) if value.is_finite() => Ok(Some(value)),
-                _ => Err(InputError::at(
-                    file,
-                    place(index),
-                    format!("{cell:?}"),
-                    "a finite number, or nothing for a dropout",
-                )),
-            },
-        }
+    let read = |index: usize| {
+        let cell = record.get(index).unwrap_or_default().trim();
+        number(cell).map_err(|expected| lines.fault(index, shown(cell), expected))
     };
     let Some(time) = read(header.time)? else {
-        return Err(InputError::at(
-            file,
-            place(header.time),
-            "no time",
-            "the time of the sample, s",
-        ));
+        return Err(lines.fault(header.time, "no time", "the time of the sample, s"));
     };
-    if let Some(&before) = table.times.last()
-        && time <= before
-    {
-        let expected = format!("a time after {before} s");
-        return Err(InputError::at(
-            file,
-            place(header.time),
-            format!("t = {time}"),
-            expected,
-        ));
-    }
+    samples::time(table.times.first(), table.times.last(), time)
+        .map_err(|(found, expected)| lines.fault(header.time, found, expected))?;
     let mut positions = Vec::with_capacity(markers.len());
-    for axes in &header.columns {
-        let [x, y, z] = [read(axes[0])?, read(axes[1])?, read(axes[2])?];
+    for (axes, marker) in header.columns.iter().zip(markers) {
+        let mut point = [None; 3];
+        for ((slot, &index), axis) in point.iter_mut().zip(axes).zip(["x", "y", "z"]) {
+            *slot = read(index)?;
+            if let Some(value) = *slot {
+                samples::coordinate(&format_args!("{marker}_{axis}"), value)
+                    .map_err(|(found, expected)| lines.fault(index, found, expected))?;
+            }
+        }
         // A marker with a coordinate missing was not seen: two coordinates alone are no point.
-        positions.push(match (x, y, z) {
-            (Some(x), Some(y), Some(z)) => Some([x, y, z]),
+        positions.push(match point {
+            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
             _ => None,
         });
+    }
+    if table.times.len() >= samples::most(markers.len()) {
+        let expected = format!("at most {} samples", samples::most(markers.len()));
+        return Err(lines.fault(0, "a sample more", expected));
     }
     table.times.push(time);
     table.positions.push(positions);

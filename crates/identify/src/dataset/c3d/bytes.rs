@@ -1,0 +1,82 @@
+//! Numbers in the bytes of a C3D file, in the order of the machine that wrote it.
+
+/// Bytes of a block, the unit in which the parts of a file are placed.
+pub(super) const BLOCK: usize = 512;
+
+/// The machine that wrote the file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Order {
+    Intel,
+    Dec,
+    Mips,
+}
+
+impl Order {
+    pub fn of_processor(code: u8) -> Option<Self> {
+        match code {
+            84 => Some(Self::Intel),
+            85 => Some(Self::Dec),
+            86 => Some(Self::Mips),
+            _ => None,
+        }
+    }
+}
+
+/// Bytes to read from. What lies beyond their end reads as 0: callers check lengths first.
+#[derive(Clone, Copy)]
+pub(super) struct Bytes<'a> {
+    pub bytes: &'a [u8],
+    pub order: Order,
+}
+
+impl Bytes<'_> {
+    fn take<const N: usize>(&self, at: usize) -> [u8; N] {
+        let found = at
+            .checked_add(N)
+            .and_then(|end| self.bytes.get(at..end))
+            .and_then(|bytes| bytes.try_into().ok());
+        found.unwrap_or([0; N])
+    }
+
+    pub fn u16(&self, at: usize) -> u16 {
+        match self.order {
+            Order::Intel | Order::Dec => u16::from_le_bytes(self.take(at)),
+            Order::Mips => u16::from_be_bytes(self.take(at)),
+        }
+    }
+
+    pub fn i16(&self, at: usize) -> i16 {
+        self.u16(at).cast_signed()
+    }
+
+    pub fn f32(&self, at: usize) -> f32 {
+        match self.order {
+            Order::Intel => f32::from_le_bytes(self.take(at)),
+            Order::Mips => f32::from_be_bytes(self.take(at)),
+            Order::Dec => {
+                // A VAX float has its two words exchanged, and its exponent counts from two more than ours.
+                let [a, b, c, d] = self.take(at);
+                f32::from_le_bytes([c, d, a, b]) / 4.0
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_is_one_on_every_machine() {
+        let one = |bytes: [u8; 4], order| {
+            Bytes {
+                bytes: &bytes,
+                order,
+            }
+            .f32(0)
+        };
+        assert_eq!(one([0, 0, 0x80, 0x3f], Order::Intel), 1.0);
+        assert_eq!(one([0x3f, 0x80, 0, 0], Order::Mips), 1.0);
+        assert_eq!(one([0x80, 0x40, 0, 0], Order::Dec), 1.0);
+    }
+}

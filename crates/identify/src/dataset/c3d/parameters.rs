@@ -1,0 +1,198 @@
+//! The parameter section of a C3D file: groups of named values.
+
+use std::collections::BTreeMap;
+
+use super::bytes::{Bytes, Order};
+use super::{Wrong, wrong};
+use crate::dataset::words::shown;
+
+/// Most groups and parameters of a file: they bound the memory that they take.
+const MOST: usize = 20_000;
+
+/// One parameter, as it is stored.
+struct Parameter<'a> {
+    kind: i8,
+    dimensions: &'a [u8],
+    data: Bytes<'a>,
+}
+
+/// The parameters by group and name, in capitals.
+pub(super) struct Parameters<'a> {
+    groups: BTreeMap<String, u8>,
+    parameters: BTreeMap<(u8, String), Parameter<'a>>,
+}
+
+impl<'a> Parameters<'a> {
+    /// Reads the section, which lies between the header and the data.
+    pub fn read(section: &'a [u8], order: Order) -> Result<Self, Wrong> {
+        let mut found = Self {
+            groups: BTreeMap::new(),
+            parameters: BTreeMap::new(),
+        };
+        // Two bytes of old use, the number of blocks, the processor.
+        let mut at = 4;
+        while let Some(&[length, id]) = section.get(at..).and_then(|rest| rest.first_chunk()) {
+            let (length, id) = (length.cast_signed().unsigned_abs(), id.cast_signed());
+            if length == 0 || id == 0 {
+                break;
+            }
+            if found.groups.len() + found.parameters.len() >= MOST {
+                return wrong("a parameter more", format!("at most {MOST}"));
+            }
+            let name = part(section, at + 2, usize::from(length))?;
+            let name = text(name).to_uppercase();
+            at += 2 + usize::from(length);
+            part(section, at, 2)?;
+            let all = Bytes {
+                bytes: section,
+                order,
+            };
+            let offset = usize::from(all.u16(at));
+            if id < 0 {
+                found.groups.entry(name).or_insert(id.unsigned_abs());
+            } else {
+                let parameter = Parameter::read(section, at + 2, order, &name)?;
+                let key = (id.unsigned_abs(), name);
+                found.parameters.entry(key).or_insert(parameter);
+            }
+            // Every entry is a step forward, so that the end is reached.
+            match offset {
+                0 => break,
+                1 => {
+                    return wrong(
+                        "an entry of the parameters that ends in itself",
+                        "a next entry",
+                    );
+                }
+                _ => at += offset,
+            }
+        }
+        Ok(found)
+    }
+
+    fn get(&self, group: &str, name: &str) -> Option<&Parameter<'a>> {
+        let group = *self.groups.get(group)?;
+        self.parameters.get(&(group, name.to_owned()))
+    }
+
+    /// The first number of a parameter; `None` where there is no such parameter.
+    pub fn number(&self, group: &str, name: &str) -> Result<Option<f64>, Wrong> {
+        let Some(parameter) = self.get(group, name) else {
+            return Ok(None);
+        };
+        match (parameter.kind, parameter.data.bytes.len()) {
+            (2, 2..) => Ok(Some(f64::from(parameter.data.i16(0)))),
+            (4, 4..) => Ok(Some(f64::from(parameter.data.f32(0)))),
+            (1, 1..) => Ok(Some(f64::from(parameter.data.bytes[0]))),
+            _ => wrong(format!("{group}:{name} without a number"), "a number"),
+        }
+    }
+
+    /// A number that counts something: 16 bits without a sign, or a float.
+    pub fn count(&self, group: &str, name: &str) -> Result<Option<u64>, Wrong> {
+        match self.number(group, name)? {
+            None => Ok(None),
+            Some(number) if (-32768.0..0.0).contains(&number) => {
+                Ok(Some((number + 65536.0) as u64))
+            }
+            Some(number) if (0.0..=4294967295.0).contains(&number) && number.fract() == 0.0 => {
+                Ok(Some(number as u64))
+            }
+            Some(number) => wrong(format!("{group}:{name} = {number}"), "a number of frames"),
+        }
+    }
+
+    /// A number of 32 bits that is stored as two of 16, the lower first.
+    pub fn long(&self, group: &str, name: &str) -> Result<Option<u32>, Wrong> {
+        match self.get(group, name) {
+            None => Ok(None),
+            Some(parameter) if parameter.kind == 2 && parameter.data.bytes.len() == 4 => {
+                let [low, high] = [0, 2].map(|at| u32::from(parameter.data.u16(at)));
+                Ok(Some(low | high << 16))
+            }
+            Some(_) => wrong(format!("{group}:{name} of another kind"), "two integers"),
+        }
+    }
+
+    /// A parameter as one text, without the blanks around it.
+    pub fn text(&self, group: &str, name: &str) -> Result<Option<String>, Wrong> {
+        match self.get(group, name) {
+            None => Ok(None),
+            Some(parameter) if parameter.kind == -1 => Ok(Some(text(parameter.data.bytes))),
+            Some(_) => wrong(format!("{group}:{name} of another kind"), "a text"),
+        }
+    }
+
+    /// The labels of so many points: LABELS, and beyond 255 of them LABELS2 and so on.
+    pub fn labels(&self, points: usize) -> Result<Vec<String>, Wrong> {
+        let mut labels = Vec::new();
+        for number in 1.. {
+            let name = match number {
+                1 => "LABELS".to_owned(),
+                _ => format!("LABELS{number}"),
+            };
+            let Some(parameter) = self.get("POINT", &name) else {
+                break;
+            };
+            if parameter.kind != -1 {
+                return wrong(format!("POINT:{name} of another kind"), "texts");
+            }
+            let width = usize::from(parameter.dimensions.first().copied().unwrap_or(0));
+            if width > 0 {
+                let each = parameter.data.bytes.chunks(width).map(text);
+                labels.extend(each.take(points - labels.len()));
+            }
+        }
+        if labels.is_empty() {
+            return wrong("no POINT:LABELS", "the name of every point");
+        }
+        Ok(labels)
+    }
+}
+
+impl<'a> Parameter<'a> {
+    fn read(section: &'a [u8], at: usize, order: Order, name: &str) -> Result<Self, Wrong> {
+        let &[kind, count] = part(section, at, 2)? else {
+            return wrong("half a parameter", "a whole one");
+        };
+        let kind = kind.cast_signed();
+        if ![-1, 1, 2, 4].contains(&kind) || count > 7 {
+            return wrong(
+                format!(
+                    "the parameter {} of type {kind} with {count} dimensions",
+                    shown(name)
+                ),
+                "type -1, 1, 2 or 4 and at most 7 dimensions",
+            );
+        }
+        let dimensions = part(section, at + 2, usize::from(count))?;
+        // Seven dimensions of 255 still fit.
+        let size: u64 = dimensions.iter().map(|&d| u64::from(d)).product();
+        let size = size * u64::from(kind.unsigned_abs());
+        let size = usize::try_from(size).unwrap_or(usize::MAX);
+        let bytes = part(section, at + 2 + usize::from(count), size)?;
+        Ok(Self {
+            kind,
+            dimensions,
+            data: Bytes { bytes, order },
+        })
+    }
+}
+
+/// A part of the section, or the fault that it is not there.
+fn part(section: &[u8], at: usize, length: usize) -> Result<&[u8], Wrong> {
+    let end = at.checked_add(length);
+    match end.and_then(|end| section.get(at..end)) {
+        Some(part) => Ok(part),
+        None => wrong(
+            format!("a parameter of {length} bytes at byte {at} of the parameters"),
+            format!("all of it within their {} bytes", section.len()),
+        ),
+    }
+}
+
+/// A text without the blanks and zeros around it.
+fn text(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes);
+    text.trim_matches([' ', '\0', '\t', '\r', '\n']).to_owned()
+}

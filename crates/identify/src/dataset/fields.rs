@@ -1,0 +1,130 @@
+//! Values of a TOML text with their places: each is of the kind that was expected, or the fault says what was found.
+
+use std::ops::Range;
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::words::{listed, meant, shown};
+use crate::error::{InputError, line_and_column};
+
+/// A value with its place.
+pub(super) type Value<'t> = Spanned<DeValue<'t>>;
+
+/// The text that values are read from.
+pub(super) struct Fields<'a> {
+    pub file: &'a Path,
+    pub text: &'a str,
+}
+
+impl Fields<'_> {
+    pub fn fault(
+        &self,
+        span: Range<usize>,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> InputError {
+        let place = line_and_column(self.text, span.start);
+        InputError::at(self.file, place, found, expected)
+    }
+
+    fn wrong_kind(&self, value: &Value<'_>, key: &str, expected: &str) -> InputError {
+        let found = match value.get_ref() {
+            DeValue::String(text) => format!("the text {}", shown(text)),
+            DeValue::Integer(number) => number.to_string(),
+            DeValue::Float(number) => number.to_string(),
+            DeValue::Boolean(truth) => truth.to_string(),
+            DeValue::Array(items) => format!("a list of {}", items.len()),
+            other => format!("a {}", other.type_str()),
+        };
+        self.fault(value.span(), format!("{key} = {found}"), expected)
+    }
+
+    /// Refuses keys that mean nothing here; `of` says where, as in ` in [noise]`.
+    pub fn keys(&self, table: &DeTable<'_>, of: &str, known: &[&str]) -> Result<(), InputError> {
+        for key in table.keys() {
+            let name = key.get_ref();
+            if !known.contains(&name.as_ref()) {
+                let found = format!("the key {}{of}", shown(name));
+                let near = meant(name, known.iter().copied());
+                let expected = format!("{}{near}", listed(known.iter().copied()));
+                return Err(self.fault(key.span(), found, expected));
+            }
+        }
+        Ok(())
+    }
+
+    pub fn text(&self, value: &Value<'_>, key: &str, expected: &str) -> Result<String, InputError> {
+        match value.get_ref() {
+            DeValue::String(text) => Ok(text.to_string()),
+            _ => Err(self.wrong_kind(value, key, expected)),
+        }
+    }
+
+    /// A finite number; an integer will do.
+    pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
+        let number = match value.get_ref() {
+            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+                .map(|integer| integer as f64)
+                // Beyond 64 bits.
+                .or_else(|_| integer.as_str().parse())
+                .ok(),
+            _ => None,
+        };
+        match number {
+            Some(number) if number.is_finite() => Ok(number),
+            Some(_) => Err(self.wrong_kind(value, key, "a finite number")),
+            None => Err(self.wrong_kind(value, key, "a number")),
+        }
+    }
+
+    pub fn vector(&self, value: &Value<'_>, key: &str) -> Result<[f64; 3], InputError> {
+        if let Some(items) = value.get_ref().as_array()
+            && let [x, y, z] = &items[..]
+        {
+            return Ok([
+                self.number(x, key)?,
+                self.number(y, key)?,
+                self.number(z, key)?,
+            ]);
+        }
+        Err(self.wrong_kind(value, key, "three numbers, as in [0.0, 0.0, 0.0]"))
+    }
+
+    /// A table by its key; `None` where there is none.
+    pub fn table<'d, 't>(
+        &self,
+        document: &'d DeTable<'t>,
+        key: &str,
+    ) -> Result<Option<&'d DeTable<'t>>, InputError> {
+        let Some(value) = document.get(key) else {
+            return Ok(None);
+        };
+        match value.get_ref().as_table() {
+            Some(table) => Ok(Some(table)),
+            None => Err(self.wrong_kind(value, key, &format!("a table, as in [{key}]"))),
+        }
+    }
+
+    /// A list of tables by its key, each with its place; an empty one where there is none.
+    pub fn tables<'d, 't>(
+        &self,
+        document: &'d DeTable<'t>,
+        key: &str,
+    ) -> Result<Vec<(Range<usize>, &'d DeTable<'t>)>, InputError> {
+        let Some(value) = document.get(key) else {
+            return Ok(Vec::new());
+        };
+        let expected = format!("tables, as in [[{key}]]");
+        let Some(items) = value.get_ref().as_array() else {
+            return Err(self.wrong_kind(value, key, &expected));
+        };
+        let table = |item: &'d Value<'t>| match item.get_ref().as_table() {
+            Some(table) => Ok((item.span(), table)),
+            None => Err(self.wrong_kind(item, key, &expected)),
+        };
+        items.iter().map(table).collect()
+    }
+}

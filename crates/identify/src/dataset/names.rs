@@ -1,0 +1,44 @@
+//! Which names markers and files may have.
+
+use std::path::{Component, Path};
+
+/// Longest name, bytes.
+const LONGEST: usize = 255;
+
+/// What is expected instead of a marker's name, where it is none.
+pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
+    let separates =
+        |c: char| c.is_whitespace() || c.is_control() || [',', ';', '"', '#'].contains(&c);
+    if name.is_empty() || name.len() > LONGEST || name.chars().any(separates) {
+        Some("a name without spaces, separators, quotes and #")
+    } else if ["_x", "_y", "_z"].iter().any(|axis| name.ends_with(axis)) {
+        Some("a marker, not one of its columns: the columns of m1 are m1_x, m1_y and m1_z")
+    } else {
+        None
+    }
+}
+
+/// What is expected instead of a flight's file, where it is none inside the folder.
+pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
+    let parts = || Path::new(file).components();
+    let inside = parts().all(|part| matches!(part, Component::Normal(_)));
+    // One file has one name, or a second flight of it would not be seen: no `a//b`, no `a/./b`.
+    let names: Option<Vec<&str>> = parts().map(|part| part.as_os_str().to_str()).collect();
+    let plain = names.is_some_and(|names| names.join("/") == file);
+    // A backslash separates folders on some systems and is a letter on others.
+    let odd = |c: char| c.is_control() || c == '\\';
+    if file.is_empty() || !inside {
+        Some("a file inside the dataset's folder")
+    } else if !plain || file.chars().any(odd) || file.len() > 8 * LONGEST {
+        Some("a file name, with / between folders")
+    } else {
+        None
+    }
+}
+
+/// Whether a file is read as C3D: by its name alone.
+pub(super) fn is_c3d(file: &str) -> bool {
+    Path::new(file)
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("c3d"))
+}

@@ -1,0 +1,54 @@
+//! A cell as a number.
+
+/// The number in a cell, `None` for a dropout; or what is expected instead.
+pub(super) fn number(cell: &str) -> Result<Option<f64>, &'static str> {
+    const EXPECTED: &str = "a finite number, or nothing for a dropout";
+    if cell.is_empty() {
+        return Ok(None);
+    }
+    match cell.parse::<f64>() {
+        Ok(value) if value.is_nan() => Ok(None),
+        Ok(value) if value.is_finite() => Ok(Some(value)),
+        Ok(_) => Err(EXPECTED),
+        Err(_) => Err(hint(cell).unwrap_or(EXPECTED)),
+    }
+}
+
+/// What people write for numbers elsewhere.
+fn hint(cell: &str) -> Option<&'static str> {
+    let reads = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);
+    let unsigned = cell.trim_start_matches(['-', '+']);
+    if cell.matches(',').count() == 1 && reads(&cell.replace(',', ".")) {
+        Some("a decimal point, as in 1.5, not a comma")
+    } else if unsigned.starts_with("0x") || unsigned.starts_with("0X") {
+        Some("a decimal number, not a hexadecimal one")
+    } else if reads(&cell.replace('\u{2212}', "-")) {
+        Some("the minus sign of the keyboard, -")
+    } else {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_and_dropouts() {
+        assert_eq!(number("-1.5e-3"), Ok(Some(-1.5e-3)));
+        assert_eq!(number(".5"), Ok(Some(0.5)));
+        assert_eq!(number(""), Ok(None));
+        assert_eq!(number("NaN"), Ok(None));
+        for bad in ["inf", "-Infinity", "1e999", "one", "1 5", "0x1p3"] {
+            assert!(number(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn foreign_notations_have_a_hint() {
+        let told = |cell| number(cell).expect_err(cell);
+        assert!(told("1,5").contains("not a comma"));
+        assert!(told("0x1F").contains("hexadecimal"));
+        assert!(told("\u{2212}1.5").contains("minus"));
+    }
+}

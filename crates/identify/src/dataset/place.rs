@@ -1,0 +1,92 @@
+//! Where a cell of a table is: found by walking the text again, only when something is wrong.
+
+/// A table's text and what separates its cells.
+pub(super) struct Places<'a> {
+    pub text: &'a str,
+    pub separator: char,
+}
+
+impl Places<'_> {
+    /// The byte where a record begins, at or after `from`: past empty lines and comments, as the reader of tables skips them.
+    pub fn record(&self, from: usize) -> usize {
+        let mut start = from.min(self.text.len());
+        loop {
+            let rest = &self.text[start..];
+            if rest.starts_with(['\n', '\r']) {
+                start += 1;
+            } else if rest.starts_with('#') {
+                start += rest.find(['\n', '\r']).unwrap_or(rest.len());
+            } else {
+                return start;
+            }
+        }
+    }
+
+    /// Line and column, from 1, of the content of a cell of the record at or after the byte `from`.
+    pub fn cell(&self, from: usize, index: usize) -> (usize, usize) {
+        let start = self.record(from);
+        let (mut line, mut column) = place(&self.text[..start]);
+        let mut left = index;
+        let (mut at_start, mut quoted) = (true, false);
+        let mut before = '\0';
+        for c in self.text[start..].chars() {
+            if left == 0 && !(at_start && c == ' ') {
+                break;
+            }
+            if c == '"' && (at_start || quoted) {
+                quoted = !quoted;
+                at_start = false;
+            } else if c == '"' && before == '"' {
+                // A doubled quote within quotes.
+                quoted = true;
+            } else if !quoted && c == self.separator {
+                left -= 1;
+                at_start = true;
+            } else if !quoted && (c == '\n' || c == '\r') {
+                break;
+            } else {
+                at_start = at_start && left == 0 && c == ' ';
+            }
+            if c == '\n' {
+                line += 1;
+                column = 1;
+            } else {
+                column += 1;
+            }
+            before = c;
+        }
+        (line, column)
+    }
+}
+
+/// Line and column, from 1, after a text whose lines end with LF, CR LF or CR.
+fn place(before: &str) -> (usize, usize) {
+    let bytes = before.as_bytes();
+    let ends = |i: &usize| match bytes[*i] {
+        b'\n' => true,
+        b'\r' => bytes.get(i + 1) != Some(&b'\n'),
+        _ => false,
+    };
+    let line = 1 + (0..bytes.len()).filter(ends).count();
+    let last = before.rsplit(['\n', '\r']).next().unwrap_or_default();
+    (line, 1 + last.chars().count())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cell(text: &str, from: usize, index: usize) -> (usize, usize) {
+        let separator = ',';
+        Places { text, separator }.cell(from, index)
+    }
+
+    #[test]
+    fn cells_are_found_past_comments_quotes_and_letters_of_many_bytes() {
+        assert_eq!(cell("a,b,c", 0, 2), (1, 5));
+        assert_eq!(cell("\r\n# x,\"\n\nа,  б", 0, 1), (4, 5));
+        assert_eq!(cell("\"a,\"\"b\",c", 0, 1), (1, 9));
+        assert_eq!(cell("a\rb,c", 2, 1), (2, 3));
+        assert_eq!(cell("a,b", 0, 7), (1, 4));
+    }
+}

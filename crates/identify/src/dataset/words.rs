@@ -1,0 +1,70 @@
+//! Words of messages: texts from outside made safe to print, lists kept short, names that were probably meant.
+
+/// Longest text from outside that a message repeats, in characters.
+const LONGEST: usize = 40;
+/// Most names that a message lists.
+const MOST: usize = 12;
+
+/// A text from outside in quotes, escaped and cut short.
+pub(super) fn shown(text: &str) -> String {
+    if text.chars().count() <= LONGEST {
+        return format!("{text:?}");
+    }
+    let start: String = text.chars().take(LONGEST).collect();
+    format!("{start:?}…")
+}
+
+/// Some names, the first few of them where there are many.
+pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    let mut names = names.into_iter();
+    let first: Vec<&str> = names.by_ref().take(MOST).collect();
+    match names.count() {
+        0 => first.join(", "),
+        more => format!("{} and {more} more", first.join(", ")),
+    }
+}
+
+/// ` (did you mean …?)` where one of the names is nearly this.
+pub(super) fn meant<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+    if wrong.chars().count() > LONGEST {
+        return String::new();
+    }
+    let near = names
+        .into_iter()
+        .map(|name| (strsim::damerau_levenshtein(wrong, name), name))
+        .min();
+    // Something of the name must be right.
+    match near {
+        Some((distance, name))
+            if distance <= 1 + name.chars().count() / 4 && distance < wrong.chars().count() =>
+        {
+            format!(" (did you mean {name}?)")
+        }
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_are_escaped_and_cut() {
+        assert_eq!(shown("a\u{1b}b"), "\"a\\u{1b}b\"");
+        assert_eq!(shown(&"x".repeat(50)), format!("\"{}\"…", "x".repeat(40)));
+    }
+
+    #[test]
+    fn near_names_are_meant_and_far_ones_are_not() {
+        assert_eq!(meant("modle", ["model", "noise"]), " (did you mean model?)");
+        assert_eq!(meant("weather", ["model", "noise"]), "");
+        assert_eq!(meant("0", ["t"]), "");
+    }
+
+    #[test]
+    fn long_lists_are_counted() {
+        let names: Vec<String> = (0..20).map(|i| i.to_string()).collect();
+        let told = listed(names.iter().map(String::as_str));
+        assert!(told.ends_with("11 and 8 more"), "{told}");
+    }
+}

@@ -1,0 +1,233 @@
+//! A dataset written as a folder: whole or not at all, and only what would be read back as it is.
+
+use std::fmt::Write as _;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::{Dataset, Flight, Known, Marker, Role, assemble, manifest, names, table};
+
+/// Writes a dataset as a folder with `dataset.toml` and one table per flight.
+///
+/// The folder appears whole. It may be there already if it is empty or holds just this.
+///
+/// # Errors
+/// Where the dataset would not be read back as it is (a C3D file among its flights, a marker without a name, …), where
+/// the folder holds something else, and where the disk refuses.
+pub fn write(folder: &Path, dataset: &Dataset) -> io::Result<()> {
+    write_with(folder, dataset, &[])
+}
+
+/// As [`write`](fn@write), with other files beside: their names and texts. The reader of datasets ignores them.
+///
+/// # Errors
+/// As [`write`](fn@write).
+pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -> io::Result<()> {
+    let mut files = vec![("dataset.toml".to_owned(), manifest_text(dataset))];
+    let each = dataset.flights.iter();
+    files.extend(each.map(|flight| (flight.file.clone(), table_text(flight, &dataset.markers))));
+    is_read_back(dataset, &files)?;
+    files.extend(
+        beside
+            .iter()
+            .map(|(name, text)| ((*name).to_owned(), text.clone())),
+    );
+    if let Some((name, _)) = files
+        .iter()
+        .enumerate()
+        .find_map(|(i, file)| files[..i].iter().find(|other| other.0 == file.0))
+    {
+        return Err(invalid(format!("two files {name} in one dataset")));
+    }
+    match holds(folder, &files)? {
+        Holds::Nothing => place(folder, &files),
+        Holds::This => Ok(()),
+        Holds::Other => Err(io::Error::new(
+            io::ErrorKind::AlreadyExists,
+            "the folder holds something else, expected an empty or a new one",
+        )),
+    }
+}
+
+fn invalid(why: String) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, why)
+}
+
+/// What is in the folder already.
+enum Holds {
+    Nothing,
+    This,
+    Other,
+}
+
+fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
+    let mut found = Vec::new();
+    let mut left = vec![folder.to_path_buf()];
+    while let Some(next) = left.pop() {
+        let entries = match std::fs::read_dir(&next) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Holds::Nothing),
+            entries => entries?,
+        };
+        for entry in entries {
+            let entry = entry?;
+            if entry.file_type()?.is_dir() {
+                left.push(entry.path());
+            } else {
+                found.push(entry.path());
+            }
+            if found.len() + left.len() > files.len() * 2 + 1 {
+                return Ok(Holds::Other);
+            }
+        }
+    }
+    let same = |(name, text): &(String, String)| {
+        std::fs::read(folder.join(name)).is_ok_and(|bytes| bytes == text.as_bytes())
+    };
+    Ok(match found.len() {
+        0 => Holds::Nothing,
+        count if count == files.len() && files.iter().all(same) => Holds::This,
+        _ => Holds::Other,
+    })
+}
+
+/// Writes a folder beside the place where it belongs, and renames it.
+fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
+    let name = folder
+        .file_name()
+        .ok_or_else(|| invalid(format!("{} is no folder's name", folder.display())))?;
+    let around = match folder.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
+        _ => PathBuf::from("."),
+    };
+    std::fs::create_dir_all(&around)?;
+    let part = around.join(format!(
+        ".{}.{}.part",
+        name.to_string_lossy(),
+        std::process::id()
+    ));
+    std::fs::create_dir(&part)?;
+    let written = fill(&part, files).and_then(|()| {
+        // An empty folder gives way; one that has been filled meanwhile does not.
+        match std::fs::remove_dir(folder) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => {}
+        }
+        std::fs::rename(&part, folder)
+    });
+    if written.is_err() {
+        // What went wrong first is what counts.
+        let _ = std::fs::remove_dir_all(&part);
+    }
+    written
+}
+
+fn fill(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
+    for (name, text) in files {
+        let path = folder.join(name);
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent)?;
+        }
+        std::fs::write(path, text)?;
+    }
+    Ok(())
+}
+
+/// Refuses what the reader would refuse, or read as something else.
+fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()> {
+    let refused = |error: crate::error::InputError| invalid(error.to_string());
+    let manifest = manifest::parse(Path::new(&files[0].0), &files[0].1).map_err(refused)?;
+    let mut tables = files[1..].iter();
+    let read = assemble(manifest, |entry, markers| {
+        let path = PathBuf::from(&entry.file);
+        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
+        let text = tables.next().map_or("", |(_, text)| text);
+        if names::is_c3d(&entry.file) {
+            let expected = "a table: C3D is read and not written";
+            return Err(crate::error::InputError::of_file(
+                &path,
+                "a C3D file",
+                expected,
+            ));
+        }
+        table::parse(&path, text, &names).map(|table| (path, table))
+    });
+    if read.map_err(refused)? == *dataset {
+        Ok(())
+    } else {
+        Err(invalid(
+            "the dataset holds values that no file does: a position or a time that is not finite, or too few of them".into(),
+        ))
+    }
+}
+
+/// The text of `dataset.toml`.
+pub fn manifest_text(dataset: &Dataset) -> String {
+    let mut text = format!("model = {}\n", quoted(&dataset.model));
+    if !dataset.parameters.is_empty() {
+        text.push_str("\n[parameters]\n");
+        for (name, value) in &dataset.parameters {
+            let _ = writeln!(text, "{} = {value:?}", key(name));
+        }
+    }
+    for marker in &dataset.markers {
+        let name = quoted(&marker.name);
+        let position = &marker.position;
+        let _ = writeln!(
+            text,
+            "\n[[markers]]\nname = {name}\nposition = {position:?}"
+        );
+    }
+    if let Some(sigma) = dataset.sigma {
+        let _ = writeln!(text, "\n[noise]\nsigma = {sigma:?}");
+    }
+    for flight in &dataset.flights {
+        let role = match flight.role {
+            Role::Fit => "fit",
+            Role::HeldOut => "held-out",
+        };
+        let file = quoted(&flight.file);
+        let _ = writeln!(text, "\n[[flights]]\nfile = {file}\nrole = \"{role}\"");
+        if !flight.known.is_empty() {
+            let each = flight.known.iter().map(|(name, value)| match value {
+                Known::Scalar(value) => format!("{} = {value:?}", key(name)),
+                Known::Vector(value) => format!("{} = {value:?}", key(name)),
+            });
+            let all: Vec<String> = each.collect();
+            let _ = writeln!(text, "known = {{ {} }}", all.join(", "));
+        }
+    }
+    text
+}
+
+/// The text of a flight's table; each number has the digits that tell it from its neighbours.
+pub fn table_text(flight: &Flight, markers: &[Marker]) -> String {
+    let mut text = "t".to_owned();
+    for marker in markers {
+        let name = &marker.name;
+        let _ = write!(text, ",{name}_x,{name}_y,{name}_z");
+    }
+    text.push('\n');
+    for (time, row) in flight.times.iter().zip(&flight.positions) {
+        let _ = write!(text, "{time}");
+        for point in row {
+            let _ = match point {
+                Some([x, y, z]) => write!(text, ",{x},{y},{z}"),
+                None => write!(text, ",,,"),
+            };
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}
+
+fn key(name: &str) -> String {
+    let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if !name.is_empty() && name.chars().all(bare) {
+        name.to_owned()
+    } else {
+        quoted(name)
+    }
+}
