@@ -17,8 +17,10 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
-    let report = identify::fit::fit(&model, &dataset)
+    let asked = identify::options::Options::default();
+    let fitted = identify::fit::fit(&model, &dataset, &asked)
         .with_context(|| format!("cannot fit {}", options.dataset.display()))?;
+    let report = fitted.report;
     output::print(summary(&report))?;
     if let Some(folder) = &options.out {
         let json = serde_json::to_string_pretty(&report)?;

@@ -111,6 +111,21 @@ impl<M: Linearised> Sensitivities<M> {
         start.into()
     }
 
+    /// The start of a flight whose S has these entries (state, column, value) and 0 elsewhere.
+    ///
+    /// # Panics
+    /// Where `x` has not a number for each state, or there is no such state or column.
+    pub fn start_along(&self, x: &[f64], entries: &[(usize, usize, f64)]) -> Box<[f64]> {
+        assert_eq!(x.len(), self.states, "a number for each state");
+        let mut start = vec![0.0; self.len()];
+        start[..self.states].copy_from_slice(x);
+        for &(state, column, value) in entries {
+            assert!(column < self.columns, "a column of S");
+            start[self.states + state * self.stride + column] = value;
+        }
+        start.into()
+    }
+
     /// How many numbers the state and S together are.
     #[allow(clippy::len_without_is_empty)] // of a vector that is never empty
     pub fn len(&self) -> usize {
@@ -125,6 +140,11 @@ impl<M: Linearised> Sensitivities<M> {
     /// How one state changes with each of the columns.
     pub fn row<'x>(&self, both: &'x [f64], state: usize) -> &'x [f64] {
         &both[self.states + state * self.stride..][..self.columns]
+    }
+
+    /// The same with the zeros that it is padded with to whole lanes.
+    pub fn padded_row<'x>(&self, both: &'x [f64], state: usize) -> &'x [f64] {
+        &both[self.states + state * self.stride..][..self.stride]
     }
 
     /// The model.

@@ -1,11 +1,15 @@
-//! Levenberg–Marquardt over all flights at once.
+//! Levenberg–Marquardt over all flights at once, within bounds.
 
+mod step;
+
+use flight::batch;
 use nalgebra::DVector;
 
-use crate::normal::{Block, Eliminated, Singular, eliminate};
+use crate::normal::{Block, Undetermined, eliminate};
+pub use step::shared_step;
 
 /// A sum of squares with unknowns shared by all flights and unknowns of each flight.
-pub trait Problem {
+pub trait Problem: Sync {
     /// How many flights there are.
     fn flights(&self) -> usize;
 
@@ -20,11 +24,44 @@ pub trait Problem {
         own: &DVector<f64>,
     ) -> Result<Block, String>;
 
-    /// Sum of squared residuals of a flight; infinite where it cannot be predicted.
-    fn squares(&self, flight: usize, shared: &DVector<f64>, own: &DVector<f64>) -> f64;
+    /// A flight's own unknowns after a step.
+    fn moved(&self, flight: usize, own: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
 
-    /// Least and greatest value of each shared unknown.
-    fn bounds(&self) -> &[(f64, f64)];
+    /// What is known of each shared unknown beforehand.
+    fn known(&self) -> &[Known];
+
+    /// How many flights may be worked on at once.
+    fn threads(&self) -> usize {
+        1
+    }
+
+    /// Whether the work is to be given up.
+    fn is_stopped(&self) -> bool {
+        false
+    }
+}
+
+/// What is known of a shared unknown beforehand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// Least and greatest value.
+    pub bounds: (f64, f64),
+    /// Value and standard deviation of a normal prior.
+    pub prior: Option<(f64, f64)>,
+}
+
+impl Known {
+    /// Nothing.
+    pub const NOTHING: Known = Known {
+        bounds: (f64::NEG_INFINITY, f64::INFINITY),
+        prior: None,
+    };
+
+    /// What the prior adds to the sum of squares.
+    fn squares(&self, value: f64) -> f64 {
+        self.prior
+            .map_or(0.0, |(centre, sigma)| ((value - centre) / sigma).powi(2))
+    }
 }
 
 /// Values of all unknowns.
@@ -43,6 +80,8 @@ pub struct Solution {
     pub point: Point,
     /// Normal equations there.
     pub blocks: Vec<Block>,
+    /// The sum of squares with that of the priors.
+    pub squares: f64,
     /// Steps that were tried.
     pub iterations: usize,
     /// Whether the steps had become negligible.
@@ -60,170 +99,140 @@ pub enum Failure {
         /// In words.
         reason: String,
     },
-    /// The unknowns are not determined.
+    /// A flight's own unknowns are not determined.
     #[error(transparent)]
-    Singular(#[from] Singular),
+    Undetermined(#[from] Undetermined),
+    /// It was told to stop.
+    #[error("interrupted")]
+    Stopped,
+}
+
+/// When the iteration ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Until {
+    /// A step that promises no more of the sum of squares is negligible.
+    pub gain: f64,
+    /// A step that promises no more than this part of it is negligible.
+    pub part: f64,
+    /// Steps after which the iteration is given up.
+    pub steps: usize,
+}
+
+impl Until {
+    /// Far below the statistical spread of whitened residuals, far above the error of the integration.
+    pub const DONE: Until = Until {
+        gain: 1e-5,
+        part: 1e-11,
+        steps: 100,
+    };
+    /// On the way, where the weights will change anyway.
+    pub const ROUGHLY: Until = Until {
+        gain: 1e-2,
+        part: 1e-3,
+        steps: 30,
+    };
 }
 
 /// Damping at which no step is tried any more.
 const MOST_DAMPING: f64 = 1e8;
 
-/// Steps after which the iteration is given up.
-const MOST_STEPS: usize = 100;
-
-/// A step that promises a smaller part of the squares than this is negligible: far below their statistical spread,
-/// far above the error of the integration.
-const NEGLIGIBLE: f64 = 1e-9;
+/// Damping below which it makes no difference.
+const LEAST_DAMPING: f64 = 1e-12;
 
 /// Minimises the sum of squares from a starting point.
 ///
 /// # Errors
 /// See [`Failure`].
-pub fn solve(problem: &impl Problem, start: Point) -> Result<Solution, Failure> {
+pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solution, Failure> {
     let mut point = start;
     let mut blocks = linearise(problem, &point)?;
-    let mut damping = 1e-6;
+    let mut before = squares(problem, &point, &blocks);
+    let mut damping = 1e-9;
     let mut iterations = 0;
     let mut converged = false;
-    while iterations < MOST_STEPS && !converged {
+    while iterations < until.steps && !converged {
         iterations += 1;
-        let before: f64 = blocks.iter().map(|block| block.squares).sum();
-        let (candidate, promised) = match eliminate(&blocks, damping) {
-            Ok(system) => stepped(problem, &point, &system),
-            Err(_) if damping < MOST_DAMPING => {
-                damping = (damping * 10.0).max(1e-9);
-                continue;
+        let Some((candidate, promised)) = stepped(problem, &point, &blocks, damping) else {
+            if damping >= MOST_DAMPING {
+                break;
             }
-            Err(_) => break,
+            damping *= 10.0;
+            continue;
         };
-        if promised <= NEGLIGIBLE * before {
+        if promised <= until.gain.max(until.part * before) {
             converged = true;
-        } else if squares(problem, &candidate) < before {
-            point = candidate;
-            blocks = linearise(problem, &point)?;
-            damping = (damping * 0.1).max(1e-14);
-        } else if damping < MOST_DAMPING {
-            damping = (damping * 10.0).max(1e-9);
-        } else {
-            break;
+        }
+        // A negligible step is taken too where it is good: it costs one look, and is the most exact there is.
+        let there = match linearise(problem, &candidate) {
+            Ok(there) => Some(there),
+            Err(Failure::Stopped) => return Err(Failure::Stopped),
+            Err(_) => None,
+        };
+        let after = there
+            .as_ref()
+            .map_or(f64::INFINITY, |there| squares(problem, &candidate, there));
+        match there {
+            Some(there) if after < before => {
+                (point, blocks, before) = (candidate, there, after);
+                damping = (damping * 0.1).max(LEAST_DAMPING);
+            }
+            _ if converged => {}
+            _ if damping < MOST_DAMPING => damping = (damping * 10.0).max(1e-6),
+            _ => break,
         }
     }
-    // Undamped: what the data do not determine must be told, not damped away.
-    eliminate(&blocks, 0.0)?;
     Ok(Solution {
         point,
         blocks,
+        squares: before,
         iterations,
         converged,
     })
 }
 
 fn linearise(problem: &impl Problem, point: &Point) -> Result<Vec<Block>, Failure> {
-    (0..problem.flights())
-        .map(|flight| {
-            let block = problem.linearise(flight, &point.shared, &point.own[flight]);
-            block.map_err(|reason| Failure::Start { flight, reason })
-        })
-        .collect()
+    let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
+        if problem.is_stopped() {
+            return Err(Failure::Stopped);
+        }
+        let block = problem.linearise(flight, &point.shared, &point.own[flight]);
+        block.map_err(|reason| Failure::Start { flight, reason })
+    });
+    each.into_iter().collect()
 }
 
-fn squares(problem: &impl Problem, point: &Point) -> f64 {
-    (0..problem.flights())
-        .map(|flight| problem.squares(flight, &point.shared, &point.own[flight]))
-        .sum()
+fn squares(problem: &impl Problem, point: &Point, blocks: &[Block]) -> f64 {
+    let known = problem.known().iter().zip(point.shared.iter());
+    let priors: f64 = known.map(|(known, &value)| known.squares(value)).sum();
+    let sum = blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
+    if sum.is_nan() { f64::INFINITY } else { sum }
 }
 
-/// The point after a step that is cut at the bounds of the shared unknowns, and the decrease of the squares that
-/// the step promises.
-fn stepped(problem: &impl Problem, point: &Point, system: &Eliminated<'_>) -> (Point, f64) {
-    let (step, _) = system.step();
-    let mut shared = &point.shared + step;
-    for (value, &(low, high)) in shared.iter_mut().zip(problem.bounds()) {
-        *value = value.clamp(low, high);
-    }
-    let step = &shared - &point.shared;
-    let own = system.own_steps(&step);
-    let promised = system.promised(&step, &own);
-    let own = point
-        .own
-        .iter()
-        .zip(own)
-        .map(|(value, step)| value + step)
+/// The point after a step, and the decrease of the squares that the step promises; none where the damping is too
+/// small for there to be a step.
+fn stepped(
+    problem: &impl Problem,
+    point: &Point,
+    blocks: &[Block],
+    damping: f64,
+) -> Option<(Point, f64)> {
+    let system = eliminate(blocks, damping).ok()?;
+    let (step, prior_gain) = shared_step(
+        &system.reduced,
+        &system.gradient,
+        &point.shared,
+        problem.known(),
+        damping,
+    )?;
+    let own_steps = system.own_steps(&step);
+    let promised = system.promised(&step, &own_steps) + prior_gain;
+    let steps = own_steps.iter().zip(&point.own).enumerate();
+    let own = steps
+        .map(|(flight, (step, own))| problem.moved(flight, own, step))
         .collect();
-    (Point { shared, own }, promised)
+    let shared = &point.shared + step;
+    Some((Point { shared, own }, promised))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Flights `y = own * exp(-shared t)`.
-    struct Decay {
-        data: Vec<Vec<(f64, f64)>>,
-        bounds: [(f64, f64); 1],
-    }
-
-    impl Problem for Decay {
-        fn flights(&self) -> usize {
-            self.data.len()
-        }
-
-        fn linearise(
-            &self,
-            flight: usize,
-            shared: &DVector<f64>,
-            own: &DVector<f64>,
-        ) -> Result<Block, String> {
-            let mut block = Block::zero(1, 1);
-            for &(t, y) in &self.data[flight] {
-                let e = (-shared[0] * t).exp();
-                let by_shared = DVector::from_element(1, -t * own[0] * e);
-                block.add(own[0] * e - y, &DVector::from_element(1, e), &by_shared);
-            }
-            Ok(block)
-        }
-
-        fn squares(&self, flight: usize, shared: &DVector<f64>, own: &DVector<f64>) -> f64 {
-            self.linearise(flight, shared, own)
-                .map_or(f64::INFINITY, |block| block.squares)
-        }
-
-        fn bounds(&self) -> &[(f64, f64)] {
-            &self.bounds
-        }
-    }
-
-    fn decay(bounds: (f64, f64)) -> Decay {
-        let flight = |amplitude: f64| {
-            (0..20)
-                .map(|i| f64::from(i) * 0.1)
-                .map(|t| (t, amplitude * (-1.3 * t).exp()))
-                .collect()
-        };
-        Decay {
-            data: vec![flight(2.0), flight(-5.0)],
-            bounds: [bounds],
-        }
-    }
-
-    fn start() -> Point {
-        Point {
-            shared: DVector::from_element(1, 0.0),
-            own: vec![DVector::from_element(1, 1.0); 2],
-        }
-    }
-
-    #[test]
-    fn exact_data_give_the_exact_unknowns() {
-        let solution = solve(&decay((-10.0, 10.0)), start()).unwrap();
-        assert!(solution.converged);
-        assert!((solution.point.shared[0] - 1.3).abs() < 1e-8);
-        assert!((solution.point.own[1][0] + 5.0).abs() < 1e-8);
-    }
-
-    #[test]
-    fn bounds_hold() {
-        let solution = solve(&decay((-10.0, 1.0)), start()).unwrap();
-        assert_eq!(solution.point.shared[0], 1.0);
-    }
-}
+mod tests;

@@ -1,269 +1,231 @@
-//! What a model predicts of the markers, with exact sensitivities to the initial state and to chosen parameters.
+//! What a model predicts of a flight's markers, with exact sensitivities to its unknowns.
 //!
 //! The sensitivities obey the variational equations dS/dt = J S + [0 | Jp], flown together with the state.
 
-use std::borrow::Cow;
+use flight::body::{Derivatives, States};
+use flight::sensitivity::Sensitivities;
+use flight::{Dynamics, Method, Options, fly_at};
+use nalgebra::DVector;
 
-use codegen::compile::{Selection, compile_for};
-use codegen::layout::Layout;
-use codegen::tape_model::{At, Scratch, TapeModel};
-use flight::body::States;
-use flight::sensitivity::{Linearised, Sensitivities};
-use flight::{Dynamics, Options, equations, fly_at};
-use model_spec::model::Model;
-use nalgebra::DMatrix;
+use crate::noise::{HUBER, Noise};
+use crate::normal::Block;
+use crate::rows::Rows;
+use crate::setting::Setting;
+use crate::track::Track;
 
-/// Tolerance of the integration: far below any measurement, far above rounding.
-const TOLERANCE: f64 = 1e-9;
+/// Relative tolerance of the integration: far below any measurement, far above rounding.
+const TOLERANCE: f64 = 1e-8;
 
-/// A compiled model, ready to predict.
-pub struct Predictor {
-    tapes: TapeModel,
-    layout: Layout,
-    free: usize,
+/// Which unknowns a residual is differentiated by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// The flight's own.
+    Own,
+    /// And the shared ones.
+    All,
 }
 
-/// What is predicted of one marker at one time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Observed {
-    /// Its position in the inertial frame, m.
-    pub position: [f64; 3],
-    /// Derivatives of the position, 3 rows: by the initial states, then by the free parameters.
-    pub sensitivity: DMatrix<f64>,
+/// How residuals count.
+#[derive(Clone, Copy, Debug)]
+pub enum Loss<'a> {
+    /// By Huber's loss over this scale (m): by their squares near 0, by their sizes beyond.
+    Huber(f64),
+    /// By their innovations over the noise's, outliers left out.
+    Whitened(&'a Noise),
 }
 
-/// The constants of one flight.
-pub struct Conditions {
-    parameters: Vec<f64>,
-    prepared: Vec<f64>,
-}
-
-impl Predictor {
-    /// Compiles a model, with derivatives by the parameters at these places of its layout.
-    pub fn new(model: &Model, free: &[usize]) -> Self {
-        let compiled = compile_for(model, &Selection::Only(free.to_vec()));
-        Self {
-            tapes: TapeModel::new(&compiled),
-            layout: compiled.layout,
-            free: free.len(),
+/// Flies the first samples of a track and sums its residuals.
+///
+/// # Errors
+/// In words, where the flight is impossible.
+pub fn linearise(
+    setting: &Setting,
+    track: &Track,
+    (shared, own): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+    by: By,
+    loss: Loss<'_>,
+) -> Result<Block, String> {
+    let conditions = setting.body.with(track.parameters(setting, shared));
+    let constants: Vec<usize> = match by {
+        By::Own => Vec::new(),
+        By::All => setting.shared.iter().map(|shared| shared.place).collect(),
+    };
+    let dimension = track.chart.dimension();
+    // Only how many columns there are counts; they are filled along the chart.
+    let columns: Vec<usize> = (0..dimension).collect();
+    let mut variations = Sensitivities::new(conditions.linear_motion(), &columns, &constants);
+    let start = variations.start_along(own.as_slice(), &track.chart.tangent(own.as_slice()));
+    let flown = flown(&mut variations, start, &track.times[..samples])?;
+    let mut observer = conditions.observer();
+    let mut sums = Sums::new(Rows::new(dimension, constants.len()), track.markers, loss);
+    for (sample, both) in flown.chunks(variations.len()).enumerate() {
+        let time = track.times[sample];
+        let state = variations.state(both);
+        for (marker, position) in setting.markers.iter().enumerate() {
+            // Where the noise is known an outlier is left out; before, it counts for little.
+            let seen = match loss {
+                Loss::Huber(_) => track.row(sample)[marker],
+                Loss::Whitened(_) => track.good(sample, marker),
+            };
+            let Some(seen) = seen else { continue };
+            let (y, derivatives) = observer.linearise(time, state, position);
+            let row_of = |state: usize| variations.padded_row(both, state);
+            sums.derive(&derivatives, row_of, &constants, dimension);
+            let residual = [0, 1, 2].map(|axis| y[axis] - seen[axis]);
+            sums.add(marker, time, residual);
         }
     }
+    Ok(sums.rows.block())
+}
 
-    /// Names and places of states and parameters.
-    pub fn layout(&self) -> &Layout {
-        &self.layout
-    }
+/// The state at each of the first samples of a track, sample after sample.
+///
+/// # Errors
+/// In words, where the flight is impossible.
+pub fn states(
+    setting: &Setting,
+    track: &Track,
+    (shared, own): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+) -> Result<Vec<f64>, String> {
+    let conditions = setting.body.with(track.parameters(setting, shared));
+    let start: States = own.as_slice().into();
+    flown(&mut conditions.motion(), start, &track.times[..samples])
+}
 
-    /// Prepares a flight with these parameters, in the order of the layout.
-    pub fn conditions(&self, parameters: Vec<f64>) -> Conditions {
-        let prepared = self.tapes.prepare(&parameters);
-        Conditions {
-            parameters,
-            prepared,
-        }
-    }
-
-    /// The markers at the times of a flight from an initial state: `[sample][marker]`, m.
-    ///
-    /// # Errors
-    /// In words, where the flight is impossible.
-    pub fn positions(
-        &self,
-        conditions: &Conditions,
-        initial: &[f64],
-        times: &[f64],
-        markers: &[[f64; 3]],
-    ) -> Result<Vec<Vec<[f64; 3]>>, String> {
-        let (states, mut scratch) = (self.tapes.states, Scratch::default());
-        let names: Vec<&str> = self.layout.states.iter().map(String::as_str).collect();
-        let mut motion = equations(&names, |t, x: &States, dx: &mut States| {
-            self.tapes.f(conditions.at(t, x), &mut scratch, dx);
-        });
-        let samples = flown(&mut motion, initial.into(), times)?;
-        let mut scratch = Scratch::default();
-        let row = |(&t, x): (&f64, &[f64])| {
-            let each = markers.iter().map(|marker| {
-                let mut position = [0.0; 3];
-                self.tapes
-                    .observe(conditions.at(t, x), marker, &mut scratch, &mut position);
-                position
+/// Predicted less measured at the first samples of a track, by marker and sample: `residuals[marker][sample]`;
+/// `None` where nothing was seen. Outliers are among them.
+///
+/// # Errors
+/// In words, where the flight is impossible.
+pub fn residuals(
+    setting: &Setting,
+    track: &Track,
+    unknowns: (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+) -> Result<Vec<Vec<Option<[f64; 3]>>>, String> {
+    let flown = states(setting, track, unknowns, samples)?;
+    let conditions = setting.body.with(track.parameters(setting, unknowns.0));
+    let mut observer = conditions.observer();
+    let mut residuals = vec![Vec::with_capacity(samples); track.markers];
+    for (sample, state) in flown.chunks(track.chart.states()).enumerate() {
+        for (marker, position) in setting.markers.iter().enumerate() {
+            let residual = track.row(sample)[marker].map(|seen| {
+                let y = observer.position(track.times[sample], state, position);
+                [0, 1, 2].map(|axis| y[axis] - seen[axis])
             });
-            each.collect()
-        };
-        Ok(times.iter().zip(samples.chunks(states)).map(row).collect())
-    }
-
-    /// As [`Predictor::positions`], with sensitivities.
-    ///
-    /// # Errors
-    /// In words, where the flight is impossible.
-    pub fn observe(
-        &self,
-        conditions: &Conditions,
-        initial: &[f64],
-        times: &[f64],
-        markers: &[[f64; 3]],
-    ) -> Result<Vec<Vec<Observed>>, String> {
-        let states = self.tapes.states;
-        let (by_start, by_free): (Vec<usize>, Vec<usize>) =
-            ((0..states).collect(), (0..self.free).collect());
-        let mut variations = Sensitivities::new(self.model(conditions), &by_start, &by_free);
-        let start = variations.start(initial);
-        let samples = flown(&mut variations, start, times)?;
-        let mut observer = Observer::new(self);
-        let row = |(&t, both): (&f64, &[f64])| {
-            let sensitivity = DMatrix::from_fn(states, variations.columns(), |state, by| {
-                variations.row(both, state)[by]
-            });
-            let at = conditions.at(t, variations.state(both));
-            markers
-                .iter()
-                .map(|marker| observer.observe(at, marker, &sensitivity))
-                .collect()
-        };
-        Ok(times
-            .iter()
-            .zip(samples.chunks(variations.len()))
-            .map(row)
-            .collect())
-    }
-
-    fn model<'a>(&'a self, conditions: &'a Conditions) -> Tapes<'a> {
-        let wide = |pattern: &[(u32, u32)]| {
-            pattern
-                .iter()
-                .map(|&(r, c)| (r as usize, c as usize))
-                .collect()
-        };
-        Tapes {
-            predictor: self,
-            conditions,
-            scratch: Scratch::default(),
-            j: wide(self.tapes.j_pattern()),
-            jp: wide(self.tapes.jp_pattern()),
+            residuals[marker].push(residual);
         }
     }
-}
-
-impl Conditions {
-    fn at<'a>(&'a self, t: f64, x: &'a [f64]) -> At<'a> {
-        At {
-            t,
-            x,
-            p: &self.parameters,
-            prepared: &self.prepared,
-        }
-    }
+    Ok(residuals)
 }
 
 /// Flies from the first of the times to the last, and gives the state at each.
-fn flown(
-    dynamics: &mut impl Dynamics<State = States>,
+fn flown<D: Dynamics<State = States>>(
+    dynamics: &mut D,
     start: States,
     times: &[f64],
 ) -> Result<Vec<f64>, String> {
     let mut samples = vec![0.0; start.len() * times.len()];
-    let options = Options::tolerance(TOLERANCE);
-    fly_at(
-        dynamics,
-        (times[0], &start),
-        times,
-        &options,
-        &mut [],
-        &mut samples,
-    )
-    .map_err(|error| error.to_string())?;
+    let options = Options {
+        method: Method::Dop853,
+        ..Options::tolerance(TOLERANCE)
+    };
+    let from = (times[0], &start);
+    fly_at(dynamics, from, times, &options, &mut [], &mut samples)
+        .map_err(|error| error.to_string())?;
     Ok(samples)
 }
 
-/// The tapes of a model in the conditions of one flight.
-struct Tapes<'a> {
-    predictor: &'a Predictor,
-    conditions: &'a Conditions,
-    scratch: Scratch,
-    j: Vec<(usize, usize)>,
-    jp: Vec<(usize, usize)>,
+/// Rows being summed, with the last row of each marker.
+struct Sums<'a> {
+    rows: Rows,
+    loss: Loss<'a>,
+    /// The rows of x, y and z of one marker.
+    now: [Vec<f64>; 3],
+    /// Time and rows of the last time that each marker was seen.
+    before: Vec<Option<(f64, [Vec<f64>; 3])>>,
 }
 
-impl Linearised for Tapes<'_> {
-    fn states(&self) -> usize {
-        self.predictor.tapes.states
-    }
-
-    fn state_pattern(&self) -> &[(usize, usize)] {
-        &self.j
-    }
-
-    fn constant_pattern(&self) -> &[(usize, usize)] {
-        &self.jp
-    }
-
-    fn linearise(
-        &mut self,
-        t: f64,
-        x: &[f64],
-        dx: &mut [f64],
-        by_state: &mut [f64],
-        by_constant: &mut [f64],
-    ) {
-        let at = self.conditions.at(t, x);
-        self.predictor
-            .tapes
-            .f_jac_par(at, &mut self.scratch, dx, by_state, by_constant);
-    }
-
-    fn state_name(&self, state: usize) -> Cow<'_, str> {
-        self.predictor
-            .layout
-            .states
-            .get(state)
-            .map_or_else(|| "a state".into(), |name| name.as_str().into())
-    }
-}
-
-/// Space for observations.
-struct Observer<'a> {
-    predictor: &'a Predictor,
-    scratch: Scratch,
-    dy_dx: Vec<f64>,
-    dy_dp: Vec<f64>,
-    dy_dmarker: Vec<f64>,
-}
-
-impl<'a> Observer<'a> {
-    fn new(predictor: &'a Predictor) -> Self {
-        let tapes = &predictor.tapes;
+impl<'a> Sums<'a> {
+    fn new(rows: Rows, markers: usize, loss: Loss<'a>) -> Self {
+        let width = rows.width();
         Self {
-            predictor,
-            scratch: Scratch::default(),
-            dy_dx: vec![0.0; tapes.dy_dx_pattern().len()],
-            dy_dp: vec![0.0; tapes.dy_dp_pattern().len()],
-            dy_dmarker: vec![0.0; tapes.dy_dmarker_pattern().len()],
+            rows,
+            loss,
+            now: [0; 3].map(|_| vec![0.0; width]),
+            before: vec![None; markers],
         }
     }
 
-    fn observe(&mut self, at: At<'_>, marker: &[f64; 3], state: &DMatrix<f64>) -> Observed {
-        let tapes = &self.predictor.tapes;
-        let mut position = [0.0; 3];
-        let results = [
-            &mut position[..],
-            &mut self.dy_dx,
-            &mut self.dy_dp,
-            &mut self.dy_dmarker,
-        ];
-        tapes.observe_jac(at, marker, &mut self.scratch, results);
-        let mut sensitivity = DMatrix::zeros(3, state.ncols());
-        for (&(row, by), &value) in tapes.dy_dx_pattern().iter().zip(&self.dy_dx) {
-            for column in 0..state.ncols() {
-                sensitivity[(row as usize, column)] += value * state[(by as usize, column)];
+    /// Puts the derivatives of a marker's position by the unknowns into the rows of its axes.
+    fn derive<'s>(
+        &mut self,
+        derivatives: &Derivatives<'_>,
+        row_of: impl Fn(usize) -> &'s [f64],
+        constants: &[usize],
+        dimension: usize,
+    ) {
+        for row in &mut self.now {
+            row.fill(0.0);
+        }
+        let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
+        for (&(axis, state), &value) in entries {
+            for (sum, part) in self.now[axis].iter_mut().zip(row_of(state)) {
+                *sum += value * part;
             }
         }
-        for (&(row, parameter), &value) in tapes.dy_dp_pattern().iter().zip(&self.dy_dp) {
-            sensitivity[(row as usize, tapes.states + parameter as usize)] += value;
+        let entries = derivatives
+            .by_parameter_at
+            .iter()
+            .zip(derivatives.by_parameter);
+        for (&(axis, place), &value) in entries {
+            if let Some(column) = constants.iter().position(|constant| *constant == place) {
+                self.now[axis][dimension + column] += value;
+            }
         }
-        Observed {
-            position,
-            sensitivity,
+    }
+
+    fn add(&mut self, marker: usize, time: f64, residual: [f64; 3]) {
+        let at = self.rows.residual();
+        for (row, residual) in self.now.iter_mut().zip(residual) {
+            row[at] = residual;
+        }
+        match self.loss {
+            Loss::Huber(scale) => {
+                // An outlier is one of a point, not of an axis.
+                let size = residual.iter().map(|r| r * r).sum::<f64>().sqrt() / scale;
+                let limit = HUBER * 3.0_f64.sqrt();
+                let weight = if size > limit { limit / size } else { 1.0 };
+                // What the loss has beyond the weighted square.
+                let extra = (weight * size * size - limit * limit).max(0.0);
+                for (axis, row) in self.now.iter().enumerate() {
+                    let extra = if axis == 0 { extra } else { 0.0 };
+                    self.rows.add(row, None, weight.sqrt() / scale, extra);
+                }
+            }
+            Loss::Whitened(noise) => {
+                for (axis, row) in self.now.iter().enumerate() {
+                    match &self.before[marker] {
+                        Some((earlier, before)) => {
+                            let (kept, fresh) = noise.innovation(axis, time - earlier);
+                            let before = Some((kept, before[axis].as_slice()));
+                            self.rows.add(row, before, 1.0 / fresh, 0.0);
+                        }
+                        None => self.rows.add(row, None, 1.0 / noise.sigma[axis], 0.0),
+                    }
+                }
+                match &mut self.before[marker] {
+                    Some((earlier, before)) => {
+                        *earlier = time;
+                        for (before, now) in before.iter_mut().zip(&self.now) {
+                            before.copy_from_slice(now);
+                        }
+                    }
+                    none => *none = Some((time, self.now.clone())),
+                }
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What a fit found: [`Report`] is `report.json`, [`FlightEvidence`] is what figures are drawn from.
 
 mod evidence;
+pub(crate) mod residuals;
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,11 @@
 //! A model made ready to fly: by its generated code where that belongs to the model's text, by the tape where not.
 
+mod linear;
+mod observer;
+
+pub use linear::LinearMotion;
+pub use observer::{Derivatives, Observer};
+
 use crate::dynamics::Dynamics;
 use crate::event::Event;
 use crate::release::Release;
@@ -19,6 +25,7 @@ pub struct Body {
     /// Bound and reason of each limit.
     limits: Vec<(f64, String)>,
     functions: Functions,
+    patterns: linear::Patterns,
 }
 
 enum Functions {
@@ -31,11 +38,7 @@ impl Body {
     pub fn new(model: &Model) -> Body {
         let same = |code: &&generated::Model| code.source_hash == source_hash(model);
         match generated::model(&model.name).filter(same) {
-            Some(code) => Body {
-                layout: Layout::new(model),
-                limits: limits(model),
-                functions: Functions::Generated(code),
-            },
+            Some(code) => Body::by(model, Functions::Generated(code)),
             None => Body::on_tape(model),
         }
     }
@@ -44,10 +47,22 @@ impl Body {
     pub fn on_tape(model: &Model) -> Body {
         // With every derivative, as the generated code was: what is computed once per flight is then the same too.
         let compiled = compile(model);
+        Body::by(model, Functions::Tape(Box::new(TapeModel::new(&compiled))))
+    }
+
+    fn by(model: &Model, functions: Functions) -> Body {
         Body {
             layout: Layout::new(model),
             limits: limits(model),
-            functions: Functions::Tape(Box::new(TapeModel::new(&compiled))),
+            patterns: linear::Patterns::of(&functions),
+            functions,
+        }
+    }
+
+    fn state_name(&self, state: usize) -> Cow<'_, str> {
+        match self.layout.states.get(state) {
+            Some(name) => name.as_str().into(),
+            None => format!("state {state}").into(),
         }
     }
 
@@ -121,6 +136,16 @@ impl Conditions<'_> {
         }
     }
 
+    /// The equations of motion with their derivatives, for [`Sensitivities`](crate::sensitivity::Sensitivities).
+    pub fn linear_motion(&self) -> LinearMotion<'_> {
+        LinearMotion::new(self)
+    }
+
+    /// What is seen of the body.
+    pub fn observer(&self) -> Observer<'_> {
+        Observer::new(self)
+    }
+
     /// Events that end a flight, with the model's own reason, where the model ends.
     pub fn limits(&self) -> Vec<Event<'_, States>> {
         let each = self.body.limits.iter().enumerate();
@@ -170,10 +195,7 @@ impl Dynamics for Motion<'_> {
     }
 
     fn state_name(&self, component: usize) -> Cow<'_, str> {
-        match self.conditions.body.layout.states.get(component) {
-            Some(name) => name.as_str().into(),
-            None => format!("state {component}").into(),
-        }
+        self.conditions.body.state_name(component)
     }
 }
 

@@ -1,0 +1,114 @@
+//! How an initial state is varied: freely, but for a quaternion's length and for states that are known.
+
+use flight::release::Vocabulary;
+use model_spec::model::Model;
+use nalgebra::DVector;
+
+/// The directions in which an initial state may be moved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// States that stand for themselves.
+    plain: Vec<usize>,
+    /// Groups of four that are unit quaternions, moved by three angles each.
+    quaternions: Vec<[usize; 4]>,
+    states: usize,
+}
+
+impl Chart {
+    /// The chart of a model's state, with some states known.
+    pub fn new(model: &Model, known: &[usize]) -> Self {
+        let quaternions = Vocabulary::of(model).quaternions;
+        // A quaternion is known as a whole or not at all.
+        let quaternions: Vec<[usize; 4]> = quaternions
+            .into_iter()
+            .filter(|states| !states.iter().any(|state| known.contains(state)))
+            .collect();
+        let turned: Vec<usize> = quaternions.iter().flatten().copied().collect();
+        let plain = (0..model.states.len())
+            .filter(|state| !known.contains(state) && !turned.contains(state))
+            .collect();
+        Self {
+            plain,
+            quaternions,
+            states: model.states.len(),
+        }
+    }
+
+    /// How many directions there are.
+    pub fn dimension(&self) -> usize {
+        self.plain.len() + 3 * self.quaternions.len()
+    }
+
+    /// How many states there are.
+    pub fn states(&self) -> usize {
+        self.states
+    }
+
+    /// The entries (state, direction, value) of the derivative of the state by the directions, at `state`.
+    pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
+        let plain = self.plain.iter().enumerate();
+        let mut entries: Vec<_> = plain.map(|(column, &row)| (row, column, 1.0)).collect();
+        for (index, places) in self.quaternions.iter().enumerate() {
+            let [q0, q1, q2, q3] = places.map(|place| state[place]);
+            // Half the product of the quaternion with each imaginary unit.
+            let columns = [[-q1, q0, q3, -q2], [-q2, -q3, q0, q1], [-q3, q2, -q1, q0]];
+            for (k, column) in columns.iter().enumerate() {
+                let direction = self.plain.len() + 3 * index + k;
+                let each = places.iter().zip(column);
+                entries.extend(each.map(|(&place, value)| (place, direction, value / 2.0)));
+            }
+        }
+        entries
+    }
+
+    /// The state after a step along the directions.
+    pub fn moved(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        let mut moved = state.clone();
+        for (row, column, value) in self.tangent(state.as_slice()) {
+            moved[row] += value * step[column];
+        }
+        for places in &self.quaternions {
+            let length = places.map(|place| moved[place].powi(2)).iter().sum::<f64>();
+            for &place in places {
+                moved[place] /= length.sqrt();
+            }
+        }
+        moved
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quaternion_moves_on_its_sphere_and_along_its_tangent() {
+        let model = model_spec::load::load("disc_quaternion", &[]).unwrap();
+        let chart = Chart::new(&model, &[]);
+        assert_eq!((chart.states(), chart.dimension()), (13, 12));
+        let mut state = DVector::zeros(13);
+        let places = chart.quaternions[0];
+        for (place, value) in places.iter().zip([0.5, -0.5, 0.1, 0.7]) {
+            state[*place] = value;
+        }
+        let state = chart.moved(&state, &DVector::zeros(12));
+        let step = DVector::from_fn(12, |i, _| 1e-6 * (i as f64 - 5.0));
+        let moved = chart.moved(&state, &step);
+        let length: f64 = places.iter().map(|&place| moved[place].powi(2)).sum();
+        assert!((length - 1.0).abs() < 1e-14);
+        let mut linear = state.clone();
+        for (row, column, value) in chart.tangent(state.as_slice()) {
+            linear[row] += value * step[column];
+        }
+        assert!((moved - linear).norm() < 1e-10);
+    }
+
+    #[test]
+    fn known_states_stay() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let chart = Chart::new(&model, &[11]);
+        assert_eq!(chart.dimension(), 11);
+        let moved = chart.moved(&DVector::zeros(12), &DVector::from_element(11, 1.0));
+        assert_eq!(moved[11], 0.0);
+    }
+}

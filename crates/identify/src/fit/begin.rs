@@ -1,0 +1,175 @@
+//! Tracks and starts of the flights, each on its own: which can be fitted, and from where.
+
+use flight::batch;
+use nalgebra::DVector;
+
+use super::settle::own_only;
+use super::{FitError, State};
+use crate::cut;
+use crate::dataset::{Dataset, Flight};
+use crate::noise::median;
+use crate::options::Options;
+use crate::setting::Setting;
+use crate::start::{self, Start};
+use crate::track::Track;
+
+/// The first part of a flight that its start is judged on, s and samples.
+pub const FIRST: (f64, usize) = (0.15, 12);
+
+/// Noise that is assumed where the data say nothing of it, m.
+const NO_FLOOR: f64 = 1e-3;
+
+/// The least that is believed of noise, m: as much as a table of rounded numbers has.
+const LEAST_FLOOR: f64 = 1e-7;
+
+/// What the flights begin with.
+pub struct Begun {
+    /// The flights that can be fitted, with their starts.
+    pub state: State,
+    /// Their indices in the dataset.
+    pub flights: Vec<usize>,
+    /// Flights that cannot, and why.
+    pub left_out: Vec<(usize, String)>,
+}
+
+/// Makes tracks and starts of these flights.
+///
+/// # Errors
+/// Where none of them can be fitted.
+pub fn begin(
+    setting: &Setting,
+    dataset: &Dataset,
+    flights: &[usize],
+    options: &Options<'_>,
+) -> Result<Begun, FitError> {
+    options.begins("starts", flights.len());
+    let mut tracks = Vec::with_capacity(flights.len());
+    let mut left_out = Vec::new();
+    for &flight in flights {
+        match track(setting, &dataset.flights[flight]) {
+            Ok(track) => tracks.push((flight, track)),
+            Err(reason) => left_out.push((flight, reason)),
+        }
+    }
+    let floor = floor(setting, tracks.iter().map(|(_, track)| track));
+    let mut intervals: Vec<f64> = tracks
+        .iter()
+        .filter_map(|(_, track)| track.interval())
+        .collect();
+    let shared = DVector::from_iterator(
+        setting.shared.len(),
+        setting.shared.iter().map(|shared| shared.model_value),
+    );
+    let found = batch::each_on(options.threads(), tracks.len(), |index| {
+        if options.is_stopped() {
+            return Err("interrupted".to_owned());
+        }
+        let found = best_start(setting, &tracks[index].1, &shared, floor, options);
+        options.part_done();
+        found
+    });
+    if options.is_stopped() {
+        return Err(FitError::Interrupted);
+    }
+    let mut state = State {
+        tracks: Vec::with_capacity(tracks.len()),
+        shared,
+        own: Vec::with_capacity(tracks.len()),
+        floor,
+        interval: if intervals.is_empty() {
+            1.0
+        } else {
+            median(&mut intervals)
+        },
+        steps: 0,
+        rounds: 0,
+    };
+    let mut usable = Vec::with_capacity(tracks.len());
+    for ((flight, mut track), found) in tracks.into_iter().zip(found) {
+        match found {
+            Ok(start) => {
+                if start.turns != 0 {
+                    track.notes.push(spin_note(start.turns));
+                }
+                usable.push(flight);
+                state.own.push(start.state);
+                state.tracks.push(track);
+            }
+            Err(reason) => left_out.push((flight, reason)),
+        }
+    }
+    if usable.is_empty() {
+        left_out.sort_unstable();
+        let each = left_out.iter().take(10);
+        let reasons: Vec<String> = each
+            .map(|(flight, reason)| format!("  {}: {reason}", dataset.flights[*flight].file))
+            .collect();
+        return Err(FitError::NoFlight(reasons.join("\n")));
+    }
+    Ok(Begun {
+        state,
+        flights: usable,
+        left_out,
+    })
+}
+
+/// What is said of a flight whose spin was not the least that its samples allow.
+pub fn spin_note(turns: i32) -> String {
+    format!("it spins by {turns:+} turns between samples beside what neighbouring samples show")
+}
+
+/// A track of a flight, cut at the ground.
+pub fn track(setting: &Setting, flight: &Flight) -> Result<Track, String> {
+    let mut track = Track::new(setting, flight)?;
+    cut::at_the_ground(setting, &mut track);
+    let points = track.seen.iter().flatten().count();
+    let unknowns = track.chart.dimension();
+    if 3 * points < unknowns {
+        let measured = 3 * points;
+        return Err(format!(
+            "{measured} measured coordinates do not determine the {unknowns} unknowns of its initial state"
+        ));
+    }
+    Ok(track)
+}
+
+/// What is usual of the flights' first estimates of the noise, m.
+pub fn floor<'t>(setting: &Setting, tracks: impl Iterator<Item = &'t Track>) -> f64 {
+    let mut floors: Vec<f64> = tracks
+        .filter_map(|track| start::floor(setting, track))
+        .collect();
+    if floors.is_empty() {
+        return NO_FLOOR;
+    }
+    median(&mut floors).max(LEAST_FLOOR)
+}
+
+/// The start whose first samples are met best, with the shared unknowns held.
+pub fn best_start(
+    setting: &Setting,
+    track: &Track,
+    shared: &DVector<f64>,
+    floor: f64,
+    options: &Options<'_>,
+) -> Result<Start, String> {
+    let samples = track.until(FIRST.0).max(FIRST.1).min(track.times.len());
+    let mut best: Option<(f64, Start)> = None;
+    let mut refused = String::new();
+    for start in start::starts(setting, track)? {
+        match own_only(setting, track, samples, shared, start.state, floor, options) {
+            Ok((squares, state)) => {
+                // Fewer turns are likelier: more must be clearly better.
+                let clearly = if start.turns == 0 { 1.0 } else { 0.5 };
+                if best
+                    .as_ref()
+                    .is_none_or(|(least, _)| squares < clearly * least)
+                {
+                    let turns = start.turns;
+                    best = Some((squares, Start { state, turns }));
+                }
+            }
+            Err(reason) => refused = reason,
+        }
+    }
+    best.map(|(_, start)| start).ok_or(refused)
+}

@@ -1,0 +1,154 @@
+//! One set of coefficients for all flights, and each flight's initial state.
+//!
+//! Output error: the differences between observed and predicted markers are made as small as their noise allows,
+//! and the noise (its scale and its first-order correlation along each axis, its outliers) is estimated with them.
+
+mod begin;
+mod held_out;
+mod outcome;
+mod problem;
+mod recover;
+mod rounds;
+mod settle;
+
+use std::time::Instant;
+
+use model_spec::model::Model;
+use nalgebra::DVector;
+
+use crate::dataset::{Dataset, Role};
+use crate::levenberg::{Failure, Solution};
+use crate::noise::Noise;
+use crate::options::Options;
+use crate::report::{FlightEvidence, Report};
+pub use crate::setting::FitError;
+use crate::setting::Setting;
+use crate::track::Track;
+
+/// A dataset that was fitted.
+pub struct Fitted {
+    /// What was found.
+    pub report: Report,
+    setting: Setting,
+    names: Vec<String>,
+    /// Tracks of the flights by index in the dataset; none for those that were left out.
+    tracks: Vec<Option<(Track, DVector<f64>)>>,
+    shared: DVector<f64>,
+}
+
+/// What the stages of a fit work on.
+pub(crate) struct State {
+    /// The flights that are fitted.
+    pub tracks: Vec<Track>,
+    /// The shared unknowns.
+    pub shared: DVector<f64>,
+    /// Each flight's initial state.
+    pub own: Vec<DVector<f64>>,
+    /// A first estimate of the noise, m.
+    pub floor: f64,
+    /// The usual time between samples, s.
+    pub interval: f64,
+    /// Steps tried so far.
+    pub steps: usize,
+    /// Estimates of the noise so far.
+    pub rounds: usize,
+}
+
+/// Fits a model to a dataset's flights.
+///
+/// # Errors
+/// See [`FitError`].
+pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fitted, FitError> {
+    let begun = Instant::now();
+    let setting = Setting::new(model, dataset, options)?;
+    let of_role = |role: Role| move |flight: &usize| dataset.flights[*flight].role == role;
+    let all = 0..dataset.flights.len();
+    let fitted: Vec<usize> = all.clone().filter(of_role(Role::Fit)).collect();
+    if fitted.is_empty() {
+        let reason = "every flight is held out: none is left to fit".to_owned();
+        return Err(FitError::Mismatch(reason));
+    }
+    let begin = begin::begin(&setting, dataset, &fitted, options)?;
+    let mut state = begin.state;
+    let started = begun.elapsed().as_secs_f64();
+
+    settle::grow(&setting, &mut state, options)?;
+    recover::recover(&setting, &mut state, options)?;
+    let (noise, solution) = rounds::rounds(&setting, &mut state, options)?;
+    let solved = begun.elapsed().as_secs_f64();
+
+    let outcome = outcome::Outcome::new(&setting, &state, &noise, &solution, options)?;
+    let mut report = outcome.report();
+    let held_out: Vec<usize> = all.clone().filter(of_role(Role::HeldOut)).collect();
+    let held = held_out::held_out(&setting, dataset, &held_out, &state, &noise, options)?;
+    let mut tracks: Vec<Option<(Track, DVector<f64>)>> = vec![None; dataset.flights.len()];
+    let mut flights = vec![None; dataset.flights.len()];
+    for (flight, reason) in begin.left_out {
+        flights[flight] = Some(outcome::left_out(&dataset.flights[flight], reason));
+    }
+    for (index, &flight) in begin.flights.iter().enumerate() {
+        flights[flight] = Some(outcome.flight(index));
+        tracks[flight] = Some((
+            state.tracks[index].clone(),
+            solution.point.own[index].clone(),
+        ));
+    }
+    for (flight, held) in held_out.into_iter().zip(held) {
+        flights[flight] = Some(held.report);
+        tracks[flight] = held.track;
+    }
+    report.flights = flights.into_iter().flatten().collect();
+    report.seconds.insert("start".into(), started);
+    report.seconds.insert("fit".into(), solved - started);
+    report
+        .seconds
+        .insert("total".into(), begun.elapsed().as_secs_f64());
+    Ok(Fitted {
+        report,
+        shared: solution.point.shared.clone(),
+        setting,
+        names: dataset
+            .markers
+            .iter()
+            .map(|marker| marker.name.clone())
+            .collect(),
+        tracks,
+    })
+}
+
+impl Fitted {
+    /// A flight of the dataset, by index, as measured and as predicted; none where it was left out.
+    pub fn evidence(&self, flight: usize) -> Option<FlightEvidence> {
+        let (track, own) = self.tracks.get(flight)?.as_ref()?;
+        outcome::evidence(&self.setting, &self.names, track, (&self.shared, own))
+    }
+}
+
+/// A failure of the least squares over these tracks, for the user.
+fn told(failure: Failure, tracks: &[Track]) -> FitError {
+    match failure {
+        Failure::Start { flight, reason } => FitError::Flight {
+            file: tracks[flight].file.clone(),
+            reason,
+        },
+        Failure::Undetermined(crate::normal::Undetermined(flight)) => FitError::Flight {
+            file: tracks[flight].file.clone(),
+            reason: "its samples do not determine its initial state".into(),
+        },
+        Failure::Stopped => FitError::Interrupted,
+    }
+}
+
+impl State {
+    /// Takes over where an iteration ended.
+    fn take(&mut self, solution: &Solution) {
+        self.shared.clone_from(&solution.point.shared);
+        self.own.clone_from(&solution.point.own);
+        self.steps += solution.iterations;
+    }
+}
+
+/// White noise of this size, where nothing better is known.
+fn white(state: &State) -> Noise {
+    Noise::white(state.floor, state.interval)
+}

@@ -1,0 +1,392 @@
+//! What a fit found, put in order.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::problem::Squares;
+use super::{FitError, State, told};
+use crate::dataset::Flight;
+use crate::levenberg::Solution;
+use crate::noise::Noise;
+use crate::normal::{Eliminated, eliminate};
+use crate::options::Options;
+use crate::predict::{Loss, residuals, states};
+use crate::report::{
+    AxisNoise, Coefficient, Estimate, FlightEvidence, FlightReport, Iterations, Profile, Report,
+    residuals::Pool,
+};
+use crate::setting::Setting;
+use crate::track::Track;
+use crate::uncertainty::{Covariance, Support, profile, undetermined};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Half the interval of 95 %, over the standard error.
+const WIDE: f64 = 1.959_963_984_540_054;
+
+/// A solution with what it is worth.
+pub struct Outcome<'a> {
+    setting: &'a Setting,
+    state: &'a State,
+    noise: &'a Noise,
+    solution: &'a Solution,
+    system: Eliminated<'a>,
+    covariance: Covariance,
+    /// Root mean square of each flight's residuals, m, and how many points were left out of it.
+    flights: Vec<(f64, usize)>,
+    pool: Pool,
+    support: Support,
+    profiles: Vec<Profile>,
+}
+
+impl<'a> Outcome<'a> {
+    /// Works out what a solution is worth.
+    ///
+    /// # Errors
+    /// [`FitError`] where a flight does not determine its initial state, or is impossible.
+    pub fn new(
+        setting: &'a Setting,
+        state: &'a State,
+        noise: &'a Noise,
+        solution: &'a Solution,
+        options: &Options<'_>,
+    ) -> Result<Self, FitError> {
+        let system = eliminate(&solution.blocks, 0.0)
+            .map_err(|flight| told(flight.into(), &state.tracks))?;
+        let covariance = Covariance::new(&system, state.tracks.len(), &setting.shared);
+        let mut profiles = Vec::new();
+        let errors = covariance.errors();
+        for name in options.profiles {
+            let index = setting
+                .shared
+                .iter()
+                .position(|shared| shared.name == *name);
+            let Some(index) = index else { continue };
+            options.begins(&format!("profile of {name}"), 0);
+            let loss = Loss::Whitened(noise);
+            let problem = Squares::of_all(setting, &state.tracks, loss, options);
+            let found = profile(&problem, solution, &setting.shared, index, errors[index]);
+            profiles.push(found.map_err(|failure| told(failure, &state.tracks))?);
+        }
+        let looked = flight::batch::each_on(options.threads(), state.tracks.len(), |index| {
+            look(
+                setting,
+                &state.tracks[index],
+                noise,
+                (&solution.point.shared, &solution.point.own[index]),
+            )
+        });
+        let mut pool = Pool::default();
+        let mut support = Support::new();
+        let mut flights = Vec::with_capacity(looked.len());
+        for (looked, track) in looked.into_iter().zip(&state.tracks) {
+            let looked = looked.map_err(|reason| FitError::Flight {
+                file: track.file.clone(),
+                reason,
+            })?;
+            pool.join(looked.pool);
+            for (name, (low, high)) in looked.support {
+                let range = support.entry(name).or_insert((low, high));
+                *range = (range.0.min(low), range.1.max(high));
+            }
+            flights.push((looked.rms, looked.outliers));
+        }
+        Ok(Self {
+            setting,
+            state,
+            noise,
+            solution,
+            system,
+            covariance,
+            flights,
+            pool,
+            support,
+            profiles,
+        })
+    }
+
+    /// The report, without its flights.
+    pub fn report(&self) -> Report {
+        let setting = self.setting;
+        let names: Vec<&str> = setting
+            .shared
+            .iter()
+            .map(|shared| shared.name.as_str())
+            .collect();
+        let matrix = self.covariance.correlations();
+        let correlations = (0..names.len()).map(|i| {
+            let row = names
+                .iter()
+                .enumerate()
+                .map(|(j, name)| ((*name).to_owned(), matrix[(i, j)]));
+            (names[i].to_owned(), row.collect())
+        });
+        let points: usize = self
+            .state
+            .tracks
+            .iter()
+            .map(|track| track.seen.iter().flatten().count())
+            .sum();
+        let all: usize = self.state.tracks.iter().map(|track| track.seen.len()).sum();
+        let outliers = self
+            .flights
+            .iter()
+            .map(|(_, outliers)| outliers)
+            .sum::<usize>();
+        Report {
+            schema: "hyzer.fit/1".into(),
+            model: setting.model.name.clone(),
+            effects: setting
+                .model
+                .effects
+                .iter()
+                .map(|effect| effect.name.clone())
+                .collect(),
+            rms_m: self.pool.rms(),
+            noise: self.noise_report(points, outliers, all - points),
+            coefficients: self.coefficients(),
+            correlations: correlations.collect(),
+            flights: Vec::new(),
+            undetermined: undetermined(
+                &setting.model,
+                &setting.shared,
+                &self.covariance.model,
+                &self.support,
+            ),
+            profiles: self.profiles.clone(),
+            residuals: self.pool.axes(),
+            iterations: Iterations {
+                steps: self.state.steps,
+                rounds: self.state.rounds,
+                converged: self.solution.converged,
+            },
+            seconds: BTreeMap::new(),
+        }
+    }
+
+    fn noise_report(
+        &self,
+        points: usize,
+        outliers: usize,
+        dropouts: usize,
+    ) -> crate::report::Noise {
+        let noise = self.noise;
+        let axis = |(k, name): (usize, &&str)| {
+            let (sigma_m, ar1) = (noise.sigma[k], noise.ar1[k]);
+            ((*name).to_owned(), AxisNoise { sigma_m, ar1 })
+        };
+        crate::report::Noise {
+            sigma_m: noise.overall(),
+            ar1: noise.ar1.iter().sum::<f64>() / 3.0,
+            estimated: self.setting.sigma.is_none(),
+            axes: AXES.iter().enumerate().map(axis).collect(),
+            interval_s: noise.interval,
+            points,
+            outliers,
+            outlier_fraction: outliers as f64 / points.max(1) as f64,
+            dropouts,
+        }
+    }
+
+    fn coefficients(&self) -> BTreeMap<String, Coefficient> {
+        let errors = self.covariance.errors();
+        let clustered = self.covariance.clustered_errors();
+        let estimated = self.setting.shared.iter().enumerate().map(|(i, shared)| {
+            let value = self.solution.point.shared[i];
+            let (low, high) = shared.known.bounds;
+            let coefficient = Coefficient {
+                value,
+                std_error: errors[i],
+                std_error_clustered: clustered.as_ref().map(|errors| errors[i]),
+                interval: [value - WIDE * errors[i], value + WIDE * errors[i]],
+                unit: shared.unit.clone(),
+                at_bound: value <= low || value >= high,
+                held: false,
+                model_value: shared.model_value,
+                prior: shared.known.prior.map(|(value, sigma)| [value, sigma]),
+            };
+            (shared.name.clone(), coefficient)
+        });
+        let constants = &self.setting.model.coefficients;
+        let held = self.setting.held.iter().map(|(name, value)| {
+            let constant = constants.iter().find(|constant| constant.name == *name);
+            let coefficient = Coefficient {
+                value: *value,
+                std_error: 0.0,
+                std_error_clustered: None,
+                interval: [*value; 2],
+                unit: constant.map(|c| c.unit_text.clone()).unwrap_or_default(),
+                at_bound: false,
+                held: true,
+                model_value: constant.map_or(*value, |constant| constant.value),
+                prior: None,
+            };
+            (name.clone(), coefficient)
+        });
+        estimated.chain(held).collect()
+    }
+
+    /// One of the fitted flights.
+    pub fn flight(&self, index: usize) -> FlightReport {
+        let track = &self.state.tracks[index];
+        let (rms_m, outliers) = self.flights[index];
+        let covariance = self.system.own_covariance(index, &self.covariance.model);
+        let own = &self.solution.point.own[index];
+        let mut notes = track.notes.clone();
+        if let Some(note) = self.stands_out(rms_m) {
+            notes.push(note);
+        }
+        FlightReport {
+            file: track.file.clone(),
+            role: track.role,
+            samples: track.samples,
+            rms_m,
+            outliers,
+            initial: initial(self.setting, track, own, &covariance),
+            cut: track.cut.clone(),
+            notes,
+        }
+    }
+
+    /// What is said of a flight that is fitted far worse than the others.
+    fn stands_out(&self, rms: f64) -> Option<String> {
+        let mut all: Vec<f64> = self.flights.iter().map(|(rms, _)| *rms).collect();
+        let usual = crate::noise::median(&mut all);
+        (rms > 4.0 * usual).then(|| {
+            format!(
+                "its residuals are {:.0} times the usual: look at it before you rely on this fit",
+                rms / usual
+            )
+        })
+    }
+}
+
+/// The initial state of a flight with the standard errors by its chart's directions.
+pub fn initial(
+    setting: &Setting,
+    track: &Track,
+    own: &DVector<f64>,
+    covariance: &DMatrix<f64>,
+) -> BTreeMap<String, Estimate> {
+    let names = &setting.body.layout().states;
+    let mut along = DMatrix::zeros(names.len(), track.chart.dimension());
+    for (state, direction, value) in track.chart.tangent(own.as_slice()) {
+        along[(state, direction)] = value;
+    }
+    let covariance = &along * covariance * along.transpose();
+    let estimate = |(i, name): (usize, &String)| {
+        let std_error = covariance[(i, i)].max(0.0).sqrt();
+        let value = own[i];
+        (name.clone(), Estimate { value, std_error })
+    };
+    names.iter().enumerate().map(estimate).collect()
+}
+
+/// A flight that was left out.
+pub fn left_out(flight: &Flight, reason: String) -> FlightReport {
+    FlightReport {
+        file: flight.file.clone(),
+        role: flight.role,
+        samples: flight.times.len(),
+        rms_m: 0.0,
+        outliers: 0,
+        initial: BTreeMap::new(),
+        cut: None,
+        notes: vec![format!("left out: {reason}")],
+    }
+}
+
+/// What one flight shows.
+struct Looked {
+    rms: f64,
+    outliers: usize,
+    pool: Pool,
+    support: Support,
+}
+
+/// Samples of which the quantities are looked at, in each flight.
+const LOOKS: usize = 12;
+
+fn look(
+    setting: &Setting,
+    track: &Track,
+    noise: &Noise,
+    unknowns: (&DVector<f64>, &DVector<f64>),
+) -> Result<Looked, String> {
+    let all = residuals(setting, track, unknowns, track.times.len())?;
+    let mut pool = Pool::default();
+    for (marker, series) in all.iter().enumerate() {
+        let outlier = |sample: usize| track.outlier[sample * track.markers + marker];
+        let good = series.iter().enumerate();
+        let good: Vec<_> = good
+            .map(|(sample, r)| r.filter(|_| !outlier(sample)))
+            .collect();
+        pool.add(&track.times, &good, noise);
+    }
+    let flown = states(setting, track, unknowns, track.times.len())?;
+    let conditions = setting.body.with(track.parameters(setting, unknowns.0));
+    let mut observer = conditions.observer();
+    let mut support = Support::new();
+    let width = track.chart.states();
+    let every = (track.times.len() / LOOKS).max(1);
+    for (sample, state) in flown.chunks(width).enumerate().step_by(every) {
+        let quantities = observer.quantities(track.times[sample], state);
+        let layout = setting.body.layout();
+        let named = layout.quantities.iter().zip(&quantities);
+        for (name, &value) in named.chain(layout.states.iter().zip(state)) {
+            if value.is_finite() {
+                let range = support.entry(name.clone()).or_insert((value, value));
+                *range = (range.0.min(value), range.1.max(value));
+            }
+        }
+    }
+    Ok(Looked {
+        rms: pool.rms(),
+        outliers: track.outlier.iter().filter(|outlier| **outlier).count(),
+        pool,
+        support,
+    })
+}
+
+/// A flight as measured and as predicted; none where it cannot be flown.
+pub fn evidence(
+    setting: &Setting,
+    names: &[String],
+    track: &Track,
+    unknowns: (&DVector<f64>, &DVector<f64>),
+) -> Option<FlightEvidence> {
+    let flown = states(setting, track, unknowns, track.times.len()).ok()?;
+    let conditions = setting.body.with(track.parameters(setting, unknowns.0));
+    let mut observer = conditions.observer();
+    let layout = setting.body.layout();
+    let mut evidence = FlightEvidence {
+        file: track.file.clone(),
+        role: track.role,
+        markers: names.to_vec(),
+        times: track.times.clone(),
+        measured: track
+            .seen
+            .chunks(track.markers)
+            .map(<[_]>::to_vec)
+            .collect(),
+        outlier: track
+            .outlier
+            .chunks(track.markers)
+            .map(<[_]>::to_vec)
+            .collect(),
+        predicted: Vec::new(),
+        state_names: layout.states.clone(),
+        states: Vec::new(),
+        quantity_names: layout.quantities.clone(),
+        quantities: Vec::new(),
+    };
+    for (&time, state) in track.times.iter().zip(flown.chunks(track.chart.states())) {
+        let markers = setting.markers.iter();
+        let predicted = markers.map(|marker| observer.position(time, state, marker));
+        evidence.predicted.push(predicted.collect());
+        evidence.quantities.push(observer.quantities(time, state));
+        evidence.states.push(state.to_vec());
+    }
+    Some(evidence)
+}

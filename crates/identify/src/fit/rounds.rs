@@ -1,0 +1,113 @@
+//! The noise is estimated from the residuals, and the residuals are weighed by the noise, in turn.
+
+use flight::batch;
+
+use super::problem::Squares;
+use super::{FitError, State, told, white};
+use crate::levenberg::{Point, Solution, Until, solve};
+use crate::noise::{Moments, Noise};
+use crate::options::Options;
+use crate::outlier;
+use crate::predict::{Loss, residuals};
+use crate::setting::Setting;
+
+/// How often the noise is estimated at most.
+const ROUNDS: usize = 8;
+
+/// Brings noise and unknowns to agree.
+///
+/// # Errors
+/// [`FitError::Flight`] where a flight becomes impossible, [`FitError::Interrupted`].
+pub fn rounds(
+    setting: &Setting,
+    state: &mut State,
+    options: &Options<'_>,
+) -> Result<(Noise, Solution), FitError> {
+    let mut noise = white(state);
+    let mut solution: Option<Solution> = None;
+    for round in 0..ROUNDS {
+        let (estimated, marks_changed) = estimate(setting, state, options)?;
+        let settled = !marks_changed && estimated.is_close_to(&noise);
+        if let Some(solution) = solution.take_if(|_| settled) {
+            return Ok((noise, solution));
+        }
+        noise = estimated;
+        state.rounds = round + 1;
+        options.begins(&format!("noise, round {}", round + 1), 0);
+        let start = Point {
+            shared: state.shared.clone(),
+            own: state.own.clone(),
+        };
+        let problem = Squares::of_all(setting, &state.tracks, Loss::Whitened(&noise), options);
+        let found = solve(&problem, start, Until::DONE);
+        let found = found.map_err(|failure| told(failure, &state.tracks))?;
+        state.take(&found);
+        solution = Some(found);
+    }
+    solution
+        .map(|solution| (noise, solution))
+        .ok_or(FitError::Interrupted)
+}
+
+/// Marks outliers and estimates the noise of the rest; and whether marks changed.
+fn estimate(
+    setting: &Setting,
+    state: &mut State,
+    options: &Options<'_>,
+) -> Result<(Noise, bool), FitError> {
+    let scales = batch::each_on(options.threads(), state.tracks.len(), |flight| {
+        let departures =
+            outlier::departures(&state.tracks[flight].times, &of(setting, state, flight)?);
+        Ok(outlier::scale(&departures))
+    });
+    let scales: Vec<[f64; 3]> = scales.into_iter().collect::<Result<_, FitError>>()?;
+    let usual = outlier::usual(&scales);
+    let marked = batch::each_on(options.threads(), state.tracks.len(), |flight| {
+        let residuals = of(setting, state, flight)?;
+        let track = &state.tracks[flight];
+        // A flight that is noisier than the others is judged by its own noise.
+        let scale = [0, 1, 2].map(|axis| usual[axis].max(scales[flight][axis]));
+        let outlier = outlier::marks(&outlier::departures(&track.times, &residuals), scale);
+        let mut moments = Moments::default();
+        for (marker, series) in residuals.iter().enumerate() {
+            let good = series.iter().enumerate().map(|(sample, residual)| {
+                residual.filter(|_| !outlier[sample * track.markers + marker])
+            });
+            let good: Vec<Option<[f64; 3]>> = good.collect();
+            moments.add(&track.times, &good, state.interval);
+        }
+        Ok((outlier, moments))
+    });
+    let mut sum = Moments::default();
+    let mut any_changed = false;
+    for (track, marked) in state.tracks.iter_mut().zip(marked) {
+        let (outlier, moments) = marked?;
+        any_changed |= track.outlier != outlier;
+        track.outlier = outlier;
+        sum.join(&moments);
+    }
+    let own: usize = state
+        .tracks
+        .iter()
+        .map(|track| track.chart.dimension())
+        .sum();
+    let unknowns = own + setting.shared.len();
+    Ok((
+        sum.noise(unknowns, state.interval, setting.sigma),
+        any_changed,
+    ))
+}
+
+/// The residuals of a flight.
+fn of(
+    setting: &Setting,
+    state: &State,
+    flight: usize,
+) -> Result<Vec<Vec<Option<[f64; 3]>>>, FitError> {
+    let track = &state.tracks[flight];
+    let unknowns = (&state.shared, &state.own[flight]);
+    residuals(setting, track, unknowns, track.times.len()).map_err(|reason| FitError::Flight {
+        file: track.file.clone(),
+        reason,
+    })
+}

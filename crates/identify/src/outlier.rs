@@ -1,0 +1,125 @@
+//! Outliers: points whose residual stands out from those around it.
+//!
+//! A model's own error is smooth in time and must not be taken for outliers: so a residual is held against
+//! a line through its neighbours, and not against 0.
+
+use crate::noise::{OUTLIER, median, robust_sigma};
+
+/// Neighbours on either side that a residual is held against: two of them may be outliers too.
+const SIDE: usize = 3;
+
+/// Neighbours, with the point itself, that are needed to judge it.
+const LEAST: usize = 5;
+
+/// Residuals of a flight by marker and sample, m.
+pub type Residuals = [Vec<Option<[f64; 3]>>];
+
+/// How far each point's residual lies from where its neighbours would have it, by marker and sample, m. Where they
+/// lie to one side, and say less, the distance counts for less.
+pub fn departures(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
+    let each = residuals.iter();
+    each.map(|series| departures_of(times, series)).collect()
+}
+
+fn departures_of(times: &[f64], series: &[Option<[f64; 3]>]) -> Vec<Option<[f64; 3]>> {
+    let seen: Vec<(usize, [f64; 3])> = series
+        .iter()
+        .enumerate()
+        .filter_map(|(sample, residual)| residual.map(|residual| (sample, residual)))
+        .collect();
+    let mut departures = vec![None; series.len()];
+    let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
+    let mut line: Vec<(f64, f64)> = Vec::with_capacity(2 * SIDE);
+    for (index, &(sample, residual)) in seen.iter().enumerate() {
+        let around = index.saturating_sub(SIDE)..(index + SIDE + 1).min(seen.len());
+        if around.len() < LEAST {
+            continue;
+        }
+        departures[sample] = Some([0, 1, 2].map(|axis| {
+            let others = around.clone().filter(|other| *other != index);
+            line.clear();
+            line.extend(others.map(|other| {
+                let (other, value) = seen[other];
+                (times[other] - times[sample], value[axis])
+            }));
+            (residual[axis] - at_zero(&line, &mut space)) / spread_at_zero(&line)
+        }));
+    }
+    departures
+}
+
+/// Where a line through points (time, value) passes time 0: by the medians of all slopes and of all intercepts, which
+/// outliers do not move (Theil and Sen).
+fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
+    space.clear();
+    for (i, (earlier, from)) in points.iter().enumerate() {
+        let later = points[i + 1..].iter();
+        space.extend(later.map(|(later, to)| (to - from) / (later - earlier)));
+    }
+    let slope = median(space);
+    space.clear();
+    space.extend(points.iter().map(|(time, value)| value - slope * time));
+    median(space)
+}
+
+/// Standard deviation of a new value less that of a least-squares line at time 0, over that of one value.
+fn spread_at_zero(points: &[(f64, f64)]) -> f64 {
+    let count = points.len() as f64;
+    let mean = points.iter().map(|(time, _)| time).sum::<f64>() / count;
+    let width: f64 = points.iter().map(|(time, _)| (time - mean).powi(2)).sum();
+    (1.0 + 1.0 / count + mean * mean / width).sqrt()
+}
+
+/// The usual size of departures along each axis, m.
+pub fn scale(departures: &Residuals) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
+        let all = departures.iter().flatten().flatten();
+        let mut sizes: Vec<f64> = all.map(|departure| departure[axis].abs()).collect();
+        robust_sigma(&mut sizes)
+    })
+}
+
+/// The scale that is usual over flights.
+pub fn usual(scales: &[[f64; 3]]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
+        let mut values: Vec<f64> = scales.iter().map(|scale| scale[axis]).collect();
+        median(&mut values)
+    })
+}
+
+/// Which points stand out, by sample and marker as [`Track::outlier`](crate::track::Track::outlier) has them.
+pub fn marks(departures: &Residuals, scale: [f64; 3]) -> Vec<bool> {
+    let samples = departures.first().map_or(0, Vec::len);
+    let stands_out = |sample: usize, series: &Vec<Option<[f64; 3]>>| {
+        series[sample].is_some_and(|departure| {
+            (0..3).any(|axis| departure[axis].abs() > OUTLIER * scale[axis])
+        })
+    };
+    let rows =
+        (0..samples).flat_map(|sample| departures.iter().map(move |series| (sample, series)));
+    rows.map(|(sample, series)| stands_out(sample, series))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smooth_misfit_is_no_outlier_and_a_spike_is() {
+        let misfit = |i: usize| 0.2 * (i as f64 / 40.0).powi(2);
+        let noise = |i: usize| 0.001 * ((i * 7919) as f64).sin();
+        let mut series: Vec<Option<[f64; 3]>> = (0..80)
+            .map(|i| Some([misfit(i) + noise(i), noise(i + 7), noise(i + 3)]))
+            .collect();
+        series[20].as_mut().unwrap()[0] += 0.03;
+        series[22].as_mut().unwrap()[1] -= 0.03;
+        series[50] = None;
+        let times: Vec<f64> = (0..80).map(f64::from).collect();
+        let departures = departures(&times, &[series]);
+        let scale = scale(&departures);
+        let marks = marks(&departures, scale);
+        let found: Vec<usize> = (0..80).filter(|&i| marks[i]).collect();
+        assert_eq!(found, [20, 22]);
+    }
+}

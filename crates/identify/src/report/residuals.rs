@@ -1,0 +1,213 @@
+//! Residuals of many flights, pooled: how they are correlated and how they are distributed.
+
+use std::collections::BTreeMap;
+
+use super::AxisResiduals;
+use crate::noise::Noise;
+
+/// Lags of the autocorrelations, in samples.
+const LAGS: usize = 25;
+
+/// Bins of the whitened residuals, and how far they reach, over the standard deviation.
+const BINS: (usize, f64) = (2000, 10.0);
+
+/// Quantiles that are reported.
+const QUANTILES: usize = 61;
+
+/// Sums over residuals; those of several flights are joined. Their size does not depend on the number of flights.
+#[derive(Clone, Debug)]
+pub struct Pool {
+    axes: [Axis; 3],
+    points: usize,
+}
+
+#[derive(Clone, Debug)]
+struct Axis {
+    /// Sums of products at each lag, and how many.
+    raw: Vec<(f64, usize)>,
+    whitened: Vec<(f64, usize)>,
+    /// Whitened residuals by size.
+    bins: Vec<u32>,
+}
+
+impl Default for Pool {
+    fn default() -> Self {
+        let axis = || Axis {
+            raw: vec![(0.0, 0); LAGS],
+            whitened: vec![(0.0, 0); LAGS],
+            bins: Vec::new(),
+        };
+        Self {
+            axes: [axis(), axis(), axis()],
+            points: 0,
+        }
+    }
+}
+
+impl Pool {
+    /// Adds the residuals of one marker of a flight, m; `None` where there is none.
+    pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &Noise) {
+        self.points += residuals.iter().flatten().count();
+        for (k, axis) in self.axes.iter_mut().enumerate() {
+            let series: Vec<Option<f64>> = residuals.iter().map(|r| r.map(|r| r[k])).collect();
+            let mut whitened = vec![None; series.len()];
+            let mut before: Option<(f64, f64)> = None;
+            for (sample, residual) in series.iter().enumerate() {
+                let Some(residual) = *residual else { continue };
+                let new = match before {
+                    Some((time, last)) => {
+                        let (kept, fresh) = noise.innovation(k, times[sample] - time);
+                        (residual - kept * last) / fresh
+                    }
+                    None => residual / noise.sigma[k],
+                };
+                whitened[sample] = Some(new);
+                before = Some((times[sample], residual));
+            }
+            products(&series, &mut axis.raw);
+            products(&whitened, &mut axis.whitened);
+            axis.bins.resize(BINS.0, 0);
+            for value in whitened.into_iter().flatten() {
+                let place = (value / BINS.1 + 1.0) / 2.0 * BINS.0 as f64;
+                axis.bins[(place.max(0.0) as usize).min(BINS.0 - 1)] += 1;
+            }
+        }
+    }
+
+    /// Adds those of other flights.
+    pub fn join(&mut self, other: Pool) {
+        self.points += other.points;
+        for (axis, other) in self.axes.iter_mut().zip(other.axes) {
+            for (sums, others) in [
+                (&mut axis.raw, other.raw),
+                (&mut axis.whitened, other.whitened),
+            ] {
+                for (sum, other) in sums.iter_mut().zip(others) {
+                    *sum = (sum.0 + other.0, sum.1 + other.1);
+                }
+            }
+            axis.bins.resize(BINS.0, 0);
+            for (bin, other) in axis.bins.iter_mut().zip(other.bins) {
+                *bin += other;
+            }
+        }
+    }
+
+    /// Root mean square of all residuals, m; 0 for none.
+    pub fn rms(&self) -> f64 {
+        let squares: f64 = self.axes.iter().map(|axis| axis.raw[0].0).sum();
+        (squares / (3 * self.points).max(1) as f64).sqrt()
+    }
+
+    /// What is reported of each axis.
+    pub fn axes(&self) -> BTreeMap<String, AxisResiduals> {
+        let names = ["x", "y", "z"].into_iter().map(str::to_owned);
+        names.zip(self.axes.iter().map(Axis::report)).collect()
+    }
+}
+
+impl Axis {
+    fn report(&self) -> AxisResiduals {
+        AxisResiduals {
+            autocorrelation: correlations(&self.raw),
+            whitened_autocorrelation: correlations(&self.whitened),
+            band: 1.96 / (self.raw[0].1.max(1) as f64).sqrt(),
+            quantiles: quantiles(&self.bins),
+        }
+    }
+}
+
+fn products(series: &[Option<f64>], sums: &mut [(f64, usize)]) {
+    for (lag, sum) in sums.iter_mut().enumerate() {
+        for (earlier, later) in series.iter().zip(series.iter().skip(lag)) {
+            if let (Some(earlier), Some(later)) = (earlier, later) {
+                *sum = (sum.0 + earlier * later, sum.1 + 1);
+            }
+        }
+    }
+}
+
+fn correlations(sums: &[(f64, usize)]) -> Vec<f64> {
+    let mean = |(sum, count): (f64, usize)| sum / count.max(1) as f64;
+    let variance = mean(sums[0]);
+    if variance <= 0.0 {
+        return Vec::new();
+    }
+    let seen = sums.iter().take_while(|(_, count)| *count > 0);
+    seen.map(|&sum| mean(sum) / variance).collect()
+}
+
+/// Quantiles of a normal distribution beside those of the binned values.
+fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
+    let total: u64 = bins.iter().map(|&count| u64::from(count)).sum();
+    if total == 0 {
+        return Vec::new();
+    }
+    // Even steps of the normal quantile, as far out as there are values.
+    let most = normal_quantile(1.0 - 0.5 / total as f64).min(4.0);
+    let mut found = Vec::with_capacity(QUANTILES);
+    for k in 0..QUANTILES {
+        let expected = most * (2.0 * k as f64 / (QUANTILES - 1) as f64 - 1.0);
+        let wanted = normal_probability(expected) * total as f64;
+        found.push([expected, binned_quantile(bins, wanted)]);
+    }
+    found
+}
+
+fn binned_quantile(bins: &[u32], wanted: f64) -> f64 {
+    let width = 2.0 * BINS.1 / BINS.0 as f64;
+    let mut below = 0.0;
+    for (index, &count) in bins.iter().enumerate() {
+        let count = f64::from(count);
+        if count > 0.0 && below + count >= wanted {
+            return -BINS.1 + width * (index as f64 + ((wanted - below) / count).clamp(0.0, 1.0));
+        }
+        below += count;
+    }
+    BINS.1
+}
+
+fn normal() -> statrs::distribution::Normal {
+    statrs::distribution::Normal::standard()
+}
+
+fn normal_probability(value: f64) -> f64 {
+    use statrs::distribution::ContinuousCDF;
+    normal().cdf(value)
+}
+
+fn normal_quantile(probability: f64) -> f64 {
+    use statrs::distribution::ContinuousCDF;
+    normal().inverse_cdf(probability)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn even_normal_values_lie_on_the_diagonal() {
+        let mut bins = vec![0; BINS.0];
+        for k in 0..20_000 {
+            let value = normal_quantile((f64::from(k) + 0.5) / 20_000.0);
+            bins[((value / BINS.1 + 1.0) / 2.0 * BINS.0 as f64) as usize] += 1;
+        }
+        for [expected, found] in quantiles(&bins) {
+            assert!((expected - found).abs() < 0.1, "{expected} {found}");
+        }
+    }
+
+    #[test]
+    fn alternating_residuals_are_anticorrelated() {
+        let times: Vec<f64> = (0..100).map(f64::from).collect();
+        let residuals: Vec<_> = (0..100)
+            .map(|i| Some([if i % 2 == 0 { 1.0 } else { -1.0 }; 3]))
+            .collect();
+        let mut pool = Pool::default();
+        pool.add(&times, &residuals, &Noise::white(1.0, 1.0));
+        let axes = pool.axes();
+        assert!((axes["x"].autocorrelation[1] + 1.0).abs() < 1e-12);
+        assert!((axes["z"].autocorrelation[2] - 1.0).abs() < 1e-12);
+        assert_eq!(pool.rms(), 1.0);
+    }
+}

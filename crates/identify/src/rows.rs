@@ -1,0 +1,179 @@
+//! Residuals with their derivatives, a row each, summed to normal equations.
+
+use lanes::{Kernel, Lanes};
+use nalgebra::{DMatrix, DVector};
+
+use crate::normal::Block;
+
+/// Rows are summed this many at a time, which stay in the nearest memory.
+const BATCH: usize = 64;
+
+/// Widest lanes there are: rows are padded to whole ones.
+const PADDING: usize = 8;
+
+/// Rows of one flight being summed. A row holds the derivatives by the flight's own unknowns, those by the shared
+/// ones, the residual, and zeros up to [`width`](Rows::width).
+pub struct Rows {
+    own: usize,
+    shared: usize,
+    width: usize,
+    batch: Vec<f64>,
+    sums: Vec<f64>,
+    /// What robust losses add to the sum of squares.
+    extra: f64,
+    count: usize,
+}
+
+impl Rows {
+    /// No rows yet, of so many unknowns.
+    pub fn new(own: usize, shared: usize) -> Self {
+        let width = (own + shared + 1).next_multiple_of(PADDING);
+        Self {
+            own,
+            shared,
+            width,
+            batch: Vec::with_capacity(BATCH * width),
+            sums: vec![0.0; width * width],
+            extra: 0.0,
+            count: 0,
+        }
+    }
+
+    /// How long a row is.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Where the residual stands in a row.
+    pub fn residual(&self) -> usize {
+        self.own + self.shared
+    }
+
+    /// Adds `scale * (row - kept * before)`; and `extra` to the sum of squares.
+    pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
+        match before {
+            Some((kept, before)) => {
+                let each = row.iter().zip(before);
+                self.batch
+                    .extend(each.map(|(row, before)| scale * (row - kept * before)));
+            }
+            None => self.batch.extend(row.iter().map(|row| scale * row)),
+        }
+        self.extra += extra;
+        self.count += 1;
+        if self.batch.len() >= BATCH * self.width {
+            self.sum();
+        }
+    }
+
+    fn sum(&mut self) {
+        lanes::dispatch(AddSquares {
+            rows: &self.batch,
+            width: self.width,
+            sums: &mut self.sums,
+        });
+        self.batch.clear();
+    }
+
+    /// The normal equations of all rows.
+    pub fn block(mut self) -> Block {
+        self.sum();
+        let (own, shared, last) = (self.own, self.shared, self.residual());
+        let at =
+            |row: usize, column: usize| self.sums[row.min(column) * self.width + row.max(column)];
+        Block {
+            own: DMatrix::from_fn(own, own, at),
+            cross: DMatrix::from_fn(own, shared, |i, j| at(i, own + j)),
+            shared: DMatrix::from_fn(shared, shared, |i, j| at(own + i, own + j)),
+            own_gradient: DVector::from_fn(own, |i, _| at(i, last)),
+            shared_gradient: DVector::from_fn(shared, |i, _| at(own + i, last)),
+            squares: at(last, last) + self.extra,
+            count: self.count,
+        }
+    }
+}
+
+/// `sums += rowsᵀ rows`, the upper triangle at least.
+struct AddSquares<'a> {
+    rows: &'a [f64],
+    width: usize,
+    sums: &'a mut [f64],
+}
+
+/// Rows of the sums that are computed together, so that each load is used several times.
+const TOGETHER: usize = 4;
+
+impl Kernel for AddSquares<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
+        let width = self.width;
+        for first in (0..width).step_by(TOGETHER) {
+            // Whole lanes that reach the diagonal.
+            let from = first / T::WIDTH * T::WIDTH;
+            for column in (from..width).step_by(T::WIDTH) {
+                let mut sums = [T::splat(0.0); TOGETHER];
+                for row in self.rows.chunks_exact(width) {
+                    let right = T::load(&row[column..]);
+                    for (sum, left) in sums.iter_mut().zip(&row[first..first + TOGETHER]) {
+                        *sum = *sum + T::splat(*left) * right;
+                    }
+                }
+                for (k, sum) in sums.into_iter().enumerate() {
+                    let place = &mut self.sums[(first + k) * width + column..];
+                    (T::load(place) + sum).store(place);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_are_those_of_plain_loops() {
+        let (own, shared) = (5, 4);
+        let mut rows = Rows::new(own, shared);
+        let mut plain = Block::zero(own, shared);
+        for k in 0..150 {
+            let value = |i: usize| ((k * 31 + i * 17) as f64 * 0.37).sin();
+            let mut row = vec![0.0; rows.width()];
+            for (i, place) in row[..own + shared + 1].iter_mut().enumerate() {
+                *place = value(i);
+            }
+            rows.add(&row, None, 2.0, 0.25);
+            plain.add(
+                2.0 * value(own + shared),
+                &DVector::from_fn(own, |i, _| 2.0 * value(i)),
+                &DVector::from_fn(shared, |i, _| 2.0 * value(own + i)),
+            );
+        }
+        let block = rows.block();
+        assert!((&block.own - &plain.own).amax() < 1e-11);
+        assert!((&block.cross - &plain.cross).amax() < 1e-11);
+        assert!((&block.shared - &plain.shared).amax() < 1e-11);
+        assert!((&block.own_gradient - &plain.own_gradient).amax() < 1e-11);
+        assert!((&block.shared_gradient - &plain.shared_gradient).amax() < 1e-11);
+        assert!((block.squares - plain.squares - 150.0 * 0.25).abs() < 1e-10);
+    }
+
+    #[test]
+    fn a_row_less_a_part_of_the_one_before() {
+        let mut rows = Rows::new(1, 0);
+        let width = rows.width();
+        let row = |a: f64, r: f64| {
+            let mut row = vec![0.0; width];
+            (row[0], row[1]) = (a, r);
+            row
+        };
+        rows.add(&row(3.0, 5.0), Some((0.5, &row(2.0, 4.0))), 10.0, 0.0);
+        let block = rows.block();
+        assert_eq!(block.own[(0, 0)], 400.0);
+        assert_eq!(block.own_gradient[0], 600.0);
+        assert_eq!(block.squares, 900.0);
+    }
+}

@@ -1,0 +1,306 @@
+//! A model with what a dataset and a user say of it: what is known, what is estimated.
+
+use std::fmt;
+
+use flight::body::Body;
+use model_spec::model::{Constant, Model};
+
+use crate::dataset::{Dataset, Known as Value};
+use crate::levenberg::Known;
+use crate::options::Options;
+use crate::pose;
+
+/// Why a dataset cannot be fitted.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FitError {
+    /// The dataset, the model and the options do not go together.
+    #[error("{0}")]
+    Mismatch(String),
+    /// A flight cannot be used.
+    #[error("{file}: {reason}")]
+    Flight {
+        /// Its file.
+        file: String,
+        /// In words.
+        reason: String,
+    },
+    /// No flight can be used.
+    #[error("none of the flights can be fitted:\n{0}")]
+    NoFlight(String),
+    /// The work was stopped.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+/// An unknown that all flights share.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shared {
+    /// Its name.
+    pub name: String,
+    /// Its place among the parameters of the layout.
+    pub place: usize,
+    /// Its unit.
+    pub unit: String,
+    /// What is known of it beforehand.
+    pub known: Known,
+    /// What the model's file, or the dataset, says: where the fit starts.
+    pub model_value: f64,
+    /// A size that is usual for it.
+    pub usual: f64,
+}
+
+/// The model with what is known and what is estimated.
+pub struct Setting {
+    /// The model.
+    pub model: Model,
+    /// The model, ready to fly.
+    pub body: Body,
+    /// Positions of the markers in the frame that they are fixed in, m.
+    pub markers: Vec<[f64; 3]>,
+    /// Whether the body turns and its markers show how.
+    pub turns: bool,
+    /// Parameters in the order of the layout, before a flight's own known ones.
+    pub parameters: Vec<f64>,
+    /// What is estimated.
+    pub shared: Vec<Shared>,
+    /// Coefficients that are held: name, value.
+    pub held: Vec<(String, f64)>,
+    /// Standard deviation of one measured coordinate where the dataset says it, m.
+    pub sigma: Option<f64>,
+}
+
+impl Setting {
+    /// Puts a dataset and options to a model.
+    ///
+    /// # Errors
+    /// [`FitError::Mismatch`], [`FitError::Flight`].
+    pub fn new(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Self, FitError> {
+        let body = Body::new(model);
+        let layout = body.layout();
+        let mut parameters = layout.default_parameters();
+        for (name, &value) in &dataset.parameters {
+            let place = layout.parameter(name).filter(|&p| p < layout.params);
+            let known = model.params.iter().map(|c| c.name.as_str());
+            let place =
+                place.ok_or_else(|| mismatch("the dataset sets", name, &model.name, known))?;
+            parameters[place] = value;
+        }
+        let markers: Vec<[f64; 3]> = dataset.markers.iter().map(|m| m.position).collect();
+        // Markers that move with the body as it turns; those of a point mass stand in the inertial frame.
+        let turns = model
+            .marker
+            .as_ref()
+            .is_some_and(|marker| marker.frame != 0);
+        if model.observation.is_none() {
+            let reason = format!(
+                "the model {} does not say what is observed of it",
+                model.name
+            );
+            return Err(FitError::Mismatch(reason));
+        }
+        if turns && !pose::fix_attitude(&markers) {
+            let reason = format!(
+                "the model {} turns, and {} do not show how: three are needed that are not in line",
+                model.name,
+                count(markers.len(), "marker")
+            );
+            return Err(FitError::Mismatch(reason));
+        }
+        let (shared, held) = unknowns(model, &body, &mut parameters, options)?;
+        let setting = Self {
+            model: model.clone(),
+            body,
+            markers,
+            turns,
+            parameters,
+            shared,
+            held,
+            sigma: dataset.sigma,
+        };
+        for flight in &dataset.flights {
+            setting
+                .known(&flight.known)
+                .map_err(|reason| FitError::Flight {
+                    file: flight.file.clone(),
+                    reason,
+                })?;
+        }
+        Ok(setting)
+    }
+
+    /// What is known of a flight: places and values of parameters, then of states.
+    pub fn known(
+        &self,
+        known: &std::collections::BTreeMap<String, Value>,
+    ) -> Result<[Vec<(usize, f64)>; 2], String> {
+        let layout = self.body.layout();
+        let (mut parameters, mut states) = (Vec::new(), Vec::new());
+        for (name, value) in known {
+            match value {
+                Value::Vector(vector) => {
+                    for (axis, value) in ["x", "y", "z"].iter().zip(vector) {
+                        let place = layout.parameter(&format!("{name}_{axis}"));
+                        parameters.push((place.ok_or_else(|| self.not_known(name))?, *value));
+                    }
+                }
+                Value::Scalar(value) => match (layout.parameter(name), layout.state(name)) {
+                    (Some(place), _) => parameters.push((place, *value)),
+                    (None, Some(state)) => states.push((state, *value)),
+                    (None, None) => return Err(self.not_known(name)),
+                },
+            }
+        }
+        if let Some(shared) = self
+            .shared
+            .iter()
+            .find(|shared| parameters.iter().any(|(place, _)| *place == shared.place))
+        {
+            return Err(format!(
+                "{} is known of it, and it is to be estimated for all flights",
+                shared.name
+            ));
+        }
+        Ok([parameters, states])
+    }
+
+    fn not_known(&self, name: &str) -> String {
+        let inputs = self.model.inputs.iter().map(|input| input.name.as_str());
+        let layout = self.body.layout();
+        let rest = layout.parameters[..layout.params]
+            .iter()
+            .chain(&layout.states);
+        let names: Vec<&str> = inputs.chain(rest.map(String::as_str)).collect();
+        format!(
+            "{name} is known of it, and the model {} has the vectors and numbers {}",
+            self.model.name,
+            names.join(", ")
+        )
+    }
+}
+
+/// What is estimated, and what is held: name and value.
+type Unknowns = (Vec<Shared>, Vec<(String, f64)>);
+
+/// Sorts the coefficients, and what is freed beside them, into those.
+fn unknowns(
+    model: &Model,
+    body: &Body,
+    parameters: &mut [f64],
+    options: &Options<'_>,
+) -> Result<Unknowns, FitError> {
+    let layout = body.layout();
+    let coefficients = || model.coefficients.iter().map(|c| c.name.as_str());
+    let named = |name: &str| model.coefficients.iter().position(|c| c.name == name);
+    for (name, _) in options.hold {
+        named(name).ok_or_else(|| mismatch("to be held is", name, &model.name, coefficients()))?;
+    }
+    let (mut shared, mut held) = (Vec::new(), Vec::new());
+    for (index, constant) in model.coefficients.iter().enumerate() {
+        let place = layout.params + index;
+        // The last word counts.
+        match options
+            .hold
+            .iter()
+            .rev()
+            .find(|(name, _)| *name == constant.name)
+        {
+            Some((_, value)) => {
+                parameters[place] = value.unwrap_or(constant.value);
+                held.push((constant.name.clone(), parameters[place]));
+            }
+            None => shared.push(unknown(constant, place, constant.value, options)),
+        }
+    }
+    for name in options.free {
+        let place = layout.parameter(name);
+        let all = || layout.parameters.iter().map(String::as_str);
+        let place = place.ok_or_else(|| mismatch("to be freed is", name, &model.name, all()))?;
+        if shared.iter().any(|shared: &Shared| shared.place == place) {
+            continue;
+        }
+        held.retain(|(held, _)| held != name);
+        let constant = model
+            .params
+            .iter()
+            .chain(&model.coefficients)
+            .find(|c| c.name == *name);
+        shared.push(match constant {
+            Some(constant) => unknown(constant, place, parameters[place], options),
+            None => of_input(model, name, place, parameters[place]),
+        });
+    }
+    for prior in options.priors {
+        let unknown = shared.iter_mut().find(|shared| shared.name == prior.name);
+        let unknown = unknown.ok_or_else(|| {
+            let reason = format!("a prior for {}, which is not estimated", prior.name);
+            FitError::Mismatch(reason)
+        })?;
+        unknown.known.prior = Some((prior.value, prior.sigma));
+        let (low, high) = unknown.known.bounds;
+        unknown.model_value = prior.value.clamp(low, high);
+    }
+    for name in options.profiles {
+        if !shared.iter().any(|shared| shared.name == *name) {
+            let reason = format!("a profile of {name}, which is not estimated");
+            return Err(FitError::Mismatch(reason));
+        }
+    }
+    Ok((shared, held))
+}
+
+fn unknown(constant: &Constant, place: usize, value: f64, options: &Options<'_>) -> Shared {
+    let bounds = constant.bounds.filter(|_| !options.unbounded);
+    // A coefficient that vanishes by default says nothing of its size; a tenth of its range does.
+    let usual = match constant.bounds {
+        _ if constant.value != 0.0 => constant.value.abs(),
+        Some((low, high)) if (high - low).is_finite() => (high - low) / 10.0,
+        _ => 1.0,
+    };
+    Shared {
+        name: constant.name.clone(),
+        place,
+        unit: constant.unit_text.clone(),
+        known: Known {
+            bounds: bounds.unwrap_or(Known::NOTHING.bounds),
+            prior: None,
+        },
+        model_value: value,
+        usual,
+    }
+}
+
+fn of_input(model: &Model, name: &str, place: usize, value: f64) -> Shared {
+    let input = model.inputs.iter().find(|input| {
+        let rest = name.strip_prefix(input.name.as_str());
+        rest.is_some_and(|rest| ["_x", "_y", "_z"].contains(&rest))
+    });
+    Shared {
+        name: name.to_owned(),
+        place,
+        unit: input
+            .map(|input| input.unit_text.clone())
+            .unwrap_or_default(),
+        known: Known::NOTHING,
+        model_value: value,
+        usual: 1.0,
+    }
+}
+
+fn mismatch<'n>(
+    what: &str,
+    name: &str,
+    model: &str,
+    known: impl Iterator<Item = &'n str>,
+) -> FitError {
+    let known: Vec<&str> = known.collect();
+    FitError::Mismatch(format!(
+        "{what} {name}, and the model {model} has {}",
+        known.join(", ")
+    ))
+}
+
+/// A number of things, in words.
+pub(crate) fn count(number: usize, thing: &str) -> impl fmt::Display {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {thing}{plural}")
+}

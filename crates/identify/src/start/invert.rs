@@ -1,0 +1,236 @@
+//! The state that moves in a given way: Gauss–Newton on the model's own observation.
+
+use flight::Dynamics;
+use flight::body::{Conditions, States};
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use super::Motion;
+use crate::setting::Setting;
+use crate::track::Track;
+
+/// Points that show where a body is, how it is turned and how it moves: beside its origin one on each axis, m.
+const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
+
+/// How near the points must come, m, and their velocities, over the time below.
+const NEAR: f64 = 1e-6;
+
+/// How many guesses are followed.
+const TRIED: usize = 8;
+
+/// Velocities are weighed against positions by this time, s.
+const WEIGHT: f64 = 0.02;
+
+/// The state at which the model's markers are where the motion has them, and move as it has them move.
+///
+/// # Errors
+/// In words, where there is none within the model's limits.
+pub fn state(setting: &Setting, track: &Track, motion: &Motion) -> Result<DVector<f64>, String> {
+    let shared = DVector::from_iterator(
+        setting.shared.len(),
+        setting.shared.iter().map(|shared| shared.model_value),
+    );
+    let conditions = setting.body.with(track.parameters(setting, &shared));
+    let probes: &[[f64; 3]] = if setting.turns { &PROBES } else { &PROBES[..1] };
+    let target = target(motion, probes);
+    let states = setting.body.layout().states.len();
+    let mut shown = Shown::new(&conditions, states, probes);
+    // The nearest first; ties stay in order.
+    let mut guesses: Vec<(f64, DVector<f64>)> = guesses(setting, track)
+        .into_iter()
+        .map(|guess| ((shown.at(&guess) - &target).norm(), guess))
+        .collect();
+    guesses.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut best: Option<(f64, DVector<f64>)> = None;
+    for (_, guess) in guesses.into_iter().take(TRIED) {
+        let Some((distance, state)) = descend(setting, track, &conditions, probes, &target, guess)
+        else {
+            continue;
+        };
+        let better = best.as_ref().is_none_or(|(least, _)| distance < *least);
+        if better
+            && conditions
+                .observer()
+                .is_within_limits(0.0, state.as_slice())
+        {
+            let near = distance < NEAR;
+            best = Some((distance, state));
+            if near {
+                break;
+            }
+        }
+    }
+    // What is known of the state may stand in the way of a better one: that is the fit's to judge.
+    let (_, state) =
+        best.ok_or("the model has no state within its limits that moves as the markers do")?;
+    Ok(state)
+}
+
+/// Positions of the probes, then their velocities by the weight.
+fn target(motion: &Motion, probes: &[[f64; 3]]) -> DVector<f64> {
+    let arm = |probe: &[f64; 3]| {
+        let probe = Vector3::from(*probe);
+        motion.attitude.map_or(probe, |attitude| attitude * probe)
+    };
+    let rates = motion.rates.unwrap_or_else(Vector3::zeros);
+    let positions = probes.iter().map(|probe| motion.position + arm(probe));
+    let velocities = probes
+        .iter()
+        .map(|probe| (motion.velocity + rates.cross(&arm(probe))) * WEIGHT);
+    let all: Vec<f64> = positions
+        .chain(velocities)
+        .flat_map(|v| [v.x, v.y, v.z])
+        .collect();
+    DVector::from_vec(all)
+}
+
+/// Where the descent may start: the model's own initial state, turned every way that its states allow.
+fn guesses(setting: &Setting, track: &Track) -> Vec<DVector<f64>> {
+    use model_spec::model::FrameKind;
+    let plain = track.with_known(DVector::from_vec(setting.body.layout().default_states()));
+    let mut guesses = vec![plain];
+    for frame in &setting.model.frames {
+        let turned: Vec<Vec<(usize, f64)>> = match frame.kind {
+            FrameKind::Inertial => continue,
+            FrameKind::Turned { angle, .. } => (-1..=2)
+                .map(|k| vec![(angle, f64::from(k) * std::f64::consts::FRAC_PI_2)])
+                .collect(),
+            FrameKind::Quaternion { states, .. } => quarter_turns()
+                .into_iter()
+                .map(|q| states.into_iter().zip(q).collect())
+                .collect(),
+        };
+        guesses = guesses
+            .iter()
+            .flat_map(|guess| {
+                turned.iter().map(|places| {
+                    let mut guess = guess.clone();
+                    for &(place, value) in places {
+                        guess[place] = value;
+                    }
+                    track.with_known(guess)
+                })
+            })
+            .collect();
+    }
+    guesses
+}
+
+/// Quaternions of the turns by quarters about each axis, two deep: every way to lay a cube.
+fn quarter_turns() -> Vec<[f64; 4]> {
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let mut all = vec![
+        [1.0, 0.0, 0.0, 0.0],
+        [half, 0.0, 0.0, half],
+        [0.0, 0.0, 0.0, 1.0],
+        [half, 0.0, 0.0, -half],
+    ];
+    let about_others = [
+        [half, half, 0.0, 0.0],
+        [half, 0.0, half, 0.0],
+        [half, -half, 0.0, 0.0],
+        [half, 0.0, -half, 0.0],
+        [0.0, 1.0, 0.0, 0.0],
+    ];
+    let spun = all.clone();
+    for [a0, a1, a2, a3] in about_others {
+        all.extend(spun.iter().map(|&[b0, b1, b2, b3]| {
+            [
+                a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3,
+                a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2,
+                a0 * b2 - a1 * b3 + a2 * b0 + a3 * b1,
+                a0 * b3 + a1 * b2 - a2 * b1 + a3 * b0,
+            ]
+        }));
+    }
+    all
+}
+
+/// Descends from a guess; the distance that is left, and the state. None where it does not descend.
+fn descend(
+    setting: &Setting,
+    track: &Track,
+    conditions: &Conditions<'_>,
+    probes: &[[f64; 3]],
+    target: &DVector<f64>,
+    mut state: DVector<f64>,
+) -> Option<(f64, DVector<f64>)> {
+    let mut shown = Shown::new(conditions, setting.body.layout().states.len(), probes);
+    let mut residual = shown.at(&state) - target;
+    let mut damping = 1e-6;
+    for _ in 0..60 {
+        let before = residual.norm();
+        if !before.is_finite() {
+            return None;
+        }
+        if before < NEAR * 1e-3 {
+            break;
+        }
+        let dimension = track.chart.dimension();
+        let mut jacobian = DMatrix::zeros(target.len(), dimension);
+        for column in 0..dimension {
+            let mut step = DVector::zeros(dimension);
+            step[column] = 1e-6;
+            let ahead = shown.at(&track.chart.moved(&state, &step));
+            let behind = shown.at(&track.chart.moved(&state, &-step));
+            jacobian.set_column(column, &((ahead - behind) / 2e-6));
+        }
+        let mut normal = jacobian.tr_mul(&jacobian);
+        for i in 0..dimension {
+            normal[(i, i)] += damping * normal[(i, i)].max(1e-9);
+        }
+        let step = -normal.cholesky()?.solve(&jacobian.tr_mul(&residual));
+        let candidate = track.chart.moved(&state, &step);
+        let there = shown.at(&candidate) - target;
+        if there.norm() < before {
+            let gained = before - there.norm();
+            (state, residual) = (candidate, there);
+            damping = (damping * 0.1_f64).max(1e-12);
+            if gained < 1e-12 * before {
+                break;
+            }
+        } else if damping < 1e6 {
+            damping *= 10.0;
+        } else {
+            break;
+        }
+    }
+    let distance = residual.norm();
+    distance.is_finite().then_some((distance, state))
+}
+
+/// Where the model shows the probes, and how they move.
+struct Shown<'a> {
+    observer: flight::body::Observer<'a>,
+    motion: flight::body::Motion<'a>,
+    rates: States,
+    probes: &'a [[f64; 3]],
+}
+
+impl<'a> Shown<'a> {
+    fn new(conditions: &'a Conditions<'a>, states: usize, probes: &'a [[f64; 3]]) -> Self {
+        Self {
+            observer: conditions.observer(),
+            motion: conditions.motion(),
+            rates: vec![0.0; states].into(),
+            probes,
+        }
+    }
+
+    fn at(&mut self, state: &DVector<f64>) -> DVector<f64> {
+        let x: States = state.as_slice().into();
+        self.motion.derivative(0.0, &x, &mut self.rates);
+        let count = 3 * self.probes.len();
+        let mut shown = DVector::zeros(2 * count);
+        for (probe, position) in self.probes.iter().enumerate() {
+            let (y, derivatives) = self.observer.linearise(0.0, &x, position);
+            for axis in 0..3 {
+                shown[3 * probe + axis] = y[axis];
+            }
+            let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
+            for (&(axis, state), value) in entries {
+                shown[count + 3 * probe + axis] += value * self.rates[state] * WEIGHT;
+            }
+        }
+        shown
+    }
+}

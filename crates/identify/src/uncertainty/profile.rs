@@ -1,0 +1,123 @@
+//! How the likelihood falls off as one coefficient is held and all else is fitted again.
+
+use nalgebra::DVector;
+
+use crate::levenberg::{Failure, Known, Problem, Solution, Until, solve};
+use crate::normal::Block;
+use crate::report::Profile;
+use crate::setting::Shared;
+
+/// Deviance at the ends of the interval of 95 %.
+const LIMIT: f64 = 3.841_458_820_694_124;
+
+/// Points on either side of the estimate, and how far apart they are, over the standard error.
+const POINTS: (usize, f64) = (6, 0.5);
+
+/// Profiles one shared unknown around a solution.
+///
+/// # Errors
+/// [`Failure::Stopped`]; a point that cannot be fitted is left out.
+pub fn profile(
+    problem: &impl Problem,
+    solution: &Solution,
+    shared: &[Shared],
+    index: usize,
+    error: f64,
+) -> Result<Profile, Failure> {
+    let best = solution.point.shared[index];
+    let (low, high) = shared[index].known.bounds;
+    let mut points = vec![[best, 0.0]];
+    for direction in [-1.0, 1.0] {
+        let mut point = solution.point.clone();
+        for k in 1..=POINTS.0 {
+            let value = best + direction * k as f64 * POINTS.1 * error;
+            if !(low..=high).contains(&value) {
+                break;
+            }
+            point.shared[index] = value;
+            let mut known = problem.known().to_vec();
+            known[index].bounds = (value, value);
+            let held = Held { problem, known };
+            match solve(&held, point.clone(), Until::DONE) {
+                Ok(found) => {
+                    points.push([value, (found.squares - solution.squares).max(0.0)]);
+                    point = found.point;
+                }
+                Err(Failure::Stopped) => return Err(Failure::Stopped),
+                Err(_) => break,
+            }
+        }
+    }
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let interval = [crossing(&points, best, -1.0), crossing(&points, best, 1.0)];
+    Ok(Profile {
+        name: shared[index].name.clone(),
+        points,
+        interval,
+    })
+}
+
+/// Where the deviance reaches its limit on one side, by the root of it, which is nearly straight.
+fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
+    let mut side: Vec<[f64; 2]> = points
+        .iter()
+        .copied()
+        .filter(|[value, _]| (value - best) * direction >= 0.0)
+        .collect();
+    side.sort_by(|a, b| (a[0] * direction).total_cmp(&(b[0] * direction)));
+    side.windows(2).find_map(|pair| {
+        let [[from, low], [to, high]] = [pair[0], pair[1]];
+        (low < LIMIT && high >= LIMIT).then(|| {
+            let part = (LIMIT.sqrt() - low.sqrt()) / (high.sqrt() - low.sqrt());
+            from + part * (to - from)
+        })
+    })
+}
+
+/// The problem with other things known.
+struct Held<'a, P> {
+    problem: &'a P,
+    known: Vec<Known>,
+}
+
+impl<P: Problem> Problem for Held<'_, P> {
+    fn flights(&self) -> usize {
+        self.problem.flights()
+    }
+    fn linearise(
+        &self,
+        flight: usize,
+        shared: &DVector<f64>,
+        own: &DVector<f64>,
+    ) -> Result<Block, String> {
+        self.problem.linearise(flight, shared, own)
+    }
+    fn moved(&self, flight: usize, own: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        self.problem.moved(flight, own, step)
+    }
+    fn known(&self) -> &[Known] {
+        &self.known
+    }
+    fn threads(&self) -> usize {
+        self.problem.threads()
+    }
+    fn is_stopped(&self) -> bool {
+        self.problem.is_stopped()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parabola_crosses_at_1_96_standard_errors() {
+        let points: Vec<[f64; 2]> = (-6..=6)
+            .map(|k| f64::from(k) * 0.5)
+            .map(|x| [x, x * x])
+            .collect();
+        assert!((crossing(&points, 0.0, 1.0).unwrap() - 1.959_964).abs() < 1e-6);
+        assert!((crossing(&points, 0.0, -1.0).unwrap() + 1.959_964).abs() < 1e-6);
+        assert_eq!(crossing(&points[4..9], 0.0, 1.0), None);
+    }
+}

@@ -1,0 +1,8 @@
+//! The fit put to the test on flights that the oracle made, and on measured ones.
+//!
+//! Flights are made by the oracle's vector mechanics and an integration of its own ([`fly`]), so that neither the
+//! generated code nor its integrator is shared with what is tested.
+
+pub mod fly;
+pub mod made;
+pub mod throw;
