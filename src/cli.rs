@@ -39,6 +39,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out against\n\nReleases by name: run `hyzer simulate --list`."
     )]
     Simulate(Simulate),
+    /// Make a dataset: fly releases of a model, observe its markers, add noise
+    #[command(
+        after_help = "Examples:\n  hyzer synthesize disc --release backhand --duration 1 --out made\n  hyzer synthesize ball --release serve --flights 4 --held-out 1 --set C_D=0.5 --seed 7 --out balls\n  hyzer synthesize disc --release backhand --with zero_lift_drag_angle --set alpha_0=-0.07 --duration 1 --out odd\n\nReleases by name: run `hyzer simulate --list`. What was put in stands beside the dataset in truth.toml, which\n`hyzer fit` does not read."
+    )]
+    Synthesize(Synthesize),
     /// Fit a model's coefficients to measured flights
     #[command(after_help = "Example:\n  hyzer fit examples/ball --out fitted")]
     Fit(Fit),
@@ -140,6 +145,68 @@ pub struct Simulate {
     /// List the named releases
     #[arg(long)]
     pub list: bool,
+}
+
+/// `hyzer synthesize`.
+#[derive(Args)]
+pub struct Synthesize {
+    /// Model: a name or a path; by default the release's own
+    #[arg(value_name = "MODEL")]
+    pub model: Option<String>,
+    /// A release: a name, or a TOML file; may be repeated, and the flights take them in turn
+    #[arg(long, value_name = "RELEASE", required = true)]
+    pub release: Vec<String>,
+    /// How many flights
+    #[arg(long, value_name = "N", default_value_t = 8)]
+    pub flights: usize,
+    /// How many of them, the last, are held out
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub held_out: usize,
+    /// How far initial states vary: each but the position gets a normal deviation of FRACTION times its size, or
+    /// times 5 m/s, 1 rad or 10 rad/s where it is smaller
+    #[arg(long, value_name = "FRACTION", default_value_t = 0.1)]
+    pub spread: f64,
+    /// Watch each flight for so many seconds; by default as its release says
+    #[arg(long, value_name = "S")]
+    pub duration: Option<f64>,
+    /// Samples per second
+    #[arg(long, value_name = "HZ", default_value_t = 120.0)]
+    pub rate: f64,
+    /// Track a point of the body, m; may be repeated; by default three points of a rigid body, the centre of a point mass
+    #[arg(long, value_name = "NAME=X,Y,Z")]
+    pub marker: Vec<String>,
+    /// Standard deviation of the noise along each axis, m
+    #[arg(long, value_name = "M", default_value_t = 0.0015)]
+    pub noise_sigma: f64,
+    /// Correlation of the noise from sample to sample
+    #[arg(
+        long,
+        value_name = "R",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub noise_ar1: f64,
+    /// Fraction of marker points that are outliers
+    #[arg(long, value_name = "FRACTION", default_value_t = 0.0)]
+    pub outliers: f64,
+    /// Standard deviation of each axis of an outlier, m
+    #[arg(long, value_name = "M", default_value_t = 0.05)]
+    pub outlier_size: f64,
+    /// Fraction of marker points that are not seen: half singly, half in runs of 3 to 12 samples
+    #[arg(long, value_name = "FRACTION", default_value_t = 0.0)]
+    pub dropouts: f64,
+    /// Switch an effect on, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+    /// Set a parameter, coefficient or initial state, SI; may be repeated
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Seed of everything random
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Folder for the dataset: a new or an empty one
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
 }
 
 /// `hyzer fit`.

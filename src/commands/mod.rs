@@ -6,6 +6,7 @@ mod fit;
 mod generate;
 mod paper;
 mod simulate;
+mod synthesize;
 mod verify;
 
 use crate::Answer;
@@ -19,6 +20,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Verify(options) => verify::run(&options),
         Command::Explain(options) => explain::run(&options),
         Command::Simulate(options) => simulate::run(&options),
+        Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Paper(options) => paper::run(&options),
     }

@@ -55,15 +55,6 @@ fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
 
 /// The model, and the release with what the command line changes in it.
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
-    let with = super::names(&options.with);
-    let mut model = None;
-    let vocabulary = |named: &str| {
-        let name = options.model.as_deref().unwrap_or(named);
-        let loaded = model_spec::load::load(name, &with).map_err(|error| error.to_string())?;
-        let vocabulary = Vocabulary::of(&loaded);
-        model = Some(loaded);
-        Ok(vocabulary)
-    };
     let Some(name) = &options.release else {
         let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
         bail!(
@@ -71,11 +62,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
             names.join(", ")
         );
     };
-    let mut release = match built_in(name) {
-        Some(text) if !Path::new(name).is_file() => read(name, text, vocabulary)?,
-        _ => read_file(Path::new(name), vocabulary)?,
-    };
-    let model = model.ok_or_else(|| anyhow!("{name}: the release names no model"))?;
+    let (model, mut release) = released(name, options.model.as_deref(), &options.with)?;
     for set in &options.set {
         apply(set, &model, &mut release)?;
     }
@@ -106,7 +93,31 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-fn number(option: &str, text: &str) -> anyhow::Result<f64> {
+/// A release by name or file, with its model: the one that is named, or its own.
+pub(super) fn released(
+    name: &str,
+    named: Option<&str>,
+    with: &[String],
+) -> anyhow::Result<(Model, Release)> {
+    let with = super::names(with);
+    let mut model = None;
+    let vocabulary = |own: &str| {
+        let loaded = model_spec::load::load(named.unwrap_or(own), &with)
+            .map_err(|error| error.to_string())?;
+        let vocabulary = Vocabulary::of(&loaded);
+        model = Some(loaded);
+        Ok(vocabulary)
+    };
+    let release = match built_in(name) {
+        Some(text) if !Path::new(name).is_file() => read(name, text, vocabulary)?,
+        _ => read_file(Path::new(name), vocabulary)?,
+    };
+    let model = model.ok_or_else(|| anyhow!("{name}: the release names no model"))?;
+    Ok((model, release))
+}
+
+/// A finite number that was given to an option.
+pub(super) fn number(option: &str, text: &str) -> anyhow::Result<f64> {
     let value: f64 = text
         .trim()
         .parse()
@@ -119,7 +130,7 @@ fn number(option: &str, text: &str) -> anyhow::Result<f64> {
 }
 
 /// `NAME=VALUE` from the command line.
-fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
+pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let (name, value) = set
         .split_once('=')
         .with_context(|| format!("--set: found {set:?}, expected NAME=VALUE"))?;

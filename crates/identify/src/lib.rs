@@ -3,7 +3,7 @@
 //! [`dataset`] reads the formats and refuses what is malformed. [`fit`](mod@fit) finds its starts by itself ([`start`]),
 //! minimises what is left of the observed markers once the model's prediction is taken away, weighed by a noise that
 //! it estimates ([`noise`], [`outlier`]), with the exact sensitivities of the compiled model ([`predict`]), and says
-//! what its estimates are worth ([`uncertainty`]). [`report`] is what comes out.
+//! what its estimates are worth ([`uncertainty`]). [`report`] is what comes out. [`synthesize`] makes datasets whose truth is known.
 
 pub mod chart;
 mod cut;
@@ -21,5 +21,6 @@ pub mod report;
 pub mod rows;
 pub mod setting;
 pub mod start;
+pub mod synthesize;
 pub mod track;
 pub mod uncertainty;

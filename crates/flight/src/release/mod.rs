@@ -107,12 +107,14 @@ impl Vocabulary {
     }
 }
 
-/// The releases that are built in, by name: two flights of Hubbard & Hummel (2000), a full backhand, a discus.
-pub const BUILT_IN: [(&str, &str); 4] = [
+/// The releases that are built in, by name: two flights of Hubbard & Hummel (2000), a full backhand, a discus, a
+/// table-tennis ball.
+pub const BUILT_IN: [(&str, &str); 5] = [
     ("fssh3", include_str!("../../releases/fssh3.toml")),
     ("bffl8", include_str!("../../releases/bffl8.toml")),
     ("backhand", include_str!("../../releases/backhand.toml")),
     ("discus", include_str!("../../releases/discus.toml")),
+    ("serve", include_str!("../../releases/serve.toml")),
 ];
 
 /// The text of a built-in release.

@@ -1,0 +1,152 @@
+//! One flight of a made dataset: released, flown, observed and spoiled by noise.
+
+use std::collections::BTreeMap;
+
+use flight::body::Body;
+use flight::release::{Release, Stop};
+use flight::{Event, Options, fly_at, fly_to_end};
+use model_spec::model::Model;
+use rand::Rng;
+use rand_chacha::ChaCha12Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+use super::{MOST_POINTS, Plan, corrupt};
+use crate::dataset::{Flight, Known, Role};
+
+/// Tolerance of the integration: far below any measurement.
+const TOLERANCE: f64 = 1e-10;
+/// Times are rounded to so many decimals of a second before anything is observed at them, so that tables stay narrow.
+const TIME_DECIMALS: i32 = 6;
+
+/// What all flights share.
+pub(super) struct Maker<'a> {
+    pub model: &'a Model,
+    pub plan: &'a Plan,
+    pub body: Body,
+    /// The markers.
+    pub positions: Vec<[f64; 3]>,
+}
+
+impl Maker<'_> {
+    /// One flight, and its initial state.
+    pub fn flight(&self, index: usize, release: &Release) -> Result<(Flight, Vec<f64>), String> {
+        let plan = self.plan;
+        // A generator of its own for each flight: one more flight does not change the others.
+        let mut random = ChaCha12Rng::seed_from_u64(plan.seed);
+        random.set_stream(index as u64);
+        let state = plan.spread.draw(self.model, &release.state(), &mut random);
+        let parameters = self.body.parameters(release);
+        let times = self.times(release, &parameters, &state)?;
+        let mut positions = self.seen(&parameters, &state, &times)?;
+        corrupt(&mut positions, &plan.noise, random.next_u64());
+        if let Some(decimals) = plan.decimals {
+            for value in positions.iter_mut().flatten().flatten().flatten() {
+                *value = rounded(*value, i32::from(decimals));
+            }
+        }
+        let told = |(name, value): &(String, [f64; 3])| (name.clone(), Known::Vector(*value));
+        let mut known: BTreeMap<String, Known> = release.known.iter().map(told).collect();
+        if release.wind != [0.0; 3] {
+            known.insert("wind".into(), Known::Vector(release.wind));
+        }
+        let fitted = plan.flights - plan.held_out;
+        let flight = Flight {
+            file: format!("flight{:02}.csv", index + 1),
+            role: if index < fitted {
+                Role::Fit
+            } else {
+                Role::HeldOut
+            },
+            known,
+            times,
+            positions,
+        };
+        Ok((flight, state))
+    }
+
+    /// The times of the samples.
+    fn times(
+        &self,
+        release: &Release,
+        parameters: &[f64],
+        state: &[f64],
+    ) -> Result<Vec<f64>, String> {
+        let plan = self.plan;
+        let end = match (plan.duration, release.stop) {
+            (Some(duration), Stop::Duration(_)) | (None, Stop::Duration(duration)) => duration,
+            (watched, Stop::Ground) => self.landing(parameters, state, watched)?,
+        };
+        let count = (end * plan.rate + 1e-9).floor() + 1.0;
+        if count * self.positions.len() as f64 > MOST_POINTS {
+            return Err(format!(
+                "found {count} samples, expected fewer: lower the rate"
+            ));
+        }
+        let time = |sample: usize| rounded(sample as f64 / plan.rate, TIME_DECIMALS);
+        Ok((0..count as usize).map(time).collect())
+    }
+
+    /// When the flight comes to the ground, or is watched no longer.
+    fn landing(
+        &self,
+        parameters: &[f64],
+        state: &[f64],
+        watched: Option<f64>,
+    ) -> Result<f64, String> {
+        let conditions = self.body.with(parameters.to_vec());
+        let z = self.body.layout().state("z").ok_or("the model has no z")?;
+        let mut events = conditions.limits();
+        events.push(Event::falls_to("ground", z, 0.0).ends_flight());
+        let landed = fly_to_end(
+            &mut conditions.motion(),
+            (0.0, &state.into()),
+            watched.unwrap_or(Release::LONGEST),
+            &Options::tolerance(TOLERANCE),
+            &mut events,
+        );
+        let landed = landed.map_err(|error| error.to_string())?;
+        match landed.event.as_deref() {
+            Some("ground") => Ok(landed.time),
+            Some(why) => Err(format!("it ends at {:.3} s: {why}", landed.time)),
+            None if watched.is_some() => Ok(landed.time),
+            None => Err(format!("it is still up after {} s", landed.time)),
+        }
+    }
+
+    /// Where the markers are: `[sample][marker]`.
+    fn seen(
+        &self,
+        parameters: &[f64],
+        state: &[f64],
+        times: &[f64],
+    ) -> Result<Vec<Vec<Option<[f64; 3]>>>, String> {
+        let conditions = self.body.with(parameters.to_vec());
+        let mut samples = vec![0.0; times.len() * state.len()];
+        let end = fly_at(
+            &mut conditions.motion(),
+            (0.0, &state.into()),
+            times,
+            &Options::tolerance(TOLERANCE),
+            &mut conditions.limits(),
+            &mut samples,
+        );
+        let end = end.map_err(|error| error.to_string())?;
+        if let Some(why) = end.event {
+            return Err(format!("it ends at {:.3} s: {why}", end.time));
+        }
+        let mut observer = conditions.observer();
+        let rows = times.iter().zip(samples.chunks(state.len()));
+        let row = |(&t, x): (&f64, &[f64])| {
+            let markers = self.positions.iter();
+            markers
+                .map(|marker| Some(observer.position(t, x, marker)))
+                .collect()
+        };
+        Ok(rows.map(row).collect())
+    }
+}
+
+fn rounded(value: f64, decimals: i32) -> f64 {
+    let scale = 10.0_f64.powi(decimals);
+    (value * scale).round() / scale
+}

@@ -1,0 +1,75 @@
+//! What was put into a made dataset, for people and tests: no fit reads it.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use super::{Noise, Spread};
+
+/// What was put into a made dataset.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Truth {
+    /// The model.
+    pub model: String,
+    /// Effects that were switched on.
+    pub effects: Vec<String>,
+    /// Every coefficient.
+    pub coefficients: BTreeMap<String, f64>,
+    /// The noise.
+    pub noise: Noise,
+    /// How the flights differ.
+    pub spread: Spread,
+    /// The seed.
+    pub seed: u64,
+    /// Each flight's file and initial state, by name.
+    pub initial: Vec<(String, BTreeMap<String, f64>)>,
+}
+
+impl Truth {
+    /// As TOML.
+    pub fn text(&self) -> String {
+        let mut text = "# What was put into this dataset, which was made and not measured. `hyzer fit` does not read this file.\n".to_owned();
+        let _ = writeln!(text, "model = {}", quoted(&self.model));
+        let effects: Vec<String> = self.effects.iter().map(|name| quoted(name)).collect();
+        let _ = writeln!(text, "effects = [{}]", effects.join(", "));
+        let _ = writeln!(text, "seed = {}", self.seed);
+        text.push_str("\n[coefficients]\n");
+        for (name, value) in &self.coefficients {
+            let _ = writeln!(text, "{name} = {value:?}");
+        }
+        let Noise {
+            sigma,
+            ar1,
+            outliers,
+            outlier_size,
+            dropouts,
+        } = self.noise;
+        let _ = write!(
+            text,
+            "\n[noise]\nsigma = {sigma:?}        # m, one axis\nar1 = {ar1:?}\noutliers = {outliers:?}\n\
+             outlier_size = {outlier_size:?}  # m, one axis\ndropouts = {dropouts:?}\n"
+        );
+        let Spread {
+            fraction,
+            speed,
+            angle,
+            rate,
+        } = self.spread;
+        let _ = write!(
+            text,
+            "\n[spread]\nfraction = {fraction:?}\nspeed = {speed:?}  # m/s\nangle = {angle:?}  # rad\nrate = {rate:?}  # rad/s\n"
+        );
+        for (file, state) in &self.initial {
+            let _ = writeln!(text, "\n[[flights]]\nfile = {}", quoted(file));
+            let each: Vec<String> = state
+                .iter()
+                .map(|(name, value)| format!("{name} = {value:?}"))
+                .collect();
+            let _ = writeln!(text, "initial = {{ {} }}", each.join(", "));
+        }
+        text
+    }
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}

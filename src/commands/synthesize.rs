@@ -1,0 +1,120 @@
+//! `hyzer synthesize`: a dataset made from a model, releases and a noise.
+
+use std::path::Path;
+
+use anyhow::{Context, bail};
+use flight::release::Release;
+use identify::dataset::{Marker, write_with};
+use identify::synthesize::{Made, Noise, Plan, Spread, flights};
+use model_spec::model::Model;
+
+use super::simulate::{apply, number, released};
+use crate::cli::Synthesize;
+use crate::{Answer, output};
+
+/// Flies, writes the dataset with its truth, and prints a summary.
+pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
+    let (model, releases) = prepare(options)?;
+    let plan = plan(options)?;
+    let mut made = flights(&model, &releases, &plan)?;
+    let mut beside = Vec::new();
+    // A model that is not built in goes with the dataset.
+    let named = options.model.as_deref().unwrap_or(&releases[0].model);
+    if Path::new(named).is_file() {
+        let name = format!("{}.hyz", model.name);
+        let text = model.sources.first().map(|source| source.text.clone());
+        beside.push((name.clone(), text.unwrap_or_default()));
+        made.dataset.model = name;
+    }
+    beside.push(("truth.toml".into(), made.truth.text()));
+    let beside: Vec<(&str, String)> = beside
+        .iter()
+        .map(|(name, text)| (name.as_str(), text.clone()))
+        .collect();
+    write_with(&options.out, &made.dataset, &beside)
+        .with_context(|| format!("--out {}", options.out.display()))?;
+    output::print(summary(&made, &options.out))?;
+    Ok(Answer::Yes)
+}
+
+/// The model, and every release with what the command line changes in it.
+fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
+    let mut model: Option<Model> = None;
+    let mut releases = Vec::with_capacity(options.release.len());
+    for name in &options.release {
+        let (own, mut release) = released(name, options.model.as_deref(), &options.with)?;
+        for set in &options.set {
+            apply(set, &own, &mut release)?;
+        }
+        releases.push(release);
+        match &model {
+            Some(model) if model.name != own.name => bail!(
+                "--release: found one of the model {} and one of {}, expected one model",
+                model.name,
+                own.name
+            ),
+            _ => model = Some(own),
+        }
+    }
+    let model = model.context("no --release")?;
+    Ok((model, releases))
+}
+
+fn plan(options: &Synthesize) -> anyhow::Result<Plan> {
+    Ok(Plan {
+        flights: options.flights,
+        held_out: options.held_out,
+        duration: options.duration,
+        rate: options.rate,
+        markers: options
+            .marker
+            .iter()
+            .map(|text| marker(text))
+            .collect::<anyhow::Result<_>>()?,
+        spread: Spread {
+            fraction: options.spread,
+            ..Spread::default()
+        },
+        noise: Noise {
+            sigma: options.noise_sigma,
+            ar1: options.noise_ar1,
+            outliers: options.outliers,
+            outlier_size: options.outlier_size,
+            dropouts: options.dropouts,
+        },
+        seed: options.seed,
+        ..Plan::default()
+    })
+}
+
+/// `NAME=X,Y,Z` from the command line.
+fn marker(text: &str) -> anyhow::Result<Marker> {
+    let Some((name, position)) = text.split_once('=') else {
+        bail!("--marker: found {text:?}, expected NAME=X,Y,Z in m");
+    };
+    let position: Vec<&str> = position.split(',').collect();
+    let [x, y, z] = position[..] else {
+        bail!("--marker: found {text:?}, expected three numbers X,Y,Z in m");
+    };
+    Ok(Marker {
+        name: name.trim().to_owned(),
+        position: [
+            number("--marker", x)?,
+            number("--marker", y)?,
+            number("--marker", z)?,
+        ],
+    })
+}
+
+fn summary(made: &Made, folder: &Path) -> String {
+    let flights = &made.dataset.flights;
+    let samples: usize = flights.iter().map(|flight| flight.times.len()).sum();
+    let seen: usize = flights.iter().map(|flight| flight.measurements() / 3).sum();
+    let all = samples * made.dataset.markers.len();
+    format!(
+        "{}: {} flights of {}, {samples} samples, {seen} of {all} marker points seen\n",
+        folder.display(),
+        flights.len(),
+        made.truth.model,
+    )
+}
