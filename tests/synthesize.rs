@@ -94,6 +94,42 @@ fn the_committed_examples_are_what_their_commands_make() {
     }
 }
 
+#[test]
+fn what_was_put_into_the_examples_is_fitted_out_of_them() {
+    let around = tempfile::tempdir().expect("a folder");
+    for name in ["ball", "disc"] {
+        let dataset = repository().join("examples").join(name);
+        let out = around.path().join(name);
+        hyzer()
+            .arg("fit")
+            .arg(&dataset)
+            .arg("--out")
+            .arg(&out)
+            .assert()
+            .success();
+        let text = std::fs::read_to_string(out.join("report.json")).expect("a report");
+        let report: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let truth = std::fs::read_to_string(dataset.join("truth.toml")).expect("the truth");
+        let lines = truth
+            .lines()
+            .skip_while(|line| *line != "[coefficients]")
+            .skip(1);
+        let coefficients: Vec<_> = lines.map_while(|line| line.split_once(" = ")).collect();
+        assert_eq!(coefficients.len(), if name == "ball" { 1 } else { 8 });
+        for (coefficient, truth) in coefficients {
+            let found = &report["coefficients"][coefficient];
+            let number = |key: &str| found[key].as_f64().expect("a number");
+            let truth: f64 = truth.parse().expect("a number");
+            let (value, error) = (number("value"), number("std_error"));
+            let off = (value - truth).abs() / error;
+            assert!(
+                off < 4.0,
+                "{coefficient}: {value} ± {error}, put in {truth}"
+            );
+        }
+    }
+}
+
 /// Whether two texts agree but for the last digit of a number, where machines may round apart.
 fn same(a: &str, b: &str) -> bool {
     let words = |text: &str| -> Vec<String> {

@@ -208,7 +208,33 @@ fn plans_that_make_no_sense_are_refused() {
         flights: 100,
         ..Plan::default()
     };
-    flights(&model, &[release], &dense).expect_err("too many points");
+    let error = flights(&model, &[release], &dense).expect_err("too many points");
+    assert!(error.to_string().contains("marker points"), "{error}");
+}
+
+#[test]
+fn a_flight_to_the_ground_ends_there_or_earlier_where_it_is_watched_no_longer() {
+    let plan = |duration| Plan {
+        duration,
+        spread: Spread {
+            fraction: 0.0,
+            ..Spread::default()
+        },
+        ..Plan::default()
+    };
+    let last = |duration| {
+        let made = made("discus", &plan(duration));
+        let times = &made.dataset.flights[0].times;
+        *times.last().expect("samples")
+    };
+    assert!(last(None) > 2.0);
+    assert_eq!(last(Some(60.0)), last(None));
+    assert_eq!(last(Some(0.5)), 0.5);
+    let (model, mut release) = released("serve");
+    release.stop = Stop::Ground;
+    release.parameters = vec![("g".into(), 0.0)];
+    let error = flights(&model, &[release], &plan(None)).expect_err("it rises for ever");
+    assert!(error.to_string().contains("still up"), "{error}");
 }
 
 #[test]
@@ -218,6 +244,8 @@ fn a_flight_out_of_the_model_is_named() {
         match name.as_str() {
             "theta" => *value = 1.5,
             "thetadot" => *value = 5.0,
+            // With spin it would turn aside.
+            "phidot" | "gammadot" => *value = 0.0,
             _ => {}
         }
     }
@@ -232,6 +260,9 @@ fn a_flight_out_of_the_model_is_named() {
         release.stop = stop;
         let error = flights(&model, &[release.clone()], &plan).expect_err("it stands vertical");
         let told = error.to_string();
-        assert!(told.starts_with("flight 1: it ends at "), "{told}");
+        assert!(
+            told.starts_with("flight 1: at ") && told.contains("vertical"),
+            "{told}"
+        );
     }
 }

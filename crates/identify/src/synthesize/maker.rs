@@ -77,9 +77,10 @@ impl Maker<'_> {
             (watched, Stop::Ground) => self.landing(parameters, state, watched)?,
         };
         let count = (end * plan.rate + 1e-9).floor() + 1.0;
-        if count * self.positions.len() as f64 > MOST_POINTS {
+        let points = count * self.positions.len() as f64 * plan.flights as f64;
+        if points > MOST_POINTS {
             return Err(format!(
-                "found {count} samples, expected fewer: lower the rate"
+                "at {count} samples a flight there are {points} marker points, expected at most {MOST_POINTS}"
             ));
         }
         let time = |sample: usize| rounded(sample as f64 / plan.rate, TIME_DECIMALS);
@@ -105,11 +106,10 @@ impl Maker<'_> {
             &mut events,
         );
         let landed = landed.map_err(|error| error.to_string())?;
-        match landed.event.as_deref() {
-            Some("ground") => Ok(landed.time),
-            Some(why) => Err(format!("it ends at {:.3} s: {why}", landed.time)),
-            None if watched.is_some() => Ok(landed.time),
-            None => Err(format!("it is still up after {} s", landed.time)),
+        if landed.event.is_some() || watched.is_some() {
+            Ok(landed.time)
+        } else {
+            Err(format!("it is still up after {} s", landed.time))
         }
     }
 
@@ -122,18 +122,16 @@ impl Maker<'_> {
     ) -> Result<Vec<Vec<Option<[f64; 3]>>>, String> {
         let conditions = self.body.with(parameters.to_vec());
         let mut samples = vec![0.0; times.len() * state.len()];
-        let end = fly_at(
+        // Where the model ends, so does the flight, with an error.
+        fly_at(
             &mut conditions.motion(),
             (0.0, &state.into()),
             times,
             &Options::tolerance(TOLERANCE),
             &mut conditions.limits(),
             &mut samples,
-        );
-        let end = end.map_err(|error| error.to_string())?;
-        if let Some(why) = end.event {
-            return Err(format!("it ends at {:.3} s: {why}", end.time));
-        }
+        )
+        .map_err(|error| error.to_string())?;
         let mut observer = conditions.observer();
         let rows = times.iter().zip(samples.chunks(state.len()));
         let row = |(&t, x): (&f64, &[f64])| {
