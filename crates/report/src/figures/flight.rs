@@ -1,22 +1,11 @@
 //! A flight, like Figures 5 and 6 of Hubbard & Hummel (2000): its path, and its states in time.
 
 use super::panel::{Line, Mark, Panel, figure};
+use super::states::{StateLabel, groups, symbol, what};
 use flight::Flight;
-
-/// A state, as a figure names it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct StateLabel<'a> {
-    /// Name, as in the model.
-    pub name: &'a str,
-    /// Unit, as the model spells it.
-    pub unit: &'a str,
-}
 
 /// Points of a line.
 const SAMPLES: usize = 400;
-/// Lines share a panel unless one of them varies so many times more than another.
-const APART: f64 = 8.0;
-
 /// A flight as SVG: seen from the side and from above, where its states have `x`, `y` and `z`, and then all
 /// states in time, those of one unit and like size in one panel.
 ///
@@ -50,6 +39,7 @@ pub fn flight(title: &str, flight: &Flight, states: &[StateLabel<'_>]) -> String
                 lines: vec![line],
                 marks,
                 map: true,
+                ..Panel::default()
             });
         }
     }
@@ -64,13 +54,7 @@ pub fn flight(title: &str, flight: &Flight, states: &[StateLabel<'_>]) -> String
     for group in groups(states, &rows) {
         let unit = states[group[0]].unit;
         let names: Vec<String> = group.iter().map(|i| symbol(states[*i].name)).collect();
-        let what = match unit {
-            "m" => "Position",
-            "m/s" => "Velocity",
-            "rad" => "Angle",
-            "rad/s" => "Rate",
-            _ => "State",
-        };
+        let what = what(unit);
         let unit = if unit == "1" {
             String::new()
         } else {
@@ -89,7 +73,7 @@ pub fn flight(title: &str, flight: &Flight, states: &[StateLabel<'_>]) -> String
             across: "time, s".into(),
             lines: group.iter().map(line).collect(),
             marks: marks.clone(),
-            map: false,
+            ..Panel::default()
         });
     }
     figure(title, &panels)
@@ -99,46 +83,6 @@ fn sampled(flight: &Flight) -> (Vec<Vec<f64>>, Vec<f64>) {
     let rate = SAMPLES as f64 / (flight.end - flight.start);
     let (times, rows) = flight.at_rate(rate).unzip();
     (rows, times)
-}
-
-/// States of one unit together, at most four, those that vary far more apart from those that vary less.
-fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>]) -> Vec<Vec<usize>> {
-    let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
-    let mut groups: Vec<Vec<usize>> = Vec::new();
-    for (i, state) in states.iter().enumerate() {
-        let fits = |group: &Vec<usize>| {
-            let alike = |j: &usize| {
-                let (a, b) = (reach(i), reach(*j));
-                a.max(b) <= APART * a.min(b)
-                    || a.max(b) < 1e-9
-                    || state.unit == "m"
-                    || state.unit == "m/s"
-            };
-            group.len() < 4 && states[group[0]].unit == state.unit && group.iter().all(alike)
-        };
-        match groups.iter_mut().find(|group| fits(group)) {
-            Some(group) => group.push(i),
-            None => groups.push(vec![i]),
-        }
-    }
-    groups
-}
-
-/// A state's name in the paper's letters.
-fn symbol(name: &str) -> String {
-    let (base, dot) = match name.strip_suffix("dot") {
-        Some(base) if !base.is_empty() => (base, "\u{307}"),
-        _ => (name, ""),
-    };
-    let letter = match base {
-        "phi" => "φ",
-        "theta" => "θ",
-        "gamma" => "γ",
-        "psi" => "ψ",
-        "omega" => "ω",
-        other => other,
-    };
-    format!("{letter}{dot}")
 }
 
 #[cfg(test)]
@@ -189,19 +133,8 @@ mod tests {
     }
 
     #[test]
-    fn without_a_place_there_is_no_map_and_apart_sizes_get_their_own_panels() {
+    fn without_a_place_there_is_no_map() {
         let svg = stone(&["a", "b", "c", "d"].map(|name| StateLabel { name, unit: "1" }));
         assert!(!svg.contains("Seen from"));
-        let rows = vec![vec![1.0, 2.0, 100.0, 0.0], vec![0.5, 1.0, 50.0, 0.0]];
-        let labels = ["a", "b", "c", "d"].map(|name| StateLabel { name, unit: "rad" });
-        assert_eq!(groups(&labels, &rows), [vec![0, 1], vec![2], vec![3]]);
-    }
-
-    #[test]
-    fn names_are_the_paper_s() {
-        assert_eq!(
-            ["phi", "thetadot", "x", "dot", "q0"].map(symbol),
-            ["φ", "θ\u{307}", "x", "dot", "q0"]
-        );
     }
 }

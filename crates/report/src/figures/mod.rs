@@ -4,10 +4,16 @@
 //! A figure is one column of panels on a light ground, so that it is read as well on a phone as beside a text;
 //! colours (Okabe & Ito's) are told apart by the colour-blind, and each line bears its name at its end.
 
-mod axis;
+pub(crate) mod axis;
 mod flight;
+mod layout;
+mod names;
 mod panel;
-mod svg;
+mod states;
+pub(crate) mod svg;
 
-pub use flight::{StateLabel, flight};
-pub use panel::{Line, Mark, Panel, figure};
+pub use flight::flight;
+pub use layout::Layout;
+pub use panel::{Bar, Dots, Line, Look, Mark, Panel, figure, figure_of};
+pub use states::StateLabel;
+pub(crate) use states::{groups, symbol, what};

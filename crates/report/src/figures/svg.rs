@@ -2,19 +2,40 @@
 
 use std::fmt::Write;
 
+/// Colours and letters of every figure. A page that holds figures states it once; see [`without_style`].
+pub(crate) const STYLE: &str = r##"text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; fill: #333 }
+text.title { font-size: 1.2em; font-weight: 600; fill: #111 }
+text.panel { font-weight: 600; fill: #111 }
+text.mark { font-size: 0.93em; fill: #555 }
+text.c0, circle.c0 { fill: #0072b2 } text.c1, circle.c1 { fill: #c04a00 } text.c2, circle.c2 { fill: #00795a } text.c3, circle.c3 { fill: #a8518a }
+text.c0, text.c1, text.c2, text.c3 { font-weight: 600 }
+text.dark { fill: #111 } text.pale { fill: #fff }
+line.grid { stroke: #e4e4e4 } line.zero { stroke: #a0a0a0 } line.axis { stroke: #777 }
+line.mark { stroke: #777; stroke-dasharray: 2 4 } circle.mark { fill: #fff; stroke: #333; stroke-width: 1.5 }
+line.level { stroke: #555; stroke-dasharray: 6 4 }
+rect.ground { fill: #fff } rect.band { fill: #e9eef3 } rect.bar { fill: #0072b2 }
+path { fill: none; stroke-width: 2.2; stroke-linejoin: round }
+path.c0 { stroke: #0072b2 } path.c1 { stroke: #d55e00; stroke-dasharray: 9 3 } path.c2 { stroke: #009e73; stroke-dasharray: 3 3 } path.c3 { stroke: #cc79a7; stroke-dasharray: 10 3 2 3 }
+path.t0 { stroke: #0072b2 } path.t1 { stroke: #d55e00 } path.t2 { stroke: #009e73 } path.t3 { stroke: #cc79a7 }
+path.t0, path.t1, path.t2, path.t3 { stroke-width: 1.2 }
+path.d0 { stroke: #0072b2 } path.d1 { stroke: #d55e00 } path.d2 { stroke: #009e73 } path.d3 { stroke: #cc79a7 } path.dx { stroke: #111 } path.dg { stroke: #8a8a8a }
+path.d0, path.d1, path.d2, path.d3, path.dg { stroke-width: 3; stroke-linecap: round } path.dx { stroke-width: 1.3 }
+path.diagonal { stroke: #777; stroke-width: 1 }
+"##;
+
 /// An SVG that is being drawn, downwards.
-pub(super) struct Svg {
+pub(crate) struct Svg {
     body: String,
 }
 
 impl Svg {
-    pub(super) fn new() -> Svg {
+    pub(crate) fn new() -> Svg {
         Svg {
             body: String::new(),
         }
     }
 
-    pub(super) fn line(&mut self, class: &str, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
+    pub(crate) fn line(&mut self, class: &str, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
         let _ = writeln!(
             self.body,
             r#"<line class="{class}" x1="{x1:.1}" y1="{y1:.1}" x2="{x2:.1}" y2="{y2:.1}"/>"#
@@ -22,7 +43,7 @@ impl Svg {
     }
 
     /// Text whose anchor is `start`, `middle` or `end`; its colour that of the class.
-    pub(super) fn text(&mut self, class: &str, (x, y): (f64, f64), anchor: &str, text: &str) {
+    pub(crate) fn text(&mut self, class: &str, (x, y): (f64, f64), anchor: &str, text: &str) {
         let text = escape(text);
         let _ = writeln!(
             self.body,
@@ -30,15 +51,32 @@ impl Svg {
         );
     }
 
-    pub(super) fn dot(&mut self, class: &str, (x, y): (f64, f64)) {
+    pub(crate) fn dot(&mut self, class: &str, (x, y): (f64, f64)) {
         let _ = writeln!(
             self.body,
             r#"<circle class="{class}" cx="{x:.1}" cy="{y:.1}" r="3.5"/>"#
         );
     }
 
+    /// A box whose colour is that of its class.
+    pub(crate) fn block(&mut self, class: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
+        let (wide, tall) = (wide.max(0.0), tall.max(0.0));
+        let _ = writeln!(
+            self.body,
+            r#"<rect class="{class}" x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{tall:.1}"/>"#
+        );
+    }
+
+    /// A box of its own colour.
+    pub(crate) fn cell(&mut self, colour: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
+        let _ = writeln!(
+            self.body,
+            r#"<rect fill="{colour}" x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{tall:.1}"/>"#
+        );
+    }
+
     /// A line through points; broken where one of them is not finite.
-    pub(super) fn path(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
+    pub(crate) fn path(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         let mut pen = 'M';
         for (x, y) in points {
@@ -52,25 +90,44 @@ impl Svg {
         let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
     }
 
-    /// The whole file. The text grows with the figure, to 640 pixels of width and no more.
-    pub(super) fn finish(self, title: &str, width: f64, height: f64) -> String {
+    /// Dots, all in one path, as a tenth of the text of circles.
+    pub(crate) fn dots(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
+        let mut data = String::new();
+        for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
+            let _ = write!(data, "M{x:.1} {y:.1}h0");
+        }
+        if !data.is_empty() {
+            let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
+        }
+    }
+
+    /// Small crosses.
+    pub(crate) fn crosses(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
+        let mut data = String::new();
+        for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
+            let (x, y) = (x - 3.0, y - 3.0);
+            let _ = write!(data, "M{x:.1} {y:.1}l6 6m-6 0l6 -6");
+        }
+        if !data.is_empty() {
+            let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
+        }
+    }
+
+    /// The whole file. The text grows with the figure, to `most` pixels of width and no more.
+    pub(crate) fn finish(
+        self,
+        title: &str,
+        (width, height): (f64, f64),
+        most: f64,
+        letters: f64,
+    ) -> String {
         let title = escape(title);
         format!(
-            r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0}" width="{width}" height="{height:.0}" style="width:100%;max-width:640px;height:auto;background:#fff" role="img" aria-label="{title}">
+            r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0}" width="{width}" height="{height:.0}" font-size="{letters}" style="width:100%;max-width:{most}px;height:auto;background:#fff" role="img" aria-label="{title}">
 <title>{title}</title>
 <style>
-text {{ font: 14px system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; fill: #333 }}
-text.title {{ font-size: 17px; font-weight: 600; fill: #111 }}
-text.panel {{ font-weight: 600; fill: #111 }}
-text.mark {{ font-size: 13px; fill: #555 }}
-text.c0, circle.c0 {{ fill: #0072b2 }} text.c1, circle.c1 {{ fill: #c04a00 }} text.c2, circle.c2 {{ fill: #00795a }} text.c3, circle.c3 {{ fill: #a8518a }}
-text.c0, text.c1, text.c2, text.c3 {{ font-weight: 600 }}
-line.grid {{ stroke: #e4e4e4 }} line.zero {{ stroke: #a0a0a0 }} line.axis {{ stroke: #777 }}
-line.mark {{ stroke: #777; stroke-dasharray: 2 4 }} circle.mark {{ fill: #fff; stroke: #333; stroke-width: 1.5 }}
-path {{ fill: none; stroke-width: 2.2; stroke-linejoin: round }}
-path.c0 {{ stroke: #0072b2 }} path.c1 {{ stroke: #d55e00; stroke-dasharray: 9 3 }} path.c2 {{ stroke: #009e73; stroke-dasharray: 3 3 }} path.c3 {{ stroke: #cc79a7; stroke-dasharray: 10 3 2 3 }}
-</style>
-<rect width="{width}" height="{height:.0}" fill="#fff"/>
+{STYLE}</style>
+<rect class="ground" width="{width}" height="{height:.0}"/>
 {}</svg>
 "##,
             self.body
@@ -78,8 +135,37 @@ path.c0 {{ stroke: #0072b2 }} path.c1 {{ stroke: #d55e00; stroke-dasharray: 9 3 
     }
 }
 
+/// A figure for a page that states [`STYLE`] itself.
+pub(crate) fn without_style(svg: &str) -> String {
+    svg.replacen(&format!("<style>\n{STYLE}</style>\n"), "", 1)
+}
+
+/// So many letters of a text as there is room for; the last of them `…` where it is cut.
+pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
+    // Letters of the far east are twice as wide.
+    let wide = |c: char| {
+        if c >= '\u{1100}' {
+            2.0 * letter
+        } else {
+            letter
+        }
+    };
+    if text.chars().map(wide).sum::<f64>() <= room {
+        return text.to_owned();
+    }
+    let mut left = room - letter;
+    let kept = text.chars().take_while(|c| {
+        left -= wide(*c);
+        left >= 0.0
+    });
+    kept.chain(['…']).collect()
+}
+
 fn escape(text: &str) -> String {
-    let printable = text.chars().filter(|c| !c.is_control());
+    // Neither may stand in XML, even as a reference.
+    let printable = text
+        .chars()
+        .filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'));
     printable.fold(String::new(), |mut text, c| {
         match c {
             '&' => text.push_str("&amp;"),

@@ -1,0 +1,186 @@
+//! How wide a figure is, and from numbers to places on it.
+
+use super::axis::{number, range, ticks, with_room};
+use super::panel::Panel;
+
+/// Widths of a figure and its letters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    /// Width of the drawing.
+    pub width: f64,
+    /// Width at which it is shown at most, pixels.
+    pub most: f64,
+    /// Size of its letters.
+    pub letters: f64,
+    /// Where titles begin.
+    pub(super) margin: f64,
+    pub(super) left: f64,
+    pub(super) right: f64,
+    /// Height of a plot in time.
+    pub(super) height: f64,
+    /// Space above a panel, for its title.
+    pub(super) above: f64,
+    /// Space below it, for the numbers and the title of its axis.
+    pub(super) below: f64,
+}
+
+impl Layout {
+    /// A figure that stands by itself.
+    pub const COLUMN: Layout = Layout {
+        width: 520.0,
+        most: 640.0,
+        letters: 14.0,
+        margin: 14.0,
+        left: 62.0,
+        right: 44.0,
+        height: 150.0,
+        above: 36.0,
+        below: 46.0,
+    };
+    /// One of several beside each other; on a phone it is as wide as the screen, and its letters keep their size.
+    pub const SMALL: Layout = Layout {
+        width: 360.0,
+        most: 460.0,
+        letters: 13.0,
+        margin: 2.0,
+        left: 44.0,
+        right: 22.0,
+        height: 118.0,
+        above: 32.0,
+        below: 42.0,
+    };
+    /// As wide as a page.
+    pub const WIDE: Layout = Layout {
+        width: 1080.0,
+        most: 1180.0,
+        left: 50.0,
+        right: 22.0,
+        ..Layout::SMALL
+    };
+
+    pub(super) fn plot(&self) -> f64 {
+        self.width - self.left - self.right
+    }
+
+    /// Width of a letter, about.
+    pub(crate) fn letter(&self) -> f64 {
+        0.56 * self.letters
+    }
+
+    /// The same with room for the numbers and the names of these panels.
+    pub(super) fn fitted(mut self, panels: &[Panel]) -> Layout {
+        let letter = self.letter();
+        let (mut left, mut right) = (self.left, self.right);
+        for panel in panels {
+            let scale = panel.scale(&self, 0.0);
+            let (at, decimals) = scale.ticks_up();
+            for tick in at {
+                left = left.max(15.0 + letter * number(tick, decimals).chars().count() as f64);
+            }
+            let names = panel.lines.iter().filter(|_| !panel.map);
+            let longest = names.map(|l| l.name.chars().filter(|c| *c != '\u{307}').count());
+            // Names are bold: a little wider.
+            right = right.max(14.0 + 1.1 * letter * longest.max().unwrap_or(0) as f64);
+        }
+        self.left = left.min(0.3 * self.width);
+        self.right = right.min(0.25 * self.width);
+        self
+    }
+}
+
+/// Least and greatest height of a map, by its width.
+const MAP_HEIGHTS: (f64, f64) = (0.22, 0.82);
+
+/// From numbers to places on the figure.
+pub(super) struct Scale {
+    pub(super) across: (f64, f64),
+    pub(super) up: (f64, f64),
+    pub(super) left: f64,
+    pub(super) width: f64,
+    pub(super) top: f64,
+    pub(super) height: f64,
+}
+
+impl Scale {
+    pub(super) fn x(&self, value: f64) -> f64 {
+        self.left + self.width * (value - self.across.0) / (self.across.1 - self.across.0)
+    }
+    pub(super) fn y(&self, value: f64) -> f64 {
+        self.top + self.height * (self.up.1 - value) / (self.up.1 - self.up.0)
+    }
+    pub(super) fn bottom(&self) -> f64 {
+        self.top + self.height
+    }
+    pub(super) fn right(&self) -> f64 {
+        self.left + self.width
+    }
+    pub(super) fn ticks_up(&self) -> (Vec<f64>, usize) {
+        ticks(self.up, (self.height / 28.0).clamp(3.0, 5.0) as usize)
+    }
+    pub(super) fn ticks_across(&self) -> (Vec<f64>, usize) {
+        let most = (self.width / 52.0).clamp(4.0, 12.0) as usize;
+        ticks(
+            self.across,
+            most.min(if self.width < 500.0 { 6 } else { 12 }),
+        )
+    }
+}
+
+impl Panel {
+    /// The scale of a panel whose place begins at `top`.
+    pub(super) fn scale(&self, layout: &Layout, top: f64) -> Scale {
+        let points = || {
+            let lines = self.lines.iter().flat_map(|line| &line.points);
+            let dots = self.dots.iter().flat_map(|dots| &dots.points);
+            lines.chain(dots).copied()
+        };
+        let bars = || self.bars.iter();
+        let places = bars().flat_map(|bar| [bar.from, bar.to]);
+        let mut across = range(points().map(|p| p.0).chain(places));
+        let heights = bars().flat_map(|bar| [0.0, bar.height]);
+        let levels = self.levels.iter().copied();
+        let band = self.band.iter().flat_map(|(low, high)| [*low, *high]);
+        let whole = range(
+            points()
+                .map(|p| p.1)
+                .chain(heights)
+                .chain(levels)
+                .chain(band),
+        );
+        let mut up = self.up.unwrap_or_else(|| with_room(whole));
+        if !self.bars.is_empty() && self.up.is_none() {
+            // Bars stand on the axis.
+            up.0 = 0.0;
+        }
+        let plot = layout.plot();
+        let mut height = self.height.unwrap_or(layout.height);
+        if self.map {
+            across = with_room(across);
+            let (wide, tall) = (across.1 - across.0, up.1 - up.0);
+            let (least, most) = self
+                .heights
+                .unwrap_or((MAP_HEIGHTS.0 * plot, MAP_HEIGHTS.1 * plot));
+            height = (plot * tall / wide).clamp(least, most);
+            // Whichever axis has room to spare shows more, so that both have one scale.
+            let unit = (plot / wide).min(height / tall);
+            across = about(across, plot / unit);
+            up = about(up, height / unit);
+        } else if across.0 == across.1 {
+            across = with_room(across);
+        }
+        Scale {
+            across,
+            up,
+            left: layout.left,
+            width: plot,
+            top: top + layout.above,
+            height,
+        }
+    }
+}
+
+/// A range of this length with the same middle.
+fn about((low, high): (f64, f64), length: f64) -> (f64, f64) {
+    let middle = 0.5 * (low + high);
+    (middle - 0.5 * length, middle + 0.5 * length)
+}

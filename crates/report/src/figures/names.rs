@@ -1,0 +1,110 @@
+//! Names within a panel: of lines at their ends, of events beside them, none upon another.
+
+use super::layout::Scale;
+use super::panel::{Line, Panel};
+use super::svg::{Svg, cut};
+
+impl Panel {
+    /// Names at the lines' ends, moved apart where they would overlap, and kept within the panel.
+    pub(super) fn draw_names(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
+        // Names stand this far apart at least.
+        let apart = 2.05 * letter;
+        let last = |line: &Line| {
+            let mut points = line.points.iter().rev();
+            points.find(|p| p.1.is_finite()).map(|p| scale.y(p.1))
+        };
+        let lines = self.lines.iter().enumerate();
+        let mut names: Vec<(f64, usize)> = lines.filter_map(|(i, l)| Some((last(l)?, i))).collect();
+        names.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut least = scale.top - 4.0;
+        for name in &mut names {
+            name.0 = name.0.max(least);
+            least = name.0 + apart;
+        }
+        let mut greatest = scale.bottom() + 4.0;
+        for name in names.iter_mut().rev() {
+            name.0 = name.0.min(greatest);
+            greatest = name.0 - apart;
+        }
+        // A map's lines end anywhere: their names are in its title.
+        for (y, i) in names.into_iter().filter(|_| !self.map) {
+            let x = scale.right() + 6.0;
+            let name = cut(&self.lines[i].name, width - x - 2.0, 1.05 * letter);
+            svg.text(&format!("c{}", i % 4), (x, y + 5.0), "start", &name);
+        }
+    }
+
+    /// Events that have a time alone: lines behind the others, with names above the plot.
+    pub(super) fn draw_marks(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
+        let title = self.title.chars().count() as f64;
+        let mut free = (14.0 + 1.1 * letter * title).max(scale.left - 20.0);
+        for mark in self.marks.iter().filter(|mark| !mark.at.1.is_finite()) {
+            let x = scale.x(mark.at.0);
+            svg.line("mark", (x, scale.top), (x, scale.bottom()));
+            let half = 0.45 * letter * mark.name.chars().count() as f64;
+            let middle = x.min(width - 8.0 - half);
+            // A name without room is left to the other panels.
+            if middle - half > free && half > 0.0 {
+                svg.text("mark", (middle, scale.top - 4.0), "middle", &mark.name);
+                free = middle + half + 6.0;
+            }
+        }
+    }
+
+    /// Events that have a place: dots, with names beside them where the fewest points of the lines are.
+    pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
+        let places = self.lines.iter().flat_map(|line| &line.points);
+        let places: Vec<(f64, f64)> = places.map(|(x, y)| (scale.x(*x), scale.y(*y))).collect();
+        let mut taken: Vec<Place> = Vec::new();
+        for mark in self.marks.iter().filter(|mark| mark.at.1.is_finite()) {
+            let (x, y) = (scale.x(mark.at.0), scale.y(mark.at.1));
+            svg.dot("mark", (x, y));
+            let wide = 0.9 * letter * mark.name.chars().count() as f64;
+            let corners = [
+                (x + 7.0, y - 6.0),
+                (x + 7.0, y + 17.0),
+                (x - 7.0 - wide, y - 6.0),
+                (x - 7.0 - wide, y + 17.0),
+            ];
+            let boxes = corners.map(|(left, base)| Place {
+                left,
+                right: left + wide,
+                top: base - 12.0,
+                bottom: base + 4.0,
+            });
+            let cost = |b: &Place| {
+                let outside = b.left < scale.left || b.right > width - 4.0;
+                let beyond = b.top < scale.top - 8.0 || b.bottom > scale.bottom();
+                let covered = places.iter().filter(|p| b.holds(**p)).count();
+                1000 * usize::from(outside || beyond)
+                    + 100 * taken.iter().filter(|t| t.meets(b)).count()
+                    + covered
+            };
+            let Some(best) = boxes.into_iter().min_by_key(cost) else {
+                continue;
+            };
+            svg.text("mark", (best.left, best.bottom - 4.0), "start", &mark.name);
+            taken.push(best);
+        }
+    }
+}
+
+/// Where a name stands.
+struct Place {
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
+}
+
+impl Place {
+    fn holds(&self, (x, y): (f64, f64)) -> bool {
+        self.left < x && x < self.right && self.top < y && y < self.bottom
+    }
+    fn meets(&self, other: &Place) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+}

@@ -1,0 +1,84 @@
+//! States by their names: the paper's letters, and which of them share a panel.
+
+/// A state, as a figure names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StateLabel<'a> {
+    /// Name, as in the model.
+    pub name: &'a str,
+    /// Unit, as the model spells it.
+    pub unit: &'a str,
+}
+
+/// Lines share a panel unless one of them varies so many times more than another.
+const APART: f64 = 8.0;
+
+/// What a number of this unit is called.
+pub(crate) fn what(unit: &str) -> &'static str {
+    match unit {
+        "m" => "Position",
+        "m/s" => "Velocity",
+        "rad" => "Angle",
+        "rad/s" => "Rate",
+        _ => "State",
+    }
+}
+
+/// States of one unit together, at most four, those that vary far more apart from those that vary less.
+pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>]) -> Vec<Vec<usize>> {
+    let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (i, state) in states.iter().enumerate() {
+        let fits = |group: &Vec<usize>| {
+            let alike = |j: &usize| {
+                let (a, b) = (reach(i), reach(*j));
+                a.max(b) <= APART * a.min(b)
+                    || a.max(b) < 1e-9
+                    || state.unit == "m"
+                    || state.unit == "m/s"
+            };
+            group.len() < 4 && states[group[0]].unit == state.unit && group.iter().all(alike)
+        };
+        match groups.iter_mut().find(|group| fits(group)) {
+            Some(group) => group.push(i),
+            None => groups.push(vec![i]),
+        }
+    }
+    groups
+}
+
+/// A state's name in the paper's letters.
+pub(crate) fn symbol(name: &str) -> String {
+    let (base, dot) = match name.strip_suffix("dot") {
+        Some(base) if !base.is_empty() => (base, "\u{307}"),
+        _ => (name, ""),
+    };
+    let letter = match base {
+        "phi" => "φ",
+        "theta" => "θ",
+        "gamma" => "γ",
+        "psi" => "ψ",
+        "omega" => "ω",
+        other => other,
+    };
+    format!("{letter}{dot}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn apart_sizes_get_their_own_panels() {
+        let rows = vec![vec![1.0, 2.0, 100.0, 0.0], vec![0.5, 1.0, 50.0, 0.0]];
+        let labels = ["a", "b", "c", "d"].map(|name| StateLabel { name, unit: "rad" });
+        assert_eq!(groups(&labels, &rows), [vec![0, 1], vec![2], vec![3]]);
+    }
+
+    #[test]
+    fn names_are_the_paper_s() {
+        assert_eq!(
+            ["phi", "thetadot", "x", "dot", "q0"].map(symbol),
+            ["φ", "θ\u{307}", "x", "dot", "q0"]
+        );
+    }
+}

@@ -1,0 +1,120 @@
+//! The table of the coefficients, and what others found for them.
+
+use identify::report::Coefficient;
+use serde::Serialize;
+
+use super::FitPage;
+use super::numbers::{Digits, stated, unit};
+use crate::literature::{Source, sources};
+
+/// One row.
+#[derive(Serialize)]
+pub(super) struct Row {
+    name: String,
+    doc: String,
+    value: String,
+    interval: String,
+    error: String,
+    clustered: String,
+    /// Whether the scatter of the flights says an error more than half as large again.
+    doubtful: bool,
+    unit: String,
+    /// Held, at a bound, with a prior.
+    notes: Vec<String>,
+    picture: Option<Picture>,
+    /// What the model's file says, then each source.
+    literature: Vec<String>,
+}
+
+/// The interval about the value, with 0 beside it: places from 0 to 100.
+#[derive(Serialize)]
+struct Picture {
+    zero: f64,
+    low: f64,
+    high: f64,
+    value: f64,
+    model: Option<f64>,
+}
+
+/// The rows, in the model's own order; what it does not know comes last.
+pub(super) fn rows(page: &FitPage<'_>) -> Vec<Row> {
+    let model = page.model;
+    let known = model.coefficients.iter().chain(&model.params);
+    let order: Vec<&str> = known.map(|c| c.name.as_str()).collect();
+    let place = |name: &str| order.iter().position(|n| *n == name).unwrap_or(order.len());
+    let mut found: Vec<(&String, &Coefficient)> = page.report.coefficients.iter().collect();
+    found.sort_by_key(|(name, _)| place(name));
+    let sources = sources(model.reference.as_deref());
+    found
+        .into_iter()
+        .map(|(name, c)| row(page, name, c, sources))
+        .collect()
+}
+
+fn row(page: &FitPage<'_>, name: &str, found: &Coefficient, sources: &[Source]) -> Row {
+    let digits = Digits::of(found.value, found.std_error);
+    let mut known = page.model.coefficients.iter().chain(&page.model.params);
+    let known = known.find(|c| c.name == name);
+    let mut notes = Vec::new();
+    if found.held {
+        notes.push("held".to_owned());
+    }
+    if found.at_bound {
+        notes.push("at its bound".to_owned());
+    }
+    if let Some([mean, deviation]) = found.prior {
+        let digits = Digits::of(mean, deviation);
+        let prior = format!("prior {} ± {}", digits.one(mean), digits.one(deviation));
+        notes.push(prior);
+    }
+    let estimated = !found.held && found.std_error > 0.0;
+    let if_estimated = |text: String| if found.held { "–".to_owned() } else { text };
+    let mut literature = vec![stated(found.model_value)];
+    for source in sources {
+        let value = source.value(name);
+        literature.push(value.map_or("–".to_owned(), |v| v.to_string()));
+    }
+    Row {
+        name: name.to_owned(),
+        doc: known.map_or(String::new(), |c| c.doc.replace('\n', " ")),
+        value: digits.one(found.value),
+        interval: if_estimated(digits.range(found.interval)),
+        error: if_estimated(digits.one(found.std_error)),
+        clustered: found
+            .std_error_clustered
+            .map_or("–".to_owned(), |e| digits.one(e)),
+        doubtful: found
+            .std_error_clustered
+            .is_some_and(|e| e > 1.5 * found.std_error)
+            && !found.held,
+        unit: unit(&found.unit),
+        notes,
+        picture: if estimated { picture(found) } else { None },
+        literature,
+    }
+}
+
+fn picture(found: &Coefficient) -> Option<Picture> {
+    let [low, high] = found.interval;
+    let model = found.model_value;
+    let all = [low, high, found.value];
+    if !all.iter().all(|v| v.is_finite()) || low > high {
+        return None;
+    }
+    // The model's own value is shown where it does not push the interval into a corner.
+    let near = all.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
+    let model = Some(model).filter(|m| m.is_finite() && m.abs() <= 2.0 * near);
+    let values = || all.into_iter().chain(model);
+    let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
+    if least == greatest {
+        return None;
+    }
+    let at = |v: f64| (10.0 * (4.0 + 92.0 * (v - least) / (greatest - least))).round() / 10.0;
+    Some(Picture {
+        zero: at(0.0),
+        low: at(low),
+        high: at(high),
+        value: at(found.value),
+        model: model.map(at),
+    })
+}

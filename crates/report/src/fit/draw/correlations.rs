@@ -1,0 +1,123 @@
+//! The correlations of the coefficients, as a matrix of colours.
+
+use identify::report::Report;
+
+use super::super::Drawn;
+use super::super::numbers::plain;
+use crate::figures::svg::{Svg, cut};
+
+const WIDTH: f64 = 360.0;
+const LETTERS: f64 = 13.0;
+/// Coefficients that are drawn at most, and whose numbers are written at most.
+const MOST: usize = 40;
+const MOST_WRITTEN: usize = 12;
+
+/// The lower half of the matrix of what was estimated; none for fewer than two.
+pub(in super::super) fn correlations(report: &Report) -> Option<Drawn> {
+    let estimated = |name: &&String| report.coefficients.get(*name).is_none_or(|c| !c.held);
+    let names: Vec<&String> = report.correlations.keys().filter(estimated).collect();
+    let names = &names[..names.len().min(MOST)];
+    if names.len() < 2 {
+        return None;
+    }
+    let longest = names.iter().map(|n| n.chars().count()).max().unwrap_or(0) as f64;
+    let letter = 0.6 * LETTERS;
+    let left = (2.0 + letter * longest + 8.0).min(120.0);
+    let top = 44.0;
+    let side = ((WIDTH - left - 4.0) / names.len() as f64).min(44.0);
+    let mut svg = Svg::new();
+    svg.text("title", (2.0, 26.0), "start", "Correlations");
+    let rows = side.max(if names.len() > 16 { 9.0 } else { 14.0 });
+    for (i, row) in names.iter().enumerate() {
+        let y = top + rows * i as f64;
+        if rows >= LETTERS {
+            let name = cut(row, left - 16.0, letter);
+            svg.text("tick", (left - 8.0, y + 0.5 * rows + 5.0), "end", &name);
+        }
+        for (j, column) in names.iter().take(i + 1).enumerate() {
+            let found = report.correlations.get(*row).and_then(|r| r.get(*column));
+            let value = if i == j {
+                1.0
+            } else {
+                found.copied().unwrap_or(f64::NAN)
+            };
+            let x = left + side * j as f64;
+            let size = (side - 1.0, rows - 1.0);
+            svg.cell(&colour(value), (x, y), size);
+            if i == j {
+                continue;
+            }
+            if names.len() <= MOST_WRITTEN {
+                let class = if value.abs() > 0.65 { "pale" } else { "dark" };
+                let place = (x + 0.5 * side - 0.5, y + 0.5 * rows + 4.0);
+                svg.text(
+                    &format!("{class} cell"),
+                    place,
+                    "middle",
+                    &short(value, side),
+                );
+            }
+        }
+    }
+    // Names of the columns stand upon the diagonal, where they have room to the right.
+    if rows >= LETTERS {
+        for (j, name) in names.iter().enumerate().take(names.len() - 1) {
+            let place = (
+                left + side * (j + 1) as f64 + 5.0,
+                top + rows * j as f64 + 0.5 * rows + 5.0,
+            );
+            let name = cut(name, WIDTH - place.0 - 2.0, letter);
+            svg.text("tick", place, "start", &name);
+        }
+    }
+    let bottom = top + rows * names.len() as f64 + 14.0;
+    scale(&mut svg, left, bottom);
+    let title = "Correlations of the coefficients";
+    let text = svg.finish(title, (WIDTH, bottom + 36.0), 460.0, LETTERS);
+    let caption = "Between the errors of two coefficients: near ±1 the flights tell only a combination of the two.";
+    Some(Drawn::new(
+        "correlations".into(),
+        title.into(),
+        caption.into(),
+        text,
+    ))
+}
+
+/// What the colours mean.
+fn scale(svg: &mut Svg, left: f64, top: f64) {
+    let steps = 40;
+    let wide = (WIDTH - left - 30.0) / f64::from(steps);
+    for i in 0..steps {
+        let value = -1.0 + 2.0 * (f64::from(i) + 0.5) / f64::from(steps);
+        svg.cell(
+            &colour(value),
+            (left + wide * f64::from(i), top),
+            (wide + 0.2, 8.0),
+        );
+    }
+    for (value, text) in [(-1.0, "−1"), (0.0, "0"), (1.0, "1")] {
+        let x = left + 0.5 * (value + 1.0) * wide * f64::from(steps);
+        svg.text("tick", (x, top + 23.0), "middle", text);
+    }
+}
+
+/// `−.87`: a matrix has no room for more.
+fn short(value: f64, side: f64) -> String {
+    let text = plain(value, if side < 26.0 { 1 } else { 2 });
+    text.replacen("0.", ".", 1)
+}
+
+/// From blue by white to orange, which all eyes tell apart; grey where there is no number.
+fn colour(value: f64) -> String {
+    if !value.is_finite() {
+        return "#bbb".to_owned();
+    }
+    let (end, middle) = if value < 0.0 {
+        ([5.0, 80.0, 150.0], [246.0, 246.0, 246.0])
+    } else {
+        ([178.0, 72.0, 0.0], [246.0, 246.0, 246.0])
+    };
+    let part = value.abs().min(1.0);
+    let mix = |i: usize| (middle[i] + (end[i] - middle[i]) * part).round() as u8;
+    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+}

@@ -1,0 +1,58 @@
+//! How well the flights fit, all of them at a glance.
+
+use identify::dataset::Role;
+use identify::report::Report;
+
+use super::super::Drawn;
+use super::small;
+use crate::figures::{Bar, Panel};
+
+/// Fewer flights are read from the table.
+const LEAST: usize = 8;
+
+/// The rms of the fitted flights, where there are enough.
+pub(in super::super) fn histogram(report: &Report) -> Option<Drawn> {
+    let fitted = report.flights.iter().filter(|f| f.role == Role::Fit);
+    let mut rms: Vec<f64> = fitted.map(|f| 1e3 * f.rms_m).collect();
+    rms.retain(|v| v.is_finite());
+    if rms.len() < LEAST {
+        return None;
+    }
+    rms.sort_by(f64::total_cmp);
+    let low = rms[0];
+    // A few flights that went wrong would press all others into one bar.
+    let usual = rms[(rms.len() - 1) * 98 / 100];
+    let high = if usual > low {
+        usual
+    } else {
+        low + 1e-3_f64.max(0.01 * low.abs())
+    };
+    let number = ((rms.len() as f64).sqrt().ceil() as usize).clamp(5, 24);
+    let step = (high - low) / number as f64;
+    let mut counts = vec![0_usize; number];
+    let beyond = rms.iter().filter(|v| **v > high).count();
+    for value in rms.iter().filter(|v| **v <= high) {
+        counts[(((value - low) / step) as usize).min(number - 1)] += 1;
+    }
+    let bars = counts.iter().enumerate().map(|(i, count)| Bar {
+        from: low + step * i as f64,
+        to: low + step * (i + 1) as f64,
+        height: *count as f64,
+    });
+    let panel = Panel {
+        title: "Flights".into(),
+        across: "rms of a flight, mm".into(),
+        bars: bars.collect(),
+        ..Panel::default()
+    };
+    let more = match beyond {
+        0 => String::new(),
+        n => format!(" {n} with a larger rms are not drawn."),
+    };
+    Some(small(
+        "rms".into(),
+        "How well the flights fit".into(),
+        format!("Number of fitted flights by their rms.{more}"),
+        &[panel],
+    ))
+}

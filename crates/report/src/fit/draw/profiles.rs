@@ -1,0 +1,83 @@
+//! How the likelihood falls off as one coefficient is held and all else is fitted again.
+
+use identify::report::Report;
+
+use super::super::Drawn;
+use super::super::numbers::{Digits, raised, unit};
+use super::small;
+use crate::figures::{Dots, Line, Look, Mark, Panel};
+
+/// The deviance at which a value is rejected at 5\u{a0}%.
+const LEVEL: f64 = 3.84;
+/// Profiles that are drawn at most.
+const MOST_PROFILES: usize = 24;
+
+/// A figure for each profile.
+pub(in super::super) fn profiles(report: &Report) -> Vec<Drawn> {
+    let wanted = report.profiles.iter().take(MOST_PROFILES).enumerate();
+    wanted
+        .map(|(i, profile)| {
+            let coefficient = report.coefficients.get(&profile.name);
+            let unit = coefficient.map_or_else(String::new, |c| unit(&c.unit));
+            let points = profile.points.iter().map(|[value, d]| (*value, *d));
+            let mut points: Vec<(f64, f64)> =
+                points.filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let highest = points.iter().map(|p| p.1).fold(2.0 * LEVEL, f64::max);
+            let top = highest.min(4.0 * LEVEL);
+            // Axes of tiny numbers are in powers of ten, so that their ticks can be read.
+            let largest = points.iter().map(|p| p.0.abs()).fold(0.0, f64::max);
+            let power = match largest.log10().floor() as i32 {
+                p if largest > 0.0 && !(-3..5).contains(&p) => p,
+                _ => 0,
+            };
+            let scale = 10_f64.powi(-power);
+            for point in &mut points {
+                point.0 *= scale;
+            }
+            let inside = points.iter().copied().filter(|p| p.1 <= 1.02 * top);
+            let dots: Vec<(f64, f64)> = inside.collect();
+            let ends = profile.interval.iter().flatten();
+            let ends = ends.filter(|end| end.is_finite()).map(|end| Mark {
+                name: String::new(),
+                at: (end * scale, f64::NAN),
+            });
+            let across = match (unit.as_str(), power) {
+                ("", 0) => profile.name.clone(),
+                (unit, 0) => format!("{}, {unit}", profile.name),
+                (unit, p) => format!("{}, 10{} {unit}", profile.name, raised(p)),
+            };
+            let width = coefficient.map_or(f64::NAN, |c| c.std_error);
+            let end = |end: Option<f64>| match end {
+                Some(value) => format!("at {} {unit}", Digits::of(value, width).one(value)),
+                None => "nowhere, as far as this goes".to_owned(),
+            };
+            let [low, high] = profile.interval.map(end).map(|end| end.trim().to_owned());
+            let panel = Panel {
+                title: "Deviance".into(),
+                across,
+                lines: vec![Line {
+                    name: String::new(),
+                    points: dots.clone(),
+                }],
+                thin: true,
+                dots: vec![Dots {
+                    look: Look::Colour(0),
+                    points: dots,
+                }],
+                marks: ends.collect(),
+                levels: vec![LEVEL],
+                up: Some((-0.05 * top, 1.05 * top)),
+                ..Panel::default()
+            };
+            small(
+                format!("profile-{:02}", i + 1),
+                format!("Profile of {}", profile.name),
+                format!(
+                    "Broken line: 3.84, where a value is rejected at 5\u{a0}%. It is reached below {low}, above {high}."
+                ),
+                &[panel],
+            )
+        })
+        .collect()
+}

@@ -1,0 +1,116 @@
+//! The residuals of all flights, one flight after the other, as in the paper's Figure 4.
+
+use identify::dataset::Role;
+use identify::report::{FlightEvidence, Noise};
+
+use super::super::Drawn;
+use super::super::thin::stride;
+use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen};
+use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
+
+/// Dots of a panel, at most.
+const MOST_DOTS: usize = 1500;
+/// Dots of a marker on a narrow screen, at most.
+const NARROW_DOTS: usize = 150;
+
+/// A figure of the fitted flights and one of those held out, where there are such.
+pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &Noise) -> Vec<Drawn> {
+    let of = |role: Role| {
+        let flights = evidence.iter().take(MOST_FLIGHTS);
+        flights.filter(move |f| f.role == role).collect::<Vec<_>>()
+    };
+    let kinds = [
+        (Role::Fit, "residuals", "Residuals of the fitted flights"),
+        (
+            Role::HeldOut,
+            "residuals-held-out",
+            "Residuals of the held-out flights",
+        ),
+    ];
+    let figure = |(role, name, title): (Role, &str, &str)| {
+        let flights = of(role);
+        if flights.is_empty() {
+            return None;
+        }
+        let axes = ["x", "y", "z"].iter().enumerate();
+        let mut panels: Vec<Panel> = axes
+            .map(|(i, axis)| panel(&flights, i, axis, noise))
+            .collect();
+        let files: Vec<String> = flights
+            .iter()
+            .enumerate()
+            .map(|(i, f)| format!("{} {}", i + 1, f.file))
+            .collect();
+        let caption = format!(
+            "Measured less predicted, one flight after the other, a colour a marker; shaded: ±2 standard deviations \
+             of the noise; crosses: taken for outliers, at the edge where they lie beyond it. Flights: {}.",
+            files.join(", ")
+        );
+        let svg = figure_of(Layout::WIDE, title, &panels);
+        let mut drawn = Drawn::new(name.into(), title.into(), caption, svg);
+        let dots = panels.iter_mut().flat_map(|panel| &mut panel.dots);
+        dots.for_each(|dots| dots.points = stride(&dots.points, NARROW_DOTS));
+        drawn.narrow = Some(figure_of(Layout::SMALL, title, &panels));
+        Some(drawn)
+    };
+    kinds.into_iter().filter_map(figure).collect()
+}
+
+fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, noise: &Noise) -> Panel {
+    let markers = flights.iter().map(|f| f.markers.len()).max().unwrap_or(0);
+    let mut dots: Vec<Vec<(f64, f64)>> = vec![Vec::new(); markers];
+    let (mut outliers, mut marks) = (Vec::new(), Vec::new());
+    let mut start = 0.0;
+    for (number, flight) in flights.iter().enumerate() {
+        marks.push(Mark {
+            name: format!("{}", number + 1),
+            at: (start, f64::NAN),
+        });
+        for sample in samples(flight) {
+            for (marker, dots) in dots.iter_mut().enumerate() {
+                let Some(place) = seen(flight, sample, marker) else {
+                    continue;
+                };
+                let residual = 1e3 * (place[axis] - predicted(flight, sample, marker)[axis]);
+                let point = (start + flight.times[sample] - flight.times[0], residual);
+                if is_outlier(flight, sample, marker) {
+                    outliers.push(point);
+                } else if point.1.is_finite() {
+                    dots.push(point);
+                }
+            }
+        }
+        let last = samples(flight).last().map_or(0.0, |s| flight.times[s]);
+        let first = flight.times.first().copied().unwrap_or(0.0);
+        start += (last - first).max(0.0);
+    }
+    let each = MOST_DOTS / markers.max(1);
+    let largest = dots.iter().flatten().map(|p| p.1.abs()).fold(0.0, f64::max);
+    let sigma = noise.axes.get(name).map_or(noise.sigma_m, |n| n.sigma_m);
+    let band = Some(2e3 * sigma).filter(|b| b.is_finite() && *b > 0.0);
+    let reach = 1.08 * largest.max(band.unwrap_or(0.0)).max(1e-9);
+    for point in &mut outliers {
+        point.1 = point.1.clamp(-0.96 * reach, 0.96 * reach);
+    }
+    let mut all: Vec<Dots> = dots
+        .iter()
+        .enumerate()
+        .map(|(marker, points)| Dots {
+            look: Look::Colour(marker),
+            points: stride(points, each),
+        })
+        .collect();
+    all.push(Dots {
+        look: Look::Cross,
+        points: stride(&outliers, 200),
+    });
+    Panel {
+        title: format!("{name}, mm"),
+        across: "time, flights end to end, s".into(),
+        dots: all,
+        marks,
+        band: band.map(|b| (-b, b)),
+        up: Some((-reach, reach)),
+        ..Panel::default()
+    }
+}

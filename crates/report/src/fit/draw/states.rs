@@ -1,0 +1,103 @@
+//! The states of a flight in time, as in the paper's Figures 5 and 6, with the angle of attack and the speed
+//! where the model has them.
+
+use identify::report::FlightEvidence;
+use model_spec::model::Model;
+
+use super::super::Drawn;
+use super::super::thin::{MOST, curve};
+use super::{MOST_FLIGHTS, samples, small};
+use crate::figures::{Line, Panel, StateLabel, groups, symbol, what};
+
+/// Lines of a figure, at most.
+const MOST_LINES: usize = 24;
+/// Quantities that are drawn where the model has them: name, title, unit.
+const QUANTITIES: [(&str, &str, &str); 3] = [
+    ("alpha", "Angle of attack α", "rad"),
+    ("V", "Speed through the air V", "m/s"),
+    ("r", "Spin r", "rad/s"),
+];
+
+/// A figure for each flight.
+pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Vec<Drawn> {
+    let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
+    let figures = flights.filter_map(|(i, flight)| state_figure(i, flight, model));
+    figures.collect()
+}
+
+fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<Drawn> {
+    let mut panels = state_panels(flight, model);
+    for (name, title, unit) in QUANTITIES {
+        let at = flight.quantity_names.iter().position(|n| n == name);
+        let Some(at) = at else { continue };
+        let line = column(flight, &flight.quantities, at, name);
+        if line.points.iter().any(|p| p.1.is_finite()) {
+            panels.push(Panel {
+                title: format!("{title}, {unit}"),
+                across: "time, s".into(),
+                lines: vec![line],
+                ..Panel::default()
+            });
+        }
+    }
+    if panels.is_empty() {
+        return None;
+    }
+    Some(small(
+        format!("states-{:02}", index + 1),
+        flight.file.clone(),
+        "States of the flight as fitted, in time.".into(),
+        &panels,
+    ))
+}
+
+fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
+    let unit = |name: &str| {
+        let state = model.states.iter().find(|s| s.name == name);
+        state.map_or("", |s| s.unit_text.as_str())
+    };
+    let names = flight.state_names.iter().take(MOST_LINES);
+    let labels: Vec<StateLabel<'_>> = names
+        .map(|name| StateLabel {
+            name,
+            unit: unit(name),
+        })
+        .collect();
+    // Rows of another length would be a fault of the caller; they are not drawn rather than trusted.
+    let rows: Vec<Vec<f64>> = flight
+        .states
+        .iter()
+        .filter(|row| row.len() >= labels.len())
+        .cloned()
+        .collect();
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let panel = |group: Vec<usize>| {
+        let unit = labels[group[0]].unit;
+        let names: Vec<String> = group.iter().map(|i| symbol(labels[*i].name)).collect();
+        let suffix = match unit {
+            "" | "1" => String::new(),
+            unit => format!(", {unit}"),
+        };
+        let line = |i: &usize| column(flight, &flight.states, *i, labels[*i].name);
+        Panel {
+            title: format!("{} {}{suffix}", what(unit), names.join(", ")),
+            across: "time, s".into(),
+            lines: group.iter().map(line).collect(),
+            ..Panel::default()
+        }
+    };
+    groups(&labels, &rows).into_iter().map(panel).collect()
+}
+
+/// One column of a table in time.
+fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize, name: &str) -> Line {
+    let value = |s: usize| table.get(s).and_then(|row| row.get(at)).copied();
+    let points = samples(flight).map(|s| (flight.times[s], value(s).unwrap_or(f64::NAN)));
+    let points: Vec<(f64, f64)> = points.collect();
+    Line {
+        name: symbol(name),
+        points: curve(&points, MOST * 3 / 4),
+    }
+}

@@ -1,0 +1,98 @@
+//! Where the markers were seen and where the model puts them, as in the paper's Figure 3.
+
+use identify::report::FlightEvidence;
+
+use super::super::Drawn;
+use super::super::thin::{MOST, stride};
+use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen, small};
+use crate::figures::{Dots, Line, Look, Panel};
+
+/// Markers that are drawn at most: as many as there are colours.
+const MOST_MARKERS: usize = 4;
+/// Dots of a marker, at most: closer than this they hide the line.
+const MOST_DOTS: usize = 80;
+
+/// A figure for each flight: from above, and height in time.
+pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Drawn> {
+    let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
+    flights.map(|(i, flight)| track(i, flight)).collect()
+}
+
+fn track(index: usize, flight: &FlightEvidence) -> Drawn {
+    let from_above = |_: f64, p: [f64; 3]| (p[0], p[1]);
+    let height = |t: f64, p: [f64; 3]| (t, p[2]);
+    let mut above = Panel {
+        title: "From above: y, m".into(),
+        across: "x, m".into(),
+        map: true,
+        heights: Some((150.0, 150.0)),
+        ..panel(flight, from_above)
+    };
+    for line in &mut above.lines {
+        line.name.clear();
+    }
+    let side = Panel {
+        title: "Height z, m".into(),
+        across: "time, s".into(),
+        height: Some(130.0),
+        ..panel(flight, height)
+    };
+    let left_out = flight.markers.len().saturating_sub(MOST_MARKERS);
+    let more = match left_out {
+        0 => String::new(),
+        n => format!(" {n} more markers are not drawn."),
+    };
+    small(
+        format!("tracks-{:02}", index + 1),
+        flight.file.clone(),
+        format!("Dots: measured; lines: predicted; crosses: taken for outliers.{more}"),
+        &[above, side],
+    )
+}
+
+/// The markers of a flight, on axes of this kind.
+fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> Panel {
+    let mut panel = Panel {
+        thin: true,
+        ..Panel::default()
+    };
+    let mut outliers = Vec::new();
+    for (marker, name) in flight.markers.iter().take(MOST_MARKERS).enumerate() {
+        let mut dots = Vec::new();
+        for sample in samples(flight) {
+            let Some(place) = seen(flight, sample, marker) else {
+                continue;
+            };
+            let point = at(flight.times[sample], place);
+            if is_outlier(flight, sample, marker) {
+                outliers.push(point);
+            } else {
+                dots.push(point);
+            }
+        }
+        let line = samples(flight).map(|s| at(flight.times[s], predicted(flight, s, marker)));
+        let line: Vec<(f64, f64)> = line.collect();
+        panel.lines.push(Line {
+            name: name.clone(),
+            points: stride(&line, MOST),
+        });
+        panel.dots.push(Dots {
+            look: Look::Colour(marker),
+            points: stride(&dots, MOST_DOTS),
+        });
+    }
+    // An outlier may lie metres away: what is beyond the flight's own place is not drawn.
+    let reach = |axis: fn(&(f64, f64)) -> f64| {
+        let all = panel.lines.iter().flat_map(|l| &l.points).map(axis);
+        let (low, high) = crate::figures::axis::range(all);
+        let room = 0.3 * (high - low);
+        (low - room, high + room)
+    };
+    let (x, y) = (reach(|p| p.0), reach(|p| p.1));
+    outliers.retain(|p| x.0 <= p.0 && p.0 <= x.1 && y.0 <= p.1 && p.1 <= y.1);
+    panel.dots.push(Dots {
+        look: Look::Cross,
+        points: stride(&outliers, MOST_DOTS),
+    });
+    panel
+}

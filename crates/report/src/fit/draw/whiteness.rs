@@ -1,0 +1,71 @@
+//! Whether the residuals look like the noise that was assumed: their autocorrelation and their quantiles.
+
+use identify::report::{AxisResiduals, Report};
+
+use super::super::Drawn;
+use super::super::thin::{MOST, stride};
+use super::small;
+use crate::figures::{Dots, Line, Look, Panel};
+
+/// A figure for each axis.
+pub(in super::super) fn whiteness(report: &Report) -> Vec<Drawn> {
+    let axes = report.residuals.iter().take(3).enumerate();
+    let figures = axes.filter_map(|(i, (axis, found))| figure(i, axis, found));
+    figures.collect()
+}
+
+fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
+    let mut panels = Vec::new();
+    // At lag 0 it is 1 by definition, and would hide the rest.
+    let lags = |values: &[f64]| {
+        let values = values.iter().enumerate().skip(1).take(MOST);
+        values.map(|(lag, v)| (lag as f64, *v)).collect::<Vec<_>>()
+    };
+    let lines = [
+        ("white", lags(&found.whitened_autocorrelation)),
+        ("raw", lags(&found.autocorrelation)),
+    ];
+    if lines.iter().any(|(_, points)| !points.is_empty()) {
+        let dots = lines.iter().enumerate().map(|(i, (_, points))| Dots {
+            look: Look::Colour(i),
+            points: points.clone(),
+        });
+        let lines = lines.iter().map(|(name, points)| Line {
+            name: (*name).into(),
+            points: points.clone(),
+        });
+        panels.push(Panel {
+            title: "Autocorrelation".into(),
+            across: "lag, samples".into(),
+            dots: dots.collect(),
+            lines: lines.collect(),
+            band: Some((-found.band, found.band)).filter(|_| found.band.is_finite()),
+            ..Panel::default()
+        });
+    }
+    let quantiles: Vec<(f64, f64)> = found.quantiles.iter().map(|q| (q[0], q[1])).collect();
+    if !quantiles.is_empty() {
+        panels.push(Panel {
+            title: "Quantiles, standard deviations".into(),
+            across: "of a normal distribution".into(),
+            dots: vec![Dots {
+                look: Look::Colour(0),
+                points: stride(&quantiles, MOST),
+            }],
+            map: true,
+            diagonal: true,
+            ..Panel::default()
+        });
+    }
+    if panels.is_empty() {
+        return None;
+    }
+    Some(small(
+        format!("noise-{}", index + 1),
+        format!("Residuals along {axis}"),
+        "Above: ‘white’ is what is left once the noise’s own correlation is taken out; it should lie within the \
+         shade. Below: found against normal; they should lie on the line."
+            .into(),
+        &panels,
+    ))
+}

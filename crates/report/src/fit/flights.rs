@@ -1,0 +1,81 @@
+//! The tables of flights: those fitted, the worst first where there are many, and those held out.
+
+use identify::dataset::Role;
+use identify::report::FlightReport;
+use serde::Serialize;
+
+use super::FitPage;
+use super::numbers::{millimetres, plain};
+
+/// Rows of a table, at most.
+const MOST_ROWS: usize = 50;
+/// Letters of a note, at most.
+const MOST_LETTERS: usize = 300;
+
+/// One table.
+#[derive(Serialize)]
+pub(super) struct Table {
+    /// Flights there are.
+    all: usize,
+    /// Whether the worst alone are shown.
+    worst: bool,
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    file: String,
+    samples: usize,
+    rms: String,
+    outliers: usize,
+    cut: String,
+    notes: String,
+}
+
+/// The flights of one role: in their own order, or, where they are many, the worst in order of their rms.
+pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
+    let all = page.report.flights.iter().filter(|f| f.role == role);
+    let mut flights: Vec<&FlightReport> = all.collect();
+    let number = flights.len();
+    let worst = number > MOST_ROWS;
+    if worst {
+        // A flight without a number is the worst of all.
+        let size = |f: &FlightReport| {
+            if f.rms_m.is_nan() {
+                f64::INFINITY
+            } else {
+                f.rms_m
+            }
+        };
+        flights.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        flights.truncate(MOST_ROWS);
+    }
+    Table {
+        all: number,
+        worst,
+        rows: flights.into_iter().map(row).collect(),
+    }
+}
+
+fn row(flight: &FlightReport) -> Row {
+    let cut = flight.cut.as_ref().map(|cut| {
+        let (t, samples) = (plain(cut.t, 3), cut.samples);
+        format!("after {t} s, {samples} samples left: {}", short(&cut.why))
+    });
+    Row {
+        file: flight.file.clone(),
+        samples: flight.samples,
+        rms: millimetres(flight.rms_m),
+        outliers: flight.outliers,
+        cut: cut.unwrap_or_default(),
+        notes: short(&flight.notes.join("; ")),
+    }
+}
+
+/// The beginning of a text.
+pub(super) fn short(text: &str) -> String {
+    if text.chars().count() <= MOST_LETTERS {
+        return text.to_owned();
+    }
+    text.chars().take(MOST_LETTERS).chain(['…']).collect()
+}

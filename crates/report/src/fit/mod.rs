@@ -1,0 +1,102 @@
+//! The page of a fit: one file for a colleague, that loads nothing, and each of its figures by itself.
+
+mod coefficients;
+mod draw;
+mod flights;
+mod noise;
+mod numbers;
+mod page;
+mod thin;
+mod words;
+
+use identify::report::{FlightEvidence, Report};
+use model_spec::model::Model;
+
+pub use page::html;
+
+/// What the page is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct FitPage<'a> {
+    /// What was found.
+    pub report: &'a Report,
+    /// The flights that are drawn; the first twelve of them, if there are more.
+    pub evidence: &'a [FlightEvidence],
+    /// The model that was fitted.
+    pub model: &'a Model,
+    /// Name of the dataset.
+    pub dataset: &'a str,
+}
+
+/// A figure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Figure {
+    /// Name of its file, without `.svg`: letters, digits and hyphens.
+    pub name: String,
+    /// What it shows.
+    pub title: String,
+    /// How it is read.
+    pub caption: String,
+    /// The file.
+    pub svg: String,
+}
+
+/// Every figure of the page, in its order.
+pub fn figures(page: &FitPage<'_>) -> Vec<Figure> {
+    let drawn = Figures::of(page);
+    let all = [
+        drawn.profiles,
+        drawn.tracks,
+        drawn.residuals,
+        drawn.states,
+        drawn.correlations.into_iter().collect(),
+        drawn.whiteness,
+        drawn.histogram.into_iter().collect(),
+    ];
+    all.into_iter().flatten().map(|d| d.figure).collect()
+}
+
+/// The figures by their place on the page.
+struct Figures {
+    profiles: Vec<Drawn>,
+    tracks: Vec<Drawn>,
+    residuals: Vec<Drawn>,
+    states: Vec<Drawn>,
+    correlations: Option<Drawn>,
+    whiteness: Vec<Drawn>,
+    histogram: Option<Drawn>,
+}
+
+impl Figures {
+    fn of(page: &FitPage<'_>) -> Figures {
+        Figures {
+            profiles: draw::profiles(page.report),
+            tracks: draw::tracks(page.evidence),
+            residuals: draw::residuals(page.evidence, &page.report.noise),
+            states: draw::states(page.evidence, page.model),
+            correlations: draw::correlations(page.report),
+            whiteness: draw::whiteness(page.report),
+            histogram: draw::histogram(page.report),
+        }
+    }
+}
+
+/// A figure, and the same for a narrow screen where it is too wide for one.
+struct Drawn {
+    figure: Figure,
+    narrow: Option<String>,
+}
+
+impl Drawn {
+    fn new(name: String, title: String, caption: String, svg: String) -> Drawn {
+        let figure = Figure {
+            name,
+            title,
+            caption,
+            svg,
+        };
+        Drawn {
+            figure,
+            narrow: None,
+        }
+    }
+}

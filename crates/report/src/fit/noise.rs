@@ -1,0 +1,40 @@
+//! The table of the noise.
+
+use identify::report::Report;
+use serde::Serialize;
+
+use super::numbers::{millimetres, plain};
+
+/// The noise along one axis.
+#[derive(Serialize)]
+pub(super) struct Row {
+    axis: String,
+    sigma: String,
+    ar1: String,
+    /// Time in which the correlation falls to 1/e.
+    memory: String,
+}
+
+/// Each axis, then all of them.
+pub(super) fn rows(report: &Report) -> Vec<Row> {
+    let noise = &report.noise;
+    let row = |axis: &str, sigma: f64, ar1: f64| Row {
+        axis: axis.to_owned(),
+        sigma: millimetres(sigma),
+        ar1: plain(ar1, 2),
+        memory: memory(ar1, noise.interval_s),
+    };
+    let axes = noise.axes.iter().take(3);
+    let mut rows: Vec<Row> = axes.map(|(name, n)| row(name, n.sigma_m, n.ar1)).collect();
+    rows.push(row("all", noise.sigma_m, noise.ar1));
+    rows
+}
+
+fn memory(ar1: f64, interval: f64) -> String {
+    let time = -interval / ar1.ln();
+    if ar1 > 0.05 && time.is_finite() {
+        format!("{} ms", plain(1e3 * time, 1))
+    } else {
+        "–".to_owned()
+    }
+}

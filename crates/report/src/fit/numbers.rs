@@ -1,0 +1,182 @@
+//! Numbers for people: as many digits as the error warrants, a true minus, and a dash for what is no number.
+
+/// A number with so many decimals; `–` where it is none.
+pub(super) fn plain(value: f64, decimals: usize) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    let text = format!("{:.*}", decimals.min(15), value);
+    let zero = text.bytes().all(|b| matches!(b, b'-' | b'.' | b'0'));
+    let text = if zero {
+        text.trim_start_matches('-').to_owned()
+    } else {
+        text
+    };
+    text.replace('-', "−")
+}
+
+/// How a number and its error are written: times a power of ten, with so many decimals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Digits {
+    exponent: i32,
+    decimals: usize,
+}
+
+impl Digits {
+    /// Two digits of the error; five of the value where there is no error.
+    pub(super) fn of(value: f64, error: f64) -> Digits {
+        let value = if value.is_finite() { value.abs() } else { 0.0 };
+        let known = error.is_finite() && error > 0.0;
+        let size = if known { value.max(error) } else { value };
+        if size == 0.0 {
+            return Digits {
+                exponent: 0,
+                decimals: 1,
+            };
+        }
+        // 0.0996 counts as 0.10.
+        let last = if known {
+            (error * 1.005).log10().floor() as i32 - 1
+        } else {
+            size.log10().floor() as i32 - 4
+        };
+        let first = size.log10().floor() as i32;
+        let exponent = if (-3..6).contains(&first) { 0 } else { first };
+        let last = last.max(first - 11);
+        Digits {
+            exponent,
+            decimals: (exponent - last).clamp(0, 15) as usize,
+        }
+    }
+
+    /// The number alone, without its power of ten.
+    fn mantissa(self, value: f64) -> String {
+        // Dividing by 1e5 is exact to the last place where multiplying by 1e-5 is not.
+        let scaled = if self.exponent < 0 {
+            value * 10_f64.powi(-self.exponent)
+        } else {
+            value / 10_f64.powi(self.exponent)
+        };
+        plain(scaled, self.decimals)
+    }
+
+    /// A number.
+    pub(super) fn one(self, value: f64) -> String {
+        let text = self.mantissa(value);
+        if self.exponent == 0 || !value.is_finite() {
+            text
+        } else {
+            format!("{text} · 10{}", raised(self.exponent))
+        }
+    }
+
+    /// A range.
+    pub(super) fn range(self, [low, high]: [f64; 2]) -> String {
+        let (low, high) = (self.mantissa(low), self.mantissa(high));
+        if self.exponent == 0 {
+            format!("{low} … {high}")
+        } else {
+            format!("({low} … {high}) · 10{}", raised(self.exponent))
+        }
+    }
+}
+
+/// A number with so many significant digits.
+pub(super) fn significant(value: f64, digits: i32) -> String {
+    let unit = 10_f64.powf(value.abs().log10().floor() + 2.0 - f64::from(digits));
+    Digits::of(value, unit).one(value)
+}
+
+/// A length in m, as mm with three digits.
+pub(super) fn millimetres(metres: f64) -> String {
+    if !metres.is_finite() {
+        return "–".to_owned();
+    }
+    format!("{}\u{a0}mm", significant(1e3 * metres, 3))
+}
+
+/// A share, in per cent.
+pub(super) fn percent(share: f64) -> String {
+    if !share.is_finite() {
+        return "–".to_owned();
+    }
+    let decimals = if share.abs() < 0.0995 { 1 } else { 0 };
+    format!("{}\u{a0}%", plain(100.0 * share, decimals))
+}
+
+/// `1 flight`, `2 flights`.
+pub(super) fn count(number: usize, one: &str) -> String {
+    format!("{number} {one}{}", if number == 1 { "" } else { "s" })
+}
+
+/// The unit as people write it; nothing for pure numbers.
+pub(super) fn unit(text: &str) -> String {
+    if text == "1" {
+        return String::new();
+    }
+    let text = text.replace("^2", "²").replace("^3", "³");
+    text.replace('*', "\u{a0}")
+}
+
+/// A number as a file states it, without zeros at its end.
+pub(super) fn stated(value: f64) -> String {
+    let size = value.abs();
+    if !value.is_finite() {
+        "–".to_owned()
+    } else if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        let text = format!("{value:e}").replacen('-', "−", usize::from(value < 0.0));
+        match text.split_once('e') {
+            Some((number, power)) => format!("{number} · 10{}", raised(power.parse().unwrap_or(0))),
+            None => text,
+        }
+    } else {
+        format!("{value}").replace('-', "−")
+    }
+}
+
+pub(super) fn raised(exponent: i32) -> String {
+    let digit = |c: char| match c {
+        '-' => '⁻',
+        c => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][c as usize - '0' as usize],
+    };
+    exponent.to_string().chars().map(digit).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_error_says_how_many_digits() {
+        for (value, error, expected) in [
+            (0.18812, 0.00314, "0.1881 ± 0.0031"),
+            (0.18812, 0.00996, "0.188 ± 0.010"),
+            (-3.4e-5, 1.21e-6, "−3.40 · 10⁻⁵ ± 0.12 · 10⁻⁵"),
+            (2.37, 0.0, "2.3700 ± 0.0000"),
+            (0.0, 0.02, "0.000 ± 0.020"),
+            (f64::NAN, 0.02, "– ± 0.020"),
+            (1.0, f64::INFINITY, "1.0000 ± –"),
+            (1.5, 1e-30, "1.50000000000 ± 0.00000000000"),
+            (3e7, 2e5, "3.000 · 10⁷ ± 0.020 · 10⁷"),
+        ] {
+            let digits = Digits::of(value, error);
+            let found = format!("{} ± {}", digits.one(value), digits.one(error));
+            assert_eq!(found, expected);
+        }
+        let digits = Digits::of(-3.4e-5, 1.21e-6);
+        assert_eq!(digits.range([-3.6e-5, -3.2e-5]), "(−3.60 … −3.20) · 10⁻⁵");
+    }
+
+    #[test]
+    fn lengths_and_shares() {
+        assert_eq!(millimetres(0.0015234), "1.52\u{a0}mm");
+        assert_eq!(millimetres(0.0), "0.0\u{a0}mm");
+        assert_eq!(millimetres(f64::NAN), "–");
+        assert_eq!(percent(0.0123), "1.2\u{a0}%");
+        assert_eq!(percent(0.5), "50\u{a0}%");
+        assert_eq!(stated(-3.4e-5), "−3.4 · 10⁻⁵");
+        assert_eq!(stated(0.188), "0.188");
+        assert_eq!(unit("N*m*s"), "N\u{a0}m\u{a0}s");
+        assert_eq!(plain(-0.0001, 2), "0.00");
+    }
+}

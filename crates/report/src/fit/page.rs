@@ -1,0 +1,159 @@
+//! From all that to HTML.
+
+use identify::dataset::Role;
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::{Serde, Value};
+use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
+use serde::Serialize;
+
+use super::numbers::{count, percent, plain};
+use super::{Drawn, Figures, FitPage, coefficients, flights, noise, words};
+use crate::figures::svg::{STYLE, without_style};
+use crate::literature::sources;
+
+/// Flights whose states are unfolded.
+const OPEN: usize = 3;
+/// Flights whose tracks are unfolded.
+const OPEN_TRACKS: usize = 6;
+/// What is not determined is listed so far.
+const MOST_UNDETERMINED: usize = 20;
+
+/// What the flights do not tell.
+#[derive(Serialize)]
+struct Undetermined {
+    names: String,
+    /// The direction, where it is of several coefficients: `0.71 C_L0 − 0.70 C_La`.
+    direction: String,
+    error: String,
+    why: String,
+}
+
+/// The page: one file, that loads nothing.
+pub fn html(page: &FitPage<'_>) -> String {
+    let figures = Figures::of(page);
+    let (first, rest) = figures.states.split_at(OPEN.min(figures.states.len()));
+    let (tracks, more_tracks) = figures
+        .tracks
+        .split_at(OPEN_TRACKS.min(figures.tracks.len()));
+    let report = page.report;
+    let caption = |drawn: &[Drawn]| drawn.first().map(|d| d.figure.caption.clone());
+    let seconds = report.seconds.iter().filter(|(_, s)| s.is_finite());
+    let seconds: Vec<String> = seconds
+        .map(|(what, s)| format!("{what} {} s", plain(*s, 2)))
+        .collect();
+    let context = context! {
+        css => Value::from_safe_string(include_str!("page.css").to_owned()),
+        style => Value::from_safe_string(STYLE.to_owned()),
+        model => &report.model,
+        dataset => page.dataset,
+        effects => words::names(report.effects.iter().map(String::as_str)),
+        summary => plain_values(&words::summary(page)),
+        alarms => plain_values(&words::alarms(report)),
+        coefficients => plain_values(&coefficients::rows(page)),
+        sources => plain_values(&sources(page.model.reference.as_deref()).iter().map(|s| (s.short, s.long)).collect::<Vec<_>>()),
+        undetermined => plain_values(&undetermined(page)),
+        profiles => shown(&figures.profiles),
+        tracks => shown(tracks),
+        more_tracks => shown(more_tracks),
+        tracks_caption => caption(&figures.tracks),
+        drawn => figures.tracks.len(),
+        residuals => shown(&figures.residuals),
+        states => shown(first),
+        more_states => shown(rest),
+        correlations => figures.correlations.iter().map(one).collect::<Vec<_>>(),
+        whiteness => shown(&figures.whiteness),
+        whiteness_caption => caption(&figures.whiteness),
+        histogram => figures.histogram.iter().map(one).collect::<Vec<_>>(),
+        fitted => plain_values(&flights::table(page, Role::Fit)),
+        held_out => plain_values(&flights::table(page, Role::HeldOut)),
+        noise => plain_values(&noise::rows(report)),
+        noise_how => if report.noise.estimated { "estimated" } else { "given by the dataset" },
+        estimated => report.noise.estimated,
+        interval => super::numbers::significant(1e3 * report.noise.interval_s, 3),
+        points => report.noise.points,
+        outliers => report.noise.outliers,
+        outlier_share => percent(report.noise.outlier_fraction),
+        dropouts => report.noise.dropouts,
+        schema => &report.schema,
+        steps => count(report.iterations.steps, "step"),
+        rounds => count(report.iterations.rounds, "time"),
+        converged => report.iterations.converged,
+        seconds => seconds.join(", "),
+        version => env!("CARGO_PKG_VERSION"),
+    };
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    let syntax = SyntaxConfig::builder()
+        .trim_blocks(true)
+        .lstrip_blocks(true)
+        .build();
+    environment.set_syntax(syntax.unwrap_or_default());
+    environment
+        .render_str(include_str!("page.html"), context)
+        .unwrap_or_else(|fault| {
+            panic!("the page's own template, which its tests render: {fault:#}")
+        })
+}
+
+/// What the template escapes.
+fn plain_values(of: &impl Serialize) -> Value {
+    Value::from(Serde(of))
+}
+
+fn shown(drawn: &[Drawn]) -> Vec<Value> {
+    drawn.iter().map(one).collect()
+}
+
+fn one(drawn: &Drawn) -> Value {
+    // The figures' own writer has escaped whatever came from outside.
+    let safe = |svg: &String| Value::from_safe_string(without_style(svg));
+    let figure = &drawn.figure;
+    context! {
+        name => &figure.name,
+        caption => &figure.caption,
+        svg => safe(&figure.svg),
+        narrow => drawn.narrow.as_ref().map(safe),
+    }
+}
+
+/// A text with its full stop.
+fn sentence(text: &str) -> String {
+    let text = flights::short(text);
+    if text.ends_with(['.', '…', '!', '?']) {
+        text
+    } else {
+        text + "."
+    }
+}
+
+fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
+    let found = page.report.undetermined.iter().take(MOST_UNDETERMINED);
+    found
+        .map(|u| {
+            let mut weights: Vec<(&String, f64)> = u.weights.iter().map(|(n, w)| (n, *w)).collect();
+            weights.retain(|(_, w)| w.is_finite() && w.abs() >= 0.05);
+            weights.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+            weights.truncate(8);
+            let mut direction = String::new();
+            for (i, (name, weight)) in weights.iter().enumerate() {
+                let sign = match (i, *weight < 0.0) {
+                    (0, false) => "",
+                    (0, true) => "−",
+                    (_, false) => " + ",
+                    (_, true) => " − ",
+                };
+                direction += &format!("{sign}{} {name}", plain(weight.abs(), 2));
+            }
+            if weights.len() < 2 {
+                direction.clear();
+            }
+            Undetermined {
+                names: words::names(u.combination.iter().map(String::as_str)),
+                direction,
+                error: percent(u.relative_error),
+                why: sentence(&u.why),
+            }
+        })
+        .collect()
+}

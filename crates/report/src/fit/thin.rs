@@ -1,0 +1,52 @@
+//! Fewer points for the same picture, so that a page of long flights stays small.
+
+/// Points of a curve, at most.
+pub(super) const MOST: usize = 400;
+
+/// Every so-manieth point.
+pub(super) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {
+    let step = points.len().div_ceil(most.max(1)).max(1);
+    points.iter().copied().step_by(step).collect()
+}
+
+/// Points of a curve over time: of each stretch the first, the least and the greatest, so that no peak is lost.
+/// A stretch with a gap keeps the gap.
+pub(super) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
+    if points.len() <= most {
+        return points.to_vec();
+    }
+    let length = points.len().div_ceil((most / 3).max(1));
+    let mut kept = Vec::with_capacity(most);
+    for part in points.chunks(length) {
+        let by = |a: &usize, b: &usize| part[*a].1.total_cmp(&part[*b].1);
+        // A NaN is greater than all numbers, or less: it is kept, and breaks the line.
+        let extremes = [
+            0,
+            (0..part.len()).min_by(by).unwrap_or(0),
+            (0..part.len()).max_by(by).unwrap_or(0),
+        ];
+        let mut extremes = extremes.to_vec();
+        extremes.sort_unstable();
+        extremes.dedup();
+        kept.extend(extremes.into_iter().map(|i| part[i]));
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn peaks_and_gaps_survive() {
+        let mut points: Vec<(f64, f64)> = (0..10_000).map(|i| (f64::from(i), 0.0)).collect();
+        points[4321].1 = 7.0;
+        points[1234].1 = f64::NAN;
+        let thin = curve(&points, 400);
+        assert!(thin.len() <= 402, "{}", thin.len());
+        assert!(thin.contains(&(4321.0, 7.0)) && thin.iter().any(|p| p.1.is_nan()));
+        assert!(thin.is_sorted_by(|a, b| a.0 < b.0));
+        assert_eq!(stride(&points, 400).len(), 400);
+        assert_eq!(stride::<u8>(&[], 400), []);
+    }
+}

@@ -1,0 +1,238 @@
+//! The fit in plain words: what was done, what is known, what is not, and what is alarming.
+
+use identify::dataset::Role;
+use identify::report::{Coefficient, Report};
+
+use super::FitPage;
+use super::flights::short;
+use super::numbers::{count, millimetres, percent, plain};
+
+/// A standard error of less than so much of the value is good.
+const GOOD: f64 = 0.1;
+/// Names in a sentence, at most.
+const MOST_NAMES: usize = 24;
+
+/// What was done, and how well it fits.
+pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
+    let report = page.report;
+    let number = |role: Role| report.flights.iter().filter(|f| f.role == role).count();
+    let (fitted, held_out) = (number(Role::Fit), number(Role::HeldOut));
+    let noise = &report.noise;
+    let mut text = format!("The model ‘{}’", report.model);
+    if !report.effects.is_empty() {
+        let effects = names(report.effects.iter().map(String::as_str));
+        text += &format!(" with {effects}");
+    }
+    text += &format!(
+        " was fitted to {} of ‘{}’, {}",
+        count(fitted, "flight"),
+        page.dataset,
+        count(noise.points, "measured point")
+    );
+    text += &match held_out {
+        0 => ".".to_owned(),
+        n => format!(
+            "; {} held out to judge its predictions.",
+            count(n, "flight")
+        ),
+    };
+    let rms = millimetres(report.rms_m);
+    let sigma = millimetres(noise.sigma_m);
+    let ratio = report.rms_m / noise.sigma_m;
+    let fits = if noise.estimated {
+        format!(
+            "A coordinate is missed by {rms} (root of the mean square). The noise was estimated from the same residuals, \
+             as {sigma}, so the two alone do not say whether the model is right; what is left in the residuals does."
+        )
+    } else if ratio > 1.2 {
+        format!(
+            "A coordinate is missed by {rms} (root of the mean square), {} times the {sigma} of noise that the \
+             dataset states: either the model lacks something or the noise is larger than stated.",
+            plain(ratio, 1)
+        )
+    } else {
+        format!(
+            "A coordinate is missed by {rms} (root of the mean square); the dataset states a noise of {sigma}."
+        )
+    };
+    let mut all = vec![text, fits];
+    all.extend(held_out_words(report));
+    all.extend(determined(report));
+    all
+}
+
+/// How well the held-out flights were predicted.
+fn held_out_words(report: &Report) -> Option<String> {
+    let held_out = report.flights.iter().filter(|f| f.role == Role::HeldOut);
+    let mut rms: Vec<f64> = held_out
+        .map(|f| f.rms_m)
+        .filter(|v| v.is_finite())
+        .collect();
+    rms.sort_by(f64::total_cmp);
+    let (least, most) = (rms.first()?, rms.last()?);
+    let times = |rms: f64| match rms / report.noise.sigma_m {
+        ratio if ratio.is_finite() => format!(", {} times the noise", plain(ratio, 1)),
+        _ => String::new(),
+    };
+    let far = millimetres(*most) + &times(*most);
+    Some(if rms.len() == 1 {
+        format!("The held-out flight is predicted to {far}.")
+    } else {
+        let near = millimetres(*least);
+        format!("The held-out flights are predicted to {near} at best, and at worst to {far}.")
+    })
+}
+
+/// Which coefficients are known well, loosely, and not at all.
+fn determined(report: &Report) -> Vec<String> {
+    let mut kinds: [Vec<&str>; 4] = Default::default();
+    for (name, found) in &report.coefficients {
+        kinds[kind(found)].push(name);
+    }
+    let [good, loose, none, held] = kinds.map(|k| names(k.into_iter()));
+    let good_is = format!(
+        "Well determined (standard error below {} of the value)",
+        percent(GOOD)
+    );
+    let sentences = [
+        (good_is.as_str(), good),
+        ("Told from 0, but loosely", loose),
+        ("Not told from 0", none),
+        ("Held, not fitted", held),
+    ];
+    let sentences = sentences.into_iter().filter(|(_, names)| !names.is_empty());
+    sentences
+        .map(|(what, names)| format!("{what}: {names}."))
+        .collect()
+}
+
+fn kind(found: &Coefficient) -> usize {
+    let [low, high] = found.interval;
+    if found.held {
+        3
+    } else if found.std_error <= GOOD * found.value.abs() {
+        0
+    } else if low > 0.0 || high < 0.0 {
+        1
+    } else {
+        2
+    }
+}
+
+/// What a reader must know before relying on it; empty where there is nothing.
+pub(super) fn alarms(report: &Report) -> Vec<String> {
+    let mut alarms = Vec::new();
+    let mut add = |when: bool, text: String| {
+        if when {
+            alarms.push(text);
+        }
+    };
+    let steps = report.iterations.steps;
+    add(
+        !report.iterations.converged,
+        format!(
+            "The fit did not converge in {}: do not rely on it.",
+            count(steps, "step")
+        ),
+    );
+    let chosen = |which: &dyn Fn(&Coefficient) -> bool| {
+        let all = report.coefficients.iter().filter(|(_, c)| which(c));
+        names(all.map(|(name, _)| name.as_str()))
+    };
+    let at_bound = chosen(&|c| c.at_bound);
+    add(
+        !at_bound.is_empty(),
+        format!(
+            "At a bound, so that intervals are no longer symmetric and may be wrong: {at_bound}."
+        ),
+    );
+    let broken = chosen(&|c| !c.value.is_finite() || !c.std_error.is_finite());
+    add(
+        !broken.is_empty(),
+        format!("Without a number for the value or its error: {broken}."),
+    );
+    let scattered =
+        chosen(&|c| !c.held && c.std_error_clustered.is_some_and(|e| e > 2.0 * c.std_error));
+    add(
+        !scattered.is_empty(),
+        format!(
+            "The flights differ among each other by more than twice what the noise explains, so the standard errors are \
+             too small: {scattered}."
+        ),
+    );
+    let noise = &report.noise;
+    let fraction = noise.outlier_fraction;
+    add(
+        fraction > 0.01,
+        format!(
+            "{} of the points were taken for outliers and left out.",
+            percent(fraction)
+        ),
+    );
+    let cut = report.flights.iter().filter(|f| f.cut.is_some()).count();
+    add(
+        cut > 0,
+        format!("{} cut before the end of the table.", were(cut)),
+    );
+    let notes = report.flights.iter().filter(|f| !f.notes.is_empty());
+    let noted: Vec<String> = notes
+        .clone()
+        .take(3)
+        .map(|f| format!("{}: {}", f.file, short(&f.notes.join("; "))))
+        .collect();
+    let more = notes.count() - noted.len();
+    let rest = if more == 0 {
+        String::new()
+    } else {
+        format!(" And {more} more, in the table of flights.")
+    };
+    add(
+        !noted.is_empty(),
+        format!("Notes on flights. {}.{rest}", noted.join(". ")),
+    );
+    for (axis, left) in &report.residuals {
+        let lags = left.whitened_autocorrelation.get(1..).unwrap_or_default();
+        let outside = lags.iter().filter(|v| v.abs() > left.band).count();
+        let first = lags.first().copied().unwrap_or(0.0);
+        // One lag in twenty lies outside by chance.
+        let many = outside as f64
+            > 0.05 * lags.len() as f64 + 2.0 * (0.05 * lags.len() as f64).sqrt() + 0.5;
+        add(
+            many || first.abs() > 3.0 * left.band,
+            format!(
+                "Residuals along {axis} are still correlated once the noise’s own correlation is taken out \
+                 ({outside} of {} lags beyond the band): the model misses something slow, or the noise is \
+                 not of first order.",
+                lags.len()
+            ),
+        );
+    }
+    alarms
+}
+
+fn were(flights: usize) -> String {
+    format!(
+        "{} {}",
+        count(flights, "flight"),
+        if flights == 1 { "was" } else { "were" }
+    )
+}
+
+/// `a, b and c`.
+pub(super) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let all: Vec<&str> = names.collect();
+    let more = all.len().saturating_sub(MOST_NAMES);
+    let mut shown: Vec<String> = all
+        .iter()
+        .take(MOST_NAMES)
+        .map(|n| (*n).to_owned())
+        .collect();
+    if more > 0 {
+        shown.push(format!("{more} more"));
+    }
+    match shown.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        Some((last, _)) => last.clone(),
+        None => String::new(),
+    }
+}
