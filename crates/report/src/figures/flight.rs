@@ -6,6 +6,9 @@ use flight::Flight;
 
 /// Points of a line.
 const SAMPLES: usize = 400;
+/// Lines share a panel unless one of them varies so many times more than another.
+const APART: f64 = 8.0;
+
 /// A flight as SVG: seen from the side and from above, where its states have `x`, `y` and `z`, and then all
 /// states in time, those of one unit and like size in one panel.
 ///
@@ -51,7 +54,7 @@ pub fn flight(title: &str, flight: &Flight, states: &[StateLabel<'_>]) -> String
             at: (e.time, f64::NAN),
         })
         .collect();
-    for group in groups(states, &rows) {
+    for group in groups(states, &rows, APART) {
         let unit = states[group[0]].unit;
         let names: Vec<String> = group.iter().map(|i| symbol(states[*i].name)).collect();
         let what = what(unit);

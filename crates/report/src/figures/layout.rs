@@ -115,7 +115,14 @@ impl Scale {
         self.left + self.width
     }
     pub(super) fn ticks_up(&self) -> (Vec<f64>, usize) {
-        ticks(self.up, (self.height / 28.0).clamp(3.0, 5.0) as usize)
+        let most = (self.height / 28.0).clamp(3.0, 5.0) as usize;
+        let found = ticks(self.up, most);
+        // One number does not make a scale.
+        if found.0.len() < 3 {
+            ticks(self.up, 2 * most)
+        } else {
+            found
+        }
     }
     pub(super) fn ticks_across(&self) -> (Vec<f64>, usize) {
         let most = (self.width / 52.0).clamp(4.0, 12.0) as usize;

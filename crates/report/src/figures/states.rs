@@ -9,9 +9,6 @@ pub struct StateLabel<'a> {
     pub unit: &'a str,
 }
 
-/// Lines share a panel unless one of them varies so many times more than another.
-const APART: f64 = 8.0;
-
 /// What a number of this unit is called.
 pub(crate) fn what(unit: &str) -> &'static str {
     match unit {
@@ -23,15 +20,15 @@ pub(crate) fn what(unit: &str) -> &'static str {
     }
 }
 
-/// States of one unit together, at most four, those that vary far more apart from those that vary less.
-pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>]) -> Vec<Vec<usize>> {
+/// States of one unit together, at most four, those that vary `apart` times more apart from those that vary less.
+pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<usize>> {
     let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (i, state) in states.iter().enumerate() {
         let fits = |group: &Vec<usize>| {
             let alike = |j: &usize| {
                 let (a, b) = (reach(i), reach(*j));
-                a.max(b) <= APART * a.min(b)
+                a.max(b) <= apart * a.min(b)
                     || a.max(b) < 1e-9
                     || state.unit == "m"
                     || state.unit == "m/s"
@@ -53,6 +50,8 @@ pub(crate) fn symbol(name: &str) -> String {
         _ => (name, ""),
     };
     let letter = match base {
+        "alpha" => "α",
+        "beta" => "β",
         "phi" => "φ",
         "theta" => "θ",
         "gamma" => "γ",
@@ -71,7 +70,7 @@ mod tests {
     fn apart_sizes_get_their_own_panels() {
         let rows = vec![vec![1.0, 2.0, 100.0, 0.0], vec![0.5, 1.0, 50.0, 0.0]];
         let labels = ["a", "b", "c", "d"].map(|name| StateLabel { name, unit: "rad" });
-        assert_eq!(groups(&labels, &rows), [vec![0, 1], vec![2], vec![3]]);
+        assert_eq!(groups(&labels, &rows, 8.0), [vec![0, 1], vec![2], vec![3]]);
     }
 
     #[test]

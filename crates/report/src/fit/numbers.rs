@@ -111,7 +111,7 @@ pub(super) fn count(number: usize, one: &str) -> String {
 
 /// The unit as people write it; nothing for pure numbers.
 pub(super) fn unit(text: &str) -> String {
-    if text == "1" {
+    if matches!(text, "1" | "[1]") {
         return String::new();
     }
     let text = text.replace("^2", "²").replace("^3", "³");

@@ -50,6 +50,7 @@ pub fn html(page: &FitPage<'_>) -> String {
         summary => plain_values(&words::summary(page)),
         alarms => plain_values(&words::alarms(report)),
         coefficients => plain_values(&coefficients::rows(page)),
+        clustered => report.coefficients.values().any(|c| c.std_error_clustered.is_some()),
         sources => plain_values(&sources(page.model.reference.as_deref()).iter().map(|s| (s.short, s.long)).collect::<Vec<_>>()),
         undetermined => plain_values(&undetermined(page)),
         profiles => shown(&figures.profiles),

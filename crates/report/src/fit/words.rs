@@ -196,9 +196,9 @@ pub(super) fn alarms(report: &Report) -> Vec<String> {
         let first = lags.first().copied().unwrap_or(0.0);
         // One lag in twenty lies outside by chance.
         let many = outside as f64
-            > 0.05 * lags.len() as f64 + 2.0 * (0.05 * lags.len() as f64).sqrt() + 0.5;
+            > 0.05 * lags.len() as f64 + 2.5 * (0.05 * lags.len() as f64).sqrt() + 0.5;
         add(
-            many || first.abs() > 3.0 * left.band,
+            many || first.abs() > 2.0 * left.band,
             format!(
                 "Residuals along {axis} are still correlated once the noise’s own correlation is taken out \
                  ({outside} of {} lags beyond the band): the model misses something slow, or the noise is \

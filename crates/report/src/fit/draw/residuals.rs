@@ -41,9 +41,15 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &Noise) ->
             .enumerate()
             .map(|(i, f)| format!("{} {}", i + 1, f.file))
             .collect();
+        let meaning = match role {
+            Role::Fit => "",
+            Role::HeldOut => {
+                " The first 30\u{a0}% of each were used for its initial state, the rest is predicted."
+            }
+        };
         let caption = format!(
             "Measured less predicted, one flight after the other, a colour a marker; shaded: ±2 standard deviations \
-             of the noise; crosses: taken for outliers, at the edge where they lie beyond it. Flights: {}.",
+             of the noise; crosses: taken for outliers, at the edge where they lie beyond it.{meaning} Flights: {}.",
             files.join(", ")
         );
         let svg = figure_of(Layout::WIDE, title, &panels);

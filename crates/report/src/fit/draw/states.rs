@@ -9,6 +9,9 @@ use super::super::thin::{MOST, curve};
 use super::{MOST_FLIGHTS, samples, small};
 use crate::figures::{Line, Panel, StateLabel, groups, symbol, what};
 
+/// Lines share a panel unless one of them varies so many times more than another: a small panel must show the
+/// wobble of the rates beside the spin.
+const APART: f64 = 3.0;
 /// Lines of a figure, at most.
 const MOST_LINES: usize = 24;
 /// Quantities that are drawn where the model has them: name, title, unit.
@@ -88,7 +91,10 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
             ..Panel::default()
         }
     };
-    groups(&labels, &rows).into_iter().map(panel).collect()
+    groups(&labels, &rows, APART)
+        .into_iter()
+        .map(panel)
+        .collect()
 }
 
 /// One column of a table in time.

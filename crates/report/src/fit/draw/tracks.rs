@@ -5,6 +5,7 @@ use identify::report::FlightEvidence;
 use super::super::Drawn;
 use super::super::thin::{MOST, stride};
 use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen, small};
+use crate::figures::axis::range;
 use crate::figures::{Dots, Line, Look, Panel};
 
 /// Markers that are drawn at most: as many as there are colours.
@@ -15,18 +16,35 @@ const MOST_DOTS: usize = 80;
 /// A figure for each flight: from above, and height in time.
 pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Drawn> {
     let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
-    flights.map(|(i, flight)| track(i, flight)).collect()
+    let maps: Vec<Panel> = evidence.iter().take(MOST_FLIGHTS).map(map).collect();
+    // All as high as the highest needs to be, so that those beside each other stay in line.
+    let shapes = maps.iter().map(shape).filter(|shape| shape.is_finite());
+    let height = (shapes.fold(0.0, f64::max) * 300.0).clamp(80.0, 190.0);
+    flights
+        .zip(maps)
+        .map(|((i, flight), map)| track(i, flight, map, height))
+        .collect()
 }
 
-fn track(index: usize, flight: &FlightEvidence) -> Drawn {
-    let from_above = |_: f64, p: [f64; 3]| (p[0], p[1]);
+fn map(flight: &FlightEvidence) -> Panel {
+    panel(flight, |_, p| (p[0], p[1]))
+}
+
+/// Height of a map over its width.
+fn shape(map: &Panel) -> f64 {
+    let points = || map.lines.iter().flat_map(|line| &line.points);
+    let (x, y) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
+    1.1 * (y.1 - y.0) / (x.1 - x.0)
+}
+
+fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn {
     let height = |t: f64, p: [f64; 3]| (t, p[2]);
     let mut above = Panel {
         title: "From above: y, m".into(),
         across: "x, m".into(),
         map: true,
-        heights: Some((150.0, 150.0)),
-        ..panel(flight, from_above)
+        heights: Some((tall, tall)),
+        ..map
     };
     for line in &mut above.lines {
         line.name.clear();
@@ -84,7 +102,7 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
     // An outlier may lie metres away: what is beyond the flight's own place is not drawn.
     let reach = |axis: fn(&(f64, f64)) -> f64| {
         let all = panel.lines.iter().flat_map(|l| &l.points).map(axis);
-        let (low, high) = crate::figures::axis::range(all);
+        let (low, high) = range(all);
         let room = 0.3 * (high - low);
         (low - room, high + room)
     };
