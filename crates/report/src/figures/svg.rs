@@ -142,13 +142,11 @@ pub(crate) fn without_style(svg: &str) -> String {
 
 /// So many letters of a text as there is room for; the last of them `…` where it is cut.
 pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
-    // Letters of the far east are twice as wide.
-    let wide = |c: char| {
-        if c >= '\u{1100}' {
-            2.0 * letter
-        } else {
-            letter
-        }
+    // Letters of the far east are twice as wide; a dot above a letter takes no room.
+    let wide = |c: char| match c {
+        '\u{300}'..='\u{36f}' => 0.0,
+        '\u{1100}'.. => 2.0 * letter,
+        _ => letter,
     };
     if text.chars().map(wide).sum::<f64>() <= room {
         return text.to_owned();
@@ -176,4 +174,22 @@ fn escape(text: &str) -> String {
         }
         text
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_are_cut_where_there_is_no_room() {
+        assert_eq!(cut("throw01.csv", 110.0, 10.0), "throw01.csv");
+        assert_eq!(cut("throw01.csv", 60.0, 10.0), "throw…");
+        assert_eq!(cut("φ\u{307}", 10.0, 10.0), "φ\u{307}");
+        assert_eq!(cut("飛盤", 30.0, 10.0), "飛…");
+    }
+
+    #[test]
+    fn what_xml_cannot_hold_is_left_out() {
+        assert_eq!(escape("a\u{1}<b>\u{ffff}&\"'"), "a&lt;b&gt;&amp;&quot;'");
+    }
 }

@@ -38,17 +38,9 @@ struct Picture {
 
 /// The rows, in the model's own order; what it does not know comes last.
 pub(super) fn rows(page: &FitPage<'_>) -> Vec<Row> {
-    let model = page.model;
-    let known = model.coefficients.iter().chain(&model.params);
-    let order: Vec<&str> = known.map(|c| c.name.as_str()).collect();
-    let place = |name: &str| order.iter().position(|n| *n == name).unwrap_or(order.len());
-    let mut found: Vec<(&String, &Coefficient)> = page.report.coefficients.iter().collect();
-    found.sort_by_key(|(name, _)| place(name));
-    let sources = sources(model.reference.as_deref());
-    found
-        .into_iter()
-        .map(|(name, c)| row(page, name, c, sources))
-        .collect()
+    let sources = sources(page.model.reference.as_deref());
+    let found = page.coefficients().into_iter();
+    found.map(|(name, c)| row(page, name, c, sources)).collect()
 }
 
 fn row(page: &FitPage<'_>, name: &str, found: &Coefficient, sources: &[Source]) -> Row {

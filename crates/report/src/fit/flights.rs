@@ -60,7 +60,10 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
 fn row(flight: &FlightReport) -> Row {
     let cut = flight.cut.as_ref().map(|cut| {
         let (t, samples) = (plain(cut.t, 3), cut.samples);
-        format!("after {t} s, {samples} samples left: {}", short(&cut.why))
+        format!(
+            "after {t} s, {samples} samples not used: {}",
+            short(&cut.why)
+        )
     });
     Row {
         file: flight.file.clone(),

@@ -9,7 +9,7 @@ mod page;
 mod thin;
 mod words;
 
-use identify::report::{FlightEvidence, Report};
+use identify::report::{Coefficient, FlightEvidence, Report};
 use model_spec::model::Model;
 
 pub use page::html;
@@ -25,6 +25,22 @@ pub struct FitPage<'a> {
     pub model: &'a Model,
     /// Name of the dataset.
     pub dataset: &'a str,
+}
+
+impl FitPage<'_> {
+    /// Where the model declares a coefficient or a parameter; what it does not know comes last.
+    fn place(&self, name: &str) -> usize {
+        let known = self.model.coefficients.iter().chain(&self.model.params);
+        known.take_while(|known| known.name != name).count()
+    }
+
+    /// What was estimated, in the model's own order.
+    fn coefficients(&self) -> Vec<(&str, &Coefficient)> {
+        let all = self.report.coefficients.iter();
+        let mut all: Vec<(&str, &Coefficient)> = all.map(|(n, c)| (n.as_str(), c)).collect();
+        all.sort_by_key(|(name, _)| self.place(name));
+        all
+    }
 }
 
 /// A figure.
@@ -73,7 +89,7 @@ impl Figures {
             tracks: draw::tracks(page.evidence),
             residuals: draw::residuals(page.evidence, &page.report.noise),
             states: draw::states(page.evidence, page.model),
-            correlations: draw::correlations(page.report),
+            correlations: draw::correlations(page),
             whiteness: draw::whiteness(page.report),
             histogram: draw::histogram(page.report),
         }

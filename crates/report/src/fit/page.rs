@@ -48,7 +48,7 @@ pub fn html(page: &FitPage<'_>) -> String {
         dataset => page.dataset,
         effects => words::names(report.effects.iter().map(String::as_str)),
         summary => plain_values(&words::summary(page)),
-        alarms => plain_values(&words::alarms(report)),
+        alarms => plain_values(&words::alarms(page)),
         coefficients => plain_values(&coefficients::rows(page)),
         clustered => report.coefficients.values().any(|c| c.std_error_clustered.is_some()),
         sources => plain_values(&sources(page.model.reference.as_deref()).iter().map(|s| (s.short, s.long)).collect::<Vec<_>>()),

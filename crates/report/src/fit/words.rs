@@ -1,7 +1,7 @@
 //! The fit in plain words: what was done, what is known, what is not, and what is alarming.
 
 use identify::dataset::Role;
-use identify::report::{Coefficient, Report};
+use identify::report::{Coefficient, FlightReport, Report};
 
 use super::FitPage;
 use super::flights::short;
@@ -9,6 +9,8 @@ use super::numbers::{count, millimetres, percent, plain};
 
 /// A standard error of less than so much of the value is good.
 const GOOD: f64 = 0.1;
+/// A held-out flight that is missed by more than so many times the noise is badly predicted.
+const FAR: f64 = 3.0;
 /// Names in a sentence, at most.
 const MOST_NAMES: usize = 24;
 
@@ -57,7 +59,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     };
     let mut all = vec![text, fits];
     all.extend(held_out_words(report));
-    all.extend(determined(report));
+    all.extend(determined(page));
     all
 }
 
@@ -84,9 +86,9 @@ fn held_out_words(report: &Report) -> Option<String> {
 }
 
 /// Which coefficients are known well, loosely, and not at all.
-fn determined(report: &Report) -> Vec<String> {
+fn determined(page: &FitPage<'_>) -> Vec<String> {
     let mut kinds: [Vec<&str>; 4] = Default::default();
-    for (name, found) in &report.coefficients {
+    for (name, found) in page.coefficients() {
         kinds[kind(found)].push(name);
     }
     let [good, loose, none, held] = kinds.map(|k| names(k.into_iter()));
@@ -120,7 +122,8 @@ fn kind(found: &Coefficient) -> usize {
 }
 
 /// What a reader must know before relying on it; empty where there is nothing.
-pub(super) fn alarms(report: &Report) -> Vec<String> {
+pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
+    let report = page.report;
     let mut alarms = Vec::new();
     let mut add = |when: bool, text: String| {
         if when {
@@ -135,9 +138,10 @@ pub(super) fn alarms(report: &Report) -> Vec<String> {
             count(steps, "step")
         ),
     );
+    let coefficients = page.coefficients();
     let chosen = |which: &dyn Fn(&Coefficient) -> bool| {
-        let all = report.coefficients.iter().filter(|(_, c)| which(c));
-        names(all.map(|(name, _)| name.as_str()))
+        let all = coefficients.iter().filter(|(_, c)| which(c));
+        names(all.map(|(name, _)| *name))
     };
     let at_bound = chosen(&|c| c.at_bound);
     add(
@@ -167,6 +171,16 @@ pub(super) fn alarms(report: &Report) -> Vec<String> {
         format!(
             "{} of the points were taken for outliers and left out.",
             percent(fraction)
+        ),
+    );
+    let held_out = report.flights.iter().filter(|f| f.role == Role::HeldOut);
+    let bad = |f: &&FlightReport| f.rms_m > FAR * noise.sigma_m;
+    let far = held_out.filter(bad).count();
+    add(
+        far > 0,
+        format!(
+            "{} predicted worse than {FAR} times the noise.",
+            were(far).replacen(' ', " held-out ", 1)
         ),
     );
     let cut = report.flights.iter().filter(|f| f.cut.is_some()).count();

@@ -1,9 +1,7 @@
 //! The correlations of the coefficients, as a matrix of colours.
 
-use identify::report::Report;
-
-use super::super::Drawn;
 use super::super::numbers::plain;
+use super::super::{Drawn, FitPage};
 use crate::figures::svg::{Svg, cut};
 
 const WIDTH: f64 = 360.0;
@@ -13,15 +11,17 @@ const MOST: usize = 40;
 const MOST_WRITTEN: usize = 12;
 
 /// The lower half of the matrix of what was estimated; none for fewer than two.
-pub(in super::super) fn correlations(report: &Report) -> Option<Drawn> {
+pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
+    let report = page.report;
     let estimated = |name: &&String| report.coefficients.get(*name).is_none_or(|c| !c.held);
-    let names: Vec<&String> = report.correlations.keys().filter(estimated).collect();
+    let mut names: Vec<&String> = report.correlations.keys().filter(estimated).collect();
+    names.sort_by_key(|name| page.place(name));
     let names = &names[..names.len().min(MOST)];
     if names.len() < 2 {
         return None;
     }
     let longest = names.iter().map(|n| n.chars().count()).max().unwrap_or(0) as f64;
-    let letter = 0.6 * LETTERS;
+    let letter = 0.7 * LETTERS;
     let left = (2.0 + letter * longest + 8.0).min(120.0);
     let top = 44.0;
     let side = ((WIDTH - left - 4.0) / names.len() as f64).min(44.0);
@@ -31,7 +31,7 @@ pub(in super::super) fn correlations(report: &Report) -> Option<Drawn> {
     for (i, row) in names.iter().enumerate() {
         let y = top + rows * i as f64;
         if rows >= LETTERS {
-            let name = cut(row, left - 16.0, letter);
+            let name = cut(row, left - 9.0, letter);
             svg.text("tick", (left - 8.0, y + 0.5 * rows + 5.0), "end", &name);
         }
         for (j, column) in names.iter().take(i + 1).enumerate() {
@@ -43,7 +43,8 @@ pub(in super::super) fn correlations(report: &Report) -> Option<Drawn> {
             };
             let x = left + side * j as f64;
             let size = (side - 1.0, rows - 1.0);
-            svg.cell(&colour(value), (x, y), size);
+            let own = "#c9ccd1".to_owned();
+            svg.cell(&if i == j { own } else { colour(value) }, (x, y), size);
             if i == j {
                 continue;
             }
