@@ -115,21 +115,21 @@ impl Scale {
         self.left + self.width
     }
     pub(super) fn ticks_up(&self) -> (Vec<f64>, usize) {
-        let most = (self.height / 28.0).clamp(3.0, 5.0) as usize;
-        let found = ticks(self.up, most);
-        // One number does not make a scale.
-        if found.0.len() < 3 {
-            ticks(self.up, 2 * most)
-        } else {
-            found
-        }
+        scale_of(self.up, (self.height / 28.0).clamp(3.0, 5.0) as usize)
     }
     pub(super) fn ticks_across(&self) -> (Vec<f64>, usize) {
-        let most = (self.width / 52.0).clamp(4.0, 12.0) as usize;
-        ticks(
-            self.across,
-            most.min(if self.width < 500.0 { 6 } else { 12 }),
-        )
+        let most = if self.width < 500.0 { 6.0 } else { 12.0 };
+        scale_of(self.across, (self.width / 52.0).clamp(4.0, most) as usize)
+    }
+}
+
+/// About so many ticks; more of them before there are fewer than three, which make no scale.
+fn scale_of(of: (f64, f64), most: usize) -> (Vec<f64>, usize) {
+    let found = ticks(of, most);
+    if found.0.len() < 3 {
+        ticks(of, 2 * most)
+    } else {
+        found
     }
 }
 

@@ -19,7 +19,8 @@ pub(super) struct Row {
     /// Whether the scatter of the flights says an error more than half as large again.
     doubtful: bool,
     unit: String,
-    /// Held, at a bound, with a prior.
+    at_bound: bool,
+    /// Held, with a prior.
     notes: Vec<String>,
     picture: Option<Picture>,
     /// What the model's file says, then each source.
@@ -51,9 +52,6 @@ fn row(page: &FitPage<'_>, name: &str, found: &Coefficient, sources: &[Source]) 
     if found.held {
         notes.push("held".to_owned());
     }
-    if found.at_bound {
-        notes.push("at its bound".to_owned());
-    }
     if let Some([mean, deviation]) = found.prior {
         let digits = Digits::of(mean, deviation);
         let prior = format!("prior {} ± {}", digits.one(mean), digits.one(deviation));
@@ -80,6 +78,7 @@ fn row(page: &FitPage<'_>, name: &str, found: &Coefficient, sources: &[Source]) 
             .is_some_and(|e| e > 1.5 * found.std_error)
             && !found.held,
         unit: unit(&found.unit),
+        at_bound: found.at_bound,
         notes,
         picture: if estimated { picture(found) } else { None },
         literature,

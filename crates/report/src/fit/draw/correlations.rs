@@ -24,7 +24,11 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     let letter = 0.7 * LETTERS;
     let left = (2.0 + letter * longest + 8.0).min(120.0);
     let top = 44.0;
-    let side = ((WIDTH - left - 4.0) / names.len() as f64).min(44.0);
+    // The last name but one stands beside the last row.
+    let beside = (7.0 + letter * longest).min(90.0);
+    let side = ((WIDTH - left - 4.0) / names.len() as f64)
+        .min((WIDTH - left - beside) / (names.len() - 1) as f64)
+        .min(44.0);
     let mut svg = Svg::new();
     svg.text("title", (2.0, 26.0), "start", "Correlations");
     let rows = side.max(if names.len() > 16 { 9.0 } else { 14.0 });

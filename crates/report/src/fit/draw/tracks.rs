@@ -63,7 +63,9 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn 
     small(
         format!("tracks-{:02}", index + 1),
         flight.file.clone(),
-        format!("Dots: measured; lines: predicted; crosses: taken for outliers.{more}"),
+        format!(
+            "Dots: measured; lines: predicted; crosses: taken for outliers. Of long flights not every sample is drawn.{more}"
+        ),
         &[above, side],
     )
 }

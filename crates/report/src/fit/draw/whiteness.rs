@@ -21,9 +21,10 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
         let values = values.iter().enumerate().skip(1).take(MOST);
         values.map(|(lag, v)| (lag as f64, *v)).collect::<Vec<_>>()
     };
+    // The broken line lies on the unbroken one, so that both are seen where they agree.
     let lines = [
-        ("white", lags(&found.whitened_autocorrelation)),
         ("raw", lags(&found.autocorrelation)),
+        ("white", lags(&found.whitened_autocorrelation)),
     ];
     if lines.iter().any(|(_, points)| !points.is_empty()) {
         let dots = lines.iter().enumerate().map(|(i, (_, points))| Dots {
