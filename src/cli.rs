@@ -45,11 +45,18 @@ pub enum Command {
     )]
     Synthesize(Synthesize),
     /// Fit a model's coefficients to measured flights
-    #[command(after_help = "Example:\n  hyzer fit examples/ball --out fitted")]
+    #[command(
+        after_help = "Examples:\n  hyzer fit examples/ball --out fitted\n  hyzer fit examples/disc --with zero_lift_drag_angle --hold C_Nr --profile C_D0 --out fitted\n  hyzer fit examples/disc --model disc_quaternion --prior C_D0=0.1+-0.02 --free wind_x"
+    )]
     Fit(Fit),
     /// Hold the paper's claims against every reading of its tables
     #[command(after_help = "Example:\n  hyzer paper --out docs/paper.md")]
     Paper(Paper),
+    /// Try what a fit is worth: on flights made by the oracle, and on measured ones
+    #[command(
+        after_help = "Examples:\n  hyzer trials identification --seeds 20\n  hyzer trials real-data --data ../shared/data --out docs/real-data.md"
+    )]
+    Trials(Trials),
 }
 
 /// `hyzer check`.
@@ -220,7 +227,25 @@ pub struct Fit {
     /// Switch an effect on, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
-    /// Folder for report.json and the tables; without it a summary is printed
+    /// Hold a coefficient at a value (SI), by default the model's own; may be repeated
+    #[arg(long, value_name = "NAME[=VALUE]")]
+    pub hold: Vec<String>,
+    /// Estimate a parameter or a component of an input too, one value for all flights; may be repeated
+    #[arg(long, value_name = "NAME")]
+    pub free: Vec<String>,
+    /// What is known of a coefficient beforehand: value and standard deviation, SI; may be repeated
+    #[arg(long, value_name = "NAME=VALUE+-SIGMA")]
+    pub prior: Vec<String>,
+    /// Let coefficients leave the bounds of the model's file
+    #[arg(long)]
+    pub unbounded: bool,
+    /// Profile the likelihood of a coefficient: an interval that needs no straight lines; may be repeated
+    #[arg(long, value_name = "NAME")]
+    pub profile: Vec<String>,
+    /// Flights worked on at once; the result does not depend on it
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Folder for report.html, report.json, figures and tables; without it a summary is printed
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -229,6 +254,45 @@ pub struct Fit {
 #[derive(Args)]
 pub struct Paper {
     /// File for the page; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer trials`.
+#[derive(Args)]
+pub struct Trials {
+    /// On what
+    #[command(subcommand)]
+    pub of: TrialsOf,
+}
+
+/// What a fit is tried on.
+#[derive(Subcommand)]
+pub enum TrialsOf {
+    /// Flights made by the oracle: do the intervals hold the truth, and what could the paper's two flights tell?
+    Identification(TrialsIdentification),
+    /// Measured flights, and a wind tunnel's table
+    RealData(TrialsRealData),
+}
+
+/// `hyzer trials identification`.
+#[derive(Args)]
+pub struct TrialsIdentification {
+    /// Datasets made under each noise
+    #[arg(long, default_value_t = 200)]
+    pub seeds: u64,
+    /// File for the page, with its figures beside it; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer trials real-data`.
+#[derive(Args)]
+pub struct TrialsRealData {
+    /// Folder that holds the measured data: spindoe, windtunnel
+    #[arg(long, value_name = "DIR")]
+    pub data: PathBuf,
+    /// File for the page, with its figures beside it; without it the page is printed
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }

@@ -3,6 +3,7 @@
 mod cli;
 mod commands;
 mod output;
+mod progress;
 
 use std::process::ExitCode;
 
@@ -28,7 +29,14 @@ fn main() -> ExitCode {
             if !closed {
                 eprintln!("{}", output::told(&error));
             }
-            ExitCode::from(2)
+            let interrupted = error
+                .downcast_ref::<identify::fit::FitError>()
+                .is_some_and(|e| *e == identify::fit::FitError::Interrupted);
+            ExitCode::from(if interrupted {
+                progress::INTERRUPTED
+            } else {
+                2
+            })
         }
     }
 }

@@ -7,6 +7,7 @@ mod generate;
 mod paper;
 mod simulate;
 mod synthesize;
+mod trials;
 mod verify;
 
 use crate::Answer;
@@ -23,6 +24,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Paper(options) => paper::run(&options),
+        Command::Trials(options) => trials::run(&options),
     }
 }
 

@@ -5,8 +5,8 @@
 
 use crate::noise::{OUTLIER, median, robust_sigma};
 
-/// Neighbours on either side that a residual is held against: two of them may be outliers too.
-const SIDE: usize = 3;
+/// Neighbours on either side that a residual is held against: two of all may be outliers too.
+const SIDE: usize = 4;
 
 /// Neighbours, with the point itself, that are needed to judge it.
 const LEAST: usize = 5;
@@ -31,7 +31,11 @@ fn departures_of(times: &[f64], series: &[Option<[f64; 3]>]) -> Vec<Option<[f64;
     let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
     let mut line: Vec<(f64, f64)> = Vec::with_capacity(2 * SIDE);
     for (index, &(sample, residual)) in seen.iter().enumerate() {
-        let around = index.saturating_sub(SIDE)..(index + SIDE + 1).min(seen.len());
+        // As many neighbours at the ends, all to one side.
+        let first = index
+            .saturating_sub(SIDE)
+            .min(seen.len().saturating_sub(2 * SIDE + 1));
+        let around = first..(first + 2 * SIDE + 1).min(seen.len());
         if around.len() < LEAST {
             continue;
         }
@@ -115,11 +119,13 @@ mod tests {
         series[20].as_mut().unwrap()[0] += 0.03;
         series[22].as_mut().unwrap()[1] -= 0.03;
         series[50] = None;
+        series[0].as_mut().unwrap()[2] += 0.05;
+        series[79].as_mut().unwrap()[0] -= 0.05;
         let times: Vec<f64> = (0..80).map(f64::from).collect();
         let departures = departures(&times, &[series]);
         let scale = scale(&departures);
         let marks = marks(&departures, scale);
         let found: Vec<usize> = (0..80).filter(|&i| marks[i]).collect();
-        assert_eq!(found, [20, 22]);
+        assert_eq!(found, [0, 20, 22, 79]);
     }
 }

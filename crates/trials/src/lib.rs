@@ -3,6 +3,10 @@
 //! Flights are made by the oracle's vector mechanics and an integration of its own ([`fly`]), so that neither the
 //! generated code nor its integrator is shared with what is tested.
 
+pub mod coverage;
 pub mod fly;
 pub mod made;
+pub mod page;
+pub mod replay;
 pub mod throw;
+pub mod windtunnel;

@@ -63,7 +63,7 @@ impl<'a> Outcome<'a> {
                 .iter()
                 .position(|shared| shared.name == *name);
             let Some(index) = index else { continue };
-            options.begins(&format!("profile of {name}"), 0);
+            options.begins(&format!("profile of {name}"), state.tracks.len());
             let loss = Loss::Whitened(noise);
             let problem = Squares::of_all(setting, &state.tracks, loss, options);
             let found = profile(&problem, solution, &setting.shared, index, errors[index]);

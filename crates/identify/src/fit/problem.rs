@@ -89,7 +89,7 @@ impl Problem for Squares<'_> {
         let samples = self.samples[flight];
         let track = &self.tracks[flight];
         let block = linearise(self.setting, track, (shared, own), samples, by, self.loss);
-        if self.threads > 1 || self.held.is_none() {
+        if self.held.is_none() {
             self.options.part_done();
         }
         block

@@ -33,7 +33,7 @@ pub fn rounds(
         }
         noise = estimated;
         state.rounds = round + 1;
-        options.begins(&format!("noise, round {}", round + 1), 0);
+        options.begins(&format!("noise, round {}", round + 1), state.tracks.len());
         let start = Point {
             shared: state.shared.clone(),
             own: state.own.clone(),

@@ -27,7 +27,7 @@ pub fn grow(setting: &Setting, state: &mut State, options: &Options<'_>) -> Resu
     let longest = longest.copied().fold(0.0, f64::max);
     let mut horizon = HORIZON.0;
     while horizon < longest / 1.2 {
-        options.begins(&format!("first {horizon:.1} s"), 0);
+        options.begins(&format!("first {horizon:.1} s"), state.tracks.len());
         let samples: Vec<usize> = state
             .tracks
             .iter()
@@ -36,7 +36,7 @@ pub fn grow(setting: &Setting, state: &mut State, options: &Options<'_>) -> Resu
         settle(setting, state, samples, true, options)?;
         horizon *= HORIZON.1;
     }
-    options.begins("whole flights", 0);
+    options.begins("whole flights", state.tracks.len());
     let samples = state.tracks.iter().map(|track| track.times.len()).collect();
     settle(setting, state, samples, false, options)
 }

@@ -1,0 +1,177 @@
+//! `hyzer fit`: the coefficients of a model from measured flights.
+
+mod summary;
+mod tables;
+
+use std::path::Path;
+
+use anyhow::{Context, bail};
+use identify::dataset::{self, Dataset, Role};
+use identify::fit::Fitted;
+use identify::options::{Options, Prior};
+use report::fit::FitPage;
+
+use crate::cli::Fit;
+use crate::progress::Progress;
+use crate::{Answer, output};
+
+/// Fits and reports.
+pub fn run(options: &Fit) -> anyhow::Result<Answer> {
+    let progress = Progress::new()?;
+    let hold: Vec<(String, Option<f64>)> = options
+        .hold
+        .iter()
+        .map(|text| held(text))
+        .collect::<Result<_, _>>()?;
+    let priors: Vec<Prior> = options
+        .prior
+        .iter()
+        .map(|text| prior(text))
+        .collect::<Result<_, _>>()?;
+    let dataset = dataset::load(&options.dataset)?;
+    let model = model_of(options, &dataset)?;
+    let model = model_spec::load::load(&model, &super::names(&options.with))?;
+    let asked = Options {
+        hold: &hold,
+        free: &options.free,
+        priors: &priors,
+        unbounded: options.unbounded,
+        profiles: &options.profile,
+        threads: options.threads,
+        watch: Some(&progress),
+    };
+    progress.working();
+    let fitted = identify::fit::fit(&model, &dataset, &asked);
+    progress.writing();
+    let fitted = fitted.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
+    output::print(summary::summary(&model, &fitted.report))?;
+    if let Some(folder) = &options.out {
+        write(folder, &options.dataset, &model, &dataset, &fitted)?;
+    }
+    if !fitted.report.iterations.converged {
+        eprintln!(
+            "the fit did not converge in {} steps: do not rely on it",
+            fitted.report.iterations.steps
+        );
+        return Ok(Answer::No);
+    }
+    Ok(Answer::Yes)
+}
+
+/// Flights that are drawn: some of the first, those with the greatest residuals, some that were held out.
+const DRAWN: (usize, usize, usize) = (6, 3, 3);
+
+fn drawn(fitted: &Fitted) -> Vec<usize> {
+    let flights = &fitted.report.flights;
+    let of_role =
+        |role: Role| (0..flights.len()).filter(move |&flight| flights[flight].role == role);
+    let mut drawn: Vec<usize> = of_role(Role::Fit).take(DRAWN.0).collect();
+    let mut worst: Vec<usize> = of_role(Role::Fit).skip(DRAWN.0).collect();
+    worst.sort_by(|&a, &b| flights[b].rms_m.total_cmp(&flights[a].rms_m));
+    drawn.extend(worst.into_iter().take(DRAWN.1));
+    drawn.extend(of_role(Role::HeldOut).take(DRAWN.2));
+    drawn.sort_unstable();
+    drawn
+}
+
+fn write(
+    folder: &Path,
+    from: &Path,
+    model: &model_spec::model::Model,
+    dataset: &Dataset,
+    fitted: &Fitted,
+) -> anyhow::Result<()> {
+    let name = from.file_name().map_or_else(
+        || from.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    );
+    let evidence: Vec<_> = drawn(fitted)
+        .into_iter()
+        .filter_map(|flight| fitted.evidence(flight))
+        .collect();
+    let page = FitPage {
+        report: &fitted.report,
+        evidence: &evidence,
+        model,
+        dataset: &name,
+    };
+    let json = serde_json::to_string_pretty(&fitted.report)?;
+    output::write(&folder.join("report.json"), json + "\n")?;
+    output::write(&folder.join("report.html"), report::fit::html(&page))?;
+    for figure in report::fit::figures(&page) {
+        output::write(&folder.join(format!("{}.svg", figure.name)), figure.svg)?;
+    }
+    output::write(
+        &folder.join("coefficients.csv"),
+        tables::coefficients(&fitted.report)?,
+    )?;
+    output::write(
+        &folder.join("correlations.csv"),
+        tables::correlations(&fitted.report)?,
+    )?;
+    output::write(
+        &folder.join("flights.csv"),
+        tables::flights(&fitted.report)?,
+    )?;
+    output::write(
+        &folder.join("residuals.csv"),
+        tables::residuals(dataset, fitted)?,
+    )?;
+    eprintln!(
+        "report.html, report.json, figures and tables are in {}",
+        folder.display()
+    );
+    Ok(())
+}
+
+/// The model: as asked for, or the dataset's own, where a path is meant from the dataset's folder.
+fn model_of(options: &Fit, dataset: &Dataset) -> anyhow::Result<String> {
+    if let Some(model) = &options.model {
+        return Ok(model.clone());
+    }
+    let beside = options.dataset.join(&dataset.model);
+    let is_path =
+        Path::new(&dataset.model).components().count() > 1 || dataset.model.ends_with(".hyz");
+    match beside.to_str() {
+        Some(path) if is_path => Ok(path.to_owned()),
+        _ => Ok(dataset.model.clone()),
+    }
+}
+
+/// `NAME` or `NAME=VALUE`.
+fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
+    match text.split_once('=') {
+        None => Ok((text.to_owned(), None)),
+        Some((name, value)) => Ok((name.to_owned(), Some(number("--hold", text, value)?))),
+    }
+}
+
+/// `NAME=VALUE+-SIGMA`, or with `±`.
+fn prior(text: &str) -> anyhow::Result<Prior> {
+    let expected = "NAME=VALUE+-SIGMA, such as C_D0=0.1+-0.02";
+    let Some((name, rest)) = text.split_once('=') else {
+        bail!("--prior: found {text:?}, expected {expected}");
+    };
+    let Some((value, sigma)) = rest.split_once("+-").or_else(|| rest.split_once('±')) else {
+        bail!("--prior: found {text:?}, expected {expected}");
+    };
+    let (value, sigma) = (
+        number("--prior", text, value)?,
+        number("--prior", text, sigma)?,
+    );
+    if sigma <= 0.0 {
+        bail!("--prior: found a standard deviation of {sigma} in {text:?}, expected one above 0");
+    }
+    Ok(Prior {
+        name: name.to_owned(),
+        value,
+        sigma,
+    })
+}
+
+fn number(option: &str, text: &str, value: &str) -> anyhow::Result<f64> {
+    match value.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => bail!("{option}: found {value:?} in {text:?}, expected a number in SI units"),
+    }
+}

@@ -1,0 +1,210 @@
+//! What a fit found, for the terminal.
+
+use std::fmt::Write;
+
+use comfy_table::Table;
+use comfy_table::presets::UTF8_BORDERS_ONLY;
+use identify::dataset::Role;
+use identify::report::{Coefficient, FlightReport, Report};
+use model_spec::model::Model;
+
+use super::tables::role;
+
+/// Flights that are listed; of more, those with the greatest residuals.
+const LISTED: usize = 20;
+
+/// The whole summary.
+pub fn summary(model: &Model, report: &Report) -> String {
+    let used = |wanted: Role| {
+        let flights = report.flights.iter();
+        flights
+            .filter(|flight| flight.role == wanted && !flight.initial.is_empty())
+            .count()
+    };
+    let left_out = report
+        .flights
+        .iter()
+        .filter(|flight| flight.initial.is_empty())
+        .count();
+    let mut text = format!(
+        "{}{}: {} flights fitted, {} held out",
+        report.model,
+        report
+            .effects
+            .iter()
+            .map(|effect| format!(" with {effect}"))
+            .collect::<String>(),
+        used(Role::Fit),
+        used(Role::HeldOut)
+    );
+    if left_out > 0 {
+        let _ = write!(text, ", {left_out} left out");
+    }
+    let noise = &report.noise;
+    let _ = writeln!(
+        text,
+        "; rms {:.2} mm\nnoise of one coordinate: {:.2} mm ({}), correlation from sample to sample {:.2}, {} of {} points outliers\n",
+        1e3 * report.rms_m,
+        1e3 * noise.sigma_m,
+        if noise.estimated {
+            "estimated"
+        } else {
+            "given"
+        },
+        noise.ar1,
+        noise.outliers,
+        noise.points,
+    );
+    let _ = writeln!(text, "{}\n", coefficients(model, report));
+    for undetermined in &report.undetermined {
+        let _ = writeln!(text, "not determined: {}\n", undetermined.why);
+    }
+    if let Some(scatter) = scatter(report) {
+        let _ = writeln!(text, "{scatter}\n");
+    }
+    for profile in &report.profiles {
+        let end = |end: Option<f64>| {
+            end.map_or("beyond what was tried".into(), |end| format!("{end:.5}"))
+        };
+        let _ = writeln!(
+            text,
+            "{}: 95 % interval by its profile from {} to {}",
+            profile.name,
+            end(profile.interval[0]),
+            end(profile.interval[1])
+        );
+    }
+    text.push_str(&flights(report));
+    text
+}
+
+fn table(head: &[&str]) -> Table {
+    let mut table = Table::new();
+    table
+        .load_style(UTF8_BORDERS_ONLY)
+        .set_header(head.to_vec());
+    table
+}
+
+/// In the order of the model, then what was freed beside it.
+fn coefficients(model: &Model, report: &Report) -> Table {
+    let mut table = table(&[
+        "coefficient",
+        "value",
+        "standard error",
+        "95 % interval",
+        "unit",
+        "",
+    ]);
+    let declared: Vec<&str> = model.coefficients.iter().map(|c| c.name.as_str()).collect();
+    let freed = report.coefficients.keys().map(String::as_str);
+    let freed = freed.filter(|name| !declared.contains(name));
+    for name in declared.iter().copied().chain(freed) {
+        let Some(found) = report.coefficients.get(name) else {
+            continue;
+        };
+        let digits = digits(found);
+        let number = |value: f64| written(value, digits);
+        let interval = match found.held {
+            true => String::new(),
+            false => format!(
+                "{} .. {}",
+                number(found.interval[0]),
+                number(found.interval[1])
+            ),
+        };
+        let error = match found.held {
+            true => String::new(),
+            false => format!("{:.1e}", found.std_error),
+        };
+        let remark = match (found.held, found.at_bound, found.prior) {
+            (true, ..) => "held",
+            (_, true, _) => "at its bound",
+            (.., Some(_)) => "with a prior",
+            _ => "",
+        };
+        table.add_row([
+            name,
+            &number(found.value),
+            &error,
+            &interval,
+            &found.unit,
+            remark,
+        ]);
+    }
+    table
+}
+
+/// Decimals that show two digits of the standard error.
+fn digits(found: &Coefficient) -> i32 {
+    if found.std_error > 0.0 {
+        (1 - found.std_error.log10().floor() as i32).max(0)
+    } else {
+        6
+    }
+}
+
+/// A number with so many decimals, by powers of ten where that is shorter.
+fn written(value: f64, digits: i32) -> String {
+    if value != 0.0 && value.abs() < 1e-3 {
+        let size = value.abs().log10().floor() as i32;
+        return format!("{value:.*e}", (digits + size).clamp(0, 8) as usize);
+    }
+    format!("{value:.*}", digits.clamp(0, 8) as usize)
+}
+
+/// What the scatter of the flights says against the standard errors.
+fn scatter(report: &Report) -> Option<String> {
+    let worst = report
+        .coefficients
+        .iter()
+        .filter_map(|(name, found)| Some((name, found.std_error_clustered? / found.std_error)))
+        .filter(|(_, ratio)| ratio.is_finite())
+        .max_by(|a, b| a.1.total_cmp(&b.1))?;
+    (worst.1 > 1.7).then(|| {
+        format!(
+            "the flights scatter more than their noise explains: by their scatter the standard error of {} is {:.1} times that above; the model may miss something",
+            worst.0, worst.1
+        )
+    })
+}
+
+fn flights(report: &Report) -> String {
+    let mut order: Vec<&FlightReport> = report.flights.iter().collect();
+    let mut text = String::new();
+    if order.len() > LISTED {
+        order.sort_by(|a, b| b.rms_m.total_cmp(&a.rms_m));
+        order.truncate(LISTED);
+        let _ = writeln!(
+            text,
+            "the {LISTED} flights with the greatest residuals; all are in flights.csv"
+        );
+    }
+    let mut table = table(&["flight", "role", "samples", "rms, mm", "outliers", ""]);
+    for flight in order {
+        let cut = flight
+            .cut
+            .iter()
+            .map(|cut| format!("cut at {:.3} s: {}", cut.t, cut.why));
+        let remarks: Vec<String> = cut.chain(flight.notes.iter().cloned()).collect();
+        table.add_row([
+            flight.file.as_str(),
+            role(flight.role),
+            &flight.samples.to_string(),
+            &format!("{:.2}", 1e3 * flight.rms_m),
+            &flight.outliers.to_string(),
+            &remarks.join("; "),
+        ]);
+    }
+    let _ = writeln!(text, "{table}");
+    if report
+        .flights
+        .iter()
+        .any(|flight| flight.role == Role::HeldOut)
+    {
+        text.push_str(
+            "held out: initial state fitted on the first 30 % of the samples, rms of the rest as predicted\n",
+        );
+    }
+    text
+}

@@ -1,0 +1,117 @@
+//! The tables of a fit, as CSV.
+
+use identify::dataset::{Dataset, Role};
+use identify::fit::Fitted;
+use identify::report::Report;
+
+/// One row per coefficient.
+pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record([
+        "name",
+        "value",
+        "std_error",
+        "std_error_clustered",
+        "low_95",
+        "high_95",
+        "unit",
+        "at_bound",
+        "held",
+    ])?;
+    for (name, found) in &report.coefficients {
+        let clustered = found.std_error_clustered.map(|error| error.to_string());
+        table.write_record([
+            name,
+            &found.value.to_string(),
+            &found.std_error.to_string(),
+            &clustered.unwrap_or_default(),
+            &found.interval[0].to_string(),
+            &found.interval[1].to_string(),
+            &found.unit,
+            &found.at_bound.to_string(),
+            &found.held.to_string(),
+        ])?;
+    }
+    Ok(table.into_inner()?)
+}
+
+/// Every pair of coefficients.
+pub fn correlations(report: &Report) -> anyhow::Result<Vec<u8>> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_field("name")?;
+    table.write_record(report.correlations.keys())?;
+    for (name, row) in &report.correlations {
+        table.write_field(name)?;
+        table.write_record(row.values().map(f64::to_string))?;
+    }
+    Ok(table.into_inner()?)
+}
+
+/// One row per flight.
+pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record([
+        "file", "role", "samples", "rms_m", "outliers", "cut_at_s", "notes",
+    ])?;
+    for flight in &report.flights {
+        let cut = flight.cut.as_ref().map(|cut| cut.t.to_string());
+        table.write_record([
+            flight.file.as_str(),
+            role(flight.role),
+            &flight.samples.to_string(),
+            &flight.rms_m.to_string(),
+            &flight.outliers.to_string(),
+            &cut.unwrap_or_default(),
+            &flight.notes.join("; "),
+        ])?;
+    }
+    Ok(table.into_inner()?)
+}
+
+/// Most rows of the residuals' table: beyond, the flights that follow are left out of it.
+const MOST_ROWS: usize = 1_000_000;
+
+/// Measured less predicted, one row per marker and sample that was seen.
+pub fn residuals(dataset: &Dataset, fitted: &Fitted) -> anyhow::Result<Vec<u8>> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(["file", "t_s", "marker", "x_m", "y_m", "z_m", "outlier"])?;
+    let mut rows = 0;
+    for index in 0..dataset.flights.len() {
+        let Some(flight) = fitted.evidence(index) else {
+            continue;
+        };
+        for (sample, time) in flight.times.iter().enumerate() {
+            for (marker, name) in flight.markers.iter().enumerate() {
+                let Some(seen) = flight.measured[sample][marker] else {
+                    continue;
+                };
+                let predicted = flight.predicted[sample][marker];
+                let [x, y, z] =
+                    [0, 1, 2].map(|axis| format!("{:.6}", seen[axis] - predicted[axis]));
+                let outlier = flight.outlier[sample][marker].to_string();
+                table.write_record([
+                    &flight.file,
+                    &format!("{time:.6}"),
+                    name,
+                    &x,
+                    &y,
+                    &z,
+                    &outlier,
+                ])?;
+                rows += 1;
+            }
+        }
+        if rows > MOST_ROWS {
+            break;
+        }
+    }
+    Ok(table.into_inner()?)
+}
+
+/// The role as datasets spell it.
+pub fn role(role: Role) -> &'static str {
+    match role {
+        Role::Fit => "fit",
+        Role::HeldOut => "held-out",
+    }
+}

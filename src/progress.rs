@@ -1,0 +1,108 @@
+//! Progress of long work on a terminal, and its interruption.
+
+use std::sync::Arc;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
+use std::time::Duration;
+
+use identify::options::Watch;
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// Nothing is being written: an interruption ends the program at once.
+const READING: u8 = 0;
+/// Work is under way, which looks now and then whether it is to stop.
+const WORKING: u8 = 1;
+/// Files are being written, and are written to the end.
+const WRITING: u8 = 2;
+/// The work is to stop.
+const STOPPED: u8 = 3;
+
+/// The exit status of a program that was interrupted.
+pub const INTERRUPTED: u8 = 130;
+
+/// A progress bar on standard error where that is a terminal, and Ctrl-C.
+#[derive(Debug)]
+pub struct Progress {
+    phase: Arc<AtomicU8>,
+    bar: ProgressBar,
+    stage: Mutex<String>,
+    parts: AtomicUsize,
+    done: AtomicUsize,
+}
+
+impl Progress {
+    /// Listens for Ctrl-C, and draws nothing yet.
+    pub fn new() -> anyhow::Result<Self> {
+        let phase = Arc::new(AtomicU8::new(READING));
+        let heard = Arc::clone(&phase);
+        ctrlc::set_handler(move || {
+            let was = heard.compare_exchange(WORKING, STOPPED, Ordering::SeqCst, Ordering::SeqCst);
+            if was == Err(READING) {
+                eprintln!("interrupted; nothing was written");
+                std::process::exit(INTERRUPTED.into());
+            }
+        })?;
+        let bar = ProgressBar::new(0);
+        bar.set_style(
+            ProgressStyle::with_template(
+                "{msg} [{bar:30}] {pos}/{len} flights, {eta} left of {elapsed}",
+            )?
+            .progress_chars("=> "),
+        );
+        Ok(Self {
+            phase,
+            bar,
+            stage: Mutex::default(),
+            parts: AtomicUsize::new(0),
+            done: AtomicUsize::new(0),
+        })
+    }
+
+    /// Work begins that looks whether it is to stop.
+    pub fn working(&self) {
+        self.phase.store(WORKING, Ordering::SeqCst);
+        self.bar.enable_steady_tick(Duration::from_millis(200));
+    }
+
+    /// Files are written from now on, to the end.
+    pub fn writing(&self) {
+        let _ = self
+            .phase
+            .compare_exchange(WORKING, WRITING, Ordering::SeqCst, Ordering::SeqCst);
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Watch for Progress {
+    fn begins(&self, stage: &str, parts: usize) {
+        *self
+            .stage
+            .lock()
+            .unwrap_or_else(|poisoned| poisoned.into_inner()) = stage.to_owned();
+        self.parts.store(parts, Ordering::Relaxed);
+        self.done.store(0, Ordering::Relaxed);
+        self.bar.reset();
+        self.bar.set_length(parts as u64);
+        self.bar.set_message(stage.to_owned());
+    }
+
+    fn part_done(&self) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        let parts = self.parts.load(Ordering::Relaxed).max(1);
+        // A stage goes over its flights again and again until nothing more is gained.
+        if done > parts && done % parts == 1 {
+            let stage = self
+                .stage
+                .lock()
+                .unwrap_or_else(|poisoned| poisoned.into_inner());
+            self.bar.reset();
+            self.bar
+                .set_message(format!("{stage}, iteration {}", done / parts + 1));
+        }
+        self.bar.set_position(((done - 1) % parts + 1) as u64);
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.phase.load(Ordering::Relaxed) == STOPPED
+    }
+}
