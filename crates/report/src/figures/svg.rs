@@ -9,7 +9,7 @@ text.panel { font-weight: 600; fill: #111 }
 text.mark { font-size: 0.93em; fill: #555 }
 text.c0, circle.c0 { fill: #0072b2 } text.c1, circle.c1 { fill: #c04a00 } text.c2, circle.c2 { fill: #00795a } text.c3, circle.c3 { fill: #a8518a }
 text.c0, text.c1, text.c2, text.c3 { font-weight: 600 }
-text.dark { fill: #111 } text.pale { fill: #fff }
+text.dark { fill: #111 } text.pale { fill: #fff } text.little { font-size: 0.77em }
 line.grid { stroke: #e4e4e4 } line.zero { stroke: #a0a0a0 } line.axis { stroke: #777 }
 line.mark { stroke: #777; stroke-dasharray: 2 4 } circle.mark { fill: #fff; stroke: #333; stroke-width: 1.5 }
 line.level { stroke: #555; stroke-dasharray: 6 4 }

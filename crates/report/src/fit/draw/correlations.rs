@@ -9,6 +9,8 @@ const LETTERS: f64 = 13.0;
 /// Coefficients that are drawn at most, and whose numbers are written at most.
 const MOST: usize = 40;
 const MOST_WRITTEN: usize = 12;
+/// So many have their names on the diagonal.
+const MOST_NAMED: usize = 8;
 
 /// The lower half of the matrix of what was estimated; none for fewer than two.
 pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
@@ -20,59 +22,50 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     if names.len() < 2 {
         return None;
     }
+    // A few have their names on the diagonal; of more, the columns are numbered there.
+    let named = names.len() <= MOST_NAMED;
+    let label = |i: usize| match named {
+        true => names[i].clone(),
+        false => format!("{} {}", names[i], i + 1),
+    };
     let longest = names.iter().map(|n| n.chars().count()).max().unwrap_or(0) as f64;
     let letter = 0.7 * LETTERS;
-    let left = (2.0 + letter * longest + 8.0).min(120.0);
+    let room = |letters: f64| (10.0 + letter * letters).min(120.0);
+    let left = room(longest + if named { 0.0 } else { 3.0 });
     let top = 44.0;
-    // The last name but one stands beside the last row.
-    let beside = (7.0 + letter * longest).min(90.0);
-    let side = ((WIDTH - left - 4.0) / names.len() as f64)
-        .min((WIDTH - left - beside) / (names.len() - 1) as f64)
-        .min(44.0);
+    let mut side = ((WIDTH - left - 4.0) / names.len() as f64).min(44.0);
+    if named {
+        // The last name but one stands beside the last row.
+        side = side.min((WIDTH - left - room(longest)) / (names.len() - 1) as f64);
+    }
     let mut svg = Svg::new();
     svg.text("title", (2.0, 26.0), "start", "Correlations");
-    let rows = side.max(if names.len() > 16 { 9.0 } else { 14.0 });
+    let rows = side.max(LETTERS + 2.0);
     for (i, row) in names.iter().enumerate() {
         let y = top + rows * i as f64;
-        if rows >= LETTERS {
-            let name = cut(row, left - 9.0, letter);
-            svg.text("tick", (left - 8.0, y + 0.5 * rows + 5.0), "end", &name);
-        }
-        for (j, column) in names.iter().take(i + 1).enumerate() {
+        let (base, across) = (y + 0.5 * rows, |j: usize| left + side * j as f64);
+        let size = (side - 1.0, rows - 1.0);
+        let name = cut(&label(i), left - 9.0, letter);
+        svg.text("tick", (left - 8.0, base + 5.0), "end", &name);
+        for (j, column) in names.iter().take(i).enumerate() {
             let found = report.correlations.get(*row).and_then(|r| r.get(*column));
-            let value = if i == j {
-                1.0
-            } else {
-                found.copied().unwrap_or(f64::NAN)
-            };
-            let x = left + side * j as f64;
-            let size = (side - 1.0, rows - 1.0);
-            let own = "#c9ccd1".to_owned();
-            svg.cell(&if i == j { own } else { colour(value) }, (x, y), size);
-            if i == j {
-                continue;
-            }
+            let value = found.copied().unwrap_or(f64::NAN);
+            svg.cell(&colour(value), (across(j), y), size);
             if names.len() <= MOST_WRITTEN {
                 let class = if value.abs() > 0.65 { "pale" } else { "dark" };
-                let place = (x + 0.5 * side - 0.5, y + 0.5 * rows + 4.0);
-                svg.text(
-                    &format!("{class} cell"),
-                    place,
-                    "middle",
-                    &short(value, side),
-                );
+                let class = format!("{class} cell{}", if side > 34.0 { "" } else { " little" });
+                let place = (across(j) + 0.5 * side - 0.5, base + 4.0);
+                svg.text(&class, place, "middle", &short(value, side));
             }
         }
-    }
-    // Names of the columns stand upon the diagonal, where they have room to the right.
-    if rows >= LETTERS {
-        for (j, name) in names.iter().enumerate().take(names.len() - 1) {
-            let place = (
-                left + side * (j + 1) as f64 + 5.0,
-                top + rows * j as f64 + 0.5 * rows + 5.0,
-            );
-            let name = cut(name, WIDTH - place.0 - 2.0, letter);
+        svg.cell("#c9ccd1", (across(i), y), size);
+        if named && i + 1 < names.len() {
+            let place = (across(i + 1) + 5.0, base + 5.0);
+            let name = cut(row, WIDTH - place.0 - 2.0, letter);
             svg.text("tick", place, "start", &name);
+        } else if !named && side > 14.0 {
+            let place = (across(i) + 0.5 * side - 0.5, base + 4.0);
+            svg.text("dark cell little", place, "middle", &(i + 1).to_string());
         }
     }
     let bottom = top + rows * names.len() as f64 + 14.0;
@@ -108,7 +101,7 @@ fn scale(svg: &mut Svg, left: f64, top: f64) {
 
 /// `−.87`: a matrix has no room for more.
 fn short(value: f64, side: f64) -> String {
-    let text = plain(value, if side < 26.0 { 1 } else { 2 });
+    let text = plain(value, if side < 27.0 { 1 } else { 2 });
     text.replacen("0.", ".", 1)
 }
 
