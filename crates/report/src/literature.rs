@@ -59,8 +59,8 @@ const DISC: &[Source] = &[
         short: "H & H (2002)",
         long: "S. A. Hummel & M. Hubbard, ‘Identification of Frisbee aerodynamic coefficients using flight data’, 4th \
                International Conference on the Engineering of Sport, Kyoto, 2002, four flights; its axis d3 points down, so C_Ma and C_Rr \
-               change sign here. Its C_Nr and its damping are defined otherwise and are left out, and so is its C_M0, \
-               which these models lack.",
+               change sign here. Left out: its C_Nr, which is multiplied by the dynamic pressure; its damping, which is \
+               one number for pitch and another for roll (0.0008 and −0.013); its C_M0, which these models lack.",
         values: &[
             ("C_L0", One("0.188")),
             ("C_La", One("2.37")),
@@ -73,8 +73,9 @@ const DISC: &[Source] = &[
     Source {
         short: "Hummel (2003)",
         long: "S. A. Hummel, ‘Frisbee Flight Simulation and Throw Biomechanics’, M.Sc. thesis, University of \
-               California, Davis, 2003, short flights; d3 down, as above. Its drag (0.18, 0.69) is about a \
-               zero-lift angle of −4° and its rates are made dimensionless otherwise: both are left out.",
+               California, Davis, 2003, short flights; d3 down, as above. Left out: its drag (0.18, 0.69), which is about a zero-lift angle of \
+               −4°; its damping, again one for pitch and another for roll (−0.005 and −0.0055); its rolling moment \
+               by spin, which is made dimensionless with √(d/g); its C_Nr.",
         values: &[
             ("C_L0", One("0.33")),
             ("C_La", One("1.91")),
