@@ -19,6 +19,19 @@ pub fn fly(
     start: Physical<f64>,
     times: &[f64],
 ) -> Vec<Physical<f64>> {
+    fly_with(reference, &|_| constants.clone(), start, times)
+}
+
+/// As [`fly`], with constants that follow the state: so that curves of any form take the place of the model's.
+///
+/// # Panics
+/// Where times run back.
+pub fn fly_with(
+    reference: &Reference,
+    constants: Constants<'_>,
+    start: Physical<f64>,
+    times: &[f64],
+) -> Vec<Physical<f64>> {
     let mut now = start;
     let mut clock = 0.0;
     times
@@ -50,8 +63,10 @@ struct Rate {
     angular_acceleration: Vector3<f64>,
 }
 
-fn rate(reference: &Reference, constants: &Point<f64>, at: &Physical<f64>) -> Rate {
-    let motion = reference.motion_at(at, constants);
+type Constants<'c> = &'c dyn Fn(&Physical<f64>) -> Point<f64>;
+
+fn rate(reference: &Reference, constants: Constants<'_>, at: &Physical<f64>) -> Rate {
+    let motion = reference.motion_at(at, &constants(at));
     let spin = Quaternion {
         w: 0.0,
         v: at.angular_velocity * 0.5,
@@ -76,7 +91,12 @@ fn moved(from: &Physical<f64>, h: f64, rate: &Rate) -> Physical<f64> {
     }
 }
 
-fn step(reference: &Reference, constants: &Point<f64>, x: &Physical<f64>, h: f64) -> Physical<f64> {
+fn step(
+    reference: &Reference,
+    constants: Constants<'_>,
+    x: &Physical<f64>,
+    h: f64,
+) -> Physical<f64> {
     let k1 = rate(reference, constants, x);
     let k2 = rate(reference, constants, &moved(x, h / 2.0, &k1));
     let k3 = rate(reference, constants, &moved(x, h / 2.0, &k2));

@@ -7,6 +7,7 @@ pub mod coverage;
 pub mod fly;
 pub mod made;
 pub mod page;
+pub mod paper_flight;
 pub mod replay;
 pub mod throw;
 pub mod windtunnel;

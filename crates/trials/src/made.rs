@@ -84,18 +84,24 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
             times,
         }
     });
-    let flights = flights.collect();
+    Dataset {
+        flights: flights.collect(),
+        ..empty(model)
+    }
+}
+
+/// A dataset of no flights yet, with [`MARKERS`].
+pub fn empty(model: &Model) -> Dataset {
     let markers = MARKERS.iter().enumerate();
+    let markers = markers.map(|(k, &position)| Marker {
+        name: format!("m{}", k + 1),
+        position,
+    });
     Dataset {
         model: model.name.clone(),
         parameters: Default::default(),
-        markers: markers
-            .map(|(k, &position)| Marker {
-                name: format!("m{}", k + 1),
-                position,
-            })
-            .collect(),
+        markers: markers.collect(),
         sigma: None,
-        flights,
+        flights: Vec::new(),
     }
 }

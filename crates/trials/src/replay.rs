@@ -1,24 +1,18 @@
 //! The paper's situation replayed: its two flights, fitted one by one, and what a spread of throws makes of it.
 
 use flight::batch;
-use flight::release;
-use identify::dataset::{Dataset, Flight, Role};
+use identify::dataset::Dataset;
 use identify::fit::fit;
 use identify::options::Options;
 use identify::synthesize::{Noise, corrupt};
 use model_spec::model::Model;
-use oracle::point::Point;
-use oracle::reference::Reference;
 
-use crate::fly::{fly, markers};
-use crate::made::{MARKERS, Plan, disc, flights};
+use crate::made::{Plan, disc, flights};
+use crate::paper_flight::{RATE, paper_flight};
 use crate::throw::Throws;
 
 /// Best fit of the paper's marker positions, m.
 const SIGMA: f64 = 0.0014;
-
-/// Samples each second.
-const RATE: f64 = 120.0;
 
 /// A way to estimate the coefficients.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,7 +73,7 @@ pub fn is_possible(name: &str, value: f64) -> bool {
 /// Where a built-in model or release is broken.
 pub fn replay(seeds: u64) -> Replay {
     let model = disc();
-    let [fssh3, bffl8] = ["fssh3", "bffl8"].map(|name| paper_flight(&model, name));
+    let [fssh3, bffl8] = ["fssh3", "bffl8"].map(|name| paper_flight(&model, name, None));
     let both = Dataset {
         flights: [fssh3.flights.clone(), bffl8.flights.clone()].concat(),
         ..fssh3.clone()
@@ -129,56 +123,8 @@ fn shortened(dataset: &Dataset, duration: f64) -> Dataset {
     short
 }
 
-/// A flight of the paper's Table 3 by the disc of its Table 2, with the model's own coefficients.
-fn paper_flight(model: &Model, name: &str) -> Dataset {
-    let text = release::built_in(name).expect("a built-in release");
-    let vocabulary = release::Vocabulary::of(model);
-    let read = release::read(name, text, |_| Ok(vocabulary.clone())).expect("a good release");
-    let reference = Reference::bind(model)
-        .expect("a reference")
-        .expect("its names");
-    let mut constants = Point::defaults(model);
-    for (constant, place) in model.params.iter().zip(&mut constants.params) {
-        let set = read
-            .parameters
-            .iter()
-            .find(|(name, _)| *name == constant.name);
-        *place = set.map_or(constant.value, |(_, value)| *value);
-    }
-    let release::Stop::Duration(duration) = read.stop else {
-        panic!("the paper's flights last a stated time");
-    };
-    let start = reference.chart.physical(&read.state());
-    let times: Vec<f64> = (0..=(duration * RATE).round() as usize)
-        .map(|k| k as f64 / RATE)
-        .collect();
-    let flown = fly(&reference, &constants, start, &times);
-    let mut dataset = flights(
-        model,
-        &Plan {
-            truth: &[],
-            throws: Throws::SPREAD,
-            flights: 0,
-            duration: (1.0, 1.0),
-            rate: RATE,
-        },
-        0,
-    );
-    dataset.parameters = read.parameters.iter().cloned().collect();
-    dataset.flights = vec![Flight {
-        file: format!("{name}.csv"),
-        role: Role::Fit,
-        known: Default::default(),
-        positions: flown
-            .iter()
-            .map(|body| markers(body, &MARKERS).into_iter().map(Some).collect())
-            .collect(),
-        times,
-    }];
-    dataset
-}
-
-fn way(model: &Model, name: &'static str, clean: &Dataset, ar1: f64, seeds: u64) -> Way {
+/// Estimates from a dataset under the paper's noise, over the seeds.
+pub fn way(model: &Model, name: &'static str, clean: &Dataset, ar1: f64, seeds: u64) -> Way {
     let noise = Noise {
         sigma: SIGMA,
         ar1,

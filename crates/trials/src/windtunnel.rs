@@ -92,6 +92,33 @@ impl Curve {
     }
 }
 
+/// The angle (rad) at which a parabola through the rows is lowest; none where it has no lowest point.
+pub fn lowest(rows: &[Measured], which: usize) -> Option<f64> {
+    let design = DMatrix::from_fn(rows.len(), 3, |row, power| {
+        rows[row].alpha.powi(power as i32)
+    });
+    let values = DVector::from_fn(rows.len(), |row, _| rows[row].coefficients[which]);
+    let found = design.svd(true, true).solve(&values, 1e-12).ok()?;
+    (found[2] > 0.0).then(|| -found[1] / (2.0 * found[2]))
+}
+
+/// The coefficients at an angle (rad) by straight lines between the rows, which are in order; beyond them the last.
+pub fn interpolated(rows: &[Measured], alpha: f64) -> [f64; 3] {
+    let above = rows.partition_point(|row| row.alpha <= alpha);
+    match (
+        above.checked_sub(1).and_then(|k| rows.get(k)),
+        rows.get(above),
+    ) {
+        (Some(low), Some(high)) => {
+            let part = (alpha - low.alpha) / (high.alpha - low.alpha);
+            [0, 1, 2]
+                .map(|k| low.coefficients[k] + part * (high.coefficients[k] - low.coefficients[k]))
+        }
+        (Some(end), None) | (None, Some(end)) => end.coefficients,
+        (None, None) => [0.0; 3],
+    }
+}
+
 /// The rows between two angles, degrees.
 pub fn between(rows: &[Measured], low: f64, high: f64) -> Vec<Measured> {
     let within = |row: &&Measured| (low - 1e-9..=high + 1e-9).contains(&row.alpha.to_degrees());
