@@ -28,6 +28,8 @@ pub struct Begun {
     pub state: State,
     /// Their indices in the dataset.
     pub flights: Vec<usize>,
+    /// Every start of each: more than one where the samples are too far apart to tell its spin.
+    pub alternatives: Vec<Vec<Start>>,
     /// Flights that cannot, and why.
     pub left_out: Vec<(usize, String)>,
 }
@@ -64,7 +66,7 @@ pub fn begin(
         if options.is_stopped() {
             return Err("interrupted".to_owned());
         }
-        let found = best_start(setting, &tracks[index].1, &shared, floor, options);
+        let found = fitted_starts(setting, &tracks[index].1, &shared, floor, options);
         options.part_done();
         found
     });
@@ -85,15 +87,15 @@ pub fn begin(
         rounds: 0,
     };
     let mut usable = Vec::with_capacity(tracks.len());
-    for ((flight, mut track), found) in tracks.into_iter().zip(found) {
+    let mut alternatives = Vec::with_capacity(tracks.len());
+    for ((flight, track), found) in tracks.into_iter().zip(found) {
         match found {
-            Ok(start) => {
-                if start.turns != 0 {
-                    track.notes.push(spin_note(start.turns));
-                }
+            Ok(starts) => {
+                let starts: Vec<Start> = starts.into_iter().map(|(_, start)| start).collect();
                 usable.push(flight);
-                state.own.push(start.state);
+                state.own.push(starts[0].state.clone());
                 state.tracks.push(track);
+                alternatives.push(starts);
             }
             Err(reason) => left_out.push((flight, reason)),
         }
@@ -108,6 +110,7 @@ pub fn begin(
     }
     Ok(Begun {
         state,
+        alternatives,
         flights: usable,
         left_out,
     })
@@ -115,7 +118,9 @@ pub fn begin(
 
 /// What is said of a flight whose spin was not the least that its samples allow.
 pub fn spin_note(turns: i32) -> String {
-    format!("it spins by {turns:+} turns between samples beside what neighbouring samples show")
+    format!(
+        "between samples it makes whole turns ({turns:+}) beside what neighbouring samples show"
+    )
 }
 
 /// A track of a flight, cut at the ground.
@@ -144,32 +149,27 @@ pub fn floor<'t>(setting: &Setting, tracks: impl Iterator<Item = &'t Track>) -> 
     median(&mut floors).max(LEAST_FLOOR)
 }
 
-/// The start whose first samples are met best, with the shared unknowns held.
-pub fn best_start(
+/// Starts whose first samples were fitted with the shared unknowns held, the one of least spin first; and how well each
+/// met them.
+pub fn fitted_starts(
     setting: &Setting,
     track: &Track,
     shared: &DVector<f64>,
     floor: f64,
     options: &Options<'_>,
-) -> Result<Start, String> {
+) -> Result<Vec<(f64, Start)>, String> {
     let samples = track.until(FIRST.0).max(FIRST.1).min(track.times.len());
-    let mut best: Option<(f64, Start)> = None;
+    let mut fitted = Vec::new();
     let mut refused = String::new();
-    for start in start::starts(setting, track)? {
-        match own_only(setting, track, samples, shared, start.state, floor, options) {
-            Ok((squares, state)) => {
-                // Fewer turns are likelier: more must be clearly better.
-                let clearly = if start.turns == 0 { 1.0 } else { 0.5 };
-                if best
-                    .as_ref()
-                    .is_none_or(|(least, _)| squares < clearly * least)
-                {
-                    let turns = start.turns;
-                    best = Some((squares, Start { state, turns }));
-                }
-            }
+    for Start { state, turns } in start::starts(setting, track)? {
+        match own_only(setting, track, samples, shared, state, floor, options) {
+            Ok((squares, state)) => fitted.push((squares, Start { state, turns })),
             Err(reason) => refused = reason,
         }
     }
-    best.map(|(_, start)| start).ok_or(refused)
+    if fitted.is_empty() {
+        Err(refused)
+    } else {
+        Ok(fitted)
+    }
 }

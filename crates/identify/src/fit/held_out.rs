@@ -4,7 +4,7 @@
 use flight::batch;
 use nalgebra::DVector;
 
-use super::begin::{best_start, track};
+use super::begin::{fitted_starts, track};
 use super::outcome::{initial, left_out};
 use super::settle::{own_only, solve_own};
 use super::{FitError, State};
@@ -74,7 +74,9 @@ fn one(
     }
     let head = track.head(first);
     let shared = &state.shared;
-    let start = best_start(setting, &head, shared, state.floor, options)?;
+    let starts = fitted_starts(setting, &head, shared, state.floor, options)?;
+    let best = starts.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    let (_, start) = best.ok_or("it has no start")?;
     let (_, own) = own_only(
         setting,
         &head,

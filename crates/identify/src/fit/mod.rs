@@ -10,6 +10,7 @@ mod problem;
 mod recover;
 mod rounds;
 mod settle;
+mod spin;
 
 use std::time::Instant;
 
@@ -37,6 +38,7 @@ pub struct Fitted {
 }
 
 /// What the stages of a fit work on.
+#[derive(Clone)]
 pub(crate) struct State {
     /// The flights that are fitted.
     pub tracks: Vec<Track>,
@@ -59,7 +61,7 @@ pub(crate) struct State {
 /// # Errors
 /// See [`FitError`].
 pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fitted, FitError> {
-    let begun = Instant::now();
+    let clock = Instant::now();
     let setting = Setting::new(model, dataset, options)?;
     let of_role = |role: Role| move |flight: &usize| dataset.flights[*flight].role == role;
     let all = 0..dataset.flights.len();
@@ -68,14 +70,17 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
         let reason = "every flight is held out: none is left to fit".to_owned();
         return Err(FitError::Mismatch(reason));
     }
-    let begin = begin::begin(&setting, dataset, &fitted, options)?;
-    let mut state = begin.state;
-    let started = begun.elapsed().as_secs_f64();
+    let mut begun = begin::begin(&setting, dataset, &fitted, options)?;
+    let (used, left_out) = (
+        std::mem::take(&mut begun.flights),
+        std::mem::take(&mut begun.left_out),
+    );
+    let started = clock.elapsed().as_secs_f64();
 
-    settle::grow(&setting, &mut state, options)?;
+    let mut state = spin::grow_all(&setting, begun, options)?;
     recover::recover(&setting, &mut state, options)?;
     let (noise, solution) = rounds::rounds(&setting, &mut state, options)?;
-    let solved = begun.elapsed().as_secs_f64();
+    let solved = clock.elapsed().as_secs_f64();
 
     let outcome = outcome::Outcome::new(&setting, &state, &noise, &solution, options)?;
     let mut report = outcome.report();
@@ -83,10 +88,10 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
     let held = held_out::held_out(&setting, dataset, &held_out, &state, &noise, options)?;
     let mut tracks: Vec<Option<(Track, DVector<f64>)>> = vec![None; dataset.flights.len()];
     let mut flights = vec![None; dataset.flights.len()];
-    for (flight, reason) in begin.left_out {
+    for (flight, reason) in left_out {
         flights[flight] = Some(outcome::left_out(&dataset.flights[flight], reason));
     }
-    for (index, &flight) in begin.flights.iter().enumerate() {
+    for (index, &flight) in used.iter().enumerate() {
         flights[flight] = Some(outcome.flight(index));
         tracks[flight] = Some((
             state.tracks[index].clone(),
@@ -102,7 +107,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
     report.seconds.insert("fit".into(), solved - started);
     report
         .seconds
-        .insert("total".into(), begun.elapsed().as_secs_f64());
+        .insert("total".into(), clock.elapsed().as_secs_f64());
     Ok(Fitted {
         report,
         shared: solution.point.shared.clone(),

@@ -1,0 +1,77 @@
+//! How fast the bodies spin where the samples are too far apart to tell: all flights are fitted by the least spin, and by
+//! a whole turn more or less between samples, and the fit that meets them best is taken.
+
+use super::begin::{Begun, spin_note};
+use super::settle::{grow, size};
+use super::{FitError, State};
+use crate::options::Options;
+use crate::setting::Setting;
+
+/// Whole turns that are tried, the likeliest first.
+const TURNS: [i32; 3] = [0, -1, 1];
+
+/// A less likely spin is taken where its residuals are smaller than this part of those of a likelier one.
+const CLEARLY: f64 = 0.9;
+
+/// Fits all flights over a growing horizon, from the starts that lead to the smallest residuals.
+///
+/// # Errors
+/// As [`grow`].
+pub fn grow_all(setting: &Setting, begun: Begun, options: &Options<'_>) -> Result<State, FitError> {
+    let Begun {
+        state,
+        alternatives,
+        ..
+    } = begun;
+    let has = |turns: i32| {
+        alternatives
+            .iter()
+            .flatten()
+            .any(|start| start.turns == turns)
+    };
+    let mut best: Option<(f64, State)> = None;
+    let mut failed = None;
+    for turns in TURNS.into_iter().filter(|&turns| has(turns)) {
+        let mut tried = state.clone();
+        for (index, starts) in alternatives.iter().enumerate() {
+            if let Some(start) = starts
+                .iter()
+                .find(|start| start.turns == turns && turns != 0)
+            {
+                tried.own[index].clone_from(&start.state);
+                tried.tracks[index].notes.push(spin_note(turns));
+            }
+        }
+        match grow(setting, &mut tried, options) {
+            Ok(()) => {}
+            Err(FitError::Interrupted) => return Err(FitError::Interrupted),
+            Err(error) => {
+                failed = failed.or(Some(error));
+                continue;
+            }
+        }
+        let left = left(setting, &tried, options);
+        if best
+            .as_ref()
+            .is_none_or(|(least, _)| left < CLEARLY * least)
+        {
+            best = Some((left, tried));
+        }
+    }
+    match (best, failed) {
+        (Some((_, state)), _) => Ok(state),
+        (None, Some(error)) => Err(error),
+        (None, None) => Ok(state),
+    }
+}
+
+/// Root of the mean squared size of the flights' residuals, m.
+fn left(setting: &Setting, state: &State, options: &Options<'_>) -> f64 {
+    let sizes = flight::batch::each_on(options.threads(), state.tracks.len(), |flight| {
+        let track = &state.tracks[flight];
+        let unknowns = (&state.shared, &state.own[flight]);
+        size(setting, track, unknowns, track.times.len()).unwrap_or(f64::INFINITY)
+    });
+    let squares: f64 = sizes.iter().map(|size| size * size).sum();
+    (squares / sizes.len().max(1) as f64).sqrt()
+}
