@@ -22,7 +22,7 @@ scipy's residuals and exact sensitivities are compiled C (SymPy's code, gcc -O3 
 a sample, which is 0.5 µm from exact (rms; the worst 5 µm). CasADi: the same equations and steps, multiple shooting, Gauss-Newton Hessian JᵀJ with exact sparse Jacobians, `map` over
 intervals on all threads, no scaling or bounds to slow IPOPT down, tolerance 1e-4 in units of standard errors. Nobody eliminated the flights' own unknowns by hand for a peer:
 that would be a least-squares program of its own. Where all peers agree with each other and differ a little from us, the reason is the weights: ours estimates the noise
-of each axis and leaves outliers out ({outliers} of 7260 marker positions here), theirs weigh all alike.
+of each axis and its correlation in time, and leaves outliers out ({outliers} of 7260 marker positions here); theirs weigh all alike.
 """
 
 
