@@ -12,7 +12,7 @@ pub struct Noise {
 }
 
 /// Greatest correlation that is believed: beyond it a residual is a misfit and no noise.
-const MOST_CORRELATION: f64 = 0.98;
+const MOST_CORRELATION: f64 = 0.9;
 
 impl Noise {
     /// White noise of this standard deviation along every axis.

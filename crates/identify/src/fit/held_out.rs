@@ -87,7 +87,12 @@ fn one(
         options,
     )?;
     mark(setting, &mut track, shared, &own)?;
-    let loss = Loss::Whitened(noise);
+    // Few samples, whose correlation may be the model's own error: as white, which misleads least.
+    let white = Noise {
+        ar1: [0.0; 3],
+        ..*noise
+    };
+    let loss = Loss::Whitened(&white);
     let (own, solution) = solve_own(setting, &track, first, shared, own, loss, options)?;
     let system = eliminate(&solution.blocks, 0.0).map_err(|flight| flight.to_string())?;
     let covariance = system.own_covariance(0, &nalgebra::DMatrix::zeros(0, 0));

@@ -197,7 +197,10 @@ fn tunnel(text: &mut Text, data: &RealData) {
             .collect::<Vec<_>>()
             .join(", ")
     ));
-    text.paragraph("![Measured coefficients and the disc's curves](real-data-tunnel.svg)");
+    let (low, high) = RANGES[1];
+    text.paragraph(format!(
+        "![Measured coefficients, the model's own curves, and those fitted from {low}° to {high}°](real-data-tunnel.svg)"
+    ));
     missed(text, &data.table);
 }
 
@@ -359,8 +362,5 @@ fn drawn(data: &RealData) -> String {
             }
         })
         .collect();
-    figure(
-        &format!("A wind tunnel's table, and the disc's curves (fitted from {low}° to {high}°)"),
-        &panels,
-    )
+    figure("A wind tunnel's table and the disc's curves", &panels)
 }
