@@ -30,8 +30,8 @@ pub struct Measured {
     pub differences: Vec<f64>,
     /// Medians of each, ns.
     pub peer_ns: Vec<f64>,
-    /// Lanes and whether they give the bits of `f64`.
-    pub isas: Vec<(Isa, bool)>,
+    /// Lanes and how far they are from one number at a time.
+    pub isas: Vec<(Isa, f64)>,
     /// Medians of ours for `f64`, and then for each of the lanes, ns a state, function by function.
     pub our_ns: Vec<[f64; 3]>,
     /// Median of `prepare`, ns.
@@ -72,10 +72,10 @@ fn main() {
 fn measure(peers: Vec<Peer>, rounds: usize) -> Measured {
     let flights = rows::draw(1);
     let differences = agreement::worst(&peers, &flights);
-    let isas: Vec<(Isa, bool)> = [Isa::Avx512, Isa::Avx2, Isa::Portable]
+    let isas: Vec<(Isa, f64)> = [Isa::Avx512, Isa::Avx2, Isa::Portable]
         .into_iter()
         .filter(|isa| isa.is_supported())
-        .map(|isa| (isa, agreement::same_bits(isa, &flights)))
+        .map(|isa| (isa, agreement::from_one(isa, &flights)))
         .collect();
     let mut peer_ns = vec![Vec::new(); peers.len()];
     let mut our_ns = vec![[const { Vec::new() }; 3]; 1 + isas.len()];

@@ -2,6 +2,7 @@
 
 use crate::flights::Timed;
 use crate::{Measured, TITLES, counts};
+use lanes::Isa;
 use serde_json::Value;
 use std::fmt::Write;
 use std::path::Path;
@@ -98,9 +99,17 @@ fn functions(page: &mut String, m: &Measured) {
             .map(|(ns, best)| format!("{ns:.1} ({:.2})", ns / best))
             .collect();
         let (title, bits) = match i.checked_sub(1).map(|i| m.isas[i]) {
-            None => ("f64".to_string(), "is ours"),
-            Some((isa, true)) => (format!("one lane, {}", isa.name()), "same bits"),
-            Some((isa, false)) => (format!("one lane, {}", isa.name()), "**other bits**"),
+            None => ("f64".to_string(), "is ours".to_string()),
+            Some((isa, 0.0)) => (format!("one lane, {}", isa.name()), "same bits".to_string()),
+            Some((isa, apart)) if isa.fuses() == Isa::best().fuses() => {
+                let title = format!("one lane, {}", isa.name());
+                (title, format!("{apart:.1e}: **other bits**"))
+            }
+            // Without fused operations the roundings are others.
+            Some((isa, apart)) => {
+                let title = format!("one lane, {}", isa.name());
+                (title, format!("{apart:.1e}, not fused"))
+            }
         };
         _ = writeln!(
             page,

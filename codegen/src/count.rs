@@ -1,4 +1,5 @@
-//! How many operations a program takes, by kind. A sine and a cosine of one angle count as two.
+//! How many operations a program takes, by kind. A sine and a cosine of one angle count as two, and so do the product
+//! and the sum of a fused operation.
 
 use crate::program::{Binary, Op, Operand, Program, Unary};
 use std::fmt;
@@ -30,6 +31,10 @@ impl Count {
 
     fn one(&mut self, op: &Op) {
         let kind = match op {
+            Op::Fused(..) => {
+                self.mul += 1;
+                &mut self.add
+            }
             Op::IfZero(..) => &mut self.select,
             Op::Binary(binary, ..) => match binary {
                 Binary::Add | Binary::Sub => &mut self.add,

@@ -54,6 +54,17 @@ pub enum Binary {
     Max,
 }
 
+/// A product and a sum as one operation, which machines that fuse round once. Of (a, b, c).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Fused {
+    /// `a * b + c`
+    MulAdd,
+    /// `a * b - c`
+    MulSub,
+    /// `c - a * b`
+    MulFrom,
+}
+
 /// One operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Op {
@@ -61,6 +72,8 @@ pub enum Op {
     Unary(Unary, Operand),
     /// On two.
     Binary(Binary, Operand, Operand),
+    /// On three.
+    Fused(Fused, Operand, Operand, Operand),
     /// The second where the first is 0, else the third.
     IfZero(Operand, Operand, Operand),
 }
@@ -71,7 +84,23 @@ impl Op {
         match *self {
             Op::Unary(_, a) => vec![a],
             Op::Binary(_, a, b) => vec![a, b],
-            Op::IfZero(a, b, c) => vec![a, b, c],
+            Op::IfZero(a, b, c) | Op::Fused(_, a, b, c) => vec![a, b, c],
+        }
+    }
+
+    /// Calls `change` with each of its operands.
+    pub fn for_operands(&mut self, mut change: impl FnMut(&mut Operand)) {
+        match self {
+            Op::Unary(_, a) => change(a),
+            Op::Binary(_, a, b) => {
+                change(a);
+                change(b);
+            }
+            Op::IfZero(a, b, c) | Op::Fused(_, a, b, c) => {
+                change(a);
+                change(b);
+                change(c);
+            }
         }
     }
 }

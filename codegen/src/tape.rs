@@ -1,9 +1,9 @@
 //! The tape: a program as compact instructions, evaluated for one flight or for many at once.
 //!
 //! It does exactly the operations of the schedule in the order of the schedule, through
-//! [`lanes::Real`], so that it agrees with generated code to the bit.
+//! [`lanes::Real`], so that it agrees to the bit with generated code on the same lanes.
 
-use crate::program::{Binary, Op, Operand, Program, Unary};
+use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
 use lanes::Real;
 
 /// What an instruction does.
@@ -31,6 +31,9 @@ enum Code {
     Atan2,
     Min,
     Max,
+    MulAdd,
+    MulSub,
+    MulFrom,
     IfZero,
 }
 
@@ -104,6 +107,15 @@ impl Tape {
         if scratch.len() < self.slots {
             scratch.resize(self.slots, T::splat(0.0));
         }
+        self.eval_in(inputs, scratch, out);
+    }
+
+    /// The same in a scratch space of at least [`slots`](Tape::slots) numbers.
+    ///
+    /// # Panics
+    /// As [`eval`](Tape::eval), or if the space is smaller.
+    #[inline(always)]
+    pub fn eval_in<T: Real>(&self, inputs: Inputs<'_, T>, scratch: &mut [T], out: &mut [T]) {
         let s = &mut scratch[..self.slots];
         for &(operand, slot) in &self.loads {
             s[usize::from(slot)] = match operand {
@@ -119,6 +131,9 @@ impl Tape {
         for i in &self.instructions {
             let a = s[usize::from(i.a)];
             let value = match i.code {
+                Code::MulAdd => a.mul_add(s[usize::from(i.b)], s[usize::from(i.c)]),
+                Code::MulSub => a.mul_sub(s[usize::from(i.b)], s[usize::from(i.c)]),
+                Code::MulFrom => a.mul_from(s[usize::from(i.b)], s[usize::from(i.c)]),
                 Code::Mul => a * s[usize::from(i.b)],
                 Code::Add => a + s[usize::from(i.b)],
                 Code::Sub => a - s[usize::from(i.b)],
@@ -296,6 +311,11 @@ impl<'a> Builder<'a> {
 
 fn code(op: &Op) -> Code {
     match op {
+        Op::Fused(fused, ..) => match fused {
+            Fused::MulAdd => Code::MulAdd,
+            Fused::MulSub => Code::MulSub,
+            Fused::MulFrom => Code::MulFrom,
+        },
         Op::IfZero(..) => Code::IfZero,
         Op::Binary(binary, ..) => match binary {
             Binary::Add => Code::Add,

@@ -3,6 +3,7 @@
 use crate::compile::Compiled;
 use crate::program::{Function, Section};
 use crate::tape::{Inputs, Tape};
+use lanes::{Alone, Single, alone};
 
 /// A function on a tape, with the places of its results.
 #[derive(Clone, Debug)]
@@ -208,17 +209,43 @@ fn run(
     if out.len() < wanted {
         out.resize(wanted, 0.0);
     }
-    let inputs = Inputs {
-        t: at.t,
-        x: at.x,
-        p: at.p,
-        prepared: at.prepared,
+    if slots.len() < function.tape.slots() {
+        slots.resize(function.tape.slots(), 0.0);
+    }
+    alone(Run {
+        tape: &function.tape,
+        at,
         marker,
-    };
-    function.tape.eval(inputs, slots, out);
+        slots,
+        out,
+    });
     let mut start = 0;
     for (section, result) in function.sections.iter().zip(results) {
         result[..section.len].copy_from_slice(&out[start..start + section.len]);
         start += section.len;
+    }
+}
+
+/// An evaluation, with the operations of this machine.
+struct Run<'a> {
+    tape: &'a Tape,
+    at: At<'a>,
+    marker: &'a [f64],
+    slots: &'a mut [f64],
+    out: &'a mut [f64],
+}
+
+impl Alone for Run<'_> {
+    #[inline(always)]
+    fn run<T: Single>(self) {
+        let inputs = Inputs {
+            t: T::splat(self.at.t),
+            x: T::slice(self.at.x),
+            p: T::slice(self.at.p),
+            prepared: T::slice(self.at.prepared),
+            marker: T::slice(self.marker),
+        };
+        let (slots, out) = (T::slice_mut(self.slots), T::slice_mut(self.out));
+        self.tape.eval_in(inputs, slots, out);
     }
 }

@@ -1,6 +1,6 @@
 //! One statement as an infix expression, in exactly the order of the schedule.
 
-use crate::program::{Binary, Op, Operand, Program, Unary};
+use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// How tightly an expression binds.
@@ -56,6 +56,18 @@ impl Writer<'_> {
                 let (a, b) = (self.operand(*a), self.operand(*b));
                 (
                     format!("{}.if_zero({a}, {b})", self.tight(*c, Bind::Atom)),
+                    Bind::Atom,
+                )
+            }
+            Op::Fused(fused, a, b, c) => {
+                let method = match fused {
+                    Fused::MulAdd => "mul_add",
+                    Fused::MulSub => "mul_sub",
+                    Fused::MulFrom => "mul_from",
+                };
+                let (b, c) = (self.operand(*b), self.operand(*c));
+                (
+                    format!("{}.{method}({b}, {c})", self.tight(*a, Bind::Atom)),
                     Bind::Atom,
                 )
             }

@@ -2,6 +2,7 @@
 
 use super::WIDTH;
 use super::expression::{Writer, local};
+use super::width::two_lines;
 use crate::compile::Compiled;
 use crate::count;
 use crate::program::{Function, Op, Operand, Unary};
@@ -237,8 +238,12 @@ impl<'a> Body<'a> {
             writer.names[k] = Some(name);
         };
         for k in 0..program.statements.len() {
+            while let Some(part) = self.writer.part_of_wide_call(k) {
+                name_part(&mut self.writer, part);
+            }
             while self.writer.statement(k).len() > LINE {
-                let Some(part) = self.longest_part(k) else {
+                let operands = program.statements[k].op.operands();
+                let Some(part) = self.writer.longest_part(&operands) else {
                     break;
                 };
                 name_part(&mut self.writer, part);
@@ -247,16 +252,6 @@ impl<'a> Body<'a> {
                 name_part(&mut self.writer, k);
             }
         }
-    }
-
-    /// The longest operand of a statement that is written inside it.
-    fn longest_part(&self, k: usize) -> Option<usize> {
-        let operands = self.function.program.statements[k].op.operands();
-        let parts = operands.into_iter().filter_map(|operand| match operand {
-            Operand::Temp(t) if self.writer.names[t as usize].is_none() => Some(t as usize),
-            _ => None,
-        });
-        parts.max_by_key(|&part| self.writer.statement(part).len())
     }
 
     fn operands(&self) -> impl Iterator<Item = Operand> + '_ {
@@ -281,67 +276,94 @@ impl<'a> Body<'a> {
             .collect()
     }
 
+    /// Inputs stand where they are first needed, and results are stored where they are known: what is not needed yet or
+    /// any more holds no register.
     fn lines(&self) -> Vec<String> {
-        let mut lines = self.loads();
+        let mut lines = Lines::default();
         self.statements(&mut lines);
-        self.stores(&mut lines);
-        lines
-    }
-
-    fn loads(&self) -> Vec<String> {
-        let layout = &self.compiled.layout;
-        let mut used: Vec<(u8, u32)> = self
-            .operands()
-            .filter_map(|operand| match operand {
-                Operand::State(k) => Some((0, k)),
-                Operand::Parameter(k) => Some((1, k)),
-                Operand::Prepared(k) => Some((2, k)),
-                Operand::Marker(k) => Some((3, k)),
-                _ => None,
-            })
+        let outputs = &self.function.program.outputs;
+        let rest: Vec<usize> = (0..outputs.len())
+            .filter(|&at| !matches!(outputs[at], Operand::Temp(_)))
             .collect();
-        used.sort_unstable();
-        used.dedup();
-        let line = |(kind, k): (u8, u32)| {
-            let (array, names) = match kind {
-                0 => ("state", &layout.states),
-                1 => ("parameters", &layout.parameters),
-                2 => ("prepared", &self.compiled.prepared),
-                _ => ("marker", &layout.marker),
-            };
-            format!("let {} = {array}[{k}];", local(&names[k as usize]))
-        };
-        used.into_iter().map(line).collect()
+        if !rest.is_empty() {
+            lines.text.push(String::new());
+        }
+        for at in rest {
+            self.load(outputs[at], &mut lines);
+            self.store(at, &mut lines);
+        }
+        lines.text
     }
 
-    fn statements(&self, lines: &mut Vec<String>) {
+    /// Loads what an operand needs of the inputs and is not there yet.
+    fn load(&self, operand: Operand, lines: &mut Lines) {
+        let layout = &self.compiled.layout;
+        let (array, names, k) = match operand {
+            Operand::State(k) => ("state", &layout.states, k),
+            Operand::Parameter(k) => ("parameters", &layout.parameters, k),
+            Operand::Prepared(k) => ("prepared", &self.compiled.prepared, k),
+            Operand::Marker(k) => ("marker", &layout.marker, k),
+            Operand::Temp(t) if self.writer.names[t as usize].is_none() => {
+                return self.load_all(t as usize, lines);
+            }
+            Operand::Time | Operand::Constant(_) | Operand::Temp(_) => return,
+        };
+        if lines.loaded.insert((array, k)) {
+            let name = local(&names[k as usize]);
+            lines.text.push(format!("let {name} = {array}[{k}];"));
+        }
+    }
+
+    fn load_all(&self, k: usize, lines: &mut Lines) {
+        for operand in self.function.program.statements[k].op.operands() {
+            self.load(operand, lines);
+        }
+    }
+
+    fn statements(&self, lines: &mut Lines) {
         let program = &self.function.program;
         let mut said: BTreeSet<(String, usize)> = BTreeSet::new();
         let mut done = vec![false; program.statements.len()];
+        let mut results: Vec<Vec<usize>> = vec![Vec::new(); program.statements.len()];
+        for (at, output) in program.outputs.iter().enumerate() {
+            if let Operand::Temp(t) = output {
+                results[*t as usize].push(at);
+            }
+        }
         for (k, statement) in program.statements.iter().enumerate() {
+            let stored = std::mem::take(&mut results[k]);
             let Some(name) = &self.writer.names[k] else {
+                for at in stored {
+                    self.load_all(k, lines);
+                    self.store(at, lines);
+                }
                 continue;
             };
-            if done[k] {
-                continue;
-            }
-            if let Some(about) = &statement.about {
-                let origin = &self.compiled.derived.origins[about.origin];
-                if origin.line > 0 && said.insert((origin.source.clone(), origin.line)) {
-                    lines.push(String::new());
-                    lines.push(comment(&origin.source, origin.line, &origin.text));
+            if !done[k] {
+                self.load_all(k, lines);
+                if let Some(about) = &statement.about {
+                    let origin = &self.compiled.derived.origins[about.origin];
+                    if origin.line > 0 && said.insert((origin.source.clone(), origin.line)) {
+                        lines.text.push(String::new());
+                        let comment = comment(&origin.source, origin.line, &origin.text);
+                        lines.text.push(comment);
+                    }
+                }
+                if let Op::Unary(Unary::Sin | Unary::Cos, angle) = statement.op
+                    && let Some((sin, cos)) = self.sin_cos(k, angle, &mut done)
+                {
+                    lines.text.push(format!(
+                        "let ({sin}, {cos}) = {}.sin_cos();",
+                        self.writer.operand(angle)
+                    ));
+                } else {
+                    let left = format!("let {name} =");
+                    lines.text.extend(self.writer.statement_lines(&left, k));
                 }
             }
-            if let Op::Unary(Unary::Sin | Unary::Cos, angle) = statement.op
-                && let Some((sin, cos)) = self.sin_cos(k, angle, &mut done)
-            {
-                lines.push(format!(
-                    "let ({sin}, {cos}) = {}.sin_cos();",
-                    self.writer.operand(angle)
-                ));
-                continue;
+            for at in stored {
+                self.store(at, lines);
             }
-            push_let(lines, &format!("let {name} ="), &self.writer.statement(k));
         }
     }
 
@@ -359,34 +381,44 @@ impl<'a> Body<'a> {
         Some((sin_name, cos_name))
     }
 
-    fn stores(&self, lines: &mut Vec<String>) {
-        let names = &self.function.results;
-        let mut at = 0;
-        for section in &self.function.sections {
-            if section.len > 0 {
-                lines.push(String::new());
+    /// Writes a result to its place.
+    fn store(&self, at: usize, lines: &mut Lines) {
+        let mut start = 0;
+        let section = self.function.sections.iter().find(|section| {
+            start += section.len;
+            at < start
+        });
+        let Some(section) = section else { return };
+        let k = at + section.len - start;
+        let name = &self.function.results[at];
+        let value = self.writer.operand(self.function.program.outputs[at]);
+        let place = format!("{}[{k}] =", output(section.name));
+        let plain = format!("{place} {value};");
+        let note = if section.pattern.is_some() && value != *name {
+            format!(" // {name}")
+        } else {
+            String::new()
+        };
+        if plain.len() + note.len() + 4 <= WIDTH {
+            lines.text.push(plain + &note);
+        } else {
+            if !note.is_empty() {
+                lines.text.push(note.trim().to_string());
             }
-            for k in 0..section.len {
-                let value = self.writer.operand(self.function.program.outputs[at]);
-                let place = format!("{}[{k}] =", output(section.name));
-                let plain = format!("{place} {value};");
-                let note = if section.pattern.is_some() && value != names[at] {
-                    format!(" // {}", names[at])
-                } else {
-                    String::new()
-                };
-                if plain.len() + note.len() + 4 <= WIDTH {
-                    lines.push(plain + &note);
-                } else {
-                    if !note.is_empty() {
-                        lines.push(note.trim().to_string());
-                    }
-                    push_let(lines, &place, &value);
-                }
-                at += 1;
-            }
+            let part = self.writer.part(self.function.program.outputs[at]);
+            lines.text.extend(match part {
+                Some(k) => self.writer.statement_lines(&place, k),
+                None => two_lines(&place, &value),
+            });
         }
     }
+}
+
+/// Lines of a body, and the inputs that are loaded.
+#[derive(Default)]
+struct Lines {
+    text: Vec<String>,
+    loaded: BTreeSet<(&'static str, u32)>,
 }
 
 /// A name cut at a word, so that two of them fit a line.
@@ -398,16 +430,6 @@ fn short(name: &str) -> &str {
     name[..MOST]
         .rfind('_')
         .map_or(&name[..MOST], |at| &name[..at])
-}
-
-/// `left right;`, on two lines where one is too short.
-fn push_let(lines: &mut Vec<String>, left: &str, right: &str) {
-    if 4 + left.len() + 1 + right.len() < WIDTH {
-        lines.push(format!("{left} {right};"));
-    } else {
-        lines.push(left.to_string());
-        lines.push(format!("    {right};"));
-    }
 }
 
 fn comment(source: &str, line: usize, text: &str) -> String {

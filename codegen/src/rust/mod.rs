@@ -7,6 +7,7 @@
 mod expression;
 mod function;
 mod table;
+mod width;
 
 pub use table::{library, source_hash};
 

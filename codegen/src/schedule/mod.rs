@@ -1,6 +1,8 @@
 //! From definitions to the one schedule: operands first, what belongs together close together.
 
+mod fuse;
 mod naming;
+mod order;
 pub mod prepare;
 
 pub use naming::{Namer, is_reserved};
@@ -50,14 +52,25 @@ pub fn schedule_named(
         namer,
         prepare,
     };
+    // What takes long comes first, with what it needs: the rest does not wait for it, nor hold registers meanwhile.
+    for &id in &order {
+        if takes_long(&dag.defs[id as usize]) {
+            schedule.emit(id);
+        }
+    }
+    let mut roots: Vec<Vec<usize>> = vec![Vec::new(); dag.defs.len()];
+    for (k, &(_, root)) in dag.roots.iter().enumerate() {
+        roots[root as usize].push(k);
+    }
+    let mut outputs = vec![Operand::Constant(f64::NAN); dag.roots.len()];
     for &id in &order {
         schedule.emit(id);
+        for &k in &roots[id as usize] {
+            outputs[k] = schedule.root(dag.roots[k], results.get(k));
+        }
     }
-    for (k, &root) in dag.roots.iter().enumerate() {
-        let value = schedule.root(root, results.get(k));
-        schedule.program.outputs.push(value);
-    }
-    schedule.program
+    schedule.program.outputs = outputs;
+    order::order(fuse::fuse(schedule.program))
 }
 
 /// Puts the definitions in order, results without names.
@@ -68,6 +81,14 @@ pub fn schedule(
     prepare: Option<&mut Prepare>,
 ) -> Program {
     schedule_named(dag, graph, namer, prepare, &[])
+}
+
+/// Whether a definition is a function, a root or a reciprocal.
+fn takes_long(def: &Def) -> bool {
+    matches!(
+        def,
+        Def::Call(..) | Def::Atan2(..) | Def::Root(_) | Def::Recip(_)
+    )
 }
 
 struct Schedule<'a> {

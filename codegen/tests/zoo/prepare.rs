@@ -9,28 +9,27 @@ use std::f64::consts::PI;
 /// 14 operations: 10 mul, 1 div, 3 neg.
 #[inline(always)]
 pub fn prepare<T: Real>(parameters: &[T; 3], prepared: &mut [T; 13]) {
-    let k = parameters[0];
     let tau = parameters[1];
-    let c = parameters[2];
     let inv_tau = T::splat(1.0) / tau;
-    let c_sq = c * c;
-    let k_inv_tau = inv_tau * k;
-    let inv_tau_sq = inv_tau * inv_tau;
-    let minus_inv_tau = -inv_tau;
-    let minus_inv_tau_c = -(inv_tau * c);
-    let minus_inv_tau_sq = -inv_tau_sq;
-
     prepared[0] = inv_tau;
-    prepared[1] = minus_inv_tau;
-    prepared[2] = T::splat(PI) * T::splat(0.5);
-    prepared[3] = c_sq;
-    prepared[4] = minus_inv_tau_c;
+    let c = parameters[2];
+    let c_sq = c * c;
+    prepared[1] = c_sq;
+    prepared[3] = T::splat(PI) * T::splat(0.5);
+    let inv_tau_sq = inv_tau * inv_tau;
+    prepared[11] = inv_tau_sq;
     prepared[5] = inv_tau * T::splat(2.0);
+    let k = parameters[0];
+    let k_inv_tau = inv_tau * k;
     prepared[6] = k_inv_tau;
     prepared[7] = inv_tau * T::splat(0.3333333333333333);
     prepared[8] = inv_tau * T::splat(0.5);
     prepared[9] = inv_tau * T::splat(1.5);
     prepared[10] = inv_tau * T::splat(0.05555555555555555);
-    prepared[11] = inv_tau_sq;
+    let minus_inv_tau = -inv_tau;
+    prepared[2] = minus_inv_tau;
+    let minus_inv_tau_c = -(inv_tau * c);
+    prepared[4] = minus_inv_tau_c;
+    let minus_inv_tau_sq = -inv_tau_sq;
     prepared[12] = minus_inv_tau_sq;
 }

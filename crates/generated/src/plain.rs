@@ -1,42 +1,56 @@
 // Written by `hyzer generate`; changes belong in the compiler.
-//! Each function for `f64`, compiled once for each kind of machine that [`lanes::alone`] knows.
+//! Each function on one number at a time, compiled once for each kind of machine that [`lanes::alone`] knows.
 
 use crate::Equations;
-use lanes::{Alone, alone};
+use lanes::{Alone, Single, alone};
 use std::marker::PhantomData;
 
 macro_rules! functions {
-    ($($name:ident $call:ident ($($argument:ident: $type:ty),*))*) => {$(
-        struct $call<E, A>(PhantomData<E>, A);
+    ($($name:ident $call:ident ($time:ident: f64, $($from:ident),*; $($to:ident),*))*) => {$(
+        struct $call<'a, E> {
+            equations: PhantomData<E>,
+            $time: f64,
+            $($from: &'a [f64],)*
+            $($to: &'a mut [f64],)*
+        }
 
-        impl<'a, E: Equations> Alone for $call<E, ($($type,)*)> {
+        impl<E: Equations> Alone for $call<'_, E> {
             #[inline(always)]
-            fn run(self) {
-                let ($($argument,)*) = self.1;
-                E::$name($($argument),*);
+            fn run<T: Single>(self) {
+                let time = T::splat(self.$time);
+                E::$name(time, $(T::slice(self.$from),)* $(T::slice_mut(self.$to)),*);
             }
         }
 
         #[doc = concat!("See [`Equations::", stringify!($name), "`].")]
         #[inline(never)]
-        pub fn $name<'a, E: Equations>($($argument: $type),*) {
-            alone($call::<E, _>(PhantomData, ($($argument,)*)));
+        pub fn $name<E: Equations>($time: f64, $($from: &[f64],)* $($to: &mut [f64]),*) {
+            alone($call::<E> { equations: PhantomData, $time, $($from,)* $($to),* });
         }
     )*};
 }
 
-#[rustfmt::skip]
 functions! {
-    prepare Prepare(p: &'a [f64], k: &'a mut [f64])
-    f F(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], dx: &'a mut [f64])
-    f_jac FJac(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], dx: &'a mut [f64],
-        j: &'a mut [f64])
-    f_jac_par FJacPar(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], dx: &'a mut [f64],
-        j: &'a mut [f64], jp: &'a mut [f64])
-    observe Observe(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], marker: &'a [f64],
-        y: &'a mut [f64])
-    observe_jac ObserveJac(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], marker: &'a [f64],
-        y: &'a mut [f64], dy_dx: &'a mut [f64], dy_dp: &'a mut [f64], dy_dmarker: &'a mut [f64])
-    quantities Quantities(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], q: &'a mut [f64])
-    limits Limits(t: f64, x: &'a [f64], p: &'a [f64], k: &'a [f64], l: &'a mut [f64])
+    f F(t: f64, x, p, k; dx)
+    f_jac FJac(t: f64, x, p, k; dx, j)
+    f_jac_par FJacPar(t: f64, x, p, k; dx, j, jp)
+    observe Observe(t: f64, x, p, k, marker; y)
+    observe_jac ObserveJac(t: f64, x, p, k, marker; y, dy_dx, dy_dp, dy_dmarker)
+    quantities Quantities(t: f64, x, p, k; q)
+    limits Limits(t: f64, x, p, k; l)
+}
+
+struct Prepare<'a, E>(PhantomData<E>, &'a [f64], &'a mut [f64]);
+
+impl<E: Equations> Alone for Prepare<'_, E> {
+    #[inline(always)]
+    fn run<T: Single>(self) {
+        E::prepare(T::slice(self.1), T::slice_mut(self.2));
+    }
+}
+
+/// See [`Equations::prepare`].
+#[inline(never)]
+pub fn prepare<E: Equations>(p: &[f64], k: &mut [f64]) {
+    alone(Prepare::<E>(PhantomData, p, k));
 }

@@ -18,13 +18,13 @@ pub trait Kernel {
 /// Instructions that lanes are made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Isa {
-    /// Eight lanes, by AVX-512 (F and DQ).
+    /// Eight lanes, by AVX-512 (F and DQ); fused.
     Avx512,
-    /// Four lanes, by AVX2.
+    /// Four lanes, by AVX2 and FMA; fused.
     Avx2,
-    /// Four lanes, by whatever the compiler makes of an array.
+    /// Four lanes, by whatever the compiler makes of an array; not fused, and so the same on every machine.
     Portable,
-    /// One lane: `f64` itself.
+    /// One lane: `f64` itself; not fused.
     Scalar,
 }
 
@@ -37,14 +37,23 @@ impl Isa {
         match self {
             #[cfg(target_arch = "x86_64")]
             Isa::Avx512 => {
-                is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq")
+                // Where wide vectors are, the narrower are too; `alone` counts on it.
+                is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512dq")
+                    && Isa::Avx2.is_supported()
             }
             #[cfg(target_arch = "x86_64")]
-            Isa::Avx2 => is_x86_feature_detected!("avx2"),
+            Isa::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
             #[cfg(not(target_arch = "x86_64"))]
             Isa::Avx512 | Isa::Avx2 => false,
             Isa::Portable | Isa::Scalar => true,
         }
+    }
+
+    /// Whether [`Real::mul_add`](crate::Real::mul_add) and its like round once. All that do give the same bits, and all
+    /// that do not.
+    pub fn fuses(self) -> bool {
+        matches!(self, Isa::Avx512 | Isa::Avx2)
     }
 
     /// The one that [`dispatch`] takes: that named by the environment variable `HYZER_LANES` (`avx512`,

@@ -42,6 +42,22 @@ pub(crate) trait Primitive:
     fn read(from: &[f64]) -> Self;
     fn write(self, to: &mut [f64]);
 
+    /// `self * b + c`; with one rounding where the type fuses, and then so do the next two.
+    #[inline(always)]
+    fn times_plus(self, b: Self, c: Self) -> Self {
+        self * b + c
+    }
+    /// `self * b - c`.
+    #[inline(always)]
+    fn times_minus(self, b: Self, c: Self) -> Self {
+        self * b - c
+    }
+    /// `c - self * b`.
+    #[inline(always)]
+    fn times_from(self, b: Self, c: Self) -> Self {
+        c - self * b
+    }
+
     /// Bits given as an integer, in every lane.
     #[inline(always)]
     fn bits(bits: u64) -> Self {
@@ -81,6 +97,12 @@ macro_rules! real_by_primitives {
         impl $crate::Real for $type {
             #[inline(always)]
             fn splat(value: f64) -> Self { <Self as $crate::primitive::Primitive>::all(value) }
+            #[inline(always)]
+            fn mul_add(self, b: Self, c: Self) -> Self { $crate::primitive::Primitive::times_plus(self, b, c) }
+            #[inline(always)]
+            fn mul_sub(self, b: Self, c: Self) -> Self { $crate::primitive::Primitive::times_minus(self, b, c) }
+            #[inline(always)]
+            fn mul_from(self, b: Self, c: Self) -> Self { $crate::primitive::Primitive::times_from(self, b, c) }
             #[inline(always)]
             fn sqrt(self) -> Self { $crate::functions::basic::sqrt(self) }
             #[inline(always)]

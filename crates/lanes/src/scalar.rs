@@ -1,4 +1,4 @@
-//! `f64` itself: one lane.
+//! `f64` itself: one lane, which fuses nothing.
 
 use crate::primitive::{Primitive, real_by_primitives};
 

@@ -1,6 +1,7 @@
 //! Lanes of x86's wide vectors. All the `unsafe` of this crate is here.
 //!
-//! **Why it is sound.** Every `unsafe` block below is a call of a vector instruction that the machine may lack.
+//! **Why it is sound.** Every `unsafe` block below, but for two that look at a slice of numbers as one of numbers with
+//! another name, is a call of a vector instruction that the machine may lack.
 //! The two types are private to the crate and no function hands them out: code outside can name them
 //! only as the `T` of [`Kernel::run`], and that is called with them only by [`run_avx512`] and [`run_avx2`],
 //! which first ask the machine ([`Isa::is_supported`], asked again in each). So wherever a value of
@@ -10,6 +11,7 @@
 
 use crate::dispatch::{Isa, Kernel};
 use crate::primitive::{Primitive, real_by_primitives};
+use crate::single::{Fused, Single};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::OnceLock;
@@ -35,7 +37,7 @@ pub(crate) fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
 
 /// Runs a kernel on four lanes.
 pub(crate) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,fma")]
     fn run<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<Four>()
     }
@@ -44,7 +46,7 @@ pub(crate) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     unsafe { run(kernel) }
 }
 
-/// What `f64` alone is compiled for.
+/// What a number alone is compiled for.
 #[derive(Clone, Copy)]
 enum Alone {
     Avx512,
@@ -58,29 +60,29 @@ impl Alone {
         static BEST: OnceLock<Alone> = OnceLock::new();
         *BEST.get_or_init(|| match Isa::best() {
             Isa::Avx512 if is_x86_feature_detected!("avx512vl") => Alone::Avx512,
-            Isa::Avx512 | Isa::Avx2 if Isa::Avx2.is_supported() => Alone::Avx2,
+            Isa::Avx512 | Isa::Avx2 => Alone::Avx2,
             _ => Alone::Plain,
         })
     }
 }
 
-/// Runs a computation on `f64` with what this machine has.
+/// Runs a computation on one number at a time with what this machine has.
 #[inline(always)]
 pub(crate) fn run_alone<A: crate::Alone>(computation: A) {
-    #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
     fn avx512<A: crate::Alone>(computation: A) {
-        computation.run();
+        computation.run::<Fused>();
     }
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,fma")]
     fn avx2<A: crate::Alone>(computation: A) {
-        computation.run();
+        computation.run::<Fused>();
     }
     match Alone::best() {
         // SAFETY: the machine was asked.
         Alone::Avx512 => unsafe { avx512(computation) },
         // SAFETY: the machine was asked.
         Alone::Avx2 => unsafe { avx2(computation) },
-        Alone::Plain => computation.run(),
+        Alone::Plain => computation.run::<f64>(),
     }
 }
 
@@ -114,9 +116,41 @@ macro_rules! operators {
 operators!(Eight, Add add _mm512_add_pd, Sub sub _mm512_sub_pd, Mul mul _mm512_mul_pd, Div div _mm512_div_pd);
 operators!(Four, Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd);
 
+impl Single for Fused {
+    #[inline(always)]
+    fn slice(of: &[f64]) -> &[Fused] {
+        // SAFETY: a `Fused` is an `f64` and nothing else (`repr(transparent)`).
+        unsafe { &*(of as *const [f64] as *const [Fused]) }
+    }
+    #[inline(always)]
+    fn slice_mut(of: &mut [f64]) -> &mut [Fused] {
+        // SAFETY: as above, and every `Fused` is a good `f64`.
+        unsafe { &mut *(of as *mut [f64] as *mut [Fused]) }
+    }
+}
+
+/// The three fused operations, by instructions of that name.
+macro_rules! fused {
+    ($type:ident, $plus:ident $minus:ident $from:ident) => {
+        #[inline(always)]
+        fn times_plus(self, b: Self, c: Self) -> Self {
+            $type(instruction!($plus(self.0, b.0, c.0)))
+        }
+        #[inline(always)]
+        fn times_minus(self, b: Self, c: Self) -> Self {
+            $type(instruction!($minus(self.0, b.0, c.0)))
+        }
+        #[inline(always)]
+        fn times_from(self, b: Self, c: Self) -> Self {
+            $type(instruction!($from(self.0, b.0, c.0)))
+        }
+    };
+}
+
 impl Primitive for Eight {
     type Mask = __mmask8;
     const WIDTH: usize = 8;
+    fused!(Eight, _mm512_fmadd_pd _mm512_fmsub_pd _mm512_fnmadd_pd);
 
     #[inline(always)]
     fn all(value: f64) -> Self {
@@ -192,6 +226,7 @@ impl Primitive for Four {
     // Each lane's top bit is what selections look at.
     type Mask = __m256d;
     const WIDTH: usize = 4;
+    fused!(Four, _mm256_fmadd_pd _mm256_fmsub_pd _mm256_fnmadd_pd);
 
     #[inline(always)]
     fn all(value: f64) -> Self {

@@ -1,12 +1,12 @@
-//! Every kind of lanes gives the bits that `f64` gives.
+//! Every kind of lanes that fuses gives the same bits, and every kind that does not; the two differ by roundings.
 
 // Numbers at which something changes, not constants of mathematics.
 #![allow(clippy::approx_constant)]
 
-use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
+use lanes::{Alone, Isa, Kernel, Lanes, Real, Single, alone, dispatch_with};
 
 /// What is computed of two numbers: every function and operation of `Real`.
-const RESULTS: usize = 22;
+const RESULTS: usize = 25;
 
 #[inline(always)]
 fn everything<T: Real>(a: T, b: T) -> [T; RESULTS] {
@@ -34,6 +34,9 @@ fn everything<T: Real>(a: T, b: T) -> [T; RESULTS] {
         a.step(),
         a.if_zero(b, T::splat(2.5)),
         (a * b).exp().atan2((a + b).sin_cos().0),
+        a.mul_add(b, a),
+        a.mul_sub(b, b),
+        a.mul_from(a, b),
     ]
 }
 
@@ -139,37 +142,102 @@ fn pairs() -> (Vec<f64>, Vec<f64>) {
     (a, b)
 }
 
+/// One number at a time, with the operations of this machine.
+struct OneByOne<'a>(Map<'a>);
+
+impl Alone for OneByOne<'_> {
+    #[inline(always)]
+    fn run<T: Single>(self) {
+        self.0.run::<T>();
+    }
+}
+
+#[track_caller]
+fn same(expected: &[[f64; RESULTS]], found: &[[f64; RESULTS]], (a, b): (&[f64], &[f64]), by: &str) {
+    for (i, (expected, found)) in expected.iter().zip(found).enumerate() {
+        for (k, (e, f)) in expected.iter().zip(found).enumerate() {
+            let same = e.to_bits() == f.to_bits() || e.is_nan() && f.is_nan();
+            assert!(
+                same,
+                "{by}, result {k} of {:e}, {:e}: {f:e}, not {e:e}",
+                a[i], b[i]
+            );
+        }
+    }
+}
+
 #[test]
-fn every_kind_of_lanes_gives_the_bits_of_f64() {
+fn every_kind_of_lanes_gives_the_bits_of_its_family() {
     let (a, b) = pairs();
-    let expected: Vec<[f64; RESULTS]> = a.iter().zip(&b).map(|(a, b)| everything(*a, *b)).collect();
+    let plain: Vec<[f64; RESULTS]> = a.iter().zip(&b).map(|(a, b)| everything(*a, *b)).collect();
+    let mut fused: Option<Vec<[f64; RESULTS]>> = None;
     let mut kinds = 0;
     for isa in Isa::ALL {
         let mut found = vec![[0.0; RESULTS]; a.len()];
-        let Some(width) = dispatch_with(
-            isa,
-            Map {
-                a: &a,
-                b: &b,
-                to: &mut found,
-            },
-        ) else {
+        let to = &mut found;
+        let Some(width) = dispatch_with(isa, Map { a: &a, b: &b, to }) else {
             continue;
         };
         kinds += 1;
         assert_eq!(width, [8, 4, 4, 1][kinds_index(isa)]);
-        for (i, (expected, found)) in expected.iter().zip(&found).enumerate() {
-            for (k, (e, f)) in expected.iter().zip(found).enumerate() {
-                let same = e.to_bits() == f.to_bits() || e.is_nan() && f.is_nan();
-                assert!(
-                    same,
-                    "{isa:?}, result {k} of {:e}, {:e}: {f:e}, but {e:e} in f64",
-                    a[i], b[i]
-                );
-            }
+        if isa.fuses() {
+            same(
+                fused.get_or_insert(found.clone()),
+                &found,
+                (&a, &b),
+                isa.name(),
+            );
+        } else {
+            same(&plain, &found, (&a, &b), isa.name());
         }
     }
     assert!(kinds >= 2);
+
+    let mut found = vec![[0.0; RESULTS]; a.len()];
+    let to = &mut found;
+    alone(OneByOne(Map { a: &a, b: &b, to }));
+    match fused.as_ref().filter(|_| Isa::best().fuses()) {
+        Some(fused) => same(fused, &found, (&a, &b), "alone"),
+        None => same(&plain, &found, (&a, &b), "alone"),
+    }
+
+    // All but the last four, which may cancel: a function is within 2 ulp, or 3, in both.
+    for (i, (plain, fused)) in plain.iter().zip(fused.iter().flatten()).enumerate() {
+        for (k, (p, f)) in plain.iter().zip(fused).take(RESULTS - 4).enumerate() {
+            let close = (p - f).abs() <= 6.0 * f64::EPSILON * p.abs() + f64::MIN_POSITIVE;
+            let one = p == f || p.is_nan() && f.is_nan();
+            assert!(
+                close || one,
+                "result {k} of {:e}, {:e}: {f:e} fused, {p:e} not",
+                a[i],
+                b[i]
+            );
+        }
+    }
+}
+
+struct Rounds<'a>(&'a mut f64);
+
+impl Kernel for Rounds<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        // The square of 1 + e is 1 + 2e + e²; the last part is lost where it is rounded first.
+        let e = 2_f64.powi(-30);
+        let a = T::splat(1.0 + e);
+        *self.0 = a.mul_sub(a, T::splat(1.0 + 2.0 * e)).lane(0);
+    }
+}
+
+#[test]
+fn those_that_say_so_round_once() {
+    for isa in Isa::ALL {
+        let mut left = f64::NAN;
+        if dispatch_with(isa, Rounds(&mut left)).is_some() {
+            let expected = if isa.fuses() { 2_f64.powi(-60) } else { 0.0 };
+            assert_eq!(left, expected, "{}", isa.name());
+        }
+    }
 }
 
 fn kinds_index(isa: Isa) -> usize {

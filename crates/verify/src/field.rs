@@ -5,7 +5,7 @@
 //! is a symbol, a random number that depends on its argument alone. Equal at a random point, two programs
 //! are the same function of these.
 
-use codegen::program::{Binary, Op, Operand, Program, Unary};
+use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use num_traits::{One, Zero};
 use oracle::point::Point;
 use oracle::scalar::{Field, PRIME, Prime};
@@ -86,6 +86,14 @@ impl<'a> Machine<'a> {
                     Binary::Min => self.symbols.then(|| symbol(1, &[a.min(b), a.max(b)])),
                     Binary::Max => self.symbols.then(|| symbol(2, &[a.min(b), a.max(b)])),
                 }
+            }
+            Op::Fused(fused, a, b, c) => {
+                let (product, c) = (value(a)? * value(b)?, value(c)?);
+                Some(match fused {
+                    Fused::MulAdd => product + c,
+                    Fused::MulSub => product - c,
+                    Fused::MulFrom => c - product,
+                })
             }
             Op::IfZero(a, then, otherwise) => {
                 if value(a)?.is_zero() {

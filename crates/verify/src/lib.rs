@@ -133,6 +133,7 @@ fn every_check(
         .collect();
     let runs = checks::backends::runs(model, compiled, &points);
     rows.push(checks::backends::check(compiled, &runs));
+    rows.push(checks::backends::check_fused(compiled, &runs));
     let singular = checks::singular::points(model);
     let points: Vec<_> = singular.iter().map(|(_, point)| point.clone()).collect();
     let runs = checks::backends::runs(model, compiled, &points);

@@ -11,7 +11,9 @@ use verify::checks::{
 use verify::checks::{symmetries, units};
 use verify::engine::Engine;
 use verify::flights::{INVARIANTS, MOMENTA};
+use verify::random::Random;
 use verify::report::Verdict;
+use verify::sample;
 use verify::subject::Subject;
 
 /// The check refuses the edited model, and not the model.
@@ -209,11 +211,40 @@ fn backends() {
     runs.retain(|run| run.backend.starts_with("tape"));
     assert!(runs.len() > 2, "{runs:?}");
     assert_eq!(backends::check(&compiled, &runs).verdict, Verdict::Holds);
-    let first = runs[1].results[0].len() - 1;
-    runs[1].results[0][first] = f64::from_bits(runs[1].results[0][first].to_bits() + 1);
-    let row = backends::check(&compiled, &runs);
-    assert_eq!((row.verdict, row.worst), (Verdict::Refuted, 1.0));
-    assert!(row.detail.starts_with("limits in tape"), "{}", row.detail);
+    for fuses in [false, true] {
+        let mut runs = runs.clone();
+        runs.retain(|run| run.fuses == fuses);
+        // A machine may have one kind of lanes that fuses, or none.
+        let [_, .., last] = runs.as_mut_slice() else {
+            continue;
+        };
+        let result = last.results[0].last_mut().unwrap();
+        *result = f64::from_bits(result.to_bits() + 1);
+        let row = backends::check(&compiled, &runs);
+        assert_eq!((row.verdict, row.worst), (Verdict::Refuted, 1.0));
+        assert!(row.detail.starts_with("limits in tape"), "{}", row.detail);
+    }
+}
+
+#[test]
+fn fused_and_not() {
+    let (model, compiled) = (disc(), codegen::compile(&disc()));
+    let point = sample::point(&model, &mut Random::new(0, "fused and not"));
+    let mut runs = backends::runs(&model, &compiled, &[point]);
+    let Some(fused) = runs.iter().position(|run| run.fuses) else {
+        return;
+    };
+    assert_eq!(
+        backends::check_fused(&compiled, &runs).verdict,
+        Verdict::Holds
+    );
+    let last = runs[fused].results[0].last_mut().unwrap();
+    *last *= 1.0 + 1e-11;
+    let row = backends::check_fused(&compiled, &runs);
+    assert_eq!(
+        (row.verdict, row.detail.as_str()),
+        (Verdict::Refuted, "limits")
+    );
 }
 
 #[test]

@@ -15,19 +15,18 @@ pub fn observe<T: Real>(
     marker: &[T; 3],
     seen: &mut [T; 3],
 ) {
-    let x = state[0];
-    let y = state[1];
-    let z = state[2];
     let mark_x = marker[0];
-    let mark_y = marker[1];
-    let mark_z = marker[2];
+    let x = state[0];
 
     // ball.hyz:43  observe mark = position + mark;
     let mark_x_2 = mark_x + x;
-    let mark_y_2 = mark_y + y;
-    let mark_z_2 = mark_z + z;
-
     seen[0] = mark_x_2;
+    let mark_y = marker[1];
+    let y = state[1];
+    let mark_y_2 = mark_y + y;
     seen[1] = mark_y_2;
+    let mark_z = marker[2];
+    let z = state[2];
+    let mark_z_2 = mark_z + z;
     seen[2] = mark_z_2;
 }

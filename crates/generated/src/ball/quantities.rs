@@ -15,29 +15,29 @@ pub fn quantities<T: Real>(
     prepared: &[T; 8],
     values: &mut [T; 6],
 ) {
-    let vx = state[3];
-    let vy = state[4];
     let vz = state[5];
-    let wind_x = parameters[5];
-    let wind_y = parameters[6];
     let wind_z = parameters[7];
-    let A = prepared[6];
-    let rho_half_pi_radius_product = prepared[7];
 
     // ball.hyz:33  let air_velocity = velocity - wind;
-    let air_velocity_x = vx - wind_x;
-    let air_velocity_y = vy - wind_y;
     let air_velocity_z = vz - wind_z;
-    let part_of_V_sq = air_velocity_z * air_velocity_z + air_velocity_y * air_velocity_y;
-    let V_sq = part_of_V_sq + air_velocity_x * air_velocity_x;
+    values[2] = air_velocity_z;
+    let vy = state[4];
+    let wind_y = parameters[6];
+    let air_velocity_y = vy - wind_y;
+    values[1] = air_velocity_y;
+    let vx = state[3];
+    let wind_x = parameters[5];
+    let air_velocity_x = vx - wind_x;
+    values[0] = air_velocity_x;
+    let part_of_V_sq = air_velocity_y.mul_add(air_velocity_y, air_velocity_z * air_velocity_z);
+    let V_sq = air_velocity_x.mul_add(air_velocity_x, part_of_V_sq);
 
     // ball.hyz:34  let V = norm(air_velocity);
     let V = V_sq.sqrt();
-
-    values[0] = air_velocity_x;
-    values[1] = air_velocity_y;
-    values[2] = air_velocity_z;
     values[3] = V;
-    values[4] = A;
+    let rho_half_pi_radius_product = prepared[7];
     values[5] = rho_half_pi_radius_product * V_sq;
+
+    let A = prepared[6];
+    values[4] = A;
 }

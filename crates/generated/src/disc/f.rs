@@ -15,112 +15,119 @@ pub fn f<T: Real>(
     prepared: &[T; 21],
     dx: &mut [T; 12],
 ) {
-    let u = state[3];
-    let v = state[4];
-    let w = state[5];
     let phi = state[6];
+    let (sin_phi, cos_phi) = phi.sin_cos();
     let theta = state[7];
+    let (sin_theta, cos_theta) = theta.sin_cos();
     let phidot = state[9];
-    let thetadot = state[10];
-    let gammadot = state[11];
+    let sin_theta_phidot = sin_theta * phidot;
+    let cos_theta_phidot = cos_theta * phidot;
     let g = parameters[6];
-    let C_L0 = parameters[7];
-    let C_La = parameters[8];
-    let C_D0 = parameters[9];
-    let C_Da = parameters[10];
-    let C_Ma = parameters[11];
-    let C_Mq = parameters[12];
-    let C_Rr = parameters[13];
-    let wind_x = parameters[15];
+    let v = state[4];
+    let cos_phi_g_plus_v_phidot = g.mul_add(cos_phi, v * phidot);
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let inv_m_half_rho_A = prepared[0];
-    let minus_g = prepared[1];
-    let half_rho_A_d_inv_I_d = prepared[2];
-    let inv_I_d_I_a = prepared[3];
-    let C_Nr_inv_I_a = prepared[4];
-    let (sin_theta, cos_theta) = theta.sin_cos();
-
-    // disc.hyz:55  position (x, y, z) in N;
-    let x_dot = sin_theta * w + cos_theta * u;
-    let sin_theta_u_minus_w_cos_sum = sin_theta * u - w * cos_theta;
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    let y_dot = sin_theta_u_minus_w_cos_sum * sin_phi + cos_phi * v;
-    let z_dot = sin_phi * v - sin_theta_u_minus_w_cos_sum * cos_phi;
-    let minus_sin_phi_wind_y_sum = wind_z * cos_phi - wind_y * sin_phi;
+    let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
 
     // disc.hyz:62  let air_velocity = velocity - in_B(wind);
-    let air_velocity_1 = u + sin_theta * minus_sin_phi_wind_y_sum - wind_x * cos_theta;
-    let air_velocity_2 = v - wind_z * sin_phi - wind_y * cos_phi;
-    let air_velocity_12_sq = air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
-    let minus_air_velocity_3 = wind_x * sin_theta - w + cos_theta * minus_sin_phi_wind_y_sum;
-    let V_sq = air_velocity_12_sq + minus_air_velocity_3 * minus_air_velocity_3;
-
-    // disc.hyz:64  let V = norm(air_velocity);
-    let V = V_sq.sqrt();
-    let V_inv_m_half_rho_A = inv_m_half_rho_A * V;
-    let air_velocity_12 = air_velocity_12_sq.sqrt();
-
-    // disc.hyz:69  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
-
-    // disc.hyz:73  let C_D = C_D0 + C_Da*alpha^2;
-    let C_D = C_Da * alpha * alpha + C_D0;
-
-    // disc.hyz:72  let C_L = C_L0 + C_La*alpha;
-    let C_L = C_La * alpha + C_L0;
-    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
-    let part_of_V_inv_m_half_rho_A =
-        (air_velocity_12 * C_D - minus_air_velocity_3 * C_L) * inv_air_velocity_12;
-    let V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * part_of_V_inv_m_half_rho_A;
-    let cos_phi_g_plus_v_phidot = g * cos_phi + v * phidot;
-    let part_of_u_dot = sin_theta * cos_phi_g_plus_v_phidot - w * thetadot;
-
-    // disc.hyz:56  velocity (u, v, w) in B;
-    let u_dot = part_of_u_dot - air_velocity_1 * V_inv_m_half_rho_A_product;
-    let part_of_v_dot = minus_g * sin_phi - air_velocity_2 * V_inv_m_half_rho_A_product;
-    let v_dot = part_of_v_dot - phidot * sin_theta_u_minus_w_cos_sum;
-    let part_of_w_dot = (minus_air_velocity_3 * C_D + air_velocity_12 * C_L) * V_inv_m_half_rho_A;
-    let w_dot = u * thetadot + part_of_w_dot - cos_theta * cos_phi_g_plus_v_phidot;
-    let cos_theta_phidot = cos_theta * phidot;
-    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
-    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
-    let sin_theta_phidot = sin_theta * phidot;
+    let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
+    let gammadot = state[11];
 
     // disc.hyz:78  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
-    let r_C_Rr = C_Rr * r;
-    let alpha_C_Ma = C_Ma * alpha;
-    let part_of_phidot_dot =
-        inv_air_velocity_12 * (air_velocity_1 * r_C_Rr - air_velocity_2 * alpha_C_Ma);
-    let part_of_phidot_dot_2 = cos_theta_phidot * nonzero_air_velocity_12_C_Mq + part_of_phidot_dot;
-    let V_sq_half_rho_A_d_inv_I_d = half_rho_A_d_inv_I_d * V_sq;
-    let r_inv_I_d_I_a = inv_I_d_I_a * r;
-    let part_of_phidot_dot_3 = thetadot * (r_inv_I_d_I_a - T::splat(2.0) * sin_theta_phidot);
-    let part_of_phidot_dot_4 =
-        part_of_phidot_dot_2 * V_sq_half_rho_A_d_inv_I_d - part_of_phidot_dot_3;
-    let phidot_dot = part_of_phidot_dot_4 / cos_theta;
-    let part_of_thetadot_dot_3 = (sin_theta_phidot - r_inv_I_d_I_a) * cos_theta_phidot;
-    let part_of_thetadot_dot =
-        inv_air_velocity_12 * (air_velocity_2 * r_C_Rr + air_velocity_1 * alpha_C_Ma);
-    let part_of_thetadot_dot_2 = thetadot * nonzero_air_velocity_12_C_Mq + part_of_thetadot_dot;
+    let w = state[5];
+    let thetadot = state[10];
+    let part_of_u_dot = sin_theta.mul_sub(cos_phi_g_plus_v_phidot, w * thetadot);
+    let u = state[3];
+    let sin_theta_u_minus_w_cos_sum = w.mul_from(cos_theta, sin_theta * u);
 
-    // disc.hyz:48  frame B = A turned theta about 2; // does not spin with the disc
-    let thetadot_dot = part_of_thetadot_dot_2 * V_sq_half_rho_A_d_inv_I_d - part_of_thetadot_dot_3;
+    // disc.hyz:55  position (x, y, z) in N;
+    let y_dot = sin_theta_u_minus_w_cos_sum.mul_add(sin_phi, cos_phi * v);
+    dx[1] = y_dot;
+    let wind_x = parameters[15];
+    let minus_air_velocity_3 =
+        cos_theta.mul_add(minus_sin_phi_wind_y_sum, wind_x.mul_sub(sin_theta, w));
+    let C_Rr = parameters[13];
+    let r_C_Rr = C_Rr * r;
+    let inv_I_d_I_a = prepared[3];
+    let r_inv_I_d_I_a = inv_I_d_I_a * r;
+    let z_dot = sin_theta_u_minus_w_cos_sum.mul_from(cos_phi, sin_phi * v);
+    dx[2] = z_dot;
+    let air_velocity_1 = wind_x.mul_from(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
+    let x_dot = cos_theta.mul_add(u, sin_theta * w);
+    dx[0] = x_dot;
+    let air_velocity_12_sq =
+        air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
+    let part_of_phidot_dot = thetadot * sin_theta_phidot.mul_from(T::splat(2.0), r_inv_I_d_I_a);
+    let part_of_thetadot_dot_4 = (sin_theta_phidot - r_inv_I_d_I_a) * cos_theta_phidot;
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
+    let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
+
+    // disc.hyz:64  let V = norm(air_velocity);
+    let V = V_sq.sqrt();
+    let half_rho_A_d_inv_I_d = prepared[2];
+    let V_sq_half_rho_A_d_inv_I_d = half_rho_A_d_inv_I_d * V_sq;
+
+    // disc.hyz:69  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
+    let inv_m_half_rho_A = prepared[0];
+    let V_inv_m_half_rho_A = inv_m_half_rho_A * V;
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let C_Mq = parameters[12];
+    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
+    let C_Ma = parameters[11];
+    let alpha_C_Ma = C_Ma * alpha;
+    let part_of_phidot_dot_2 = air_velocity_2.mul_from(alpha_C_Ma, air_velocity_1 * r_C_Rr);
+    let part_of_thetadot_dot = air_velocity_1.mul_add(alpha_C_Ma, air_velocity_2 * r_C_Rr);
+    let part_of_phidot_dot_3 = cos_theta_phidot * nonzero_air_velocity_12_C_Mq;
+    let part_of_phidot_dot_4 =
+        inv_air_velocity_12.mul_add(part_of_phidot_dot_2, part_of_phidot_dot_3);
+    let part_of_phidot_dot_5 =
+        V_sq_half_rho_A_d_inv_I_d.mul_sub(part_of_phidot_dot_4, part_of_phidot_dot);
+    let phidot_dot = part_of_phidot_dot_5 / cos_theta;
+    dx[9] = phidot_dot;
+    let C_Nr_inv_I_a = prepared[4];
+    let part_of_gammadot_dot = sin_theta.mul_from(phidot_dot, C_Nr_inv_I_a * r);
+    let part_of_thetadot_dot_2 = thetadot * nonzero_air_velocity_12_C_Mq;
 
     // disc.hyz:49  frame C = B turned gamma about 3; // fixed in the disc
-    let gammadot_dot = C_Nr_inv_I_a * r - sin_theta * phidot_dot - thetadot * cos_theta_phidot;
+    let gammadot_dot = thetadot.mul_from(cos_theta_phidot, part_of_gammadot_dot);
+    dx[11] = gammadot_dot;
+    let part_of_thetadot_dot_3 =
+        inv_air_velocity_12.mul_add(part_of_thetadot_dot, part_of_thetadot_dot_2);
 
-    dx[0] = x_dot;
-    dx[1] = y_dot;
-    dx[2] = z_dot;
-    dx[3] = u_dot;
-    dx[4] = v_dot;
+    // disc.hyz:48  frame B = A turned theta about 2; // does not spin with the disc
+    let thetadot_dot =
+        V_sq_half_rho_A_d_inv_I_d.mul_sub(part_of_thetadot_dot_3, part_of_thetadot_dot_4);
+    dx[10] = thetadot_dot;
+    let C_La = parameters[8];
+    let C_L0 = parameters[7];
+
+    // disc.hyz:72  let C_L = C_L0 + C_La*alpha;
+    let C_L = C_La.mul_add(alpha, C_L0);
+    let C_Da = parameters[10];
+    let C_D0 = parameters[9];
+
+    // disc.hyz:73  let C_D = C_D0 + C_Da*alpha^2;
+    let C_D = alpha.mul_add(C_Da * alpha, C_D0);
+    let part_of_w_dot = minus_air_velocity_3.mul_add(C_D, air_velocity_12 * C_L);
+    let part_of_V_inv_m_half_rho_A =
+        air_velocity_12.mul_sub(C_D, minus_air_velocity_3 * C_L) * inv_air_velocity_12;
+    let part_of_w_dot_2 = V_inv_m_half_rho_A.mul_add(part_of_w_dot, u * thetadot);
+    let V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * part_of_V_inv_m_half_rho_A;
+
+    // disc.hyz:56  velocity (u, v, w) in B;
+    let w_dot = cos_theta.mul_from(cos_phi_g_plus_v_phidot, part_of_w_dot_2);
     dx[5] = w_dot;
+    let minus_g = prepared[1];
+    let part_of_v_dot = air_velocity_2.mul_from(V_inv_m_half_rho_A_product, minus_g * sin_phi);
+    let u_dot = air_velocity_1.mul_from(V_inv_m_half_rho_A_product, part_of_u_dot);
+    dx[3] = u_dot;
+    let v_dot = phidot.mul_from(sin_theta_u_minus_w_cos_sum, part_of_v_dot);
+    dx[4] = v_dot;
+
     dx[6] = phidot;
     dx[7] = thetadot;
     dx[8] = gammadot;
-    dx[9] = phidot_dot;
-    dx[10] = thetadot_dot;
-    dx[11] = gammadot_dot;
 }

@@ -68,7 +68,7 @@ pub const COEFFICIENTS: usize = 8;
 /// What `prepare` computes.
 #[rustfmt::skip]
 pub const PREPARED: [&str; 25] = [
-    "g_m", "half_rho_A", "inv_m", "I_d_two", "inv_I_d", "inv_I_a", "minus_wind_y", "minus_inv_m",
+    "inv_m", "inv_I_d", "inv_I_a", "g_m", "half_rho_A", "I_d_two", "minus_wind_y", "minus_inv_m",
     "C_Da_two", "half_rho_A_inv_m", "two_d", "minus_inv_I_d", "d_gammadot_dot_d_angular_velocity_3",
     "A_half", "minus_C_Da_two", "C_La_half_rho_A_inv_m", "C_Da_two_half_rho_A_inv_m", "rho_half",
     "minus_rho_half", "minus_A_half", "minus_g_inv_m", "inv_m_sq", "minus_inv_I_d_sq", "inv_I_a_sq",

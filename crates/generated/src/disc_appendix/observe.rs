@@ -15,32 +15,33 @@ pub fn observe<T: Real>(
     marker: &[T; 3],
     seen: &mut [T; 3],
 ) {
-    let x = state[0];
-    let y = state[1];
-    let z = state[2];
-    let phi = state[6];
-    let theta = state[7];
     let gamma = state[8];
-    let mark_x = marker[0];
-    let mark_y = marker[1];
-    let mark_z = marker[2];
-    let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_gamma, cos_gamma) = gamma.sin_cos();
-    let minus_sin_gamma_mark_y_sum = cos_gamma * mark_x - sin_gamma * mark_y;
+    let theta = state[7];
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    let phi = state[6];
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let mark_y = marker[1];
+    let mark_x = marker[0];
+    let minus_sin_gamma_mark_y_sum = sin_gamma.mul_from(mark_y, cos_gamma * mark_x);
+    let sin_gamma_mark_x_plus_sum = mark_y.mul_add(cos_gamma, sin_gamma * mark_x);
+    let mark_z = marker[2];
+    let minus_sin_theta_minus_sum =
+        sin_theta.mul_from(minus_sin_gamma_mark_y_sum, mark_z * cos_theta);
+    let part_of_mark_x_2 = minus_sin_gamma_mark_y_sum.mul_add(cos_theta, mark_z * sin_theta);
+    let part_of_mark_y_2 =
+        minus_sin_theta_minus_sum.mul_from(sin_phi, sin_gamma_mark_x_plus_sum * cos_phi);
+    let part_of_mark_z_2 =
+        minus_sin_theta_minus_sum.mul_add(cos_phi, sin_phi * sin_gamma_mark_x_plus_sum);
+    let x = state[0];
 
     // disc_appendix.hyz:132  observe mark = (x, y, z) in N + in_N(mark);
-    let mark_x_2 = mark_z * sin_theta + minus_sin_gamma_mark_y_sum * cos_theta + x;
-    let minus_sin_theta_minus_sum = mark_z * cos_theta - sin_theta * minus_sin_gamma_mark_y_sum;
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    let sin_gamma_mark_x_plus_sum = sin_gamma * mark_x + mark_y * cos_gamma;
-    let part_of_mark_y_2 =
-        sin_gamma_mark_x_plus_sum * cos_phi - minus_sin_theta_minus_sum * sin_phi;
-    let mark_y_2 = part_of_mark_y_2 + y;
-    let part_of_mark_z_2 =
-        sin_phi * sin_gamma_mark_x_plus_sum + minus_sin_theta_minus_sum * cos_phi;
-    let mark_z_2 = part_of_mark_z_2 + z;
-
+    let mark_x_2 = part_of_mark_x_2 + x;
     seen[0] = mark_x_2;
+    let y = state[1];
+    let mark_y_2 = part_of_mark_y_2 + y;
     seen[1] = mark_y_2;
+    let z = state[2];
+    let mark_z_2 = part_of_mark_z_2 + z;
     seen[2] = mark_z_2;
 }

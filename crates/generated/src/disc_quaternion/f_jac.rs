@@ -16,607 +16,632 @@ pub fn f_jac<T: Real>(
     dx: &mut [T; 13],
     j: &mut [T; 69],
 ) {
-    let vx = state[3];
-    let vy = state[4];
-    let vz = state[5];
-    let q0 = state[6];
-    let q1 = state[7];
     let q2 = state[8];
-    let q3 = state[9];
-    let p = state[10];
-    let q = state[11];
-    let r = state[12];
-    let g = parameters[6];
-    let C_L0 = parameters[7];
-    let C_La = parameters[8];
-    let C_D0 = parameters[9];
-    let C_Da = parameters[10];
-    let C_Ma = parameters[11];
-    let C_Mq = parameters[12];
-    let C_Rr = parameters[13];
-    let wind_x = parameters[15];
-    let wind_y = parameters[16];
-    let wind_z = parameters[17];
-    let inv_m_rho_A = prepared[0];
-    let half_d_inv_I_d_rho_A = prepared[1];
-    let one_minus_inv_I_d_I_a = prepared[2];
-    let C_Nr_inv_I_a = prepared[3];
-    let d_rho_A_inv_I_d = prepared[4];
-    let two_C_Da = prepared[5];
-    let C_Mq_d_rho_A_inv_I_d = prepared[6];
     let q2_two = T::splat(2.0) * q2;
-    let q2_sq_two = q2 * q2_two;
-    let q1_two = T::splat(2.0) * q1;
-    let q1_sq_two = q1 * q1_two;
-    let q1_sq_two_minus_one_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
-    let vz_minus_wind_z = vz - wind_z;
-    let vx_minus_wind_x = vx - wind_x;
+    let q3 = state[9];
+    let q1 = state[7];
     let q1_q3 = q3 * q1;
+    let q0 = state[6];
     let q0_q2 = q2 * q0;
-    let q0_q2_plus_q1_q3 = q1_q3 + q0_q2;
-    let q3_q2 = q3 * q2;
-    let q1_q0 = q1 * q0;
-    let minus_q1_q0_plus_q3_q2 = q3_q2 - q1_q0;
-    let minus_vy_minus_wind_y = wind_y - vy;
-    let vy_minus_wind_y_product_sum =
-        vx_minus_wind_x * q0_q2_plus_q1_q3 - minus_q1_q0_plus_q3_q2 * minus_vy_minus_wind_y;
-
-    // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
-    let minus_air_velocity_3 =
-        q1_sq_two_minus_one_sum * vz_minus_wind_z - T::splat(2.0) * vy_minus_wind_y_product_sum;
     let q3_two = T::splat(2.0) * q3;
-    let q3_sq_two_minus_one = q3 * q3_two - T::splat(1.0);
-    let q2_sq_two_plus_q3_sq_sum = q2_sq_two + q3_sq_two_minus_one;
+    let q1_two = T::splat(2.0) * q1;
+    let vz = state[5];
+    let wind_z = parameters[17];
+    let vz_minus_wind_z = vz - wind_z;
     let q1_q2 = q1 * q2;
     let q0_q3 = q3 * q0;
-    let q0_q3_plus_q1_q2 = q1_q2 + q0_q3;
+    let q2_sq_two = q2 * q2_two;
+    let vx = state[3];
+    let wind_x = parameters[15];
+    let vx_minus_wind_x = vx - wind_x;
+    let q3_sq_two_minus_one = q3.mul_sub(q3_two, T::splat(1.0));
     let minus_q0_q2_plus_q1_q3 = q1_q3 - q0_q2;
-    let vz_minus_wind_z_product_sum =
-        vz_minus_wind_z * minus_q0_q2_plus_q1_q3 - minus_vy_minus_wind_y * q0_q3_plus_q1_q2;
-    let minus_air_velocity_1 =
-        vx_minus_wind_x * q2_sq_two_plus_q3_sq_sum - T::splat(2.0) * vz_minus_wind_z_product_sum;
-    let q1_sq_two_plus_q3_sq_sum = q1_sq_two + q3_sq_two_minus_one;
+    let q1_sq_two = q1 * q1_two;
+    let q3_q2 = q3 * q2;
+    let q1_q0 = q1 * q0;
+    let wind_y = parameters[16];
+    let vy = state[4];
+    let minus_vy_minus_wind_y = wind_y - vy;
+    let q0_q3_plus_q1_q2 = q1_q2 + q0_q3;
     let minus_q0_q3_plus_q1_q2 = q1_q2 - q0_q3;
+    let q2_sq_two_plus_q3_sq_sum = q2_sq_two + q3_sq_two_minus_one;
+    let q1_sq_two_plus_q3_sq_sum = q1_sq_two + q3_sq_two_minus_one;
     let q1_q0_plus_q3_q2 = q3_q2 + q1_q0;
+    let q0_q2_plus_q1_q3 = q1_q3 + q0_q2;
+    let minus_q1_q0_plus_q3_q2 = q3_q2 - q1_q0;
+    let vz_minus_wind_z_product_sum =
+        minus_vy_minus_wind_y.mul_from(q0_q3_plus_q1_q2, vz_minus_wind_z * minus_q0_q2_plus_q1_q3);
+    let part_of_minus_air_velocity_1 = vx_minus_wind_x * q2_sq_two_plus_q3_sq_sum;
+    let part_of_air_velocity_2 = minus_vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum;
+    let q1_sq_two_minus_one_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
+
+    // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
+    let minus_air_velocity_1 =
+        vz_minus_wind_z_product_sum.mul_from(T::splat(2.0), part_of_minus_air_velocity_1);
     let q1_q0_plus_q3_q2_vz_sum =
-        vx_minus_wind_x * minus_q0_q3_plus_q1_q2 + vz_minus_wind_z * q1_q0_plus_q3_q2;
-    let air_velocity_2 =
-        minus_vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum + T::splat(2.0) * q1_q0_plus_q3_q2_vz_sum;
+        vz_minus_wind_z.mul_add(q1_q0_plus_q3_q2, vx_minus_wind_x * minus_q0_q3_plus_q1_q2);
+    let q2_sq_two_plus_q3_product = T::splat(0.5) * q2_sq_two_plus_q3_sq_sum;
+    let air_velocity_2 = q1_q0_plus_q3_q2_vz_sum.mul_add(T::splat(2.0), part_of_air_velocity_2);
+    let q1_sq_two_plus_q3_product = T::splat(0.5) * q1_sq_two_plus_q3_sq_sum;
+    let C_Nr_inv_I_a = prepared[3];
+    let r = state[12];
+
+    // disc_quaternion.hyz:51  angular velocity (p, q, r) in C;
+    let r_dot = C_Nr_inv_I_a * r;
+    dx[12] = r_dot;
+    let d_q1_dot_d_p = T::splat(0.5) * q0;
+    j[33] = d_q1_dot_d_p;
+    j[40] = d_q1_dot_d_p; // d_q2_dot_d_q
+    j[47] = d_q1_dot_d_p; // d_q3_dot_d_r
+    let vy_minus_wind_y_product_sum =
+        minus_q1_q0_plus_q3_q2.mul_from(minus_vy_minus_wind_y, vx_minus_wind_x * q0_q2_plus_q1_q3);
     let air_velocity_12_sq =
-        minus_air_velocity_1 * minus_air_velocity_1 + air_velocity_2 * air_velocity_2;
-    let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
+        air_velocity_2.mul_add(air_velocity_2, minus_air_velocity_1 * minus_air_velocity_1);
+    let part_of_minus_air_velocity_3 = q1_sq_two_minus_one_sum * vz_minus_wind_z;
+    let minus_air_velocity_3 =
+        vy_minus_wind_y_product_sum.mul_from(T::splat(2.0), part_of_minus_air_velocity_3);
+    let part_of_minus_q0_q3_plus_q1_sum = minus_q0_q3_plus_q1_q2 * air_velocity_2;
+    let minus_q0_q3_plus_q1_sum =
+        minus_air_velocity_1.mul_add(q2_sq_two_plus_q3_product, part_of_minus_q0_q3_plus_q1_sum);
+    let part_of_q0_q3_plus_q1_q2_sum = q0_q3_plus_q1_q2 * minus_air_velocity_1;
+    let q0_q3_plus_q1_q2_sum =
+        air_velocity_2.mul_add(q1_sq_two_plus_q3_product, part_of_q0_q3_plus_q1_q2_sum);
+    let q0_two = T::splat(2.0) * q0;
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
+    let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
+    let q1_q0_plus_q3_q2_sum =
+        minus_q0_q2_plus_q1_q3.mul_from(minus_air_velocity_1, q1_q0_plus_q3_q2 * air_velocity_2);
+    let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
+    let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
+    let vx_minus_wind_x_q0_two = vx_minus_wind_x * q0_two;
 
     // disc_quaternion.hyz:57  let V = norm(air_velocity);
     let V = V_sq.sqrt();
-    let V_inv_m_rho_A = inv_m_rho_A * V;
-    let air_velocity_12 = air_velocity_12_sq.sqrt();
+    let half_d_inv_I_d_rho_A = prepared[1];
+    let V_sq_half_d_inv_part_rho_A = half_d_inv_I_d_rho_A * V_sq;
+    let vx_minus_wind_x_q3_two = vx_minus_wind_x * q3_two;
+    let vz_minus_wind_z_q2_two = vz_minus_wind_z * q2_two;
+    let q1_n4 = T::splat(4.0) * q1;
+    let minus_vy_minus_wind_y_q2_two = minus_vy_minus_wind_y * q2_two;
+    let part_of_d_minus_air_velocity_3 = minus_vy_minus_wind_y_q3_two - vx_minus_wind_x_q0_two;
+    let d_minus_air_velocity_3_d_q2 =
+        vz_minus_wind_z.mul_add(T::splat(4.0) * q2, part_of_d_minus_air_velocity_3);
+    let part_of_d_air_velocity_2_d_q3 = vz_minus_wind_z_q2_two - vx_minus_wind_x_q0_two;
+    let d_minus_air_velocity_1_d_q0 = minus_vy_minus_wind_y_q3_two + vz_minus_wind_z_q2_two;
+    let vx_minus_wind_x_q1_two = vx_minus_wind_x * q1_two;
+    let C_Rr = parameters[13];
+    let r_C_Rr = C_Rr * r;
+    let vx_minus_wind_x_q2_two = vx_minus_wind_x * q2_two;
+    let vx_minus_wind_x_n4 = T::splat(4.0) * vx_minus_wind_x;
+    let minus_vy_minus_wind_y_q1_two = minus_vy_minus_wind_y * q1_two;
+    let vz_minus_wind_z_q1_two = vz_minus_wind_z * q1_two;
+    let minus_vy_minus_wind_y_q0_two = minus_vy_minus_wind_y * q0_two;
+    let vz_minus_wind_z_q0_two = vz_minus_wind_z * q0_two;
+    let vz_minus_wind_z_q3_two = vz_minus_wind_z * q3_two;
+    let minus_d_minus_air_velocity_3_d_q0 = vx_minus_wind_x_q2_two + minus_vy_minus_wind_y_q1_two;
+    let d_minus_air_velocity_3_d_q1 =
+        vz_minus_wind_z.mul_sub(q1_n4, vx_minus_wind_x_q3_two) - minus_vy_minus_wind_y_q0_two;
+    let part_of_d_minus_air_velocity_1_2 = minus_vy_minus_wind_y_q0_two - vz_minus_wind_z_q1_two;
+    let d_air_velocity_2_d_q0 = vz_minus_wind_z_q1_two - vx_minus_wind_x_q3_two;
+    let part_of_d_minus_air_velocity_1 = minus_vy_minus_wind_y_q1_two + vz_minus_wind_z_q0_two;
+    let d_air_velocity_2_d_q1 =
+        minus_vy_minus_wind_y.mul_add(q1_n4, vx_minus_wind_x_q2_two) + vz_minus_wind_z_q0_two;
+    let d_minus_air_velocity_1_d_q2 =
+        q2.mul_add(vx_minus_wind_x_n4, part_of_d_minus_air_velocity_1);
+    let d_minus_air_velocity_1_d_q3 =
+        q3.mul_add(vx_minus_wind_x_n4, part_of_d_minus_air_velocity_1_2);
 
     // disc_quaternion.hyz:62  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let C_La = parameters[8];
+    let part_of_minus_minus_air_sum = C_La * minus_air_velocity_3 * inv_air_velocity_12;
+    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
+    let C_Mq_d_rho_A_inv_I_d = prepared[6];
+    let air_velocity_12_C_product = C_Mq_d_rho_A_inv_I_d * air_velocity_12;
+    let inv_V = V.recip_or_zero();
+    let inv_m_rho_A = prepared[0];
+    let V_inv_m_rho_A = inv_m_rho_A * V;
+    let nonzero_V = V.if_zero(T::splat(0.0), T::splat(1.0));
+    let d_minus_air_velocity_3_d_q3 = minus_vy_minus_wind_y_q2_two - vx_minus_wind_x_q1_two;
+    let d_air_velocity_2_d_q2 = vz_minus_wind_z_q3_two + vx_minus_wind_x_q1_two;
+    let d_minus_air_velocity_1_d_q1 = minus_vy_minus_wind_y_q2_two - vz_minus_wind_z_q3_two;
+    let d_rho_A_inv_I_d = prepared[4];
+    let part_of_nonzero_air_product_sum = d_rho_A_inv_I_d * nonzero_air_velocity_12 * nonzero_V;
+    let C_Mq = parameters[12];
+    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
+    let d_air_velocity_2_d_q3 =
+        minus_vy_minus_wind_y.mul_add(T::splat(4.0) * q3, part_of_d_air_velocity_2_d_q3);
+    let p = state[10];
+    let part_of_d_p_dot_d_air_velocity = p * air_velocity_12_C_product;
+    let q = state[11];
+    let part_of_d_q_dot_d_air_velocity = q * air_velocity_12_C_product;
+    let minus_air_velocity_product_6 = d_rho_A_inv_I_d * minus_air_velocity_3;
+    let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * C_Mq_nonzero_air_velocity_12;
+    j[55] = V_sq_half_d_inv_product; // d_p_dot_d_p
+    j[66] = V_sq_half_d_inv_product; // d_q_dot_d_q
+    let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_part_rho_A;
+    let nonzero_air_product_sum =
+        inv_air_velocity_12.mul_from(inv_air_velocity_12_product, part_of_nonzero_air_product_sum);
+    let inv_air_velocity_12_product_2 = inv_air_velocity_12_product * r_C_Rr;
+    let V_inv_m_rho_A_inv_product = V_inv_m_rho_A * inv_air_velocity_12;
+    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
+    let q3_r_plus_q2_q_plus_q1_p = q3.mul_add(r, q2.mul_add(q, q1 * p));
+    dx[6] = T::splat(-0.5) * q3_r_plus_q2_q_plus_q1_p;
+    let inv_V_sq = inv_V * inv_V;
+    let inv_V_inv_m_rho_A = inv_m_rho_A * inv_V;
+    let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
+    let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
+    let q3_q_minus_q2_r_minus_q0_p = q2.mul_from(r, q0.mul_from(p, q3 * q));
+    dx[7] = T::splat(-0.5) * q3_q_minus_q2_r_minus_q0_p;
+    let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_sq;
+    let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
+    let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_V_inv_m_rho_A;
+    let C_Ma = parameters[11];
+    let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
+    let part_of_d_p_dot_d_air_velocity_2 = minus_air_velocity_product_2
+        .mul_add(C_Ma_air_velocity_2_product, part_of_d_p_dot_d_air_velocity);
+    let part_of_d_p_dot_d_minus_air_2 = air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product;
+    let minus_air_velocity_product_7 = C_Ma * minus_air_velocity_product;
+    let part_of_d_q_dot_d_air_velocity_2 = minus_air_velocity_product_2
+        .mul_add(minus_air_velocity_product_7, part_of_d_q_dot_d_air_velocity);
+    let part_of_d_q_dot_d_minus_air_2 = air_velocity_12_inv_V_sq * minus_air_velocity_product_7;
+    let q1_r_minus_q3_p_minus_q0_q = q3.mul_from(p, q0.mul_from(q, q1 * r));
+    dx[8] = T::splat(-0.5) * q1_r_minus_q3_p_minus_q0_q;
+    let q2_p_minus_q1_q_minus_q0_r = q1.mul_from(q, q0.mul_from(r, q2 * p));
+    dx[9] = T::splat(-0.5) * q2_p_minus_q1_q_minus_q0_r;
+    let one_minus_inv_I_d_I_a = prepared[2];
+    let minus_C_Rr_minus_air_sum =
+        C_Rr.mul_from(minus_air_velocity_product, one_minus_inv_I_d_I_a * q);
+    j[57] = minus_C_Rr_minus_air_sum; // d_p_dot_d_r
+    let C_Rr_air_velocity_sum = C_Rr.mul_sub(air_velocity_2_inv_product, one_minus_inv_I_d_I_a * p);
+    j[67] = C_Rr_air_velocity_sum; // d_q_dot_d_r
+    let minus_air_velocity_product_5 = minus_air_velocity_1 * inv_air_velocity_12;
+    let part_of_p_dot = r.mul_add(minus_C_Rr_minus_air_sum, p * V_sq_half_d_inv_product);
+    let part_of_q_dot = r.mul_add(C_Rr_air_velocity_sum, q * V_sq_half_d_inv_product);
+    let minus_d_q0_dot_d_q1 = T::splat(0.5) * p;
+    j[30] = minus_d_q0_dot_d_q1; // d_q1_dot_d_q0
+    j[38] = minus_d_q0_dot_d_q1; // d_q2_dot_d_q3
+    let d_q0_dot_d_q1 = -minus_d_q0_dot_d_q1;
+    j[24] = d_q0_dot_d_q1;
+    j[44] = d_q0_dot_d_q1; // d_q3_dot_d_q2
+    let minus_d_q0_dot_d_q2 = T::splat(0.5) * q;
+    j[36] = minus_d_q0_dot_d_q2; // d_q2_dot_d_q0
+    j[43] = minus_d_q0_dot_d_q2; // d_q3_dot_d_q1
+    let d_q0_dot_d_q2 = -minus_d_q0_dot_d_q2;
+    j[25] = d_q0_dot_d_q2;
+    j[32] = d_q0_dot_d_q2; // d_q1_dot_d_q3
+    let minus_d_q0_dot_d_q3 = T::splat(0.5) * r;
+    j[31] = minus_d_q0_dot_d_q3; // d_q1_dot_d_q2
+    j[42] = minus_d_q0_dot_d_q3; // d_q3_dot_d_q0
+    let d_q0_dot_d_q3 = -minus_d_q0_dot_d_q3;
+    j[26] = d_q0_dot_d_q3;
+    j[37] = d_q0_dot_d_q3; // d_q2_dot_d_q1
+    let minus_d_q0_dot_d_p = T::splat(0.5) * q1;
+    j[46] = minus_d_q0_dot_d_p; // d_q3_dot_d_q
+    let d_q0_dot_d_p = -minus_d_q0_dot_d_p;
+    j[27] = d_q0_dot_d_p;
+    j[41] = d_q0_dot_d_p; // d_q2_dot_d_r
+    let minus_d_q0_dot_d_q = T::splat(0.5) * q2;
+    j[35] = minus_d_q0_dot_d_q; // d_q1_dot_d_r
+    let d_q0_dot_d_q = -minus_d_q0_dot_d_q;
+    j[28] = d_q0_dot_d_q;
+    j[45] = d_q0_dot_d_q; // d_q3_dot_d_p
+    let minus_d_q0_dot_d_r = T::splat(0.5) * q3;
+    j[39] = minus_d_q0_dot_d_r; // d_q2_dot_d_p
+    let d_q0_dot_d_r = -minus_d_q0_dot_d_r;
+    j[29] = d_q0_dot_d_r;
+    j[34] = d_q0_dot_d_r; // d_q1_dot_d_q
+    let d_p_dot_d_q = one_minus_inv_I_d_I_a * r;
+    j[56] = d_p_dot_d_q;
+    let d_q_dot_d_p = -d_p_dot_d_q;
+    j[65] = d_q_dot_d_p;
+    let C_L0 = parameters[7];
 
     // disc_quaternion.hyz:66  let C_L = C_L0 + C_La*alpha;
-    let C_L = C_L0 + C_La * alpha;
+    let C_L = C_La.mul_add(alpha, C_L0);
+    let C_Da = parameters[10];
+    let C_D0 = parameters[9];
 
     // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
-    let C_D = C_D0 + C_Da * alpha * alpha;
-    let minus_air_velocity_12_C_D_sum = minus_air_velocity_3 * C_L - air_velocity_12 * C_D;
-    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let C_D = alpha.mul_add(C_Da * alpha, C_D0);
+    let minus_air_velocity_12_C_D_sum = air_velocity_12.mul_from(C_D, minus_air_velocity_3 * C_L);
     let minus_air_velocity_12_C_D_product = minus_air_velocity_12_C_D_sum * inv_air_velocity_12;
-    let q2_sq_two_plus_q3_product = T::splat(0.5) * q2_sq_two_plus_q3_sq_sum;
-    let minus_q0_q3_plus_q1_sum =
-        minus_q0_q3_plus_q1_q2 * air_velocity_2 + minus_air_velocity_1 * q2_sq_two_plus_q3_product;
-    let part_of_q0_q2_plus_q1_q3_sum = minus_air_velocity_12_C_D_product * minus_q0_q3_plus_q1_sum;
-    let minus_air_velocity_3_C_sum = air_velocity_12 * C_L + minus_air_velocity_3 * C_D;
-    let q0_q2_plus_q1_q3_sum =
-        part_of_q0_q2_plus_q1_q3_sum + q0_q2_plus_q1_q3 * minus_air_velocity_3_C_sum;
+    let minus_air_velocity_3_C_sum = minus_air_velocity_3.mul_add(C_D, air_velocity_12 * C_L);
+    let two_C_Da = prepared[5];
+    let alpha_two_C_Da = two_C_Da * alpha;
+    let air_velocity_12_C_La_sum =
+        minus_air_velocity_3.mul_add(alpha_two_C_Da, C_La * air_velocity_12);
+    let minus_minus_air_sum =
+        nonzero_air_velocity_12.mul_sub(alpha_two_C_Da, part_of_minus_minus_air_sum);
+    let C_L_minus_air_velocity_sum =
+        air_velocity_12_C_La_sum.mul_from(minus_air_velocity_product_2, C_L);
+    let part_of_minus_minus_minus_air = minus_minus_air_sum * minus_air_velocity_product_2;
+    let minus_minus_air_sum_sum =
+        minus_minus_air_sum.mul_sub(air_velocity_12_inv_V_sq, C_L * inv_air_velocity_12);
+    let C_D_plus_air_velocity_sum = air_velocity_12_C_La_sum.mul_add(air_velocity_12_inv_V_sq, C_D);
+    let part_of_minus_minus_minus_air_2 = C_D + minus_air_velocity_12_C_D_product;
+    let minus_minus_minus_air_sum = inv_air_velocity_12.mul_sub(
+        part_of_minus_minus_minus_air_2,
+        part_of_minus_minus_minus_air,
+    );
+    let alpha_C_Ma = C_Ma * alpha;
+    let p_dot = alpha_C_Ma.mul_from(air_velocity_2_inv_product, part_of_p_dot);
+    dx[10] = p_dot;
+    let q_dot = minus_air_velocity_product.mul_from(alpha_C_Ma, part_of_q_dot);
+    dx[11] = q_dot;
+    let air_velocity_2_alpha_C_sum =
+        air_velocity_2.mul_add(alpha_C_Ma, minus_air_velocity_1 * r_C_Rr);
+    let air_velocity_2_r_C_Rr_sum =
+        minus_air_velocity_1.mul_from(alpha_C_Ma, air_velocity_2 * r_C_Rr);
+    let inv_air_velocity_12_product_3 = inv_air_velocity_12_product * alpha_C_Ma;
+    let d_p_dot_d_air_velocity_12 = nonzero_air_product_sum
+        .mul_from(air_velocity_2_alpha_C_sum, part_of_d_p_dot_d_air_velocity_2);
+    let part_of_d_p_dot_d_minus_air =
+        inv_air_velocity_12.mul_from(air_velocity_2_alpha_C_sum, p * C_Mq_nonzero_air_velocity_12);
+    let d_q_dot_d_air_velocity_12 = nonzero_air_product_sum
+        .mul_add(air_velocity_2_r_C_Rr_sum, part_of_d_q_dot_d_air_velocity_2);
+    let part_of_d_q_dot_d_minus_air =
+        inv_air_velocity_12.mul_add(air_velocity_2_r_C_Rr_sum, q * C_Mq_nonzero_air_velocity_12);
+    let d_p_dot_d_minus_air_velocity_3 = minus_air_velocity_product_6
+        .mul_sub(part_of_d_p_dot_d_minus_air, part_of_d_p_dot_d_minus_air_2);
+    let d_q_dot_d_minus_air_velocity_3 = minus_air_velocity_product_6
+        .mul_sub(part_of_d_q_dot_d_minus_air, part_of_d_q_dot_d_minus_air_2);
+    let part_of_q0_q2_plus_q1_q3_sum = q0_q2_plus_q1_q3 * minus_air_velocity_3_C_sum;
+    let q0_q2_plus_q1_q3_sum = minus_air_velocity_12_C_D_product
+        .mul_add(minus_q0_q3_plus_q1_sum, part_of_q0_q2_plus_q1_q3_sum);
 
     // disc_quaternion.hyz:50  velocity (vx, vy, vz) in N;
     let vx_dot = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum;
-    let q1_sq_two_plus_q3_product = T::splat(0.5) * q1_sq_two_plus_q3_sq_sum;
-    let q0_q3_plus_q1_q2_sum =
-        q0_q3_plus_q1_q2 * minus_air_velocity_1 + air_velocity_2 * q1_sq_two_plus_q3_product;
-    let part_of_minus_q1_q0_plus_q3_sum = minus_air_velocity_12_C_D_product * q0_q3_plus_q1_q2_sum;
-    let minus_q1_q0_plus_q3_sum =
-        minus_q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum - part_of_minus_q1_q0_plus_q3_sum;
+    dx[3] = vx_dot;
+    let part_of_minus_q1_q0_plus_q3_sum = minus_q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum;
+    let minus_q1_q0_plus_q3_sum = minus_air_velocity_12_C_D_product
+        .mul_from(q0_q3_plus_q1_q2_sum, part_of_minus_q1_q0_plus_q3_sum);
     let vy_dot = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum;
-    let q1_q0_plus_q3_q2_sum =
-        q1_q0_plus_q3_q2 * air_velocity_2 - minus_q0_q2_plus_q1_q3 * minus_air_velocity_1;
-    let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
-    let part_of_minus_q1_sq_two_minus = minus_air_velocity_3_C_sum * q1_sq_two_minus_one_sum_half;
-    let minus_q1_sq_two_minus_one_sum_2 =
-        minus_air_velocity_12_C_D_product * q1_q0_plus_q3_q2_sum - part_of_minus_q1_sq_two_minus;
-    let vz_dot = V_inv_m_rho_A * minus_q1_sq_two_minus_one_sum_2 - g;
-    let q3_r_plus_q2_q_plus_q1_p = q1 * p + q2 * q + q3 * r;
-    let q3_q_minus_q2_r_minus_q0_p = q3 * q - q0 * p - q2 * r;
-    let q1_r_minus_q3_p_minus_q0_q = q1 * r - q0 * q - q3 * p;
-    let q2_p_minus_q1_q_minus_q0_r = q2 * p - q0 * r - q1 * q;
-    let V_sq_half_d_inv_part_rho_A = half_d_inv_I_d_rho_A * V_sq;
-    let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_part_rho_A;
-    let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
-    let minus_C_Rr_minus_air_sum = one_minus_inv_I_d_I_a * q - C_Rr * minus_air_velocity_product;
-    let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
-    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
-    let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * C_Mq_nonzero_air_velocity_12;
-    let alpha_C_Ma = C_Ma * alpha;
-    let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
-    let part_of_p_dot = r * minus_C_Rr_minus_air_sum + p * V_sq_half_d_inv_product;
-
-    // disc_quaternion.hyz:51  angular velocity (p, q, r) in C;
-    let p_dot = part_of_p_dot - alpha_C_Ma * air_velocity_2_inv_product;
-    let C_Rr_air_velocity_sum = C_Rr * air_velocity_2_inv_product - one_minus_inv_I_d_I_a * p;
-    let part_of_q_dot = r * C_Rr_air_velocity_sum + q * V_sq_half_d_inv_product;
-    let q_dot = part_of_q_dot - minus_air_velocity_product * alpha_C_Ma;
-    let r_dot = C_Nr_inv_I_a * r;
-    let V_inv_m_rho_A_minus_product = V_inv_m_rho_A * minus_air_velocity_12_C_D_product;
-    let part_of_d_vx_dot_d_minus_air = V_inv_m_rho_A_minus_product * q2_sq_two_plus_q3_product;
-    let inv_V = V.recip_or_zero();
-    let inv_V_inv_m_rho_A = inv_m_rho_A * inv_V;
-    let alpha_two_C_Da = two_C_Da * alpha;
-    let air_velocity_12_C_La_sum = C_La * air_velocity_12 + minus_air_velocity_3 * alpha_two_C_Da;
-    let inv_V_sq = inv_V * inv_V;
-    let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_sq;
-    let C_L_minus_air_velocity_sum = C_L - air_velocity_12_C_La_sum * minus_air_velocity_product_2;
-    let part_of_minus_minus_air_sum = C_La * minus_air_velocity_3 * inv_air_velocity_12;
-    let minus_minus_air_sum =
-        nonzero_air_velocity_12 * alpha_two_C_Da - part_of_minus_minus_air_sum;
-    let part_of_minus_minus_minus_air =
-        inv_air_velocity_12 * (C_D + minus_air_velocity_12_C_D_product);
-    let minus_minus_minus_air_sum =
-        part_of_minus_minus_minus_air - minus_minus_air_sum * minus_air_velocity_product_2;
-    let part_of_q0_q2_plus_q1_q3_sum_2 = minus_q0_q3_plus_q1_sum * minus_minus_minus_air_sum;
+    dx[4] = vy_dot;
+    let part_of_q0_q2_plus_q1_q3_sum_2 = q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum;
     let part_of_q0_q2_plus_q1_q3_sum_2_2 =
-        q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum - part_of_q0_q2_plus_q1_q3_sum_2;
-    let V_inv_m_rho_A_inv_product = V_inv_m_rho_A * inv_air_velocity_12;
-    let part_of_q0_q2_plus_q1_q3_sum_2_3 =
-        part_of_q0_q2_plus_q1_q3_sum_2_2 * V_inv_m_rho_A_inv_product;
-    let q0_q2_plus_q1_q3_sum_2 =
-        q0_q2_plus_q1_q3_sum * inv_V_inv_m_rho_A + part_of_q0_q2_plus_q1_q3_sum_2_3;
+        minus_q0_q3_plus_q1_sum.mul_from(minus_minus_minus_air_sum, part_of_q0_q2_plus_q1_q3_sum_2);
+    let part_of_d_vx_dot_d_minus_air = q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum;
+    let part_of_d_vx_dot_d_minus_air_2 =
+        minus_q0_q3_plus_q1_sum.mul_from(minus_minus_air_sum_sum, part_of_d_vx_dot_d_minus_air);
+    let part_of_minus_q1_sq_two_minus = minus_air_velocity_3_C_sum * q1_sq_two_minus_one_sum_half;
+    let V_inv_m_rho_A_minus_product_2 = V_inv_m_rho_A * minus_air_velocity_3_C_sum;
+    let minus_q1_sq_two_minus_one_sum_2 = minus_air_velocity_12_C_D_product
+        .mul_sub(q1_q0_plus_q3_q2_sum, part_of_minus_q1_sq_two_minus);
+    let V_inv_m_rho_A_minus_product = V_inv_m_rho_A * minus_air_velocity_12_C_D_product;
+    let part_of_d_vx_dot_d_minus_air_4 = V_inv_m_rho_A_minus_product * q2_sq_two_plus_q3_product;
+    let part_of_d_vy_dot_d_air_velocity = V_inv_m_rho_A_minus_product * q1_sq_two_plus_q3_product;
+    let g = parameters[6];
+    let vz_dot = V_inv_m_rho_A.mul_sub(minus_q1_sq_two_minus_one_sum_2, g);
+    dx[5] = vz_dot;
+    let part_of_q0_q2_plus_q1_q3_sum_2_3 = q0_q2_plus_q1_q3_sum * inv_V_inv_m_rho_A;
+    let q0_q2_plus_q1_q3_sum_2 = V_inv_m_rho_A_inv_product.mul_add(
+        part_of_q0_q2_plus_q1_q3_sum_2_2,
+        part_of_q0_q2_plus_q1_q3_sum_2_3,
+    );
+    let part_of_d_vx_dot_d_minus_air_3 = q0_q2_plus_q1_q3_sum * minus_air_velocity_product_3;
+    let d_vx_dot_d_minus_air_velocity_3 = V_inv_m_rho_A.mul_add(
+        part_of_d_vx_dot_d_minus_air_2,
+        part_of_d_vx_dot_d_minus_air_3,
+    );
     let d_vx_dot_d_minus_air_velocity_1 =
-        part_of_d_vx_dot_d_minus_air + minus_air_velocity_1 * q0_q2_plus_q1_q3_sum_2;
-    let part_of_d_vx_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vx_dot_d_minus_air_velocity_1;
-    let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_V_inv_m_rho_A;
-    let part_of_d_vx_dot_d_minus_air_4 = q0_q2_plus_q1_q3_sum * minus_air_velocity_product_3;
-    let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
-    let C_D_plus_air_velocity_sum = C_D + air_velocity_12_C_La_sum * air_velocity_12_inv_V_sq;
-    let minus_minus_air_sum_sum =
-        minus_minus_air_sum * air_velocity_12_inv_V_sq - C_L * inv_air_velocity_12;
-    let part_of_d_vx_dot_d_minus_air_2 = minus_q0_q3_plus_q1_sum * minus_minus_air_sum_sum;
-    let part_of_d_vx_dot_d_minus_air_3 =
-        q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum - part_of_d_vx_dot_d_minus_air_2;
-    let d_vx_dot_d_minus_air_velocity_3 =
-        part_of_d_vx_dot_d_minus_air_4 + V_inv_m_rho_A * part_of_d_vx_dot_d_minus_air_3;
+        minus_air_velocity_1.mul_add(q0_q2_plus_q1_q3_sum_2, part_of_d_vx_dot_d_minus_air_4);
+    let part_of_minus_q1_q0_plus_q3_sum_2 = minus_q1_q0_plus_q3_q2 * C_L_minus_air_velocity_sum;
+    let part_of_minus_q1_sq_two_product = C_L_minus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
+    let part_of_minus_q1_q0_plus_q3_sum_3 =
+        q0_q3_plus_q1_q2_sum.mul_add(minus_minus_minus_air_sum, part_of_minus_q1_q0_plus_q3_sum_2);
+    let part_of_minus_q1_sq_two_product_2 =
+        q1_q0_plus_q3_q2_sum.mul_add(minus_minus_minus_air_sum, part_of_minus_q1_sq_two_product);
+    let part_of_d_vz_dot_d_minus_air = q1_q0_plus_q3_q2_sum * minus_minus_air_sum_sum;
+    let part_of_d_vz_dot_d_minus_air_2 = C_D_plus_air_velocity_sum
+        .mul_add(q1_sq_two_minus_one_sum_half, part_of_d_vz_dot_d_minus_air);
+    let part_of_d_vy_dot_d_minus_air = minus_q1_q0_plus_q3_q2 * C_D_plus_air_velocity_sum;
+    let part_of_d_vy_dot_d_minus_air_2 =
+        q0_q3_plus_q1_q2_sum.mul_add(minus_minus_air_sum_sum, part_of_d_vy_dot_d_minus_air);
     let part_of_d_vx_dot_d_air_velocity = minus_q0_q3_plus_q1_q2 * V_inv_m_rho_A_minus_product;
     let d_vx_dot_d_air_velocity_2 =
-        part_of_d_vx_dot_d_air_velocity + air_velocity_2 * q0_q2_plus_q1_q3_sum_2;
-    let part_of_d_vx_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_vx_dot_d_air_velocity_2;
-    let part_of_d_vx_dot_d_vx_2 =
-        q0_q2_plus_q1_q3 * d_vx_dot_d_minus_air_velocity_3 - part_of_d_vx_dot_d_vx;
-    let d_vx_dot_d_vx = part_of_d_vx_dot_d_vx_3 - T::splat(2.0) * part_of_d_vx_dot_d_vx_2;
-    let part_of_d_vx_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vx_dot_d_air_velocity_2;
-    let part_of_d_vx_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vx_dot_d_minus_air_velocity_3;
-    let part_of_d_vx_dot_d_vy_2 =
-        part_of_d_vx_dot_d_vy + q0_q3_plus_q1_q2 * d_vx_dot_d_minus_air_velocity_1;
-    let d_vx_dot_d_vy = T::splat(-2.0) * part_of_d_vx_dot_d_vy_2 - part_of_d_vx_dot_d_vy_3;
-    let part_of_d_vx_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vx_dot_d_minus_air_velocity_3;
-    let part_of_d_vx_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vx_dot_d_minus_air_velocity_1;
-    let part_of_d_vx_dot_d_vz_2 =
-        q1_q0_plus_q3_q2 * d_vx_dot_d_air_velocity_2 - part_of_d_vx_dot_d_vz;
-    let d_vx_dot_d_vz = part_of_d_vx_dot_d_vz_3 + T::splat(2.0) * part_of_d_vx_dot_d_vz_2;
-    let vx_minus_wind_x_q2_two = vx_minus_wind_x * q2_two;
-    let minus_vy_minus_wind_y_q1_two = minus_vy_minus_wind_y * q1_two;
-    let minus_d_minus_air_velocity_3_d_q0 = vx_minus_wind_x_q2_two + minus_vy_minus_wind_y_q1_two;
-    let part_of_d_vx_dot_d_q0 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q0;
-    let vx_minus_wind_x_q3_two = vx_minus_wind_x * q3_two;
-    let vz_minus_wind_z_q1_two = vz_minus_wind_z * q1_two;
-    let d_air_velocity_2_d_q0 = vz_minus_wind_z_q1_two - vx_minus_wind_x_q3_two;
-    let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
-    let vz_minus_wind_z_q2_two = vz_minus_wind_z * q2_two;
-    let d_minus_air_velocity_1_d_q0 = minus_vy_minus_wind_y_q3_two + vz_minus_wind_z_q2_two;
-    let V_inv_m_rho_A_minus_product_2 = V_inv_m_rho_A * minus_air_velocity_3_C_sum;
-    let q2_V_inv_m_rho_A_product = q2 * V_inv_m_rho_A_minus_product_2;
+        air_velocity_2.mul_add(q0_q2_plus_q1_q3_sum_2, part_of_d_vx_dot_d_air_velocity);
     let air_velocity_2_V_product = air_velocity_2 * V_inv_m_rho_A_minus_product;
+    let minus_air_velocity_product_4 = minus_air_velocity_1 * V_inv_m_rho_A_minus_product;
+    let part_of_minus_q1_q0_plus_q3_sum_4 = minus_q1_q0_plus_q3_sum * inv_V_inv_m_rho_A;
+    let minus_q1_q0_plus_q3_sum_2 = V_inv_m_rho_A_inv_product.mul_add(
+        part_of_minus_q1_q0_plus_q3_sum_3,
+        part_of_minus_q1_q0_plus_q3_sum_4,
+    );
+    let part_of_d_vy_dot_d_minus_air_3 = minus_q1_q0_plus_q3_sum * minus_air_velocity_product_3;
+    let d_vy_dot_d_minus_air_velocity_3 = V_inv_m_rho_A.mul_add(
+        part_of_d_vy_dot_d_minus_air_2,
+        part_of_d_vy_dot_d_minus_air_3,
+    );
+    let part_of_minus_q1_sq_two_product_3 = minus_q1_sq_two_minus_one_sum_2 * inv_V_inv_m_rho_A;
+    let minus_q1_sq_two_product_sum = V_inv_m_rho_A_inv_product.mul_from(
+        part_of_minus_q1_sq_two_product_2,
+        part_of_minus_q1_sq_two_product_3,
+    );
+    let part_of_d_vz_dot_d_minus_air_3 =
+        minus_q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_3;
+    let d_vz_dot_d_minus_air_velocity_3 = V_inv_m_rho_A.mul_from(
+        part_of_d_vz_dot_d_minus_air_2,
+        part_of_d_vz_dot_d_minus_air_3,
+    );
+    let d_vy_dot_d_air_velocity_2 =
+        air_velocity_2.mul_sub(minus_q1_q0_plus_q3_sum_2, part_of_d_vy_dot_d_air_velocity);
+    let q2_V_inv_m_rho_A_product = q2 * V_inv_m_rho_A_minus_product_2;
     let q3_air_velocity_2_V_product = q3 * air_velocity_2_V_product;
+    let part_of_d_vx_dot_d_q2 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q2;
+    let part_of_d_vx_dot_d_q2_2 =
+        d_vx_dot_d_air_velocity_2.mul_add(d_air_velocity_2_d_q2, part_of_d_vx_dot_d_q2);
+    let part_of_d_vx_dot_d_q2_3 = d_vx_dot_d_minus_air_velocity_1
+        .mul_add(d_minus_air_velocity_1_d_q2, part_of_d_vx_dot_d_q2_2);
+    let q0_V_inv_m_rho_A_product = q0 * V_inv_m_rho_A_minus_product_2;
+    let part_of_d_vy_dot_d_q1 = d_minus_air_velocity_3_d_q1
+        .mul_sub(d_vy_dot_d_minus_air_velocity_3, q0_V_inv_m_rho_A_product);
+    let part_of_d_vx_dot_d_q3 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q3;
+    let part_of_d_vx_dot_d_q3_2 =
+        d_vx_dot_d_air_velocity_2.mul_add(d_air_velocity_2_d_q3, part_of_d_vx_dot_d_q3);
+    let part_of_d_vx_dot_d_q3_3 = d_vx_dot_d_minus_air_velocity_1
+        .mul_add(d_minus_air_velocity_1_d_q3, part_of_d_vx_dot_d_q3_2);
+    let q0_air_velocity_2_V_product = q0 * air_velocity_2_V_product;
+    let q3_minus_air_product = q3 * minus_air_velocity_product_4;
+    let q0_minus_air_product = q0 * minus_air_velocity_product_4;
+    let part_of_d_vx_dot_d_q0 = d_vx_dot_d_minus_air_velocity_3 * minus_d_minus_air_velocity_3_d_q0;
     let part_of_d_vx_dot_d_q0_2 =
-        d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q0 - part_of_d_vx_dot_d_q0;
-    let part_of_d_vx_dot_d_q0_3 =
-        part_of_d_vx_dot_d_q0_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q0;
+        d_vx_dot_d_air_velocity_2.mul_sub(d_air_velocity_2_d_q0, part_of_d_vx_dot_d_q0);
+    let part_of_d_vx_dot_d_q0_3 = d_vx_dot_d_minus_air_velocity_1
+        .mul_add(d_minus_air_velocity_1_d_q0, part_of_d_vx_dot_d_q0_2);
     let d_vx_dot_d_q0 =
         part_of_d_vx_dot_d_q0_3 + q2_V_inv_m_rho_A_product - q3_air_velocity_2_V_product;
-    let q0_two = T::splat(2.0) * q0;
-    let minus_vy_minus_wind_y_q0_two = minus_vy_minus_wind_y * q0_two;
-    let q1_n4 = T::splat(4.0) * q1;
-    let d_minus_air_velocity_3_d_q1 =
-        vz_minus_wind_z * q1_n4 - vx_minus_wind_x_q3_two - minus_vy_minus_wind_y_q0_two;
+    j[6] = d_vx_dot_d_q0;
+    let part_of_d_vy_dot_d_q3 = d_minus_air_velocity_3_d_q3
+        .mul_add(d_vy_dot_d_minus_air_velocity_3, q2_V_inv_m_rho_A_product);
+    let part_of_d_vz_dot_d_q2 = q3_air_velocity_2_V_product + q0_minus_air_product;
+    let part_of_d_vy_dot_d_q3_2 =
+        d_air_velocity_2_d_q3.mul_add(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_q3);
+    let part_of_d_vz_dot_d_q2_2 =
+        d_minus_air_velocity_3_d_q2.mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q2);
     let part_of_d_vx_dot_d_q1 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q1;
-    let vz_minus_wind_z_q0_two = vz_minus_wind_z * q0_two;
-    let d_air_velocity_2_d_q1 =
-        vx_minus_wind_x_q2_two + minus_vy_minus_wind_y * q1_n4 + vz_minus_wind_z_q0_two;
-    let minus_vy_minus_wind_y_q2_two = minus_vy_minus_wind_y * q2_two;
-    let vz_minus_wind_z_q3_two = vz_minus_wind_z * q3_two;
-    let d_minus_air_velocity_1_d_q1 = minus_vy_minus_wind_y_q2_two - vz_minus_wind_z_q3_two;
-    let q3_V_inv_m_rho_A_product = q3 * V_inv_m_rho_A_minus_product_2;
-    let q2_air_velocity_2_V_product = q2 * air_velocity_2_V_product;
     let part_of_d_vx_dot_d_q1_2 =
-        part_of_d_vx_dot_d_q1 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q1;
-    let part_of_d_vx_dot_d_q1_3 =
-        part_of_d_vx_dot_d_q1_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q1;
+        d_vx_dot_d_air_velocity_2.mul_add(d_air_velocity_2_d_q1, part_of_d_vx_dot_d_q1);
+    let part_of_d_vx_dot_d_q1_3 = d_vx_dot_d_minus_air_velocity_1
+        .mul_add(d_minus_air_velocity_1_d_q1, part_of_d_vx_dot_d_q1_2);
+    let q3_V_inv_m_rho_A_product = q3 * V_inv_m_rho_A_minus_product_2;
+    let part_of_d_vy_dot_d_q2 = d_minus_air_velocity_3_d_q2
+        .mul_add(d_vy_dot_d_minus_air_velocity_3, q3_V_inv_m_rho_A_product);
+    let part_of_d_vy_dot_d_q2_2 =
+        d_air_velocity_2_d_q2.mul_add(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_q2);
+    let q2_air_velocity_2_V_product = q2 * air_velocity_2_V_product;
     let d_vx_dot_d_q1 =
         part_of_d_vx_dot_d_q1_3 + q3_V_inv_m_rho_A_product + q2_air_velocity_2_V_product;
-    let vx_minus_wind_x_q0_two = vx_minus_wind_x * q0_two;
-    let part_of_d_minus_air_velocity_3 = minus_vy_minus_wind_y_q3_two - vx_minus_wind_x_q0_two;
-    let d_minus_air_velocity_3_d_q2 =
-        part_of_d_minus_air_velocity_3 + T::splat(4.0) * q2 * vz_minus_wind_z;
-    let part_of_d_vx_dot_d_q2 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q2;
-    let vx_minus_wind_x_q1_two = vx_minus_wind_x * q1_two;
-    let d_air_velocity_2_d_q2 = vz_minus_wind_z_q3_two + vx_minus_wind_x_q1_two;
-    let vx_minus_wind_x_n4 = T::splat(4.0) * vx_minus_wind_x;
-    let d_minus_air_velocity_1_d_q2 =
-        minus_vy_minus_wind_y_q1_two + vz_minus_wind_z_q0_two + q2 * vx_minus_wind_x_n4;
-    let q0_V_inv_m_rho_A_product = q0 * V_inv_m_rho_A_minus_product_2;
+    j[7] = d_vx_dot_d_q1;
     let q1_air_velocity_2_V_product = q1 * air_velocity_2_V_product;
-    let minus_air_velocity_product_4 = minus_air_velocity_1 * V_inv_m_rho_A_minus_product;
-    let part_of_d_vx_dot_d_q2_2 =
-        part_of_d_vx_dot_d_q2 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q2;
-    let part_of_d_vx_dot_d_q2_3 =
-        part_of_d_vx_dot_d_q2_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q2;
     let part_of_d_vx_dot_d_q2_4 =
         part_of_d_vx_dot_d_q2_3 + q0_V_inv_m_rho_A_product + q1_air_velocity_2_V_product;
-    let d_vx_dot_d_q2 = part_of_d_vx_dot_d_q2_4 + q2_two * minus_air_velocity_product_4;
-    let d_minus_air_velocity_3_d_q3 = minus_vy_minus_wind_y_q2_two - vx_minus_wind_x_q1_two;
-    let part_of_d_vx_dot_d_q3 = d_vx_dot_d_minus_air_velocity_3 * d_minus_air_velocity_3_d_q3;
-    let part_of_d_air_velocity_2_d_q3 = vz_minus_wind_z_q2_two - vx_minus_wind_x_q0_two;
-    let d_air_velocity_2_d_q3 =
-        part_of_d_air_velocity_2_d_q3 + T::splat(4.0) * q3 * minus_vy_minus_wind_y;
-    let d_minus_air_velocity_1_d_q3 =
-        minus_vy_minus_wind_y_q0_two - vz_minus_wind_z_q1_two + q3 * vx_minus_wind_x_n4;
+    let d_vx_dot_d_q2 = q2_two.mul_add(minus_air_velocity_product_4, part_of_d_vx_dot_d_q2_4);
+    j[8] = d_vx_dot_d_q2;
     let q1_V_inv_m_rho_A_product = q1 * V_inv_m_rho_A_minus_product_2;
-    let q0_air_velocity_2_V_product = q0 * air_velocity_2_V_product;
-    let part_of_d_vx_dot_d_q3_2 =
-        part_of_d_vx_dot_d_q3 + d_vx_dot_d_air_velocity_2 * d_air_velocity_2_d_q3;
-    let part_of_d_vx_dot_d_q3_3 =
-        part_of_d_vx_dot_d_q3_2 + d_vx_dot_d_minus_air_velocity_1 * d_minus_air_velocity_1_d_q3;
+    let part_of_d_vy_dot_d_q0 =
+        d_air_velocity_2_d_q0.mul_sub(d_vy_dot_d_air_velocity_2, q1_V_inv_m_rho_A_product);
+    let part_of_d_vy_dot_d_q0_2 = part_of_d_vy_dot_d_q0 - q3_minus_air_product;
+    let part_of_d_vz_dot_d_q1 = q0_air_velocity_2_V_product - q3_minus_air_product;
     let part_of_d_vx_dot_d_q3_4 =
         part_of_d_vx_dot_d_q3_3 + q1_V_inv_m_rho_A_product - q0_air_velocity_2_V_product;
-    let d_vx_dot_d_q3 = part_of_d_vx_dot_d_q3_4 + q3_two * minus_air_velocity_product_4;
-    let part_of_minus_q1_q0_plus_q3_sum_2 = minus_q1_q0_plus_q3_q2 * C_L_minus_air_velocity_sum;
-    let part_of_minus_q1_q0_plus_q3_sum_3 =
-        part_of_minus_q1_q0_plus_q3_sum_2 + q0_q3_plus_q1_q2_sum * minus_minus_minus_air_sum;
-    let part_of_minus_q1_q0_plus_q3_sum_4 =
-        part_of_minus_q1_q0_plus_q3_sum_3 * V_inv_m_rho_A_inv_product;
-    let minus_q1_q0_plus_q3_sum_2 =
-        minus_q1_q0_plus_q3_sum * inv_V_inv_m_rho_A + part_of_minus_q1_q0_plus_q3_sum_4;
-    let part_of_d_vy_dot_d_minus_air = minus_air_velocity_1 * minus_q1_q0_plus_q3_sum_2;
+    let d_vx_dot_d_q3 = q3_two.mul_add(minus_air_velocity_product_4, part_of_d_vx_dot_d_q3_4);
+    j[9] = d_vx_dot_d_q3;
+    let part_of_d_vz_dot_d_q1_2 =
+        d_minus_air_velocity_3_d_q1.mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q1);
+    let part_of_d_vy_dot_d_q0_3 = minus_d_minus_air_velocity_3_d_q0
+        .mul_from(d_vy_dot_d_minus_air_velocity_3, part_of_d_vy_dot_d_q0_2);
+    let part_of_d_vy_dot_d_minus_air_4 = q0_q3_plus_q1_q2 * V_inv_m_rho_A_minus_product;
     let d_vy_dot_d_minus_air_velocity_1 =
-        part_of_d_vy_dot_d_minus_air - q0_q3_plus_q1_q2 * V_inv_m_rho_A_minus_product;
-    let part_of_d_vy_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vy_dot_d_minus_air_velocity_1;
-    let part_of_d_vy_dot_d_minus_air_4 = minus_q1_q0_plus_q3_sum * minus_air_velocity_product_3;
-    let part_of_d_vy_dot_d_minus_air_2 = minus_q1_q0_plus_q3_q2 * C_D_plus_air_velocity_sum;
-    let part_of_d_vy_dot_d_minus_air_3 =
-        part_of_d_vy_dot_d_minus_air_2 + q0_q3_plus_q1_q2_sum * minus_minus_air_sum_sum;
-    let d_vy_dot_d_minus_air_velocity_3 =
-        part_of_d_vy_dot_d_minus_air_4 + V_inv_m_rho_A * part_of_d_vy_dot_d_minus_air_3;
-    let part_of_d_vy_dot_d_air_velocity = V_inv_m_rho_A_minus_product * q1_sq_two_plus_q3_product;
-    let d_vy_dot_d_air_velocity_2 =
-        air_velocity_2 * minus_q1_q0_plus_q3_sum_2 - part_of_d_vy_dot_d_air_velocity;
-    let part_of_d_vy_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_vy_dot_d_air_velocity_2;
-    let part_of_d_vy_dot_d_vx_2 =
-        q0_q2_plus_q1_q3 * d_vy_dot_d_minus_air_velocity_3 - part_of_d_vy_dot_d_vx;
-    let d_vy_dot_d_vx = part_of_d_vy_dot_d_vx_3 - T::splat(2.0) * part_of_d_vy_dot_d_vx_2;
-    let part_of_d_vy_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vy_dot_d_air_velocity_2;
-    let part_of_d_vy_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_vy_2 =
-        part_of_d_vy_dot_d_vy + q0_q3_plus_q1_q2 * d_vy_dot_d_minus_air_velocity_1;
-    let d_vy_dot_d_vy = T::splat(-2.0) * part_of_d_vy_dot_d_vy_2 - part_of_d_vy_dot_d_vy_3;
-    let part_of_d_vy_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vy_dot_d_minus_air_velocity_1;
-    let part_of_d_vy_dot_d_vz_2 =
-        q1_q0_plus_q3_q2 * d_vy_dot_d_air_velocity_2 - part_of_d_vy_dot_d_vz;
-    let d_vy_dot_d_vz = part_of_d_vy_dot_d_vz_3 + T::splat(2.0) * part_of_d_vy_dot_d_vz_2;
-    let q3_minus_air_product = q3 * minus_air_velocity_product_4;
-    let part_of_d_vy_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_q0_2 =
-        d_air_velocity_2_d_q0 * d_vy_dot_d_air_velocity_2 - q1_V_inv_m_rho_A_product;
-    let part_of_d_vy_dot_d_q0_3 =
-        part_of_d_vy_dot_d_q0_2 - q3_minus_air_product - part_of_d_vy_dot_d_q0;
-    let d_vy_dot_d_q0 =
-        part_of_d_vy_dot_d_q0_3 + d_minus_air_velocity_1_d_q0 * d_vy_dot_d_minus_air_velocity_1;
+        minus_air_velocity_1.mul_sub(minus_q1_q0_plus_q3_sum_2, part_of_d_vy_dot_d_minus_air_4);
+    let d_vy_dot_d_q0 = d_minus_air_velocity_1_d_q0
+        .mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_q0_3);
+    j[13] = d_vy_dot_d_q0;
+    let part_of_d_vy_dot_d_q3_3 = d_minus_air_velocity_1_d_q3
+        .mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_q3_2);
+    let part_of_d_vy_dot_d_q3_4 = part_of_d_vy_dot_d_q3_3 - q0_minus_air_product;
+    let d_vy_dot_d_q3 = q3_two.mul_from(air_velocity_2_V_product, part_of_d_vy_dot_d_q3_4);
+    j[16] = d_vy_dot_d_q3;
+    let part_of_d_vy_dot_d_q2_3 = d_minus_air_velocity_1_d_q2
+        .mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_q2_2);
     let q2_minus_air_product = q2 * minus_air_velocity_product_4;
-    let part_of_d_vy_dot_d_q1_2 = d_air_velocity_2_d_q1 * d_vy_dot_d_air_velocity_2;
-    let part_of_d_vy_dot_d_q1 =
-        d_minus_air_velocity_3_d_q1 * d_vy_dot_d_minus_air_velocity_3 - q0_V_inv_m_rho_A_product;
-    let part_of_d_vy_dot_d_q1_3 =
-        part_of_d_vy_dot_d_q1 - q2_minus_air_product + part_of_d_vy_dot_d_q1_2;
-    let part_of_d_vy_dot_d_q1_4 =
-        part_of_d_vy_dot_d_q1_3 + d_minus_air_velocity_1_d_q1 * d_vy_dot_d_minus_air_velocity_1;
-    let d_vy_dot_d_q1 = part_of_d_vy_dot_d_q1_4 - q1_two * air_velocity_2_V_product;
     let q1_minus_air_product = q1 * minus_air_velocity_product_4;
-    let part_of_d_vy_dot_d_q2 =
-        q3_V_inv_m_rho_A_product + d_minus_air_velocity_3_d_q2 * d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_q2_2 =
-        part_of_d_vy_dot_d_q2 + d_air_velocity_2_d_q2 * d_vy_dot_d_air_velocity_2;
-    let part_of_d_vy_dot_d_q2_3 =
-        part_of_d_vy_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_vy_dot_d_minus_air_velocity_1;
     let d_vy_dot_d_q2 = part_of_d_vy_dot_d_q2_3 - q1_minus_air_product;
-    let q0_minus_air_product = q0 * minus_air_velocity_product_4;
-    let part_of_d_vy_dot_d_q3 =
-        q2_V_inv_m_rho_A_product + d_minus_air_velocity_3_d_q3 * d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_q3_2 =
-        part_of_d_vy_dot_d_q3 + d_air_velocity_2_d_q3 * d_vy_dot_d_air_velocity_2;
-    let part_of_d_vy_dot_d_q3_3 =
-        part_of_d_vy_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_vy_dot_d_minus_air_velocity_1;
-    let d_vy_dot_d_q3 =
-        part_of_d_vy_dot_d_q3_3 - q0_minus_air_product - q3_two * air_velocity_2_V_product;
-    let part_of_d_vz_dot_d_minus_air = minus_q0_q2_plus_q1_q3 * V_inv_m_rho_A_minus_product;
-    let part_of_minus_q1_sq_two_product = C_L_minus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
-    let part_of_minus_q1_sq_two_product_2 =
-        q1_q0_plus_q3_q2_sum * minus_minus_minus_air_sum + part_of_minus_q1_sq_two_product;
-    let part_of_minus_q1_sq_two_product_3 =
-        part_of_minus_q1_sq_two_product_2 * V_inv_m_rho_A_inv_product;
-    let minus_q1_sq_two_product_sum =
-        minus_q1_sq_two_minus_one_sum_2 * inv_V_inv_m_rho_A - part_of_minus_q1_sq_two_product_3;
-    let d_vz_dot_d_minus_air_velocity_1 =
-        minus_air_velocity_1 * minus_q1_sq_two_product_sum - part_of_d_vz_dot_d_minus_air;
-    let part_of_d_vz_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1;
-    let part_of_d_vz_dot_d_minus_air_4 =
-        minus_q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_3;
-    let part_of_d_vz_dot_d_minus_air_2 = C_D_plus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
-    let part_of_d_vz_dot_d_minus_air_3 =
-        q1_q0_plus_q3_q2_sum * minus_minus_air_sum_sum + part_of_d_vz_dot_d_minus_air_2;
-    let d_vz_dot_d_minus_air_velocity_3 =
-        part_of_d_vz_dot_d_minus_air_4 - V_inv_m_rho_A * part_of_d_vz_dot_d_minus_air_3;
+    j[15] = d_vy_dot_d_q2;
+    let part_of_d_vz_dot_d_q3 = q2_air_velocity_2_V_product - q1_minus_air_product;
+    let part_of_d_vy_dot_d_q1_2 = part_of_d_vy_dot_d_q1 - q2_minus_air_product;
+    let part_of_d_vz_dot_d_q0 = q1_air_velocity_2_V_product + q2_minus_air_product;
+    let part_of_d_vy_dot_d_q1_3 =
+        d_air_velocity_2_d_q1.mul_add(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_q1_2);
+    let part_of_d_vz_dot_d_q0_2 = minus_d_minus_air_velocity_3_d_q0
+        .mul_from(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q0);
+    let part_of_d_vz_dot_d_q3_2 =
+        d_minus_air_velocity_3_d_q3.mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q3);
+    let part_of_d_vy_dot_d_q1_4 = d_minus_air_velocity_1_d_q1
+        .mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_q1_3);
+    let d_vy_dot_d_q1 = q1_two.mul_from(air_velocity_2_V_product, part_of_d_vy_dot_d_q1_4);
+    j[14] = d_vy_dot_d_q1;
     let part_of_d_vz_dot_d_air_velocity = q1_q0_plus_q3_q2 * V_inv_m_rho_A_minus_product;
     let d_vz_dot_d_air_velocity_2 =
-        part_of_d_vz_dot_d_air_velocity + air_velocity_2 * minus_q1_sq_two_product_sum;
-    let part_of_d_vz_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_vz_dot_d_air_velocity_2;
-    let part_of_d_vz_dot_d_vx_2 =
-        q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_3 - part_of_d_vz_dot_d_vx;
-    let d_vz_dot_d_vx = part_of_d_vz_dot_d_vx_3 - T::splat(2.0) * part_of_d_vz_dot_d_vx_2;
-    let part_of_d_vz_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vz_dot_d_air_velocity_2;
-    let part_of_d_vz_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_vy_2 =
-        part_of_d_vz_dot_d_vy + q0_q3_plus_q1_q2 * d_vz_dot_d_minus_air_velocity_1;
-    let d_vz_dot_d_vy = T::splat(-2.0) * part_of_d_vz_dot_d_vy_2 - part_of_d_vz_dot_d_vy_3;
-    let part_of_d_vz_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_1;
-    let part_of_d_vz_dot_d_vz_2 =
-        q1_q0_plus_q3_q2 * d_vz_dot_d_air_velocity_2 - part_of_d_vz_dot_d_vz;
-    let d_vz_dot_d_vz = part_of_d_vz_dot_d_vz_3 + T::splat(2.0) * part_of_d_vz_dot_d_vz_2;
-    let part_of_d_vz_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_q0_2 =
-        q1_air_velocity_2_V_product + q2_minus_air_product - part_of_d_vz_dot_d_q0;
-    let part_of_d_vz_dot_d_q0_3 =
-        part_of_d_vz_dot_d_q0_2 + d_air_velocity_2_d_q0 * d_vz_dot_d_air_velocity_2;
-    let d_vz_dot_d_q0 =
-        part_of_d_vz_dot_d_q0_3 + d_minus_air_velocity_1_d_q0 * d_vz_dot_d_minus_air_velocity_1;
-    let part_of_d_vz_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_q1_2 =
-        q0_air_velocity_2_V_product - q3_minus_air_product + part_of_d_vz_dot_d_q1;
+        air_velocity_2.mul_add(minus_q1_sq_two_product_sum, part_of_d_vz_dot_d_air_velocity);
+    let part_of_d_vz_dot_d_minus_air_4 = minus_q0_q2_plus_q1_q3 * V_inv_m_rho_A_minus_product;
+    let d_vz_dot_d_minus_air_velocity_1 =
+        minus_air_velocity_1.mul_sub(minus_q1_sq_two_product_sum, part_of_d_vz_dot_d_minus_air_4);
     let part_of_d_vz_dot_d_q1_3 =
-        part_of_d_vz_dot_d_q1_2 + d_air_velocity_2_d_q1 * d_vz_dot_d_air_velocity_2;
-    let part_of_d_vz_dot_d_q1_4 =
-        part_of_d_vz_dot_d_q1_3 + d_minus_air_velocity_1_d_q1 * d_vz_dot_d_minus_air_velocity_1;
-    let d_vz_dot_d_q1 = part_of_d_vz_dot_d_q1_4 - q1_two * V_inv_m_rho_A_minus_product_2;
-    let part_of_d_vz_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_q2_2 =
-        q3_air_velocity_2_V_product + q0_minus_air_product + part_of_d_vz_dot_d_q2;
+        d_air_velocity_2_d_q1.mul_add(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q1_2);
     let part_of_d_vz_dot_d_q2_3 =
-        part_of_d_vz_dot_d_q2_2 + d_air_velocity_2_d_q2 * d_vz_dot_d_air_velocity_2;
-    let part_of_d_vz_dot_d_q2_4 =
-        part_of_d_vz_dot_d_q2_3 + d_minus_air_velocity_1_d_q2 * d_vz_dot_d_minus_air_velocity_1;
-    let d_vz_dot_d_q2 = part_of_d_vz_dot_d_q2_4 - q2_two * V_inv_m_rho_A_minus_product_2;
-    let part_of_d_vz_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_vz_dot_d_minus_air_velocity_3;
-    let part_of_d_vz_dot_d_q3_2 =
-        q2_air_velocity_2_V_product - q1_minus_air_product + part_of_d_vz_dot_d_q3;
+        d_air_velocity_2_d_q2.mul_add(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q2_2);
+    let part_of_d_vz_dot_d_q0_3 =
+        d_air_velocity_2_d_q0.mul_add(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q0_2);
+    let d_vz_dot_d_q0 = d_minus_air_velocity_1_d_q0
+        .mul_add(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_q0_3);
+    j[20] = d_vz_dot_d_q0;
+    let part_of_d_vz_dot_d_q1_4 = d_minus_air_velocity_1_d_q1
+        .mul_add(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_q1_3);
+    let d_vz_dot_d_q1 = q1_two.mul_from(V_inv_m_rho_A_minus_product_2, part_of_d_vz_dot_d_q1_4);
+    j[21] = d_vz_dot_d_q1;
     let part_of_d_vz_dot_d_q3_3 =
-        part_of_d_vz_dot_d_q3_2 + d_air_velocity_2_d_q3 * d_vz_dot_d_air_velocity_2;
-    let d_vz_dot_d_q3 =
-        part_of_d_vz_dot_d_q3_3 + d_minus_air_velocity_1_d_q3 * d_vz_dot_d_minus_air_velocity_1;
-    let minus_d_q0_dot_d_q1 = T::splat(0.5) * p;
-    let minus_d_q0_dot_d_q2 = T::splat(0.5) * q;
-    let minus_d_q0_dot_d_q3 = T::splat(0.5) * r;
-    let minus_d_q0_dot_d_p = T::splat(0.5) * q1;
-    let minus_d_q0_dot_d_q = T::splat(0.5) * q2;
-    let minus_d_q0_dot_d_r = T::splat(0.5) * q3;
-    let d_q1_dot_d_p = T::splat(0.5) * q0;
-    let air_velocity_12_C_product = C_Mq_d_rho_A_inv_I_d * air_velocity_12;
-    let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
-    let nonzero_V = V.if_zero(T::splat(0.0), T::splat(1.0));
-    let part_of_nonzero_air_product_sum = d_rho_A_inv_I_d * nonzero_air_velocity_12 * nonzero_V;
-    let nonzero_air_product_sum =
-        part_of_nonzero_air_product_sum - inv_air_velocity_12 * inv_air_velocity_12_product;
-    let r_C_Rr = C_Rr * r;
-    let air_velocity_2_alpha_C_sum = air_velocity_2 * alpha_C_Ma + minus_air_velocity_1 * r_C_Rr;
-    let part_of_d_p_dot_d_air_velocity =
-        p * air_velocity_12_C_product + minus_air_velocity_product_2 * C_Ma_air_velocity_2_product;
-    let d_p_dot_d_air_velocity_12 =
-        part_of_d_p_dot_d_air_velocity - nonzero_air_product_sum * air_velocity_2_alpha_C_sum;
-    let minus_air_velocity_product_5 = minus_air_velocity_1 * inv_air_velocity_12;
-    let inv_air_velocity_12_product_2 = inv_air_velocity_12_product * r_C_Rr;
-    let d_p_dot_d_minus_air_velocity_1 =
-        d_p_dot_d_air_velocity_12 * minus_air_velocity_product_5 - inv_air_velocity_12_product_2;
-    let part_of_d_p_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_minus_air =
-        p * C_Mq_nonzero_air_velocity_12 - inv_air_velocity_12 * air_velocity_2_alpha_C_sum;
-    let minus_air_velocity_product_6 = d_rho_A_inv_I_d * minus_air_velocity_3;
-    let part_of_d_p_dot_d_minus_air_2 = part_of_d_p_dot_d_minus_air * minus_air_velocity_product_6;
-    let d_p_dot_d_minus_air_velocity_3 =
-        part_of_d_p_dot_d_minus_air_2 - air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product;
-    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
-    let inv_air_velocity_12_product_3 = inv_air_velocity_12_product * alpha_C_Ma;
-    let d_p_dot_d_air_velocity_2 =
-        d_p_dot_d_air_velocity_12 * air_velocity_2_inv_product_2 - inv_air_velocity_12_product_3;
-    let part_of_d_p_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_p_dot_d_air_velocity_2;
+        d_air_velocity_2_d_q3.mul_add(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q3_2);
+    let d_vz_dot_d_q3 = d_minus_air_velocity_1_d_q3
+        .mul_add(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_q3_3);
+    j[23] = d_vz_dot_d_q3;
+    let part_of_d_vz_dot_d_q2_4 = d_minus_air_velocity_1_d_q2
+        .mul_add(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_q2_3);
+    let d_vz_dot_d_q2 = q2_two.mul_from(V_inv_m_rho_A_minus_product_2, part_of_d_vz_dot_d_q2_4);
+    j[22] = d_vz_dot_d_q2;
+    let d_p_dot_d_air_velocity_2 = d_p_dot_d_air_velocity_12
+        .mul_sub(air_velocity_2_inv_product_2, inv_air_velocity_12_product_3);
+    let d_q_dot_d_air_velocity_2 = d_q_dot_d_air_velocity_12
+        .mul_add(air_velocity_2_inv_product_2, inv_air_velocity_12_product_2);
+    let d_p_dot_d_minus_air_velocity_1 = d_p_dot_d_air_velocity_12
+        .mul_sub(minus_air_velocity_product_5, inv_air_velocity_12_product_2);
+    let d_q_dot_d_minus_air_velocity_1 = d_q_dot_d_air_velocity_12
+        .mul_sub(minus_air_velocity_product_5, inv_air_velocity_12_product_3);
+    let part_of_d_vx_dot_d_vx = q0_q2_plus_q1_q3 * d_vx_dot_d_minus_air_velocity_3;
+    let part_of_d_vx_dot_d_vx_2 =
+        minus_q0_q3_plus_q1_q2.mul_from(d_vx_dot_d_air_velocity_2, part_of_d_vx_dot_d_vx);
+    let part_of_d_vx_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vx_dot_d_minus_air_velocity_3;
+    let part_of_d_vx_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vx_dot_d_minus_air_velocity_3;
+    let part_of_d_vx_dot_d_vy_2 =
+        q0_q3_plus_q1_q2.mul_add(d_vx_dot_d_minus_air_velocity_1, part_of_d_vx_dot_d_vy);
+    let part_of_d_vx_dot_d_vz = q1_q0_plus_q3_q2 * d_vx_dot_d_air_velocity_2;
+    let part_of_d_vx_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vx_dot_d_air_velocity_2;
+    let d_vx_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_vx_dot_d_vy_2, part_of_d_vx_dot_d_vy_3);
+    j[4] = d_vx_dot_d_vy;
+    let part_of_d_vx_dot_d_vz_2 =
+        minus_q0_q2_plus_q1_q3.mul_from(d_vx_dot_d_minus_air_velocity_1, part_of_d_vx_dot_d_vz);
+    let d_vx_dot_d_vz = T::splat(2.0).mul_add(part_of_d_vx_dot_d_vz_2, part_of_d_vx_dot_d_vz_3);
+    j[5] = d_vx_dot_d_vz;
+    let part_of_d_vx_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vx_dot_d_minus_air_velocity_1;
+    let d_vx_dot_d_vx = T::splat(2.0).mul_from(part_of_d_vx_dot_d_vx_2, part_of_d_vx_dot_d_vx_3);
+    j[3] = d_vx_dot_d_vx;
+    let part_of_d_vy_dot_d_vx = q0_q2_plus_q1_q3 * d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_vx_2 =
+        minus_q0_q3_plus_q1_q2.mul_from(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_vx);
+    let part_of_d_vy_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vy_dot_d_minus_air_velocity_3;
+    let part_of_d_vy_dot_d_vy_2 =
+        q0_q3_plus_q1_q2.mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_vy);
+    let part_of_d_vy_dot_d_vz = q1_q0_plus_q3_q2 * d_vy_dot_d_air_velocity_2;
+    let part_of_d_vy_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vy_dot_d_air_velocity_2;
+    let d_vy_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_vy_dot_d_vy_2, part_of_d_vy_dot_d_vy_3);
+    j[11] = d_vy_dot_d_vy;
+    let part_of_d_vy_dot_d_vz_2 =
+        minus_q0_q2_plus_q1_q3.mul_from(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_vz);
+    let d_vy_dot_d_vz = T::splat(2.0).mul_add(part_of_d_vy_dot_d_vz_2, part_of_d_vy_dot_d_vz_3);
+    j[12] = d_vy_dot_d_vz;
+    let part_of_d_vy_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vy_dot_d_minus_air_velocity_1;
+    let d_vy_dot_d_vx = T::splat(2.0).mul_from(part_of_d_vy_dot_d_vx_2, part_of_d_vy_dot_d_vx_3);
+    j[10] = d_vy_dot_d_vx;
+    let part_of_d_vz_dot_d_vx = q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_3;
+    let part_of_d_vz_dot_d_vx_2 =
+        minus_q0_q3_plus_q1_q2.mul_from(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_vx);
+    let part_of_d_vz_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vz_dot_d_minus_air_velocity_3;
+    let part_of_d_vz_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vz_dot_d_minus_air_velocity_3;
+    let part_of_d_vz_dot_d_vy_2 =
+        q0_q3_plus_q1_q2.mul_add(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_vy);
+    let part_of_d_vz_dot_d_vz = q1_q0_plus_q3_q2 * d_vz_dot_d_air_velocity_2;
+    let part_of_d_vz_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_vz_dot_d_air_velocity_2;
+    let d_vz_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_vz_dot_d_vy_2, part_of_d_vz_dot_d_vy_3);
+    j[18] = d_vz_dot_d_vy;
+    let part_of_d_vz_dot_d_vz_2 =
+        minus_q0_q2_plus_q1_q3.mul_from(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_vz);
+    let d_vz_dot_d_vz = T::splat(2.0).mul_add(part_of_d_vz_dot_d_vz_2, part_of_d_vz_dot_d_vz_3);
+    j[19] = d_vz_dot_d_vz;
+    let part_of_d_vz_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1;
+    let d_vz_dot_d_vx = T::splat(2.0).mul_from(part_of_d_vz_dot_d_vx_2, part_of_d_vz_dot_d_vx_3);
+    j[17] = d_vz_dot_d_vx;
+    let part_of_d_p_dot_d_vx = q0_q2_plus_q1_q3 * d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_vx = q0_q2_plus_q1_q3 * d_q_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_vx_2 =
-        q0_q2_plus_q1_q3 * d_p_dot_d_minus_air_velocity_3 - part_of_d_p_dot_d_vx;
-    let d_p_dot_d_vx = part_of_d_p_dot_d_vx_3 - T::splat(2.0) * part_of_d_p_dot_d_vx_2;
-    let part_of_d_p_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_p_dot_d_air_velocity_2;
-    let part_of_d_p_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_vy_2 =
-        part_of_d_p_dot_d_vy + q0_q3_plus_q1_q2 * d_p_dot_d_minus_air_velocity_1;
-    let d_p_dot_d_vy = T::splat(-2.0) * part_of_d_p_dot_d_vy_2 - part_of_d_p_dot_d_vy_3;
-    let part_of_d_p_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_vz_2 = q1_q0_plus_q3_q2 * d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_vz;
-    let d_p_dot_d_vz = part_of_d_p_dot_d_vz_3 + T::splat(2.0) * part_of_d_p_dot_d_vz_2;
-    let part_of_d_p_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q0_2 =
-        d_air_velocity_2_d_q0 * d_p_dot_d_air_velocity_2 - part_of_d_p_dot_d_q0;
-    let d_p_dot_d_q0 =
-        part_of_d_p_dot_d_q0_2 + d_minus_air_velocity_1_d_q0 * d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q1_2 =
-        part_of_d_p_dot_d_q1 + d_air_velocity_2_d_q1 * d_p_dot_d_air_velocity_2;
-    let d_p_dot_d_q1 =
-        part_of_d_p_dot_d_q1_2 + d_minus_air_velocity_1_d_q1 * d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q2_2 =
-        part_of_d_p_dot_d_q2 + d_air_velocity_2_d_q2 * d_p_dot_d_air_velocity_2;
-    let d_p_dot_d_q2 =
-        part_of_d_p_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_p_dot_d_minus_air_velocity_1;
-    let part_of_d_p_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_p_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q3_2 =
-        part_of_d_p_dot_d_q3 + d_air_velocity_2_d_q3 * d_p_dot_d_air_velocity_2;
-    let d_p_dot_d_q3 =
-        part_of_d_p_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_p_dot_d_minus_air_velocity_1;
-    let d_p_dot_d_q = one_minus_inv_I_d_I_a * r;
-    let minus_air_velocity_product_7 = C_Ma * minus_air_velocity_product;
-    let air_velocity_2_r_C_Rr_sum = air_velocity_2 * r_C_Rr - minus_air_velocity_1 * alpha_C_Ma;
-    let part_of_d_q_dot_d_air_velocity =
-        q * air_velocity_12_C_product + minus_air_velocity_product_2 * minus_air_velocity_product_7;
-    let d_q_dot_d_air_velocity_12 =
-        part_of_d_q_dot_d_air_velocity + nonzero_air_product_sum * air_velocity_2_r_C_Rr_sum;
-    let d_q_dot_d_minus_air_velocity_1 =
-        d_q_dot_d_air_velocity_12 * minus_air_velocity_product_5 - inv_air_velocity_12_product_3;
-    let part_of_d_q_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_minus_air =
-        q * C_Mq_nonzero_air_velocity_12 + inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum;
-    let part_of_d_q_dot_d_minus_air_2 = part_of_d_q_dot_d_minus_air * minus_air_velocity_product_6;
-    let d_q_dot_d_minus_air_velocity_3 =
-        part_of_d_q_dot_d_minus_air_2 - air_velocity_12_inv_V_sq * minus_air_velocity_product_7;
-    let d_q_dot_d_air_velocity_2 =
-        inv_air_velocity_12_product_2 + d_q_dot_d_air_velocity_12 * air_velocity_2_inv_product_2;
-    let part_of_d_q_dot_d_vx = minus_q0_q3_plus_q1_q2 * d_q_dot_d_air_velocity_2;
+        minus_q0_q3_plus_q1_q2.mul_from(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_vx);
     let part_of_d_q_dot_d_vx_2 =
-        q0_q2_plus_q1_q3 * d_q_dot_d_minus_air_velocity_3 - part_of_d_q_dot_d_vx;
-    let d_q_dot_d_vx = part_of_d_q_dot_d_vx_3 - T::splat(2.0) * part_of_d_q_dot_d_vx_2;
-    let part_of_d_q_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_q_dot_d_air_velocity_2;
+        minus_q0_q3_plus_q1_q2.mul_from(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_vx);
+    let part_of_d_p_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_vy_2 =
+        q0_q3_plus_q1_q2.mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_vy);
     let part_of_d_q_dot_d_vy_2 =
-        part_of_d_q_dot_d_vy + q0_q3_plus_q1_q2 * d_q_dot_d_minus_air_velocity_1;
-    let d_q_dot_d_vy = T::splat(-2.0) * part_of_d_q_dot_d_vy_2 - part_of_d_q_dot_d_vy_3;
-    let part_of_d_q_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_q_dot_d_vz = minus_q0_q2_plus_q1_q3 * d_q_dot_d_minus_air_velocity_1;
-    let part_of_d_q_dot_d_vz_2 = q1_q0_plus_q3_q2 * d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_vz;
-    let d_q_dot_d_vz = part_of_d_q_dot_d_vz_3 + T::splat(2.0) * part_of_d_q_dot_d_vz_2;
-    let part_of_d_q_dot_d_q0 = minus_d_minus_air_velocity_3_d_q0 * d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_q_dot_d_q0_2 =
-        d_air_velocity_2_d_q0 * d_q_dot_d_air_velocity_2 - part_of_d_q_dot_d_q0;
+        q0_q3_plus_q1_q2.mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_vy);
+    let part_of_d_p_dot_d_vz = q1_q0_plus_q3_q2 * d_p_dot_d_air_velocity_2;
+    let part_of_d_q_dot_d_vz = q1_q0_plus_q3_q2 * d_q_dot_d_air_velocity_2;
+    let part_of_d_p_dot_d_vz_2 =
+        minus_q0_q2_plus_q1_q3.mul_from(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_vz);
+    let part_of_d_q_dot_d_vz_2 =
+        minus_q0_q2_plus_q1_q3.mul_from(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_vz);
+    let part_of_d_p_dot_d_q0 = d_air_velocity_2_d_q0 * d_p_dot_d_air_velocity_2;
+    let part_of_d_q_dot_d_q0 = d_air_velocity_2_d_q0 * d_q_dot_d_air_velocity_2;
+    let part_of_d_p_dot_d_q0_2 = minus_d_minus_air_velocity_3_d_q0
+        .mul_from(d_p_dot_d_minus_air_velocity_3, part_of_d_p_dot_d_q0);
+    let part_of_d_q_dot_d_q0_2 = minus_d_minus_air_velocity_3_d_q0
+        .mul_from(d_q_dot_d_minus_air_velocity_3, part_of_d_q_dot_d_q0);
+    let d_p_dot_d_q0 =
+        d_minus_air_velocity_1_d_q0.mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q0_2);
+    j[51] = d_p_dot_d_q0;
     let d_q_dot_d_q0 =
-        part_of_d_q_dot_d_q0_2 + d_minus_air_velocity_1_d_q0 * d_q_dot_d_minus_air_velocity_1;
+        d_minus_air_velocity_1_d_q0.mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_q0_2);
+    j[61] = d_q_dot_d_q0;
+    let part_of_d_p_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_q1 = d_minus_air_velocity_3_d_q1 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q1_2 =
+        d_air_velocity_2_d_q1.mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_q1);
     let part_of_d_q_dot_d_q1_2 =
-        part_of_d_q_dot_d_q1 + d_air_velocity_2_d_q1 * d_q_dot_d_air_velocity_2;
+        d_air_velocity_2_d_q1.mul_add(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_q1);
+    let d_p_dot_d_q1 =
+        d_minus_air_velocity_1_d_q1.mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q1_2);
+    j[52] = d_p_dot_d_q1;
     let d_q_dot_d_q1 =
-        part_of_d_q_dot_d_q1_2 + d_minus_air_velocity_1_d_q1 * d_q_dot_d_minus_air_velocity_1;
+        d_minus_air_velocity_1_d_q1.mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_q1_2);
+    j[62] = d_q_dot_d_q1;
+    let part_of_d_p_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_q2 = d_minus_air_velocity_3_d_q2 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_q2_2 =
+        d_air_velocity_2_d_q2.mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_q2);
     let part_of_d_q_dot_d_q2_2 =
-        part_of_d_q_dot_d_q2 + d_air_velocity_2_d_q2 * d_q_dot_d_air_velocity_2;
+        d_air_velocity_2_d_q2.mul_add(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_q2);
+    let d_p_dot_d_q2 =
+        d_minus_air_velocity_1_d_q2.mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q2_2);
+    j[53] = d_p_dot_d_q2;
     let d_q_dot_d_q2 =
-        part_of_d_q_dot_d_q2_2 + d_minus_air_velocity_1_d_q2 * d_q_dot_d_minus_air_velocity_1;
+        d_minus_air_velocity_1_d_q2.mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_q2_2);
+    j[63] = d_q_dot_d_q2;
+    let part_of_d_p_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_q3 = d_minus_air_velocity_3_d_q3 * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_p_dot_d_minus_air_velocity_3;
+    let part_of_d_q_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_q_dot_d_minus_air_velocity_3;
+    let part_of_d_p_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_p_dot_d_minus_air_velocity_1;
+    let part_of_d_q_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_q_dot_d_minus_air_velocity_1;
+    let part_of_d_p_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_p_dot_d_air_velocity_2;
+    let d_p_dot_d_vx = T::splat(2.0).mul_from(part_of_d_p_dot_d_vx_2, part_of_d_p_dot_d_vx_3);
+    j[48] = d_p_dot_d_vx;
+    let part_of_d_p_dot_d_q3_2 =
+        d_air_velocity_2_d_q3.mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_q3);
     let part_of_d_q_dot_d_q3_2 =
-        part_of_d_q_dot_d_q3 + d_air_velocity_2_d_q3 * d_q_dot_d_air_velocity_2;
+        d_air_velocity_2_d_q3.mul_add(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_q3);
+    let part_of_d_q_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_q_dot_d_air_velocity_2;
+    let d_p_dot_d_vz = T::splat(2.0).mul_add(part_of_d_p_dot_d_vz_2, part_of_d_p_dot_d_vz_3);
+    j[50] = d_p_dot_d_vz;
+    let d_q_dot_d_vz = T::splat(2.0).mul_add(part_of_d_q_dot_d_vz_2, part_of_d_q_dot_d_vz_3);
+    j[60] = d_q_dot_d_vz;
+    let d_p_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_p_dot_d_vy_2, part_of_d_p_dot_d_vy_3);
+    j[49] = d_p_dot_d_vy;
+    let d_q_dot_d_vx = T::splat(2.0).mul_from(part_of_d_q_dot_d_vx_2, part_of_d_q_dot_d_vx_3);
+    j[58] = d_q_dot_d_vx;
+    let d_p_dot_d_q3 =
+        d_minus_air_velocity_1_d_q3.mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q3_2);
+    j[54] = d_p_dot_d_q3;
     let d_q_dot_d_q3 =
-        part_of_d_q_dot_d_q3_2 + d_minus_air_velocity_1_d_q3 * d_q_dot_d_minus_air_velocity_1;
-    let d_q0_dot_d_q1 = -minus_d_q0_dot_d_q1;
-    let d_q0_dot_d_q2 = -minus_d_q0_dot_d_q2;
-    let d_q0_dot_d_q3 = -minus_d_q0_dot_d_q3;
-    let d_q0_dot_d_p = -minus_d_q0_dot_d_p;
-    let d_q0_dot_d_q = -minus_d_q0_dot_d_q;
-    let d_q0_dot_d_r = -minus_d_q0_dot_d_r;
-    let d_q_dot_d_p = -d_p_dot_d_q;
+        d_minus_air_velocity_1_d_q3.mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_q3_2);
+    j[64] = d_q_dot_d_q3;
+    let d_q_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_q_dot_d_vy_2, part_of_d_q_dot_d_vy_3);
+    j[59] = d_q_dot_d_vy;
 
     dx[0] = vx;
     dx[1] = vy;
     dx[2] = vz;
-    dx[3] = vx_dot;
-    dx[4] = vy_dot;
-    dx[5] = vz_dot;
-    dx[6] = T::splat(-0.5) * q3_r_plus_q2_q_plus_q1_p;
-    dx[7] = T::splat(-0.5) * q3_q_minus_q2_r_minus_q0_p;
-    dx[8] = T::splat(-0.5) * q1_r_minus_q3_p_minus_q0_q;
-    dx[9] = T::splat(-0.5) * q2_p_minus_q1_q_minus_q0_r;
-    dx[10] = p_dot;
-    dx[11] = q_dot;
-    dx[12] = r_dot;
-
     j[0] = T::splat(1.0); // d_x_dot_d_vx
     j[1] = T::splat(1.0); // d_y_dot_d_vy
     j[2] = T::splat(1.0); // d_z_dot_d_vz
-    j[3] = d_vx_dot_d_vx;
-    j[4] = d_vx_dot_d_vy;
-    j[5] = d_vx_dot_d_vz;
-    j[6] = d_vx_dot_d_q0;
-    j[7] = d_vx_dot_d_q1;
-    j[8] = d_vx_dot_d_q2;
-    j[9] = d_vx_dot_d_q3;
-    j[10] = d_vy_dot_d_vx;
-    j[11] = d_vy_dot_d_vy;
-    j[12] = d_vy_dot_d_vz;
-    j[13] = d_vy_dot_d_q0;
-    j[14] = d_vy_dot_d_q1;
-    j[15] = d_vy_dot_d_q2;
-    j[16] = d_vy_dot_d_q3;
-    j[17] = d_vz_dot_d_vx;
-    j[18] = d_vz_dot_d_vy;
-    j[19] = d_vz_dot_d_vz;
-    j[20] = d_vz_dot_d_q0;
-    j[21] = d_vz_dot_d_q1;
-    j[22] = d_vz_dot_d_q2;
-    j[23] = d_vz_dot_d_q3;
-    j[24] = d_q0_dot_d_q1;
-    j[25] = d_q0_dot_d_q2;
-    j[26] = d_q0_dot_d_q3;
-    j[27] = d_q0_dot_d_p;
-    j[28] = d_q0_dot_d_q;
-    j[29] = d_q0_dot_d_r;
-    j[30] = minus_d_q0_dot_d_q1; // d_q1_dot_d_q0
-    j[31] = minus_d_q0_dot_d_q3; // d_q1_dot_d_q2
-    j[32] = d_q0_dot_d_q2; // d_q1_dot_d_q3
-    j[33] = d_q1_dot_d_p;
-    j[34] = d_q0_dot_d_r; // d_q1_dot_d_q
-    j[35] = minus_d_q0_dot_d_q; // d_q1_dot_d_r
-    j[36] = minus_d_q0_dot_d_q2; // d_q2_dot_d_q0
-    j[37] = d_q0_dot_d_q3; // d_q2_dot_d_q1
-    j[38] = minus_d_q0_dot_d_q1; // d_q2_dot_d_q3
-    j[39] = minus_d_q0_dot_d_r; // d_q2_dot_d_p
-    j[40] = d_q1_dot_d_p; // d_q2_dot_d_q
-    j[41] = d_q0_dot_d_p; // d_q2_dot_d_r
-    j[42] = minus_d_q0_dot_d_q3; // d_q3_dot_d_q0
-    j[43] = minus_d_q0_dot_d_q2; // d_q3_dot_d_q1
-    j[44] = d_q0_dot_d_q1; // d_q3_dot_d_q2
-    j[45] = d_q0_dot_d_q; // d_q3_dot_d_p
-    j[46] = minus_d_q0_dot_d_p; // d_q3_dot_d_q
-    j[47] = d_q1_dot_d_p; // d_q3_dot_d_r
-    j[48] = d_p_dot_d_vx;
-    j[49] = d_p_dot_d_vy;
-    j[50] = d_p_dot_d_vz;
-    j[51] = d_p_dot_d_q0;
-    j[52] = d_p_dot_d_q1;
-    j[53] = d_p_dot_d_q2;
-    j[54] = d_p_dot_d_q3;
-    j[55] = V_sq_half_d_inv_product; // d_p_dot_d_p
-    j[56] = d_p_dot_d_q;
-    j[57] = minus_C_Rr_minus_air_sum; // d_p_dot_d_r
-    j[58] = d_q_dot_d_vx;
-    j[59] = d_q_dot_d_vy;
-    j[60] = d_q_dot_d_vz;
-    j[61] = d_q_dot_d_q0;
-    j[62] = d_q_dot_d_q1;
-    j[63] = d_q_dot_d_q2;
-    j[64] = d_q_dot_d_q3;
-    j[65] = d_q_dot_d_p;
-    j[66] = V_sq_half_d_inv_product; // d_q_dot_d_q
-    j[67] = C_Rr_air_velocity_sum; // d_q_dot_d_r
     j[68] = C_Nr_inv_I_a; // d_r_dot_d_r
 }

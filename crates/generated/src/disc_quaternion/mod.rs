@@ -68,9 +68,9 @@ pub const COEFFICIENTS: usize = 8;
 #[rustfmt::skip]
 pub const PREPARED: [&str; 17] = [
     "inv_m_rho_A", "half_d_inv_I_d_rho_A", "one_minus_inv_I_d_I_a", "C_Nr_inv_I_a",
-    "d_rho_A_inv_I_d", "two_C_Da", "C_Mq_d_rho_A_inv_I_d", "rho_A", "inv_m", "inv_I_d",
-    "I_a_inv_I_d", "inv_I_d_d", "inv_I_a", "minus_I_a_inv_I_d", "minus_inv_I_a_d_r_dot_d_r",
-    "rho_half", "A_rho_half",
+    "d_rho_A_inv_I_d", "two_C_Da", "C_Mq_d_rho_A_inv_I_d", "inv_m", "inv_I_d", "inv_I_a", "rho_A",
+    "I_a_inv_I_d", "inv_I_d_d", "minus_I_a_inv_I_d", "minus_inv_I_a_d_r_dot_d_r", "rho_half",
+    "A_rho_half",
 ];
 
 /// What `quantities` computes.

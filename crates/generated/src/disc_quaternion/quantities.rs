@@ -15,117 +15,119 @@ pub fn quantities<T: Real>(
     prepared: &[T; 17],
     values: &mut [T; 24],
 ) {
-    let vx = state[3];
-    let vy = state[4];
-    let vz = state[5];
     let q0 = state[6];
     let q1 = state[7];
+    let q0_q1 = q0 * q1;
     let q2 = state[8];
     let q3 = state[9];
-    let p = state[10];
-    let q = state[11];
-    let r = state[12];
-    let d = parameters[3];
-    let C_L0 = parameters[7];
-    let C_La = parameters[8];
-    let C_D0 = parameters[9];
-    let C_Da = parameters[10];
-    let C_Ma = parameters[11];
-    let C_Mq = parameters[12];
-    let C_Rr = parameters[13];
-    let C_Nr = parameters[14];
-    let wind_x = parameters[15];
-    let wind_y = parameters[16];
+    let q2_q3 = q2 * q3;
+    let vz = state[5];
     let wind_z = parameters[17];
-    let rho_half = prepared[15];
-    let A_rho_half = prepared[16];
-    let q2_q0 = q2 * q0;
-    let q3_q1 = q3 * q1;
     let minus_wind_z_plus_vz = vz - wind_z;
-    let q3_sq_two = T::splat(2.0) * q3 * q3;
-    let q2_sq_two_minus_one = T::splat(2.0) * q2 * q2 - T::splat(1.0);
-    let minus_wind_x_plus_vx = vx - wind_x;
-    let part_of_air_velocity_1 = (q3_sq_two + q2_sq_two_minus_one) * minus_wind_x_plus_vx;
     let q0_q3 = q0 * q3;
     let q2_q1 = q2 * q1;
-    let minus_wind_y_plus_vy = vy - wind_y;
-    let part_of_air_velocity_1_2 =
-        part_of_air_velocity_1 - T::splat(2.0) * (q0_q3 + q2_q1) * minus_wind_y_plus_vy;
-
-    // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
-    let air_velocity_1 =
-        T::splat(2.0) * (q3_q1 - q2_q0) * minus_wind_z_plus_vz - part_of_air_velocity_1_2;
+    let vx = state[3];
+    let wind_x = parameters[15];
+    let minus_wind_x_plus_vx = vx - wind_x;
+    let q2_sq_two_minus_one = q2.mul_sub(T::splat(2.0) * q2, T::splat(1.0));
+    let q2_q0 = q2 * q0;
+    let q3_sq_two = T::splat(2.0) * q3 * q3;
+    let q3_q1 = q3 * q1;
     let q1_sq_two = T::splat(2.0) * q1 * q1;
-    let part_of_air_velocity_2_2 = minus_wind_y_plus_vy * (q3_sq_two - T::splat(1.0) + q1_sq_two);
-    let q0_q1 = q0 * q1;
-    let q2_q3 = q2 * q3;
+    let vy = state[4];
+    let wind_y = parameters[16];
+    let minus_wind_y_plus_vy = vy - wind_y;
     let part_of_air_velocity_2 =
-        minus_wind_z_plus_vz * (q0_q1 + q2_q3) + minus_wind_x_plus_vx * (q2_q1 - q0_q3);
-    let air_velocity_2 = T::splat(2.0) * part_of_air_velocity_2 - part_of_air_velocity_2_2;
-    let part_of_minus_air_velocity_3_2 = minus_wind_z_plus_vz * (q1_sq_two + q2_sq_two_minus_one);
-    let part_of_minus_air_velocity_3 =
-        minus_wind_y_plus_vy * (q2_q3 - q0_q1) + minus_wind_x_plus_vx * (q2_q0 + q3_q1);
-    let minus_air_velocity_3 =
-        part_of_minus_air_velocity_3_2 - T::splat(2.0) * part_of_minus_air_velocity_3;
-    let air_velocity_12_sq = air_velocity_2 * air_velocity_2 + air_velocity_1 * air_velocity_1;
-    let V_sq = minus_air_velocity_3 * minus_air_velocity_3 + air_velocity_12_sq;
-
-    // disc_quaternion.hyz:57  let V = norm(air_velocity);
-    let V = V_sq.sqrt();
-    let air_velocity_12 = air_velocity_12_sq.sqrt();
-    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
-    let d1_1 = air_velocity_1 * inv_air_velocity_12;
-
-    // disc_quaternion.hyz:58  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
-    let d1_2 = air_velocity_2 * inv_air_velocity_12;
-
-    // disc_quaternion.hyz:62  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
-    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
-
-    // disc_quaternion.hyz:66  let C_L = C_L0 + C_La*alpha;
-    let C_L = C_La * alpha + C_L0;
-
-    // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
-    let C_D = C_Da * alpha * alpha + C_D0;
-    let V_sq_A_rho_half = A_rho_half * V_sq;
-    let air_velocity_2_q_plus_sum = air_velocity_2 * q + air_velocity_1 * p;
-
-    // disc_quaternion.hyz:72  let rate_1 = dot(angular_velocity, d1);
-    let rate_1 = inv_air_velocity_12 * air_velocity_2_q_plus_sum;
-    let air_velocity_1_q_minus_sum = air_velocity_1 * q - air_velocity_2 * p;
-    let inv_air_velocity_12_C_Mq = C_Mq * inv_air_velocity_12;
-    let d_V_sq_A_rho_half = d * V_sq_A_rho_half;
-    let part_of_roll =
-        (air_velocity_2_q_plus_sum * inv_air_velocity_12_C_Mq + C_Rr * r) * d_V_sq_A_rho_half;
-    let part_of_pitch = air_velocity_1_q_minus_sum * inv_air_velocity_12_C_Mq + C_Ma * alpha;
+        minus_wind_x_plus_vx.mul_add(q2_q1 - q0_q3, minus_wind_z_plus_vz * (q0_q1 + q2_q3));
+    let part_of_air_velocity_2_3 = q3_sq_two - T::splat(1.0) + q1_sq_two;
+    let part_of_air_velocity_1 = (q3_sq_two + q2_sq_two_minus_one) * minus_wind_x_plus_vx;
+    let part_of_air_velocity_2_2 = T::splat(2.0) * part_of_air_velocity_2;
+    let C_Nr = parameters[14];
+    let r = state[12];
 
     // disc_quaternion.hyz:76  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
-    let air_velocity_3 = -minus_air_velocity_3;
-    let d2_1 = -d1_2;
+    values[23] = spin_down;
+    let part_of_minus_air_velocity_3 =
+        minus_wind_x_plus_vx.mul_add(q2_q0 + q3_q1, minus_wind_y_plus_vy * (q2_q3 - q0_q1));
+    let part_of_minus_air_velocity_3_2 = minus_wind_z_plus_vz * (q1_sq_two + q2_sq_two_minus_one);
+    let part_of_air_velocity_1_2 =
+        minus_wind_y_plus_vy.mul_from(T::splat(2.0) * (q0_q3 + q2_q1), part_of_air_velocity_1);
 
-    values[0] = air_velocity_1;
+    // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
+    let air_velocity_2 =
+        minus_wind_y_plus_vy.mul_from(part_of_air_velocity_2_3, part_of_air_velocity_2_2);
     values[1] = air_velocity_2;
+    let minus_air_velocity_3 =
+        T::splat(2.0).mul_from(part_of_minus_air_velocity_3, part_of_minus_air_velocity_3_2);
+    let air_velocity_1 =
+        minus_wind_z_plus_vz.mul_sub(T::splat(2.0) * (q3_q1 - q2_q0), part_of_air_velocity_1_2);
+    values[0] = air_velocity_1;
+    let air_velocity_3 = -minus_air_velocity_3;
     values[2] = air_velocity_3;
+    let air_velocity_12_sq =
+        air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
+    let p = state[10];
+    let q = state[11];
+    let air_velocity_2_q_plus_sum = air_velocity_1.mul_add(p, air_velocity_2 * q);
+    let air_velocity_1_q_minus_sum = air_velocity_2.mul_from(p, air_velocity_1 * q);
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
+    let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
+
+    // disc_quaternion.hyz:57  let V = norm(air_velocity);
+    let V = V_sq.sqrt();
+    values[6] = V;
+    let A_rho_half = prepared[16];
+    let V_sq_A_rho_half = A_rho_half * V_sq;
+    let rho_half = prepared[15];
+    values[14] = rho_half * V_sq;
+    let d = parameters[3];
+    let d_V_sq_A_rho_half = d * V_sq_A_rho_half;
+
+    // disc_quaternion.hyz:62  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    let alpha = minus_air_velocity_3.atan2(air_velocity_12);
+    values[13] = alpha;
+    let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let C_Mq = parameters[12];
+    let inv_air_velocity_12_C_Mq = C_Mq * inv_air_velocity_12;
+
+    // disc_quaternion.hyz:58  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
+    let d1_2 = air_velocity_2 * inv_air_velocity_12;
+    values[8] = d1_2;
+    let d1_1 = air_velocity_1 * inv_air_velocity_12;
+    values[7] = d1_1;
+    values[11] = d1_1;
+
+    // disc_quaternion.hyz:72  let rate_1 = dot(angular_velocity, d1);
+    let rate_1 = inv_air_velocity_12 * air_velocity_2_q_plus_sum;
+    values[19] = rate_1;
+    values[20] = inv_air_velocity_12 * air_velocity_1_q_minus_sum;
+    let C_Rr = parameters[13];
+    let part_of_roll = air_velocity_2_q_plus_sum.mul_add(inv_air_velocity_12_C_Mq, C_Rr * r);
+    let d2_1 = -d1_2;
+    values[10] = d2_1;
+    values[21] = part_of_roll * d_V_sq_A_rho_half;
+    let C_Ma = parameters[11];
+    let part_of_pitch = C_Ma.mul_add(alpha, air_velocity_1_q_minus_sum * inv_air_velocity_12_C_Mq);
+    let C_La = parameters[8];
+    let C_L0 = parameters[7];
+
+    // disc_quaternion.hyz:66  let C_L = C_L0 + C_La*alpha;
+    let C_L = C_La.mul_add(alpha, C_L0);
+    values[15] = C_L;
+    let C_Da = parameters[10];
+    let C_D0 = parameters[9];
+
+    // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
+    let C_D = alpha.mul_add(C_Da * alpha, C_D0);
+    values[16] = C_D;
+    values[22] = part_of_pitch * d_V_sq_A_rho_half;
+    values[17] = C_L * V_sq_A_rho_half;
+    values[18] = C_D * V_sq_A_rho_half;
+
     values[3] = T::splat(0.0);
     values[4] = T::splat(0.0);
     values[5] = T::splat(1.0);
-    values[6] = V;
-    values[7] = d1_1;
-    values[8] = d1_2;
     values[9] = T::splat(0.0);
-    values[10] = d2_1;
-    values[11] = d1_1;
     values[12] = T::splat(0.0);
-    values[13] = alpha;
-    values[14] = rho_half * V_sq;
-    values[15] = C_L;
-    values[16] = C_D;
-    values[17] = C_L * V_sq_A_rho_half;
-    values[18] = C_D * V_sq_A_rho_half;
-    values[19] = rate_1;
-    values[20] = inv_air_velocity_12 * air_velocity_1_q_minus_sum;
-    values[21] = part_of_roll;
-    values[22] = part_of_pitch * d_V_sq_A_rho_half;
-    values[23] = spin_down;
 }

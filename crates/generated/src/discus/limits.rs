@@ -16,6 +16,5 @@ pub fn limits<T: Real>(
 ) {
     let theta = state[7];
     let cos_theta = theta.sin_cos().1;
-
     margins[0] = cos_theta;
 }

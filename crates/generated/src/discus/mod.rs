@@ -80,11 +80,11 @@ pub const COEFFICIENTS: usize = 8;
 /// What `prepare` computes.
 #[rustfmt::skip]
 pub const PREPARED: [&str; 28] = [
-    "minus_C_Lp_plus_C_Ls", "inv_s_stall", "inv_m_half_rho_A", "minus_g", "inv_I_d_I_a",
+    "inv_s_stall", "minus_C_Lp_plus_C_Ls", "inv_m_half_rho_A", "minus_g", "inv_I_d_I_a",
     "half_rho_A_d_inv_I_d", "C_Nr_inv_I_a", "minus_wind_y", "two_C_Ds", "n8_inv_s_stall_product",
-    "two_inv_I_d_half_rho_A_d", "two_minus_inv_I_d_I_a", "minus_one_plus_inv_I_d_I_a", "A_half",
-    "half_rho_A", "inv_m", "inv_I_d", "d_inv_I_d", "inv_I_a", "minus_C_Lp_plus_C_Ls_n8", "rho_half",
-    "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d",
+    "two_inv_I_d_half_rho_A_d", "two_minus_inv_I_d_I_a", "minus_one_plus_inv_I_d_I_a", "inv_m",
+    "inv_I_d", "inv_I_a", "A_half", "half_rho_A", "d_inv_I_d", "minus_C_Lp_plus_C_Ls_n8",
+    "rho_half", "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d",
     "minus_half_rho_A_inv_I_d", "inv_I_a_d_gammadot_dot_d_r", "C_Mq_d",
 ];
 

@@ -43,14 +43,7 @@ pub(crate) fn sin_cos<T: Primitive>(x: T) -> (T, T) {
     }
     if T::WIDTH == 1 {
         cold_path();
-        return around_alone(x);
     }
-    around(x)
-}
-
-/// Not among what is done mostly, which it would crowd.
-#[inline(never)]
-fn around_alone<T: Primitive>(x: T) -> (T, T) {
     around(x)
 }
 
@@ -58,40 +51,28 @@ fn around_alone<T: Primitive>(x: T) -> (T, T) {
 #[inline(always)]
 fn near<T: Primitive>(x: T) -> (T, T) {
     let z = x * x;
-    let cube = z * x;
-    let [s1, s @ ..] = SINE;
-    let sine = x - (z * -(cube * polynomial(z, s)) - cube * T::all(s1));
-    (sine, cosine(z, z * z * polynomial(z, COSINE)))
-}
-
-/// 1 - z/2 + `rest`.
-#[inline(always)]
-fn cosine<T: Primitive>(z: T, rest: T) -> T {
-    let half_z = T::all(0.5) * z;
-    let main = T::all(1.0) - half_z;
-    main + (((T::all(1.0) - main) - half_z) + rest)
+    let sine = (z * x).times_plus(polynomial(z, SINE), x);
+    let one_less_half = z.times_from(T::all(0.5), T::all(1.0));
+    let cosine = (z * z).times_plus(polynomial(z, COSINE), one_less_half);
+    (sine, cosine)
 }
 
 #[inline(always)]
 fn around<T: Primitive>(x: T) -> (T, T) {
-    let rounded = x * T::all(std::f64::consts::FRAC_2_PI) + T::all(ROUNDER);
+    let rounded = x.times_plus(T::all(std::f64::consts::FRAC_2_PI), T::all(ROUNDER));
     let quarters = rounded - T::all(ROUNDER);
 
     // What is left of x, as head + tail: near a multiple of a quarter turn the tail carries the digits.
-    let first = x - quarters * T::all(QUARTER[0]);
-    let second_part = quarters * T::all(QUARTER[1]);
-    let second = first - second_part;
-    let second_tail = (first - second) - second_part;
-    let third_part = quarters * T::all(QUARTER[2]);
-    let head = second - third_part;
-    let tail = ((second - head) - third_part) + second_tail;
+    let [most, more, rest] = QUARTER.map(T::all);
+    let first = quarters.times_from(most, x);
+    let second = quarters.times_from(more, first);
+    let second_tail = quarters.times_from(more, first - second);
+    let head = quarters.times_from(rest, second);
+    let tail = quarters.times_from(rest, second - head) + second_tail;
 
-    let z = head * head;
-    let cube = z * head;
-    let [s1, s @ ..] = SINE;
-    let sine =
-        head - ((z * (T::all(0.5) * tail - cube * polynomial(z, s)) - tail) - cube * T::all(s1));
-    let cosine = cosine(z, z * z * polynomial(z, COSINE) - head * tail);
+    // To first order in the tail; where that is 0, these are the bits of `near`.
+    let (sine, cosine) = near(head);
+    let (sine, cosine) = (tail.times_plus(cosine, sine), tail.times_from(sine, cosine));
 
     // Bit 0 of the count of quarters exchanges the two, bits 0 and 1 give their signs.
     let (odd, upper) = (rounded.bits_up::<63>(), rounded.bits_up::<62>());

@@ -35,11 +35,11 @@ pub(crate) fn exp<T: Primitive>(x: T) -> T {
     // Beyond these the result is 0 or infinite. A NaN passes both, since it is not below anything.
     let x = T::select(x.below(T::all(-746.0)), T::all(-746.0), x);
     let x = T::select(T::all(710.0).below(x), T::all(710.0), x);
-    let twos = (x * T::all(LOG2_E) + T::all(ROUNDER)) - T::all(ROUNDER);
-    let r = (x - twos * T::all(LN_2[0])) - twos * T::all(LN_2[1]);
-    let e = T::all(1.0) + (r + r * r * polynomial(r, EXPONENTIAL));
+    let twos = x.times_plus(T::all(LOG2_E), T::all(ROUNDER)) - T::all(ROUNDER);
+    let r = twos.times_from(T::all(LN_2[1]), twos.times_from(T::all(LN_2[0]), x));
+    let e = T::all(1.0) + (r * r).times_plus(polynomial(r, EXPONENTIAL), r);
     // In two factors, for results that are subnormal or nearly too large.
-    let some = (twos * T::all(0.5) + T::all(ROUNDER)) - T::all(ROUNDER);
+    let some = twos.times_plus(T::all(0.5), T::all(ROUNDER)) - T::all(ROUNDER);
     e * power_of_two(some) * power_of_two(twos - some)
 }
 
@@ -74,8 +74,8 @@ pub(crate) fn log<T: Primitive>(x: T) -> T {
     let z = s * s;
     let r = z * polynomial(z, LOGARITHM);
     let half_square = T::all(0.5) * f * f;
-    let log = twos * T::all(LN_2[0])
-        - ((half_square - (s * (half_square + r) + twos * T::all(LN_2[1]))) - f);
+    let small = s.times_plus(half_square + r, twos * T::all(LN_2[1]));
+    let log = twos.times_minus(T::all(LN_2[0]), (half_square - small) - f);
 
     let log = T::select(x.below(T::all(f64::INFINITY)), log, x);
     T::select(x.at_most(T::all(0.0)), T::all(0.0), log)

@@ -44,17 +44,12 @@ pub(crate) fn atan2<T: Primitive>(y: T, x: T) -> T {
         if T::everywhere(least) && T::everywhere(small) && T::everywhere(far) {
             let q = y_size / x;
             let z = q * q;
-            return (q + q * z * polynomial(z, TANGENT)).bits_xor(y.sign_bit());
+            return (q * z)
+                .times_plus(polynomial(z, TANGENT), q)
+                .bits_xor(y.sign_bit());
         }
         cold_path();
-        return atan2_alone(y, x);
     }
-    everywhere(y, x)
-}
-
-/// Not among what is done mostly, which it would crowd.
-#[inline(never)]
-fn atan2_alone<T: Primitive>(y: T, x: T) -> T {
     everywhere(y, x)
 }
 
@@ -71,7 +66,7 @@ fn everywhere<T: Primitive>(y: T, x: T) -> T {
     let upper = (large * T::all(16.0 * UPPER)).below(small * T::all(16.0));
     let q = T::select(upper, small - large, small) / T::select(upper, sum, large);
     let z = q * q;
-    let within = q + q * z * polynomial(z, TANGENT);
+    let within = (q * z).times_plus(polynomial(z, TANGENT), q);
 
     // Quadrant by quadrant: offset ± within, the offset as head + tail.
     let zero = T::all(0.0);
@@ -131,7 +126,10 @@ pub(crate) fn asin<T: Primitive>(x: T) -> T {
     // asin x = π/2 - 2 asin √((1-x)/2)
     let z = T::select(upper, (one - size) * T::all(0.5), size * size);
     let s = T::select(upper, z.root(), size);
-    let within = s + s * (z * polynomial(z, ARCSINE_OVER) / polynomial(z, ARCSINE_UNDER));
+    let within = s.times_plus(
+        z * polynomial(z, ARCSINE_OVER) / polynomial(z, ARCSINE_UNDER),
+        s,
+    );
     let from_top = T::all(FRAC_PI_2) - ((within + within) - T::all(2.0 * FRAC_PI_4_REST));
     T::select(upper, from_top, within).bits_xor(x.sign_bit())
 }

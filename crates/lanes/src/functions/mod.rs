@@ -17,7 +17,7 @@ fn polynomial<T: Primitive, const N: usize>(x: T, c: [f64; N]) -> T {
     let x2 = x * x;
     let x4 = x2 * x2;
     if N > 8 {
-        eight(x, x2, x4, c, 0) + x4 * x4 * eight(x, x2, x4, c, 8)
+        (x4 * x4).times_plus(eight(x, x2, x4, c, 8), eight(x, x2, x4, c, 0))
     } else {
         eight(x, x2, x4, c, 0)
     }
@@ -27,7 +27,7 @@ fn polynomial<T: Primitive, const N: usize>(x: T, c: [f64; N]) -> T {
 #[inline(always)]
 fn eight<T: Primitive, const N: usize>(x: T, x2: T, x4: T, c: [f64; N], i: usize) -> T {
     if N > i + 4 {
-        four(x, x2, c, i) + x4 * four(x, x2, c, i + 4)
+        x4.times_plus(four(x, x2, c, i + 4), four(x, x2, c, i))
     } else {
         four(x, x2, c, i)
     }
@@ -36,7 +36,7 @@ fn eight<T: Primitive, const N: usize>(x: T, x2: T, x4: T, c: [f64; N], i: usize
 #[inline(always)]
 fn four<T: Primitive, const N: usize>(x: T, x2: T, c: [f64; N], i: usize) -> T {
     if N > i + 2 {
-        two(x, c, i) + x2 * two(x, c, i + 2)
+        x2.times_plus(two(x, c, i + 2), two(x, c, i))
     } else {
         two(x, c, i)
     }
@@ -45,7 +45,7 @@ fn four<T: Primitive, const N: usize>(x: T, x2: T, c: [f64; N], i: usize) -> T {
 #[inline(always)]
 fn two<T: Primitive, const N: usize>(x: T, c: [f64; N], i: usize) -> T {
     if N > i + 1 {
-        T::all(c[i]) + x * T::all(c[i + 1])
+        x.times_plus(T::all(c[i + 1]), T::all(c[i]))
     } else {
         T::all(c[i])
     }

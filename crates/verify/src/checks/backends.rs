@@ -1,5 +1,6 @@
 //! Every backend against every other: the tape and the generated code, one flight at a time and on every
-//! kind of lanes that this machine has, must give the same bits.
+//! kind of lanes that this machine has. All that fuse must give the same bits, and all that do not; the two may differ by
+//! roundings.
 
 use crate::report::{Measure, Row, Verdict, Worst};
 use codegen::compile::Compiled;
@@ -13,11 +14,19 @@ use oracle::point::Point;
 /// Name of the check.
 pub const BACKENDS: &str = "backends";
 
+/// Name of the check of those that fuse against those that do not.
+pub const FUSED: &str = "fused and not";
+
+/// How far these may be apart, of the greatest result of a function: 1e4 roundings, for what cancels.
+const FUSED_TOLERANCE: f64 = 1e-12;
+
 /// What one backend gives at a list of points: for each the results of every function, end to end.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// The backend.
     pub backend: String,
+    /// Whether it fuses a product and a sum.
+    pub fuses: bool,
     /// Results at each point.
     pub results: Vec<Vec<f64>>,
 }
@@ -35,6 +44,7 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
     let tapes = Tapes::new(compiled);
     let mut runs = vec![Run {
         backend: "tape".into(),
+        fuses: false,
         results: points
             .iter()
             .map(|p| tapes.results(&Numbers::of(p, |v| v)))
@@ -50,6 +60,7 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
             .collect();
         runs.push(Run {
             backend: "generated".into(),
+            fuses: Isa::best().fuses(),
             results,
         });
         runs.extend(generated::visit(&model.name, OnLanes(points)).unwrap_or_default());
@@ -57,13 +68,18 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
     runs
 }
 
-/// Every run against the first, bit for bit.
+/// The first run that fuses, or the first that does not.
+fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
+    runs.iter().find(|run| run.fuses == fuses)
+}
+
+/// Every run against the first of its kind, bit for bit.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
-    let Some((first, others)) = runs.split_first() else {
-        return Row::skipped(BACKENDS, "there are none");
-    };
     let mut worst = Worst::default();
-    for run in others {
+    for run in runs {
+        let Some(first) = first(runs, run.fuses) else {
+            continue;
+        };
         for (expected, got) in first.results.iter().zip(&run.results) {
             for (index, (a, b)) in expected.iter().zip(got).enumerate() {
                 worst.see(ulps(*a, *b), || {
@@ -81,7 +97,7 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let holds = worst.error == 0.0;
     Row {
         check: BACKENDS,
-        cases: first.results.len() * runs.len(),
+        cases: runs.iter().map(|run| run.results.len()).sum(),
         worst: worst.error,
         measure: Measure::Ulp,
         tolerance: 0.0,
@@ -92,6 +108,28 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
         },
         detail: if holds { names.join(", ") } else { worst.place },
     }
+}
+
+/// A run that fuses against one that does not, each result by the greatest of its function.
+pub fn check_fused(compiled: &Compiled, runs: &[Run]) -> Row {
+    let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
+        return Row::skipped(FUSED, "nothing fuses here");
+    };
+    let mut worst = Worst::default();
+    for (plain, fused) in plain.results.iter().zip(&fused.results) {
+        let mut start = 0;
+        for (function, len) in functions(compiled) {
+            let range = start..start + len;
+            start += len;
+            let size = plain[range.clone()]
+                .iter()
+                .fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
+            for (a, b) in plain[range.clone()].iter().zip(&fused[range]) {
+                worst.see((a - b).abs() / size, || function.to_string());
+            }
+        }
+    }
+    Row::judged(FUSED, plain.results.len(), &worst, FUSED_TOLERANCE)
 }
 
 /// The function that a result belongs to.
@@ -317,6 +355,7 @@ fn on_lanes<B: Bundle>(name: &str, bundle: &B, points: &[Point<f64>]) -> Vec<Run
         let results = dispatch_with(isa, Batch { bundle, points })?;
         Some(Run {
             backend: format!("{name} on {}", isa.name()),
+            fuses: isa.fuses(),
             results,
         })
     };

@@ -6,7 +6,7 @@ use crate::random::Random;
 use crate::sample;
 use crate::subject::{Equations, Subject};
 use crate::values::Values;
-use codegen::program::{Binary, Op, Operand, Program, Unary};
+use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
 /// Proof by structure.
@@ -116,6 +116,14 @@ enum Key {
     IfZero(u32, u32, u32),
 }
 
+/// An operation on two, in one order where both give the same.
+fn binary(op: Binary, a: u32, b: u32) -> Key {
+    match op {
+        Binary::Add | Binary::Mul | Binary::Min | Binary::Max if b < a => Key::Binary(op, b, a),
+        _ => Key::Binary(op, a, b),
+    }
+}
+
 impl Interner {
     /// Numbers of the results of a program.
     fn outputs(&mut self, program: &Program) -> Vec<u32> {
@@ -124,13 +132,15 @@ impl Interner {
             let mut operand = |o: Operand| self.operand(o, &temps);
             let key = match statement.op {
                 Op::Unary(op, a) => Key::Unary(op, operand(a)),
-                Op::Binary(op, a, b) => {
-                    let (a, b) = (operand(a), operand(b));
-                    match op {
-                        Binary::Add | Binary::Mul | Binary::Min | Binary::Max if b < a => {
-                            Key::Binary(op, b, a)
-                        }
-                        _ => Key::Binary(op, a, b),
+                Op::Binary(op, a, b) => binary(op, operand(a), operand(b)),
+                // Fused or not, it is the same expression.
+                Op::Fused(fused, a, b, c) => {
+                    let (product, c) = (binary(Binary::Mul, operand(a), operand(b)), operand(c));
+                    let product = self.number(product);
+                    match fused {
+                        Fused::MulAdd => binary(Binary::Add, product, c),
+                        Fused::MulSub => binary(Binary::Sub, product, c),
+                        Fused::MulFrom => binary(Binary::Sub, c, product),
                     }
                 }
                 Op::IfZero(a, b, c) => Key::IfZero(operand(a), operand(b), operand(c)),

@@ -1,0 +1,119 @@
+//! Products that are used once, by a sum, become one operation with it.
+
+use crate::program::{Binary, Fused, Op, Operand, Program};
+
+/// The program with fused operations. Its operations are as many as before, a fused one counted as two.
+pub(super) fn fuse(mut program: Program) -> Program {
+    let mut uses = vec![0_u32; program.statements.len()];
+    let operands = program.statements.iter().flat_map(|s| s.op.operands());
+    for operand in operands.chain(program.outputs.iter().copied()) {
+        if let Operand::Temp(t) = operand {
+            uses[t as usize] += 1;
+        }
+    }
+    let mut ready = vec![0_u32; program.statements.len()];
+    let mut fused = vec![false; program.statements.len()];
+    for k in 0..program.statements.len() {
+        let op = program.statements[k].op;
+        if let Op::Binary(sum @ (Binary::Add | Binary::Sub), a, b) = op {
+            let product = |operand| product(&program, &uses, operand);
+            // Of two products that which is ready last, so that the other's time is not added to its own.
+            let second = match (product(a), product(b)) {
+                (Some(_), Some(_)) => when(&ready, b) >= when(&ready, a),
+                (_, second) => second.is_some(),
+            };
+            let (of, with) = if second { (b, a) } else { (a, b) };
+            if let (Operand::Temp(t), Some((x, y))) = (of, product(of)) {
+                let kind = match (sum, second) {
+                    (Binary::Sub, true) => Fused::MulFrom,
+                    (Binary::Sub, false) => Fused::MulSub,
+                    _ => Fused::MulAdd,
+                };
+                let (x, y) = if reads_first(&program, y, x) {
+                    (y, x)
+                } else {
+                    (x, y)
+                };
+                program.statements[k].op = Op::Fused(kind, x, y, with);
+                fused[t as usize] = true;
+            }
+        }
+        let op = program.statements[k].op;
+        let start = op.operands().into_iter().map(|o| when(&ready, o)).max();
+        ready[k] = start.unwrap_or(0) + latency(&op);
+    }
+    without(program, &fused)
+}
+
+/// The factors of a product that only one operation uses, and that is no quantity of the model.
+fn product(program: &Program, uses: &[u32], operand: Operand) -> Option<(Operand, Operand)> {
+    let Operand::Temp(t) = operand else {
+        return None;
+    };
+    let statement = &program.statements[t as usize];
+    match statement.op {
+        Op::Binary(Binary::Mul, x, y) if uses[t as usize] == 1 && statement.about.is_none() => {
+            Some((x, y))
+        }
+        _ => None,
+    }
+}
+
+/// Whether `a.mul_add(b, c)` reads better than `b.mul_add(a, c)`: with a name in front.
+fn reads_first(program: &Program, a: Operand, b: Operand) -> bool {
+    let plain = |operand| match operand {
+        Operand::Temp(t) => program.statements[t as usize].name.is_some(),
+        Operand::Constant(_) => false,
+        _ => true,
+    };
+    plain(a) && !plain(b)
+}
+
+fn when(ready: &[u32], operand: Operand) -> u32 {
+    match operand {
+        Operand::Temp(t) => ready[t as usize],
+        _ => 0,
+    }
+}
+
+/// Clock ticks on a machine of today, roughly.
+pub(super) fn latency(op: &Op) -> u32 {
+    use crate::program::Unary;
+    match op {
+        Op::Binary(Binary::Div, ..) => 14,
+        Op::Binary(Binary::Atan2, ..) => 50,
+        Op::Binary(..) | Op::Fused(..) | Op::IfZero(..) => 4,
+        Op::Unary(unary, _) => match unary {
+            Unary::Neg | Unary::Abs => 1,
+            Unary::Sign | Unary::Step | Unary::NonZero => 4,
+            Unary::Recip | Unary::RecipOrZero => 14,
+            Unary::Sqrt => 18,
+            _ => 30,
+        },
+    }
+}
+
+/// The program without some of its statements, which nothing uses.
+fn without(mut program: Program, gone: &[bool]) -> Program {
+    let mut places = Vec::with_capacity(gone.len());
+    let mut next = 0;
+    for &gone in gone {
+        places.push(next);
+        next += u32::from(!gone);
+    }
+    let mut k = 0;
+    program.statements.retain(|_| {
+        k += 1;
+        !gone[k - 1]
+    });
+    let moved = |operand: &mut Operand| {
+        if let Operand::Temp(t) = operand {
+            *t = places[*t as usize];
+        }
+    };
+    for statement in &mut program.statements {
+        statement.op.for_operands(moved);
+    }
+    program.outputs.iter_mut().for_each(moved);
+    program
+}

@@ -1,0 +1,170 @@
+//! The order of statements: as a machine that does several at once, but has few registers, would start them.
+
+use super::fuse::latency;
+use crate::program::{Op, Operand, Program, Statement, Unary};
+use std::cmp::Reverse;
+
+/// Operations that start at once: as many as common machines multiply.
+const WIDTH: u32 = 2;
+
+/// Values that may wait to be used before it matters more to use them than to start what takes long. Machines have 16 or
+/// 32 registers.
+const MOST: usize = 20;
+
+/// The same statements in another order: each when what it needs is there, and of those that could start, first the one
+/// that the longest chain waits for.
+pub(super) fn order(program: Program) -> Program {
+    let sequence = Order::new(&program).sequence();
+    permuted(program, &sequence)
+}
+
+struct Order<'a> {
+    program: &'a Program,
+    /// What each statement uses, and what uses it.
+    needs: Vec<Vec<usize>>,
+    users: Vec<Vec<usize>>,
+    /// How long the longest chain from its start to a result is.
+    height: Vec<u32>,
+    /// When it can start; none before that is known, and once it has.
+    ready: Vec<Option<u32>>,
+    end: Vec<u32>,
+    /// Uses of its result that are still to come.
+    left: Vec<usize>,
+    /// How many results are still to be used.
+    live: usize,
+}
+
+impl<'a> Order<'a> {
+    fn new(program: &'a Program) -> Order<'a> {
+        let n = program.statements.len();
+        let needs: Vec<Vec<usize>> = program.statements.iter().map(temps).collect();
+        let mut users = vec![Vec::new(); n];
+        for (k, needs) in needs.iter().enumerate() {
+            for &need in needs {
+                users[need].push(k);
+            }
+        }
+        let mut height = vec![0; n];
+        for k in (0..n).rev() {
+            let above = users[k].iter().map(|&user| height[user]).max();
+            height[k] = latency(&program.statements[k].op) + above.unwrap_or(0);
+        }
+        Order {
+            program,
+            ready: needs.iter().map(|n| n.is_empty().then_some(0)).collect(),
+            left: users.iter().map(Vec::len).collect(),
+            end: vec![0; n],
+            live: 0,
+            needs,
+            users,
+            height,
+        }
+    }
+
+    fn sequence(mut self) -> Vec<usize> {
+        let mut sequence = Vec::with_capacity(self.needs.len());
+        let (mut time, mut started) = (0, 0);
+        while sequence.len() < self.needs.len() {
+            let Some(next) = self.next(time) else {
+                time = self.ready.iter().flatten().min().copied().unwrap_or(time);
+                started = 0;
+                continue;
+            };
+            for k in [Some(next), self.partner(next)].into_iter().flatten() {
+                self.start(k, time);
+                sequence.push(k);
+            }
+            started += 1;
+            if started == WIDTH {
+                (time, started) = (time + 1, 0);
+            }
+        }
+        sequence
+    }
+
+    fn next(&self, time: u32) -> Option<usize> {
+        let waiting = (0..self.ready.len()).filter_map(|k| Some((k, self.ready[k]? <= time)));
+        if self.live >= MOST {
+            let rank = |k: usize, now| (self.freed(k), now, self.height[k], Reverse(k));
+            return waiting.max_by_key(|&(k, now)| rank(k, now)).map(|(k, _)| k);
+        }
+        let can = waiting.filter(|&(_, now)| now).map(|(k, _)| k);
+        can.max_by_key(|&k| (self.height[k], self.freed(k), Reverse(k)))
+    }
+
+    /// How many values fewer wait once it has started.
+    fn freed(&self, k: usize) -> i64 {
+        let last = self.needs[k].iter().filter(|&&need| self.left[need] == 1);
+        last.count() as i64 - i64::from(!self.users[k].is_empty())
+    }
+
+    /// The cosine of the angle of a sine, or its sine, which come together.
+    fn partner(&self, k: usize) -> Option<usize> {
+        let statements = &self.program.statements;
+        let op = match statements[k].op {
+            Op::Unary(Unary::Sin, x) => Op::Unary(Unary::Cos, x),
+            Op::Unary(Unary::Cos, x) => Op::Unary(Unary::Sin, x),
+            _ => return None,
+        };
+        (0..statements.len()).find(|&k| self.ready[k].is_some() && statements[k].op == op)
+    }
+
+    fn start(&mut self, k: usize, time: u32) {
+        self.ready[k] = None;
+        self.end[k] = time + latency(&self.program.statements[k].op);
+        for &need in &self.needs[k] {
+            self.left[need] -= 1;
+            self.live -= usize::from(self.left[need] == 0);
+        }
+        self.live += usize::from(!self.users[k].is_empty());
+        for user in self.users[k].clone() {
+            let mut ends = 0;
+            let known = self.needs[user].iter().all(|&need| {
+                ends = ends.max(self.end[need]);
+                self.end[need] > 0
+            });
+            if known {
+                self.ready[user] = Some(ends);
+            }
+        }
+    }
+}
+
+/// The statements that one uses, each once.
+fn temps(statement: &Statement) -> Vec<usize> {
+    let mut temps: Vec<usize> = statement
+        .op
+        .operands()
+        .into_iter()
+        .filter_map(|operand| match operand {
+            Operand::Temp(t) => Some(t as usize),
+            _ => None,
+        })
+        .collect();
+    temps.sort_unstable();
+    temps.dedup();
+    temps
+}
+
+/// The program with its statements in this sequence.
+fn permuted(mut program: Program, sequence: &[usize]) -> Program {
+    let mut places = vec![0; sequence.len()];
+    for (place, &k) in sequence.iter().enumerate() {
+        places[k] = place as u32;
+    }
+    let moved = |operand: &mut Operand| {
+        if let Operand::Temp(t) = operand {
+            *t = places[*t as usize];
+        }
+    };
+    let mut statements: Vec<Option<Statement>> = program.statements.into_iter().map(Some).collect();
+    program.statements = sequence
+        .iter()
+        .filter_map(|&k| statements[k].take())
+        .collect();
+    for statement in &mut program.statements {
+        statement.op.for_operands(moved);
+    }
+    program.outputs.iter_mut().for_each(moved);
+    program
+}
