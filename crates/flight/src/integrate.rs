@@ -168,14 +168,7 @@ fn run<D: Dynamics, O: Observer, S: Stepper<D::State>>(
         }
         let t_end = if last { end } else { t + h };
         if work.steps + work.refused >= options.most_steps {
-            return Err(fail(
-                d,
-                t,
-                &x,
-                Cause::TooManySteps {
-                    steps: work.steps + work.refused,
-                },
-            ));
+            return Err(too_many_steps(d, t, &x, work));
         }
         let mut error = stepper.attempt(d, &Start { t, x: &x, dx: &dx }, h, &within);
         work.evaluations += S::EVALUATIONS;
@@ -284,7 +277,7 @@ fn locate<D: Dynamics>(
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
 }
 
-fn not_finite<X: Storage>(x: &X) -> Option<usize> {
+pub(crate) fn not_finite<X: Storage>(x: &X) -> Option<usize> {
     // First without branches: it is asked of every step.
     if x.as_ref().iter().fold(true, |all, v| all & v.is_finite()) {
         return None;
@@ -293,7 +286,7 @@ fn not_finite<X: Storage>(x: &X) -> Option<usize> {
 }
 
 #[cold]
-fn check_start<D: Dynamics>(
+pub(crate) fn check_start<D: Dynamics>(
     d: &D,
     t: f64,
     x: &D::State,
@@ -352,7 +345,19 @@ fn fail<D: Dynamics>(d: &D, time: f64, x: &D::State, cause: Cause) -> FlightErro
 }
 
 #[cold]
-fn no_answer<D: Dynamics>(d: &D, t: f64, x: &D::State, i: usize, rate: f64) -> FlightError {
+pub(crate) fn too_many_steps<D: Dynamics>(d: &D, t: f64, x: &D::State, work: Work) -> FlightError {
+    let steps = work.steps + work.refused;
+    fail(d, t, x, Cause::TooManySteps { steps })
+}
+
+#[cold]
+pub(crate) fn no_answer<D: Dynamics>(
+    d: &D,
+    t: f64,
+    x: &D::State,
+    i: usize,
+    rate: f64,
+) -> FlightError {
     fail(
         d,
         t,
@@ -366,7 +371,13 @@ fn no_answer<D: Dynamics>(d: &D, t: f64, x: &D::State, i: usize, rate: f64) -> F
 
 /// Why no step is short enough: the model has no answer just ahead, or changes too fast.
 #[cold]
-fn stuck<D: Dynamics>(d: &mut D, t: f64, x: &D::State, dx: &D::State, h: f64) -> FlightError {
+pub(crate) fn stuck<D: Dynamics>(
+    d: &mut D,
+    t: f64,
+    x: &D::State,
+    dx: &D::State,
+    h: f64,
+) -> FlightError {
     let (mut ahead, mut rate) = (x.clone(), dx.clone());
     for step in [h, 1e3 * h] {
         crate::method::combine(&mut ahead, x, step, [1.0], [dx]);

@@ -61,6 +61,11 @@ impl Chart {
         entries
     }
 
+    /// The state that a direction moves, where it moves no other.
+    pub fn plain(&self, direction: usize) -> Option<usize> {
+        self.plain.get(direction).copied()
+    }
+
     /// The state after a step along the directions.
     pub fn moved(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         let mut moved = state.clone();

@@ -150,7 +150,7 @@ pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solut
     let mut damping = 1e-9;
     let mut iterations = 0;
     let mut converged = false;
-    while iterations < until.steps && !converged {
+    while iterations < until.steps {
         iterations += 1;
         let Some((candidate, promised)) = stepped(problem, &point, &blocks, damping) else {
             if damping >= MOST_DAMPING {
@@ -159,10 +159,11 @@ pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solut
             damping *= 10.0;
             continue;
         };
+        // A negligible step is not worth the look that it would cost.
         if promised <= until.gain.max(until.part * before) {
             converged = true;
+            break;
         }
-        // A negligible step is taken too where it is good: it costs one look, and is the most exact there is.
         let there = match linearise(problem, &candidate) {
             Ok(there) => Some(there),
             Err(Failure::Stopped) => return Err(Failure::Stopped),
@@ -176,7 +177,6 @@ pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solut
                 (point, blocks, before) = (candidate, there, after);
                 damping = (damping * 0.1).max(LEAST_DAMPING);
             }
-            _ if converged => {}
             _ if damping < MOST_DAMPING => damping = (damping * 10.0).max(1e-6),
             _ => break,
         }

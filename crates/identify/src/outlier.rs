@@ -17,39 +17,97 @@ pub type Residuals = [Vec<Option<[f64; 3]>>];
 /// How far each point's residual lies from where its neighbours would have it, by marker and sample, m. Where they
 /// lie to one side, and say less, the distance counts for less.
 pub fn departures(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
-    let each = residuals.iter();
-    each.map(|series| departures_of(times, series)).collect()
+    let seen: Vec<Series> = residuals
+        .iter()
+        .map(|series| Series::of(times, series))
+        .collect();
+    let mut departures: Vec<Vec<Option<[f64; 3]>>> = seen
+        .iter()
+        .map(|series| series.departures(residuals[0].len()))
+        .collect();
+    // Only what may be an outlier deserves the line that outliers do not move.
+    let limit = scale(&departures).map(|scale| SUSPECT * scale);
+    let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
+    for (series, departures) in seen.iter().zip(&mut departures) {
+        for (index, &(_, sample, _)) in series.0.iter().enumerate() {
+            let Some(departure) = &mut departures[sample] else {
+                continue;
+            };
+            for axis in 0..3 {
+                if departure[axis].abs() > limit[axis] {
+                    departure[axis] =
+                        series.departure(index, axis, |line| at_zero(line, &mut space));
+                }
+            }
+        }
+    }
+    departures
 }
 
-fn departures_of(times: &[f64], series: &[Option<[f64; 3]>]) -> Vec<Option<[f64; 3]>> {
-    let seen: Vec<(usize, [f64; 3])> = series
-        .iter()
-        .enumerate()
-        .filter_map(|(sample, residual)| residual.map(|residual| (sample, residual)))
-        .collect();
-    let mut departures = vec![None; series.len()];
-    let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
-    let mut line: Vec<(f64, f64)> = Vec::with_capacity(2 * SIDE);
-    for (index, &(sample, residual)) in seen.iter().enumerate() {
+/// A departure by least squares beyond this many times the usual one is looked at again.
+const SUSPECT: f64 = 2.0;
+
+/// Times, samples and residuals of a marker where it was seen.
+struct Series(Vec<(f64, usize, [f64; 3])>);
+
+impl Series {
+    fn of(times: &[f64], series: &[Option<[f64; 3]>]) -> Self {
+        let seen = series.iter().enumerate();
+        Self(
+            seen.filter_map(|(sample, residual)| residual.map(|r| (times[sample], sample, r)))
+                .collect(),
+        )
+    }
+
+    /// By lines of least squares.
+    fn departures(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
+        let mut departures = vec![None; samples];
+        if self.0.len() < LEAST {
+            return departures;
+        }
+        for (index, &(_, sample, _)) in self.0.iter().enumerate() {
+            let each = [0, 1, 2].map(|axis| self.departure(index, axis, least_squares_at_zero));
+            departures[sample] = Some(each);
+        }
+        departures
+    }
+
+    /// How far a point lies from a line through its neighbours, by where `line` has that line at the point.
+    fn departure(
+        &self,
+        index: usize,
+        axis: usize,
+        mut line: impl FnMut(&[(f64, f64)]) -> f64,
+    ) -> f64 {
+        let seen = &self.0;
         // As many neighbours at the ends, all to one side.
         let first = index
             .saturating_sub(SIDE)
             .min(seen.len().saturating_sub(2 * SIDE + 1));
-        let around = first..(first + 2 * SIDE + 1).min(seen.len());
-        if around.len() < LEAST {
-            continue;
+        let mut points = [(0.0, 0.0); 2 * SIDE];
+        let mut count = 0;
+        for other in (first..(first + 2 * SIDE + 1).min(seen.len())).filter(|other| *other != index)
+        {
+            points[count] = (seen[other].0 - seen[index].0, seen[other].2[axis]);
+            count += 1;
         }
-        departures[sample] = Some([0, 1, 2].map(|axis| {
-            let others = around.clone().filter(|other| *other != index);
-            line.clear();
-            line.extend(others.map(|other| {
-                let (other, value) = seen[other];
-                (times[other] - times[sample], value[axis])
-            }));
-            (residual[axis] - at_zero(&line, &mut space)) / spread_at_zero(&line)
-        }));
+        let points = &points[..count];
+        (seen[index].2[axis] - line(points)) / spread_at_zero(points)
     }
-    departures
+}
+
+/// Where the line of least squares through points (time, value) passes time 0.
+fn least_squares_at_zero(points: &[(f64, f64)]) -> f64 {
+    let count = points.len() as f64;
+    let (time, value) = points
+        .iter()
+        .fold((0.0, 0.0), |sum, point| (sum.0 + point.0, sum.1 + point.1));
+    let (time, value) = (time / count, value / count);
+    let (width, slope) = points.iter().fold((0.0, 0.0), |(width, slope), point| {
+        let from = point.0 - time;
+        (width + from * from, slope + from * (point.1 - value))
+    });
+    value - slope / width * time
 }
 
 /// Where a line through points (time, value) passes time 0: by the medians of all slopes and of all intercepts, which

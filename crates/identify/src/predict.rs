@@ -3,8 +3,8 @@
 //! The sensitivities obey the variational equations dS/dt = J S + [0 | Jp], flown together with the state.
 
 use flight::body::{Derivatives, States};
-use flight::sensitivity::Sensitivities;
-use flight::{Dynamics, Method, Options, fly_at};
+use flight::sensitivity::{Linearised, Sensitivities};
+use flight::{Dynamics, Method, Options, fly_landing};
 use nalgebra::DVector;
 
 use crate::noise::{HUBER, Noise};
@@ -13,8 +13,11 @@ use crate::rows::Rows;
 use crate::setting::Setting;
 use crate::track::Track;
 
-/// Relative tolerance of the integration: far below any measurement, far above rounding.
-const TOLERANCE: f64 = 1e-8;
+/// Relative tolerance of the integration: errors of a micrometre, far below any measurement.
+const TOLERANCE: f64 = 1e-5;
+
+/// The same on the way, where another step follows.
+const ROUGH_TOLERANCE: f64 = 1e-3;
 
 /// Which unknowns a residual is differentiated by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,14 +54,21 @@ pub fn linearise(
         By::Own => Vec::new(),
         By::All => setting.shared.iter().map(|shared| shared.place).collect(),
     };
-    let dimension = track.chart.dimension();
-    // Only how many columns there are counts; they are filled along the chart.
-    let columns: Vec<usize> = (0..dimension).collect();
-    let mut variations = Sensitivities::new(conditions.linear_motion(), &columns, &constants);
-    let start = variations.start_along(own.as_slice(), &track.chart.tangent(own.as_slice()));
-    let flown = flown(&mut variations, start, &track.times[..samples])?;
+    let motion = conditions.linear_motion();
+    let columns = Columns::new(track, motion.state_pattern(), constants.len());
+    // Only how many columns there are counts here; they are filled along the chart.
+    let moving: Vec<usize> = (0..columns.moving).collect();
+    let mut variations = Sensitivities::new(motion, &moving, &constants);
+    let tangent = columns.tangent(&track.chart.tangent(own.as_slice()));
+    let start = variations.start_along(own.as_slice(), &tangent);
+    let flown = flown(
+        &mut variations,
+        start,
+        &track.times[..samples],
+        tolerance(loss),
+    )?;
     let mut observer = conditions.observer();
-    let mut sums = Sums::new(Rows::new(dimension, constants.len()), track.markers, loss);
+    let mut sums = Sums::new(columns.rows(), track.markers, loss);
     for (sample, both) in flown.chunks(variations.len()).enumerate() {
         let time = track.times[sample];
         let state = variations.state(both);
@@ -71,7 +81,7 @@ pub fn linearise(
             let Some(seen) = seen else { continue };
             let (y, derivatives) = observer.linearise(time, state, position);
             let row_of = |state: usize| variations.padded_row(both, state);
-            sums.derive(&derivatives, row_of, &constants, dimension);
+            sums.derive(&derivatives, row_of, &constants, &columns);
             let residual = [0, 1, 2].map(|axis| y[axis] - seen[axis]);
             sums.add(marker, time, residual);
         }
@@ -91,7 +101,12 @@ pub fn states(
 ) -> Result<Vec<f64>, String> {
     let conditions = setting.body.with(track.parameters(setting, shared));
     let start: States = own.as_slice().into();
-    flown(&mut conditions.motion(), start, &track.times[..samples])
+    flown(
+        &mut conditions.motion(),
+        start,
+        &track.times[..samples],
+        TOLERANCE,
+    )
 }
 
 /// Predicted less measured at the first samples of a track, by marker and sample: `residuals[marker][sample]`;
@@ -126,16 +141,79 @@ fn flown<D: Dynamics<State = States>>(
     dynamics: &mut D,
     start: States,
     times: &[f64],
+    tolerance: f64,
 ) -> Result<Vec<f64>, String> {
     let mut samples = vec![0.0; start.len() * times.len()];
     let options = Options {
-        method: Method::Dop853,
-        ..Options::tolerance(TOLERANCE)
+        method: Method::Tsit5,
+        ..Options::tolerance(tolerance)
     };
     let from = (times[0], &start);
-    fly_at(dynamics, from, times, &options, &mut [], &mut samples)
+    fly_landing(dynamics, from, times, &options, &mut samples)
         .map_err(|error| error.to_string())?;
     Ok(samples)
+}
+
+/// The tolerance that a loss deserves.
+fn tolerance(loss: Loss<'_>) -> f64 {
+    match loss {
+        Loss::Huber(_) => ROUGH_TOLERANCE,
+        Loss::Whitened(_) => TOLERANCE,
+    }
+}
+
+/// Where the derivatives by each unknown stand in a row. A state that no rate depends on keeps its derivative of 1, and
+/// need not be flown: its column stands behind those that are.
+struct Columns {
+    /// Directions of the chart that are flown, which come first; the shared unknowns follow.
+    moving: usize,
+    /// Place of each direction.
+    own: Vec<usize>,
+    /// Direction and state of those that are not flown.
+    still: Vec<(usize, usize)>,
+    shared: usize,
+}
+
+impl Columns {
+    fn new(track: &Track, pattern: &[(usize, usize)], shared: usize) -> Self {
+        let dimension = track.chart.dimension();
+        let still: Vec<(usize, usize)> = (0..dimension)
+            .filter_map(|direction| Some((direction, track.chart.plain(direction)?)))
+            .filter(|(_, state)| pattern.iter().all(|(_, column)| column != state))
+            .collect();
+        let moving = dimension - still.len();
+        let (mut next, mut behind) = (0, moving + shared);
+        let own = (0..dimension).map(|direction| {
+            let place = if still.iter().any(|(d, _)| *d == direction) {
+                &mut behind
+            } else {
+                &mut next
+            };
+            *place += 1;
+            *place - 1
+        });
+        Self {
+            moving,
+            own: own.collect(),
+            still,
+            shared,
+        }
+    }
+
+    fn rows(&self) -> Rows {
+        let shared = self.moving..self.moving + self.shared;
+        Rows::new(self.own.clone(), shared.collect())
+    }
+
+    /// The entries of the chart's tangent in the columns that are flown.
+    fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
+        let placed = entries
+            .iter()
+            .map(|&(state, direction, value)| (state, self.own[direction], value));
+        placed
+            .filter(|(_, place, _)| *place < self.moving)
+            .collect()
+    }
 }
 
 /// Rows being summed, with the last row of each marker.
@@ -165,15 +243,20 @@ impl<'a> Sums<'a> {
         derivatives: &Derivatives<'_>,
         row_of: impl Fn(usize) -> &'s [f64],
         constants: &[usize],
-        dimension: usize,
+        columns: &Columns,
     ) {
+        let flown = columns.moving + columns.shared;
         for row in &mut self.now {
             row.fill(0.0);
         }
         let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
         for (&(axis, state), &value) in entries {
-            for (sum, part) in self.now[axis].iter_mut().zip(row_of(state)) {
+            let row = &mut self.now[axis];
+            for (sum, part) in row[..flown].iter_mut().zip(row_of(state)) {
                 *sum += value * part;
+            }
+            if let Some((direction, _)) = columns.still.iter().find(|(_, s)| *s == state) {
+                row[columns.own[*direction]] += value;
             }
         }
         let entries = derivatives
@@ -182,7 +265,7 @@ impl<'a> Sums<'a> {
             .zip(derivatives.by_parameter);
         for (&(axis, place), &value) in entries {
             if let Some(column) = constants.iter().position(|constant| *constant == place) {
-                self.now[axis][dimension + column] += value;
+                self.now[axis][columns.moving + column] += value;
             }
         }
     }

@@ -11,11 +11,13 @@ const BATCH: usize = 64;
 /// Widest lanes there are: rows are padded to whole ones.
 const PADDING: usize = 8;
 
-/// Rows of one flight being summed. A row holds the derivatives by the flight's own unknowns, those by the shared
-/// ones, the residual, and zeros up to [`width`](Rows::width).
+/// Rows of one flight being summed. A row holds the derivatives by the flight's own unknowns and by the shared ones, each
+/// in its place, then the residual, and zeros up to [`width`](Rows::width).
 pub struct Rows {
-    own: usize,
-    shared: usize,
+    /// Where the derivatives by the own unknowns stand.
+    own: Vec<usize>,
+    /// Where those by the shared ones do.
+    shared: Vec<usize>,
     width: usize,
     batch: Vec<f64>,
     sums: Vec<f64>,
@@ -25,9 +27,9 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// No rows yet, of so many unknowns.
-    pub fn new(own: usize, shared: usize) -> Self {
-        let width = (own + shared + 1).next_multiple_of(PADDING);
+    /// No rows yet, with each unknown's place in a row; the places are those from 0 on.
+    pub fn new(own: Vec<usize>, shared: Vec<usize>) -> Self {
+        let width = (own.len() + shared.len() + 1).next_multiple_of(PADDING);
         Self {
             own,
             shared,
@@ -46,7 +48,7 @@ impl Rows {
 
     /// Where the residual stands in a row.
     pub fn residual(&self) -> usize {
-        self.own + self.shared
+        self.own.len() + self.shared.len()
     }
 
     /// Adds `scale * (row - kept * before)`; and `extra` to the sum of squares.
@@ -78,15 +80,15 @@ impl Rows {
     /// The normal equations of all rows.
     pub fn block(mut self) -> Block {
         self.sum();
-        let (own, shared, last) = (self.own, self.shared, self.residual());
+        let (own, shared, last) = (&self.own, &self.shared, self.residual());
         let at =
             |row: usize, column: usize| self.sums[row.min(column) * self.width + row.max(column)];
         Block {
-            own: DMatrix::from_fn(own, own, at),
-            cross: DMatrix::from_fn(own, shared, |i, j| at(i, own + j)),
-            shared: DMatrix::from_fn(shared, shared, |i, j| at(own + i, own + j)),
-            own_gradient: DVector::from_fn(own, |i, _| at(i, last)),
-            shared_gradient: DVector::from_fn(shared, |i, _| at(own + i, last)),
+            own: DMatrix::from_fn(own.len(), own.len(), |i, j| at(own[i], own[j])),
+            cross: DMatrix::from_fn(own.len(), shared.len(), |i, j| at(own[i], shared[j])),
+            shared: DMatrix::from_fn(shared.len(), shared.len(), |i, j| at(shared[i], shared[j])),
+            own_gradient: DVector::from_fn(own.len(), |i, _| at(own[i], last)),
+            shared_gradient: DVector::from_fn(shared.len(), |i, _| at(shared[i], last)),
             squares: at(last, last) + self.extra,
             count: self.count,
         }
@@ -137,7 +139,8 @@ mod tests {
     #[test]
     fn sums_are_those_of_plain_loops() {
         let (own, shared) = (5, 4);
-        let mut rows = Rows::new(own, shared);
+        // The own ones from place 4 on, the shared ones first.
+        let mut rows = Rows::new((4..9).collect(), (0..4).collect());
         let mut plain = Block::zero(own, shared);
         for k in 0..150 {
             let value = |i: usize| ((k * 31 + i * 17) as f64 * 0.37).sin();
@@ -148,8 +151,8 @@ mod tests {
             rows.add(&row, None, 2.0, 0.25);
             plain.add(
                 2.0 * value(own + shared),
-                &DVector::from_fn(own, |i, _| 2.0 * value(i)),
-                &DVector::from_fn(shared, |i, _| 2.0 * value(own + i)),
+                &DVector::from_fn(own, |i, _| 2.0 * value(4 + i)),
+                &DVector::from_fn(shared, |i, _| 2.0 * value(i)),
             );
         }
         let block = rows.block();
@@ -163,7 +166,7 @@ mod tests {
 
     #[test]
     fn a_row_less_a_part_of_the_one_before() {
-        let mut rows = Rows::new(1, 0);
+        let mut rows = Rows::new(vec![0], Vec::new());
         let width = rows.width();
         let row = |a: f64, r: f64| {
             let mut row = vec![0.0; width];

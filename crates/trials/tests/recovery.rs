@@ -120,9 +120,10 @@ fn the_quaternion_disc_says_the_same() {
         let other = &turned.coefficients[name];
         let apart = (found.value - other.value).abs() / found.std_error;
         assert!(apart < 0.01, "{name}: {found:?} {other:?}");
+        // The noise is estimated until it changes by less than half a percent.
         assert!(
-            (found.std_error / other.std_error - 1.0).abs() < 1e-3,
-            "{name}"
+            (found.std_error / other.std_error - 1.0).abs() < 6e-3,
+            "{name}: {found:?} {other:?}"
         );
     }
 }
