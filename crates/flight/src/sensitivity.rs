@@ -3,6 +3,7 @@
 use crate::dynamics::Dynamics;
 use lanes::{Kernel, Lanes};
 use std::borrow::Cow;
+use std::ops::Range;
 
 /// Equations of motion with their derivatives, as generated code and the tape give them.
 pub trait Linearised {
@@ -42,6 +43,8 @@ pub struct Sensitivities<M> {
     columns: usize,
     stride: usize,
     initial: Vec<usize>,
+    /// Rows of ∂f/∂x, and where the entries of each are.
+    rows: Vec<(usize, Range<usize>)>,
     /// Entry of ∂f/∂p, and where it is added in S.
     constant_entries: Vec<(usize, usize)>,
     by_state: Vec<f64>,
@@ -71,12 +74,14 @@ impl<M: Linearised> Sensitivities<M> {
         let by_state = vec![0.0; model.state_pattern().len()];
         let by_constant = vec![0.0; model.constant_pattern().len()];
         let initial = initial.to_vec();
+        let rows = rows(model.state_pattern());
         Sensitivities {
             model,
             states,
             columns,
             stride,
             initial,
+            rows,
             constant_entries,
             by_state,
             by_constant,
@@ -165,9 +170,9 @@ impl<M: Linearised> Dynamics for Sensitivities<M> {
         for (entry, place) in &self.constant_entries {
             ds[*place] = self.by_constant[*entry];
         }
-        let pattern = self.model.state_pattern();
         lanes::dispatch(AddProduct {
-            pattern,
+            rows: &self.rows,
+            columns: self.model.state_pattern(),
             values: &self.by_state,
             stride: self.stride,
             s,
@@ -192,9 +197,22 @@ impl<M: Linearised> Dynamics for Sensitivities<M> {
     }
 }
 
+/// The entries of each row, which stand together.
+fn rows(pattern: &[(usize, usize)]) -> Vec<(usize, Range<usize>)> {
+    let mut rows: Vec<(usize, Range<usize>)> = Vec::new();
+    for (entry, (row, _)) in pattern.iter().enumerate() {
+        match rows.last_mut() {
+            Some((last, range)) if last == row => range.end = entry + 1,
+            _ => rows.push((*row, entry..entry + 1)),
+        }
+    }
+    rows
+}
+
 /// `ds += J s`, J given by its entries.
 struct AddProduct<'a> {
-    pattern: &'a [(usize, usize)],
+    rows: &'a [(usize, Range<usize>)],
+    columns: &'a [(usize, usize)],
     values: &'a [f64],
     stride: usize,
     s: &'a [f64],
@@ -207,15 +225,34 @@ impl Kernel for AddProduct<'_> {
     #[inline(always)]
     fn run<T: Lanes>(self) {
         const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
-        for (&(row, column), &value) in self.pattern.iter().zip(self.values) {
-            let value = T::splat(value);
-            let from = &self.s[column * self.stride..][..self.stride];
+        for (row, entries) in self.rows {
             let to = &mut self.ds[row * self.stride..][..self.stride];
-            for (from, to) in from
-                .chunks_exact(T::WIDTH)
-                .zip(to.chunks_exact_mut(T::WIDTH))
-            {
-                (T::load(to) + value * T::load(from)).store(to);
+            let entries = self.columns[entries.clone()]
+                .iter()
+                .zip(&self.values[entries.clone()]);
+            // Two sums at a time, which stay where they are summed.
+            let mut pairs = to.chunks_exact_mut(2 * T::WIDTH);
+            let mut at = 0;
+            for to in &mut pairs {
+                let (mut left, mut right) = (T::load(to), T::load(&to[T::WIDTH..]));
+                for (&(_, column), &value) in entries.clone() {
+                    let from = &self.s[column * self.stride + at..][..2 * T::WIDTH];
+                    let value = T::splat(value);
+                    left = value.mul_add(T::load(from), left);
+                    right = value.mul_add(T::load(&from[T::WIDTH..]), right);
+                }
+                left.store(to);
+                right.store(&mut to[T::WIDTH..]);
+                at += 2 * T::WIDTH;
+            }
+            let to = pairs.into_remainder();
+            if !to.is_empty() {
+                let mut sum = T::load(to);
+                for (&(_, column), &value) in entries.clone() {
+                    sum =
+                        T::splat(value).mul_add(T::load(&self.s[column * self.stride + at..]), sum);
+                }
+                sum.store(to);
             }
         }
     }

@@ -78,7 +78,7 @@ pub struct Point {
 pub struct Solution {
     /// The unknowns.
     pub point: Point,
-    /// Normal equations there.
+    /// Normal equations there, but for a negligible last step.
     pub blocks: Vec<Block>,
     /// The sum of squares with that of the priors.
     pub squares: f64,
@@ -119,9 +119,10 @@ pub struct Until {
 }
 
 impl Until {
-    /// Far below the statistical spread of whitened residuals, far above the error of the integration.
+    /// Whitened residuals: the step that is then taken unseen is a thirtieth of a standard error at most, and its own
+    /// error far less.
     pub const DONE: Until = Until {
-        gain: 1e-5,
+        gain: 1e-3,
         part: 1e-11,
         steps: 100,
     };
@@ -159,8 +160,9 @@ pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solut
             damping *= 10.0;
             continue;
         };
-        // A negligible step is not worth the look that it would cost.
+        // A negligible step is taken, and is not worth the look that it would cost.
         if promised <= until.gain.max(until.part * before) {
+            point = candidate;
             converged = true;
             break;
         }

@@ -13,11 +13,21 @@ use crate::rows::Rows;
 use crate::setting::Setting;
 use crate::track::Track;
 
-/// Relative tolerance of the integration: errors of a micrometre, far below any measurement.
-const TOLERANCE: f64 = 1e-5;
+/// Tolerance of the integration over the noise's size (per metre): errors stay below a hundredth of it.
+const TOLERANCE: f64 = 0.007;
+
+/// The same for residuals alone, which are looked at one by one.
+const LOOSE_TOLERANCE: f64 = 0.07;
 
 /// The same on the way, where another step follows.
-const ROUGH_TOLERANCE: f64 = 1e-3;
+const ROUGH_TOLERANCE: f64 = 0.7;
+
+/// Bounds of the tolerance: what rounding allows, and what keeps a flight a flight.
+const TOLERANCES: (f64, f64) = (1e-10, 1e-3);
+
+fn tolerance(setting: &Setting, part: f64) -> f64 {
+    (setting.floor * part).clamp(TOLERANCES.0, TOLERANCES.1)
+}
 
 /// Which unknowns a residual is differentiated by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,13 +69,17 @@ pub fn linearise(
     // Only how many columns there are counts here; they are filled along the chart.
     let moving: Vec<usize> = (0..columns.moving).collect();
     let mut variations = Sensitivities::new(motion, &moving, &constants);
+    let part = match loss {
+        Loss::Huber(_) => ROUGH_TOLERANCE,
+        Loss::Whitened(_) => TOLERANCE,
+    };
     let tangent = columns.tangent(&track.chart.tangent(own.as_slice()));
     let start = variations.start_along(own.as_slice(), &tangent);
     let flown = flown(
         &mut variations,
         start,
         &track.times[..samples],
-        tolerance(loss),
+        tolerance(setting, part),
     )?;
     let mut observer = conditions.observer();
     let mut sums = Sums::new(columns.rows(), track.markers, loss);
@@ -105,12 +119,14 @@ pub fn states(
         &mut conditions.motion(),
         start,
         &track.times[..samples],
-        TOLERANCE,
+        tolerance(setting, LOOSE_TOLERANCE),
     )
 }
 
-/// Predicted less measured at the first samples of a track, by marker and sample: `residuals[marker][sample]`;
-/// `None` where nothing was seen. Outliers are among them.
+/// Predicted less measured, by marker and sample, m; `None` where nothing was seen. Outliers are among them.
+pub type Residuals = Vec<Vec<Option<[f64; 3]>>>;
+
+/// The residuals at the first samples of a track.
 ///
 /// # Errors
 /// In words, where the flight is impossible.
@@ -119,12 +135,23 @@ pub fn residuals(
     track: &Track,
     unknowns: (&DVector<f64>, &DVector<f64>),
     samples: usize,
-) -> Result<Vec<Vec<Option<[f64; 3]>>>, String> {
+) -> Result<Residuals, String> {
     let flown = states(setting, track, unknowns, samples)?;
-    let conditions = setting.body.with(track.parameters(setting, unknowns.0));
+    Ok(residuals_of(setting, track, unknowns.0, &flown))
+}
+
+/// The residuals at states that were flown, sample after sample.
+pub fn residuals_of(
+    setting: &Setting,
+    track: &Track,
+    shared: &DVector<f64>,
+    flown: &[f64],
+) -> Residuals {
+    let conditions = setting.body.with(track.parameters(setting, shared));
     let mut observer = conditions.observer();
-    let mut residuals = vec![Vec::with_capacity(samples); track.markers];
-    for (sample, state) in flown.chunks(track.chart.states()).enumerate() {
+    let states = track.chart.states();
+    let mut residuals = vec![Vec::with_capacity(flown.len() / states); track.markers];
+    for (sample, state) in flown.chunks(states).enumerate() {
         for (marker, position) in setting.markers.iter().enumerate() {
             let residual = track.row(sample)[marker].map(|seen| {
                 let y = observer.position(track.times[sample], state, position);
@@ -133,7 +160,7 @@ pub fn residuals(
             residuals[marker].push(residual);
         }
     }
-    Ok(residuals)
+    residuals
 }
 
 /// Flies from the first of the times to the last, and gives the state at each.
@@ -152,14 +179,6 @@ fn flown<D: Dynamics<State = States>>(
     fly_landing(dynamics, from, times, &options, &mut samples)
         .map_err(|error| error.to_string())?;
     Ok(samples)
-}
-
-/// The tolerance that a loss deserves.
-fn tolerance(loss: Loss<'_>) -> f64 {
-    match loss {
-        Loss::Huber(_) => ROUGH_TOLERANCE,
-        Loss::Whitened(_) => TOLERANCE,
-    }
 }
 
 /// Where the derivatives by each unknown stand in a row. A state that no rate depends on keeps its derivative of 1, and

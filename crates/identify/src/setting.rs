@@ -49,6 +49,9 @@ pub struct Shared {
     pub usual: f64,
 }
 
+/// Noise that is assumed where the data say nothing of it, m.
+const NO_FLOOR: f64 = 1e-3;
+
 /// The model with what is known and what is estimated.
 pub struct Setting {
     /// The model.
@@ -67,6 +70,8 @@ pub struct Setting {
     pub held: Vec<(String, f64)>,
     /// Standard deviation of one measured coordinate where the dataset says it, m.
     pub sigma: Option<f64>,
+    /// A first estimate of it from the tracks alone, m; the integration is far more exact than that.
+    pub floor: f64,
 }
 
 impl Setting {
@@ -116,6 +121,7 @@ impl Setting {
             shared,
             held,
             sigma: dataset.sigma,
+            floor: NO_FLOOR,
         };
         for flight in &dataset.flights {
             setting

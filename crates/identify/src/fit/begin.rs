@@ -16,9 +16,6 @@ use crate::track::Track;
 /// The first part of a flight that its start is judged on, s and samples.
 pub const FIRST: (f64, usize) = (0.15, 12);
 
-/// Noise that is assumed where the data say nothing of it, m.
-const NO_FLOOR: f64 = 1e-3;
-
 /// The least that is believed of noise, m: as much as a table of rounded numbers has.
 const LEAST_FLOOR: f64 = 1e-7;
 
@@ -34,26 +31,50 @@ pub struct Begun {
     pub left_out: Vec<(usize, String)>,
 }
 
-/// Makes tracks and starts of these flights.
+/// Tracks of flights by index, and the flights that have none, with why.
+pub type Tracks = (Vec<(usize, Track)>, Vec<(usize, String)>);
+
+/// Makes tracks of these flights, and a first estimate of their noise, m.
+pub fn tracks(
+    setting: &Setting,
+    dataset: &Dataset,
+    flights: &[usize],
+    options: &Options<'_>,
+) -> (Tracks, f64) {
+    let made = batch::each_on(options.threads(), flights.len(), |index| {
+        let track = track(setting, &dataset.flights[flights[index]])?;
+        let floor = start::floor(setting, &track);
+        Ok((track, floor))
+    });
+    let (mut tracks, mut left_out) = (Vec::with_capacity(flights.len()), Vec::new());
+    let mut floors = Vec::with_capacity(flights.len());
+    for (&flight, made) in flights.iter().zip(made) {
+        match made {
+            Ok((track, floor)) => {
+                tracks.push((flight, track));
+                floors.extend(floor);
+            }
+            Err(reason) => left_out.push((flight, reason)),
+        }
+    }
+    let floor = match floors.is_empty() {
+        true => setting.floor,
+        false => median(&mut floors).max(LEAST_FLOOR),
+    };
+    ((tracks, left_out), floor)
+}
+
+/// Finds starts of these flights.
 ///
 /// # Errors
 /// Where none of them can be fitted.
 pub fn begin(
     setting: &Setting,
     dataset: &Dataset,
-    flights: &[usize],
+    (tracks, mut left_out): Tracks,
     options: &Options<'_>,
 ) -> Result<Begun, FitError> {
-    options.begins("starts", flights.len());
-    let mut tracks = Vec::with_capacity(flights.len());
-    let mut left_out = Vec::new();
-    for &flight in flights {
-        match track(setting, &dataset.flights[flight]) {
-            Ok(track) => tracks.push((flight, track)),
-            Err(reason) => left_out.push((flight, reason)),
-        }
-    }
-    let floor = floor(setting, tracks.iter().map(|(_, track)| track));
+    options.begins("starts", tracks.len());
     let mut intervals: Vec<f64> = tracks
         .iter()
         .filter_map(|(_, track)| track.interval())
@@ -66,7 +87,7 @@ pub fn begin(
         if options.is_stopped() {
             return Err("interrupted".to_owned());
         }
-        let found = fitted_starts(setting, &tracks[index].1, &shared, floor, options);
+        let found = fitted_starts(setting, &tracks[index].1, &shared, options);
         options.part_done();
         found
     });
@@ -77,7 +98,6 @@ pub fn begin(
         tracks: Vec::with_capacity(tracks.len()),
         shared,
         own: Vec::with_capacity(tracks.len()),
-        floor,
         interval: if intervals.is_empty() {
             1.0
         } else {
@@ -138,31 +158,19 @@ pub fn track(setting: &Setting, flight: &Flight) -> Result<Track, String> {
     Ok(track)
 }
 
-/// What is usual of the flights' first estimates of the noise, m.
-pub fn floor<'t>(setting: &Setting, tracks: impl Iterator<Item = &'t Track>) -> f64 {
-    let mut floors: Vec<f64> = tracks
-        .filter_map(|track| start::floor(setting, track))
-        .collect();
-    if floors.is_empty() {
-        return NO_FLOOR;
-    }
-    median(&mut floors).max(LEAST_FLOOR)
-}
-
 /// Starts whose first samples were fitted with the shared unknowns held, the one of least spin first; and how well each
 /// met them.
 pub fn fitted_starts(
     setting: &Setting,
     track: &Track,
     shared: &DVector<f64>,
-    floor: f64,
     options: &Options<'_>,
 ) -> Result<Vec<(f64, Start)>, String> {
     let samples = track.until(FIRST.0).max(FIRST.1).min(track.times.len());
     let mut fitted = Vec::new();
     let mut refused = String::new();
     for Start { state, turns } in start::starts(setting, track)? {
-        match own_only(setting, track, samples, shared, state, floor, options) {
+        match own_only(setting, track, samples, shared, state, options) {
             Ok((squares, state)) => fitted.push((squares, Start { state, turns })),
             Err(reason) => refused = reason,
         }

@@ -74,18 +74,10 @@ fn one(
     }
     let head = track.head(first);
     let shared = &state.shared;
-    let starts = fitted_starts(setting, &head, shared, state.floor, options)?;
+    let starts = fitted_starts(setting, &head, shared, options)?;
     let best = starts.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
     let (_, start) = best.ok_or("it has no start")?;
-    let (_, own) = own_only(
-        setting,
-        &head,
-        first,
-        shared,
-        start.state,
-        state.floor,
-        options,
-    )?;
+    let (_, own) = own_only(setting, &head, first, shared, start.state, options)?;
     mark(setting, &mut track, shared, &own)?;
     // Few samples, whose correlation may be the model's own error: as white, which misleads least.
     let white = Noise {

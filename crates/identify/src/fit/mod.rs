@@ -46,8 +46,6 @@ pub(crate) struct State {
     pub shared: DVector<f64>,
     /// Each flight's initial state.
     pub own: Vec<DVector<f64>>,
-    /// A first estimate of the noise, m.
-    pub floor: f64,
     /// The usual time between samples, s.
     pub interval: f64,
     /// Steps tried so far.
@@ -62,7 +60,7 @@ pub(crate) struct State {
 /// See [`FitError`].
 pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fitted, FitError> {
     let clock = Instant::now();
-    let setting = Setting::new(model, dataset, options)?;
+    let mut setting = Setting::new(model, dataset, options)?;
     let of_role = |role: Role| move |flight: &usize| dataset.flights[*flight].role == role;
     let all = 0..dataset.flights.len();
     let fitted: Vec<usize> = all.clone().filter(of_role(Role::Fit)).collect();
@@ -70,7 +68,9 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
         let reason = "every flight is held out: none is left to fit".to_owned();
         return Err(FitError::Mismatch(reason));
     }
-    let mut begun = begin::begin(&setting, dataset, &fitted, options)?;
+    let (tracks, floor) = begin::tracks(&setting, dataset, &fitted, options);
+    setting.floor = floor;
+    let mut begun = begin::begin(&setting, dataset, tracks, options)?;
     let (used, left_out) = (
         std::mem::take(&mut begun.flights),
         std::mem::take(&mut begun.left_out),
@@ -154,6 +154,6 @@ impl State {
 }
 
 /// White noise of this size, where nothing better is known.
-fn white(state: &State) -> Noise {
-    Noise::white(state.floor, state.interval)
+fn white(setting: &Setting, state: &State) -> Noise {
+    Noise::white(setting.floor, state.interval)
 }

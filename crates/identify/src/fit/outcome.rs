@@ -11,7 +11,7 @@ use crate::levenberg::Solution;
 use crate::noise::Noise;
 use crate::normal::{Eliminated, eliminate};
 use crate::options::Options;
-use crate::predict::{Loss, residuals, states};
+use crate::predict::{Loss, residuals_of, states};
 use crate::report::{
     AxisNoise, Coefficient, Estimate, FlightEvidence, FlightReport, Iterations, Profile, Report,
     residuals::Pool,
@@ -314,7 +314,8 @@ fn look(
     noise: &Noise,
     unknowns: (&DVector<f64>, &DVector<f64>),
 ) -> Result<Looked, String> {
-    let all = residuals(setting, track, unknowns, track.times.len())?;
+    let flown = states(setting, track, unknowns, track.times.len())?;
+    let all = residuals_of(setting, track, unknowns.0, &flown);
     let mut pool = Pool::default();
     for (marker, series) in all.iter().enumerate() {
         let outlier = |sample: usize| track.outlier[sample * track.markers + marker];
@@ -324,7 +325,6 @@ fn look(
             .collect();
         pool.add(&track.times, &good, noise);
     }
-    let flown = states(setting, track, unknowns, track.times.len())?;
     let conditions = setting.body.with(track.parameters(setting, unknowns.0));
     let mut observer = conditions.observer();
     let mut support = Support::new();

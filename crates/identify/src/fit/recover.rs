@@ -39,10 +39,10 @@ pub fn recover(
     let usual = median(&mut sizes.clone());
     // Where most flights are far off the model is wrong, or most starts are: the noise's floor tells that.
     let limit = SUSPECT
-        * if usual > 10.0 * state.floor {
-            state.floor
+        * if usual > 10.0 * setting.floor {
+            setting.floor
         } else {
-            usual.max(state.floor)
+            usual.max(setting.floor)
         };
     let suspects: Vec<usize> = (0..sizes.len())
         .filter(|&flight| sizes[flight] > limit)
@@ -120,15 +120,7 @@ fn grown(
     let mut samples = track.until(FIRST.0).max(FIRST.1).min(all);
     let mut own = start;
     loop {
-        let fitted = own_only(
-            setting,
-            track,
-            samples,
-            &state.shared,
-            own,
-            state.floor,
-            options,
-        );
+        let fitted = own_only(setting, track, samples, &state.shared, own, options);
         own = fitted.ok()?.1;
         if samples == all {
             return Some(own);

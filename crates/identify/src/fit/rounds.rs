@@ -23,7 +23,7 @@ pub fn rounds(
     state: &mut State,
     options: &Options<'_>,
 ) -> Result<(Noise, Solution), FitError> {
-    let mut noise = white(state);
+    let mut noise = white(setting, state);
     let mut solution: Option<Solution> = None;
     for round in 0..ROUNDS {
         let (estimated, marks_changed) = estimate(setting, state, options)?;

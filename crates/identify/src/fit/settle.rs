@@ -56,7 +56,7 @@ pub fn settle(
             size(setting, &state.tracks[flight], unknowns, samples[flight])
         });
         let mut sizes: Vec<f64> = sizes.into_iter().flatten().collect();
-        let shrunk = median(&mut sizes).max(state.floor);
+        let shrunk = median(&mut sizes).max(setting.floor);
         if shrunk > 0.7 * scale {
             break;
         }
@@ -105,13 +105,12 @@ pub fn own_only(
     samples: usize,
     shared: &DVector<f64>,
     start: DVector<f64>,
-    floor: f64,
     options: &Options<'_>,
 ) -> Result<(f64, DVector<f64>), String> {
     let (mut own, mut scale) = (start, f64::INFINITY);
     for _ in 0..SHRINKS {
         let shrunk = size(setting, track, (shared, &own), samples).unwrap_or(1.0);
-        let shrunk = shrunk.max(floor);
+        let shrunk = shrunk.max(setting.floor);
         if shrunk > 0.7 * scale {
             break;
         }
@@ -133,7 +132,7 @@ pub fn own_only(
         samples,
         shared,
         own,
-        Loss::Huber(floor),
+        Loss::Huber(setting.floor),
         options,
     )?;
     if !solution.blocks[0].determines_own() {
