@@ -23,6 +23,11 @@ pub struct RealData {
 }
 
 impl RealData {
+    /// The fit of the balls.
+    pub fn ball(&self) -> &Report {
+        &self.ball
+    }
+
     /// Fits and compares what is in a folder with `spindoe` and `windtunnel`.
     ///
     /// # Errors
