@@ -44,10 +44,8 @@ impl Progress {
         })?;
         let bar = ProgressBar::new(0);
         bar.set_style(
-            ProgressStyle::with_template(
-                "{msg} [{bar:30}] {pos}/{len} flights, {eta} left of {elapsed}",
-            )?
-            .progress_chars("=> "),
+            ProgressStyle::with_template("{msg} [{bar:16}] {pos}/{len} flights, {eta} left")?
+                .progress_chars("=> "),
         );
         Ok(Self {
             phase,

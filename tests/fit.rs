@@ -120,10 +120,7 @@ fn what_is_asked_wrongly_is_refused() {
         (vec!["fit", "examples/disc", "--free", "wind"], "wind"),
         (vec!["fit", "examples/disc", "--profile", "m"], "m"),
         (vec!["fit", "examples/disc", "--model", "ball"], "ball"),
-        (
-            vec!["fit", "examples/ball", "--model", "disc"],
-            "radius",
-        ),
+        (vec!["fit", "examples/ball", "--model", "disc"], "radius"),
     ] {
         let (status, _, errors) = told(hyzer().args(&arguments));
         assert_eq!(status, 2, "{arguments:?}: {errors}");

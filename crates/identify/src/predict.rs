@@ -2,14 +2,18 @@
 //!
 //! The sensitivities obey the variational equations dS/dt = J S + [0 | Jp], flown together with the state.
 
-use flight::body::{Derivatives, States};
+mod columns;
+mod sums;
+
+use flight::body::States;
 use flight::sensitivity::{Linearised, Sensitivities};
 use flight::{Dynamics, Method, Options, fly_landing};
 use nalgebra::DVector;
 
-use crate::noise::{HUBER, Noise};
+use self::columns::Columns;
+use self::sums::Sums;
+use crate::noise::Noise;
 use crate::normal::Block;
-use crate::rows::Rows;
 use crate::setting::Setting;
 use crate::track::Track;
 
@@ -179,155 +183,4 @@ fn flown<D: Dynamics<State = States>>(
     fly_landing(dynamics, from, times, &options, &mut samples)
         .map_err(|error| error.to_string())?;
     Ok(samples)
-}
-
-/// Where the derivatives by each unknown stand in a row. A state that no rate depends on keeps its derivative of 1, and
-/// need not be flown: its column stands behind those that are.
-struct Columns {
-    /// Directions of the chart that are flown, which come first; the shared unknowns follow.
-    moving: usize,
-    /// Place of each direction.
-    own: Vec<usize>,
-    /// Direction and state of those that are not flown.
-    still: Vec<(usize, usize)>,
-    shared: usize,
-}
-
-impl Columns {
-    fn new(track: &Track, pattern: &[(usize, usize)], shared: usize) -> Self {
-        let dimension = track.chart.dimension();
-        let still: Vec<(usize, usize)> = (0..dimension)
-            .filter_map(|direction| Some((direction, track.chart.plain(direction)?)))
-            .filter(|(_, state)| pattern.iter().all(|(_, column)| column != state))
-            .collect();
-        let moving = dimension - still.len();
-        let (mut next, mut behind) = (0, moving + shared);
-        let own = (0..dimension).map(|direction| {
-            let place = if still.iter().any(|(d, _)| *d == direction) {
-                &mut behind
-            } else {
-                &mut next
-            };
-            *place += 1;
-            *place - 1
-        });
-        Self {
-            moving,
-            own: own.collect(),
-            still,
-            shared,
-        }
-    }
-
-    fn rows(&self) -> Rows {
-        let shared = self.moving..self.moving + self.shared;
-        Rows::new(self.own.clone(), shared.collect())
-    }
-
-    /// The entries of the chart's tangent in the columns that are flown.
-    fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
-        let placed = entries
-            .iter()
-            .map(|&(state, direction, value)| (state, self.own[direction], value));
-        placed
-            .filter(|(_, place, _)| *place < self.moving)
-            .collect()
-    }
-}
-
-/// Rows being summed, with the last row of each marker.
-struct Sums<'a> {
-    rows: Rows,
-    loss: Loss<'a>,
-    /// The rows of x, y and z of one marker.
-    now: [Vec<f64>; 3],
-    /// Time and rows of the last time that each marker was seen.
-    before: Vec<Option<(f64, [Vec<f64>; 3])>>,
-}
-
-impl<'a> Sums<'a> {
-    fn new(rows: Rows, markers: usize, loss: Loss<'a>) -> Self {
-        let width = rows.width();
-        Self {
-            rows,
-            loss,
-            now: [0; 3].map(|_| vec![0.0; width]),
-            before: vec![None; markers],
-        }
-    }
-
-    /// Puts the derivatives of a marker's position by the unknowns into the rows of its axes.
-    fn derive<'s>(
-        &mut self,
-        derivatives: &Derivatives<'_>,
-        row_of: impl Fn(usize) -> &'s [f64],
-        constants: &[usize],
-        columns: &Columns,
-    ) {
-        let flown = columns.moving + columns.shared;
-        for row in &mut self.now {
-            row.fill(0.0);
-        }
-        let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
-        for (&(axis, state), &value) in entries {
-            let row = &mut self.now[axis];
-            for (sum, part) in row[..flown].iter_mut().zip(row_of(state)) {
-                *sum += value * part;
-            }
-            if let Some((direction, _)) = columns.still.iter().find(|(_, s)| *s == state) {
-                row[columns.own[*direction]] += value;
-            }
-        }
-        let entries = derivatives
-            .by_parameter_at
-            .iter()
-            .zip(derivatives.by_parameter);
-        for (&(axis, place), &value) in entries {
-            if let Some(column) = constants.iter().position(|constant| *constant == place) {
-                self.now[axis][columns.moving + column] += value;
-            }
-        }
-    }
-
-    fn add(&mut self, marker: usize, time: f64, residual: [f64; 3]) {
-        let at = self.rows.residual();
-        for (row, residual) in self.now.iter_mut().zip(residual) {
-            row[at] = residual;
-        }
-        match self.loss {
-            Loss::Huber(scale) => {
-                // An outlier is one of a point, not of an axis.
-                let size = residual.iter().map(|r| r * r).sum::<f64>().sqrt() / scale;
-                let limit = HUBER * 3.0_f64.sqrt();
-                let weight = if size > limit { limit / size } else { 1.0 };
-                // What the loss has beyond the weighted square.
-                let extra = (weight * size * size - limit * limit).max(0.0);
-                for (axis, row) in self.now.iter().enumerate() {
-                    let extra = if axis == 0 { extra } else { 0.0 };
-                    self.rows.add(row, None, weight.sqrt() / scale, extra);
-                }
-            }
-            Loss::Whitened(noise) => {
-                for (axis, row) in self.now.iter().enumerate() {
-                    match &self.before[marker] {
-                        Some((earlier, before)) => {
-                            let (kept, fresh) = noise.innovation(axis, time - earlier);
-                            let before = Some((kept, before[axis].as_slice()));
-                            self.rows.add(row, before, 1.0 / fresh, 0.0);
-                        }
-                        None => self.rows.add(row, None, 1.0 / noise.sigma[axis], 0.0),
-                    }
-                }
-                match &mut self.before[marker] {
-                    Some((earlier, before)) => {
-                        *earlier = time;
-                        for (before, now) in before.iter_mut().zip(&self.now) {
-                            before.copy_from_slice(now);
-                        }
-                    }
-                    none => *none = Some((time, self.now.clone())),
-                }
-            }
-        }
-    }
 }

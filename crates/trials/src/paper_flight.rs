@@ -20,9 +20,7 @@ pub const RATE: f64 = 120.0;
 /// # Panics
 /// Where a built-in model or release is broken.
 pub fn paper_flight(model: &Model, name: &str, tunnel: Option<&[Measured]>) -> Dataset {
-    let text = release::built_in(name).expect("a built-in release");
-    let vocabulary = release::Vocabulary::of(model);
-    let read = release::read(name, text, |_| Ok(vocabulary)).expect("a good release");
+    let read = released(model, name);
     let reference = Reference::bind(model)
         .expect("a reference")
         .expect("its names");
@@ -58,6 +56,29 @@ pub fn paper_flight(model: &Model, name: &str, tunnel: Option<&[Measured]>) -> D
     dataset
 }
 
+fn released(model: &Model, name: &str) -> release::Release {
+    let text = release::built_in(name).expect("a built-in release");
+    let vocabulary = release::Vocabulary::of(model);
+    release::read(name, text, |_| Ok(vocabulary)).expect("a good release")
+}
+
+/// The angle of attack that a flight of the paper is released at, rad.
+///
+/// # Panics
+/// Where a built-in model or release is broken.
+pub fn released_at(model: &Model, name: &str) -> f64 {
+    let reference = Reference::bind(model)
+        .expect("a reference")
+        .expect("its names");
+    angle_of_attack(&reference.chart.physical(&released(model, name).state()))
+}
+
+/// The angle of attack in still air, rad.
+fn angle_of_attack(body: &Physical<f64>) -> f64 {
+    let through = body.attitude.bring_back(body.velocity);
+    (-through.z).atan2(through.x.hypot(through.y))
+}
+
 /// The constants with which the model's curves pass through the tunnel's at the body's angle of attack.
 fn measured_at(
     model: &Model,
@@ -65,8 +86,7 @@ fn measured_at(
     rows: &[Measured],
     body: &Physical<f64>,
 ) -> Point<f64> {
-    let through = body.attitude.bring_back(body.velocity);
-    let alpha = (-through.z).atan2(through.x.hypot(through.y));
+    let alpha = angle_of_attack(body);
     let [lift, drag, moment] = interpolated(rows, alpha);
     let mut here = constants.clone();
     let mut set = |name: &str, value: f64| {

@@ -5,6 +5,7 @@
 
 mod begin;
 mod held_out;
+mod look;
 mod outcome;
 mod problem;
 mod recover;
@@ -125,7 +126,7 @@ impl Fitted {
     /// A flight of the dataset, by index, as measured and as predicted; none where it was left out.
     pub fn evidence(&self, flight: usize) -> Option<FlightEvidence> {
         let (track, own) = self.tracks.get(flight)?.as_ref()?;
-        outcome::evidence(&self.setting, &self.names, track, (&self.shared, own))
+        look::evidence(&self.setting, &self.names, track, (&self.shared, own))
     }
 }
 

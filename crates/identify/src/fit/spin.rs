@@ -29,9 +29,15 @@ pub fn grow_all(setting: &Setting, begun: Begun, options: &Options<'_>) -> Resul
             .flatten()
             .any(|start| start.turns == turns)
     };
+    let hypotheses: Vec<i32> = TURNS.into_iter().filter(|&turns| has(turns)).collect();
+    if hypotheses == [0] {
+        let mut state = state;
+        grow(setting, &mut state, options)?;
+        return Ok(state);
+    }
     let mut best: Option<(f64, State)> = None;
     let mut failed = None;
-    for turns in TURNS.into_iter().filter(|&turns| has(turns)) {
+    for turns in hypotheses {
         let mut tried = state.clone();
         for (index, starts) in alternatives.iter().enumerate() {
             if let Some(start) = starts

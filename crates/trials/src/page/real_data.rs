@@ -11,6 +11,7 @@ use report::figures::{Dots, Line, Look, Panel, figure};
 
 use super::Page;
 use super::write::{Text, mean_and_deviation, percent, three};
+use crate::paper_flight::{paper_flight, released_at};
 use crate::replay::{TABLE_1, way};
 use crate::windtunnel::{Curve, Measured, between, lowest, read};
 
@@ -249,14 +250,16 @@ const SEEDS: u64 = 40;
 /// The paper's flights in the tunnel's air, fitted one by one by the model.
 fn paper(text: &mut Text, data: &RealData) {
     text.paragraph("## The paper's two flights in the tunnel's air");
+    let released = ["fssh3", "bffl8"].map(|name| released_at(&data.disc, name).to_degrees());
     text.paragraph(format!(
-        "Hubbard & Hummel's fssh3 flies at angles of attack about 40°, their bffl8 below 15°. Here both are flown by the oracle with lift, drag \
+        "Hubbard & Hummel's fssh3 is released at an angle of attack of {:.0}°, their bffl8 at {:.0}°. Here both are flown by the oracle with lift, drag \
          and pitching moment as the tunnel measured them (damping and spin moments the model's own), seen with the paper's 1.4 mm, and fitted \
-         one by one by the model's straight lines and parabola, free of bounds: mean and standard deviation over {SEEDS} seeds."
+         one by one by the model's straight lines and parabola, free of bounds: mean and standard deviation over {SEEDS} seeds.",
+        released[0], released[1]
     ));
     let table = Some(data.table.as_slice());
     let ways = ["fssh3", "bffl8"].map(|name| {
-        let flight = crate::paper_flight::paper_flight(&data.disc, name, table);
+        let flight = paper_flight(&data.disc, name, table);
         way(&data.disc, name, &flight, 0.0, SEEDS)
     });
     let rows = data
@@ -291,12 +294,27 @@ fn paper(text: &mut Text, data: &RealData) {
         ],
         rows,
     );
-    text.paragraph(
-        "One disc, one air, and two sets of coefficients that contradict each other by many standard errors: each flight sees another stretch of \
-         curves that are neither straight nor parabolas about 0. Noise alone does not do that (docs/identification.md). Where the columns of lift and drag are \
-         interchanged, as the paper's own statements ask (docs/paper.md), Table 1 has `C_D0` 0.077 and `C_Da` 5.07 for bffl8: hold them against the drag found here, and \
-         against the parabola above that fits the tunnel from -5° to 10°.",
-    );
+    let apart = (0..data.disc.coefficients.len()).map(|k| {
+        let [a, b] = ways
+            .each_ref()
+            .map(|way| mean_and_deviation(&way.estimates[k]));
+        (
+            &data.disc.coefficients[k].name,
+            (a.0 - b.0).abs() / a.1.hypot(b.1),
+        )
+    });
+    let apart: Vec<String> = apart
+        .filter(|(_, apart)| *apart > 3.0)
+        .map(|(name, apart)| format!("`{name}` by {apart:.0}"))
+        .collect();
+    text.paragraph(format!(
+        "One disc and one air, yet the two sets differ by more than three standard deviations of their difference: {}. Each flight sees \
+         another stretch of curves that are neither straight nor parabolas about 0. Noise alone does not do that \
+         (docs/identification.md). Where the columns of lift and drag are interchanged, as the paper's own statements ask (docs/paper.md), Table 1 has \
+         `C_D0` 0.077 and `C_Da` 5.07 for bffl8: hold them against the drag found here, and against the parabola above that fits the tunnel \
+         from -5° to 10°.",
+        apart.join(", ")
+    ));
 }
 
 /// The curve of the model's form that is nearest to the rows.

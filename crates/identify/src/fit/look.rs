@@ -1,0 +1,112 @@
+//! One flight once it is fitted: its residuals, where it went, and what figures are drawn from.
+
+use nalgebra::DVector;
+
+use crate::noise::Noise;
+use crate::predict::{residuals_of, states};
+use crate::report::{FlightEvidence, residuals::Pool};
+use crate::setting::Setting;
+use crate::track::Track;
+use crate::uncertainty::Support;
+
+/// What one flight shows.
+pub struct Looked {
+    /// Root mean square of its residuals, m.
+    pub rms: f64,
+    /// Points that were left out of it.
+    pub outliers: usize,
+    /// Its residuals.
+    pub pool: Pool,
+    /// Where its quantities lay.
+    pub support: Support,
+}
+
+/// Samples of which the quantities are looked at, in each flight.
+const LOOKS: usize = 12;
+
+/// Flies a flight once more, and looks.
+///
+/// # Errors
+/// In words, where it is impossible.
+pub fn look(
+    setting: &Setting,
+    track: &Track,
+    noise: &Noise,
+    unknowns: (&DVector<f64>, &DVector<f64>),
+) -> Result<Looked, String> {
+    let flown = states(setting, track, unknowns, track.times.len())?;
+    let all = residuals_of(setting, track, unknowns.0, &flown);
+    let mut pool = Pool::default();
+    for (marker, series) in all.iter().enumerate() {
+        let outlier = |sample: usize| track.outlier[sample * track.markers + marker];
+        let good = series.iter().enumerate();
+        let good: Vec<_> = good
+            .map(|(sample, r)| r.filter(|_| !outlier(sample)))
+            .collect();
+        pool.add(&track.times, &good, noise);
+    }
+    let conditions = setting.body.with(track.parameters(setting, unknowns.0));
+    let mut observer = conditions.observer();
+    let mut support = Support::new();
+    let width = track.chart.states();
+    let every = (track.times.len() / LOOKS).max(1);
+    for (sample, state) in flown.chunks(width).enumerate().step_by(every) {
+        let quantities = observer.quantities(track.times[sample], state);
+        let layout = setting.body.layout();
+        let named = layout.quantities.iter().zip(&quantities);
+        for (name, &value) in named.chain(layout.states.iter().zip(state)) {
+            if value.is_finite() {
+                let range = support.entry(name.clone()).or_insert((value, value));
+                *range = (range.0.min(value), range.1.max(value));
+            }
+        }
+    }
+    Ok(Looked {
+        rms: pool.rms(),
+        outliers: track.outlier.iter().filter(|outlier| **outlier).count(),
+        pool,
+        support,
+    })
+}
+
+/// A flight as measured and as predicted; none where it cannot be flown.
+pub fn evidence(
+    setting: &Setting,
+    names: &[String],
+    track: &Track,
+    unknowns: (&DVector<f64>, &DVector<f64>),
+) -> Option<FlightEvidence> {
+    let flown = states(setting, track, unknowns, track.times.len()).ok()?;
+    let conditions = setting.body.with(track.parameters(setting, unknowns.0));
+    let mut observer = conditions.observer();
+    let layout = setting.body.layout();
+    let mut evidence = FlightEvidence {
+        file: track.file.clone(),
+        role: track.role,
+        markers: names.to_vec(),
+        times: track.times.clone(),
+        measured: track
+            .seen
+            .chunks(track.markers)
+            .map(<[_]>::to_vec)
+            .collect(),
+        outlier: track
+            .outlier
+            .chunks(track.markers)
+            .map(<[_]>::to_vec)
+            .collect(),
+        predicted: Vec::new(),
+        state_names: layout.states.clone(),
+        states: Vec::new(),
+        quantity_names: layout.quantities.clone(),
+        quantities: Vec::new(),
+    };
+    for (&time, state) in track.times.iter().zip(flown.chunks(track.chart.states())) {
+        let markers = setting.markers.iter();
+        let predicted = markers.map(|marker| observer.position(time, state, marker));
+        evidence.predicted.push(predicted.collect());
+        evidence.quantities.push(observer.quantities(time, state));
+        evidence.states.push(state.to_vec());
+    }
+    Some(evidence)
+}
