@@ -1,6 +1,6 @@
 //! The compiler: a checked Model becomes a shared graph, exact derivatives, and code in several forms.
 //!
-//! Stages, each in its own module: [`derive`] (vectors to scalar nodes of a [`graph`]), [`optimise`]
+//! Stages, each in its own module: [`derive`](mod@derive) (vectors to scalar nodes of a [`graph`]), [`optimise`]
 //! (fewer operations), [`differentiate`] (exact, sparse), [`schedule`] (one order for all backends).
 
 pub mod compile;

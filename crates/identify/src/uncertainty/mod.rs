@@ -16,7 +16,7 @@ use crate::setting::Shared;
 pub struct Covariance {
     /// By the noise that was found.
     pub model: DMatrix<f64>,
-    /// By the scatter of the flights alone; none for fewer than [`CLUSTERS`].
+    /// By the scatter of the flights alone; none for fewer than 8.
     pub clustered: Option<DMatrix<f64>>,
 }
 
