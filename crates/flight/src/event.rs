@@ -193,27 +193,41 @@ impl<'a, X: Storage> Event<'a, X> {
         scratch: [&mut X; 2],
         found: &mut Vec<f64>,
     ) {
+        if let Quantity::Component(i, level) = self.quantity {
+            let sign = if self.crossing == Crossing::Falling {
+                1.0
+            } else {
+                -1.0
+            };
+            let n = scratch[0].as_ref().len();
+            return search(curve, |s| sign * (curve.component(s, i, n) - level), found);
+        }
         let [x, rate] = scratch;
-        let mut value = |s: f64| {
+        let value = |s: f64| {
             curve.state(s, x.as_mut());
             self.value(d, curve.t + s * curve.h, x, rate)
         };
-        const PARTS: u32 = 8;
-        let mut before = (0.0, value(0.0));
-        for k in 1..=PARTS {
-            let s = f64::from(k) / f64::from(PARTS);
-            let after = (s, value(s));
-            if before.1 > 0.0 && after.1 <= 0.0 {
-                let within = (1e-13 * curve.t.abs().max(1.0) / curve.h).min(1e-3);
-                found.push(just_past(
-                    &mut value,
-                    (before.0, after.0),
-                    (before.1, after.1),
-                    within,
-                ));
-            }
-            before = after;
+        search(curve, value, found);
+    }
+}
+
+/// Every part of a step at which a value falls to 0.
+fn search(curve: &Curve<'_>, mut value: impl FnMut(f64) -> f64, found: &mut Vec<f64>) {
+    const PARTS: u32 = 8;
+    let mut before = (0.0, value(0.0));
+    for k in 1..=PARTS {
+        let s = f64::from(k) / f64::from(PARTS);
+        let after = (s, value(s));
+        if before.1 > 0.0 && after.1 <= 0.0 {
+            let within = (1e-13 * curve.t.abs().max(1.0) / curve.h).min(1e-3);
+            found.push(just_past(
+                &mut value,
+                (before.0, after.0),
+                (before.1, after.1),
+                within,
+            ));
         }
+        before = after;
     }
 }
 
@@ -299,6 +313,18 @@ impl Curve<'_> {
                 *to += weight * value;
             }
         }
+    }
+}
+
+impl Curve<'_> {
+    /// One of the `n` states at a part of the step: the bits that [`state`](Self::state) has for a short state.
+    pub(crate) fn component(&self, s: f64, i: usize, n: usize) -> f64 {
+        let weights = self.method.weights(s);
+        let mut sum = self.rows[i];
+        for (row, weight) in self.rows.chunks_exact(n).zip(weights).skip(1) {
+            sum += weight * row[i];
+        }
+        sum
     }
 }
 
