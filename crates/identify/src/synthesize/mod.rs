@@ -21,7 +21,7 @@ use crate::dataset::{Dataset, Marker};
 /// Most flights of a dataset.
 const MOST_FLIGHTS: usize = 100_000;
 /// Most marker points of a dataset: they bound the memory that it takes.
-const MOST_POINTS: f64 = 5e6;
+const MOST_POINTS: f64 = 2e7;
 /// Highest rate, Hz.
 const FASTEST: f64 = 1e6;
 
