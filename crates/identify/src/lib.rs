@@ -20,6 +20,7 @@ pub mod predict;
 pub mod report;
 pub mod rows;
 pub mod setting;
+pub mod sight;
 pub mod start;
 pub mod synthesize;
 pub mod track;

@@ -15,6 +15,7 @@ use self::sums::Sums;
 use crate::noise::Noise;
 use crate::normal::Block;
 use crate::setting::Setting;
+use crate::sight::Sight;
 use crate::track::Track;
 
 /// Tolerance of the integration over the noise's size (per metre): errors stay below a hundredth of it.
@@ -70,41 +71,152 @@ pub fn linearise(
     };
     let motion = conditions.linear_motion();
     let columns = Columns::new(track, motion.state_pattern(), constants.len());
-    // Only how many columns there are counts here; they are filled along the chart.
-    let moving: Vec<usize> = (0..columns.moving).collect();
-    let mut variations = Sensitivities::new(motion, &moving, &constants);
     let part = match loss {
         Loss::Huber(_) => ROUGH_TOLERANCE,
         Loss::Whitened(_) => TOLERANCE,
     };
-    let tangent = columns.tangent(&track.chart.tangent(own.as_slice()));
-    let start = variations.start_along(own.as_slice(), &tangent);
-    let flown = flown(
-        &mut variations,
-        start,
-        &track.times[..samples],
-        tolerance(setting, part),
-    )?;
-    let mut observer = conditions.observer();
     let mut sums = Sums::new(columns.rows(), track.markers, loss);
-    for (sample, both) in flown.chunks(variations.len()).enumerate() {
-        let time = track.times[sample];
-        let state = variations.state(both);
-        for (marker, position) in setting.markers.iter().enumerate() {
-            // Where the noise is known an outlier is left out; before, it counts for little.
-            let seen = match loss {
-                Loss::Huber(_) => track.row(sample)[marker],
-                Loss::Whitened(_) => track.good(sample, marker),
-            };
-            let Some(seen) = seen else { continue };
-            let (y, derivatives) = observer.linearise(time, state, position);
-            let row_of = |state: usize| variations.padded_row(both, state);
-            sums.derive(&derivatives, row_of, &constants, &columns);
-            let residual = [0, 1, 2].map(|axis| y[axis] - seen[axis]);
-            sums.add(marker, time, residual);
-        }
-    }
+    let flight = Along {
+        setting,
+        track,
+        shared,
+        own,
+        samples,
+        part,
+        // Where the noise is known an outlier is left out; before, it counts for little.
+        outliers: matches!(loss, Loss::Huber(_)),
+    };
+    flight.each(motion, &constants, &columns, |seen| {
+        sums.add(seen.marker, seen.time, seen.rows, seen.residual);
+    })?;
     Ok(sums.rows.block())
+}
+
+/// Hands out every residual of a track that is no outlier, sample by sample and marker by marker, with its derivatives by
+/// the flight's own unknowns and then by these constants of the motion.
+///
+/// # Errors
+/// In words, where the flight is impossible.
+pub fn each_residual<M: Linearised>(
+    setting: &Setting,
+    track: &Track,
+    (shared, own): (&DVector<f64>, &DVector<f64>),
+    motion: M,
+    constants: &[usize],
+    mut each: impl FnMut(Residual<'_>),
+) -> Result<(), String> {
+    let columns = Columns::new(track, motion.state_pattern(), constants.len());
+    let flight = Along {
+        setting,
+        track,
+        shared,
+        own,
+        samples: track.times.len(),
+        part: LOOSE_TOLERANCE,
+        outliers: false,
+    };
+    let places: Vec<usize> = columns
+        .own
+        .iter()
+        .copied()
+        .chain(columns.moving..columns.moving + columns.shared)
+        .collect();
+    let mut rows = [0; 3].map(|_| vec![0.0; places.len()]);
+    flight.each(motion, constants, &columns, |seen| {
+        for (to, from) in rows.iter_mut().zip(seen.rows.iter()) {
+            for (to, &place) in to.iter_mut().zip(&places) {
+                *to = from[place];
+            }
+        }
+        each(Residual {
+            marker: seen.marker,
+            sample: seen.sample,
+            residual: seen.residual,
+            rows: &rows,
+        });
+    })
+}
+
+/// The residual of one marker at one sample, with its derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct Residual<'r> {
+    /// Which marker.
+    pub marker: usize,
+    /// Which sample.
+    pub sample: usize,
+    /// Predicted less measured, m.
+    pub residual: [f64; 3],
+    /// Derivatives of each axis, by the flight's own unknowns and then by the constants.
+    pub rows: &'r [Vec<f64>; 3],
+}
+
+/// A flight along which residuals are differentiated.
+struct Along<'a> {
+    setting: &'a Setting,
+    track: &'a Track,
+    shared: &'a DVector<f64>,
+    own: &'a DVector<f64>,
+    samples: usize,
+    part: f64,
+    outliers: bool,
+}
+
+/// A residual on its way to the sums.
+struct Seen<'r> {
+    marker: usize,
+    sample: usize,
+    time: f64,
+    residual: [f64; 3],
+    rows: &'r mut [Vec<f64>; 3],
+}
+
+impl Along<'_> {
+    fn each<M: Linearised>(
+        &self,
+        motion: M,
+        constants: &[usize],
+        columns: &Columns,
+        mut each: impl FnMut(Seen<'_>),
+    ) -> Result<(), String> {
+        let (setting, track) = (self.setting, self.track);
+        // Only how many columns there are counts here; they are filled along the chart.
+        let moving: Vec<usize> = (0..columns.moving).collect();
+        let mut variations = Sensitivities::new(motion, &moving, constants);
+        let tangent = columns.tangent(&track.chart.tangent(self.own.as_slice()));
+        let start = variations.start_along(self.own.as_slice(), &tangent);
+        let flown = flown(
+            &mut variations,
+            start,
+            &track.times[..self.samples],
+            tolerance(setting, self.part),
+        )?;
+        let parameters = track.parameters(setting, self.shared);
+        let sight = Sight::new(&setting.body, &parameters, track.markers);
+        let mut observers = sight.observers();
+        let mut rows = columns.empty_rows();
+        for (sample, both) in flown.chunks(variations.len()).enumerate() {
+            let time = track.times[sample];
+            let state = variations.state(both);
+            for (marker, position) in setting.markers.iter().enumerate() {
+                let seen = match self.outliers {
+                    true => track.row(sample)[marker],
+                    false => track.good(sample, marker),
+                };
+                let Some(seen) = seen else { continue };
+                let (y, derivatives) = observers.linearise(time, state, (marker, position));
+                let row_of = |state: usize| variations.padded_row(both, state);
+                columns.derive(&derivatives, row_of, constants, &mut rows);
+                each(Seen {
+                    marker,
+                    sample,
+                    time,
+                    residual: [0, 1, 2].map(|axis| y[axis] - seen[axis]),
+                    rows: &mut rows,
+                });
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The state at each of the first samples of a track, sample after sample.
@@ -151,14 +263,15 @@ pub fn residuals_of(
     shared: &DVector<f64>,
     flown: &[f64],
 ) -> Residuals {
-    let conditions = setting.body.with(track.parameters(setting, shared));
-    let mut observer = conditions.observer();
+    let parameters = track.parameters(setting, shared);
+    let sight = Sight::new(&setting.body, &parameters, track.markers);
+    let mut observers = sight.observers();
     let states = track.chart.states();
     let mut residuals = vec![Vec::with_capacity(flown.len() / states); track.markers];
     for (sample, state) in flown.chunks(states).enumerate() {
         for (marker, position) in setting.markers.iter().enumerate() {
             let residual = track.row(sample)[marker].map(|seen| {
-                let y = observer.position(track.times[sample], state, position);
+                let y = observers.position(track.times[sample], state, (marker, position));
                 [0, 1, 2].map(|axis| y[axis] - seen[axis])
             });
             residuals[marker].push(residual);

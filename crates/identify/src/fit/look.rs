@@ -6,6 +6,7 @@ use crate::noise::Noise;
 use crate::predict::{residuals_of, states};
 use crate::report::{FlightEvidence, residuals::Pool};
 use crate::setting::Setting;
+use crate::sight::Sight;
 use crate::track::Track;
 use crate::uncertainty::Support;
 
@@ -77,8 +78,9 @@ pub fn evidence(
     unknowns: (&DVector<f64>, &DVector<f64>),
 ) -> Option<FlightEvidence> {
     let flown = states(setting, track, unknowns, track.times.len()).ok()?;
-    let conditions = setting.body.with(track.parameters(setting, unknowns.0));
-    let mut observer = conditions.observer();
+    let parameters = track.parameters(setting, unknowns.0);
+    let sight = Sight::new(&setting.body, &parameters, track.markers);
+    let mut observers = sight.observers();
     let layout = setting.body.layout();
     let mut evidence = FlightEvidence {
         file: track.file.clone(),
@@ -102,10 +104,10 @@ pub fn evidence(
         quantities: Vec::new(),
     };
     for (&time, state) in track.times.iter().zip(flown.chunks(track.chart.states())) {
-        let markers = setting.markers.iter();
-        let predicted = markers.map(|marker| observer.position(time, state, marker));
+        let markers = setting.markers.iter().enumerate();
+        let predicted = markers.map(|marker| observers.position(time, state, marker));
         evidence.predicted.push(predicted.collect());
-        evidence.quantities.push(observer.quantities(time, state));
+        evidence.quantities.push(observers.quantities(time, state));
         evidence.states.push(state.to_vec());
     }
     Some(evidence)

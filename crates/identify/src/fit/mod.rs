@@ -36,6 +36,7 @@ pub struct Fitted {
     /// Tracks of the flights by index in the dataset; none for those that were left out.
     tracks: Vec<Option<(Track, DVector<f64>)>>,
     shared: DVector<f64>,
+    noise: Noise,
 }
 
 /// What the stages of a fit work on.
@@ -113,6 +114,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
         report,
         shared: solution.point.shared.clone(),
         setting,
+        noise,
         names: dataset
             .markers
             .iter()
@@ -123,6 +125,27 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
 }
 
 impl Fitted {
+    /// The model with what was estimated of it.
+    pub fn setting(&self) -> &Setting {
+        &self.setting
+    }
+
+    /// The shared unknowns, in the order of [`Setting::shared`].
+    pub fn shared(&self) -> &DVector<f64> {
+        &self.shared
+    }
+
+    /// The noise that residuals were weighed by.
+    pub fn noise(&self) -> &Noise {
+        &self.noise
+    }
+
+    /// Samples and initial state of a flight of the dataset, by index; none where it was left out.
+    pub fn flight(&self, flight: usize) -> Option<(&Track, &DVector<f64>)> {
+        let (track, own) = self.tracks.get(flight)?.as_ref()?;
+        Some((track, own))
+    }
+
     /// A flight of the dataset, by index, as measured and as predicted; none where it was left out.
     pub fn evidence(&self, flight: usize) -> Option<FlightEvidence> {
         let (track, own) = self.tracks.get(flight)?.as_ref()?;

@@ -1,5 +1,7 @@
 //! Where each unknown stands in a row.
 
+use flight::body::Derivatives;
+
 use crate::rows::Rows;
 use crate::track::Track;
 
@@ -55,5 +57,44 @@ impl Columns {
         placed
             .filter(|(_, place, _)| *place < self.moving)
             .collect()
+    }
+
+    /// Rows of x, y and z of one marker, of zeros.
+    pub fn empty_rows(&self) -> [Vec<f64>; 3] {
+        let width = self.rows().width();
+        [0; 3].map(|_| vec![0.0; width])
+    }
+
+    /// Puts the derivatives of a marker's position by the unknowns into the rows of its axes.
+    pub fn derive<'s>(
+        &self,
+        derivatives: &Derivatives<'_>,
+        row_of: impl Fn(usize) -> &'s [f64],
+        constants: &[usize],
+        rows: &mut [Vec<f64>; 3],
+    ) {
+        let flown = self.moving + self.shared;
+        for row in rows.iter_mut() {
+            row.fill(0.0);
+        }
+        let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
+        for (&(axis, state), &value) in entries {
+            let row = &mut rows[axis];
+            for (sum, part) in row[..flown].iter_mut().zip(row_of(state)) {
+                *sum += value * part;
+            }
+            if let Some((direction, _)) = self.still.iter().find(|(_, s)| *s == state) {
+                row[self.own[*direction]] += value;
+            }
+        }
+        let entries = derivatives
+            .by_parameter_at
+            .iter()
+            .zip(derivatives.by_parameter);
+        for (&(axis, place), &value) in entries {
+            if let Some(column) = constants.iter().position(|constant| *constant == place) {
+                rows[axis][self.moving + column] += value;
+            }
+        }
     }
 }

@@ -1,0 +1,70 @@
+//! How each marker is seen: by one observer for all, or by one each where the model asks which marker it is.
+
+use flight::body::{Body, Conditions, Derivatives, Observer};
+
+/// The input that says which marker is observed: 1 in the place of the first, second or third.
+pub const MARKER_IS: &str = "marker_is";
+
+/// The conditions of a flight under which each marker is observed.
+pub struct Sight<'a>(Vec<Conditions<'a>>);
+
+impl<'a> Sight<'a> {
+    /// One for all of `markers`, unless the model has the input [`MARKER_IS`].
+    pub fn new(body: &'a Body, parameters: &[f64], markers: usize) -> Self {
+        let place = |axis: &str| body.layout().parameter(&format!("{MARKER_IS}_{axis}"));
+        let places = ["x", "y", "z"].map(place);
+        if places.iter().all(Option::is_none) {
+            return Self(vec![body.with(parameters.to_vec())]);
+        }
+        let each = (0..markers).map(|marker| {
+            let mut parameters = parameters.to_vec();
+            for (axis, place) in places.iter().enumerate() {
+                if let Some(place) = *place {
+                    parameters[place] = f64::from(u8::from(axis == marker));
+                }
+            }
+            body.with(parameters)
+        });
+        Self(each.collect())
+    }
+
+    /// What is seen under them.
+    pub fn observers(&self) -> Observers<'_> {
+        Observers(self.0.iter().map(Conditions::observer).collect())
+    }
+}
+
+/// Observers, of which each marker has its own.
+pub struct Observers<'a>(Vec<Observer<'a>>);
+
+impl<'a> Observers<'a> {
+    fn of(&mut self, marker: usize) -> &mut Observer<'a> {
+        let last = self.0.len() - 1;
+        &mut self.0[marker.min(last)]
+    }
+
+    /// Where a marker is seen in the inertial frame, m; `position` is its place in the frame that it is fixed in, m.
+    pub fn position(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        (marker, position): (usize, &[f64; 3]),
+    ) -> [f64; 3] {
+        self.of(marker).position(t, x, position)
+    }
+
+    /// As [`position`](Self::position), with its derivatives.
+    pub fn linearise(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        (marker, position): (usize, &[f64; 3]),
+    ) -> ([f64; 3], Derivatives<'_>) {
+        self.of(marker).linearise(t, x, position)
+    }
+
+    /// The model's named quantities, in the order of the layout.
+    pub fn quantities(&mut self, t: f64, x: &[f64]) -> Vec<f64> {
+        self.of(0).quantities(t, x)
+    }
+}
