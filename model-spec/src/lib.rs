@@ -13,7 +13,7 @@ pub mod effect;
 pub mod load;
 pub mod model;
 mod render;
-mod suggest;
+pub mod suggest;
 pub mod summary;
 pub mod syntax;
 pub mod unit;

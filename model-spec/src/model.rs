@@ -318,6 +318,8 @@ pub struct AppliedEffect {
     pub doc: String,
     /// Where it acts: lift, drag, side, roll, pitch, spin, wind, …
     pub site: String,
+    /// On what it depends, in words of [`VARIABLES`](crate::effect::VARIABLES); empty where it does not say.
+    pub variables: Vec<String>,
     /// Where it is described, as the effect cites it; empty where it cites nothing.
     pub citation: String,
     /// Its coefficients, with the value of each at which the effect vanishes and the size below which

@@ -3,7 +3,8 @@
 /// Longer names are not compared.
 const LONGEST: usize = 40;
 
-/// The nearest of some names: the same but for case, or a few letters away.
+/// The nearest of some names: the same but for case, one that begins like it, or a few letters away. None where
+/// no name is so near that it was probably meant; the first of those that are equally near.
 pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     if wrong.chars().count() > LONGEST {
         return None;

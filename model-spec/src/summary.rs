@@ -115,6 +115,9 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             effect.site,
             first(&effect.doc)
         )?;
+        if !effect.variables.is_empty() {
+            writeln!(out, "  depends on {}", effect.variables.join(", "))?;
+        }
         for coefficient in &effect.coefficients {
             let constant = &model.coefficients[coefficient.index];
             let value = |v: f64| with_unit(v, &constant.unit_text);

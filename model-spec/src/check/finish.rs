@@ -143,6 +143,7 @@ impl Checker<'_> {
                 name: applied.name.text.clone(),
                 doc: applied.doc.clone(),
                 site: applied.site.clone(),
+                variables: applied.variables.clone(),
                 citation: applied.citation.clone(),
                 coefficients,
             });

@@ -27,6 +27,8 @@ pub struct Applied {
     pub doc: String,
     /// Where it acts.
     pub site: String,
+    /// On what it depends, in words.
+    pub variables: Vec<String>,
     /// Where it is described, as the effect cites it.
     pub citation: String,
     /// Departures of its coefficients that do not matter in practice.
@@ -388,6 +390,8 @@ pub enum EffectPart {
     Citation(String, Span),
     /// `site NAME;`
     Site(Name),
+    /// `variables NAME, NAME;`: on what the effect depends, in words.
+    Variables(Vec<Name>, Span),
     /// `negligible NAME value;`
     Negligible(Name, Quantity),
     /// `replace …;`: the statement of the same kind and name is exchanged for this one.

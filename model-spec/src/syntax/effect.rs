@@ -43,6 +43,18 @@ impl Parser<'_> {
                 self.semicolon("this `site`")?;
                 return Ok(EffectPart::Site(name));
             }
+            "variables" => {
+                self.advance();
+                let mut names = Vec::new();
+                loop {
+                    names.push(self.name("what the effect depends on, such as `alpha`")?);
+                    if !self.eat(Token::Comma) {
+                        break;
+                    }
+                }
+                self.semicolon("this `variables`")?;
+                return Ok(EffectPart::Variables(names, start.to(self.behind())));
+            }
             "negligible" => {
                 self.advance();
                 let name = self.name("the name of a coefficient of this effect")?;
@@ -56,15 +68,18 @@ impl Parser<'_> {
                 return self.replacement(doc);
             }
             "coefficient" | "param" => self.constant()?,
+            "input" => self.input()?,
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
             _ => {
-                let what = "`source`, `site`, `coefficient`, `replace`, `let`, `force`, `moment` or \
-                            `negligible`";
-                const WORDS: [&str; 8] = [
+                let what = "`source`, `site`, `variables`, `coefficient`, `input`, `replace`, `let`, \
+                            `force`, `moment` or `negligible`";
+                const WORDS: [&str; 10] = [
                     "source",
                     "site",
+                    "variables",
                     "coefficient",
+                    "input",
                     "replace",
                     "let",
                     "force",

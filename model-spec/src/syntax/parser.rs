@@ -9,7 +9,7 @@ use crate::suggest;
 const DEEPEST: u32 = 64;
 
 /// Words that begin a statement.
-pub(super) const STATEMENTS: [&str; 24] = [
+pub(super) const STATEMENTS: [&str; 25] = [
     "model",
     "reference",
     "param",
@@ -32,6 +32,7 @@ pub(super) const STATEMENTS: [&str; 24] = [
     "expect",
     "replace",
     "site",
+    "variables",
     "source",
     "negligible",
 ];

@@ -225,6 +225,10 @@ impl Display for Effect {
             match part {
                 EffectPart::Citation(text, _) => writeln!(f, "  source \"{text}\";")?,
                 EffectPart::Site(name) => writeln!(f, "  site {};", name.text)?,
+                EffectPart::Variables(names, _) => {
+                    let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
+                    writeln!(f, "  variables {};", names.join(", "))?
+                }
                 EffectPart::Negligible(name, value) => {
                     writeln!(f, "  negligible {} {value};", name.text)?
                 }
@@ -306,6 +310,8 @@ check \"a\" {
 effect e on probe, disc {
   source \"somewhere\";
   site drag;
+  variables alpha, spin;
+  input marker_is in N = (0, 0, 0);
   coefficient c_0 = 0;
   negligible c_0 0.1;
   replace a = previous*c_0;

@@ -52,7 +52,7 @@ impl Parser<'_> {
                 span,
                 format!("`{word}` stands inside `check \"…\" {{ }}`, not here"),
             ),
-            "replace" | "site" | "source" | "negligible" => Diagnostic::new(
+            "replace" | "site" | "source" | "variables" | "negligible" => Diagnostic::new(
                 Kind::Grammar,
                 span,
                 format!("`{word}` stands inside `effect NAME {{ }}`, not here"),
@@ -123,7 +123,7 @@ impl Parser<'_> {
     }
 
     /// `input NAME in FRAME = (a, b, c) unit;`
-    fn input(&mut self) -> Read<ItemKind> {
+    pub fn input(&mut self) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `input`")?;
         self.need_word(

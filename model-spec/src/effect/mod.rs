@@ -1,0 +1,251 @@
+//! Effects: changes to a model, stated once and applied to its tree.
+
+mod replace;
+
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::suggest;
+use crate::syntax::ast::{
+    Applied, BodyPart, BodyPartKind, Effect, EffectPart, File, Input, Item, ItemKind, Name,
+};
+
+pub(crate) use replace::PREVIOUS;
+
+/// Where an effect can act.
+pub const SITES: [&str; 15] = [
+    "lift", "drag", "side", "roll", "pitch", "spin", "wind", "gravity", "vertical", "scale",
+    "clock", "marker", "inertia", "noise", "unknown",
+];
+
+/// On what an effect can depend, in words.
+pub const VARIABLES: [&str; 9] = [
+    "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
+];
+
+/// Every statement of an effect is looked for in the whole model.
+const MOST_PARTS: usize = 500;
+
+/// Applies an effect: the file as it is with the effect in it. Its coefficients come last.
+///
+/// In a `replace` the name `previous` stands for what is replaced, as it was, so that effects on one
+/// quantity add up. One that does not use it would undo an effect that was applied before, and is refused
+/// then.
+pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
+    let mut change = Change {
+        file: file.clone(),
+        index: file.applied.len(),
+        name: &effect.name,
+        replaced: Vec::new(),
+        diagnostics: Vec::new(),
+    };
+    change.is_for_this_model(effect);
+    if effect.parts.len() > MOST_PARTS {
+        let message = format!("an effect has at most {MOST_PARTS} statements");
+        change
+            .diagnostics
+            .push(Diagnostic::new(Kind::Limit, effect.name.span, message));
+    }
+    if !change.diagnostics.is_empty() {
+        return Err(change.diagnostics);
+    }
+    let mut applied = Applied {
+        name: effect.name.clone(),
+        doc: effect.doc.clone(),
+        site: String::new(),
+        variables: Vec::new(),
+        citation: String::new(),
+        negligible: Vec::new(),
+    };
+    let mut site: Option<Span> = None;
+    let mut variables: Option<Span> = None;
+    for part in &effect.parts {
+        match part {
+            EffectPart::Citation(text, _) => applied.citation.clone_from(text),
+            EffectPart::Site(name) => {
+                change.known_site(name, site);
+                site = Some(name.span);
+                applied.site.clone_from(&name.text);
+            }
+            EffectPart::Variables(names, span) => {
+                change.known_variables(names, *span, variables);
+                variables = Some(*span);
+                applied.variables = names.iter().map(|n| n.text.clone()).collect();
+            }
+            EffectPart::Negligible(name, quantity) => {
+                change.own_coefficient(effect, name);
+                applied.negligible.push((name.clone(), quantity.clone()));
+            }
+            EffectPart::Replace(item) => change.replace(item),
+            EffectPart::ReplaceInertia(inertia, span) => {
+                let part = BodyPart {
+                    kind: BodyPartKind::Inertia(inertia.clone()),
+                    span: *span,
+                };
+                change.replace_inertia(part);
+            }
+            EffectPart::Add(item) if change.has_input(item) => {}
+            EffectPart::Add(item) => {
+                let item = Item::clone(item);
+                change.file.items.push(Item {
+                    effect: Some(change.index),
+                    ..item
+                });
+            }
+        }
+    }
+    if site.is_none() {
+        let message = format!(
+            "the effect `{}` does not say where it acts",
+            effect.name.text
+        );
+        let fault = Diagnostic::new(Kind::Missing, effect.name.span, message);
+        change
+            .diagnostics
+            .push(fault.help("add `site drag;`, or another of lift, side, roll, pitch, spin, …"));
+    }
+    if change.diagnostics.is_empty() {
+        change.file.applied.push(applied);
+        Ok(change.file)
+    } else {
+        Err(change.diagnostics)
+    }
+}
+
+/// A file that is being changed by an effect.
+struct Change<'a> {
+    file: File,
+    index: usize,
+    name: &'a Name,
+    /// What this effect has replaced already.
+    replaced: Vec<(String, Span)>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl Change<'_> {
+    fn is_for_this_model(&mut self, effect: &Effect) {
+        if let Some(other) = self
+            .file
+            .applied
+            .iter()
+            .find(|a| a.name.text == effect.name.text)
+        {
+            let message = format!("the effect `{}` is switched on twice", effect.name.text);
+            let fault = Diagnostic::new(Kind::Duplicate, effect.name.span, message);
+            self.diagnostics
+                .push(fault.label(other.name.span, "switched on already"));
+        }
+        let model = self.file.items.iter().find_map(|i| match &i.kind {
+            ItemKind::Model(name) => Some(name),
+            _ => None,
+        });
+        let Some(model) = model else { return };
+        if !effect.on.is_empty() && effect.on.iter().all(|on| on.text != model.text) {
+            let made_for: Vec<&str> = effect.on.iter().map(|n| n.text.as_str()).collect();
+            let message = format!(
+                "the effect `{}` is made for {}, and this is the model `{}`",
+                effect.name.text,
+                made_for.join(", "),
+                model.text
+            );
+            let place = effect.on[0].span.to(effect.on[effect.on.len() - 1].span);
+            self.diagnostics
+                .push(Diagnostic::new(Kind::Name, place, message).help(format!(
+                    "add `{}` to this list if it fits that model too",
+                    model.text
+                )));
+        }
+    }
+
+    fn known_site(&mut self, name: &Name, before: Option<Span>) {
+        if let Some(first) = before {
+            let fault = Diagnostic::new(Kind::Duplicate, name.span, "an effect acts at one site");
+            self.diagnostics
+                .push(fault.label(first, "stated here already"));
+        }
+        if !SITES.contains(&name.text.as_str()) {
+            let fault = Diagnostic::new(
+                Kind::Name,
+                name.span,
+                format!("there is no site `{}`", name.text),
+            )
+            .note(format!("the sites are {}", SITES.join(", ")));
+            let near = suggest::nearest(&name.text, SITES.into_iter());
+            self.diagnostics
+                .push(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+        }
+    }
+
+    fn known_variables(&mut self, names: &[Name], span: Span, before: Option<Span>) {
+        if let Some(first) = before {
+            let message = "what an effect depends on is stated once";
+            let fault = Diagnostic::new(Kind::Duplicate, span, message);
+            self.diagnostics
+                .push(fault.label(first, "stated here already"));
+        }
+        for (i, name) in names.iter().enumerate() {
+            if let Some(first) = names[..i].iter().find(|n| n.text == name.text) {
+                let message = format!("`{}` is named twice", name.text);
+                let fault = Diagnostic::new(Kind::Duplicate, name.span, message);
+                self.diagnostics
+                    .push(fault.label(first.span, "named here already"));
+            } else if !VARIABLES.contains(&name.text.as_str()) {
+                let message = format!("there is no variable `{}`", name.text);
+                let near = suggest::nearest(&name.text, VARIABLES.into_iter());
+                let fault = Diagnostic::new(Kind::Name, name.span, message)
+                    .note(format!("the variables are {}", VARIABLES.join(", ")));
+                self.diagnostics
+                    .push(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+            } else if name.text == "none" && names.len() > 1 {
+                let message = "an effect that depends on nothing depends on nothing else";
+                self.diagnostics
+                    .push(Diagnostic::new(Kind::Value, name.span, message).help("remove `none`"));
+            }
+        }
+    }
+
+    /// Whether the file has this very input already: effects that declare the same one share it.
+    fn has_input(&self, item: &Item) -> bool {
+        let ItemKind::Input(wanted) = &item.kind else {
+            return false;
+        };
+        self.file.items.iter().any(|i| match &i.kind {
+            ItemKind::Input(input) => same_input(input, wanted),
+            _ => false,
+        })
+    }
+
+    fn own_coefficient(&mut self, effect: &Effect, name: &Name) {
+        let own = effect.parts.iter().filter_map(|p| match p {
+            EffectPart::Add(item) => match &item.kind {
+                ItemKind::Constant(c) => Some(c.name.text.as_str()),
+                _ => None,
+            },
+            _ => None,
+        });
+        let own: Vec<&str> = own.collect();
+        if !own.contains(&name.text.as_str()) {
+            let message = format!(
+                "the effect `{}` has no coefficient `{}`",
+                effect.name.text, name.text
+            );
+            let near = suggest::nearest(&name.text, own.into_iter());
+            let fault = Diagnostic::new(Kind::Name, name.span, message);
+            self.diagnostics
+                .push(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+        }
+    }
+}
+
+/// Whether two inputs have the same name, frame, unit and default.
+fn same_input(a: &Input, b: &Input) -> bool {
+    let unit = |input: &Input| input.unit.as_ref().map(ToString::to_string);
+    let numbers = |input: &Input| {
+        input
+            .value
+            .each_ref()
+            .map(|n| n.text.parse::<f64>().unwrap_or(f64::NAN))
+    };
+    a.name.text == b.name.text
+        && a.frame.text == b.frame.text
+        && unit(a) == unit(b)
+        && numbers(a) == numbers(b)
+}
