@@ -92,7 +92,7 @@ pub fn linearise(
     Ok(sums.rows.block())
 }
 
-/// Hands out every residual of a track that is no outlier, sample by sample and marker by marker, with its derivatives by
+/// Hands out every residual of a track, outliers too, sample by sample and marker by marker, with its derivatives by
 /// the flight's own unknowns and then by these constants of the motion.
 ///
 /// # Errors
@@ -113,7 +113,7 @@ pub fn each_residual<M: Linearised>(
         own,
         samples: track.times.len(),
         part: LOOSE_TOLERANCE,
-        outliers: false,
+        outliers: true,
     };
     let places: Vec<usize> = columns
         .own

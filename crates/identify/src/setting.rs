@@ -1,6 +1,7 @@
 //! A model with what a dataset and a user say of it: what is known, what is estimated.
 
 use std::fmt;
+use std::sync::Arc;
 
 use flight::body::Body;
 use model_spec::model::{Constant, Model};
@@ -53,11 +54,12 @@ pub struct Shared {
 const NO_FLOOR: f64 = 1e-3;
 
 /// The model with what is known and what is estimated.
+#[derive(Clone)]
 pub struct Setting {
     /// The model.
-    pub model: Model,
+    pub model: Arc<Model>,
     /// The model, ready to fly.
-    pub body: Body,
+    pub body: Arc<Body>,
     /// Positions of the markers in the frame that they are fixed in, m.
     pub markers: Vec<[f64; 3]>,
     /// Whether the body turns and its markers show how.
@@ -113,8 +115,8 @@ impl Setting {
         }
         let (shared, held) = unknowns(model, &body, &mut parameters, options)?;
         let setting = Self {
-            model: model.clone(),
-            body,
+            model: Arc::new(model.clone()),
+            body: Arc::new(body),
             markers,
             turns,
             parameters,

@@ -1,0 +1,131 @@
+//! The candidates: every effect that could be missing from a model, switched on together in one model with each at the value
+//! where it vanishes, so that one run shows what each of them would do.
+
+use model_spec::load::{self, EFFECTS, LoadError};
+use model_spec::model::{AppliedEffect, Model};
+
+/// An effect that may be the cause.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// Its name, with hyphens as in reports.
+    pub name: String,
+    /// What it says.
+    pub doc: String,
+    /// Where it acts.
+    pub site: String,
+    /// What it depends on.
+    pub variables: Vec<String>,
+    /// Its coefficients, by index into the model's.
+    pub coefficients: Vec<Part>,
+    /// States that it adds: each flight has its own value of them.
+    pub states: Vec<Part>,
+}
+
+/// A coefficient, or a state, of a candidate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Its name.
+    pub name: String,
+    /// Its index among the coefficients, or the states, of the model with all candidates.
+    pub index: usize,
+    /// Its unit.
+    pub unit: String,
+    /// Where it vanishes, SI.
+    pub vanishes_at: f64,
+    /// A departure smaller than this does not matter in practice, SI.
+    pub negligible: Option<f64>,
+    /// Least and greatest value, SI.
+    pub bounds: Option<(f64, f64)>,
+}
+
+/// A model with all candidates.
+#[derive(Clone, Debug)]
+pub struct Catalogue {
+    /// The model with every candidate switched on.
+    pub model: Model,
+    /// The candidates, in the order in which they were switched on.
+    pub candidates: Vec<Candidate>,
+}
+
+/// A name as reports have it.
+pub fn hyphened(name: &str) -> String {
+    name.replace('_', "-")
+}
+
+impl Catalogue {
+    /// Switches on what fits a model: of its own file's effects and of the built-in ones those that are not on yet, are
+    /// not in `without`, and can be applied together.
+    ///
+    /// # Errors
+    /// Where the model itself cannot be loaded.
+    pub fn new(model: &Model, without: &[String]) -> Result<Self, LoadError> {
+        let text = &model.sources[0];
+        let on: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
+        let left_out = |name: &str| without.iter().any(|w| w.replace('-', "_") == name);
+        let own = model.offers.iter().map(|offer| offer.name.as_str());
+        let built_in = EFFECTS.iter().map(|(name, _)| *name);
+        let mut wanted: Vec<&str> = Vec::new();
+        for name in own.chain(built_in) {
+            if !on.contains(&name) && !wanted.contains(&name) && !left_out(name) {
+                wanted.push(name);
+            }
+        }
+        // What cannot be applied alone is made for another model.
+        let alone = |name: &str| {
+            let with: Vec<&str> = on.iter().copied().chain([name]).collect();
+            load::from_text(&text.name, &text.text, &with)
+        };
+        wanted.retain(|name| alone(name).is_ok());
+        let mut with = on.clone();
+        with.extend(&wanted);
+        let all = match load::from_text(&text.name, &text.text, &with) {
+            Ok(all) => all,
+            // Two of them do not go together: one by one, those that still fit.
+            Err(_) => {
+                let mut with = on.clone();
+                let mut fits = load::from_text(&text.name, &text.text, &with)?;
+                for name in &wanted {
+                    with.push(name);
+                    match load::from_text(&text.name, &text.text, &with) {
+                        Ok(model) => fits = model,
+                        Err(_) => {
+                            with.pop();
+                        }
+                    }
+                }
+                fits
+            }
+        };
+        let candidates = all
+            .effects
+            .iter()
+            .filter(|e| !on.contains(&e.name.as_str()));
+        let candidates = candidates.map(|e| candidate(&all, e)).collect();
+        Ok(Self {
+            model: all,
+            candidates,
+        })
+    }
+}
+
+fn candidate(model: &Model, effect: &AppliedEffect) -> Candidate {
+    let coefficients = effect.coefficients.iter().map(|own| {
+        let constant = &model.coefficients[own.index];
+        Part {
+            name: constant.name.clone(),
+            index: own.index,
+            unit: constant.unit_text.clone(),
+            vanishes_at: own.vanishes_at,
+            negligible: own.negligible,
+            bounds: constant.bounds,
+        }
+    });
+    Candidate {
+        name: hyphened(&effect.name),
+        doc: effect.doc.clone(),
+        site: effect.site.clone(),
+        variables: Vec::new(),
+        coefficients: coefficients.collect(),
+        states: Vec::new(),
+    }
+}

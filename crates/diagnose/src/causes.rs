@@ -1,0 +1,208 @@
+//! The set of causes that the data do not reject.
+//!
+//! A cause is rejected where, with it allowed for, another candidate would still explain more than chance does. What is left is
+//! the answer: one cause, or several that these flights cannot tell apart; where no single one is left, pairs, and
+//! then three at once.
+
+use identify::fit::FitError;
+use identify::levenberg::Point;
+use identify::noise::Noise;
+
+use crate::bench::Bench;
+use crate::chance::thresholds;
+use crate::scores::Scores;
+
+/// The probability that chance alone raises an alarm.
+const ALARM: f64 = 0.01;
+
+/// The probability that the true cause is rejected by chance.
+const REJECT: f64 = 0.003;
+
+/// A cause is refitted where its score says that it may come as near as this to the best: chi squared, and a part of the best
+/// for what straight lines miss.
+const NEAR: (f64, f64) = (30.0, 0.25);
+
+/// Causes that are refitted at most, of each number of effects.
+const MOST: usize = 8;
+
+/// Effects at once.
+const AT_ONCE: usize = 3;
+
+/// Refits from which more effects are added.
+const SEEDS: usize = 4;
+
+/// What was found.
+pub struct Found {
+    /// The noise.
+    pub noise: Noise,
+    /// The scores with every candidate off.
+    pub scores: Scores,
+    /// What a logarithm of a probability must be below for an alarm.
+    pub alarm: f64,
+    /// And for a cause to be rejected for another.
+    pub reject: f64,
+    /// Whether any candidate explains more than chance.
+    pub alarmed: bool,
+    /// Causes that are not rejected, the best first.
+    pub causes: Vec<Cause>,
+    /// The best of those that are, where all are.
+    pub nearest: Option<Cause>,
+}
+
+/// One or several effects that were fitted with the base.
+pub struct Cause {
+    /// The candidates.
+    pub effects: Vec<usize>,
+    /// All unknowns there.
+    pub point: Point,
+    /// The sum of squares that is left.
+    pub squares: f64,
+    /// The scores of the others there.
+    pub scores: Scores,
+    /// The other that would explain most, and the logarithm of its probability.
+    pub rival: Option<(usize, f64)>,
+}
+
+/// Searches the causes of what is left at the base's fit.
+///
+/// # Errors
+/// Where a flight is impossible.
+pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Found, FitError> {
+    let mut noise = bench.leftover(base, first_guess)?;
+    noise = bench.leftover(base, &noise)?;
+    let (mut scores, mut limits) = bench.scored(base, &noise)?;
+    let alarmed = |scores: &Scores, limits: &[f64]| {
+        scores.best().is_some_and(|(_, best)| best.ln_p < limits[0])
+    };
+    if !alarmed(&scores, &limits) {
+        return Ok(found(noise, scores, &limits, Vec::new(), None));
+    }
+    let mut fitted: Vec<Cause> = Vec::new();
+    for count in 1..=AT_ONCE {
+        let wanted = if count == 1 {
+            singles(&scores)
+        } else {
+            extended(&fitted, count)
+        };
+        let mut here: Vec<Cause> = Vec::new();
+        for (index, effects) in wanted.into_iter().enumerate() {
+            let Some(cause) = bench.cause(&effects, base, &noise) else {
+                continue;
+            };
+            // With the best cause in, what is left is nearer to the noise still.
+            if count == 1 && index == 0 {
+                let nearer = bench.leftover(&cause.point, &noise)?;
+                if !nearer.is_close_to(&noise) {
+                    noise = nearer;
+                    (scores, limits) = bench.scored(base, &noise)?;
+                    here.extend(bench.cause(&effects, base, &noise));
+                    continue;
+                }
+            }
+            here.push(cause);
+        }
+        here.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+        let stands = |cause: &Cause| cause.rival.is_none_or(|(_, ln_p)| ln_p >= limits[1]);
+        if here.iter().any(stands) {
+            here.retain(stands);
+            return Ok(found(noise, scores, &limits, here, None));
+        }
+        if !here.is_empty() {
+            fitted = here;
+        }
+    }
+    let nearest = fitted.into_iter().next();
+    Ok(found(noise, scores, &limits, Vec::new(), nearest))
+}
+
+fn found(
+    noise: Noise,
+    scores: Scores,
+    limits: &[f64],
+    causes: Vec<Cause>,
+    nearest: Option<Cause>,
+) -> Found {
+    Found {
+        noise,
+        alarm: limits[0],
+        reject: limits[1],
+        alarmed: scores.best().is_some_and(|(_, best)| best.ln_p < limits[0]),
+        scores,
+        causes,
+        nearest,
+    }
+}
+
+/// Single candidates that may be the cause, the likeliest first.
+fn singles(scores: &Scores) -> Vec<Vec<usize>> {
+    let each = scores.each.iter().enumerate();
+    let mut gains: Vec<(usize, f64)> = each
+        .filter_map(|(index, score)| Some((index, score.as_ref()?)))
+        .filter(|(_, score)| score.freedom > 0)
+        .map(|(index, score)| (index, score.statistic - 2.0 * score.freedom as f64))
+        .collect();
+    gains.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let best = gains.first().map_or(0.0, |gain| gain.1);
+    let near = gains
+        .into_iter()
+        .filter(|(_, gain)| *gain > best - NEAR.0 - NEAR.1 * best);
+    near.take(MOST).map(|(index, _)| vec![index]).collect()
+}
+
+/// The best causes with one more effect each, the likeliest first.
+fn extended(fitted: &[Cause], count: usize) -> Vec<Vec<usize>> {
+    let mut all: Vec<(Vec<usize>, f64)> = Vec::new();
+    for cause in fitted.iter().take(SEEDS) {
+        for (index, score) in cause.scores.each.iter().enumerate() {
+            let Some(score) = score.as_ref().filter(|score| score.freedom > 0) else {
+                continue;
+            };
+            let mut effects = cause.effects.clone();
+            effects.push(index);
+            effects.sort_unstable();
+            let left = cause.squares - score.statistic + 2.0 * score.freedom as f64;
+            match all.iter_mut().find(|(same, _)| *same == effects) {
+                Some((_, least)) => *least = least.min(left),
+                None if effects.len() == count => all.push((effects, left)),
+                None => {}
+            }
+        }
+    }
+    all.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let least = all.first().map_or(0.0, |(_, left)| *left);
+    let gained = fitted.first().map_or(0.0, |cause| cause.squares) - least;
+    let near = all
+        .into_iter()
+        .filter(|(_, left)| *left < least + NEAR.0 + NEAR.1 * gained);
+    near.take(MOST).map(|(effects, _)| effects).collect()
+}
+
+impl Bench {
+    fn scored(&self, point: &Point, noise: &Noise) -> Result<(Scores, Vec<f64>), FitError> {
+        let blocks = self.look(point, noise)?;
+        let scores = Scores::new(self, &blocks, &[], &point.shared).map_err(FitError::Mismatch)?;
+        let limits = thresholds(
+            &scores.information,
+            &scores.groups,
+            scores.others,
+            &[ALARM, REJECT],
+            1,
+        );
+        Ok((scores, limits))
+    }
+
+    /// Fits some candidates with the base; none where that is impossible.
+    pub fn cause(&self, effects: &[usize], from: &Point, noise: &Noise) -> Option<Cause> {
+        let (point, squares) = self.refit(effects, from, noise).ok()?;
+        let blocks = self.look(&point, noise).ok()?;
+        let scores = Scores::new(self, &blocks, effects, &point.shared).ok()?;
+        let rival = scores.best().map(|(index, score)| (index, score.ln_p));
+        Some(Cause {
+            effects: effects.to_vec(),
+            point,
+            squares,
+            scores,
+            rival,
+        })
+    }
+}

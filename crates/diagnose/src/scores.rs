@@ -1,0 +1,409 @@
+//! What each candidate would explain, without a refit: the scores of all candidates once every flight's own unknowns, the base
+//! and what is allowed for are eliminated.
+
+use identify::normal::{Block, eliminate};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use crate::bench::Bench;
+use crate::chance::{Group, ln_tail};
+
+/// The part of a direction's squared size that must be left of it once all else is allowed for; what is below it is the
+/// integration's error.
+const VISIBLE: f64 = 1e-8;
+
+/// The scores of all candidates that are not allowed for.
+pub struct Scores {
+    /// Every candidate's, by its index; none for those that are allowed for.
+    pub each: Vec<Option<Score>>,
+    /// The information of the candidates' shared coefficients, each scaled to 1 before the base was eliminated.
+    pub information: DMatrix<f64>,
+    /// The shared unknowns that its rows stand for.
+    pub columns: Vec<usize>,
+    /// Groups of these columns that are looked at together, for the threshold.
+    pub groups: Vec<Group>,
+    /// How many statistics are not among the groups.
+    pub others: usize,
+    /// The information of the base's unknowns and of what is allowed for, with those unknowns.
+    pub base: (Vec<usize>, DMatrix<f64>),
+    /// How each of the columns leans on each of those unknowns: its share of what absorbs it.
+    pub leaning: DMatrix<f64>,
+}
+
+/// What one candidate would explain.
+#[derive(Clone, Debug)]
+pub struct Score {
+    /// By how much the sum of squares would fall: chi squared of `freedom` where it is not missing.
+    pub statistic: f64,
+    /// Directions that these flights show of it; 0 where it is invisible.
+    pub freedom: usize,
+    /// Logarithm of the probability that chance does as much.
+    pub ln_p: f64,
+    /// The values of its coefficients that the scores point to, by shared unknown, with standard errors; the others are taken to be off.
+    pub estimates: Vec<(usize, f64, f64)>,
+    /// The greatest part of its squared effect on what is seen that nothing else absorbs.
+    pub visible: f64,
+}
+
+impl Scores {
+    /// Scores at a point where these are the flights' normal equations.
+    ///
+    /// # Errors
+    /// In words, where a flight does not determine its own unknowns.
+    pub fn new(
+        bench: &Bench,
+        blocks: &[Block],
+        allowed: &[usize],
+        shared: &DVector<f64>,
+    ) -> Result<Self, String> {
+        let reduced = Reduced::new(bench, blocks, allowed)?;
+        let free = bench.unknowns(allowed);
+        let columns: Vec<usize> = (0..shared.len()).filter(|i| !free.contains(i)).collect();
+        let (h, g) = prior(bench, &reduced.matrix, &reduced.gradient, shared);
+        let scale: Vec<f64> = columns.iter().map(|&i| inverse_root(h[(i, i)])).collect();
+        let parts = Parts::new(&h, &g, &free, &columns, &scale);
+        let (information, score, leaning) = parts.eliminated()?;
+        let base = DMatrix::from_fn(free.len(), free.len(), |i, j| h[(free[i], free[j])]);
+        let mut scores = Scores {
+            each: Vec::new(),
+            information,
+            columns,
+            groups: Vec::new(),
+            others: 0,
+            base: (free, base),
+            leaning,
+        };
+        let base_gain = gain_of(
+            bench,
+            &reduced.matrix,
+            &reduced.gradient,
+            shared,
+            &scores.base.0,
+        );
+        for (index, columns) in bench.candidates.iter().enumerate() {
+            let score_of = if allowed.contains(&index) {
+                None
+            } else if columns.states.is_empty() {
+                Some(scores.shared(bench, index, &score, &scale, shared))
+            } else {
+                scores.others += 1;
+                let own = reduced.own.iter().find(|own| own.candidate == index);
+                own.map(|own| own.score(bench, shared, &scores.base.0, base_gain))
+            };
+            scores.each.push(score_of);
+        }
+        Ok(scores)
+    }
+
+    fn shared(
+        &mut self,
+        bench: &Bench,
+        candidate: usize,
+        score: &DVector<f64>,
+        scale: &[f64],
+        shared: &DVector<f64>,
+    ) -> Score {
+        let own = &bench.candidates[candidate].shared;
+        let at: Vec<usize> = (0..self.columns.len())
+            .filter(|&i| own.contains(&self.columns[i]))
+            .collect();
+        let part = DMatrix::from_fn(at.len(), at.len(), |i, j| self.information[(at[i], at[j])]);
+        let eigen = SymmetricEigen::new(part);
+        let seen = (0..at.len()).filter(|&k| eigen.eigenvalues[k] > VISIBLE);
+        let seen: Vec<usize> = seen.collect();
+        let mut whitening = DMatrix::zeros(seen.len(), self.columns.len());
+        for (row, &k) in seen.iter().enumerate() {
+            for (i, &column) in at.iter().enumerate() {
+                whitening[(row, column)] = eigen.eigenvectors[(i, k)] / eigen.eigenvalues[k].sqrt();
+            }
+        }
+        let normal = &whitening * score;
+        let statistic = normal.norm_squared();
+        let mut estimates = Vec::new();
+        for (i, &column) in at.iter().enumerate() {
+            let (mut value, mut variance) = (0.0, 0.0);
+            for (row, &k) in seen.iter().enumerate() {
+                let along = eigen.eigenvectors[(i, k)] / eigen.eigenvalues[k].sqrt();
+                value += along * normal[row];
+                variance += along * along;
+            }
+            let unknown = self.columns[column];
+            let error = match variance > 0.0 && seen.len() == at.len() {
+                true => variance.sqrt() * scale[column],
+                false => f64::INFINITY,
+            };
+            estimates.push((unknown, shared[unknown] + value * scale[column], error));
+        }
+        let visible = eigen.eigenvalues.iter().copied().fold(0.0, f64::max);
+        let freedom = seen.len();
+        if freedom > 0 {
+            self.groups.push(Group { whitening });
+        }
+        Score {
+            statistic,
+            freedom,
+            ln_p: ln_tail(statistic, freedom),
+            estimates,
+            visible,
+        }
+    }
+
+    /// The candidate that would explain most, among those that these flights show.
+    pub fn best(&self) -> Option<(usize, &Score)> {
+        let each = self.each.iter().enumerate();
+        each.filter_map(|(index, score)| Some((index, score.as_ref()?)))
+            .filter(|(_, score)| score.freedom > 0)
+            .min_by(|a, b| a.1.ln_p.total_cmp(&b.1.ln_p))
+    }
+}
+
+/// The normal equations of the shared unknowns once each flight's own are eliminated, and with them the states of what is
+/// allowed for.
+struct Reduced {
+    matrix: DMatrix<f64>,
+    gradient: DVector<f64>,
+    own: Vec<Own>,
+}
+
+/// The same with the states of one more candidate eliminated too.
+struct Own {
+    candidate: usize,
+    matrix: DMatrix<f64>,
+    gradient: DVector<f64>,
+    gain: f64,
+    freedom: usize,
+}
+
+impl Reduced {
+    fn new(bench: &Bench, blocks: &[Block], allowed: &[usize]) -> Result<Self, String> {
+        let size = bench.setting.shared.len();
+        let mut total = Reduced {
+            matrix: DMatrix::zeros(size, size),
+            gradient: DVector::zeros(size),
+            own: Vec::new(),
+        };
+        let each = bench.candidates.iter().enumerate();
+        for (candidate, columns) in each {
+            if !columns.states.is_empty() && !allowed.contains(&candidate) {
+                total.own.push(Own {
+                    candidate,
+                    matrix: DMatrix::zeros(size, size),
+                    gradient: DVector::zeros(size),
+                    gain: 0.0,
+                    freedom: 0,
+                });
+            }
+        }
+        for (flight, block) in blocks.iter().enumerate() {
+            total.add(bench, flight, block, allowed)?;
+        }
+        Ok(total)
+    }
+
+    fn add(
+        &mut self,
+        bench: &Bench,
+        flight: usize,
+        block: &Block,
+        allowed: &[usize],
+    ) -> Result<(), String> {
+        let chart = &bench.tracks[flight].chart;
+        let off = bench.states_but(allowed);
+        let held = |direction: &usize| chart.plain(*direction).is_some_and(|s| off.contains(&s));
+        let (out, own): (Vec<usize>, Vec<usize>) = (0..chart.dimension()).partition(held);
+        let told = |_| {
+            let file = &bench.tracks[flight].file;
+            format!("{file}: its samples do not determine its initial state")
+        };
+        // What is off counts among the shared unknowns, before them, while the flight's own are eliminated.
+        let rest = sub_block(block, &own, &out);
+        let blocks = [rest];
+        let rest = eliminate(&blocks, 0.0).map_err(told)?;
+        let skip = out.len();
+        let size = self.gradient.len();
+        self.matrix += rest.reduced.view((skip, skip), (size, size));
+        self.gradient += rest.gradient.rows(skip, size);
+        for total in &mut self.own {
+            let states = &bench.candidates[total.candidate].states;
+            let at: Vec<usize> = (0..skip)
+                .filter(|&i| chart.plain(out[i]).is_some_and(|s| states.contains(&s)))
+                .collect();
+            let whole = Block {
+                own: DMatrix::zeros(0, 0),
+                cross: DMatrix::zeros(0, skip + size),
+                shared: rest.reduced.clone(),
+                own_gradient: DVector::zeros(0),
+                shared_gradient: rest.gradient.clone(),
+                squares: 0.0,
+                count: 0,
+            };
+            let shared: Vec<usize> = (skip..skip + size).collect();
+            let blocks = [of_shared(&whole, &at, &shared)];
+            match eliminate(&blocks, 0.0) {
+                Ok(next) => {
+                    let step = &next.own_steps(&DVector::zeros(size))[0];
+                    total.gain -= blocks[0].own_gradient.dot(step);
+                    total.matrix += &next.reduced;
+                    total.gradient += &next.gradient;
+                    total.freedom += at.len();
+                }
+                // This flight does not show it.
+                Err(_) => {
+                    total.matrix += &blocks[0].shared;
+                    total.gradient += &blocks[0].shared_gradient;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Own {
+    fn score(&self, bench: &Bench, shared: &DVector<f64>, free: &[usize], base_gain: f64) -> Score {
+        let with = gain_of(bench, &self.matrix, &self.gradient, shared, free);
+        let statistic = (self.gain + with - base_gain).max(0.0);
+        Score {
+            statistic,
+            freedom: self.freedom,
+            ln_p: ln_tail(statistic, self.freedom),
+            estimates: Vec::new(),
+            visible: f64::from(u8::from(self.freedom > 0)),
+        }
+    }
+}
+
+/// By how much the sum of squares falls when these unknowns are fitted.
+fn gain_of(
+    bench: &Bench,
+    matrix: &DMatrix<f64>,
+    gradient: &DVector<f64>,
+    shared: &DVector<f64>,
+    free: &[usize],
+) -> f64 {
+    let (h, g) = prior(bench, matrix, gradient, shared);
+    let gradient = DVector::from_fn(free.len(), |i, _| g[free[i]]);
+    let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| h[(free[i], free[j])]);
+    solve_scaled(&matrix, &gradient).map_or(0.0, |step| gradient.dot(&step))
+}
+
+/// The solution of a symmetric system, its diagonal scaled to 1; directions that carry nothing are left out.
+pub(crate) fn solve_scaled(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    let scale = matrix.diagonal().map(inverse_root);
+    let size = matrix.nrows();
+    let scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
+    let eigen = SymmetricEigen::try_new(scaled, 1e-14, 10_000)?;
+    let right = right.component_mul(&scale);
+    let mut along = eigen.eigenvectors.tr_mul(&right);
+    for (part, value) in along.iter_mut().zip(eigen.eigenvalues.iter()) {
+        *part = if *value > 1e-12 { *part / value } else { 0.0 };
+    }
+    Some((eigen.eigenvectors * along).component_mul(&scale))
+}
+
+/// The normal equations with what is known of the unknowns beforehand.
+fn prior(
+    bench: &Bench,
+    matrix: &DMatrix<f64>,
+    gradient: &DVector<f64>,
+    shared: &DVector<f64>,
+) -> (DMatrix<f64>, DVector<f64>) {
+    let (mut matrix, mut gradient) = (matrix.clone(), gradient.clone());
+    for (i, unknown) in bench.setting.shared.iter().enumerate() {
+        if let Some((centre, sigma)) = unknown.known.prior {
+            matrix[(i, i)] += sigma.powi(-2);
+            gradient[i] += (shared[i] - centre) / (sigma * sigma);
+        }
+    }
+    (matrix, gradient)
+}
+
+fn inverse_root(value: f64) -> f64 {
+    let root = value.max(0.0).sqrt();
+    if root > 1e-150 { 1.0 / root } else { 1.0 }
+}
+
+/// The own unknowns `own`, and `out` of them put before the shared ones.
+fn sub_block(block: &Block, own: &[usize], out: &[usize]) -> Block {
+    let (skip, size) = (out.len(), block.shared.nrows());
+    let cross = DMatrix::from_fn(own.len(), skip + size, |i, j| match j.checked_sub(skip) {
+        None => block.own[(own[i], out[j])],
+        Some(j) => block.cross[(own[i], j)],
+    });
+    let shared = DMatrix::from_fn(skip + size, skip + size, |i, j| {
+        match (i.checked_sub(skip), j.checked_sub(skip)) {
+            (None, None) => block.own[(out[i], out[j])],
+            (None, Some(j)) => block.cross[(out[i], j)],
+            (Some(i), None) => block.cross[(out[j], i)],
+            (Some(i), Some(j)) => block.shared[(i, j)],
+        }
+    });
+    Block {
+        own: DMatrix::from_fn(own.len(), own.len(), |i, j| block.own[(own[i], own[j])]),
+        cross,
+        shared,
+        own_gradient: DVector::from_fn(own.len(), |i, _| block.own_gradient[own[i]]),
+        shared_gradient: DVector::from_fn(skip + size, |i, _| match i.checked_sub(skip) {
+            None => block.own_gradient[out[i]],
+            Some(i) => block.shared_gradient[i],
+        }),
+        squares: block.squares,
+        count: block.count,
+    }
+}
+
+/// Some of the shared unknowns made own ones.
+fn of_shared(block: &Block, own: &[usize], shared: &[usize]) -> Block {
+    let at = |i: usize, j: usize| block.shared[(i, j)];
+    Block {
+        own: DMatrix::from_fn(own.len(), own.len(), |i, j| at(own[i], own[j])),
+        cross: DMatrix::from_fn(own.len(), shared.len(), |i, j| at(own[i], shared[j])),
+        shared: DMatrix::from_fn(shared.len(), shared.len(), |i, j| at(shared[i], shared[j])),
+        own_gradient: DVector::from_fn(own.len(), |i, _| block.shared_gradient[own[i]]),
+        shared_gradient: DVector::from_fn(shared.len(), |i, _| block.shared_gradient[shared[i]]),
+        squares: block.squares,
+        count: block.count,
+    }
+}
+
+/// The base and the columns of the candidates, the latter scaled.
+struct Parts {
+    base: DMatrix<f64>,
+    cross: DMatrix<f64>,
+    columns: DMatrix<f64>,
+    base_gradient: DVector<f64>,
+    gradient: DVector<f64>,
+}
+
+impl Parts {
+    fn new(
+        h: &DMatrix<f64>,
+        g: &DVector<f64>,
+        free: &[usize],
+        columns: &[usize],
+        scale: &[f64],
+    ) -> Self {
+        let (b, c) = (free.len(), columns.len());
+        Self {
+            base: DMatrix::from_fn(b, b, |i, j| h[(free[i], free[j])]),
+            cross: DMatrix::from_fn(b, c, |i, j| h[(free[i], columns[j])] * scale[j]),
+            columns: DMatrix::from_fn(c, c, |i, j| {
+                h[(columns[i], columns[j])] * scale[i] * scale[j]
+            }),
+            base_gradient: DVector::from_fn(b, |i, _| g[free[i]]),
+            gradient: DVector::from_fn(c, |i, _| g[columns[i]] * scale[i]),
+        }
+    }
+
+    /// Information and score of the columns without the base, and how the columns lean on the base's unknowns.
+    fn eliminated(self) -> Result<(DMatrix<f64>, DVector<f64>, DMatrix<f64>), String> {
+        let size = self.base.nrows();
+        let mut leaning = DMatrix::zeros(size, self.columns.ncols());
+        for (mut to, from) in leaning.column_iter_mut().zip(self.cross.column_iter()) {
+            let solved = solve_scaled(&self.base, &from.clone_owned());
+            to.copy_from(&solved.ok_or("the base's unknowns are not determined")?);
+        }
+        let information = &self.columns - self.cross.tr_mul(&leaning);
+        let score = -(&self.gradient - leaning.tr_mul(&self.base_gradient));
+        let information = (&information + information.transpose()) * 0.5;
+        Ok((information, score, leaning))
+    }
+}
