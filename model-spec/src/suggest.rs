@@ -6,7 +6,7 @@ const LONGEST: usize = 40;
 /// The nearest of some names: the same but for case, one that begins like it, or a few letters away. None where
 /// no name is so near that it was probably meant; the first of those that are equally near.
 pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    if wrong.chars().count() > LONGEST {
+    if wrong.is_empty() || wrong.chars().count() > LONGEST {
         return None;
     }
     let allowed = match wrong.chars().count() {
@@ -81,6 +81,7 @@ mod tests {
             ("v", Some("V")),
             ("q", None),
             ("thrust", None),
+            ("", None),
         ] {
             assert_eq!(nearest(wrong, names.into_iter()), right, "{wrong}");
         }

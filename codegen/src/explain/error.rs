@@ -1,5 +1,6 @@
 //! Names that are not there.
 
+use model_spec::suggest;
 use std::fmt;
 
 /// Why nothing can be explained.
@@ -65,35 +66,16 @@ impl fmt::Display for ExplainError {
 
 impl std::error::Error for ExplainError {}
 
-/// The known name with the fewest differences, if they are few.
+/// The known name that was probably meant: a part of a longer one, or the nearest.
 pub(super) fn nearest(wanted: &str, known: &[String]) -> Option<String> {
-    let lower = wanted.to_lowercase();
-    let allowed = wanted.chars().count().div_ceil(3);
+    let part = |name: &&String| {
+        let starts = wanted.len() >= 3 && name.starts_with(wanted);
+        starts || name.ends_with(&format!(" {wanted}")) || **name == format!("der({wanted})")
+    };
+    let near = || suggest::nearest(wanted, known.iter().map(String::as_str));
     known
         .iter()
-        .map(|name| {
-            let starts = wanted.len() >= 3 && name.starts_with(wanted);
-            let inside = name.ends_with(&format!(" {wanted}")) || *name == format!("der({wanted})");
-            let near = starts || inside || name.to_lowercase() == lower;
-            (if near { 0 } else { distance(wanted, name) }, name)
-        })
-        .filter(|&(distance, _)| distance <= allowed)
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, name)| name.clone())
-}
-
-/// Letters to insert, drop or exchange.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().take(64).collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().take(64).enumerate() {
-        let mut corner = row[0];
-        row[0] = i + 1;
-        for (j, &y) in b.iter().enumerate() {
-            let change = corner + usize::from(x != y);
-            corner = row[j + 1];
-            row[j + 1] = change.min(row[j] + 1).min(corner + 1);
-        }
-    }
-    row[b.len()]
+        .find(part)
+        .cloned()
+        .or_else(|| near().map(str::to_owned))
 }

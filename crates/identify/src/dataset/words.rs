@@ -1,5 +1,7 @@
 //! Words of messages: texts from outside made safe to print, lists kept short, names that were probably meant.
 
+use model_spec::suggest;
+
 /// Longest text from outside that a message repeats, in characters.
 const LONGEST: usize = 40;
 /// Most names that a message lists.
@@ -26,21 +28,9 @@ pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
 
 /// ` (did you mean …?)` where one of the names is nearly this.
 pub(super) fn meant<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> String {
-    if wrong.chars().count() > LONGEST {
-        return String::new();
-    }
-    let near = names
-        .into_iter()
-        .map(|name| (strsim::damerau_levenshtein(wrong, name), name))
-        .min();
-    // Something of the name must be right.
-    match near {
-        Some((distance, name))
-            if distance <= 1 + name.chars().count() / 4 && distance < wrong.chars().count() =>
-        {
-            format!(" (did you mean {name}?)")
-        }
-        _ => String::new(),
+    match suggest::nearest(wrong, names.into_iter()) {
+        Some(name) => format!(" (did you mean {name}?)"),
+        None => String::new(),
     }
 }
 
