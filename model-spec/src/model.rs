@@ -36,7 +36,8 @@ pub struct Model {
     pub forces: Vec<Load>,
     /// Moments about the mass centre; vectors in any frame.
     pub moments: Vec<Load>,
-    /// Stated derivatives `der(state) = …`, in order of the states; empty where a body is declared.
+    /// Stated derivatives `der(state) = …`, in order of the states; where a body is declared, of those that are
+    /// not the body's.
     pub equations: Vec<Equation>,
     /// A point whose coordinates in `frame` are given when it is observed.
     pub marker: Option<Marker>,
@@ -325,6 +326,11 @@ pub struct AppliedEffect {
     /// Its coefficients, with the value of each at which the effect vanishes and the size below which
     /// it does not matter in practice.
     pub coefficients: Vec<EffectCoefficient>,
+    /// Its states, indices into [`Model::states`]: the effect is absent where each starts at its default and
+    /// stays there. They differ from flight to flight.
+    pub states: Vec<usize>,
+    /// Which of its states do not matter in practice within what distance of their defaults, SI.
+    pub negligible_states: Vec<(usize, f64)>,
 }
 
 /// An effect that can be switched on by its name.

@@ -128,6 +128,20 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             }
             writeln!(out)?;
         }
+        for &index in &effect.states {
+            let state = &model.states[index];
+            let value = |v: f64| with_unit(v, &state.unit_text);
+            write!(
+                out,
+                "  {}, of each flight its own, vanishes at {}",
+                state.name,
+                value(state.value)
+            )?;
+            if let Some((_, size)) = effect.negligible_states.iter().find(|n| n.0 == index) {
+                write!(out, ", a departure below {} does not matter", value(*size))?;
+            }
+            writeln!(out)?;
+        }
     }
     Ok(())
 }

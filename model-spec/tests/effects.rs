@@ -1,4 +1,4 @@
-//! What effects may add to a model: inputs that they share, what they depend on.
+//! What effects may add to a model: inputs that they share, states of each flight, what they depend on.
 
 use model_spec::load::{self, LoadError, from_text};
 use model_spec::model::Model;
@@ -86,4 +86,84 @@ fn what_effects_add_is_written_so_that_it_reads_the_same() {
     let effects = on_marker("first", 1, "input marker_is in N = (0, 0, 0);");
     let read = written_and_read(&format!("{STONE}{effects}"), &["first"]);
     assert_eq!((read.inputs.len(), read.coefficients.len()), (1, 1));
+}
+
+const GUST: &str = "\
+effect gust {
+  site wind;
+  state W_x = 0 m/s;
+  state W_y = 0.5 m/s;
+  der(W_x) = 0;
+  der(W_y) = -W_y/(2 s);
+  negligible W_y 10 cm/s;
+  let fading = der(W_y);
+  force gust = 1 [kg/s]*(W_x, W_y, 0) in N + m*fading*N.3;
+}
+";
+
+#[test]
+fn an_effect_adds_states_with_their_equations() {
+    let model = right(GUST, &["gust"]);
+    let names: Vec<&str> = model.states.iter().map(|s| s.name.as_str()).collect();
+    assert_eq!(names, ["x", "y", "z", "vx", "vy", "vz", "W_x", "W_y"]);
+    let stated: Vec<usize> = model.equations.iter().map(|e| e.state).collect();
+    assert_eq!((stated, model.added_states()), (vec![6, 7], vec![6, 7]));
+    let effect = &model.effects[0];
+    assert_eq!(effect.states, [6, 7]);
+    assert_eq!(effect.negligible_states, [(7, 0.1)]);
+    let told = summary(&model);
+    assert!(
+        told.contains("  W_x, of each flight its own, vanishes at 0 m/s\n  W_y, of each flight its own, vanishes at 0.5 m/s, a departure below 0.1 m/s does not matter\n"),
+        "{told}"
+    );
+    let read = written_and_read(&format!("{STONE}{GUST}"), &["gust"]);
+    assert_eq!(read.states.len(), 8);
+    // What a body's own states do is not stated.
+    for (from, to, why) in [
+        (
+            "der(W_x) = 0",
+            "der(vx) = 0",
+            "the equation for `vx` follows from the body",
+        ),
+        ("der(W_y);", "der(vx);", "`der(vx)` follows from the forces"),
+        (
+            "der(W_x) = 0",
+            "der(W_x) = 1 s",
+            "`der(W_x)` is an acceleration",
+        ),
+        (
+            "state W_x = 0 m/s",
+            "state x = 0 m/s",
+            "`x` is declared twice",
+        ),
+        ("10 cm/s", "10 cm", "`W_y` is in m/s, but this is in m"),
+        (
+            "negligible W_y",
+            "negligible W_z",
+            "has no coefficient and no state `W_z`",
+        ),
+    ] {
+        let error = with(&GUST.replacen(from, to, 1), &["gust"]).unwrap_err();
+        assert!(error.message.contains(why), "{from}: {error}");
+    }
+}
+
+#[test]
+fn an_effect_adds_states_to_stated_equations() {
+    let text = "\
+model pendulum;
+param w = 2 /s;
+frame N;
+state a = 0.1 rad;
+state b = 0 rad/s;
+der(a) = b;
+der(b) = -w^2*a;
+effect drift { site unknown; state c = 0 rad; der(c) = 0; replace a_seen = previous + c; }
+let a_seen = a;
+";
+    let model = from_text("pendulum.hyz", text, &["drift"]).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((model.equations.len(), model.added_states()), (3, vec![2]));
+    assert_eq!(model.effects[0].states, [2]);
+    let model = from_text("pendulum.hyz", text, &[]).unwrap();
+    assert!(model.added_states().is_empty());
 }

@@ -29,6 +29,7 @@ fn disc() -> Vocabulary {
         ]
         .map(String::from)
         .to_vec(),
+        optional: Vec::new(),
         inputs: vec!["wind".into(), "omega".into()],
         quaternions: Vec::new(),
     }
@@ -291,4 +292,29 @@ fn the_built_in_releases_speak_of_the_models_there_are() {
         });
         assert!(read.is_ok(), "{}", read.unwrap_err());
     }
+}
+
+#[test]
+fn a_state_that_an_effect_adds_may_be_left_out() {
+    let text = "\
+model stone;
+param m = 1 kg;
+frame N;
+point stone { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+effect gust {
+  site wind;
+  state W_x = 2 m/s;
+  der(W_x) = 0;
+  force gust = 1 [kg/s]*W_x*N.1;
+}
+";
+    let model = model_spec::load::from_text("stone.hyz", text, &["gust"]).unwrap();
+    let read = |more: &str| {
+        let release = format!(
+            "model = \"stone\"\nduration = 1\n[initial]\nx=0\ny=0\nz=1\nvx=10\nvy=0\nvz=0\n{more}"
+        );
+        release::read("r.toml", &release, |_| Ok(Vocabulary::of(&model))).unwrap()
+    };
+    assert_eq!(read("").initial[6], ("W_x".into(), 2.0));
+    assert_eq!(read("W_x = -1").initial[6], ("W_x".into(), -1.0));
 }

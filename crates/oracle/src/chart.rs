@@ -25,10 +25,10 @@ pub enum Step {
 }
 
 /// Which state stands for what.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
-    /// Number of states.
-    pub states: usize,
+    /// The default of every state, at which those stay that stand for no part of the motion.
+    pub defaults: Vec<f64>,
     /// Position in inertial components.
     pub position: [usize; 3],
     /// Velocity's components.
@@ -59,7 +59,7 @@ impl Chart {
     pub fn declared(model: &Model) -> Option<Self> {
         let body = model.body.as_ref()?;
         let mut chart = Self {
-            states: model.states.len(),
+            defaults: defaults(model),
             position: body.position,
             velocity: body.velocity,
             velocity_after: 0,
@@ -125,9 +125,9 @@ impl Chart {
         }
     }
 
-    /// The derivatives of the states under a motion.
+    /// The derivatives of the states under a motion; of states that stand for no part of it 0.
     pub fn derivatives<T: Real>(&self, states: &[T], motion: &Motion<T>) -> Vec<T> {
-        let mut out = vec![T::zero(); self.states];
+        let mut out = vec![T::zero(); self.defaults.len()];
         let mut put = |indices: [usize; 3], v: Vector3<T>| {
             for (i, value) in indices.into_iter().zip(v.iter()) {
                 out[i] = *value;
@@ -218,7 +218,7 @@ impl Chart {
 
     /// The states that stand for a physical state; none for turns other than about 1, 2 and 3.
     pub fn states(&self, physical: &Physical<f64>) -> Option<Vec<f64>> {
-        let mut out = vec![0.0; self.states];
+        let mut out = self.defaults.clone();
         match self.steps.as_slice() {
             [] => {}
             [Step::Quaternion(q)] => {
@@ -294,6 +294,11 @@ impl Chart {
         }
         placed
     }
+}
+
+/// The default of every state of a model.
+pub fn defaults(model: &Model) -> Vec<f64> {
+    model.states.iter().map(|s| s.value).collect()
 }
 
 /// Frames from the inertial one to `frame`.

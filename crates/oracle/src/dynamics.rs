@@ -32,17 +32,19 @@ pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, U
 /// The derivative of every state, where the tree has been evaluated already.
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
-    let Some(body) = &model.body else {
-        let mut out = vec![T::zero(); model.states.len()];
-        for equation in &model.equations {
-            out[equation.state] = tree.scalar(&equation.value);
+    let mut out = match &model.body {
+        None => vec![T::zero(); model.states.len()],
+        Some(body) => {
+            let (force, moment) = (tree.total(&model.forces), tree.total(&model.moments));
+            let properties = mass_properties(tree, body);
+            let motion = newton_euler(body, &tree.frames, &properties, force, moment);
+            state_derivatives(model, body, &tree.point.states, &tree.frames, &motion)?
         }
-        return Ok(out);
     };
-    let (force, moment) = (tree.total(&model.forces), tree.total(&model.moments));
-    let properties = mass_properties(tree, body);
-    let motion = newton_euler(body, &tree.frames, &properties, force, moment);
-    state_derivatives(model, body, &tree.point.states, &tree.frames, &motion)
+    for equation in &model.equations {
+        out[equation.state] = tree.scalar(&equation.value);
+    }
+    Ok(out)
 }
 
 /// Mass and inertia of a body at a point.
@@ -84,7 +86,7 @@ pub fn newton_euler<T: Field>(
     }
 }
 
-/// The derivatives of a body's states under a motion.
+/// The derivatives of a body's states under a motion; of states that are not the body's 0.
 pub fn state_derivatives<T: Field>(
     model: &Model,
     body: &Body,

@@ -82,16 +82,33 @@ pub fn roots_mut(model: &mut Model) -> Vec<&mut Expr> {
 
 /// Puts a number in the place of a coefficient, everywhere.
 pub fn fix_coefficient(model: &mut Model, index: usize, value: f64) {
-    fn walk(e: &mut Expr, index: usize, value: f64) {
-        if matches!(e.kind, ExprKind::Coefficient(i) if i == index) {
+    fix(
+        model,
+        value,
+        |kind| matches!(kind, ExprKind::Coefficient(i) if *i == index),
+    );
+}
+
+/// Puts a number in the place of a state, everywhere.
+pub fn fix_state(model: &mut Model, index: usize, value: f64) {
+    fix(
+        model,
+        value,
+        |kind| matches!(kind, ExprKind::State(i) if *i == index),
+    );
+}
+
+fn fix(model: &mut Model, value: f64, is: impl Fn(&ExprKind) -> bool) {
+    fn walk(e: &mut Expr, value: f64, is: &dyn Fn(&ExprKind) -> bool) {
+        if is(&e.kind) {
             let exact = (value.fract() == 0.0 && value.abs() < 1e15).then_some((value as i64, 1));
             e.kind = ExprKind::Number { value, exact };
         }
         children_mut(&mut e.kind)
             .into_iter()
-            .for_each(|child| walk(child, index, value));
+            .for_each(|child| walk(child, value, is));
     }
     roots_mut(model)
         .into_iter()
-        .for_each(|root| walk(root, index, value));
+        .for_each(|root| walk(root, value, &is));
 }

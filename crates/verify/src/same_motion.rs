@@ -117,6 +117,12 @@ pub fn carry(a: &Subject<'_>, b: &Subject<'_>, here: &Point<f64>) -> Option<Poin
     let physical = a.chart.as_ref()?.physical(&here.states);
     let mut there = Point::defaults(b.model);
     there.states = b.chart.as_ref()?.states(&physical)?;
+    for state in b.model.added_states() {
+        let name = &b.model.states[state].name;
+        if let Some(same) = a.model.states.iter().position(|s| s.name == *name) {
+            there.states[state] = here.states[same];
+        }
+    }
     there.time = here.time;
     there.marker = here.marker;
     let value = |name: &str| {

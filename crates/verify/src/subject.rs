@@ -63,10 +63,13 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// The point with those coefficients at that value.
+    /// The point with those coefficients at that value, and added states at their defaults.
     pub fn without_extras(&self, mut point: Point<f64>) -> Point<f64> {
         for (index, value) in self.extras() {
             point.coefficients[index] = value;
+        }
+        for state in self.model.added_states() {
+            point.states[state] = self.model.states[state].value;
         }
         point
     }

@@ -228,7 +228,7 @@ impl<'a> Checker<'a> {
         index
     }
 
-    /// The states: of the body, or as they are declared.
+    /// The states: of the body, then as they are declared.
     fn declare_states(&mut self) {
         let file = self.file;
         let mut bodies: Vec<&'a ast::Body> = Vec::new();
@@ -253,18 +253,8 @@ impl<'a> Checker<'a> {
             );
         }
         if let Some(body) = bodies.first() {
-            if let Some(state) = stated.first() {
-                let message = "a model with a body has the states of the body and no others";
-                let fault = Diagnostic::new(Kind::Duplicate, state.name.span, message).label(
-                    body.name.span,
-                    "its equations of motion follow from this body",
-                );
-                self.report(
-                    fault.help("remove this state, or state all equations outright without a body"),
-                );
-            }
             self.body_states(body);
-            return;
+            self.of_body = self.model.states.len();
         }
         for state in &stated {
             let (measure, term, _) =
@@ -280,7 +270,7 @@ impl<'a> Checker<'a> {
             self.states.push(term);
             self.define(&state.name, Symbol::State(index));
         }
-        if stated.is_empty() {
+        if stated.is_empty() && bodies.is_empty() {
             let message = "the model has no body and no states";
             let fault = Diagnostic::new(Kind::Missing, self.heading(), message);
             self.report(fault.help(

@@ -29,9 +29,7 @@ impl<'a> Checker<'a> {
                 });
             }
         }
-        if self.declared_body.is_none() {
-            self.used_derivatives(&mut definitions);
-        }
+        self.used_derivatives(&mut definitions);
         self.definitions
             .resize_with(definitions.len(), || Definition::Missing);
         for i in self.ordered(&definitions) {
@@ -55,6 +53,7 @@ impl<'a> Checker<'a> {
             for item in &file.items {
                 match &item.kind {
                     ItemKind::Let(ast::Let { value, .. })
+                    | ItemKind::Load(ast::Load { value, .. })
                     | ItemKind::Equation(ast::Equation { value, .. })
                     | ItemKind::Observe(ast::Observe { value, .. })
                     | ItemKind::Limit(ast::Limit { value, .. }) => look(value),
@@ -65,6 +64,7 @@ impl<'a> Checker<'a> {
         for item in &file.items {
             if let ItemKind::Equation(equation) = &item.kind
                 && let Some(Symbol::State(state)) = self.scope.find(&equation.state.text)
+                && state >= self.of_body
                 && used.contains(&state)
                 && !self.derivatives.contains_key(&state)
             {
@@ -175,12 +175,10 @@ impl<'a> Checker<'a> {
                 _ => {}
             }
         }
-        if self.declared_body.is_some() {
-            return;
-        }
         let missing: Vec<String> = equations
             .iter()
             .enumerate()
+            .skip(self.of_body)
             .filter(|e| e.1.is_none())
             .map(|(i, _)| self.model.states[i].name.clone())
             .collect();
@@ -259,7 +257,10 @@ impl<'a> Checker<'a> {
         equations: &mut [Option<(Span, Option<model::Equation>)>],
     ) {
         let name = &equation.state;
-        if let Some(body) = self.declared_body {
+        let found = self.scope.find(&name.text);
+        if let (Some(body), Some(Symbol::State(state))) = (self.declared_body, found)
+            && state < self.of_body
+        {
             let message = format!(
                 "the equation for `{}` follows from the body and its forces",
                 name.text
@@ -269,7 +270,7 @@ impl<'a> Checker<'a> {
             self.report(fault.help("remove this equation, or the body"));
             return;
         }
-        let Some(Symbol::State(state)) = self.scope.find(&name.text) else {
+        let Some(Symbol::State(state)) = found else {
             self.no_state(name);
             let _ = self.elaborate(&equation.value);
             return;

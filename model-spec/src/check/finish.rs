@@ -1,10 +1,8 @@
 //! The end: unknown units are put in, and every expression learns its own.
 
-use super::quantity::Measure;
 use super::{Checker, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::model::{AppliedEffect, EffectCoefficient, Expr, ExprKind, Function};
-use crate::syntax::ast;
+use crate::model::{Expr, ExprKind, Function};
 use crate::unit::Unit;
 
 impl Checker<'_> {
@@ -102,66 +100,6 @@ impl Checker<'_> {
         }
         for e in expressions(model) {
             tables.assign(e);
-        }
-    }
-    /// Effects that were applied, with their coefficients.
-    fn applied(&mut self) {
-        let file = self.file;
-        for (i, applied) in file.applied.iter().enumerate() {
-            let mut coefficients = Vec::new();
-            for item in file.items.iter().filter(|item| item.effect == Some(i)) {
-                let ast::ItemKind::Constant(constant) = &item.kind else {
-                    continue;
-                };
-                let Some(index) = self
-                    .model
-                    .coefficients
-                    .iter()
-                    .position(|c| c.span == constant.name.span)
-                else {
-                    continue;
-                };
-                let negligible = applied
-                    .negligible
-                    .iter()
-                    .find(|n| n.0.text == constant.name.text);
-                let negligible = negligible.and_then(|(_, quantity)| {
-                    let measure = match &quantity.unit {
-                        Some(unit) => self.measure(unit)?,
-                        None => Measure::one(),
-                    };
-                    self.agrees_with(&measure, quantity, index);
-                    Some(measure.of(&quantity.number).0)
-                });
-                coefficients.push(EffectCoefficient {
-                    index,
-                    vanishes_at: self.model.coefficients[index].value,
-                    negligible,
-                });
-            }
-            self.model.effects.push(AppliedEffect {
-                name: applied.name.text.clone(),
-                doc: applied.doc.clone(),
-                site: applied.site.clone(),
-                variables: applied.variables.clone(),
-                citation: applied.citation.clone(),
-                coefficients,
-            });
-        }
-    }
-
-    fn agrees_with(&mut self, measure: &Measure, quantity: &ast::Quantity, coefficient: usize) {
-        let constant = &self.model.coefficients[coefficient];
-        if !measure.unit.agrees(constant.unit) {
-            let message = format!(
-                "`{}` is in {}, but this is in {}",
-                constant.name,
-                constant.unit.explained(),
-                measure.unit.explained()
-            );
-            let fault = Diagnostic::new(Kind::Unit, quantity.span, message)
-                .label(constant.span, "declared here");
-            self.report(fault);
         }
     }
 }

@@ -191,10 +191,9 @@ impl<'a> Checker<'a> {
         };
         fault = match suggest::nearest(&name.text, states.iter().map(String::as_str)) {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
-            None if self.declared_body.is_none() => fault.help(format!(
-                "declare it: `state {} = 0 …;`, with its unit",
-                name.text
-            )),
+            None if self.declared_body.is_none() || states.len() > self.of_body => fault.help(
+                format!("declare it: `state {} = 0 …;`, with its unit", name.text),
+            ),
             None if states.is_empty() => fault,
             None => fault.note(format!("the states are {}", states.join(", "))),
         };

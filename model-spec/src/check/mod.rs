@@ -8,6 +8,7 @@ mod body;
 mod call;
 mod cases;
 mod declare;
+mod effects;
 mod elaborate;
 mod equations;
 mod explain;
@@ -143,6 +144,8 @@ struct Checker<'a> {
     first_uses: Vec<Option<Span>>,
     /// Definitions of the derivatives of states, by the state: the `der(…)` that are used.
     derivatives: HashMap<usize, usize>,
+    /// How many states are the body's; those that are declared come after them.
+    of_body: usize,
     /// Body, where one is declared (even a faulty one).
     declared_body: Option<&'a ast::Body>,
 }
@@ -169,6 +172,7 @@ impl<'a> Checker<'a> {
             definitions: Vec::new(),
             first_uses: Vec::new(),
             derivatives: HashMap::new(),
+            of_body: 0,
             declared_body,
         }
     }

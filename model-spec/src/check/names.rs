@@ -192,7 +192,12 @@ impl Checker<'_> {
 
     /// `der(STATE)` inside an expression: the right side of the equation for it.
     pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
-        if self.declared_body.is_some() {
+        let found = self.scope.find(&state.text);
+        let derived = match found {
+            Some(Symbol::State(i)) => i < self.of_body,
+            _ => self.declared_body.is_some(),
+        };
+        if derived {
             let message = format!(
                 "`der({})` follows from the forces and cannot be used here",
                 state.text
@@ -200,7 +205,7 @@ impl Checker<'_> {
             self.report(Diagnostic::new(Kind::Cycle, span, message));
             return None;
         }
-        let Some(Symbol::State(i)) = self.scope.find(&state.text) else {
+        let Some(Symbol::State(i)) = found else {
             self.no_state(state);
             return None;
         };

@@ -217,6 +217,7 @@ impl Change<'_> {
         let own = effect.parts.iter().filter_map(|p| match p {
             EffectPart::Add(item) => match &item.kind {
                 ItemKind::Constant(c) => Some(c.name.text.as_str()),
+                ItemKind::State(s) => Some(s.name.text.as_str()),
                 _ => None,
             },
             _ => None,
@@ -224,7 +225,7 @@ impl Change<'_> {
         let own: Vec<&str> = own.collect();
         if !own.contains(&name.text.as_str()) {
             let message = format!(
-                "the effect `{}` has no coefficient `{}`",
+                "the effect `{}` has no coefficient and no state `{}`",
                 effect.name.text, name.text
             );
             let near = suggest::nearest(&name.text, own.into_iter());

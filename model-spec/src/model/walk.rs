@@ -143,6 +143,16 @@ impl Model {
         before.matches('\n').count() + 1
     }
 
+    /// States that a body does not have and that an effect or the model adds to it, and states that effects add
+    /// to stated equations: each starts at its default where a flight does not say otherwise.
+    pub fn added_states(&self) -> Vec<usize> {
+        let of_effects = |state: &usize| self.effects.iter().any(|e| e.states.contains(state));
+        let stated = self.equations.iter().map(|e| e.state);
+        stated
+            .filter(|state| self.body.is_some() || of_effects(state))
+            .collect()
+    }
+
     /// Whether a limit was not stated but follows from the choice of angles.
     pub fn is_automatic(&self, limit: &Limit) -> bool {
         self.frames.iter().any(|f| f.span == limit.span)

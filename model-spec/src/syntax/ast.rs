@@ -31,7 +31,7 @@ pub struct Applied {
     pub variables: Vec<String>,
     /// Where it is described, as the effect cites it.
     pub citation: String,
-    /// Departures of its coefficients that do not matter in practice.
+    /// Departures of its coefficients and states that do not matter in practice.
     pub negligible: Vec<(Name, Quantity)>,
 }
 
@@ -167,7 +167,7 @@ pub struct Input {
     pub unit: Option<UnitExpr>,
 }
 
-/// A state of a model whose equations are stated outright.
+/// A state that is not one of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Its name.

@@ -57,7 +57,7 @@ impl Parser<'_> {
             }
             "negligible" => {
                 self.advance();
-                let name = self.name("the name of a coefficient of this effect")?;
+                let name = self.name("the name of a coefficient or a state of this effect")?;
                 self.eat(Token::Equals);
                 let value = self.quantity("a number")?;
                 self.semicolon("this `negligible`")?;
@@ -69,17 +69,21 @@ impl Parser<'_> {
             }
             "coefficient" | "param" => self.constant()?,
             "input" => self.input()?,
+            "state" => self.state()?,
+            "der" => self.equation()?,
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
             _ => {
-                let what = "`source`, `site`, `variables`, `coefficient`, `input`, `replace`, `let`, \
-                            `force`, `moment` or `negligible`";
-                const WORDS: [&str; 10] = [
+                let what = "`source`, `site`, `variables`, `coefficient`, `input`, `state`, `der`, \
+                            `replace`, `let`, `force`, `moment` or `negligible`";
+                const WORDS: [&str; 12] = [
                     "source",
                     "site",
                     "variables",
                     "coefficient",
                     "input",
+                    "state",
+                    "der",
                     "replace",
                     "let",
                     "force",

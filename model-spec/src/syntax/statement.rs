@@ -156,7 +156,7 @@ impl Parser<'_> {
     }
 
     /// `state NAME = value unit;`
-    fn state(&mut self) -> Read<ItemKind> {
+    pub fn state(&mut self) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `state`")?;
         let what = format!("`=` and the value of `{}` at the start", name.text);
@@ -248,7 +248,7 @@ impl Parser<'_> {
     }
 
     /// `der(STATE) = …;`
-    fn equation(&mut self) -> Read<ItemKind> {
+    pub fn equation(&mut self) -> Read<ItemKind> {
         self.advance();
         self.need(Token::Open, "`(` after `der`")?;
         let state = self.name("the name of a state")?;

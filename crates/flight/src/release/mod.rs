@@ -67,6 +67,8 @@ pub struct Vocabulary {
     pub coefficients: Vec<Name>,
     /// States, in order.
     pub states: Vec<String>,
+    /// States that a release need not say, with the value that each has then.
+    pub optional: Vec<(usize, f64)>,
     /// Inputs: vectors that are given with each flight.
     pub inputs: Vec<String>,
     /// Groups of four states that are a quaternion's, whose length is 1.
@@ -101,6 +103,11 @@ impl Vocabulary {
             parameters: names(&model.params),
             coefficients: names(&model.coefficients),
             states: model.states.iter().map(|s| s.name.clone()).collect(),
+            optional: model
+                .added_states()
+                .into_iter()
+                .map(|state| (state, model.states[state].value))
+                .collect(),
             inputs: model.inputs.iter().map(|i| i.name.clone()).collect(),
             quaternions: model.frames.iter().filter_map(quaternion).collect(),
         }

@@ -283,6 +283,9 @@ impl<'t> Reader<'t> {
     fn initial(&mut self, document: &DeTable<'t>, vocabulary: &Vocabulary) -> Vec<(String, f64)> {
         let states = &vocabulary.states;
         let mut values = vec![None; states.len()];
+        for &(state, value) in &vocabulary.optional {
+            values[state] = Some(value);
+        }
         for (name, span, value) in self.table(document, "initial") {
             let Some(i) = states.iter().position(|s| s == name) else {
                 let hint = suggestion(name, states.iter().map(|s| &**s));

@@ -155,6 +155,8 @@ fn descend(
     mut state: DVector<f64>,
 ) -> Option<(f64, DVector<f64>)> {
     let mut shown = Shown::new(conditions, setting.body.layout().states.len(), probes);
+    // What the motion does not say stays as it is.
+    let added = setting.model.added_states();
     let mut residual = shown.at(&state) - target;
     let mut damping = 1e-6;
     for _ in 0..60 {
@@ -168,6 +170,10 @@ fn descend(
         let dimension = track.chart.dimension();
         let mut jacobian = DMatrix::zeros(target.len(), dimension);
         for column in 0..dimension {
+            let moves = track.chart.plain(column);
+            if moves.is_some_and(|state| added.contains(&state)) {
+                continue;
+            }
             let mut step = DVector::zeros(dimension);
             step[column] = 1e-6;
             let ahead = shown.at(&track.chart.moved(&state, &step));

@@ -5,7 +5,7 @@ mod disc;
 mod discus;
 mod spinning;
 
-use crate::chart::{Chart, Step};
+use crate::chart::{Chart, Step, defaults};
 use crate::dynamics::MassProperties;
 use crate::physical::{Motion, Physical};
 use crate::point::Point;
@@ -28,7 +28,7 @@ pub enum Law {
 pub const NAMES: [&str; 3] = ["hubbard_hummel_disc", "ball_with_drag", "frohlich_discus"];
 
 /// A law tied to the names of a model.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     /// The law.
     pub law: Law,
@@ -215,7 +215,7 @@ fn turning_chart(model: &Model) -> Result<Chart, String> {
     let [phidot, thetadot, gammadot] = states(model, ["phidot", "thetadot", "gammadot"])?;
     let turn = |axis, angle, rate| Step::Turn { axis, angle, rate };
     Ok(Chart {
-        states: model.states.len(),
+        defaults: defaults(model),
         position: states(model, ["x", "y", "z"])?,
         velocity: states(model, ["u", "v", "w"])?,
         velocity_after: 2,
@@ -231,7 +231,7 @@ fn turning_chart(model: &Model) -> Result<Chart, String> {
 /// Velocity in inertial components, angular velocity in those of the body.
 fn quaternion_chart(model: &Model) -> Result<Chart, String> {
     Ok(Chart {
-        states: model.states.len(),
+        defaults: defaults(model),
         position: states(model, ["x", "y", "z"])?,
         velocity: states(model, ["vx", "vy", "vz"])?,
         velocity_after: 0,
@@ -242,7 +242,7 @@ fn quaternion_chart(model: &Model) -> Result<Chart, String> {
 
 fn point_chart(model: &Model) -> Result<Chart, String> {
     Ok(Chart {
-        states: model.states.len(),
+        defaults: defaults(model),
         position: states(model, ["x", "y", "z"])?,
         velocity: states(model, ["vx", "vy", "vz"])?,
         velocity_after: 0,

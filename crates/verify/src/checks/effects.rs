@@ -1,8 +1,8 @@
-//! Effects off are effects absent: at the value where its coefficients vanish, a model with an effect
+//! Effects off are effects absent: where its coefficients and states vanish, a model with an effect
 //! flies as the model without it; and with that value put in as a number it compiles to no more
 //! operations.
 
-use crate::expressions::fix_coefficient;
+use crate::expressions::{fix_coefficient, fix_state};
 use crate::random::Random;
 use crate::report::{Row, Verdict, Worst};
 use crate::sample;
@@ -76,6 +76,9 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
         for c in model.effects.iter().flat_map(|e| &e.coefficients) {
             fix_coefficient(&mut fixed, c.index, c.vanishes_at);
         }
+        for &index in model.effects.iter().flat_map(|e| &e.states) {
+            fix_state(&mut fixed, index, model.states[index].value);
+        }
         let (was, is) = (plain.operations(), Values::of(&fixed).operations());
         if is > was {
             faults.push(format!(
@@ -99,6 +102,9 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.vanishes_at;
+    }
+    for &index in model.effects.iter().flat_map(|e| &e.states) {
+        point.states[index] = model.states[index].value;
     }
     point
 }

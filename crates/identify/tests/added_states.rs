@@ -1,0 +1,47 @@
+//! States that an effect adds: of each flight its own, and found with its initial state.
+
+use flight::release::{Vocabulary, built_in, read};
+use identify::fit::fit;
+use identify::options::Options;
+use identify::synthesize::{Noise, Plan, flights};
+
+const GUST: &str = "
+effect gust {
+  site wind;
+  state W_x = 0 m/s;
+  state W_y = 0 m/s;
+  der(W_x) = 0;
+  der(W_y) = 0;
+  replace air_velocity = previous - (W_x, W_y, 0) in N;
+}
+";
+
+#[test]
+fn the_wind_of_each_flight_is_found() {
+    let ball = model_spec::load::MODELS.iter().find(|m| m.0 == "ball");
+    let text = ball.expect("built in").1.to_owned() + GUST;
+    let model = model_spec::load::from_text("ball.hyz", &text, &["gust"]).expect("a model");
+    let serve = built_in("serve").expect("built in");
+    let release = read("serve", serve, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let plan = Plan {
+        flights: 4,
+        noise: Noise {
+            sigma: 1e-5,
+            ..Noise::default()
+        },
+        ..Plan::default()
+    };
+    let made = flights(&model, &[release], &plan).expect("made");
+    let fitted = fit(&model, &made.dataset, &Options::default()).expect("a fit");
+    let mut winds = Vec::new();
+    for (flight, (_, truth)) in fitted.report.flights.iter().zip(&made.truth.initial) {
+        for name in ["W_x", "W_y"] {
+            let found = &flight.initial[name];
+            let error = (found.value - truth[name]).abs();
+            assert!(error < 5.0 * found.std_error, "{name}: {found:?} {truth:?}");
+            assert!(found.std_error < 0.3, "{name}: {found:?}");
+            winds.push(truth[name]);
+        }
+    }
+    assert!(winds.iter().all(|wind| wind.abs() > 1e-3), "{winds:?}");
+}

@@ -1,0 +1,69 @@
+//! What effects may add to a model, under every check: states of each flight.
+
+mod support;
+
+use model_spec::load::{Loaded, inspect_text};
+use support::{QUICK, built_in, refuted, row};
+use verify::checks::{effects, reference};
+use verify::report::{Report, Verdict};
+
+/// A built-in model with a text of effects behind it, and some of them switched on.
+fn with(name: &str, text: &str, effects: &[&str]) -> Loaded {
+    let own = built_in(name).sources[0].text.clone();
+    let loaded = inspect_text(name, &(own + text), effects).unwrap();
+    assert!(
+        loaded.diagnostics.is_empty(),
+        "{name}: {:#?}",
+        loaded.diagnostics
+    );
+    loaded
+}
+
+fn report(name: &str, text: &str, effects: &[&str]) -> Report {
+    verify::run(&with(name, text, effects), &QUICK)
+}
+
+/// A wind that each flight has for itself, one part of it dying away.
+fn wind(velocity: &str) -> String {
+    format!(
+        "effect gust {{ site wind; state W_x = 0 m/s; state W_y = 0 m/s;\n\
+         der(W_x) = 0; der(W_y) = -W_y/(2 s);\n\
+         replace air_velocity = {velocity}; }}\n"
+    )
+}
+
+#[test]
+fn states_of_each_flight_pass_every_check() {
+    for (name, velocity) in [
+        ("ball", "previous - (W_x, W_y, 0) in N"),
+        ("disc", "previous - in_B((W_x, W_y, 0) in N)"),
+        ("disc_quaternion", "previous - in_C((W_x, W_y, 0) in N)"),
+        ("disc_appendix", ""),
+    ] {
+        let report = match velocity {
+            // Its equations are stated, and use no vector for the velocity.
+            "" => report(
+                name,
+                "effect gust { site unknown; state c = 0; der(c) = -c/(1 s); replace C_D = previous + c; }\n",
+                &["gust"],
+            ),
+            velocity => report(name, &wind(velocity), &["gust"]),
+        };
+        assert!(refuted(&report).is_empty(), "{name}\n{}", report.table());
+        for check in [reference::REFERENCE, reference::TREE, effects::EFFECTS] {
+            assert_eq!(
+                row(&report, check).verdict,
+                Verdict::Holds,
+                "{name} {check}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_state_that_acts_at_its_default_is_no_effect_that_is_off() {
+    let acts = wind("previous - (W_x + 1 [m/s], W_y, 0) in N");
+    let report = report("ball", &acts, &["gust"]);
+    let off = row(&report, effects::EFFECTS);
+    assert_eq!(off.verdict, Verdict::Refuted, "{}", report.table());
+}

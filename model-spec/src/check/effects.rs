@@ -1,0 +1,93 @@
+//! Effects that were applied, with what they brought.
+
+use super::Checker;
+use super::quantity::Measure;
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{AppliedEffect, EffectCoefficient};
+use crate::syntax::ast::{Applied, ItemKind, Quantity};
+use crate::unit::Unit;
+
+impl Checker<'_> {
+    /// Effects that were applied, with their coefficients and states.
+    pub fn applied(&mut self) {
+        let file = self.file;
+        for (i, applied) in file.applied.iter().enumerate() {
+            let mut made = AppliedEffect {
+                name: applied.name.text.clone(),
+                doc: applied.doc.clone(),
+                site: applied.site.clone(),
+                variables: applied.variables.clone(),
+                citation: applied.citation.clone(),
+                coefficients: Vec::new(),
+                states: Vec::new(),
+                negligible_states: Vec::new(),
+            };
+            for item in file.items.iter().filter(|item| item.effect == Some(i)) {
+                match &item.kind {
+                    ItemKind::Constant(constant) => {
+                        let place = constant.name.span;
+                        let all = &self.model.coefficients;
+                        let Some(index) = all.iter().position(|c| c.span == place) else {
+                            continue;
+                        };
+                        let (vanishes_at, unit) = (all[index].value, all[index].unit);
+                        made.coefficients.push(EffectCoefficient {
+                            index,
+                            vanishes_at,
+                            negligible: self.negligible(applied, &constant.name.text, place, unit),
+                        });
+                    }
+                    ItemKind::State(state) => {
+                        let place = state.name.span;
+                        let all = &self.model.states;
+                        let Some(index) = all.iter().position(|s| s.span == place) else {
+                            continue;
+                        };
+                        let unit = all[index].unit;
+                        made.states.push(index);
+                        let size = self.negligible(applied, &state.name.text, place, unit);
+                        made.negligible_states
+                            .extend(size.map(|size| (index, size)));
+                    }
+                    _ => {}
+                }
+            }
+            self.model.effects.push(made);
+        }
+    }
+
+    /// The size below which a departure of a name does not matter, where the effect states one.
+    fn negligible(
+        &mut self,
+        applied: &Applied,
+        name: &str,
+        place: Span,
+        unit: Unit,
+    ) -> Option<f64> {
+        let (_, quantity) = applied.negligible.iter().find(|n| n.0.text == name)?;
+        let measure = match &quantity.unit {
+            Some(unit) => self.measure(unit)?,
+            None => Measure::one(),
+        };
+        self.agrees_with(&measure, quantity, (name, place, unit));
+        Some(measure.of(&quantity.number).0)
+    }
+
+    fn agrees_with(
+        &mut self,
+        measure: &Measure,
+        quantity: &Quantity,
+        (name, place, unit): (&str, Span, Unit),
+    ) {
+        if !measure.unit.agrees(unit) {
+            let message = format!(
+                "`{name}` is in {}, but this is in {}",
+                unit.explained(),
+                measure.unit.explained()
+            );
+            let fault =
+                Diagnostic::new(Kind::Unit, quantity.span, message).label(place, "declared here");
+            self.report(fault);
+        }
+    }
+}
