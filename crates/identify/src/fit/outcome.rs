@@ -9,7 +9,7 @@ use super::problem::Squares;
 use super::{FitError, State, told};
 use crate::dataset::Flight;
 use crate::levenberg::Solution;
-use crate::noise::Noise;
+use crate::noise::{Noise, median};
 use crate::normal::{Eliminated, eliminate};
 use crate::options::Options;
 use crate::predict::Loss;
@@ -35,6 +35,8 @@ pub struct Outcome<'a> {
     covariance: Covariance,
     /// Root mean square of each flight's residuals, m, and how many points were left out of it.
     flights: Vec<(f64, usize)>,
+    /// The median of those root mean squares, m.
+    usual: f64,
     pool: Pool,
     support: Support,
     profiles: Vec<Profile>,
@@ -92,6 +94,7 @@ impl<'a> Outcome<'a> {
             }
             flights.push((looked.rms, looked.outliers));
         }
+        let mut sizes: Vec<f64> = flights.iter().map(|(rms, _)| *rms).collect();
         Ok(Self {
             setting,
             state,
@@ -100,6 +103,7 @@ impl<'a> Outcome<'a> {
             system,
             covariance,
             flights,
+            usual: median(&mut sizes),
             pool,
             support,
             profiles,
@@ -251,12 +255,10 @@ impl<'a> Outcome<'a> {
 
     /// What is said of a flight that is fitted far worse than the others.
     fn stands_out(&self, rms: f64) -> Option<String> {
-        let mut all: Vec<f64> = self.flights.iter().map(|(rms, _)| *rms).collect();
-        let usual = crate::noise::median(&mut all);
-        (rms > 4.0 * usual).then(|| {
+        (rms > 4.0 * self.usual).then(|| {
             format!(
                 "its residuals are {:.0} times the usual: look at it before you rely on this fit",
-                rms / usual
+                rms / self.usual
             )
         })
     }
