@@ -86,6 +86,8 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
 
     let outcome = outcome::Outcome::new(&setting, &state, &noise, &solution, options)?;
     let mut report = outcome.report();
+    let reports: Vec<_> = (0..used.len()).map(|index| outcome.flight(index)).collect();
+    drop(outcome);
     let held_out: Vec<usize> = all.clone().filter(of_role(Role::HeldOut)).collect();
     let held = held_out::held_out(&setting, dataset, &held_out, &state, &noise, options)?;
     let mut tracks: Vec<Option<(Track, DVector<f64>)>> = vec![None; dataset.flights.len()];
@@ -93,12 +95,10 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
     for (flight, reason) in left_out {
         flights[flight] = Some(outcome::left_out(&dataset.flights[flight], reason));
     }
-    for (index, &flight) in used.iter().enumerate() {
-        flights[flight] = Some(outcome.flight(index));
-        tracks[flight] = Some((
-            state.tracks[index].clone(),
-            solution.point.own[index].clone(),
-        ));
+    let solved_tracks = state.tracks.into_iter().zip(solution.point.own);
+    for ((flight, report), track) in used.into_iter().zip(reports).zip(solved_tracks) {
+        flights[flight] = Some(report);
+        tracks[flight] = Some(track);
     }
     for (flight, held) in held_out.into_iter().zip(held) {
         flights[flight] = Some(held.report);
@@ -112,7 +112,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
         .insert("total".into(), clock.elapsed().as_secs_f64());
     Ok(Fitted {
         report,
-        shared: solution.point.shared.clone(),
+        shared: solution.point.shared,
         setting,
         noise,
         names: dataset
