@@ -4,6 +4,7 @@ use flight::batch;
 use identify::fit::fit;
 use identify::options::Options;
 use identify::synthesize::{Noise, corrupt};
+use identify::uncertainty::interval;
 
 use crate::made::{Plan, disc, flights, truth};
 use crate::throw::Throws;
@@ -120,9 +121,6 @@ impl Coverage {
     }
 }
 
-/// Half the interval of 95 %, over the standard error.
-const WIDE: f64 = 1.959_963_984_540_054;
-
 /// Makes, fits and compares `seeds` datasets under a noise, each seed with throws of its own.
 pub fn coverage(plan: &Plan<'_>, condition: &Condition, seeds: u64) -> Coverage {
     let model = disc();
@@ -150,15 +148,13 @@ pub fn coverage(plan: &Plan<'_>, condition: &Condition, seeds: u64) -> Coverage 
     let rows = truth.iter().map(|(name, truth)| {
         let found = || reports.iter().map(|report| &report.coefficients[name]);
         let errors: Vec<f64> = found().map(|c| (c.value - truth) / c.std_error).collect();
-        let clustered = found().filter(|c| {
-            let error = c.std_error_clustered.unwrap_or(0.0);
-            (c.value - truth).abs() <= WIDE * error
-        });
+        let holds = |[low, high]: [f64; 2]| (low..=high).contains(truth);
+        let clustered = found().filter_map(|c| Some(interval(c.value, c.std_error_clustered?)));
         let count = errors.len().max(1) as f64;
         Row {
             name: name.clone(),
-            covered: errors.iter().filter(|error| error.abs() <= WIDE).count(),
-            covered_clustered: clustered.count(),
+            covered: found().filter(|c| holds(c.interval)).count(),
+            covered_clustered: clustered.filter(|range| holds(*range)).count(),
             bias: errors.iter().sum::<f64>() / count,
             spread: (errors.iter().map(|error| error * error).sum::<f64>() / count).sqrt(),
             worst: errors

@@ -18,12 +18,9 @@ use crate::report::{
 };
 use crate::setting::Setting;
 use crate::track::Track;
-use crate::uncertainty::{Covariance, Support, profile, undetermined};
+use crate::uncertainty::{Covariance, Support, interval, profile, undetermined};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
-
-/// Half the interval of 95 %, over the standard error.
-const WIDE: f64 = 1.959_963_984_540_054;
 
 /// A solution with what it is worth.
 pub struct Outcome<'a> {
@@ -203,7 +200,7 @@ impl<'a> Outcome<'a> {
                 value,
                 std_error: errors[i],
                 std_error_clustered: clustered.as_ref().map(|errors| errors[i]),
-                interval: [value - WIDE * errors[i], value + WIDE * errors[i]],
+                interval: interval(value, errors[i]),
                 unit: shared.unit.clone(),
                 at_bound: value <= low || value >= high,
                 held: false,

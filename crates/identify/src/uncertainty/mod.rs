@@ -11,6 +11,14 @@ pub use undetermined::{Support, undetermined};
 use crate::normal::Eliminated;
 use crate::setting::Shared;
 
+/// Half the interval of 95 %, over the standard error.
+const WIDE: f64 = 1.959_963_984_540_054;
+
+/// The interval that holds the true value with a probability of 95 %, by an estimate and its standard error.
+pub fn interval(value: f64, std_error: f64) -> [f64; 2] {
+    [value - WIDE * std_error, value + WIDE * std_error]
+}
+
 /// The covariance of the shared unknowns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Covariance {
