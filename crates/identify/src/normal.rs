@@ -69,8 +69,6 @@ pub struct Eliminated<'a> {
     pub reduced: DMatrix<f64>,
     /// And its gradient.
     pub gradient: DVector<f64>,
-    /// Diagonal of the second derivatives before the elimination.
-    pub diagonal: DVector<f64>,
 }
 
 /// The factor of a symmetric matrix whose diagonal was scaled to 1: unknowns have sizes from 1e-5 to 1e2.
@@ -132,13 +130,11 @@ pub fn eliminate(blocks: &[Block], damping: f64) -> Result<Eliminated<'_>, Undet
     let size = blocks.first().map_or(0, |block| block.shared.nrows());
     let mut reduced = DMatrix::zeros(size, size);
     let mut gradient = DVector::zeros(size);
-    let mut diagonal = DVector::zeros(size);
     let mut factors = Vec::with_capacity(blocks.len());
     for (index, block) in blocks.iter().enumerate() {
         let factor = factor(&block.own, damping).ok_or(Undetermined(index))?;
         reduced += &block.shared - block.cross.tr_mul(&factor.solve_matrix(&block.cross));
         gradient += &block.shared_gradient - block.cross.tr_mul(&factor.solve(&block.own_gradient));
-        diagonal += block.shared.diagonal();
         factors.push(factor);
     }
     Ok(Eliminated {
@@ -146,7 +142,6 @@ pub fn eliminate(blocks: &[Block], damping: f64) -> Result<Eliminated<'_>, Undet
         factors,
         reduced,
         gradient,
-        diagonal,
     })
 }
 
