@@ -29,6 +29,11 @@ pub struct Squares<'a> {
     pub options: &'a Options<'a>,
 }
 
+/// How many samples each flight has.
+pub fn whole(tracks: &[Track]) -> Vec<usize> {
+    tracks.iter().map(|track| track.times.len()).collect()
+}
+
 impl<'a> Squares<'a> {
     /// All samples of all flights, by all unknowns.
     pub fn of_all(
@@ -40,7 +45,7 @@ impl<'a> Squares<'a> {
         Self {
             setting,
             tracks,
-            samples: tracks.iter().map(|track| track.times.len()).collect(),
+            samples: whole(tracks),
             loss,
             held: None,
             known: setting.shared.iter().map(|shared| shared.known).collect(),

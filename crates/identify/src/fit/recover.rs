@@ -4,7 +4,8 @@ use flight::batch;
 use nalgebra::DVector;
 
 use super::begin::{FIRST, spin_note};
-use super::settle::{own_only, settle, size};
+use super::problem::whole;
+use super::settle::{own_only, settle, size, sizes};
 use super::{FitError, State};
 use crate::noise::median;
 use crate::options::Options;
@@ -28,14 +29,11 @@ pub fn recover(
     state: &mut State,
     options: &Options<'_>,
 ) -> Result<(), FitError> {
-    let whole = |state: &State| -> Vec<f64> {
-        batch::each_on(options.threads(), state.tracks.len(), |flight| {
-            let unknowns = (&state.shared, &state.own[flight]);
-            let track = &state.tracks[flight];
-            size(setting, track, unknowns, track.times.len()).unwrap_or(f64::INFINITY)
-        })
-    };
-    let sizes = whole(state);
+    let sizes = sizes(setting, state, &whole(&state.tracks), options);
+    let sizes: Vec<f64> = sizes
+        .into_iter()
+        .map(|size| size.unwrap_or(f64::INFINITY))
+        .collect();
     let usual = median(&mut sizes.clone());
     // Where most flights are far off the model is wrong, or most starts are: the noise's floor tells that.
     let limit = SUSPECT
@@ -69,8 +67,7 @@ pub fn recover(
         }
     }
     if helped {
-        let samples = state.tracks.iter().map(|track| track.times.len()).collect();
-        settle(setting, state, samples, false, options)?;
+        settle(setting, state, whole(&state.tracks), false, options)?;
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::problem::Squares;
+use super::problem::{Squares, whole};
 use super::{FitError, State, told};
 use crate::levenberg::{Failure, Point, Solution, Until, solve};
 use crate::noise::{median, robust_sigma};
@@ -37,8 +37,7 @@ pub fn grow(setting: &Setting, state: &mut State, options: &Options<'_>) -> Resu
         horizon *= HORIZON.1;
     }
     options.begins("whole flights", state.tracks.len());
-    let samples = state.tracks.iter().map(|track| track.times.len()).collect();
-    settle(setting, state, samples, false, options)
+    settle(setting, state, whole(&state.tracks), false, options)
 }
 
 /// Fits the first samples of all flights by a loss whose scale shrinks to that of the residuals.
@@ -51,10 +50,7 @@ pub fn settle(
 ) -> Result<(), FitError> {
     let mut scale = f64::INFINITY;
     for _ in 0..SHRINKS {
-        let sizes = flight::batch::each_on(options.threads(), state.tracks.len(), |flight| {
-            let unknowns = (&state.shared, &state.own[flight]);
-            size(setting, &state.tracks[flight], unknowns, samples[flight])
-        });
+        let sizes = sizes(setting, state, &samples, options);
         let mut sizes: Vec<f64> = sizes.into_iter().flatten().collect();
         let shrunk = median(&mut sizes).max(setting.floor);
         if shrunk > 0.7 * scale {
@@ -79,6 +75,19 @@ pub fn settle(
         state.take(&solution);
     }
     Ok(())
+}
+
+/// The usual size of the residuals of each flight's first samples, m; none where it cannot be flown.
+pub fn sizes(
+    setting: &Setting,
+    state: &State,
+    samples: &[usize],
+    options: &Options<'_>,
+) -> Vec<Option<f64>> {
+    flight::batch::each_on(options.threads(), state.tracks.len(), |flight| {
+        let unknowns = (&state.shared, &state.own[flight]);
+        size(setting, &state.tracks[flight], unknowns, samples[flight])
+    })
 }
 
 /// The usual size of a flight's residuals, m; none where it cannot be flown.

@@ -2,7 +2,8 @@
 //! a whole turn more or less between samples, and the fit that meets them best is taken.
 
 use super::begin::{Begun, spin_note};
-use super::settle::{grow, size};
+use super::problem::whole;
+use super::settle::{grow, sizes};
 use super::{FitError, State};
 use crate::options::Options;
 use crate::setting::Setting;
@@ -73,11 +74,8 @@ pub fn grow_all(setting: &Setting, begun: Begun, options: &Options<'_>) -> Resul
 
 /// Root of the mean squared size of the flights' residuals, m.
 fn left(setting: &Setting, state: &State, options: &Options<'_>) -> f64 {
-    let sizes = flight::batch::each_on(options.threads(), state.tracks.len(), |flight| {
-        let track = &state.tracks[flight];
-        let unknowns = (&state.shared, &state.own[flight]);
-        size(setting, track, unknowns, track.times.len()).unwrap_or(f64::INFINITY)
-    });
-    let squares: f64 = sizes.iter().map(|size| size * size).sum();
+    let sizes = sizes(setting, state, &whole(&state.tracks), options);
+    let all = sizes.iter().map(|size| size.unwrap_or(f64::INFINITY));
+    let squares: f64 = all.map(|size| size * size).sum();
     (squares / sizes.len().max(1) as f64).sqrt()
 }
