@@ -32,6 +32,17 @@ enum Crossing {
     Rising,
 }
 
+impl Crossing {
+    /// The value as one that falls through 0.
+    #[inline(always)]
+    fn falling(self, value: f64) -> f64 {
+        match self {
+            Crossing::Falling => value,
+            Crossing::Rising => -value,
+        }
+    }
+}
+
 /// What follows an event.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Then {
@@ -117,11 +128,7 @@ impl<'a, X: Storage> Event<'a, X> {
             }
             Quantity::Function(f) => f(t, x),
         };
-        if self.crossing == Crossing::Falling {
-            value
-        } else {
-            -value
-        }
+        self.crossing.falling(value)
     }
 
     /// Whether the start is beyond the event already, or at it and going beyond.
@@ -134,12 +141,7 @@ impl<'a, X: Storage> Event<'a, X> {
     ) -> bool {
         let value = self.value(d, t, x, &mut dx.clone());
         let falling = if let Quantity::Component(i, _) = self.quantity {
-            let rate = dx.as_ref()[i];
-            if self.crossing == Crossing::Falling {
-                rate < 0.0
-            } else {
-                rate > 0.0
-            }
+            self.crossing.falling(dx.as_ref()[i]) < 0.0
         } else {
             self.then == Then::Fail
         };
@@ -149,11 +151,7 @@ impl<'a, X: Storage> Event<'a, X> {
     /// Whether something may have happened in a step, judged by a cubic through its ends.
     #[inline(always)]
     pub(crate) fn may_happen(&mut self, step: &Step<'_, X>, scratch: &mut X) -> bool {
-        let sign = if self.crossing == Crossing::Falling {
-            1.0
-        } else {
-            -1.0
-        };
+        let sign = self.crossing.falling(1.0);
         match &mut self.quantity {
             Quantity::Component(i, level) => {
                 // The cubic strays from its chord by no more than a quarter of how its slopes differ from it.
@@ -194,11 +192,7 @@ impl<'a, X: Storage> Event<'a, X> {
         found: &mut Vec<f64>,
     ) {
         if let Quantity::Component(i, level) = self.quantity {
-            let sign = if self.crossing == Crossing::Falling {
-                1.0
-            } else {
-                -1.0
-            };
+            let sign = self.crossing.falling(1.0);
             let n = scratch[0].as_ref().len();
             return search(curve, |s| sign * (curve.component(s, i, n) - level), found);
         }
