@@ -301,3 +301,23 @@ fn alarms_are_said() {
         assert!(html.contains(text), "{text}");
     }
 }
+
+#[test]
+fn what_was_left_out_is_counted_by_itself() {
+    let mut report = made::report(13);
+    let (_, all) = made(&report, &[]);
+    assert!(all.iter().any(|figure| figure.name == "rms"));
+    for flight in &mut report.flights {
+        let kept = ["throw01.csv", "throw02.csv", "throw04.csv"];
+        if !kept.contains(&flight.file.as_str()) {
+            flight.initial.clear();
+            flight.rms_m = 0.0;
+        }
+    }
+    let (html, figures) = made(&report, &[]);
+    assert!(html.contains("fitted to 2 flights"));
+    assert!(html.contains("1 flight held out to judge its predictions. 10 flights were left out."));
+    assert!(html.contains("<h3>Left out</h3>") && !html.contains("0.00\u{a0}mm"));
+    // Too few are left for a histogram.
+    assert!(figures.iter().all(|figure| figure.name != "rms"));
+}

@@ -63,8 +63,9 @@ const DRAWN: (usize, usize, usize) = (6, 3, 3);
 
 fn drawn(fitted: &Fitted) -> Vec<usize> {
     let flights = &fitted.report.flights;
-    let of_role =
-        |role: Role| (0..flights.len()).filter(move |&flight| flights[flight].role == role);
+    let of_role = |role: Role| {
+        (0..flights.len()).filter(move |&i| flights[i].role == role && flights[i].is_used())
+    };
     let mut drawn: Vec<usize> = of_role(Role::Fit).take(DRAWN.0).collect();
     let mut worst: Vec<usize> = of_role(Role::Fit).skip(DRAWN.0).collect();
     worst.sort_by(|&a, &b| flights[b].rms_m.total_cmp(&flights[a].rms_m));

@@ -15,17 +15,7 @@ const LISTED: usize = 20;
 
 /// The whole summary.
 pub fn summary(model: &Model, report: &Report) -> String {
-    let used = |wanted: Role| {
-        let flights = report.flights.iter();
-        flights
-            .filter(|flight| flight.role == wanted && !flight.initial.is_empty())
-            .count()
-    };
-    let left_out = report
-        .flights
-        .iter()
-        .filter(|flight| flight.initial.is_empty())
-        .count();
+    let left_out = report.left_out().count();
     let mut text = format!(
         "{}{}: {} flights fitted, {} held out",
         report.model,
@@ -34,8 +24,8 @@ pub fn summary(model: &Model, report: &Report) -> String {
             .iter()
             .map(|effect| format!(" with {effect}"))
             .collect::<String>(),
-        used(Role::Fit),
-        used(Role::HeldOut)
+        report.used(Role::Fit).count(),
+        report.used(Role::HeldOut).count()
     );
     if left_out > 0 {
         let _ = write!(text, ", {left_out} left out");
@@ -187,21 +177,21 @@ fn flights(report: &Report) -> String {
             .iter()
             .map(|cut| format!("cut at {:.3} s: {}", cut.t, cut.why));
         let remarks: Vec<String> = cut.chain(flight.notes.iter().cloned()).collect();
+        let rms = match flight.is_used() {
+            true => format!("{:.2}", 1e3 * flight.rms_m),
+            false => String::new(),
+        };
         table.add_row([
             flight.file.as_str(),
             role(flight.role),
             &flight.samples.to_string(),
-            &format!("{:.2}", 1e3 * flight.rms_m),
+            &rms,
             &flight.outliers.to_string(),
             &remarks.join("; "),
         ]);
     }
     let _ = writeln!(text, "{table}");
-    if report
-        .flights
-        .iter()
-        .any(|flight| flight.role == Role::HeldOut)
-    {
+    if report.used(Role::HeldOut).next().is_some() {
         text.push_str(
             "held out: initial state fitted on the first 30 % of the samples, rms of the rest as predicted\n",
         );

@@ -119,6 +119,26 @@ pub struct FlightReport {
     pub notes: Vec<String>,
 }
 
+impl Report {
+    /// The flights of a role that were not left out, in the dataset's order.
+    pub fn used(&self, role: Role) -> impl Iterator<Item = &FlightReport> {
+        let flights = self.flights.iter();
+        flights.filter(move |flight| flight.role == role && flight.is_used())
+    }
+
+    /// The flights that were left out, in the dataset's order.
+    pub fn left_out(&self) -> impl Iterator<Item = &FlightReport> {
+        self.flights.iter().filter(|flight| !flight.is_used())
+    }
+}
+
+impl FlightReport {
+    /// Whether it was fitted, or predicted where it was held out, and not left out.
+    pub fn is_used(&self) -> bool {
+        !self.initial.is_empty()
+    }
+}
+
 /// The end of a flight before the end of its table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cut {

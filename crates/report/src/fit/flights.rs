@@ -1,4 +1,4 @@
-//! The tables of flights: those fitted, the worst first where there are many, and those held out.
+//! The tables of flights: those fitted, the worst first where there are many, those held out, and those left out.
 
 use identify::dataset::Role;
 use identify::report::FlightReport;
@@ -34,8 +34,7 @@ struct Row {
 
 /// The flights of one role: in their own order, or, where they are many, the worst in order of their rms.
 pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
-    let all = page.report.flights.iter().filter(|f| f.role == role);
-    let mut flights: Vec<&FlightReport> = all.collect();
+    let mut flights: Vec<&FlightReport> = page.report.used(role).collect();
     let number = flights.len();
     let worst = number > MOST_ROWS;
     if worst {
@@ -57,6 +56,15 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     }
 }
 
+/// The first of the flights that were left out.
+pub(super) fn left_out(page: &FitPage<'_>) -> Table {
+    Table {
+        all: page.report.left_out().count(),
+        worst: false,
+        rows: page.report.left_out().take(MOST_ROWS).map(row).collect(),
+    }
+}
+
 fn row(flight: &FlightReport) -> Row {
     let cut = flight.cut.as_ref().map(|cut| {
         let (t, samples) = (plain(cut.t, 3), cut.samples);
@@ -68,7 +76,11 @@ fn row(flight: &FlightReport) -> Row {
     Row {
         file: flight.file.clone(),
         samples: flight.samples,
-        rms: millimetres(flight.rms_m),
+        rms: if flight.is_used() {
+            millimetres(flight.rms_m)
+        } else {
+            "–".to_owned()
+        },
         outliers: flight.outliers,
         cut: cut.unwrap_or_default(),
         notes: short(&flight.notes.join("; ")),

@@ -67,6 +67,7 @@ pub fn html(page: &FitPage<'_>) -> String {
         histogram => figures.histogram.iter().map(one).collect::<Vec<_>>(),
         fitted => plain_values(&flights::table(page, Role::Fit)),
         held_out => plain_values(&flights::table(page, Role::HeldOut)),
+        left_out => plain_values(&flights::left_out(page)),
         noise => plain_values(&noise::rows(report)),
         noise_how => if report.noise.estimated { "estimated" } else { "given by the dataset" },
         estimated => report.noise.estimated,

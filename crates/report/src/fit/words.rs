@@ -17,8 +17,9 @@ const MOST_NAMES: usize = 24;
 /// What was done, and how well it fits.
 pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let report = page.report;
-    let number = |role: Role| report.flights.iter().filter(|f| f.role == role).count();
+    let number = |role: Role| report.used(role).count();
     let (fitted, held_out) = (number(Role::Fit), number(Role::HeldOut));
+    let left_out = report.left_out().count();
     let noise = &report.noise;
     let mut text = format!("The model ‘{}’", report.model);
     if !report.effects.is_empty() {
@@ -31,13 +32,14 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
         page.dataset,
         count(noise.points, "measured point")
     );
-    text += &match held_out {
-        0 => ".".to_owned(),
-        n => format!(
-            "; {} held out to judge its predictions.",
-            count(n, "flight")
-        ),
-    };
+    if held_out > 0 {
+        let flights = count(held_out, "flight");
+        text += &format!("; {flights} held out to judge its predictions");
+    }
+    text.push('.');
+    if left_out > 0 {
+        text += &format!(" {} left out.", were(left_out));
+    }
     let rms = millimetres(report.rms_m);
     let sigma = millimetres(noise.sigma_m);
     let ratio = report.rms_m / noise.sigma_m;
@@ -65,7 +67,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
 
 /// How well the held-out flights were predicted.
 fn held_out_words(report: &Report) -> Option<String> {
-    let held_out = report.flights.iter().filter(|f| f.role == Role::HeldOut);
+    let held_out = report.used(Role::HeldOut);
     let mut rms: Vec<f64> = held_out
         .map(|f| f.rms_m)
         .filter(|v| v.is_finite())
@@ -173,7 +175,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
             percent(fraction)
         ),
     );
-    let held_out = report.flights.iter().filter(|f| f.role == Role::HeldOut);
+    let held_out = report.used(Role::HeldOut);
     let bad = |f: &&FlightReport| f.rms_m > FAR * noise.sigma_m;
     let far = held_out.filter(bad).count();
     add(

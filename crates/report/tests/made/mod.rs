@@ -159,7 +159,13 @@ pub fn report(flights: usize) -> Report {
             * (1.0 + 0.06 * random.normal().abs())
             * if number.is_multiple_of(4) { 1.5 } else { 1.0 },
         outliers: number % 3,
-        initial: BTreeMap::new(),
+        initial: BTreeMap::from([(
+            "z".to_owned(),
+            Estimate {
+                value: 1.2,
+                std_error: 1e-3,
+            },
+        )]),
         cut: (number == 3).then(|| Cut {
             t: 1.083,
             samples: 14,
