@@ -5,7 +5,7 @@ mod made;
 
 use std::path::PathBuf;
 
-use report::fit::{FitPage, figures, html};
+use report::fit::{FitPage, html_and_figures};
 
 fn main() -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
@@ -20,8 +20,9 @@ fn main() -> std::io::Result<()> {
         dataset: "made up",
     };
     std::fs::create_dir_all(&folder)?;
-    std::fs::write(folder.join("report.html"), html(&page))?;
-    for figure in figures(&page) {
+    let (html, figures) = html_and_figures(&page);
+    std::fs::write(folder.join("report.html"), html)?;
+    for figure in figures {
         std::fs::write(folder.join(figure.name + ".svg"), figure.svg)?;
     }
     Ok(())

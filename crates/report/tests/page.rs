@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use identify::report::{FlightEvidence, Report};
 use model_spec::model::Model;
-use report::fit::{Figure, FitPage, figures, html};
+use report::fit::{Figure, FitPage, html_and_figures};
 
 const TWO_MEGABYTES: usize = 2_000_000;
 
@@ -22,7 +22,7 @@ fn made(report: &Report, evidence: &[FlightEvidence]) -> (String, Vec<Figure>) {
         model: &model,
         dataset: "throws",
     };
-    let (html, figures) = (html(&page), figures(&page));
+    let (html, figures) = html_and_figures(&page);
     for figure in &figures {
         well_formed(figure);
     }
@@ -142,10 +142,10 @@ fn names_from_outside_are_escaped() {
         model: &model,
         dataset: EVIL,
     };
-    let html = html(&page);
+    let (html, figures) = html_and_figures(&page);
     loads_nothing(&html);
     assert!(html.contains("&lt;script&gt;alert(1)"));
-    figures(&page).iter().for_each(well_formed);
+    figures.iter().for_each(well_formed);
 }
 
 #[test]

@@ -98,8 +98,9 @@ fn write(
     };
     let json = serde_json::to_string_pretty(&fitted.report)?;
     output::write(&folder.join("report.json"), json + "\n")?;
-    output::write(&folder.join("report.html"), report::fit::html(&page))?;
-    for figure in report::fit::figures(&page) {
+    let (html, figures) = report::fit::html_and_figures(&page);
+    output::write(&folder.join("report.html"), html)?;
+    for figure in figures {
         output::write(&folder.join(format!("{}.svg", figure.name)), figure.svg)?;
     }
     output::write(

@@ -12,8 +12,6 @@ mod words;
 use identify::report::{Coefficient, FlightEvidence, Report};
 use model_spec::model::Model;
 
-pub use page::html;
-
 /// What the page is made of.
 #[derive(Clone, Copy, Debug)]
 pub struct FitPage<'a> {
@@ -56,19 +54,20 @@ pub struct Figure {
     pub svg: String,
 }
 
+/// The page: one file, that loads nothing.
+pub fn html(page: &FitPage<'_>) -> String {
+    page::written(page, &Figures::of(page))
+}
+
 /// Every figure of the page, in its order.
 pub fn figures(page: &FitPage<'_>) -> Vec<Figure> {
-    let drawn = Figures::of(page);
-    let all = [
-        drawn.profiles,
-        drawn.tracks,
-        drawn.residuals,
-        drawn.states,
-        drawn.correlations.into_iter().collect(),
-        drawn.whiteness,
-        drawn.histogram.into_iter().collect(),
-    ];
-    all.into_iter().flatten().map(|d| d.figure).collect()
+    Figures::of(page).in_order()
+}
+
+/// The page and every figure of it, drawn once.
+pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
+    let figures = Figures::of(page);
+    (page::written(page, &figures), figures.in_order())
 }
 
 /// The figures by their place on the page.
@@ -93,6 +92,20 @@ impl Figures {
             whiteness: draw::whiteness(page.report),
             histogram: draw::histogram(page.report),
         }
+    }
+
+    /// All of them, in the order of the page.
+    fn in_order(self) -> Vec<Figure> {
+        let all = [
+            self.profiles,
+            self.tracks,
+            self.residuals,
+            self.states,
+            self.correlations.into_iter().collect(),
+            self.whiteness,
+            self.histogram.into_iter().collect(),
+        ];
+        all.into_iter().flatten().map(|d| d.figure).collect()
     }
 }
 

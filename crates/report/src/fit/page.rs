@@ -28,9 +28,8 @@ struct Undetermined {
     why: String,
 }
 
-/// The page: one file, that loads nothing.
-pub fn html(page: &FitPage<'_>) -> String {
-    let figures = Figures::of(page);
+/// The page, with figures that were drawn of it.
+pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     let (first, rest) = figures.states.split_at(OPEN.min(figures.states.len()));
     let (tracks, more_tracks) = figures
         .tracks
