@@ -1,6 +1,5 @@
 //! A model with what a dataset and a user say of it: what is known, what is estimated.
 
-use std::fmt;
 use std::sync::Arc;
 
 use flight::body::Body;
@@ -10,6 +9,7 @@ use crate::dataset::{Dataset, Known as Value};
 use crate::levenberg::Known;
 use crate::options::Options;
 use crate::pose;
+use crate::report::words::count;
 
 /// Why a dataset cannot be fitted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -305,10 +305,4 @@ fn mismatch<'n>(
         "{what} {name}, and the model {model} has {}",
         known.join(", ")
     ))
-}
-
-/// A number of things, in words.
-pub(crate) fn count(number: usize, thing: &str) -> impl fmt::Display {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} {thing}{plural}")
 }

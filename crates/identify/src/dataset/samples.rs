@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::{Flight, Marker};
 use crate::error::InputError;
+use crate::noise::median;
 
 /// Farthest coordinate, m.
 const FARTHEST: f64 = 1e4;
@@ -90,8 +91,9 @@ fn apart(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     };
     let seen = flight.positions.iter();
     let measured = seen.filter_map(|row| Some(distance(row[0]?, row[1]?)));
+    let mut measured: Vec<f64> = measured.collect();
     let declared = distance(first.position, second.position);
-    Some((median(measured.collect())?, declared))
+    (!measured.is_empty()).then(|| (median(&mut measured), declared))
 }
 
 /// The median speed of the first marker from each sample to the one half a flight later: one outlier does not move it.
@@ -104,18 +106,11 @@ fn speed(flight: &Flight) -> Option<f64> {
         let moved = distance(flight.positions[i][0]?, flight.positions[i - half][0]?);
         Some(moved / (flight.times[i] - flight.times[i - half]))
     });
-    median(speeds.collect())
+    let mut speeds: Vec<f64> = speeds.collect();
+    (!speeds.is_empty()).then(|| median(&mut speeds))
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
     squares.sum::<f64>().sqrt()
-}
-
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    if values.is_empty() {
-        return None;
-    }
-    let middle = values.len() / 2;
-    Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }

@@ -2,6 +2,7 @@
 
 mod evidence;
 pub(crate) mod residuals;
+pub mod words;
 
 use std::collections::BTreeMap;
 

@@ -6,6 +6,7 @@ use model_spec::model::{Expr, ExprKind, Model};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 use crate::report::Undetermined;
+use crate::report::words::listed;
 use crate::setting::Shared;
 
 /// A direction whose standard error is more than this part of the usual size is not determined.
@@ -88,15 +89,6 @@ fn why(
     match seen_through(model, &names, support) {
         Some(because) => format!("{told}; {because}"),
         None => told,
-    }
-}
-
-/// `a`, `a and b`, `a, b and c`.
-fn listed(names: &[&str]) -> String {
-    match names {
-        [] => String::new(),
-        [name] => (*name).to_owned(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }
 

@@ -104,11 +104,6 @@ pub(super) fn percent(share: f64) -> String {
     format!("{}\u{a0}%", plain(100.0 * share, decimals))
 }
 
-/// `1 flight`, `2 flights`.
-pub(super) fn count(number: usize, one: &str) -> String {
-    format!("{number} {one}{}", if number == 1 { "" } else { "s" })
-}
-
 /// The unit as people write it; nothing for pure numbers.
 pub(super) fn unit(text: &str) -> String {
     if matches!(text, "1" | "[1]") {

@@ -1,12 +1,13 @@
 //! From all that to HTML.
 
 use identify::dataset::Role;
+use identify::report::words::count;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
 use serde::Serialize;
 
-use super::numbers::{count, percent, plain};
+use super::numbers::{percent, plain};
 use super::{Drawn, Figures, FitPage, coefficients, flights, noise, words};
 use crate::figures::svg::{STYLE, without_style};
 use crate::literature::sources;

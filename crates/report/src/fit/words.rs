@@ -1,11 +1,12 @@
 //! The fit in plain words: what was done, what is known, what is not, and what is alarming.
 
 use identify::dataset::Role;
+use identify::report::words::{count, listed};
 use identify::report::{Coefficient, FlightReport, Report};
 
 use super::FitPage;
 use super::flights::short;
-use super::numbers::{count, millimetres, percent, plain};
+use super::numbers::{millimetres, percent, plain};
 
 /// A standard error of less than so much of the value is good.
 const GOOD: f64 = 0.1;
@@ -234,7 +235,7 @@ fn were(flights: usize) -> String {
     )
 }
 
-/// `a, b and c`.
+/// `a, b and c`; the first of many.
 pub(super) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let all: Vec<&str> = names.collect();
     let more = all.len().saturating_sub(MOST_NAMES);
@@ -246,9 +247,5 @@ pub(super) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
     if more > 0 {
         shown.push(format!("{more} more"));
     }
-    match shown.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-        Some((last, _)) => last.clone(),
-        None => String::new(),
-    }
+    listed(&shown)
 }
