@@ -110,6 +110,12 @@ impl Layout {
             .position(|parameter| parameter == name)
     }
 
+    /// Indices of the three components of an input by its name.
+    pub fn components(&self, input: &str) -> Option<[usize; 3]> {
+        let [x, y, z] = ["x", "y", "z"].map(|axis| self.parameter(&format!("{input}_{axis}")));
+        Some([x?, y?, z?])
+    }
+
     /// Default values of parameters, coefficients and inputs.
     pub fn default_parameters(&self) -> Vec<f64> {
         self.defaults.clone()

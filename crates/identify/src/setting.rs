@@ -146,10 +146,9 @@ impl Setting {
         for (name, value) in known {
             match value {
                 Value::Vector(vector) => {
-                    for (axis, value) in ["x", "y", "z"].iter().zip(vector) {
-                        let place = layout.parameter(&format!("{name}_{axis}"));
-                        parameters.push((place.ok_or_else(|| self.not_known(name))?, *value));
-                    }
+                    let places = layout.components(name);
+                    let places = places.ok_or_else(|| self.not_known(name))?;
+                    parameters.extend(places.into_iter().zip(*vector));
                 }
                 Value::Scalar(value) => match (layout.parameter(name), layout.state(name)) {
                     (Some(place), _) => parameters.push((place, *value)),

@@ -86,10 +86,10 @@ impl Body {
             .iter()
             .map(|(name, value)| (name.as_str(), value));
         for (name, vector) in known.chain([("wind", &release.wind)]) {
-            for (axis, value) in ["x", "y", "z"].iter().zip(vector) {
-                if let Some(place) = self.layout.parameter(&format!("{name}_{axis}")) {
-                    parameters[place] = *value;
-                }
+            // A model without wind has no place for it.
+            let places = self.layout.components(name).into_iter().flatten();
+            for (place, value) in places.zip(vector) {
+                parameters[place] = *value;
             }
         }
         parameters
