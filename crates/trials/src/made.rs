@@ -1,6 +1,7 @@
 //! Datasets of a disc that the oracle made.
 
-use identify::dataset::{Dataset, Flight, Marker, Role};
+use identify::dataset::{Dataset, Flight, Role};
+use identify::synthesize::{MARKERS, default_markers};
 use model_spec::model::Model;
 use oracle::point::Point;
 use oracle::reference::Reference;
@@ -9,13 +10,6 @@ use rand_chacha::ChaCha12Rng;
 
 use crate::fly::{fly, markers};
 use crate::throw::Throws;
-
-/// Three markers on the disc, as the paper's were, m.
-pub const MARKERS: [[f64; 3]; 3] = [
-    [0.1, 0.0, 0.01],
-    [-0.05, 0.0866, 0.01],
-    [-0.04, -0.08, 0.01],
-];
 
 /// What is thrown, and how it is watched.
 #[derive(Clone, Copy, Debug)]
@@ -92,15 +86,10 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
 
 /// A dataset of no flights yet, with [`MARKERS`].
 pub fn empty(model: &Model) -> Dataset {
-    let markers = MARKERS.iter().enumerate();
-    let markers = markers.map(|(k, &position)| Marker {
-        name: format!("m{}", k + 1),
-        position,
-    });
     Dataset {
         model: model.name.clone(),
         parameters: Default::default(),
-        markers: markers.collect(),
+        markers: default_markers(model),
         sigma: None,
         flights: Vec::new(),
     }

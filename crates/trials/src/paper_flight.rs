@@ -2,13 +2,14 @@
 
 use flight::release;
 use identify::dataset::{Dataset, Flight, Role};
+use identify::synthesize::MARKERS;
 use model_spec::model::Model;
 use oracle::physical::Physical;
 use oracle::point::Point;
 use oracle::reference::Reference;
 
 use crate::fly::{fly_with, markers};
-use crate::made::{MARKERS, empty};
+use crate::made::empty;
 use crate::windtunnel::{Measured, interpolated};
 
 /// Samples each second.

@@ -94,7 +94,14 @@ pub struct Made {
     pub truth: Truth,
 }
 
-/// Three points of a rigid body that are not in line; of a point mass its centre.
+/// Three points of a disc that are not in line, as the paper's markers were, m.
+pub const MARKERS: [[f64; 3]; 3] = [
+    [0.1, 0.0, 0.01],
+    [-0.05, 0.0866, 0.01],
+    [-0.04, -0.08, 0.01],
+];
+
+/// [`MARKERS`] of a rigid body; of a point mass its centre.
 pub fn default_markers(model: &Model) -> Vec<Marker> {
     let marker = |name: &str, position| Marker {
         name: name.into(),
@@ -102,11 +109,11 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
     };
     match &model.body {
         Some(body) if body.rotation.is_none() => vec![marker("centre", [0.0; 3])],
-        _ => vec![
-            marker("m1", [0.1, 0.0, 0.01]),
-            marker("m2", [-0.05, 0.0866, 0.01]),
-            marker("m3", [-0.04, -0.08, 0.01]),
-        ],
+        _ => {
+            let each = MARKERS.iter().enumerate();
+            each.map(|(k, &position)| marker(&format!("m{}", k + 1), position))
+                .collect()
+        }
     }
 }
 
