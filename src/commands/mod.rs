@@ -32,3 +32,11 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
 fn names(with: &[String]) -> Vec<&str> {
     with.iter().map(String::as_str).collect()
 }
+
+/// A finite number, in SI units, that was given to an option.
+fn number(option: &str, text: &str) -> anyhow::Result<f64> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => anyhow::bail!("{option}: found {text:?}, expected a finite number in SI units"),
+    }
+}

@@ -10,6 +10,7 @@ use flight::{Event, Flight, Options, fly, fly_to_event, trajectory_csv};
 use model_spec::model::Model;
 use report::figures::{StateLabel, flight as picture};
 
+use super::number;
 use crate::cli::Simulate;
 use crate::{Answer, output};
 
@@ -114,19 +115,6 @@ pub(super) fn released(
     };
     let model = model.ok_or_else(|| anyhow!("{name}: the release names no model"))?;
     Ok((model, release))
-}
-
-/// A finite number that was given to an option.
-pub(super) fn number(option: &str, text: &str) -> anyhow::Result<f64> {
-    let value: f64 = text
-        .trim()
-        .parse()
-        .map_err(|_| anyhow!("{option}: found {text:?}, expected a number"))?;
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        bail!("{option}: found {text:?}, expected a finite number")
-    }
 }
 
 /// `NAME=VALUE` from the command line.

@@ -8,7 +8,8 @@ use identify::dataset::{Marker, write_with};
 use identify::synthesize::{Made, Noise, Plan, Spread, flights};
 use model_spec::model::Model;
 
-use super::simulate::{apply, number, released};
+use super::number;
+use super::simulate::{apply, released};
 use crate::cli::Synthesize;
 use crate::{Answer, output};
 

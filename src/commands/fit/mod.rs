@@ -11,6 +11,7 @@ use identify::fit::Fitted;
 use identify::options::{Options, Prior};
 use report::fit::FitPage;
 
+use super::number;
 use crate::cli::Fit;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -144,7 +145,7 @@ fn model_of(options: &Fit, dataset: &Dataset) -> anyhow::Result<String> {
 fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     match text.split_once('=') {
         None => Ok((text.to_owned(), None)),
-        Some((name, value)) => Ok((name.to_owned(), Some(number("--hold", text, value)?))),
+        Some((name, value)) => Ok((name.to_owned(), Some(number("--hold", value)?))),
     }
 }
 
@@ -157,10 +158,7 @@ fn prior(text: &str) -> anyhow::Result<Prior> {
     let Some((value, sigma)) = rest.split_once("+-").or_else(|| rest.split_once('±')) else {
         bail!("--prior: found {text:?}, expected {expected}");
     };
-    let (value, sigma) = (
-        number("--prior", text, value)?,
-        number("--prior", text, sigma)?,
-    );
+    let (value, sigma) = (number("--prior", value)?, number("--prior", sigma)?);
     if sigma <= 0.0 {
         bail!("--prior: found a standard deviation of {sigma} in {text:?}, expected one above 0");
     }
@@ -169,11 +167,4 @@ fn prior(text: &str) -> anyhow::Result<Prior> {
         value,
         sigma,
     })
-}
-
-fn number(option: &str, text: &str, value: &str) -> anyhow::Result<f64> {
-    match value.trim().parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        _ => bail!("{option}: found {value:?} in {text:?}, expected a number in SI units"),
-    }
 }
