@@ -2,10 +2,13 @@
 //!
 //! This is the seam that the compiler and the tree oracle read. Indices point into the vectors of [`Model`].
 
+mod effect;
 mod walk;
 
 use crate::diagnostic::Span;
 use crate::unit::Unit;
+
+pub use effect::{AppliedEffect, EffectCoefficient, OfferedEffect};
 
 /// A model of a flying body, checked.
 #[derive(Clone, Debug)]
@@ -43,6 +46,9 @@ pub struct Model {
     pub marker: Option<Marker>,
     /// What is observed of the marker: a vector in the inertial frame.
     pub observation: Option<Observation>,
+    /// Seconds of flight that pass in a second of the clock by which things are measured; none where they are
+    /// the same. Every derivative of a state by the measured time is multiplied by it.
+    pub clock: Option<Clock>,
     /// Where the model ends: each expression must stay above its bound.
     pub limits: Vec<Limit>,
     /// Cases that the model file itself states.
@@ -249,6 +255,17 @@ pub struct Observation {
     pub span: Span,
 }
 
+/// How fast the flight's time passes against that of the clock by which things are measured.
+#[derive(Clone, Debug)]
+pub struct Clock {
+    /// Scalar, a pure number.
+    pub value: Expr,
+    /// Place of the declaration.
+    pub span: Span,
+    /// Effect that put it there.
+    pub effect: Option<usize>,
+}
+
 /// The model holds only where `value > bound`.
 #[derive(Clone, Debug)]
 pub struct Limit {
@@ -310,51 +327,6 @@ pub struct Expectation {
     pub span: Span,
 }
 
-/// An effect that has been switched on.
-#[derive(Clone, Debug)]
-pub struct AppliedEffect {
-    /// Name, with underscores.
-    pub name: String,
-    /// Its `///` lines.
-    pub doc: String,
-    /// Where it acts: lift, drag, side, roll, pitch, spin, wind, …
-    pub site: String,
-    /// On what it depends, in words of [`VARIABLES`](crate::effect::VARIABLES); empty where it does not say.
-    pub variables: Vec<String>,
-    /// Where it is described, as the effect cites it; empty where it cites nothing.
-    pub citation: String,
-    /// Its coefficients, with the value of each at which the effect vanishes and the size below which
-    /// it does not matter in practice.
-    pub coefficients: Vec<EffectCoefficient>,
-    /// Its states, indices into [`Model::states`]: the effect is absent where each starts at its default and
-    /// stays there. They differ from flight to flight.
-    pub states: Vec<usize>,
-    /// Which of its states do not matter in practice within what distance of their defaults, SI.
-    pub negligible_states: Vec<(usize, f64)>,
-}
-
-/// An effect that can be switched on by its name.
-#[derive(Clone, Debug)]
-pub struct OfferedEffect {
-    /// Name, with underscores.
-    pub name: String,
-    /// Its `///` lines.
-    pub doc: String,
-    /// Place of the declaration.
-    pub span: Span,
-}
-
-/// A coefficient of an effect.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EffectCoefficient {
-    /// Index into [`Model::coefficients`].
-    pub index: usize,
-    /// The effect is absent at this value, SI.
-    pub vanishes_at: f64,
-    /// A departure smaller than this does not matter in practice, SI.
-    pub negligible: Option<f64>,
-}
-
 /// Whether an expression is a number or a vector, and in which frame its components are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
@@ -389,7 +361,7 @@ pub enum ExprKind {
     },
     /// The ratio of a circle's circumference to its diameter.
     Pi,
-    /// Time since release, s.
+    /// Time since release as it is measured, s: that of the clock where the model has one.
     Time,
     /// A parameter.
     Param(usize),

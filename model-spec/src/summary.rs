@@ -73,6 +73,10 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     } else if let Some(observation) = &model.observation {
         writeln!(out, "\nobserved: {}", observation.name)?;
     }
+    if let Some(clock) = &model.clock {
+        let text = model.text(clock.value.span);
+        writeln!(out, "\nseconds of flight per second of the clock: {text}")?;
+    }
     if !model.limits.is_empty() {
         writeln!(out, "\nlimits")?;
         for limit in &model.limits {

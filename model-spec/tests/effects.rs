@@ -1,4 +1,5 @@
-//! What effects may add to a model: inputs that they share, states of each flight, what they depend on.
+//! What effects may add to a model: inputs that they share, states of each flight, a clock,
+//! what they depend on.
 
 use model_spec::load::{self, LoadError, from_text};
 use model_spec::model::Model;
@@ -166,4 +167,67 @@ let a_seen = a;
     assert_eq!(model.effects[0].states, [2]);
     let model = from_text("pendulum.hyz", text, &[]).unwrap();
     assert!(model.added_states().is_empty());
+}
+
+const CLOCKS: &str = "\
+effect fast { site clock; coefficient c = 0 in -0.5 .. 0.5; replace clock = previous/(1 + c); }
+effect slow { site clock; coefficient s = 0 in -0.5 .. 0.5; replace clock = previous*(1 - s); }
+";
+const OTHER: &str = "effect other { site clock; coefficient o = 0; replace clock = 1 + o; }";
+
+#[test]
+fn a_clock_is_stated_or_replaced() {
+    assert!(right(CLOCKS, &[]).clock.is_none());
+    let model = right(CLOCKS, &["fast", "slow"]);
+    let clock = model.clock.as_ref().expect("a clock");
+    assert_eq!(clock.effect, Some(1));
+    let told = summary(&model);
+    assert!(
+        told.contains("\nseconds of flight per second of the clock: previous*(1 - s)\n"),
+        "{told}"
+    );
+    let read = written_and_read(&format!("{STONE}{CLOCKS}"), &["fast"]);
+    assert!(read.clock.is_some());
+    let own = format!("clock 1 + 0.1;\n{CLOCKS}");
+    assert!(right(&own, &["slow"]).clock.is_some());
+    for (text, names, why) in [
+        ("clock 1; clock 2;", &[][..], "`clock` is stated twice"),
+        ("clock 2 s;", &[], "must be a pure number"),
+        ("clock N.1;", &[], "the clock must be a number"),
+        (
+            &format!("{OTHER}effect fast {{ site clock; replace clock = previous*2; }}"),
+            &["fast", "other"],
+            "`other` would undo the effect `fast`, which replaces the clock too",
+        ),
+    ] {
+        let error = with(text, names).unwrap_err();
+        assert!(error.message.contains(why), "{text}: {error}");
+    }
+}
+
+#[test]
+fn bounds_keep_a_divisor_away_from_zero() {
+    let divided = |bounds: &str, by: &str| {
+        with(
+            &format!("coefficient c = 0{bounds}; let k = 2*c; let a = 1/({by});\n"),
+            &[],
+        )
+    };
+    for (bounds, by) in [
+        (" in -0.5 .. 0.5", "1 + c"),
+        (" in -0.5 .. 0.5", "c - 1"),
+        (" in -0.4 .. 0.5", "1 + k"),
+        (" in -0.5 .. 0.5", "3 - k*k"),
+    ] {
+        divided(bounds, by).unwrap_or_else(|e| panic!("{bounds} {by}: {e}"));
+    }
+    for (bounds, by) in [
+        ("", "1 + c"),
+        (" in -1 .. 0.5", "1 + c"),
+        (" in -0.5 .. 0.5", "1 + k"),
+        (" in -0.5 .. 2", "c - 1"),
+    ] {
+        let error = divided(bounds, by).unwrap_err();
+        assert!(error.message.contains("which may be zero"), "{error}");
+    }
 }

@@ -8,7 +8,7 @@ use crate::number::Number;
 use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
 
 impl Deriver<'_> {
-    /// Derivatives of all states.
+    /// Derivatives of all states by the time that is measured.
     pub(crate) fn motion(&mut self) -> Vec<NodeId> {
         let model = self.model;
         let zero = self.graph.whole(0);
@@ -22,6 +22,13 @@ impl Deriver<'_> {
             if let Some(rotation) = &body.rotation {
                 self.angles(&mut dx);
                 self.euler(rotation, &mut dx);
+            }
+        }
+        if let Some(clock) = &model.clock {
+            let pace = self.scalar(&clock.value);
+            self.record(pace, "clock", clock.span);
+            for node in &mut dx {
+                *node = self.graph.mul(*node, pace);
             }
         }
         for (k, &node) in dx.iter().enumerate() {

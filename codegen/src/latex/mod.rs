@@ -109,6 +109,10 @@ pub fn model(model: &Model) -> String {
             lines.push(line);
         }
     }
+    if let Some(clock) = &model.clock {
+        let left = r"\frac{\mathrm{d}t}{\mathrm{d}t_{\mathrm{clock}}}".to_string();
+        lines.push((left, expression(model, &clock.value)));
+    }
     if let Some(observation) = &model.observation {
         let left = format!(r"\mathbf{{y}}_{{{}}}", words(&observation.name));
         lines.push((left, expression(model, &observation.value)));

@@ -29,7 +29,7 @@ pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, U
     derivatives_of(&Tree::new(model, point))
 }
 
-/// The derivative of every state, where the tree has been evaluated already.
+/// The derivative of every state by the time that is measured, where the tree has been evaluated already.
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {
@@ -43,6 +43,10 @@ pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported
     };
     for equation in &model.equations {
         out[equation.state] = tree.scalar(&equation.value);
+    }
+    if model.clock.is_some() {
+        let pace = tree.clock();
+        out.iter_mut().for_each(|rate| *rate *= pace);
     }
     Ok(out)
 }

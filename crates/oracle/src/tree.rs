@@ -85,6 +85,12 @@ impl<'a, T: Real> Tree<'a, T> {
             .fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value))
     }
 
+    /// Seconds of flight that pass in a second of the clock.
+    pub fn clock(&self) -> T {
+        let stated = self.model.clock.as_ref();
+        stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))
+    }
+
     /// Any expression.
     pub fn value(&self, e: &Expr) -> Value<T> {
         use ExprKind as K;

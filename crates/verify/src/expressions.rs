@@ -76,6 +76,7 @@ pub fn roots_mut(model: &mut Model) -> Vec<&mut Expr> {
     );
     out.extend(model.equations.iter_mut().map(|e| &mut e.value));
     out.extend(model.observation.iter_mut().map(|o| &mut o.value));
+    out.extend(model.clock.iter_mut().map(|c| &mut c.value));
     out.extend(model.limits.iter_mut().map(|l| &mut l.value));
     out
 }

@@ -25,6 +25,8 @@ const FLIGHTS: &str = "flights";
 
 /// Greatest difference of two flights, against their size: the integrator is asked for 1e-11.
 const TOLERANCE: f64 = 1e-8;
+/// Why flights of a model with a clock are not compared with those of a law that has none.
+const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
 const RELEASES: usize = 3;
 const DURATION: f64 = 1.0;
 
@@ -37,6 +39,9 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
             return Row::skipped(INVARIANTS, "which state stands for what is not known");
         };
         airless(subject, &mut point);
+        if subject.clock(&point) != 1.0 {
+            return Row::skipped(INVARIANTS, OWN_CLOCK);
+        }
         let Some((force, moment, properties)) = loads(subject, &point) else {
             return Row::skipped(INVARIANTS, "neither loads nor a reference say what acts");
         };
@@ -76,6 +81,9 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
             return Row::skipped(MOMENTA, "which state stands for what is not known");
         };
         let point = subject.without_extras(point);
+        if subject.clock(&point) != 1.0 {
+            return Row::skipped(MOMENTA, OWN_CLOCK);
+        }
         let (end, other) = match (fly(subject, &point), fly_by_momenta(reference, &point)) {
             (Ok(end), Ok(other)) => (reference.chart.physical(&end.states), other),
             (Err(why), _) | (_, Err(why)) => return Row::counted(MOMENTA, RELEASES, &[why], ""),

@@ -51,6 +51,21 @@ impl<'a> Subject<'a> {
         }
     }
 
+    /// Seconds of flight that pass in a second of the clock, at a point.
+    pub fn clock(&self, point: &Point<f64>) -> f64 {
+        match &self.model.clock {
+            Some(_) => Tree::new(self.model, point).clock(),
+            None => 1.0,
+        }
+    }
+
+    /// The derivative of every state by the flight's own time, which the laws of motion speak of.
+    pub fn flight_rates(&self, point: &Point<f64>) -> Vec<f64> {
+        let pace = self.clock(point);
+        let rates = self.equations.rates(point);
+        rates.into_iter().map(|rate| rate / pace).collect()
+    }
+
     /// Coefficients that the reference does not know, or those of effects where there is no reference,
     /// each with the value at which it leaves the law as it is.
     pub fn extras(&self) -> Vec<(usize, f64)> {

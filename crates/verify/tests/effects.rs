@@ -1,10 +1,11 @@
-//! What effects may add to a model, under every check: states of each flight.
+//! What effects may add to a model, under every check: states of each flight, a clock.
 
 mod support;
 
 use model_spec::load::{Loaded, inspect_text};
 use support::{QUICK, built_in, refuted, row};
-use verify::checks::{effects, reference};
+use verify::checks::{cases, derivatives, effects, exact, identities, reference, symmetries};
+use verify::flights::{INVARIANTS, MOMENTA};
 use verify::report::{Report, Verdict};
 
 /// A built-in model with a text of effects behind it, and some of them switched on.
@@ -50,6 +51,7 @@ fn states_of_each_flight_pass_every_check() {
             velocity => report(name, &wind(velocity), &["gust"]),
         };
         assert!(refuted(&report).is_empty(), "{name}\n{}", report.table());
+        assert!(report.refuted.is_empty(), "{name}: {:?}", report.refuted);
         for check in [reference::REFERENCE, reference::TREE, effects::EFFECTS] {
             assert_eq!(
                 row(&report, check).verdict,
@@ -66,4 +68,62 @@ fn a_state_that_acts_at_its_default_is_no_effect_that_is_off() {
     let report = report("ball", &acts, &["gust"]);
     let off = row(&report, effects::EFFECTS);
     assert_eq!(off.verdict, Verdict::Refuted, "{}", report.table());
+}
+
+const CLOCK: &str = "effect rate { site clock; coefficient c = 0 in -0.5 .. 0.5; coefficient by_z = 0 /m;\n\
+    replace clock = previous/(1 + c) + by_z*z; }\n";
+
+#[test]
+fn a_clock_passes_every_check() {
+    for name in ["ball", "disc", "disc_quaternion", "disc_appendix", "discus"] {
+        let report = report(name, CLOCK, &["rate"]);
+        assert!(refuted(&report).is_empty(), "{name}\n{}", report.table());
+        for check in [reference::TREE, effects::EFFECTS, derivatives::CHECKS[2]] {
+            assert_eq!(
+                row(&report, check).verdict,
+                Verdict::Holds,
+                "{name} {check}"
+            );
+        }
+    }
+}
+
+#[test]
+fn laws_of_motion_are_checked_in_the_seconds_of_the_flight() {
+    // A case expects what is measured, and this one has a clock of its own.
+    let text = "param pace = 1.25;\nclock pace;\n\
+        check \"twice the clock, twice as far\" { set pace = 2; set vx = 3 m/s; expect der(x) = 6 m/s within 1e-12; }\n";
+    for name in ["disc", "disc_quaternion"] {
+        let text = if name == "disc" {
+            text.replace("vx", "u")
+        } else {
+            text.to_owned()
+        };
+        // Its other cases say what is so where the clock keeps to the flight.
+        let report = report(name, &text, &[]);
+        for check in [
+            reference::REFERENCE,
+            reference::TREE,
+            identities::IDENTITIES,
+            symmetries::SYMMETRIES,
+            exact::EXACT,
+            derivatives::CHECKS[3],
+        ] {
+            assert_eq!(
+                row(&report, check).verdict,
+                Verdict::Holds,
+                "{name} {check}\n{}",
+                report.table()
+            );
+        }
+        for check in [INVARIANTS, MOMENTA] {
+            assert_eq!(
+                row(&report, check).verdict,
+                Verdict::Skipped,
+                "{name} {check}"
+            );
+        }
+        let own = &row(&report, cases::CASES).detail;
+        assert!(!own.contains("twice"), "{own}");
+    }
 }

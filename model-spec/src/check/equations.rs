@@ -56,6 +56,7 @@ impl<'a> Checker<'a> {
                     | ItemKind::Load(ast::Load { value, .. })
                     | ItemKind::Equation(ast::Equation { value, .. })
                     | ItemKind::Observe(ast::Observe { value, .. })
+                    | ItemKind::Clock(value)
                     | ItemKind::Limit(ast::Limit { value, .. }) => look(value),
                     _ => {}
                 }
@@ -172,6 +173,7 @@ impl<'a> Checker<'a> {
                 }
                 ItemKind::Equation(equation) => self.equation(equation, &mut equations),
                 ItemKind::Observe(observe) => self.observe(observe),
+                ItemKind::Clock(value) => self.clock(value, item),
                 _ => {}
             }
         }
@@ -301,6 +303,24 @@ impl<'a> Checker<'a> {
             span: name.span,
         });
         equations[state] = Some((name.span, made));
+    }
+
+    fn clock(&mut self, value: &'a ast::Expr, item: &ast::Item) {
+        if let Some(first) = &self.model.clock {
+            let first = first.span;
+            self.second("clock", first, item.span);
+            return;
+        }
+        let Some(typed) = self.scalar(value, "the clock") else {
+            return;
+        };
+        let rule = "the clock, seconds of flight per second of the clock, must be a pure number";
+        self.must_be(&typed, &Term::known(Unit::ONE), rule);
+        self.model.clock = Some(model::Clock {
+            value: typed.expr,
+            span: item.span,
+            effect: item.effect,
+        });
     }
 
     fn observe(&mut self, observe: &'a ast::Observe) {

@@ -231,6 +231,7 @@ fn empty_model(file: &ast::File, sources: &[Source]) -> Model {
         equations: Vec::new(),
         marker: None,
         observation: None,
+        clock: None,
         limits: Vec::new(),
         checks: Vec::new(),
         effects: Vec::new(),

@@ -55,6 +55,7 @@ impl Sign {
 struct Signs<'m> {
     model: &'m Model,
     lets: Vec<Sign>,
+    ranges: Vec<Option<(f64, f64)>>,
 }
 
 impl<'m> Signs<'m> {
@@ -62,10 +63,12 @@ impl<'m> Signs<'m> {
         let mut signs = Signs {
             model,
             lets: Vec::with_capacity(model.lets.len()),
+            ranges: Vec::with_capacity(model.lets.len()),
         };
         for named in &model.lets {
-            let sign = signs.of(&named.value);
+            let (sign, range) = (signs.of(&named.value), signs.range(&named.value));
             signs.lets.push(sign);
+            signs.ranges.push(range);
         }
         signs
     }
@@ -74,6 +77,11 @@ impl<'m> Signs<'m> {
         use ExprKind as K;
         if limited(self.model, e) {
             return Sign::Positive;
+        }
+        match self.range(e) {
+            Some((least, _)) if least > 0.0 => return Sign::Positive,
+            Some((_, greatest)) if greatest < 0.0 => return Sign::NotZero,
+            _ => {}
         }
         let bounded = |bounds: Option<(f64, f64)>| match bounds {
             Some((least, _)) if least > 0.0 => Sign::Positive,
@@ -116,6 +124,33 @@ impl<'m> Signs<'m> {
                 _ => Sign::Unknown,
             },
             _ => Sign::Unknown,
+        }
+    }
+
+    /// The least and the greatest value of sums and products of bounded constants.
+    fn range(&self, e: &Expr) -> Option<(f64, f64)> {
+        use ExprKind as K;
+        match &e.kind {
+            K::Number { value, .. } => Some((*value, *value)),
+            K::Param(i) => self.model.params[*i].bounds,
+            K::Coefficient(i) => self.model.coefficients[*i].bounds,
+            K::Let(i) => *self.ranges.get(*i)?,
+            K::Neg(a) => self.range(a).map(|(least, greatest)| (-greatest, -least)),
+            K::Add(a, b) => {
+                let (a, b) = (self.range(a)?, self.range(b)?);
+                Some((a.0 + b.0, a.1 + b.1))
+            }
+            K::Sub(a, b) => {
+                let (a, b) = (self.range(a)?, self.range(b)?);
+                Some((a.0 - b.1, a.1 - b.0))
+            }
+            K::Mul(a, b) => {
+                let (a, b) = (self.range(a)?, self.range(b)?);
+                let corners = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
+                let least = corners.into_iter().fold(f64::INFINITY, f64::min);
+                Some((least, corners.into_iter().fold(f64::NEG_INFINITY, f64::max)))
+            }
+            _ => None,
         }
     }
 
@@ -162,6 +197,7 @@ fn roots(model: &Model) -> Vec<&Expr> {
     all.extend(model.forces.iter().chain(&model.moments).map(|l| &l.value));
     all.extend(model.equations.iter().map(|e| &e.value));
     all.extend(model.observation.iter().map(|o| &o.value));
+    all.extend(model.clock.iter().map(|c| &c.value));
     all.extend(model.limits.iter().map(|l| &l.value));
     all
 }
@@ -217,7 +253,7 @@ impl Checker<'_> {
         let mut fault = Diagnostic::new(Kind::Singular, e.span, message)
             .label(divisor.span, "the divisor")
             .note(
-                "a divisor is made of numbers, constants, exp(…) and what a `limit` keeps above 0",
+                "a divisor is made of numbers, constants, sums that bounds keep away from 0, exp(…) and what a `limit` keeps above 0",
             );
         if let ExprKind::Let(i) = culprit.kind {
             fault = fault.label(self.model.lets[i].span, format!("`{what}` is defined here"));

@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Kind, SHOWN, Span};
 use crate::suggest;
 use crate::syntax;
 use crate::syntax::ast::{
-    Body, BodyPart, BodyPartKind, Expr, ExprKind, Item, ItemKind, Let, LoadClass, Quantity,
+    Body, BodyPart, BodyPartKind, Expr, ExprKind, Item, ItemKind, Let, LoadClass, Number, Quantity,
 };
 
 /// An expression does not grow beyond this when a definition is put into its replacement.
@@ -14,6 +14,9 @@ const MOST_NODES: usize = 20_000;
 impl Change<'_> {
     pub(super) fn replace(&mut self, item: &Item) {
         let key = key(&item.kind);
+        if matches!(item.kind, ItemKind::Clock(_)) {
+            self.own_clock(item.span);
+        }
         let found = self
             .file
             .items
@@ -89,6 +92,32 @@ impl Change<'_> {
             new.unit = new.unit.take().or_else(|| old.unit.clone());
         }
         self.file.items[at] = new;
+    }
+
+    /// A model that states no clock is measured by one that keeps to the seconds of the flight.
+    fn own_clock(&mut self, span: Span) {
+        let items = &mut self.file.items;
+        if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {
+            return;
+        }
+        let number = Number {
+            text: "1".to_owned(),
+            span,
+        };
+        let one = Quantity {
+            number,
+            unit: None,
+            span,
+        };
+        items.push(Item {
+            kind: ItemKind::Clock(Expr {
+                kind: ExprKind::Number(one),
+                span,
+            }),
+            doc: String::new(),
+            span,
+            effect: None,
+        });
     }
 
     pub(super) fn replace_inertia(&mut self, part: BodyPart) {
@@ -181,6 +210,7 @@ fn key(kind: &ItemKind) -> String {
         ItemKind::Let(l) => format!("quantity `{}`", l.name.text),
         ItemKind::Load(l) if l.class == LoadClass::Force => format!("force `{}`", l.name.text),
         ItemKind::Load(l) => format!("moment `{}`", l.name.text),
+        ItemKind::Clock(_) => "the clock".to_owned(),
         _ => "observation".to_owned(),
     }
 }
@@ -190,6 +220,7 @@ fn same_statement(a: &ItemKind, b: &ItemKind) -> bool {
         (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,
         (ItemKind::Load(a), ItemKind::Load(b)) => a.class == b.class && a.name.text == b.name.text,
         (ItemKind::Observe(a), ItemKind::Observe(b)) => a.name.text == b.name.text,
+        (ItemKind::Clock(_), ItemKind::Clock(_)) => true,
         _ => false,
     }
 }
@@ -208,6 +239,7 @@ fn value(kind: &ItemKind) -> Option<&Expr> {
         ItemKind::Let(Let { value, .. }) => Some(value),
         ItemKind::Load(l) => Some(&l.value),
         ItemKind::Observe(o) => Some(&o.value),
+        ItemKind::Clock(value) => Some(value),
         _ => None,
     }
 }
@@ -217,6 +249,7 @@ fn value_mut(kind: &mut ItemKind) -> Option<&mut Expr> {
         ItemKind::Let(Let { value, .. }) => Some(value),
         ItemKind::Load(l) => Some(&mut l.value),
         ItemKind::Observe(o) => Some(&mut o.value),
+        ItemKind::Clock(value) => Some(value),
         _ => None,
     }
 }

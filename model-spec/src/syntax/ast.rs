@@ -75,6 +75,8 @@ pub enum ItemKind {
     Marker(Marker),
     /// `observe NAME = …;`
     Observe(Observe),
+    /// `clock EXPR;`
+    Clock(Expr),
     /// `limit … > bound "reason";`
     Limit(Limit),
     /// `check "title" { … }`

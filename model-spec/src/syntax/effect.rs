@@ -115,6 +115,11 @@ impl Parser<'_> {
                     start.to(self.behind()),
                 ));
             }
+            "clock" if self.peek_at(1) == Token::Equals => {
+                self.advance();
+                self.advance();
+                self.clock()?
+            }
             "force" | "moment" if equals_after_two => self.load()?,
             "observe" if equals_after_two => self.observe()?,
             "let" if equals_after_two => self.binding()?,

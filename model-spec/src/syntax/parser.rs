@@ -9,7 +9,7 @@ use crate::suggest;
 const DEEPEST: u32 = 64;
 
 /// Words that begin a statement.
-pub(super) const STATEMENTS: [&str; 25] = [
+pub(super) const STATEMENTS: [&str; 26] = [
     "model",
     "reference",
     "param",
@@ -25,6 +25,7 @@ pub(super) const STATEMENTS: [&str; 25] = [
     "der",
     "marker",
     "observe",
+    "clock",
     "limit",
     "check",
     "effect",

@@ -96,6 +96,7 @@ impl Display for ItemKind {
             ItemKind::Equation(e) => write!(f, "der({}) = {};", e.state.text, e.value),
             ItemKind::Marker(m) => write!(f, "marker {} in {};", m.name.text, m.frame.text),
             ItemKind::Observe(o) => write!(f, "observe {} = {};", o.name.text, o.value),
+            ItemKind::Clock(value) => write!(f, "clock {value};"),
             ItemKind::Limit(l) => write!(f, "limit {} > {} \"{}\";", l.value, l.bound, l.reason),
             ItemKind::Check(check) => {
                 writeln!(f, "check \"{}\" {{", check.title)?;
@@ -241,6 +242,7 @@ impl Display for Effect {
                     f.write_str("  replace ")?;
                     match &item.kind {
                         ItemKind::Let(l) => write_let(f, l)?,
+                        ItemKind::Clock(value) => write!(f, "clock = {value};")?,
                         other => write!(f, "{other}")?,
                     }
                     writeln!(f)?;
@@ -301,6 +303,8 @@ let a: N*m = -x^2*(y + z)^(1/2)/(k*3) - (x - (y - z)) + 2 [m/s^2]*time;
 let b = ((x*y)^2)^3 + x^y^2 + (-x)^2 + -(x*y);
 let c = (x, y, z) in N + unit(wind, N.3) × C.1 · wind;
 
+clock 1 + 2*k;
+
 check \"a\" {
   set wind = (1, 2, 3) m/s;
   expect der(x) = 3 m/s within 1e-9;
@@ -316,6 +320,9 @@ effect e on probe, disc {
   negligible c_0 0.1;
   replace a = previous*c_0;
   replace observe mark = previous;
+  replace clock = previous*(1 + c_0);
+  state W_x = 0 m/s;
+  der(W_x) = 0;
   replace inertia diag(k, k, k) in C;
 }
 ";

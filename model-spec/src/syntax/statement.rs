@@ -30,6 +30,10 @@ impl Parser<'_> {
             "der" => self.equation()?,
             "marker" => self.marker()?,
             "observe" => self.observe()?,
+            "clock" => {
+                self.advance();
+                self.clock()?
+            }
             "limit" => self.limit()?,
             "check" => self.check_case()?,
             "effect" => self.effect(doc.clone())?,
@@ -280,6 +284,13 @@ impl Parser<'_> {
         let value = self.expr()?;
         self.semicolon("this `observe`")?;
         Ok(ItemKind::Observe(Observe { name, value }))
+    }
+
+    /// The rest of `clock EXPR;` or, in an effect, of `replace clock = EXPR;`
+    pub fn clock(&mut self) -> Read<ItemKind> {
+        let value = self.expr()?;
+        self.semicolon("this `clock`")?;
+        Ok(ItemKind::Clock(value))
     }
 
     /// `limit EXPR > bound "reason";`

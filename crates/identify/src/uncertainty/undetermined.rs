@@ -102,7 +102,8 @@ fn seen_through(model: &Model, names: &[&str], support: &Support) -> Option<Stri
         .chain(&model.moments)
         .map(|load| &load.value);
     let stated = model.equations.iter().map(|equation| &equation.value);
-    for expression in expressions.chain(loads).chain(stated) {
+    let clock = model.clock.iter().map(|clock| &clock.value);
+    for expression in expressions.chain(loads).chain(stated).chain(clock) {
         let mut found = Found::default();
         found.walk(model, expression);
         let uses = found

@@ -246,7 +246,10 @@ fn slopes<T: Slope>(model: &Model, point: &Point<f64>, j: usize) -> Vec<f64> {
 }
 
 fn by_hand(reference: &Reference, model: &Model, point: &Point<Sized>) -> Vec<Sized> {
-    let mut out = reference.derivatives(point);
+    // The law speaks of the flight's own time.
+    let pace = Tree::new(model, point).clock();
+    let rates = reference.derivatives(point).into_iter();
+    let mut out: Vec<Sized> = rates.map(|rate| rate * pace).collect();
     if model.observation.is_some() {
         out.extend(reference.observation(point).iter());
     }

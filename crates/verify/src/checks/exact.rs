@@ -101,8 +101,10 @@ pub fn free_loads(model: &Model) -> Model {
     };
     let (force, moment) = (load("free_force"), load("free_moment"));
     model.forces = force;
-    // States that are not the body's act through the loads alone; their own equations are the tree's to check.
+    // States that are not the body's act through the loads alone; their own equations are the tree's to check,
+    // as the clock is.
     model.equations.clear();
+    model.clock = None;
     model.moments = if model.body.as_ref().is_some_and(|b| b.rotation.is_some()) {
         moment
     } else {

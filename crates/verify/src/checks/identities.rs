@@ -33,7 +33,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         let Some((motion, properties)) = loads(subject, &point.lift()) else {
             return Row::skipped(IDENTITIES, "neither loads nor a reference say what acts");
         };
-        let rates = subject.equations.rates(&point);
+        let rates = subject.flight_rates(&point);
         if rates.len() != point.states.len() {
             return Row::skipped(IDENTITIES, "there are no equations to evaluate");
         }

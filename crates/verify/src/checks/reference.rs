@@ -32,7 +32,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     for _ in 0..options.cases {
         let point = subject.without_extras(sample::point(model, &mut random));
         let lifted = point.lift::<Tracked>();
-        let got = subject.equations.rates(&point);
+        let got = subject.flight_rates(&point);
         for (i, expected) in reference.derivatives(&lifted).into_iter().enumerate() {
             if added.contains(&i) {
                 continue;

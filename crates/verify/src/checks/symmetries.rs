@@ -128,7 +128,7 @@ fn error(
 ) -> Option<f64> {
     let model = subject.model;
     let physical = chart.physical(&point.states);
-    let change = chart.change(&point.states, &subject.equations.rates(point));
+    let change = chart.change(&point.states, &subject.flight_rates(point));
     let (moved, inputs, expected) = transform(model, point, &physical, &change, symmetry, draw);
     let mut seen = point.clone();
     seen.inputs = inputs;
@@ -136,7 +136,7 @@ fn error(
     if symmetry == Symmetry::Delay {
         seen.time += draw.delay;
     }
-    let got = chart.change(&seen.states, &subject.equations.rates(&seen));
+    let got = chart.change(&seen.states, &subject.flight_rates(&seen));
     let parts = [
         (got.velocity, expected.velocity),
         (got.acceleration, expected.acceleration),

@@ -10,6 +10,7 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
         ItemKind::Load(l) => vec![&mut l.value],
         ItemKind::Equation(e) => vec![&mut e.value],
         ItemKind::Observe(o) => vec![&mut o.value],
+        ItemKind::Clock(value) => vec![value],
         ItemKind::Body(body) => {
             let of_part = body.parts.iter_mut().flat_map(|part| match &mut part.kind {
                 BodyPartKind::Mass(e) => vec![e],
@@ -34,6 +35,7 @@ pub fn place(item: &Item) -> String {
         ItemKind::Equation(e) => format!("der({})", e.state.text),
         ItemKind::Marker(m) => format!("marker {}", m.name.text),
         ItemKind::Observe(o) => format!("observe {}", o.name.text),
+        ItemKind::Clock(_) => String::from("clock"),
         _ => String::from("statement"),
     }
 }
