@@ -184,6 +184,8 @@ pub struct Body {
 pub struct Rotation {
     /// Frame fixed in the body.
     pub body_frame: usize,
+    /// Frame of the components of [`ExprKind::AngularVelocity`]: that of the inertia where the body states no other.
+    pub seen_in: usize,
     /// Frame of the inertia's components, in which they are constant: the body's own, or one that
     /// differs from it by a turn about an axis of symmetry.
     pub inertia_frame: usize,
@@ -379,7 +381,7 @@ pub enum ExprKind {
     Position,
     /// Velocity of the mass centre, in the body's velocity frame.
     Velocity,
-    /// Angular velocity of the body, in its inertia frame.
+    /// Angular velocity of the body, in the frame [`Rotation::seen_in`].
     AngularVelocity,
     /// The marker: a vector in its frame.
     Marker,

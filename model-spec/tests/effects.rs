@@ -231,3 +231,46 @@ fn bounds_keep_a_divisor_away_from_zero() {
         assert!(error.message.contains("which may be zero"), "{error}");
     }
 }
+
+#[test]
+fn the_angular_velocity_stays_where_it_was_seen() {
+    let text = load::MODELS
+        .iter()
+        .find(|m| m.0 == "disc")
+        .expect("built in")
+        .1;
+    let effect = "effect wobble { site inertia; coefficient k = 0 kg*m^2;\n\
+                  replace inertia ((I_d, 0, k), (0, I_d, 0), (k, 0, I_a)) in C; }\n";
+    let text = format!("{text}{effect}");
+    let seen = |model: &Model| {
+        let rotation = model
+            .body
+            .as_ref()
+            .and_then(|b| b.rotation.as_ref())
+            .expect("it turns");
+        let name = |frame: usize| model.frames[frame].name.clone();
+        (name(rotation.seen_in), name(rotation.inertia_frame))
+    };
+    let model = from_text("disc.hyz", &text, &[]).unwrap();
+    assert_eq!(seen(&model), ("B".into(), "B".into()));
+    let model = from_text("disc.hyz", &text, &["wobble"]).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(seen(&model), ("B".into(), "C".into()));
+    assert_eq!(
+        seen(&written_and_read(&text, &["wobble"])),
+        ("B".into(), "C".into())
+    );
+    let twice = text.replace(
+        "fixed in C;",
+        "fixed in C; angular velocity in A; angular velocity in B;",
+    );
+    let error = from_text("disc.hyz", &twice, &[]).unwrap_err();
+    assert!(
+        error
+            .message
+            .contains("`angular velocity in` is stated twice"),
+        "{error}"
+    );
+    let nowhere = text.replace("fixed in C;", "fixed in C; angular velocity in D;");
+    let error = from_text("disc.hyz", &nowhere, &[]).unwrap_err();
+    assert!(error.message.contains("there is no frame `D`"), "{error}");
+}

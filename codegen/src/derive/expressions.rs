@@ -181,7 +181,7 @@ impl Deriver<'_> {
         }
     }
 
-    /// Angular velocity of the body in its inertia frame.
+    /// Angular velocity of the body in the frame in which the model sees it.
     pub(crate) fn spin(&mut self) -> Vector {
         let model = self.model;
         match model.body.as_ref().and_then(|body| body.rotation.as_ref()) {
@@ -189,7 +189,7 @@ impl Deriver<'_> {
                 &mut self.graph,
                 model,
                 rotation.body_frame,
-                rotation.inertia_frame,
+                rotation.seen_in,
             ),
             None => frames::zero(&mut self.graph),
         }

@@ -2,6 +2,7 @@
 
 mod expressions;
 pub mod frames;
+mod inertia;
 mod motion;
 mod solve;
 

@@ -129,18 +129,26 @@ impl Deriver<'_> {
         }
     }
 
-    /// `I der(ω) + ω_F × I ω = Σ M` in the inertia frame F.
+    /// `I der(ω) + ω_F × I ω = Σ M` in the frame F in which the angular velocity is seen. Where the inertia is given
+    /// in another, what turns in F adds its own part.
     fn euler(&mut self, rotation: &Rotation, dx: &mut [NodeId]) {
         let model = self.model;
-        let frame = rotation.inertia_frame;
-        let inertia = [0, 1, 2].map(|i| [0, 1, 2].map(|j| self.scalar(&rotation.inertia[i][j])));
+        let frame = rotation.seen_in;
+        let given = [0, 1, 2].map(|i| [0, 1, 2].map(|j| self.scalar(&rotation.inertia[i][j])));
+        let turned =
+            (rotation.inertia_frame != frame).then(|| self.turned_inertia(rotation, given));
+        let inertia = turned.map_or(given, |turned| turned.whole);
         let inverse = solve::inverse(&mut self.graph, inertia);
         let spin = self.spin();
         let momentum = inertia.map(|row| frames::dot(&mut self.graph, row, spin));
         let turning = frames::angular_velocity(&mut self.graph, model, frame, frame);
         let carried = frames::cross(&mut self.graph, turning, momentum);
         let moment = self.loads(&model.moments, "moment", frame);
-        let left = frames::sub(&mut self.graph, moment, carried);
+        let mut left = frames::sub(&mut self.graph, moment, carried);
+        if let Some(turned) = &turned {
+            let drift = self.drift(turned, spin);
+            left = frames::sub(&mut self.graph, left, drift);
+        }
         let acceleration = inverse.map(|row| {
             let terms = (0..3)
                 .map(|k| (Number::ONE, self.graph.distribute(left[k], row[k])))

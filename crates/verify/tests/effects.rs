@@ -1,4 +1,4 @@
-//! What effects may add to a model, under every check: states of each flight, a clock.
+//! What effects may add to a model, under every check: states of each flight, a clock, products of inertia.
 
 mod support;
 
@@ -125,5 +125,70 @@ fn laws_of_motion_are_checked_in_the_seconds_of_the_flight() {
         }
         let own = &row(&report, cases::CASES).detail;
         assert!(!own.contains("twice"), "{own}");
+    }
+}
+
+/// Products of inertia, which turn with the disc.
+const WOBBLE: &str = "effect wobble { site inertia; coefficient I_13 = 0 kg*m^2 in -1e-4 .. 1e-4;\n\
+    coefficient I_23 = 0 kg*m^2 in -1e-4 .. 1e-4; coefficient more = 0 in -0.5 .. 0.5;\n\
+    replace inertia ((I_d*(1 + more), 0, I_13), (0, I_d, I_23), (I_13, I_23, I_a)) in C; }\n";
+
+#[test]
+fn products_of_inertia_in_the_frame_of_the_disc_pass_every_check() {
+    for name in ["disc", "disc_quaternion", "discus"] {
+        let report = report(name, WOBBLE, &["wobble"]);
+        assert!(refuted(&report).is_empty(), "{name}\n{}", report.table());
+        for check in [
+            reference::TREE,
+            effects::EFFECTS,
+            exact::EXACT,
+            derivatives::CHECKS[2],
+        ] {
+            assert_eq!(
+                row(&report, check).verdict,
+                Verdict::Holds,
+                "{name} {check}"
+            );
+        }
+    }
+}
+
+/// A disc that claims no law, unbalanced, its angular velocity seen in the frame `seen`.
+fn unbalanced(seen: &str) -> Loaded {
+    let text = built_in("disc").sources[0].text.clone();
+    let body = format!(
+        "inertia ((I_d, I_12, I_13), (I_12, I_2, I_23), (I_13, I_23, I_a)) in C;\n angular velocity in {seen};"
+    );
+    let text = text
+        .replace("reference hubbard_hummel_disc;", "")
+        .replace("inertia diag(I_d, I_d, I_a) in B;", &body)
+        + "param I_2 = 0.0015 kg*m^2;\nparam I_12 = -0.0001 kg*m^2;\n\
+           param I_13 = 0.0002 kg*m^2;\nparam I_23 = 0.0003 kg*m^2;\n";
+    // What the model takes along axes of B it now takes along those of the frame it is seen in.
+    let text = text.replace("dot(angular_velocity, d", "dot(in_B(angular_velocity), d");
+    let loaded = inspect_text("unbalanced", &text, &[]).unwrap();
+    assert!(loaded.diagnostics.is_empty(), "{:#?}", loaded.diagnostics);
+    loaded
+}
+
+#[test]
+fn an_unbalanced_disc_keeps_energy_and_angular_momentum() {
+    for seen in ["C", "B", "A", "N"] {
+        let report = verify::run(&unbalanced(seen), &QUICK);
+        assert!(refuted(&report).is_empty(), "{seen}\n{}", report.table());
+        let told = &row(&report, symmetries::SYMMETRIES).detail;
+        assert!(told.contains("the body is not its own"), "{told}");
+        for check in [
+            reference::TREE,
+            identities::IDENTITIES,
+            INVARIANTS,
+            exact::EXACT,
+        ] {
+            assert_eq!(
+                row(&report, check).verdict,
+                Verdict::Holds,
+                "{seen} {check}"
+            );
+        }
     }
 }

@@ -16,6 +16,7 @@ pub(super) struct Parts<'a> {
     position: Option<(&'a [Name; 3], &'a Name)>,
     velocity: Option<(&'a [Name; 3], &'a Name)>,
     pub angular: Option<(&'a [Name; 3], &'a Name)>,
+    seen_in: Option<&'a Name>,
 }
 
 impl<'a> Checker<'a> {
@@ -79,8 +80,11 @@ impl<'a> Checker<'a> {
             let (Some(body_frame), Some(inertia_frame)) = (body_frame, inertia_frame) else {
                 return;
             };
+            // A frame that is not there has been reported.
+            let seen_in = parts.seen_in.and_then(|f| self.frame_of(f));
             Some(model::Rotation {
                 body_frame,
+                seen_in: seen_in.unwrap_or(inertia_frame),
                 inertia_frame,
                 inertia: std::array::from_fn(|_| std::array::from_fn(|_| zero(body.name.span))),
                 angular_velocity: angular.zip(angular_frame),
@@ -142,6 +146,7 @@ impl<'a> Checker<'a> {
                 BodyPartKind::Position(..) => "position",
                 BodyPartKind::Velocity(..) => "velocity",
                 BodyPartKind::AngularVelocity(..) => "angular velocity",
+                BodyPartKind::AngularVelocityIn(_) => "angular velocity in",
             };
             if let Some(&(_, first)) = seen.iter().find(|s| s.0 == word) {
                 if report {
@@ -150,7 +155,7 @@ impl<'a> Checker<'a> {
                 continue;
             }
             seen.push((word, part.span));
-            let turning = matches!(word, "inertia" | "fixed in" | "angular velocity");
+            let turning = !matches!(word, "mass" | "position" | "velocity");
             if turning && body.class == BodyClass::Point {
                 if report {
                     let message = format!("a point has no `{word}`");
@@ -166,6 +171,7 @@ impl<'a> Checker<'a> {
                 BodyPartKind::Position(names, frame) => parts.position = Some((names, frame)),
                 BodyPartKind::Velocity(names, frame) => parts.velocity = Some((names, frame)),
                 BodyPartKind::AngularVelocity(names, frame) => parts.angular = Some((names, frame)),
+                BodyPartKind::AngularVelocityIn(frame) => parts.seen_in = Some(frame),
             }
         }
         parts

@@ -91,11 +91,7 @@ impl Checker<'_> {
             "position" => (ExprKind::Position, 0, Unit::METRE),
             "velocity" => (ExprKind::Velocity, body.velocity_frame, Unit::SPEED),
             _ => match &body.rotation {
-                Some(rotation) => (
-                    ExprKind::AngularVelocity,
-                    rotation.inertia_frame,
-                    Unit::RATE,
-                ),
+                Some(rotation) => (ExprKind::AngularVelocity, rotation.seen_in, Unit::RATE),
                 None => {
                     let fault =
                         Diagnostic::new(Kind::Name, span, "a point has no angular velocity");

@@ -134,11 +134,27 @@ impl Change<'_> {
             self.diagnostics.push(fault);
             return;
         };
-        match parts
-            .iter_mut()
-            .find(|p| matches!(p.kind, BodyPartKind::Inertia(_)))
-        {
-            Some(old) => *old = part,
+        let frame = |part: &BodyPart| match &part.kind {
+            BodyPartKind::Inertia(inertia) => Some(inertia.frame.clone()),
+            _ => None,
+        };
+        let found = parts
+            .iter()
+            .enumerate()
+            .find_map(|(i, p)| Some((i, frame(p)?)));
+        match found {
+            Some((at, old)) => {
+                // The model's expressions see the angular velocity where they saw it before.
+                let stated = |p: &BodyPart| matches!(p.kind, BodyPartKind::AngularVelocityIn(_));
+                let moves = frame(&part).is_some_and(|new| new.text != old.text);
+                if moves && !parts.iter().any(stated) {
+                    parts.push(BodyPart {
+                        span: old.span,
+                        kind: BodyPartKind::AngularVelocityIn(old),
+                    });
+                }
+                parts[at] = part;
+            }
             None => {
                 let fault = Diagnostic::new(
                     Kind::Missing,

@@ -254,6 +254,8 @@ pub enum BodyPartKind {
     Velocity([Name; 3], Name),
     /// `angular velocity (p, q, r) in FRAME;`
     AngularVelocity([Name; 3], Name),
+    /// `angular velocity in FRAME;`: where `angular_velocity` has its components.
+    AngularVelocityIn(Name),
 }
 
 /// Moments of inertia.

@@ -47,8 +47,12 @@ impl Parser<'_> {
             "angular" => {
                 self.advance();
                 self.need_word("velocity", "`angular`")?;
-                let names = self.triple_of_names()?;
-                BodyPartKind::AngularVelocity(names, self.in_frame("the components")?)
+                if self.at_word("in") {
+                    BodyPartKind::AngularVelocityIn(self.in_frame("`angular velocity`")?)
+                } else {
+                    let names = self.triple_of_names()?;
+                    BodyPartKind::AngularVelocity(names, self.in_frame("the components")?)
+                }
             }
             _ => {
                 let what =

@@ -154,6 +154,9 @@ impl Display for BodyPartKind {
             BodyPartKind::Position(n, frame) => names("position", n, frame),
             BodyPartKind::Velocity(n, frame) => names("velocity", n, frame),
             BodyPartKind::AngularVelocity(n, frame) => names("angular velocity", n, frame),
+            BodyPartKind::AngularVelocityIn(frame) => {
+                write!(f, "angular velocity in {}", frame.text)
+            }
             BodyPartKind::Mass(mass) => write!(f, "mass {mass}"),
             BodyPartKind::Inertia(inertia) => write!(f, "inertia {inertia}"),
             BodyPartKind::Fixed(frame) => write!(f, "fixed in {}", frame.text),
@@ -297,6 +300,7 @@ body probe {
   position (x, y, z) in N;
   velocity (u, v, w) in N;
   angular velocity (p, q, r) in C;
+  angular velocity in N;
 }
 
 let a: N*m = -x^2*(y + z)^(1/2)/(k*3) - (x - (y - z)) + 2 [m/s^2]*time;

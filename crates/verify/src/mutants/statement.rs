@@ -199,6 +199,13 @@ fn body_part(out: &mut Changes<'_>, index: usize, kind: &BodyPartKind, names: &N
                 );
             }
         }
+        BodyPartKind::AngularVelocityIn(frame) => {
+            for other in names.other_frames(&frame.text) {
+                let how = format!("angular velocity in {other}");
+                let kind = BodyPartKind::AngularVelocityIn(name(other, frame));
+                out.push_part(Operator::Frame, how, index, kind);
+            }
+        }
         BodyPartKind::Position(states, frame) => {
             vector(
                 out,
