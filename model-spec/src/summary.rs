@@ -56,6 +56,16 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         if body.rotation.is_some() {
             writeln!(out, "  moments  {}", loads(&model.moments))?;
         }
+        if let Some(rotation) = &body.rotation
+            && rotation.seen_in != rotation.inertia_frame
+        {
+            let name = |frame: usize| &model.frames[frame].name;
+            let (inertia, seen) = (name(rotation.inertia_frame), name(rotation.seen_in));
+            writeln!(
+                out,
+                "  inertia in {inertia}, angular velocity seen in {seen}"
+            )?;
+        }
     } else {
         writeln!(
             out,

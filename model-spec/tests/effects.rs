@@ -255,6 +255,7 @@ fn the_angular_velocity_stays_where_it_was_seen() {
     assert_eq!(seen(&model), ("B".into(), "B".into()));
     let model = from_text("disc.hyz", &text, &["wobble"]).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(seen(&model), ("B".into(), "C".into()));
+    assert!(summary(&model).contains("\n  inertia in C, angular velocity seen in B\n"));
     assert_eq!(
         seen(&written_and_read(&text, &["wobble"])),
         ("B".into(), "C".into())
