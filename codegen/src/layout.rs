@@ -1,6 +1,6 @@
 //! Where each number of a model stands in the plain arrays of generated code.
 
-use model_spec::model::{Model, Shape};
+use model_spec::model::{Expr, ExprKind, Model, Shape};
 
 /// Names of states and parameters in their order.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Layout {
     pub coefficients: usize,
     /// Coordinates of the marker; empty where nothing is observed.
     pub marker: Vec<String>,
-    /// Named quantities, by component.
+    /// Named quantities, by component; those of the marker are not among them.
     pub quantities: Vec<String>,
     /// Default values of the parameters.
     pub defaults: Vec<f64>,
@@ -43,7 +43,10 @@ impl Layout {
             .filter(|quantity| quantity.value.shape == Shape::Scalar)
             .map(|quantity| quantity.name.as_str())
             .collect();
-        for quantity in &model.lets {
+        for (quantity, of_marker) in model.lets.iter().zip(of_marker(model)) {
+            if of_marker {
+                continue;
+            }
             match quantity.value.shape {
                 Shape::Scalar => quantities.push(quantity.name.clone()),
                 Shape::Vector(frame) => {
@@ -125,4 +128,25 @@ impl Layout {
     pub fn default_states(&self) -> Vec<f64> {
         self.initial.clone()
     }
+}
+
+/// Which named quantities depend on the marker: they have a value where one is observed, and none otherwise.
+pub fn of_marker(model: &Model) -> Vec<bool> {
+    let mut known: Vec<bool> = Vec::new();
+    for quantity in &model.lets {
+        let found = uses_marker(&quantity.value, &known);
+        known.push(found);
+    }
+    known
+}
+
+fn uses_marker(e: &Expr, known: &[bool]) -> bool {
+    match e.kind {
+        ExprKind::Marker => return true,
+        ExprKind::Let(index) => return known.get(index).copied().unwrap_or(false),
+        _ => {}
+    }
+    let mut found = false;
+    e.children(&mut |child| found |= uses_marker(child, known));
+    found
 }

@@ -82,7 +82,14 @@ pub fn derive(model: &Model) -> Derived {
     let mut quantities = Vec::new();
     let names = deriver.layout.quantities.clone();
     let mut next = names.iter();
-    for (quantity, value) in model.lets.iter().zip(deriver.lets.clone()) {
+    let of_marker = crate::layout::of_marker(model);
+    for ((quantity, value), of_marker) in
+        model.lets.iter().zip(deriver.lets.clone()).zip(of_marker)
+    {
+        // `quantities` is not handed a marker.
+        if of_marker {
+            continue;
+        }
         let nodes = nodes(value);
         for node in nodes {
             if let Some(name) = next.next() {

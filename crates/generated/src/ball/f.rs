@@ -18,7 +18,7 @@ pub fn f<T: Real>(
     let wind_z = parameters[7];
     let vz = state[5];
 
-    // ball.hyz:33  let air_velocity = velocity - wind;
+    // ball.hyz:41  let air_velocity = velocity - air;
     let minus_air_velocity_z = wind_z - vz;
     let wind_y = parameters[6];
     let vy = state[4];
@@ -30,7 +30,7 @@ pub fn f<T: Real>(
     let part_of_V_2 = minus_air_velocity_y.mul_add(minus_air_velocity_y, part_of_V);
     let part_of_V_3 = minus_air_velocity_x.mul_add(minus_air_velocity_x, part_of_V_2);
 
-    // ball.hyz:34  let V = norm(air_velocity);
+    // ball.hyz:42  let V = norm(air_velocity);
     let V = part_of_V_3.sqrt();
     let half_pi_C_D_rho_product = prepared[0];
     let V_half_pi_C_D_rho_product = half_pi_C_D_rho_product * V;

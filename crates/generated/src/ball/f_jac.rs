@@ -19,7 +19,7 @@ pub fn f_jac<T: Real>(
     let wind_y = parameters[6];
     let vy = state[4];
 
-    // ball.hyz:33  let air_velocity = velocity - wind;
+    // ball.hyz:41  let air_velocity = velocity - air;
     let minus_air_velocity_y = wind_y - vy;
     let vx = state[3];
     let wind_x = parameters[5];
@@ -32,7 +32,7 @@ pub fn f_jac<T: Real>(
     let part_of_V =
         air_velocity_x.mul_add(air_velocity_x, minus_air_velocity_y_sq) + minus_air_velocity_z_sq;
 
-    // ball.hyz:34  let V = norm(air_velocity);
+    // ball.hyz:42  let V = norm(air_velocity);
     let V = part_of_V.sqrt();
     let inv_V = V.recip_or_zero();
     let half_pi_C_D_rho_product = prepared[0];

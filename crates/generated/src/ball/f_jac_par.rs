@@ -20,7 +20,7 @@ pub fn f_jac_par<T: Real>(
     let wind_y = parameters[6];
     let vy = state[4];
 
-    // ball.hyz:33  let air_velocity = velocity - wind;
+    // ball.hyz:41  let air_velocity = velocity - air;
     let minus_air_velocity_y = wind_y - vy;
     let wind_x = parameters[5];
     let vx = state[3];
@@ -32,7 +32,7 @@ pub fn f_jac_par<T: Real>(
     let minus_air_velocity_z_sq = minus_air_velocity_z * minus_air_velocity_z;
     let part_of_V = minus_air_velocity_x.mul_add(minus_air_velocity_x, minus_air_velocity_y_sq);
 
-    // ball.hyz:34  let V = norm(air_velocity);
+    // ball.hyz:42  let V = norm(air_velocity);
     let V = (part_of_V + minus_air_velocity_z_sq).sqrt();
     let inv_V = V.recip_or_zero();
     let C_D_rho_pi_radius_inv_part = prepared[3];

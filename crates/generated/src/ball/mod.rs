@@ -67,13 +67,14 @@ pub const COEFFICIENTS: usize = 1;
 #[rustfmt::skip]
 pub const PREPARED: [&str; 8] = [
     "half_pi_C_D_rho_product", "radius_half", "rho_pi_radius_inv_m", "C_D_rho_pi_radius_inv_part",
-    "half_radius_inv_m", "C_D_pi_radius_inv_m", "A", "rho_half_pi_radius_product",
+    "half_radius_inv_m", "C_D_pi_radius_inv_m", "A", "C_D_half_pi_radius_product",
 ];
 
 /// What `quantities` computes.
 #[rustfmt::skip]
-pub const QUANTITIES: [&str; 6] = [
-    "air_velocity_x", "air_velocity_y", "air_velocity_z", "V", "A", "drag",
+pub const QUANTITIES: [&str; 11] = [
+    "air_x", "air_y", "air_z", "density", "gravity", "air_velocity_x", "air_velocity_y",
+    "air_velocity_z", "V", "A", "drag",
 ];
 
 /// The model holds where each of `limits` is above its bound.
@@ -127,7 +128,7 @@ pub const DY_DMARKER_PATTERN: [(u32, u32); 3] = [
 ];
 
 /// Tells whether this code belongs to a model's text.
-pub const SOURCE_HASH: u64 = 0xff1b83d552583d3b;
+pub const SOURCE_HASH: u64 = 0x22cd405b4e80941;
 
 /// These equations as a type.
 #[derive(Clone, Copy, Debug)]

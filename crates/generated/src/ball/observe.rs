@@ -18,7 +18,7 @@ pub fn observe<T: Real>(
     let mark_x = marker[0];
     let x = state[0];
 
-    // ball.hyz:43  observe mark = position + mark;
+    // ball.hyz:53  observe mark = place;
     let mark_x_2 = mark_x + x;
     seen[0] = mark_x_2;
     let mark_y = marker[1];

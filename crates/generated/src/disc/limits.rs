@@ -11,7 +11,7 @@ pub fn limits<T: Real>(
     _time: T,
     state: &[T; 12],
     _parameters: &[T; 18],
-    _prepared: &[T; 21],
+    _prepared: &[T; 22],
     margins: &mut [T; 1],
 ) {
     let theta = state[7];

@@ -9,13 +9,13 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 22 operations: 13 mul, 3 div, 6 neg |
+//! | `prepare` | 23 operations: 14 mul, 3 div, 6 neg |
 //! | `f` | 108 operations: 35 add, 63 mul, 2 div, 2 sqrt, 5 call, 1 select |
 //! | `f_jac` | 339 operations: 103 add, 212 mul, 3 div, 13 neg, 2 sqrt, 5 call, 1 select |
 //! | `f_jac_par` | 493 operations: 125 add, 323 mul, 3 div, 34 neg, 2 sqrt, 5 call, 1 select |
 //! | `observe` | 27 operations: 9 add, 12 mul, 6 call |
 //! | `observe_jac` | 59 operations: 15 add, 33 mul, 5 neg, 6 call |
-//! | `quantities` | 63 operations: 16 add, 37 mul, 1 div, 2 neg, 2 sqrt, 5 call |
+//! | `quantities` | 66 operations: 16 add, 39 mul, 2 div, 2 neg, 2 sqrt, 5 call |
 //! | `limits` | 1 operations: 1 call |
 
 mod f;
@@ -70,20 +70,21 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 21] = [
+pub const PREPARED: [&str; 22] = [
     "inv_m_half_rho_A", "minus_g", "half_rho_A_d_inv_I_d", "inv_I_d_I_a", "C_Nr_inv_I_a",
     "minus_wind_y", "C_Da_two", "two_d_half_rho_A_inv_I_d", "inv_m", "inv_I_d", "inv_I_a", "A_half",
     "half_rho_A", "inv_I_d_d", "rho_half", "minus_rho_half", "minus_A_half",
     "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d", "minus_half_rho_A_inv_I_d",
-    "inv_I_a_d_gammadot_dot_d_r",
+    "inv_I_a_d_gammadot_dot_d_r", "half_d",
 ];
 
 /// What `quantities` computes.
 #[rustfmt::skip]
-pub const QUANTITIES: [&str; 25] = [
-    "air_velocity_1", "air_velocity_2", "air_velocity_3", "d3_1", "d3_2", "d3_3", "V", "d1_1",
-    "d1_2", "d1_3", "d2_1", "d2_2", "d2_3", "alpha", "q", "C_L", "C_D", "lift", "drag", "r",
-    "rate_1", "rate_2", "roll", "pitch", "spin_down",
+pub const QUANTITIES: [&str; 31] = [
+    "air_x", "air_y", "air_z", "density", "gravity", "air_velocity_1", "air_velocity_2",
+    "air_velocity_3", "d3_1", "d3_2", "d3_3", "V", "d1_1", "d1_2", "d1_3", "d2_1", "d2_2", "d2_3",
+    "alpha", "q", "C_L", "C_D", "lift", "drag", "r", "rate_1", "rate_2", "spin_ratio", "roll",
+    "pitch", "spin_down",
 ];
 
 /// The model holds where each of `limits` is above its bound.
@@ -148,7 +149,7 @@ pub const DY_DMARKER_PATTERN: [(u32, u32); 9] = [
 ];
 
 /// Tells whether this code belongs to a model's text.
-pub const SOURCE_HASH: u64 = 0x5c90df7c53875fea;
+pub const SOURCE_HASH: u64 = 0x456b1fa746fc684c;
 
 /// These equations as a type.
 #[derive(Clone, Copy, Debug)]

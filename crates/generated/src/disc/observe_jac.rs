@@ -11,7 +11,7 @@ pub fn observe_jac<T: Real>(
     _time: T,
     state: &[T; 12],
     _parameters: &[T; 18],
-    _prepared: &[T; 21],
+    _prepared: &[T; 22],
     marker: &[T; 3],
     seen: &mut [T; 3],
     dy_dx: &mut [T; 11],

@@ -5,9 +5,9 @@ use lanes::Real;
 
 /// What depends on the parameters alone, once per flight.
 ///
-/// 22 operations: 13 mul, 3 div, 6 neg.
+/// 23 operations: 14 mul, 3 div, 6 neg.
 #[inline(always)]
-pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 21]) {
+pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 22]) {
     let I_d = parameters[2];
     let inv_I_d = T::splat(1.0) / I_d;
     prepared[9] = inv_I_d;
@@ -26,6 +26,8 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 21]) {
     prepared[14] = rho_half;
     let C_Da = parameters[10];
     prepared[6] = C_Da * T::splat(2.0);
+    let d = parameters[3];
+    prepared[21] = T::splat(0.5) * d;
     let g = parameters[6];
     let minus_g = -g;
     prepared[1] = minus_g;
@@ -38,7 +40,6 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 21]) {
     prepared[16] = minus_A_half;
     let minus_rho_half = -rho_half;
     prepared[15] = minus_rho_half;
-    let d = parameters[3];
     let inv_I_d_d = d * inv_I_d;
     prepared[13] = inv_I_d_d;
     let C_Nr = parameters[14];

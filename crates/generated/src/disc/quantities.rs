@@ -5,15 +5,15 @@ use lanes::Real;
 
 /// Every named quantity, see `QUANTITIES`.
 ///
-/// 63 operations: 16 add, 37 mul, 1 div, 2 neg, 2 sqrt, 5 call.
-/// `prepare` takes 3 operations for it.
+/// 66 operations: 16 add, 39 mul, 2 div, 2 neg, 2 sqrt, 5 call.
+/// `prepare` takes 4 operations for it.
 #[inline(always)]
 pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 21],
-    values: &mut [T; 25],
+    prepared: &[T; 22],
+    values: &mut [T; 31],
 ) {
     let phi = state[6];
     let (sin_phi, cos_phi) = phi.sin_cos();
@@ -23,28 +23,28 @@ pub fn quantities<T: Real>(
     let cos_theta_phidot = cos_theta * phidot;
     let gammadot = state[11];
 
-    // disc.hyz:78  let r = dot(angular_velocity, d3);
+    // disc.hyz:86  let r = dot(angular_velocity, d3);
     let r = sin_theta.mul_add(phidot, gammadot);
-    values[19] = r;
+    values[24] = r;
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
+    let minus_wind_y_sin_phi_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
     let v = state[4];
 
-    // disc.hyz:62  let air_velocity = velocity - in_B(wind);
+    // disc.hyz:70  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
-    values[1] = air_velocity_2;
+    values[6] = air_velocity_2;
     let C_Nr = parameters[14];
 
-    // disc.hyz:83  let spin_down = C_Nr*r;
+    // disc.hyz:93  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
-    values[24] = spin_down;
+    values[30] = spin_down;
     let wind_x = parameters[15];
     let u = state[3];
-    let air_velocity_1 = sin_theta.mul_sub(minus_sin_phi_wind_y_sum, wind_x * cos_theta) + u;
-    values[0] = air_velocity_1;
+    let air_velocity_1 = sin_theta.mul_sub(minus_wind_y_sin_phi_sum, wind_x * cos_theta) + u;
+    values[5] = air_velocity_1;
     let w = state[5];
-    let minus_air_velocity_3 = minus_sin_phi_wind_y_sum.mul_add(cos_theta, wind_x * sin_theta) - w;
+    let minus_air_velocity_3 = minus_wind_y_sin_phi_sum.mul_add(cos_theta, wind_x * sin_theta) - w;
     let air_velocity_12_sq =
         air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let thetadot = state[10];
@@ -52,65 +52,75 @@ pub fn quantities<T: Real>(
     let air_velocity_1_thetadot_sum =
         air_velocity_1.mul_sub(thetadot, air_velocity_2 * cos_theta_phidot);
     let air_velocity_3 = -minus_air_velocity_3;
-    values[2] = air_velocity_3;
+    values[7] = air_velocity_3;
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 
-    // disc.hyz:64  let V = norm(air_velocity);
+    // disc.hyz:72  let V = norm(air_velocity);
     let V = V_sq.sqrt();
-    values[6] = V;
+    values[11] = V;
     let half_rho_A = prepared[12];
     let V_sq_half_rho_A = half_rho_A * V_sq;
     let rho_half = prepared[14];
-    values[14] = rho_half * V_sq;
+    values[19] = rho_half * V_sq;
     let d = parameters[3];
     let d_V_sq_half_rho_A = d * V_sq_half_rho_A;
 
-    // disc.hyz:69  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // disc.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
-    values[13] = alpha;
+    values[18] = alpha;
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let inv_V = V.recip_or_zero();
 
-    // disc.hyz:79  let rate_1 = dot(angular_velocity, d1);
+    // disc.hyz:87  let rate_1 = dot(angular_velocity, d1);
     let rate_1 = inv_air_velocity_12 * part_of_rate_1;
-    values[20] = rate_1;
+    values[25] = rate_1;
 
-    // disc.hyz:65  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
+    // disc.hyz:73  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
     let d1_2 = air_velocity_2 * inv_air_velocity_12;
-    values[8] = d1_2;
+    values[13] = d1_2;
     let d1_1 = air_velocity_1 * inv_air_velocity_12;
-    values[7] = d1_1;
-    values[11] = d1_1;
+    values[12] = d1_1;
+    values[16] = d1_1;
 
-    // disc.hyz:80  let rate_2 = dot(angular_velocity, d2);
+    // disc.hyz:88  let rate_2 = dot(angular_velocity, d2);
     let rate_2 = inv_air_velocity_12 * air_velocity_1_thetadot_sum;
-    values[21] = rate_2;
+    values[26] = rate_2;
     let C_Mq = parameters[12];
     let part_of_pitch = C_Mq * inv_air_velocity_12 * air_velocity_1_thetadot_sum;
+    let half_d = prepared[21];
+    values[27] = half_d * r * inv_V;
     let d2_1 = -d1_2;
-    values[10] = d2_1;
+    values[15] = d2_1;
     let C_Rr = parameters[13];
-    values[22] = C_Mq.mul_add(rate_1, C_Rr * r) * d_V_sq_half_rho_A;
+    values[28] = C_Mq.mul_add(rate_1, C_Rr * r) * d_V_sq_half_rho_A;
     let C_La = parameters[8];
     let C_L0 = parameters[7];
 
-    // disc.hyz:72  let C_L = C_L0 + C_La*alpha;
+    // disc.hyz:80  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La.mul_add(alpha, C_L0);
-    values[15] = C_L;
+    values[20] = C_L;
     let C_Da = parameters[10];
     let C_D0 = parameters[9];
 
-    // disc.hyz:73  let C_D = C_D0 + C_Da*alpha^2;
+    // disc.hyz:81  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = alpha.mul_add(C_Da * alpha, C_D0);
-    values[16] = C_D;
+    values[21] = C_D;
     let C_Ma = parameters[11];
-    values[23] = C_Ma.mul_add(alpha, part_of_pitch) * d_V_sq_half_rho_A;
-    values[17] = C_L * V_sq_half_rho_A;
-    values[18] = C_D * V_sq_half_rho_A;
+    values[29] = C_Ma.mul_add(alpha, part_of_pitch) * d_V_sq_half_rho_A;
+    values[22] = C_L * V_sq_half_rho_A;
+    values[23] = C_D * V_sq_half_rho_A;
 
-    values[3] = T::splat(0.0);
-    values[4] = T::splat(0.0);
-    values[5] = T::splat(1.0);
+    values[0] = wind_x;
+    values[1] = wind_y;
+    values[2] = wind_z;
+    let rho = parameters[5];
+    values[3] = rho;
+    let g = parameters[6];
+    values[4] = g;
+    values[8] = T::splat(0.0);
     values[9] = T::splat(0.0);
-    values[12] = T::splat(0.0);
+    values[10] = T::splat(1.0);
+    values[14] = T::splat(0.0);
+    values[17] = T::splat(0.0);
 }

@@ -11,7 +11,7 @@ pub fn limits<T: Real>(
     _time: T,
     _state: &[T; 13],
     _parameters: &[T; 18],
-    _prepared: &[T; 17],
+    _prepared: &[T; 18],
     _margins: &mut [T; 0],
 ) {
 }

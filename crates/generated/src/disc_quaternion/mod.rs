@@ -5,13 +5,13 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 18 operations: 1 add, 12 mul, 3 div, 2 neg |
+//! | `prepare` | 19 operations: 1 add, 13 mul, 3 div, 2 neg |
 //! | `f` | 141 operations: 47 add, 88 mul, 1 div, 1 neg, 2 sqrt, 1 call, 1 select |
 //! | `f_jac` | 568 operations: 205 add, 349 mul, 2 div, 7 neg, 2 sqrt, 1 call, 2 select |
 //! | `f_jac_par` | 654 operations: 212 add, 405 mul, 2 div, 31 neg, 2 sqrt, 1 call, 1 select |
 //! | `observe` | 44 operations: 20 add, 24 mul |
 //! | `observe_jac` | 92 operations: 38 add, 52 mul, 2 neg |
-//! | `quantities` | 86 operations: 28 add, 52 mul, 1 div, 2 neg, 2 sqrt, 1 call |
+//! | `quantities` | 89 operations: 28 add, 54 mul, 2 div, 2 neg, 2 sqrt, 1 call |
 //! | `limits` | 0 operations |
 
 mod f;
@@ -66,19 +66,20 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 17] = [
+pub const PREPARED: [&str; 18] = [
     "inv_m_rho_A", "half_d_inv_I_d_rho_A", "one_minus_inv_I_d_I_a", "C_Nr_inv_I_a",
     "d_rho_A_inv_I_d", "two_C_Da", "C_Mq_d_rho_A_inv_I_d", "inv_m", "inv_I_d", "inv_I_a", "rho_A",
     "I_a_inv_I_d", "inv_I_d_d", "minus_I_a_inv_I_d", "minus_inv_I_a_d_r_dot_d_r", "rho_half",
-    "A_rho_half",
+    "A_rho_half", "half_d",
 ];
 
 /// What `quantities` computes.
 #[rustfmt::skip]
-pub const QUANTITIES: [&str; 24] = [
-    "air_velocity_1", "air_velocity_2", "air_velocity_3", "d3_1", "d3_2", "d3_3", "V", "d1_1",
-    "d1_2", "d1_3", "d2_1", "d2_2", "d2_3", "alpha", "pressure", "C_L", "C_D", "lift", "drag",
-    "rate_1", "rate_2", "roll", "pitch", "spin_down",
+pub const QUANTITIES: [&str; 30] = [
+    "air_x", "air_y", "air_z", "density", "gravity", "air_velocity_1", "air_velocity_2",
+    "air_velocity_3", "d3_1", "d3_2", "d3_3", "V", "d1_1", "d1_2", "d1_3", "d2_1", "d2_2", "d2_3",
+    "alpha", "pressure", "C_L", "C_D", "lift", "drag", "rate_1", "rate_2", "spin_ratio", "roll",
+    "pitch", "spin_down",
 ];
 
 /// The model holds where each of `limits` is above its bound.
@@ -142,7 +143,7 @@ pub const DY_DMARKER_PATTERN: [(u32, u32); 9] = [
 ];
 
 /// Tells whether this code belongs to a model's text.
-pub const SOURCE_HASH: u64 = 0x27a6018982e4201c;
+pub const SOURCE_HASH: u64 = 0x833365e04577367e;
 
 /// These equations as a type.
 #[derive(Clone, Copy, Debug)]

@@ -11,7 +11,7 @@ pub fn observe_jac<T: Real>(
     _time: T,
     state: &[T; 13],
     _parameters: &[T; 18],
-    _prepared: &[T; 17],
+    _prepared: &[T; 18],
     marker: &[T; 3],
     seen: &mut [T; 3],
     dy_dx: &mut [T; 15],

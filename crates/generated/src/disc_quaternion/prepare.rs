@@ -5,9 +5,9 @@ use lanes::Real;
 
 /// What depends on the parameters alone, once per flight.
 ///
-/// 18 operations: 1 add, 12 mul, 3 div, 2 neg.
+/// 19 operations: 1 add, 13 mul, 3 div, 2 neg.
 #[inline(always)]
-pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 17]) {
+pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 18]) {
     let I_d = parameters[2];
     let inv_I_d = T::splat(1.0) / I_d;
     prepared[8] = inv_I_d;
@@ -24,8 +24,9 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 17]) {
     let C_Da = parameters[10];
     prepared[5] = C_Da * T::splat(2.0);
     prepared[15] = rho * T::splat(0.5);
-    prepared[16] = T::splat(0.5) * rho_A;
     let d = parameters[3];
+    prepared[17] = d * T::splat(0.5);
+    prepared[16] = T::splat(0.5) * rho_A;
     let inv_I_d_d = d * inv_I_d;
     prepared[12] = inv_I_d_d;
     let C_Nr = parameters[14];

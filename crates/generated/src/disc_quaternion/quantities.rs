@@ -5,15 +5,15 @@ use lanes::Real;
 
 /// Every named quantity, see `QUANTITIES`.
 ///
-/// 86 operations: 28 add, 52 mul, 1 div, 2 neg, 2 sqrt, 1 call.
-/// `prepare` takes 3 operations for it.
+/// 89 operations: 28 add, 54 mul, 2 div, 2 neg, 2 sqrt, 1 call.
+/// `prepare` takes 4 operations for it.
 #[inline(always)]
 pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 13],
     parameters: &[T; 18],
-    prepared: &[T; 17],
-    values: &mut [T; 24],
+    prepared: &[T; 18],
+    values: &mut [T; 30],
 ) {
     let q0 = state[6];
     let q1 = state[7];
@@ -42,29 +42,29 @@ pub fn quantities<T: Real>(
     let part_of_air_velocity_2_3 = q3_sq_two - T::splat(1.0) + q1_sq_two;
     let part_of_air_velocity_1 = (q3_sq_two + q2_sq_two_minus_one) * minus_wind_x_plus_vx;
     let part_of_air_velocity_2_2 = T::splat(2.0) * part_of_air_velocity_2;
-    let C_Nr = parameters[14];
-    let r = state[12];
-
-    // disc_quaternion.hyz:76  let spin_down = C_Nr*r;
-    let spin_down = C_Nr * r;
-    values[23] = spin_down;
     let part_of_minus_air_velocity_3 =
         minus_wind_x_plus_vx.mul_add(q2_q0 + q3_q1, minus_wind_y_plus_vy * (q2_q3 - q0_q1));
     let part_of_minus_air_velocity_3_2 = minus_wind_z_plus_vz * (q1_sq_two + q2_sq_two_minus_one);
     let part_of_air_velocity_1_2 =
         minus_wind_y_plus_vy.mul_from(T::splat(2.0) * (q0_q3 + q2_q1), part_of_air_velocity_1);
+    let C_Nr = parameters[14];
+    let r = state[12];
 
-    // disc_quaternion.hyz:55  let air_velocity = in_C(velocity - wind);
+    // disc_quaternion.hyz:86  let spin_down = C_Nr*r;
+    let spin_down = C_Nr * r;
+    values[29] = spin_down;
+
+    // disc_quaternion.hyz:63  let air_velocity = in_C(velocity - air);
     let air_velocity_2 =
         minus_wind_y_plus_vy.mul_from(part_of_air_velocity_2_3, part_of_air_velocity_2_2);
-    values[1] = air_velocity_2;
+    values[6] = air_velocity_2;
     let minus_air_velocity_3 =
         T::splat(2.0).mul_from(part_of_minus_air_velocity_3, part_of_minus_air_velocity_3_2);
     let air_velocity_1 =
         minus_wind_z_plus_vz.mul_sub(T::splat(2.0) * (q3_q1 - q2_q0), part_of_air_velocity_1_2);
-    values[0] = air_velocity_1;
+    values[5] = air_velocity_1;
     let air_velocity_3 = -minus_air_velocity_3;
-    values[2] = air_velocity_3;
+    values[7] = air_velocity_3;
     let air_velocity_12_sq =
         air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let p = state[10];
@@ -74,60 +74,70 @@ pub fn quantities<T: Real>(
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 
-    // disc_quaternion.hyz:57  let V = norm(air_velocity);
+    // disc_quaternion.hyz:65  let V = norm(air_velocity);
     let V = V_sq.sqrt();
-    values[6] = V;
+    values[11] = V;
     let A_rho_half = prepared[16];
     let V_sq_A_rho_half = A_rho_half * V_sq;
     let rho_half = prepared[15];
-    values[14] = rho_half * V_sq;
+    values[19] = rho_half * V_sq;
     let d = parameters[3];
     let d_V_sq_A_rho_half = d * V_sq_A_rho_half;
 
-    // disc_quaternion.hyz:62  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // disc_quaternion.hyz:70  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
-    values[13] = alpha;
+    values[18] = alpha;
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
+    let inv_V = V.recip_or_zero();
     let C_Mq = parameters[12];
     let inv_air_velocity_12_C_Mq = C_Mq * inv_air_velocity_12;
 
-    // disc_quaternion.hyz:58  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
+    // disc_quaternion.hyz:66  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
     let d1_2 = air_velocity_2 * inv_air_velocity_12;
-    values[8] = d1_2;
+    values[13] = d1_2;
     let d1_1 = air_velocity_1 * inv_air_velocity_12;
-    values[7] = d1_1;
-    values[11] = d1_1;
+    values[12] = d1_1;
+    values[16] = d1_1;
 
-    // disc_quaternion.hyz:72  let rate_1 = dot(angular_velocity, d1);
+    // disc_quaternion.hyz:80  let rate_1 = dot(angular_velocity, d1);
     let rate_1 = inv_air_velocity_12 * air_velocity_2_q_plus_sum;
-    values[19] = rate_1;
-    values[20] = inv_air_velocity_12 * air_velocity_1_q_minus_sum;
+    values[24] = rate_1;
+    values[25] = inv_air_velocity_12 * air_velocity_1_q_minus_sum;
     let C_Rr = parameters[13];
     let part_of_roll = air_velocity_2_q_plus_sum.mul_add(inv_air_velocity_12_C_Mq, C_Rr * r);
+    let half_d = prepared[17];
+    values[26] = half_d * r * inv_V;
     let d2_1 = -d1_2;
-    values[10] = d2_1;
-    values[21] = part_of_roll * d_V_sq_A_rho_half;
+    values[15] = d2_1;
+    values[27] = part_of_roll * d_V_sq_A_rho_half;
     let C_Ma = parameters[11];
     let part_of_pitch = C_Ma.mul_add(alpha, air_velocity_1_q_minus_sum * inv_air_velocity_12_C_Mq);
     let C_La = parameters[8];
     let C_L0 = parameters[7];
 
-    // disc_quaternion.hyz:66  let C_L = C_L0 + C_La*alpha;
+    // disc_quaternion.hyz:74  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La.mul_add(alpha, C_L0);
-    values[15] = C_L;
+    values[20] = C_L;
     let C_Da = parameters[10];
     let C_D0 = parameters[9];
 
-    // disc_quaternion.hyz:67  let C_D = C_D0 + C_Da*alpha^2;
+    // disc_quaternion.hyz:75  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = alpha.mul_add(C_Da * alpha, C_D0);
-    values[16] = C_D;
-    values[22] = part_of_pitch * d_V_sq_A_rho_half;
-    values[17] = C_L * V_sq_A_rho_half;
-    values[18] = C_D * V_sq_A_rho_half;
+    values[21] = C_D;
+    values[28] = part_of_pitch * d_V_sq_A_rho_half;
+    values[22] = C_L * V_sq_A_rho_half;
+    values[23] = C_D * V_sq_A_rho_half;
 
-    values[3] = T::splat(0.0);
-    values[4] = T::splat(0.0);
-    values[5] = T::splat(1.0);
+    values[0] = wind_x;
+    values[1] = wind_y;
+    values[2] = wind_z;
+    let rho = parameters[5];
+    values[3] = rho;
+    let g = parameters[6];
+    values[4] = g;
+    values[8] = T::splat(0.0);
     values[9] = T::splat(0.0);
-    values[12] = T::splat(0.0);
+    values[10] = T::splat(1.0);
+    values[14] = T::splat(0.0);
+    values[17] = T::splat(0.0);
 }

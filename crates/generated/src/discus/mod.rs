@@ -18,13 +18,13 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 31 operations: 4 add, 17 mul, 4 div, 6 neg |
+//! | `prepare` | 32 operations: 4 add, 18 mul, 4 div, 6 neg |
 //! | `f` | 114 operations: 34 add, 67 mul, 4 div, 2 sqrt, 6 call, 1 select |
 //! | `f_jac` | 350 operations: 104 add, 218 mul, 4 div, 14 neg, 2 sqrt, 7 call, 1 select |
 //! | `f_jac_par` | 503 operations: 126 add, 330 mul, 4 div, 33 neg, 2 sqrt, 7 call, 1 select |
 //! | `observe` | 27 operations: 9 add, 12 mul, 6 call |
 //! | `observe_jac` | 59 operations: 15 add, 33 mul, 5 neg, 6 call |
-//! | `quantities` | 72 operations: 16 add, 43 mul, 3 div, 2 neg, 2 sqrt, 6 call |
+//! | `quantities` | 74 operations: 16 add, 45 mul, 3 div, 2 neg, 2 sqrt, 6 call |
 //! | `limits` | 1 operations: 1 call |
 
 mod f;
@@ -79,21 +79,22 @@ pub const COEFFICIENTS: usize = 8;
 
 /// What `prepare` computes.
 #[rustfmt::skip]
-pub const PREPARED: [&str; 28] = [
+pub const PREPARED: [&str; 29] = [
     "inv_s_stall", "minus_C_Lp_plus_C_Ls", "inv_m_half_rho_A", "minus_g", "inv_I_d_I_a",
     "half_rho_A_d_inv_I_d", "C_Nr_inv_I_a", "minus_wind_y", "two_C_Ds", "n8_inv_s_stall_product",
     "two_inv_I_d_half_rho_A_d", "two_minus_inv_I_d_I_a", "minus_one_plus_inv_I_d_I_a", "inv_m",
     "inv_I_d", "inv_I_a", "A_half", "half_rho_A", "d_inv_I_d", "minus_C_Lp_plus_C_Ls_n8",
     "rho_half", "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d",
-    "minus_half_rho_A_inv_I_d", "inv_I_a_d_gammadot_dot_d_r", "C_Mq_d",
+    "minus_half_rho_A_inv_I_d", "inv_I_a_d_gammadot_dot_d_r", "half_d", "d_C_Mq",
 ];
 
 /// What `quantities` computes.
 #[rustfmt::skip]
-pub const QUANTITIES: [&str; 26] = [
-    "air_velocity_1", "air_velocity_2", "air_velocity_3", "d3_1", "d3_2", "d3_3", "V", "d1_1",
-    "d1_2", "d1_3", "d2_1", "d2_2", "d2_3", "alpha", "q", "attached", "C_L", "C_D", "lift", "drag",
-    "r", "rate_1", "rate_2", "roll", "pitch", "spin_down",
+pub const QUANTITIES: [&str; 32] = [
+    "air_x", "air_y", "air_z", "density", "gravity", "air_velocity_1", "air_velocity_2",
+    "air_velocity_3", "d3_1", "d3_2", "d3_3", "V", "d1_1", "d1_2", "d1_3", "d2_1", "d2_2", "d2_3",
+    "alpha", "q", "attached", "C_L", "C_D", "lift", "drag", "r", "rate_1", "rate_2", "spin_ratio",
+    "roll", "pitch", "spin_down",
 ];
 
 /// The model holds where each of `limits` is above its bound.
@@ -158,7 +159,7 @@ pub const DY_DMARKER_PATTERN: [(u32, u32); 9] = [
 ];
 
 /// Tells whether this code belongs to a model's text.
-pub const SOURCE_HASH: u64 = 0x9c0624c3ab804270;
+pub const SOURCE_HASH: u64 = 0x8f0c8825127ea1bc;
 
 /// These equations as a type.
 #[derive(Clone, Copy, Debug)]

@@ -11,7 +11,7 @@ pub fn observe<T: Real>(
     _time: T,
     state: &[T; 12],
     _parameters: &[T; 18],
-    _prepared: &[T; 28],
+    _prepared: &[T; 29],
     marker: &[T; 3],
     seen: &mut [T; 3],
 ) {
@@ -35,7 +35,7 @@ pub fn observe<T: Real>(
         minus_sin_theta_minus_sum.mul_add(cos_phi, sin_phi * sin_gamma_mark_x_plus_sum);
     let x = state[0];
 
-    // discus.hyz:102  observe mark = position + in_N(mark);
+    // discus.hyz:115  observe mark = place;
     let mark_x_2 = part_of_mark_x_2 + x;
     seen[0] = mark_x_2;
     let y = state[1];

@@ -5,9 +5,9 @@ use lanes::Real;
 
 /// What depends on the parameters alone, once per flight.
 ///
-/// 31 operations: 4 add, 17 mul, 4 div, 6 neg.
+/// 32 operations: 4 add, 18 mul, 4 div, 6 neg.
 #[inline(always)]
-pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 28]) {
+pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 29]) {
     let s_stall = parameters[9];
     let inv_s_stall = T::splat(1.0) / s_stall;
     prepared[0] = inv_s_stall;
@@ -35,23 +35,24 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 28]) {
     let C_Ds = parameters[11];
     prepared[8] = C_Ds * T::splat(2.0);
     let d = parameters[3];
+    prepared[27] = T::splat(0.5) * d;
     let C_Mq = parameters[13];
-    let C_Mq_d = d * C_Mq;
-    prepared[27] = C_Mq_d;
+    let d_C_Mq = d * C_Mq;
+    prepared[28] = d_C_Mq;
+    let half_A_rho = T::splat(0.5) * A_rho;
+    prepared[17] = half_A_rho;
     let g = parameters[6];
     let minus_g = -g;
     prepared[3] = minus_g;
-    let half_A_rho = T::splat(0.5) * A_rho;
-    prepared[17] = half_A_rho;
-    let wind_y = parameters[16];
-    let minus_wind_y = -wind_y;
-    prepared[7] = minus_wind_y;
     let minus_C_Lp_plus_C_Ls_n8 = minus_C_Lp_plus_C_Ls * T::splat(8.0);
     prepared[19] = minus_C_Lp_plus_C_Ls_n8;
     let minus_A_half = -A_half;
     prepared[22] = minus_A_half;
     let minus_rho_half = -rho_half;
     prepared[21] = minus_rho_half;
+    let wind_y = parameters[16];
+    let minus_wind_y = -wind_y;
+    prepared[7] = minus_wind_y;
     let inv_I_d_I_a = I_a * inv_I_d;
     prepared[4] = inv_I_d_I_a;
     let d_inv_I_d = inv_I_d * d;

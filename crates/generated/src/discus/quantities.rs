@@ -5,15 +5,15 @@ use lanes::Real;
 
 /// Every named quantity, see `QUANTITIES`.
 ///
-/// 72 operations: 16 add, 43 mul, 3 div, 2 neg, 2 sqrt, 6 call.
-/// `prepare` takes 6 operations for it.
+/// 74 operations: 16 add, 45 mul, 3 div, 2 neg, 2 sqrt, 6 call.
+/// `prepare` takes 7 operations for it.
 #[inline(always)]
 pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 12],
     parameters: &[T; 18],
-    prepared: &[T; 28],
-    values: &mut [T; 26],
+    prepared: &[T; 29],
+    values: &mut [T; 32],
 ) {
     let phi = state[6];
     let (sin_phi, cos_phi) = phi.sin_cos();
@@ -23,28 +23,28 @@ pub fn quantities<T: Real>(
     let cos_theta_phidot = cos_theta * phidot;
     let gammadot = state[11];
 
-    // discus.hyz:89  let r = dot(angular_velocity, d3);
+    // discus.hyz:97  let r = dot(angular_velocity, d3);
     let r = sin_theta.mul_add(phidot, gammadot);
-    values[20] = r;
+    values[25] = r;
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
+    let minus_wind_y_sin_phi_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
     let v = state[4];
 
-    // discus.hyz:71  let air_velocity = velocity - in_B(wind);
+    // discus.hyz:79  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
-    values[1] = air_velocity_2;
+    values[6] = air_velocity_2;
     let C_Nr = parameters[14];
 
-    // discus.hyz:94  let spin_down = C_Nr*r;
+    // discus.hyz:104  let spin_down = C_Nr*r;
     let spin_down = C_Nr * r;
-    values[25] = spin_down;
+    values[31] = spin_down;
     let wind_x = parameters[15];
     let u = state[3];
-    let air_velocity_1 = sin_theta.mul_sub(minus_sin_phi_wind_y_sum, wind_x * cos_theta) + u;
-    values[0] = air_velocity_1;
+    let air_velocity_1 = sin_theta.mul_sub(minus_wind_y_sin_phi_sum, wind_x * cos_theta) + u;
+    values[5] = air_velocity_1;
     let w = state[5];
-    let minus_air_velocity_3 = minus_sin_phi_wind_y_sum.mul_add(cos_theta, wind_x * sin_theta) - w;
+    let minus_air_velocity_3 = minus_wind_y_sin_phi_sum.mul_add(cos_theta, wind_x * sin_theta) - w;
     let air_velocity_12_sq =
         air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let thetadot = state[10];
@@ -52,75 +52,84 @@ pub fn quantities<T: Real>(
         air_velocity_1.mul_sub(thetadot, air_velocity_2 * cos_theta_phidot);
     let part_of_rate_1 = air_velocity_1.mul_add(cos_theta_phidot, air_velocity_2 * thetadot);
     let air_velocity_3 = -minus_air_velocity_3;
-    values[2] = air_velocity_3;
+    values[7] = air_velocity_3;
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 
-    // discus.hyz:73  let V = norm(air_velocity);
+    // discus.hyz:81  let V = norm(air_velocity);
     let V = V_sq.sqrt();
-    values[6] = V;
+    values[11] = V;
     let half_rho_A = prepared[17];
     let V_sq_half_rho_A = half_rho_A * V_sq;
     let rho_half = prepared[20];
-    values[14] = rho_half * V_sq;
+    values[19] = rho_half * V_sq;
 
-    // discus.hyz:78  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // discus.hyz:86  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
-    values[13] = alpha;
+    values[18] = alpha;
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
     let inv_V = V.recip_or_zero();
 
-    // discus.hyz:90  let rate_1 = dot(angular_velocity, d1);
+    // discus.hyz:98  let rate_1 = dot(angular_velocity, d1);
     let rate_1 = inv_air_velocity_12 * part_of_rate_1;
-    values[21] = rate_1;
+    values[26] = rate_1;
 
-    // discus.hyz:74  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
+    // discus.hyz:82  let d1 = unit(air_velocity - dot(air_velocity, d3)*d3);
     let d1_2 = air_velocity_2 * inv_air_velocity_12;
-    values[8] = d1_2;
+    values[13] = d1_2;
     let d1_1 = air_velocity_1 * inv_air_velocity_12;
-    values[7] = d1_1;
-    values[11] = d1_1;
+    values[12] = d1_1;
+    values[16] = d1_1;
 
-    // discus.hyz:91  let rate_2 = dot(angular_velocity, d2);
+    // discus.hyz:99  let rate_2 = dot(angular_velocity, d2);
     let rate_2 = inv_air_velocity_12 * air_velocity_1_thetadot_sum;
-    values[22] = rate_2;
+    values[27] = rate_2;
     let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
     let C_Mq = parameters[13];
     let part_of_pitch = C_Mq * inv_air_velocity_12 * air_velocity_1_thetadot_sum;
     let d2_1 = -d1_2;
-    values[10] = d2_1;
+    values[15] = d2_1;
     let inv_s_stall = prepared[0];
     let inv_s_stall_minus_product = inv_s_stall * minus_air_velocity_3_inv_V;
-    let C_Mq_d = prepared[27];
-    values[23] = C_Mq_d * rate_1 * V_sq_half_rho_A;
+    let half_d = prepared[27];
+    values[28] = half_d * inv_V * r;
+    let d_C_Mq = prepared[28];
+    values[29] = d_C_Mq * rate_1 * V_sq_half_rho_A;
     let inv_s_stall_minus_product_sq = inv_s_stall_minus_product * inv_s_stall_minus_product;
     let C_Ds = parameters[11];
     let C_D0 = parameters[10];
 
-    // discus.hyz:84  let C_D = C_D0 + C_Ds*sin(alpha)^2;
+    // discus.hyz:92  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = minus_air_velocity_3_inv_V.mul_add(C_Ds * minus_air_velocity_3_inv_V, C_D0);
-    values[17] = C_D;
+    values[22] = C_D;
     let inv_s_stall_minus_product_2 = inv_s_stall_minus_product_sq * inv_s_stall_minus_product_sq;
-    values[19] = C_D * V_sq_half_rho_A;
+    values[24] = C_D * V_sq_half_rho_A;
     let part_of_attached =
         inv_s_stall_minus_product_2.mul_add(inv_s_stall_minus_product_2, T::splat(1.0));
     let attached = T::splat(1.0) / part_of_attached;
-    values[15] = attached;
+    values[20] = attached;
     let sin_alpha_two = (T::splat(2.0) * alpha).sin_cos().0;
     let minus_C_Lp_plus_C_Ls = prepared[1];
     let C_Lp = parameters[8];
 
-    // discus.hyz:83  let C_L = (C_Lp + (C_Ls - C_Lp)*attached)*sin(2*alpha);
+    // discus.hyz:91  let C_L = (C_Lp + (C_Ls - C_Lp)*attached)*sin(2*alpha);
     let C_L = sin_alpha_two * minus_C_Lp_plus_C_Ls.mul_add(attached, C_Lp);
-    values[16] = C_L;
-    values[18] = C_L * V_sq_half_rho_A;
+    values[21] = C_L;
+    values[23] = C_L * V_sq_half_rho_A;
     let d = parameters[3];
     let C_Ms = parameters[12];
-    values[24] = d * C_Ms.mul_add(sin_alpha_two, part_of_pitch) * V_sq_half_rho_A;
+    values[30] = d * C_Ms.mul_add(sin_alpha_two, part_of_pitch) * V_sq_half_rho_A;
 
-    values[3] = T::splat(0.0);
-    values[4] = T::splat(0.0);
-    values[5] = T::splat(1.0);
+    values[0] = wind_x;
+    values[1] = wind_y;
+    values[2] = wind_z;
+    let rho = parameters[5];
+    values[3] = rho;
+    let g = parameters[6];
+    values[4] = g;
+    values[8] = T::splat(0.0);
     values[9] = T::splat(0.0);
-    values[12] = T::splat(0.0);
+    values[10] = T::splat(1.0);
+    values[14] = T::splat(0.0);
+    values[17] = T::splat(0.0);
 }
