@@ -24,8 +24,43 @@ pub const MODELS: &[(&str, &str)] =
     texts!("models": "ball", "disc", "disc_appendix", "disc_quaternion", "discus");
 
 /// The effects that are built in, by name.
-pub const EFFECTS: &[(&str, &str)] =
-    texts!("effects": "side_force_by_spin", "zero_lift_drag_angle");
+pub const EFFECTS: &[(&str, &str)] = texts!("effects":
+    "added_mass",
+    "air_density",
+    "buoyancy",
+    "constant_pitching_moment",
+    "cubic_pitching_moment",
+    "drag_by_reynolds",
+    "drag_by_spin",
+    "drag_crisis",
+    "gravity",
+    "ground_effect",
+    "lift_by_spin",
+    "magnus",
+    "marker_1_misplaced",
+    "marker_2_misplaced",
+    "marker_3_misplaced",
+    "marker_height",
+    "marker_radius",
+    "marker_time_offset",
+    "pitching_moment_by_spin",
+    "quadratic_spin_down",
+    "roll_damping",
+    "rolling_moment_at_low_angle",
+    "rolling_moment_by_angle",
+    "rolling_moment_by_spin_ratio",
+    "scale",
+    "side_force_by_spin",
+    "side_force_by_spin_and_angle",
+    "spin_decay",
+    "spin_down_by_angle",
+    "spin_down_by_pressure",
+    "stall",
+    "tilted_vertical",
+    "wind",
+    "wind_by_height",
+    "zero_lift_drag_angle"
+);
 
 /// Models that are wrong on purpose, by name: the checks must refute them.
 pub const REFUTED: &[(&str, &str)] = texts!("refuted": "disc_appendix_printed");

@@ -41,6 +41,38 @@ fn every_effect_applies_to_the_models_it_names() {
     }
 }
 
+/// The built-in effects that are made for a model.
+fn effects_on(model: &str) -> Vec<&'static str> {
+    let made_for = |text: &str| {
+        syntax::parse("", text).file.items.iter().any(|item| {
+            matches!(&item.kind, ItemKind::Effect(effect) if effect.on.iter().any(|on| on.text == model))
+        })
+    };
+    let names = EFFECTS.iter().filter(|(_, text)| made_for(text));
+    names.map(|(name, _)| *name).collect()
+}
+
+#[test]
+fn all_effects_apply_together_in_any_order() {
+    for model in ["disc", "disc_quaternion", "discus", "ball"] {
+        let mut names = effects_on(model);
+        assert!(names.len() > 8, "{model}: {names:?}");
+        for _ in 0..2 {
+            let with = load::load(model, &names).unwrap_or_else(|e| panic!("{model}:\n{e}"));
+            for effect in &with.effects {
+                assert!(!effect.variables.is_empty(), "{}", effect.name);
+                assert!(!effect.citation.is_empty(), "{}", effect.name);
+                for c in &effect.coefficients {
+                    let name = &with.coefficients[c.index].name;
+                    assert_eq!(c.vanishes_at, 0.0, "{name}");
+                    assert!(c.negligible.is_some_and(|n| n > 0.0), "{name}");
+                }
+            }
+            names.reverse();
+        }
+    }
+}
+
 #[test]
 fn the_printed_appendix_is_refused_for_four_equations() {
     let (name, _) = REFUTED[0];

@@ -83,8 +83,7 @@ pub fn derive(model: &Model) -> Derived {
     let names = deriver.layout.quantities.clone();
     let mut next = names.iter();
     let of_marker = crate::layout::of_marker(model);
-    for ((quantity, value), of_marker) in
-        model.lets.iter().zip(deriver.lets.clone()).zip(of_marker)
+    for ((quantity, value), of_marker) in model.lets.iter().zip(deriver.lets.clone()).zip(of_marker)
     {
         // `quantities` is not handed a marker.
         if of_marker {

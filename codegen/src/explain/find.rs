@@ -4,7 +4,7 @@ use super::error::{ExplainError, nearest};
 use crate::compile::{Compiled, Selection, compile_for};
 use crate::graph::{NodeId, Symbol};
 use crate::latex;
-use crate::layout::Layout;
+use crate::layout::{Layout, of_marker};
 use model_spec::diagnostic::Span;
 use model_spec::model::{Let, Load, Model};
 
@@ -58,11 +58,22 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     let derived = &compiled.derived;
     let of_let = |name: &str| {
         let mut start = 0;
-        for (quantity, nodes) in changed.lets.iter().zip(&derived.lets) {
+        let of_marker = of_marker(&changed);
+        for ((quantity, nodes), of_marker) in changed.lets.iter().zip(&derived.lets).zip(of_marker)
+        {
+            if quantity.name == name && of_marker {
+                // It is not among the quantities, which are computed without a marker.
+                let each = nodes.iter().zip(["x", "y", "z"]);
+                return each
+                    .map(|(&node, axis)| (format!("{name}_{axis}"), node))
+                    .collect();
+            }
             if quantity.name == name {
                 return derived.quantities[start..start + nodes.len()].to_vec();
             }
-            start += nodes.len();
+            if !of_marker {
+                start += nodes.len();
+            }
         }
         Vec::new()
     };

@@ -71,10 +71,10 @@ fn definitions_by_name() {
     let disc = model_spec::load::load("disc", &[]).unwrap_or_else(|e| panic!("{e}"));
     for (name, latex) in [
         ("C_L", Some(r"C_L = C_{L0} + C_{L\alpha} \alpha")),
-        ("q", Some(r"q = \frac{\rho V^2}{2}")),
+        ("q", Some(r"q = \frac{\rho_{\mathrm{air}} \, V^2}{2}")),
         (
             "weight",
-            Some(r"\mathbf{F}_{\mathrm{weight}} = -m g \mathbf{n}_3"),
+            Some(r"\mathbf{F}_{\mathrm{weight}} = -m g_{\mathrm{here}} \, \mathbf{n}_3"),
         ),
         ("der(u)", None),
         ("nothing", None),

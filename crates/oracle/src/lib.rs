@@ -10,6 +10,7 @@
 pub mod attitude;
 pub mod chart;
 pub mod dynamics;
+pub mod effect;
 pub mod frames;
 pub mod physical;
 pub mod point;

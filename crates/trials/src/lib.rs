@@ -5,6 +5,7 @@
 
 pub mod coverage;
 pub mod fly;
+pub mod hidden;
 pub mod made;
 pub mod page;
 pub mod paper_flight;

@@ -85,10 +85,20 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     report
         .rows
         .extend(every_check(&subject, &compiled, &engine, options));
-    report.rows.push(match checks::effects::variants(loaded) {
-        Some((with, without)) => checks::effects::check(&without, &with, options),
-        None => Row::skipped(checks::effects::EFFECTS, "the model is refused"),
-    });
+    match checks::effects::variants(loaded) {
+        Some((with, without)) => {
+            let off = checks::effects::check(&without, &with, options);
+            report.rows.push(off);
+            report.rows.push(checks::by_hand::check(&with, options));
+        }
+        None => {
+            let why = "the model is refused";
+            let names = [checks::effects::EFFECTS, checks::by_hand::BY_HAND];
+            report
+                .rows
+                .extend(names.map(|name| Row::skipped(name, why)));
+        }
+    }
     report.refuted = refute::refutations(&subject, options);
     if options.mutants && loaded.diagnostics.is_empty() {
         let original = Original::new(&subject);

@@ -55,6 +55,7 @@ fn the_disc_is_verified() {
     singular points: Holds, at most 0 faults
     the model's own cases: Holds, at most 0 faults
     effects off: Holds, at most 1e-12
+    effects by hand: Holds, at most 1e-12
     mutants: Holds, at most 0 faults
     ");
 }

@@ -73,7 +73,7 @@ pub const PREPARED: [&str; 8] = [
 /// What `quantities` computes.
 #[rustfmt::skip]
 pub const QUANTITIES: [&str; 11] = [
-    "air_x", "air_y", "air_z", "density", "gravity", "air_velocity_x", "air_velocity_y",
+    "air_x", "air_y", "air_z", "rho_air", "g_here", "air_velocity_x", "air_velocity_y",
     "air_velocity_z", "V", "A", "drag",
 ];
 
@@ -128,7 +128,7 @@ pub const DY_DMARKER_PATTERN: [(u32, u32); 3] = [
 ];
 
 /// Tells whether this code belongs to a model's text.
-pub const SOURCE_HASH: u64 = 0x22cd405b4e80941;
+pub const SOURCE_HASH: u64 = 0x9375cb8994ff8bdd;
 
 /// These equations as a type.
 #[derive(Clone, Copy, Debug)]

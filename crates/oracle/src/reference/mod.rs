@@ -3,7 +3,7 @@
 mod ball;
 mod disc;
 mod discus;
-mod spinning;
+pub(crate) mod spinning;
 
 use crate::chart::{Chart, Step, defaults};
 use crate::dynamics::MassProperties;
@@ -69,6 +69,23 @@ impl Law {
     /// Whether its body turns.
     pub fn turns(self) -> bool {
         self != Self::Ball
+    }
+
+    /// Forces, moments and the body's answer; constants in the order of [`Law::constants`].
+    pub fn motion<T: Real>(self, constants: &[T], at: &Physical<T>, air: Vector3<T>) -> Motion<T> {
+        match self {
+            Self::Disc => disc::motion(constants, at, air),
+            Self::Ball => ball::motion(constants, at, air),
+            Self::Discus => discus::motion(constants, at, air),
+        }
+    }
+
+    /// Mass, and inertia in the frame that is fixed in the body; constants as above.
+    pub fn mass_properties<T: Real>(self, constants: &[T]) -> MassProperties<T> {
+        match self {
+            Self::Disc | Self::Discus => disc::mass_properties(constants),
+            Self::Ball => ball::mass_properties(constants),
+        }
     }
 }
 
@@ -152,27 +169,22 @@ impl Reference {
 
     /// The same, at a physical state of one's own; constants and wind are taken from the point.
     pub fn motion_at<T: Real>(&self, physical: &Physical<T>, point: &Point<T>) -> Motion<T> {
-        let constants = self.values(point);
-        // The contract fixes the wind's components as inertial ones.
-        let wind = point.inputs[self.wind];
-        match self.law {
-            Law::Disc => disc::motion(&constants, physical, wind),
-            Law::Ball => ball::motion(&constants, physical, wind),
-            Law::Discus => discus::motion(&constants, physical, wind),
-        }
+        self.law
+            .motion(&self.values(point), physical, self.wind(point))
+    }
+
+    /// The wind at a point: the contract fixes its components as inertial ones.
+    pub fn wind<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
+        point.inputs[self.wind]
     }
 
     /// Mass, and inertia in the frame that is fixed in the body.
     pub fn mass_properties<T: Real>(&self, point: &Point<T>) -> MassProperties<T> {
-        let constants = self.values(point);
-        match self.law {
-            Law::Disc => disc::mass_properties(&constants),
-            Law::Ball => ball::mass_properties(&constants),
-            Law::Discus => disc::mass_properties(&constants),
-        }
+        self.law.mass_properties(&self.values(point))
     }
 
-    fn values<T: Real>(&self, point: &Point<T>) -> Vec<T> {
+    /// The law's constants at a point, in the order of [`Law::constants`].
+    pub fn values<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let value = |slot: &Slot| match *slot {
             Slot::Param(i) => point.params[i],
             Slot::Coefficient(i) => point.coefficients[i],

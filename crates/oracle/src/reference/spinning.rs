@@ -11,7 +11,7 @@ use crate::tree::norm;
 use nalgebra::{Matrix3, Vector3};
 
 /// A body of revolution in a stream.
-pub(super) struct Stream<T> {
+pub(crate) struct Stream<T> {
     /// Velocity through the air.
     pub through_air: Vector3<T>,
     /// Its length.

@@ -20,7 +20,8 @@ use oracle::scalar::Tracked;
 pub const EFFECTS: &str = "effects off";
 
 /// The effects that a model could have, each switched on by itself: those of its own file and those that
-/// are built in; or those that it has, where it has any. The second is the model without.
+/// are built in, and those that are built in all at once; or those that it has, where it has any. The second is the
+/// model without.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
@@ -36,9 +37,24 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
             ItemKind::Effect(effect) => Some(effect.name.text.as_str()),
             _ => None,
         });
-    let names = own.chain(load::EFFECTS.iter().map(|(name, _)| *name));
+    let own: Vec<&str> = own.collect();
+    let catalogue = load::EFFECTS.iter().map(|(name, _)| *name);
+    let catalogue = catalogue.filter(|name| !own.contains(name));
     // One that is made for another model cannot be applied.
-    Some((names.filter_map(|name| apply(&[name])).collect(), without))
+    let mut alone = Vec::new();
+    let mut together = Vec::new();
+    for name in own.iter().copied().chain(catalogue) {
+        if let Some(model) = apply(&[name]) {
+            alone.push(model);
+            if !own.contains(&name) {
+                together.push(name);
+            }
+        }
+    }
+    if together.len() > 1 {
+        alone.extend(apply(&together));
+    }
+    Some((alone, without))
 }
 
 /// Each model with effects against the model without.

@@ -1,6 +1,7 @@
 //! The checks, one file each.
 
 pub mod backends;
+pub mod by_hand;
 pub mod cases;
 pub mod derivatives;
 pub mod effects;

@@ -1,0 +1,155 @@
+//! Flights with hidden effects: nothing hidden is nothing changed, every effect shows, and the fit finds it by name.
+
+use identify::dataset::{Dataset, Role};
+use identify::fit::fit;
+use identify::options::Options;
+use identify::synthesize::Noise;
+use oracle::effect;
+use oracle::reference::Law;
+use trials::coverage::TWELVE;
+use trials::hidden::{Hidden, ball, dataset, outside, strength};
+use trials::made::{Plan, disc, flights};
+
+const FOUR: Plan<'static> = Plan {
+    flights: 4,
+    ..TWELVE
+};
+
+/// The greatest distance between the same points of two datasets, m.
+fn apart(a: &Dataset, b: &Dataset) -> f64 {
+    let points = |d: &Dataset| -> Vec<[f64; 3]> {
+        let rows = d.flights.iter().flat_map(|f| f.positions.iter().flatten());
+        rows.map(|point| point.expect("seen")).collect()
+    };
+    let (a, b) = (points(a), points(b));
+    assert_eq!(a.len(), b.len());
+    let each = a.iter().flatten().zip(b.iter().flatten());
+    each.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+fn of_law(law: Law, plan: &Hidden, seed: u64) -> Dataset {
+    match law {
+        Law::Ball => {
+            let plan_of = ball::Plan {
+                flights: 4,
+                ..ball::FOOTBALL
+            };
+            ball::dataset(&plan_of, plan, seed)
+        }
+        _ => dataset(&FOUR, plan, seed),
+    }
+}
+
+#[test]
+fn nothing_hidden_is_what_is_made_without() {
+    let made = flights(&disc(), &FOUR, 5);
+    assert_eq!(made, dataset(&FOUR, &Hidden::default(), 5));
+}
+
+#[test]
+fn every_effect_shows_more_when_it_is_strong() {
+    for found in effect::ALL {
+        let name = found.name;
+        let strength = strength::of(name).unwrap_or_else(|| panic!("no strength of {name}"));
+        assert_eq!(strength.weak.len(), found.values(), "{name}");
+        assert_eq!(strength.strong.len(), found.values(), "{name}");
+        for law in [Law::Disc, Law::Ball] {
+            if !found.laws.contains(&law) {
+                continue;
+            }
+            let plain = of_law(law, &Hidden::default(), 3);
+            let shown = [strength.weak, strength.strong]
+                .map(|values| apart(&plain, &of_law(law, &Hidden::effect(name, values), 3)));
+            assert!(shown[0] > 1e-5, "{name} of {law:?}: {shown:?}");
+            assert!(shown[1] > 1.5 * shown[0], "{name} of {law:?}: {shown:?}");
+            assert!(shown[1] < 10.0, "{name} of {law:?}: {shown:?}");
+        }
+    }
+    assert_eq!(strength::ALL.len(), effect::ALL.len());
+}
+
+#[test]
+fn what_is_outside_shows_too() {
+    assert!(outside::ALL.len() >= 6);
+    for found in outside::ALL {
+        assert!(effect::by_name(found.name).is_none(), "{}", found.name);
+        for law in [Law::Disc, Law::Ball] {
+            if !found.laws.contains(&law) {
+                continue;
+            }
+            let plain = of_law(law, &Hidden::default(), 3);
+            let shown = found
+                .strength
+                .map(|size| apart(&plain, &of_law(law, &Hidden::outside(found.name, size), 3)));
+            assert!(shown[0] > 1e-3, "{} of {law:?}: {shown:?}", found.name);
+            assert!(
+                shown[1] > 1.5 * shown[0],
+                "{} of {law:?}: {shown:?}",
+                found.name
+            );
+            assert!(shown[1] < 10.0, "{} of {law:?}: {shown:?}", found.name);
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_flights() {
+    let hidden = Hidden {
+        held_out: 1,
+        ..Hidden::effect("wind", &[0.3, 0.1]).with_noise(Noise::default())
+    };
+    let made = dataset(&FOUR, &hidden, 8);
+    assert_eq!(made, dataset(&FOUR, &hidden, 8));
+    assert_ne!(made, dataset(&FOUR, &hidden, 9));
+    let roles: Vec<Role> = made.flights.iter().map(|flight| flight.role).collect();
+    assert_eq!(roles, [Role::Fit, Role::Fit, Role::Fit, Role::HeldOut]);
+}
+
+/// The model with the effect switched on finds its numbers again.
+fn found_again(model: &str, name: &str, hidden: &Dataset, truth: &[f64]) {
+    let with = model_spec::load::load(model, &[name]).expect("a model");
+    let report = fit(&with, hidden, &Options::default())
+        .expect("a fit")
+        .report;
+    let names = effect::by_name(name).expect("by hand").coefficients;
+    for (coefficient, truth) in names.iter().zip(truth) {
+        let found = &report.coefficients[*coefficient];
+        let error = (found.value - truth) / found.std_error;
+        assert!(error.abs() < 4.0, "{name}, {coefficient}: {found:?}");
+        // It is well known, not merely not excluded.
+        assert!(found.std_error < 0.5 * truth.abs(), "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn the_fit_finds_what_is_hidden() {
+    for name in [
+        "zero_lift_drag_angle",
+        "constant_pitching_moment",
+        "rolling_moment_by_angle",
+        "stall",
+        "wind",
+        "scale",
+        "tilted_vertical",
+        "side_force_by_spin",
+        "marker_2_misplaced",
+        "marker_time_offset",
+    ] {
+        let strong = strength::of(name).expect("a strength").strong;
+        let hidden = Hidden::effect(name, strong).with_noise(Noise::default());
+        found_again("disc", name, &dataset(&TWELVE, &hidden, 21), strong);
+    }
+}
+
+#[test]
+fn the_fit_finds_what_is_hidden_in_flights_of_a_ball() {
+    for (name, plan) in [
+        ("magnus", &ball::TABLE_TENNIS),
+        ("drag_crisis", &ball::FOOTBALL),
+        ("spin_decay", &ball::TABLE_TENNIS),
+    ] {
+        let strong = strength::of(name).expect("a strength").strong;
+        let hidden = Hidden::effect(name, strong).with_noise(Noise::default());
+        found_again("ball", name, &ball::dataset(plan, &hidden, 22), strong);
+    }
+}

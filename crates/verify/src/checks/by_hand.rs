@@ -1,0 +1,94 @@
+//! Effects of the catalogue against the same effects written by hand: derivatives and observation, each effect alone
+//! and all at once, its coefficients anywhere within half their bounds. Coefficients of the model's own that the law does not know vanish.
+
+use crate::random::Random;
+use crate::report::{Row, Worst};
+use crate::sample;
+use crate::subject::Equations;
+use crate::values::Values;
+use crate::{Options, TOLERANCE};
+use model_spec::load;
+use model_spec::model::Model;
+use oracle::effect::Bound;
+use oracle::point::Point;
+use oracle::scalar::Tracked;
+
+/// Name of the check.
+pub const BY_HAND: &str = "effects by hand";
+
+/// Each model, as far as its effects are the catalogue's own.
+pub fn check(with: &[Model], options: &Options) -> Row {
+    let catalogued: Vec<&Model> = with.iter().filter(|model| catalogued(model)).collect();
+    if catalogued.is_empty() {
+        return Row::skipped(BY_HAND, "no effects of the catalogue for this model");
+    }
+    let mut worst = Worst::default();
+    for model in &catalogued {
+        let engine = Values::of(model);
+        match compare(model, &engine, options) {
+            Some(Ok(one)) => worst.see(one.error, || one.place),
+            Some(Err(why)) => return Row::counted(BY_HAND, 1, &[why], ""),
+            None => return Row::skipped(BY_HAND, "the model claims no reference"),
+        }
+    }
+    Row::judged(BY_HAND, catalogued.len(), &worst, TOLERANCE)
+}
+
+/// The worst of a model with effects against its law with the effects by hand; an error where one of them is not written
+/// by hand, nothing where the model claims no law.
+pub fn compare(
+    model: &Model,
+    equations: &dyn Equations,
+    options: &Options,
+) -> Option<Result<Worst, String>> {
+    let by_hand = match Bound::bind(model)? {
+        Ok(by_hand) => by_hand,
+        Err(why) => return Some(Err(why)),
+    };
+    let names: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
+    let names = names.join(" with ");
+    let mut random = Random::new(options.seed, BY_HAND);
+    let mut worst = Worst::default();
+    for _ in 0..options.cases.div_ceil(10) {
+        let mut point = sample::point(model, &mut random);
+        // Terms of the model's own are nothing the law knows.
+        for (index, vanishes_at) in by_hand.reference.vanishing(model) {
+            point.coefficients[index] = vanishes_at;
+        }
+        let point = at_work(model, point, &mut random);
+        let lifted = point.lift::<Tracked>();
+        let got = equations.rates(&point);
+        for (i, expected) in by_hand.derivatives(&lifted).into_iter().enumerate() {
+            let error = got.get(i).map_or(f64::INFINITY, |&v| expected.error_of(v));
+            worst.see(error, || {
+                format!("der({}) with {names}", model.states[i].name)
+            });
+        }
+        let Some(seen) = equations.observation(&point) else {
+            continue;
+        };
+        for (expected, got) in by_hand.observation(&lifted).iter().zip(seen.iter()) {
+            let error = expected.error_of(*got);
+            worst.see(error, || format!("the observation with {names}"));
+        }
+    }
+    Some(Ok(worst))
+}
+
+/// The point with the coefficients of effects within half their bounds: beyond, a body may have no inertia.
+fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f64> {
+    for c in model.effects.iter().flat_map(|e| &e.coefficients) {
+        let (low, high) = model.coefficients[c.index].bounds.unwrap_or((-1.0, 1.0));
+        point.coefficients[c.index] = random.between(low / 2.0, high / 2.0);
+    }
+    point
+}
+
+/// Whether every effect of the model is the built-in one, and not one of the same name.
+fn catalogued(model: &Model) -> bool {
+    let built_in = |name: &str| {
+        let text = load::EFFECTS.iter().find(|(n, _)| *n == name);
+        text.is_some_and(|(_, text)| model.sources.iter().any(|source| source.text == *text))
+    };
+    model.effects.iter().all(|effect| built_in(&effect.name))
+}
