@@ -73,5 +73,5 @@ fn a_changed_effect_is_refuted() {
 
 fn model_text(name: &str) -> String {
     let found = model_spec::load::MODELS.iter().find(|(n, _)| *n == name);
-    (*found.expect("a built-in model")).1.to_owned()
+    found.expect("a built-in model").1.to_owned()
 }

@@ -9,7 +9,7 @@ pub mod strength;
 mod watch;
 
 use identify::dataset::{Dataset, Flight, Role};
-use identify::synthesize::{Noise, corrupt};
+use identify::synthesize::{MARKERS, Noise, corrupt};
 use nalgebra::Vector3;
 use oracle::effect::{World, by_name};
 use oracle::physical::Physical;
@@ -18,7 +18,7 @@ use oracle::reference::Reference;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
-use crate::made::{MARKERS, Plan, disc, empty, truth};
+use crate::made::{Plan, disc, empty, truth};
 use watch::Flown;
 
 /// What is hidden in a dataset.

@@ -1,5 +1,6 @@
 //! Effects of the catalogue against the same effects written by hand: derivatives and observation, each effect alone
-//! and all at once, its coefficients anywhere within half their bounds. Coefficients of the model's own that the law does not know vanish.
+//! and all at once, its coefficients anywhere within half their bounds. Coefficients of the model's own that the law
+//! does not know vanish.
 
 use crate::random::Random;
 use crate::report::{Row, Worst};
