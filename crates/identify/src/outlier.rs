@@ -35,8 +35,7 @@ pub fn departures(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 
             };
             for axis in 0..3 {
                 if departure[axis].abs() > limit[axis] {
-                    departure[axis] =
-                        series.departure(index, axis, |line| at_zero(line, &mut space));
+                    departure[axis] = series.departure(index, axis, &mut space);
                 }
             }
         }
@@ -65,49 +64,62 @@ impl Series {
         if self.0.len() < LEAST {
             return departures;
         }
-        for (index, &(_, sample, _)) in self.0.iter().enumerate() {
-            let each = [0, 1, 2].map(|axis| self.departure(index, axis, least_squares_at_zero));
-            departures[sample] = Some(each);
+        for (index, &(time, sample, value)) in self.0.iter().enumerate() {
+            let neighbours = self
+                .neighbours(index)
+                .map(|&(t, _, value)| (t - time, value));
+            let (at_zero, spread) = least_squares_at_zero(neighbours);
+            departures[sample] = Some([0, 1, 2].map(|axis| (value[axis] - at_zero[axis]) / spread));
         }
         departures
     }
 
-    /// How far a point lies from a line through its neighbours, by where `line` has that line at the point.
-    fn departure(
-        &self,
-        index: usize,
-        axis: usize,
-        mut line: impl FnMut(&[(f64, f64)]) -> f64,
-    ) -> f64 {
+    /// The neighbours that a point is held against.
+    fn neighbours(&self, index: usize) -> impl Iterator<Item = &(f64, usize, [f64; 3])> + Clone {
         let seen = &self.0;
         // As many neighbours at the ends, all to one side.
         let first = index
             .saturating_sub(SIDE)
             .min(seen.len().saturating_sub(2 * SIDE + 1));
+        let last = (first + 2 * SIDE + 1).min(seen.len());
+        seen[first..index].iter().chain(&seen[index + 1..last])
+    }
+
+    /// How far a point lies along an axis from the line that outliers do not move.
+    fn departure(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
+        let (time, _, value) = self.0[index];
         let mut points = [(0.0, 0.0); 2 * SIDE];
         let mut count = 0;
-        for other in (first..(first + 2 * SIDE + 1).min(seen.len())).filter(|other| *other != index)
-        {
-            points[count] = (seen[other].0 - seen[index].0, seen[other].2[axis]);
+        for (point, &(t, _, value)) in points.iter_mut().zip(self.neighbours(index)) {
+            *point = (t - time, value[axis]);
             count += 1;
         }
         let points = &points[..count];
-        (seen[index].2[axis] - line(points)) / spread_at_zero(points)
+        let all = points.iter().map(|&(time, _)| (time, [0.0; 3]));
+        let (_, spread) = least_squares_at_zero(all);
+        (value[axis] - at_zero(points, space)) / spread
     }
 }
 
-/// Where the line of least squares through points (time, value) passes time 0.
-fn least_squares_at_zero(points: &[(f64, f64)]) -> f64 {
-    let count = points.len() as f64;
-    let (time, value) = points
-        .iter()
-        .fold((0.0, 0.0), |sum, point| (sum.0 + point.0, sum.1 + point.1));
-    let (time, value) = (time / count, value / count);
-    let (width, slope) = points.iter().fold((0.0, 0.0), |(width, slope), point| {
-        let from = point.0 - time;
-        (width + from * from, slope + from * (point.1 - value))
-    });
-    value - slope / width * time
+/// Where the lines of least squares through points (time, values) pass time 0; and the standard deviation of a new value
+/// less that, over that of one value.
+fn least_squares_at_zero(points: impl Iterator<Item = (f64, [f64; 3])> + Clone) -> ([f64; 3], f64) {
+    let (mut count, mut time, mut value) = (0.0, 0.0, [0.0; 3]);
+    for (t, values) in points.clone() {
+        count += 1.0;
+        time += t;
+        value = [0, 1, 2].map(|axis| value[axis] + values[axis]);
+    }
+    let (time, value) = (time / count, value.map(|sum| sum / count));
+    let (mut width, mut slope) = (0.0, [0.0; 3]);
+    for (t, values) in points {
+        let from = t - time;
+        width += from * from;
+        slope = [0, 1, 2].map(|axis| slope[axis] + from * (values[axis] - value[axis]));
+    }
+    let part = time / width;
+    let at_zero = [0, 1, 2].map(|axis| value[axis] - slope[axis] * part);
+    (at_zero, (1.0 + 1.0 / count + time * part).sqrt())
 }
 
 /// Where a line through points (time, value) passes time 0: by the medians of all slopes and of all intercepts, which
@@ -122,14 +134,6 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     space.clear();
     space.extend(points.iter().map(|(time, value)| value - slope * time));
     median(space)
-}
-
-/// Standard deviation of a new value less that of a least-squares line at time 0, over that of one value.
-fn spread_at_zero(points: &[(f64, f64)]) -> f64 {
-    let count = points.len() as f64;
-    let mean = points.iter().map(|(time, _)| time).sum::<f64>() / count;
-    let width: f64 = points.iter().map(|(time, _)| (time - mean).powi(2)).sum();
-    (1.0 + 1.0 / count + mean * mean / width).sqrt()
 }
 
 /// The usual size of departures along each axis, m.
