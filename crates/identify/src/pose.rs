@@ -31,9 +31,23 @@ pub fn fix_attitude(markers: &[[f64; 3]]) -> bool {
         .iter()
         .map(|p| (p - centre) * (p - centre).transpose())
         .sum();
-    let mut spread = scatter.symmetric_eigenvalues().as_slice().to_vec();
-    spread.sort_by(f64::total_cmp);
-    spread[2] > 0.0 && spread[1].max(0.0).sqrt() > IN_LINE * spread[2].sqrt()
+    let [along, across] = two_greatest(&scatter);
+    along > 0.0 && across.max(0.0).sqrt() > IN_LINE * along.sqrt()
+}
+
+/// The two greatest eigenvalues of a symmetric matrix, by the cosines of a third of an angle: it is asked of every frame.
+fn two_greatest(matrix: &Matrix3<f64>) -> [f64; 2] {
+    let mean = matrix.trace() / 3.0;
+    let rest = matrix - Matrix3::from_diagonal_element(mean);
+    let size = (rest.norm_squared() / 6.0).sqrt();
+    if size == 0.0 {
+        return [mean; 2];
+    }
+    let cosine = (rest / size).determinant() / 2.0;
+    let third = cosine.clamp(-1.0, 1.0).acos() / 3.0;
+    let greatest = mean + 2.0 * size * third.cos();
+    let least = mean + 2.0 * size * (third + std::f64::consts::TAU / 3.0).cos();
+    [greatest, 3.0 * mean - greatest - least]
 }
 
 /// The pose that brings the markers nearest to where they were seen; none where what was seen does not fix it.
