@@ -277,7 +277,7 @@ fn locate<D: Dynamics>(
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
 }
 
-pub(crate) fn not_finite<X: Storage>(x: &X) -> Option<usize> {
+fn not_finite<X: Storage>(x: &X) -> Option<usize> {
     // First without branches: it is asked of every step.
     if x.as_ref().iter().fold(true, |all, v| all & v.is_finite()) {
         return None;
@@ -286,7 +286,7 @@ pub(crate) fn not_finite<X: Storage>(x: &X) -> Option<usize> {
 }
 
 #[cold]
-pub(crate) fn check_start<D: Dynamics>(
+fn check_start<D: Dynamics>(
     d: &D,
     t: f64,
     x: &D::State,
@@ -345,13 +345,13 @@ fn fail<D: Dynamics>(d: &D, time: f64, x: &D::State, cause: Cause) -> FlightErro
 }
 
 #[cold]
-pub(crate) fn too_many_steps<D: Dynamics>(d: &D, t: f64, x: &D::State, work: Work) -> FlightError {
+fn too_many_steps<D: Dynamics>(d: &D, t: f64, x: &D::State, work: Work) -> FlightError {
     let steps = work.steps + work.refused;
     fail(d, t, x, Cause::TooManySteps { steps })
 }
 
 #[cold]
-pub(crate) fn no_answer<D: Dynamics>(
+fn no_answer<D: Dynamics>(
     d: &D,
     t: f64,
     x: &D::State,
@@ -371,7 +371,7 @@ pub(crate) fn no_answer<D: Dynamics>(
 
 /// Why no step is short enough: the model has no answer just ahead, or changes too fast.
 #[cold]
-pub(crate) fn stuck<D: Dynamics>(
+fn stuck<D: Dynamics>(
     d: &mut D,
     t: f64,
     x: &D::State,

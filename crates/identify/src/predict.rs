@@ -7,7 +7,7 @@ mod sums;
 
 use flight::body::States;
 use flight::sensitivity::{Linearised, Sensitivities};
-use flight::{Dynamics, Method, Options, fly_landing};
+use flight::{Dynamics, Method, Options, fly_at};
 use nalgebra::DVector;
 
 use self::columns::Columns;
@@ -18,21 +18,18 @@ use crate::setting::Setting;
 use crate::sight::Sight;
 use crate::track::Track;
 
-/// Tolerance of the integration over the noise's size (per metre): errors stay below a hundredth of it.
+/// Tolerance of the integration over the noise's size (per metre). A disc then stays below a thousandth of the noise after
+/// a second, and one that spins fast and is told by a quaternion, whose errors add up, below a fiftieth.
 const TOLERANCE: f64 = 0.007;
 
 /// The same for residuals alone, which are looked at one by one.
-const LOOSE_TOLERANCE: f64 = 0.07;
+const LOOSE_TOLERANCE: f64 = 0.02;
 
-/// The same on the way, where another step follows.
-const ROUGH_TOLERANCE: f64 = 0.7;
+/// The same on the way, where another step follows: below a quarter of the noise at worst.
+const ROUGH_TOLERANCE: f64 = 0.08;
 
 /// Bounds of the tolerance: what rounding allows, and what keeps a flight a flight.
 const TOLERANCES: (f64, f64) = (1e-10, 1e-3);
-
-fn tolerance(setting: &Setting, part: f64) -> f64 {
-    (setting.floor * part).clamp(TOLERANCES.0, TOLERANCES.1)
-}
 
 /// Which unknowns a residual is differentiated by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -188,7 +185,8 @@ impl Along<'_> {
             &mut variations,
             start,
             &track.times[..self.samples],
-            tolerance(setting, self.part),
+            setting,
+            self.part,
         )?;
         let parameters = track.parameters(setting, self.shared);
         let sight = Sight::new(&setting.body, &parameters, track.markers);
@@ -235,7 +233,8 @@ pub fn states(
         &mut conditions.motion(),
         start,
         &track.times[..samples],
-        tolerance(setting, LOOSE_TOLERANCE),
+        setting,
+        LOOSE_TOLERANCE,
     )
 }
 
@@ -280,20 +279,21 @@ pub fn residuals_of(
     residuals
 }
 
-/// Flies from the first of the times to the last, and gives the state at each.
+/// Flies from the first of the times to the last, and gives the state at each; the tolerance is a part of the noise's size.
 fn flown<D: Dynamics<State = States>>(
     dynamics: &mut D,
     start: States,
     times: &[f64],
-    tolerance: f64,
+    setting: &Setting,
+    part: f64,
 ) -> Result<Vec<f64>, String> {
     let mut samples = vec![0.0; start.len() * times.len()];
     let options = Options {
         method: Method::Tsit5,
-        ..Options::tolerance(tolerance)
+        ..Options::tolerance((setting.floor * part).clamp(TOLERANCES.0, TOLERANCES.1))
     };
     let from = (times[0], &start);
-    fly_landing(dynamics, from, times, &options, &mut samples)
+    fly_at(dynamics, from, times, &options, &mut [], &mut samples)
         .map_err(|error| error.to_string())?;
     Ok(samples)
 }
