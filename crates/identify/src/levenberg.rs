@@ -80,12 +80,14 @@ pub struct Solution {
     pub point: Point,
     /// Normal equations there, but for a negligible last step.
     pub blocks: Vec<Block>,
-    /// The sum of squares with that of the priors.
+    /// The sum of squares with that of the priors; of a last step that nobody saw, as it promised.
     pub squares: f64,
     /// Steps that were tried.
     pub iterations: usize,
     /// Whether the steps had become negligible.
     pub converged: bool,
+    /// By how much the last step that was not held back was to decrease the sum of squares.
+    pub promised: Option<f64>,
 }
 
 /// Why there is no solution.
@@ -132,10 +134,31 @@ impl Until {
         part: 1e-3,
         steps: 30,
     };
+    /// After one step, unseen.
+    pub const ONCE: Until = Until {
+        gain: f64::INFINITY,
+        part: 0.0,
+        steps: 1,
+    };
+
+    /// Whether a step that promises so much of what is left is negligible, or is but for what the next would find, as the
+    /// promises shrink from the one `before` it.
+    fn is_reached(&self, promised: f64, before: Option<f64>, squares: f64) -> bool {
+        let limit = self.gain.max(self.part * squares);
+        let next = before.map_or(f64::INFINITY, |before| promised * (promised / before));
+        promised <= limit || promised <= NEARLY.0 * limit && next <= limit / NEARLY.1
+    }
 }
+
+/// A step over the limit by no more than the first of these is taken unseen where the next would be below the limit by the
+/// second.
+const NEARLY: (f64, f64) = (10.0, 50.0);
 
 /// Damping at which no step is tried any more.
 const MOST_DAMPING: f64 = 1e8;
+
+/// Damping up to which a step is as long as it would be without.
+const FREE_DAMPING: f64 = 1e-6;
 
 /// Damping below which it makes no difference.
 const LEAST_DAMPING: f64 = 1e-12;
@@ -145,6 +168,19 @@ const LEAST_DAMPING: f64 = 1e-12;
 /// # Errors
 /// See [`Failure`].
 pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solution, Failure> {
+    solve_after(problem, start, until, None)
+}
+
+/// The same from where another iteration ended, by what its last step had promised of nearly the same sum of squares.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn solve_after(
+    problem: &impl Problem,
+    start: Point,
+    until: Until,
+    mut last_promised: Option<f64>,
+) -> Result<Solution, Failure> {
     let mut point = start;
     let mut blocks = linearise(problem, &point)?;
     let mut before = squares(problem, &point, &blocks);
@@ -161,8 +197,10 @@ pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solut
             continue;
         };
         // A negligible step is taken, and is not worth the look that it would cost.
-        if promised <= until.gain.max(until.part * before) {
+        if until.is_reached(promised, last_promised, before) {
             point = candidate;
+            before -= promised;
+            last_promised = Some(promised);
             converged = true;
             break;
         }
@@ -177,6 +215,8 @@ pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solut
         match there {
             Some(there) if after < before => {
                 (point, blocks, before) = (candidate, there, after);
+                // Where steps are held back, how they shrink says nothing of what is left.
+                last_promised = Some(promised).filter(|_| damping <= FREE_DAMPING);
                 damping = (damping * 0.1).max(LEAST_DAMPING);
             }
             _ if damping < MOST_DAMPING => damping = (damping * 10.0).max(1e-6),
@@ -189,6 +229,7 @@ pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solut
         squares: before,
         iterations,
         converged,
+        promised: last_promised,
     })
 }
 

@@ -25,18 +25,15 @@ pub struct Looked {
 /// Samples of which the quantities are looked at, in each flight.
 const LOOKS: usize = 12;
 
-/// Flies a flight once more, and looks.
-///
-/// # Errors
-/// In words, where it is impossible.
+/// Looks at a flight by its states, sample after sample.
 pub fn look(
     setting: &Setting,
     track: &Track,
     noise: &Noise,
-    unknowns: (&DVector<f64>, &DVector<f64>),
-) -> Result<Looked, String> {
-    let flown = states(setting, track, unknowns, track.times.len())?;
-    let all = residuals_of(setting, track, unknowns.0, &flown);
+    shared: &DVector<f64>,
+    flown: &[f64],
+) -> Looked {
+    let all = residuals_of(setting, track, shared, flown);
     let mut pool = Pool::default();
     for (marker, series) in all.iter().enumerate() {
         let outlier = |sample: usize| track.outlier[sample * track.markers + marker];
@@ -46,7 +43,7 @@ pub fn look(
             .collect();
         pool.add(&track.times, &good, noise);
     }
-    let conditions = setting.body.with(track.parameters(setting, unknowns.0));
+    let conditions = setting.body.with(track.parameters(setting, shared));
     let mut observer = conditions.observer();
     let mut support = Support::new();
     let width = track.chart.states();
@@ -62,12 +59,12 @@ pub fn look(
             }
         }
     }
-    Ok(Looked {
+    Looked {
         rms: pool.rms(),
         outliers: track.outlier.iter().filter(|outlier| **outlier).count(),
         pool,
         support,
-    })
+    }
 }
 
 /// A flight as measured and as predicted; none where it cannot be flown.

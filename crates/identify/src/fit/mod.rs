@@ -4,6 +4,7 @@
 //! and the noise (its scale and its first-order correlation along each axis, its outliers) is estimated with them.
 
 mod begin;
+mod flown;
 mod held_out;
 mod look;
 mod outcome;
@@ -79,12 +80,12 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
     );
     let started = clock.elapsed().as_secs_f64();
 
-    let mut state = spin::grow_all(&setting, begun, options)?;
-    recover::recover(&setting, &mut state, options)?;
-    let (noise, solution) = rounds::rounds(&setting, &mut state, options)?;
+    let (mut state, flown) = spin::grow_all(&setting, begun, options)?;
+    let flown = recover::recover(&setting, &mut state, flown, options)?;
+    let (noise, solution, flown) = rounds::rounds(&setting, &mut state, flown, options)?;
     let solved = clock.elapsed().as_secs_f64();
 
-    let outcome = outcome::Outcome::new(&setting, &state, &noise, &solution, options)?;
+    let outcome = outcome::Outcome::new(&setting, &state, flown, &noise, &solution, options)?;
     let mut report = outcome.report();
     let reports: Vec<_> = (0..used.len()).map(|index| outcome.flight(index)).collect();
     drop(outcome);

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::look::look;
+use super::flown::Flown;
+use super::look::{Looked, look};
 use super::problem::Squares;
 use super::{FitError, State, told};
 use crate::dataset::Flight;
@@ -40,13 +41,14 @@ pub struct Outcome<'a> {
 }
 
 impl<'a> Outcome<'a> {
-    /// Works out what a solution is worth.
+    /// Works out what a solution is worth, from the flights as it flies them.
     ///
     /// # Errors
     /// [`FitError`] where a flight does not determine its initial state, or is impossible.
     pub fn new(
         setting: &'a Setting,
         state: &'a State,
+        flown: Flown,
         noise: &'a Noise,
         solution: &'a Solution,
         options: &Options<'_>,
@@ -69,21 +71,20 @@ impl<'a> Outcome<'a> {
             profiles.push(found.map_err(|failure| told(failure, &state.tracks))?);
         }
         let looked = flight::batch::each_on(options.threads(), state.tracks.len(), |index| {
-            look(
+            let states = flown.states(state, index)?;
+            Ok(look(
                 setting,
                 &state.tracks[index],
                 noise,
-                (&solution.point.shared, &solution.point.own[index]),
-            )
+                &state.shared,
+                states,
+            ))
         });
         let mut pool = Pool::default();
         let mut support = Support::new();
         let mut flights = Vec::with_capacity(looked.len());
-        for (looked, track) in looked.into_iter().zip(&state.tracks) {
-            let looked = looked.map_err(|reason| FitError::Flight {
-                file: track.file.clone(),
-                reason,
-            })?;
+        for looked in looked {
+            let looked: Looked = looked?;
             pool.join(looked.pool);
             for (name, (low, high)) in looked.support {
                 let range = support.entry(name).or_insert((low, high));

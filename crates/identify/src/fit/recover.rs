@@ -4,8 +4,9 @@ use flight::batch;
 use nalgebra::DVector;
 
 use super::begin::{FIRST, spin_note};
+use super::flown::{Flown, size};
 use super::problem::whole;
-use super::settle::{own_only, settle, size, sizes};
+use super::settle::{own_only, settle};
 use super::{FitError, State};
 use crate::noise::median;
 use crate::options::Options;
@@ -20,17 +21,18 @@ const SUSPECT: f64 = 3.0;
 const BETTER: f64 = 0.7;
 
 /// Starts flights anew whose residuals are far greater than the others' and than the noise, and fits all again where
-/// that helped.
+/// that helped. Takes and gives the flights as they are flown.
 ///
 /// # Errors
 /// As [`settle`](super::settle::settle).
 pub fn recover(
     setting: &Setting,
     state: &mut State,
+    flown: Flown,
     options: &Options<'_>,
-) -> Result<(), FitError> {
-    let sizes = sizes(setting, state, &whole(&state.tracks), options);
-    let sizes: Vec<f64> = sizes
+) -> Result<Flown, FitError> {
+    let sizes: Vec<f64> = flown
+        .sizes()
         .into_iter()
         .map(|size| size.unwrap_or(f64::INFINITY))
         .collect();
@@ -46,7 +48,7 @@ pub fn recover(
         .filter(|&flight| sizes[flight] > limit)
         .collect();
     if suspects.is_empty() {
-        return Ok(());
+        return Ok(flown);
     }
     options.begins("flights that stand out", suspects.len());
     let found = batch::each_on(options.threads(), suspects.len(), |index| {
@@ -67,9 +69,9 @@ pub fn recover(
         }
     }
     if helped {
-        settle(setting, state, whole(&state.tracks), false, options)?;
+        return settle(setting, state, whole(&state.tracks), false, options);
     }
-    Ok(())
+    Ok(flown)
 }
 
 /// A better initial state of a flight, with the coefficients as they are, and what is to be said of it.

@@ -2,13 +2,15 @@
 
 use flight::batch;
 
-use super::problem::Squares;
+use super::flown::Flown;
+use super::problem::{Squares, whole};
+use super::settle::step_unseen;
 use super::{FitError, State, told, white};
-use crate::levenberg::{Point, Solution, Until, solve};
+use crate::levenberg::{Point, Solution, Until, solve_after};
 use crate::noise::{Moments, Noise};
 use crate::options::Options;
 use crate::outlier;
-use crate::predict::{Loss, residuals};
+use crate::predict::Loss;
 use crate::setting::Setting;
 
 /// One changed mark in so many points is none.
@@ -17,38 +19,49 @@ const MANY: usize = 10_000;
 /// How often the noise is estimated at most.
 const ROUNDS: usize = 8;
 
-/// Brings noise and unknowns to agree.
+/// Brings noise and unknowns to agree. Takes and gives the flights as they are flown.
 ///
 /// # Errors
 /// [`FitError::Flight`] where a flight becomes impossible, [`FitError::Interrupted`].
 pub fn rounds(
     setting: &Setting,
     state: &mut State,
+    mut flown: Flown,
     options: &Options<'_>,
-) -> Result<(Noise, Solution), FitError> {
+) -> Result<(Noise, Solution, Flown), FitError> {
     let mut noise = white(setting, state);
     let mut solution: Option<Solution> = None;
+    let mut promised = None;
     for round in 0..ROUNDS {
-        let (estimated, marks_changed) = estimate(setting, state, options)?;
+        let (estimated, marks_changed) = estimate(setting, state, &flown, options)?;
         let settled = !marks_changed && estimated.is_close_to(&noise);
         if let Some(solution) = solution.take_if(|_| settled) {
-            return Ok((noise, solution));
+            return Ok((noise, solution, flown));
         }
         noise = estimated;
         state.rounds = round + 1;
         options.begins(&format!("noise, round {}", round + 1), state.tracks.len());
+        let loss = Loss::Whitened(&noise);
+        // The noise is known better after one step, and that step need not be seen for it.
+        if round == 0
+            && let Some(there) = step_unseen(setting, state, loss, &flown, options)?
+        {
+            (flown, promised) = there;
+            continue;
+        }
         let start = Point {
             shared: state.shared.clone(),
             own: state.own.clone(),
         };
-        let problem = Squares::of_all(setting, &state.tracks, Loss::Whitened(&noise), options);
-        let found = solve(&problem, start, Until::DONE);
+        let problem = Squares::of_all(setting, &state.tracks, loss, options);
+        let found = solve_after(&problem, start, Until::DONE, promised.take());
         let found = found.map_err(|failure| told(failure, &state.tracks))?;
         state.take(&found);
+        flown = Flown::new(setting, state, &whole(&state.tracks), options);
         solution = Some(found);
     }
     solution
-        .map(|solution| (noise, solution))
+        .map(|solution| (noise, solution, flown))
         .ok_or(FitError::Interrupted)
 }
 
@@ -56,17 +69,18 @@ pub fn rounds(
 fn estimate(
     setting: &Setting,
     state: &mut State,
+    flown: &Flown,
     options: &Options<'_>,
 ) -> Result<(Noise, bool), FitError> {
     let scales = batch::each_on(options.threads(), state.tracks.len(), |flight| {
-        let departures =
-            outlier::departures(&state.tracks[flight].times, &of(setting, state, flight)?);
+        let residuals = flown.residuals(setting, state, flight)?;
+        let departures = outlier::departures(&state.tracks[flight].times, &residuals);
         Ok(outlier::scale(&departures))
     });
     let scales: Vec<[f64; 3]> = scales.into_iter().collect::<Result<_, FitError>>()?;
     let usual = outlier::usual(&scales);
     let marked = batch::each_on(options.threads(), state.tracks.len(), |flight| {
-        let residuals = of(setting, state, flight)?;
+        let residuals = flown.residuals(setting, state, flight)?;
         let track = &state.tracks[flight];
         // A flight that is noisier than the others is judged by its own noise.
         let scale = [0, 1, 2].map(|axis| usual[axis].max(scales[flight][axis]));
@@ -101,18 +115,4 @@ fn estimate(
         // Among very many points a few always lie at the limit.
         changed > sum.count / MANY,
     ))
-}
-
-/// The residuals of a flight.
-fn of(
-    setting: &Setting,
-    state: &State,
-    flight: usize,
-) -> Result<Vec<Vec<Option<[f64; 3]>>>, FitError> {
-    let track = &state.tracks[flight];
-    let unknowns = (&state.shared, &state.own[flight]);
-    residuals(setting, track, unknowns, track.times.len()).map_err(|reason| FitError::Flight {
-        file: track.file.clone(),
-        reason,
-    })
 }

@@ -2,12 +2,12 @@
 
 use nalgebra::DVector;
 
+use super::flown::{Flown, size};
 use super::problem::{Squares, whole};
 use super::{FitError, State, told};
 use crate::levenberg::{Failure, Point, Solution, Until, solve};
-use crate::noise::{median, robust_sigma};
 use crate::options::Options;
-use crate::predict::{Loss, residuals};
+use crate::predict::Loss;
 use crate::setting::Setting;
 use crate::track::Track;
 
@@ -17,12 +17,25 @@ const HORIZON: (f64, f64) = (0.4, 2.5);
 /// How often the scale of the loss may shrink.
 const SHRINKS: usize = 8;
 
+/// Over how many times the noise's floor a scale is fine enough while the horizon still grows.
+const FINE: f64 = 5.0;
+
+/// Over how many times the noise's floor residuals are more than noise: the usual ones, and those of any flight.
+const NOISE: (f64, f64) = (1.1, 2.0);
+
+/// Residuals that grew by more than this made a flight worse, and not only less certain.
+const WORSE: f64 = 1.1;
+
 /// Fits all flights over a horizon that grows to their whole length: far from the solution a long flight has wrong
 /// minima that a short one has not.
 ///
 /// # Errors
 /// [`FitError::Flight`] where a flight becomes impossible, [`FitError::Interrupted`].
-pub fn grow(setting: &Setting, state: &mut State, options: &Options<'_>) -> Result<(), FitError> {
+pub fn grow(
+    setting: &Setting,
+    state: &mut State,
+    options: &Options<'_>,
+) -> Result<Flown, FitError> {
     let longest = state.tracks.iter().filter_map(|track| track.times.last());
     let longest = longest.copied().fold(0.0, f64::max);
     let mut horizon = HORIZON.0;
@@ -37,23 +50,70 @@ pub fn grow(setting: &Setting, state: &mut State, options: &Options<'_>) -> Resu
         horizon *= HORIZON.1;
     }
     options.begins("whole flights", state.tracks.len());
+    if horizon > HORIZON.0
+        && let Some(flown) = one_step(setting, state, options)?
+    {
+        return Ok(flown);
+    }
     settle(setting, state, whole(&state.tracks), false, options)
 }
 
-/// Fits the first samples of all flights by a loss whose scale shrinks to that of the residuals.
+/// Steps all flights once over their whole length; gives them as they then are where that leaves no more than the noise.
+fn one_step(
+    setting: &Setting,
+    state: &mut State,
+    options: &Options<'_>,
+) -> Result<Option<Flown>, FitError> {
+    let flown = Flown::new(setting, state, &whole(&state.tracks), options);
+    let loss = Loss::Huber(flown.usual().max(setting.floor));
+    let stepped = step_unseen(setting, state, loss, &flown, options)?;
+    let limit = NOISE.1 * setting.floor;
+    let good = |size: &Option<f64>| size.is_some_and(|size| size <= limit);
+    Ok(stepped
+        .map(|(flown, _)| flown)
+        .filter(|flown| flown.usual() <= NOISE.0 * setting.floor && flown.sizes().iter().all(good)))
+}
+
+/// Steps all flights once, and judges the step by flying them, which costs far less than their derivatives would: gives
+/// them as they then are, and what the step had promised. None where it made them worse, and was taken back.
+pub fn step_unseen(
+    setting: &Setting,
+    state: &mut State,
+    loss: Loss<'_>,
+    before: &Flown,
+    options: &Options<'_>,
+) -> Result<Option<(Flown, Option<f64>)>, FitError> {
+    let problem = Squares::of_all(setting, &state.tracks, loss, options);
+    let start = Point {
+        shared: state.shared.clone(),
+        own: state.own.clone(),
+    };
+    let solution = solve(&problem, start.clone(), Until::ONCE);
+    let solution = solution.map_err(|failure| told(failure, &state.tracks))?;
+    state.take(&solution);
+    let flown = Flown::new(setting, state, &whole(&state.tracks), options);
+    let flies = flown.sizes().iter().all(Option::is_some);
+    if flies && flown.usual() <= WORSE * before.usual() {
+        return Ok(Some((flown, solution.promised)));
+    }
+    (state.shared, state.own) = (start.shared, start.own);
+    Ok(None)
+}
+
+/// Fits the first samples of all flights by a loss whose scale shrinks to that of the residuals; and flies them as they
+/// then are.
 pub fn settle(
     setting: &Setting,
     state: &mut State,
     samples: Vec<usize>,
     bridled: bool,
     options: &Options<'_>,
-) -> Result<(), FitError> {
+) -> Result<Flown, FitError> {
     let mut scale = f64::INFINITY;
+    let mut flown = Flown::new(setting, state, &samples, options);
     for _ in 0..SHRINKS {
-        let sizes = sizes(setting, state, &samples, options);
-        let mut sizes: Vec<f64> = sizes.into_iter().flatten().collect();
-        let shrunk = median(&mut sizes).max(setting.floor);
-        if shrunk > 0.7 * scale {
+        let shrunk = flown.usual().max(setting.floor);
+        if shrunk > 0.7 * scale || bridled && scale < FINE * setting.floor {
             break;
         }
         scale = shrunk;
@@ -73,34 +133,9 @@ pub fn settle(
         let solution = solve(&problem, start, Until::ROUGHLY);
         let solution = solution.map_err(|failure| told(failure, &state.tracks))?;
         state.take(&solution);
+        flown = Flown::new(setting, state, &samples, options);
     }
-    Ok(())
-}
-
-/// The usual size of the residuals of each flight's first samples, m; none where it cannot be flown.
-pub fn sizes(
-    setting: &Setting,
-    state: &State,
-    samples: &[usize],
-    options: &Options<'_>,
-) -> Vec<Option<f64>> {
-    flight::batch::each_on(options.threads(), state.tracks.len(), |flight| {
-        let unknowns = (&state.shared, &state.own[flight]);
-        size(setting, &state.tracks[flight], unknowns, samples[flight])
-    })
-}
-
-/// The usual size of a flight's residuals, m; none where it cannot be flown.
-pub fn size(
-    setting: &Setting,
-    track: &Track,
-    unknowns: (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-) -> Option<f64> {
-    let residuals = residuals(setting, track, unknowns, samples).ok()?;
-    let all = residuals.iter().flatten().flatten().flatten();
-    let mut sizes: Vec<f64> = all.map(|residual| residual.abs()).collect();
-    (!sizes.is_empty()).then(|| robust_sigma(&mut sizes))
+    Ok(flown)
 }
 
 /// Fits the first samples of one flight by its own unknowns; the loss that is left, over the noise's floor, and the

@@ -2,8 +2,8 @@
 //! a whole turn more or less between samples, and the fit that meets them best is taken.
 
 use super::begin::{Begun, spin_note};
-use super::problem::whole;
-use super::settle::{grow, sizes};
+use super::flown::Flown;
+use super::settle::grow;
 use super::{FitError, State};
 use crate::options::Options;
 use crate::setting::Setting;
@@ -18,7 +18,11 @@ const CLEARLY: f64 = 0.9;
 ///
 /// # Errors
 /// As [`grow`].
-pub fn grow_all(setting: &Setting, begun: Begun, options: &Options<'_>) -> Result<State, FitError> {
+pub fn grow_all(
+    setting: &Setting,
+    begun: Begun,
+    options: &Options<'_>,
+) -> Result<(State, Flown), FitError> {
     let Begun {
         state,
         alternatives,
@@ -31,12 +35,12 @@ pub fn grow_all(setting: &Setting, begun: Begun, options: &Options<'_>) -> Resul
             .any(|start| start.turns == turns)
     };
     let hypotheses: Vec<i32> = TURNS.into_iter().filter(|&turns| has(turns)).collect();
-    if hypotheses == [0] {
+    if hypotheses.is_empty() || hypotheses == [0] {
         let mut state = state;
-        grow(setting, &mut state, options)?;
-        return Ok(state);
+        let flown = grow(setting, &mut state, options)?;
+        return Ok((state, flown));
     }
-    let mut best: Option<(f64, State)> = None;
+    let mut best: Option<(f64, State, Flown)> = None;
     let mut failed = None;
     for turns in hypotheses {
         let mut tried = state.clone();
@@ -49,32 +53,31 @@ pub fn grow_all(setting: &Setting, begun: Begun, options: &Options<'_>) -> Resul
                 tried.tracks[index].notes.push(spin_note(turns));
             }
         }
-        match grow(setting, &mut tried, options) {
-            Ok(()) => {}
+        let flown = match grow(setting, &mut tried, options) {
+            Ok(flown) => flown,
             Err(FitError::Interrupted) => return Err(FitError::Interrupted),
             Err(error) => {
                 failed = failed.or(Some(error));
                 continue;
             }
-        }
-        let left = left(setting, &tried, options);
+        };
+        let left = left(&flown);
         if best
             .as_ref()
-            .is_none_or(|(least, _)| left < CLEARLY * least)
+            .is_none_or(|(least, ..)| left < CLEARLY * least)
         {
-            best = Some((left, tried));
+            best = Some((left, tried, flown));
         }
     }
     match (best, failed) {
-        (Some((_, state)), _) => Ok(state),
-        (None, Some(error)) => Err(error),
-        (None, None) => Ok(state),
+        (Some((_, state, flown)), _) => Ok((state, flown)),
+        (None, failed) => Err(failed.unwrap_or(FitError::Interrupted)),
     }
 }
 
 /// Root of the mean squared size of the flights' residuals, m.
-fn left(setting: &Setting, state: &State, options: &Options<'_>) -> f64 {
-    let sizes = sizes(setting, state, &whole(&state.tracks), options);
+fn left(flown: &Flown) -> f64 {
+    let sizes = flown.sizes();
     let all = sizes.iter().map(|size| size.unwrap_or(f64::INFINITY));
     let squares: f64 = all.map(|size| size * size).sum();
     (squares / sizes.len().max(1) as f64).sqrt()
