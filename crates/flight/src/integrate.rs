@@ -351,13 +351,7 @@ fn too_many_steps<D: Dynamics>(d: &D, t: f64, x: &D::State, work: Work) -> Fligh
 }
 
 #[cold]
-fn no_answer<D: Dynamics>(
-    d: &D,
-    t: f64,
-    x: &D::State,
-    i: usize,
-    rate: f64,
-) -> FlightError {
+fn no_answer<D: Dynamics>(d: &D, t: f64, x: &D::State, i: usize, rate: f64) -> FlightError {
     fail(
         d,
         t,
@@ -371,13 +365,7 @@ fn no_answer<D: Dynamics>(
 
 /// Why no step is short enough: the model has no answer just ahead, or changes too fast.
 #[cold]
-fn stuck<D: Dynamics>(
-    d: &mut D,
-    t: f64,
-    x: &D::State,
-    dx: &D::State,
-    h: f64,
-) -> FlightError {
+fn stuck<D: Dynamics>(d: &mut D, t: f64, x: &D::State, dx: &D::State, h: f64) -> FlightError {
     let (mut ahead, mut rate) = (x.clone(), dx.clone());
     for step in [h, 1e3 * h] {
         crate::method::combine(&mut ahead, x, step, [1.0], [dx]);
