@@ -1,7 +1,8 @@
-//! Figures and tables of flights, and the page of a fit.
+//! Figures and tables of flights, and the pages of a fit and of a diagnosis.
 
 #![forbid(unsafe_code)]
 
+pub mod diagnosis;
 pub mod figures;
 pub mod fit;
 pub mod literature;

@@ -18,7 +18,7 @@ pub(super) fn with_room((low, high): (f64, f64)) -> (f64, f64) {
 }
 
 /// Round numbers within a range, at most so many, and how many decimals they need.
-pub(super) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
+pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let rough = (high - low) / most as f64;
     let power = 10_f64.powf(rough.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0]
@@ -36,7 +36,7 @@ pub(super) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
 }
 
 /// A number of a tick.
-pub(super) fn number(value: f64, decimals: usize) -> String {
+pub(crate) fn number(value: f64, decimals: usize) -> String {
     if value.abs() >= 1e6 {
         return format!("{value:.1e}");
     }

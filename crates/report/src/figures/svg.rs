@@ -159,7 +159,7 @@ pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
     kept.chain(['…']).collect()
 }
 
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     // Neither may stand in XML, even as a reference.
     let printable = text
         .chars()

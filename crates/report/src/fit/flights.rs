@@ -88,7 +88,7 @@ fn row(flight: &FlightReport) -> Row {
 }
 
 /// The beginning of a text.
-pub(super) fn short(text: &str) -> String {
+pub(crate) fn short(text: &str) -> String {
     if text.chars().count() <= MOST_LETTERS {
         return text.to_owned();
     }

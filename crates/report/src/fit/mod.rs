@@ -1,13 +1,13 @@
 //! The page of a fit: one file for a colleague, that loads nothing, and each of its figures by itself.
 
 mod coefficients;
-mod draw;
-mod flights;
+pub(crate) mod draw;
+pub(crate) mod flights;
 mod noise;
-mod numbers;
-mod page;
-mod thin;
-mod words;
+pub(crate) mod numbers;
+pub(crate) mod page;
+pub(crate) mod thin;
+pub(crate) mod words;
 
 use identify::report::{Coefficient, FlightEvidence, Report};
 use model_spec::model::Model;
@@ -110,13 +110,13 @@ impl Figures {
 }
 
 /// A figure, and the same for a narrow screen where it is too wide for one.
-struct Drawn {
-    figure: Figure,
-    narrow: Option<String>,
+pub(crate) struct Drawn {
+    pub(crate) figure: Figure,
+    pub(crate) narrow: Option<String>,
 }
 
 impl Drawn {
-    fn new(name: String, title: String, caption: String, svg: String) -> Drawn {
+    pub(crate) fn new(name: String, title: String, caption: String, svg: String) -> Drawn {
         let figure = Figure {
             name,
             title,

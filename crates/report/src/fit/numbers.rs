@@ -1,7 +1,7 @@
 //! Numbers for people: as many digits as the error warrants, a true minus, and a dash for what is no number.
 
 /// A number with so many decimals; `–` where it is none.
-pub(super) fn plain(value: f64, decimals: usize) -> String {
+pub(crate) fn plain(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
@@ -17,14 +17,14 @@ pub(super) fn plain(value: f64, decimals: usize) -> String {
 
 /// How a number and its error are written: times a power of ten, with so many decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Digits {
+pub(crate) struct Digits {
     exponent: i32,
     decimals: usize,
 }
 
 impl Digits {
     /// Two digits of the error; five of the value where there is no error.
-    pub(super) fn of(value: f64, error: f64) -> Digits {
+    pub(crate) fn of(value: f64, error: f64) -> Digits {
         let value = if value.is_finite() { value.abs() } else { 0.0 };
         let known = error.is_finite() && error > 0.0;
         let size = if known { value.max(error) } else { value };
@@ -61,7 +61,7 @@ impl Digits {
     }
 
     /// A number.
-    pub(super) fn one(self, value: f64) -> String {
+    pub(crate) fn one(self, value: f64) -> String {
         let text = self.mantissa(value);
         if self.exponent == 0 || !value.is_finite() {
             text
@@ -71,7 +71,7 @@ impl Digits {
     }
 
     /// A range.
-    pub(super) fn range(self, [low, high]: [f64; 2]) -> String {
+    pub(crate) fn range(self, [low, high]: [f64; 2]) -> String {
         let (low, high) = (self.mantissa(low), self.mantissa(high));
         if self.exponent == 0 {
             format!("{low} … {high}")
@@ -82,13 +82,13 @@ impl Digits {
 }
 
 /// A number with so many significant digits.
-pub(super) fn significant(value: f64, digits: i32) -> String {
+pub(crate) fn significant(value: f64, digits: i32) -> String {
     let unit = 10_f64.powf(value.abs().log10().floor() + 2.0 - f64::from(digits));
     Digits::of(value, unit).one(value)
 }
 
 /// A length in m, as mm with three digits.
-pub(super) fn millimetres(metres: f64) -> String {
+pub(crate) fn millimetres(metres: f64) -> String {
     if !metres.is_finite() {
         return "–".to_owned();
     }
@@ -96,7 +96,7 @@ pub(super) fn millimetres(metres: f64) -> String {
 }
 
 /// A share, in per cent.
-pub(super) fn percent(share: f64) -> String {
+pub(crate) fn percent(share: f64) -> String {
     if !share.is_finite() {
         return "–".to_owned();
     }
@@ -105,7 +105,7 @@ pub(super) fn percent(share: f64) -> String {
 }
 
 /// The unit as people write it; nothing for pure numbers.
-pub(super) fn unit(text: &str) -> String {
+pub(crate) fn unit(text: &str) -> String {
     if matches!(text, "1" | "[1]") {
         return String::new();
     }
@@ -114,7 +114,7 @@ pub(super) fn unit(text: &str) -> String {
 }
 
 /// A number as a file states it, without zeros at its end.
-pub(super) fn stated(value: f64) -> String {
+pub(crate) fn stated(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
         "–".to_owned()
@@ -129,7 +129,7 @@ pub(super) fn stated(value: f64) -> String {
     }
 }
 
-pub(super) fn raised(exponent: i32) -> String {
+pub(crate) fn raised(exponent: i32) -> String {
     let digit = |c: char| match c {
         '-' => '⁻',
         c => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][c as usize - '0' as usize],

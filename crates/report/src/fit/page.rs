@@ -83,6 +83,11 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         seconds => seconds.join(", "),
         version => env!("CARGO_PKG_VERSION"),
     };
+    rendered(include_str!("page.html"), context)
+}
+
+/// A template of this crate's own with its values.
+pub(crate) fn rendered(template: &str, context: Value) -> String {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
@@ -92,22 +97,22 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         .build();
     environment.set_syntax(syntax.unwrap_or_default());
     environment
-        .render_str(include_str!("page.html"), context)
+        .render_str(template, context)
         .unwrap_or_else(|fault| {
             panic!("the page's own template, which its tests render: {fault:#}")
         })
 }
 
 /// What the template escapes.
-fn plain_values(of: &impl Serialize) -> Value {
+pub(crate) fn plain_values(of: &impl Serialize) -> Value {
     Value::from(Serde(of))
 }
 
-fn shown(drawn: &[Drawn]) -> Vec<Value> {
+pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
     drawn.iter().map(one).collect()
 }
 
-fn one(drawn: &Drawn) -> Value {
+pub(crate) fn one(drawn: &Drawn) -> Value {
     // The figures' own writer has escaped whatever came from outside.
     let safe = |svg: &String| Value::from_safe_string(without_style(svg));
     let figure = &drawn.figure;
@@ -120,7 +125,7 @@ fn one(drawn: &Drawn) -> Value {
 }
 
 /// A text with its full stop.
-fn sentence(text: &str) -> String {
+pub(crate) fn sentence(text: &str) -> String {
     let text = flights::short(text);
     if text.ends_with(['.', '…', '!', '?']) {
         text

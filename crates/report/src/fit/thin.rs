@@ -1,17 +1,17 @@
 //! Fewer points for the same picture, so that a page of long flights stays small.
 
 /// Points of a curve, at most.
-pub(super) const MOST: usize = 400;
+pub(crate) const MOST: usize = 400;
 
 /// Every so-manieth point.
-pub(super) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {
+pub(crate) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {
     let step = points.len().div_ceil(most.max(1)).max(1);
     points.iter().copied().step_by(step).collect()
 }
 
 /// Points of a curve over time: of each stretch the first, the least and the greatest, so that no peak is lost.
 /// A stretch with a gap keeps the gap.
-pub(super) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
+pub(crate) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
     if points.len() <= most {
         return points.to_vec();
     }

@@ -236,7 +236,7 @@ fn were(flights: usize) -> String {
 }
 
 /// `a, b and c`; the first of many.
-pub(super) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
+pub(crate) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let all: Vec<&str> = names.collect();
     let more = all.len().saturating_sub(MOST_NAMES);
     let mut shown: Vec<String> = all

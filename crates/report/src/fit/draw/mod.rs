@@ -3,7 +3,7 @@
 mod correlations;
 mod histogram;
 mod profiles;
-mod residuals;
+pub(crate) mod residuals;
 mod states;
 mod tracks;
 mod whiteness;
@@ -22,9 +22,9 @@ use super::Drawn;
 use crate::figures::{Layout, Panel, figure_of};
 
 /// Flights that are drawn at most.
-pub(super) const MOST_FLIGHTS: usize = 12;
+pub(crate) const MOST_FLIGHTS: usize = 12;
 
-fn small(name: String, title: String, caption: String, panels: &[Panel]) -> Drawn {
+pub(crate) fn small(name: String, title: String, caption: String, panels: &[Panel]) -> Drawn {
     let svg = figure_of(Layout::SMALL, &title, panels);
     Drawn::new(name, title, caption, svg)
 }

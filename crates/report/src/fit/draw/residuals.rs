@@ -34,7 +34,10 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &Noise) ->
         }
         let axes = ["x", "y", "z"].iter().enumerate();
         let mut panels: Vec<Panel> = axes
-            .map(|(i, axis)| panel(&flights, i, axis, noise))
+            .map(|(i, axis)| {
+                let sigma = noise.axes.get(*axis).map_or(noise.sigma_m, |n| n.sigma_m);
+                panel(&flights, i, axis, sigma)
+            })
             .collect();
         let files: Vec<String> = flights
             .iter()
@@ -62,7 +65,8 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &Noise) ->
     kinds.into_iter().filter_map(figure).collect()
 }
 
-fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, noise: &Noise) -> Panel {
+/// One axis, with the noise of one coordinate along it, m.
+pub(crate) fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, sigma: f64) -> Panel {
     let markers = flights.iter().map(|f| f.markers.len()).max().unwrap_or(0);
     let mut dots: Vec<Vec<(f64, f64)>> = vec![Vec::new(); markers];
     let (mut outliers, mut marks) = (Vec::new(), Vec::new());
@@ -92,7 +96,6 @@ fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, noise: &Noise) ->
     }
     let each = MOST_DOTS / markers.max(1);
     let largest = dots.iter().flatten().map(|p| p.1.abs()).fold(0.0, f64::max);
-    let sigma = noise.axes.get(name).map_or(noise.sigma_m, |n| n.sigma_m);
     let band = Some(2e3 * sigma).filter(|b| b.is_finite() && *b > 0.0);
     let reach = 1.08 * largest.max(band.unwrap_or(0.0)).max(1e-9);
     for point in &mut outliers {

@@ -1,0 +1,47 @@
+//! The page of a diagnosis that never was, to look at:
+//! `cargo run -p report --example diagnosis -- FOLDER [VERDICT [FLIGHTS]]`.
+
+#[path = "../tests/found/mod.rs"]
+mod found;
+#[allow(dead_code)]
+#[path = "../tests/made/mod.rs"]
+mod made;
+
+use std::path::PathBuf;
+
+use diagnose::report::Verdict;
+use report::diagnosis::{DiagnosisPage, make};
+
+fn main() -> std::io::Result<()> {
+    let mut arguments = std::env::args().skip(1);
+    let folder = PathBuf::from(arguments.next().unwrap_or_else(|| "page".into()));
+    let verdict = match arguments.next().as_deref() {
+        Some("none") => Verdict::None,
+        Some("ambiguous") => Verdict::Ambiguous,
+        Some("outside") => Verdict::Outside,
+        Some("immaterial") => Verdict::Immaterial,
+        _ => Verdict::Named,
+    };
+    let flights = arguments.next().and_then(|n| n.parse().ok()).unwrap_or(9);
+    let after = made::evidence(flights);
+    let before = found::without(&after);
+    let report = found::report(verdict, &after);
+    let extended = report.extended_model.is_some();
+    let page = DiagnosisPage {
+        report: &report,
+        before: if verdict == Verdict::None {
+            &after
+        } else {
+            &before
+        },
+        after: if extended { &after } else { &[] },
+        extended: extended.then_some(found::EXTENDED),
+    };
+    let made = make(&page);
+    std::fs::create_dir_all(&folder)?;
+    std::fs::write(folder.join("report.html"), made.html)?;
+    for (name, svg) in made.figures {
+        std::fs::write(folder.join(name), svg)?;
+    }
+    Ok(())
+}

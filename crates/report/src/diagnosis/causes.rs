@@ -1,0 +1,138 @@
+//! The tables of the causes, and of the throw that would tell them apart.
+
+use diagnose::report::{Cause, CauseEffect, NextThrow, Report};
+use serde::Serialize;
+
+use super::words;
+use crate::fit::flights::short;
+use crate::fit::numbers::{Digits, plain, significant, stated, unit};
+use crate::fit::page::sentence;
+
+/// Explanations that are shown, and those of them that are unfolded.
+pub(super) const MOST: usize = 12;
+
+/// One explanation.
+#[derive(Serialize)]
+pub(super) struct Explanation {
+    name: String,
+    /// By how much the weighted sum of squares falls.
+    gain: String,
+    /// What comes next.
+    rival: Option<[String; 2]>,
+    effects: Vec<Effect>,
+    /// Each of its coefficients.
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Effect {
+    name: String,
+    doc: String,
+}
+
+#[derive(Serialize)]
+struct Row {
+    /// Name of the effect, and how many rows it takes; none in those after its first.
+    effect: Option<(String, usize)>,
+    site: String,
+    variables: String,
+    statistic: String,
+    coefficient: String,
+    value: String,
+    error: String,
+    unit: String,
+    negligible: String,
+    immaterial: bool,
+}
+
+/// The explanations, the best first.
+pub(super) fn explanations(report: &Report) -> Vec<Explanation> {
+    report.causes.iter().take(MOST).map(explanation).collect()
+}
+
+fn explanation(cause: &Cause) -> Explanation {
+    let rival = cause.rival.as_ref();
+    let effects = cause.effects.iter().map(|e| Effect {
+        name: e.name.clone(),
+        doc: match e.doc.trim() {
+            "" => "No words were given for it.".to_owned(),
+            doc => sentence(&doc.replace('\n', " ")),
+        },
+    });
+    Explanation {
+        name: words::cause(cause),
+        gain: significant(cause.gain, 4),
+        rival: rival.map(|r| [r.name.clone(), words::probability(r.p)]),
+        effects: effects.collect(),
+        rows: cause.effects.iter().flat_map(rows).collect(),
+    }
+}
+
+fn rows(effect: &CauseEffect) -> Vec<Row> {
+    let span = effect.estimates.len().max(1);
+    let empty = || Row {
+        effect: None,
+        site: words::site(&effect.site).to_owned(),
+        variables: if effect.variables.is_empty() {
+            "–".to_owned()
+        } else {
+            short(&effect.variables.join(", "))
+        },
+        statistic: significant(effect.statistic, 4),
+        coefficient: "–".to_owned(),
+        value: "–".to_owned(),
+        error: "–".to_owned(),
+        unit: String::new(),
+        negligible: String::new(),
+        immaterial: effect.immaterial,
+    };
+    let found = effect.estimates.iter().map(|(name, e)| {
+        let digits = Digits::of(e.value, e.std_error);
+        Row {
+            coefficient: name.clone(),
+            value: digits.one(e.value),
+            error: digits.one(e.std_error),
+            unit: unit(&e.unit),
+            negligible: e.negligible.map_or("–".to_owned(), stated),
+            ..empty()
+        }
+    });
+    let mut all: Vec<Row> = found.collect();
+    if all.is_empty() {
+        all.push(empty());
+    }
+    all[0].effect = Some((effect.name.clone(), span));
+    all
+}
+
+/// The next throw.
+#[derive(Serialize)]
+pub(super) struct Throw {
+    says: String,
+    /// What is set, and to what.
+    rows: Vec<(&'static str, String)>,
+    separation: String,
+    separation_now: String,
+}
+
+/// The throw that would tell causes apart, in the numbers that people throw by.
+pub(super) fn throw(next: &NextThrow) -> Throw {
+    let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
+    let turns = plain(next.spin / std::f64::consts::TAU, 1);
+    Throw {
+        says: sentence(&next.says),
+        rows: vec![
+            ("speed", format!("{}\u{a0}m/s", plain(next.speed, 1))),
+            ("climb of the path", degrees(next.climb)),
+            ("nose above the path", degrees(next.nose)),
+            ("hyzer (lean about the path)", degrees(next.hyzer)),
+            (
+                "spin",
+                format!("{}\u{a0}rad/s, {turns} turns a second", plain(next.spin, 1)),
+            ),
+            ("heading from the x axis", degrees(next.heading)),
+        ],
+        separation: words::sigmas(next.separation),
+        separation_now: words::sigmas(next.separation_now),
+    }
+}

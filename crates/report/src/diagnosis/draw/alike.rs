@@ -1,0 +1,130 @@
+//! How alike the effects look in these flights, as half a matrix of colours.
+
+use diagnose::report::Report;
+
+use super::drawn;
+use crate::figures::Layout;
+use crate::figures::svg::{Svg, cut};
+use crate::fit::Drawn;
+
+/// Coefficients that are drawn at most.
+const MOST: usize = 25;
+/// Parts of the scale.
+const STEPS: usize = 40;
+
+/// The strongest names and their correlations; none for fewer than two.
+pub(super) fn alike(report: &Report) -> Option<Drawn> {
+    let all = &report.alike.names;
+    let order = strongest(report);
+    let left_out = all.len().saturating_sub(order.len());
+    if order.len() < 2 {
+        return None;
+    }
+    let title = "How alike effects look";
+    let caption = format!(
+        "Each square: the size of the correlation between what two coefficients of effects would do to these flights, \
+         once initial states and the model’s own coefficients are allowed for. Rows are read to the left of a name and \
+         columns below it; dark pairs these flights hardly tell apart. {}",
+        match left_out {
+            0 => "The most significant come first.".to_owned(),
+            n => format!(
+                "The {} most significant are drawn, of {}.",
+                order.len(),
+                order.len() + n
+            ),
+        }
+    );
+    Some(drawn("alike", title, caption, Layout::COLUMN, |layout| {
+        draw(report, &order, title, layout)
+    }))
+}
+
+/// The names by the significance of the effect that they belong to.
+fn strongest(report: &Report) -> Vec<usize> {
+    let sigmas = |name: &String| {
+        let owner = report
+            .candidates
+            .iter()
+            .find(|c| c.expected.contains_key(name));
+        let size = owner.map_or(f64::NEG_INFINITY, |c| c.sigmas);
+        if size.is_nan() {
+            f64::NEG_INFINITY
+        } else {
+            size
+        }
+    };
+    let names = report.alike.names.iter().enumerate();
+    let mut order: Vec<(f64, usize)> = names.map(|(i, name)| (sigmas(name), i)).collect();
+    order.sort_by(|a, b| b.0.total_cmp(&a.0));
+    order.truncate(MOST);
+    order.into_iter().map(|(_, i)| i).collect()
+}
+
+fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String {
+    let (letters, letter) = (layout.letters, 1.02 * layout.letter());
+    let names: Vec<&String> = order.iter().map(|i| &report.alike.names[*i]).collect();
+    let longest = names.iter().map(|n| n.chars().count()).max().unwrap_or(0) as f64;
+    let room = (letter * longest + 8.0).min(0.44 * layout.width);
+    // A name stands at the end of its row, and so at the head of its column.
+    let side = ((layout.width - room - 8.0) / (names.len() - 1) as f64).min(34.0);
+    let tall = side.max(letters + 3.0);
+    let (left, top) = (4.0, 2.0 * letters + 14.0);
+    let effects = || report.causes.iter().flat_map(|cause| &cause.effects);
+    let named = |name: &str| effects().any(|e| e.estimates.contains_key(name));
+    let mut svg = Svg::new();
+    svg.text("title", (2.0, 2.0 * letters), "start", title);
+    for (i, name) in names.iter().enumerate() {
+        let y = top + tall * i as f64;
+        for (j, column) in order.iter().take(i).enumerate() {
+            let row = report.alike.matrix.get(order[i]);
+            let value = row
+                .and_then(|row| row.get(*column))
+                .copied()
+                .unwrap_or(f64::NAN);
+            let place = (left + side * j as f64, y);
+            svg.cell(&colour(value), place, (side - 1.0, tall - 1.0));
+        }
+        let x = left + side * i as f64 + 4.0;
+        let name = cut(name, layout.width - x - 2.0, letter);
+        let class = if named(name) { "strong" } else { "tick" };
+        svg.text(class, (x, y + 0.5 * tall + 0.33 * letters), "start", &name);
+    }
+    let bottom = top + tall * names.len() as f64 + 12.0;
+    let wide = (0.6 * layout.width).min(260.0) / STEPS as f64;
+    for i in 0..STEPS {
+        let place = (left + wide * i as f64, bottom);
+        svg.cell(
+            &colour((i as f64 + 0.5) / STEPS as f64),
+            place,
+            (wide + 0.2, 8.0),
+        );
+    }
+    let end = left + wide * STEPS as f64;
+    for (x, anchor, text) in [
+        (left, "start", "0: not at all"),
+        (end, "end", "1: the same"),
+    ] {
+        svg.text("tick", (x, bottom + 10.0 + letters), anchor, text);
+    }
+    svg.finish(
+        title,
+        (layout.width, bottom + 22.0 + letters),
+        layout.most,
+        letters,
+    )
+}
+
+/// From nearly white to dark blue, darker the closer to 1; grey with red in it where there is no number.
+fn colour(value: f64) -> String {
+    if !value.is_finite() {
+        return "#c9b9b9".to_owned();
+    }
+    let part = value.abs().min(1.0);
+    let mix = |from: f64, to: f64| (from + (to - from) * part).round() as u8;
+    format!(
+        "#{:02x}{:02x}{:02x}",
+        mix(240.0, 4.0),
+        mix(243.0, 60.0),
+        mix(247.0, 120.0)
+    )
+}

@@ -1,0 +1,125 @@
+//! The model's own curves before and after, and beneath each how many samples speak for it.
+
+use diagnose::report::{Curve, Report};
+
+use super::super::DiagnosisPage;
+use super::drawn;
+use crate::figures::{Bar, Layout, Line, Panel, figure_of, symbol};
+use crate::fit::Drawn;
+use crate::fit::numbers::unit;
+use crate::fit::thin::MOST as MOST_POINTS;
+
+/// Curves that are drawn at most.
+const MOST: usize = 24;
+
+/// Whether the extension moves a curve.
+fn moves(curve: &Curve) -> bool {
+    let largest = curve
+        .before
+        .iter()
+        .filter(|v| v.is_finite())
+        .fold(0.0, |a: f64, v| a.max(v.abs()));
+    let mut pairs = curve.before.iter().zip(&curve.after);
+    pairs.any(|(b, a)| (a - b).abs() > 1e-9 * largest)
+}
+
+/// A figure for each curve that has points, those that move first.
+pub(super) fn curves(report: &Report) -> Vec<Drawn> {
+    let mut curves: Vec<&Curve> = report.curves.iter().filter(|c| !c.x.is_empty()).collect();
+    curves.sort_by_key(|c| !moves(c));
+    let figures = curves.into_iter().take(MOST).enumerate();
+    figures.map(|(i, curve)| figure(i, curve)).collect()
+}
+
+fn figure(index: usize, curve: &Curve) -> Drawn {
+    let points = |values: &[f64]| {
+        let all = curve.x.iter().copied().zip(values.iter().copied());
+        all.filter(|p| p.0.is_finite())
+            .take(MOST_POINTS)
+            .collect::<Vec<_>>()
+    };
+    let line = |name: &str, values: &[f64]| Line {
+        name: name.into(),
+        points: points(values),
+    };
+    let over = symbol(&curve.over);
+    let across = match unit(&curve.unit).as_str() {
+        "" => over.clone(),
+        unit => format!("{over}, {unit}"),
+    };
+    let bars = bars(curve);
+    let moved = moves(curve);
+    let lines = if moved {
+        // The broken line lies on the unbroken one, so that both are seen where they agree.
+        vec![
+            line("extended", &curve.after),
+            line("before", &curve.before),
+        ]
+    } else {
+        vec![line("", &curve.before)]
+    };
+    let title = format!("{} over {over}", curve.quantity);
+    let mut panels = vec![Panel {
+        title: curve.quantity.clone(),
+        across: if bars.is_empty() {
+            across.clone()
+        } else {
+            String::new()
+        },
+        lines,
+        ..Panel::default()
+    }];
+    if !bars.is_empty() {
+        panels.push(Panel {
+            title: "Samples".into(),
+            across,
+            bars,
+            height: Some(44.0),
+            ..Panel::default()
+        });
+    }
+    let caption = if moved {
+        "Without and with the extension; below, how many samples lie there."
+    } else {
+        "The same without and with an extension; below, how many samples lie there."
+    };
+    drawn(
+        &format!("curve-{:02}", index + 1),
+        &title,
+        caption.into(),
+        Layout::SMALL,
+        |l| figure_of(l, &title, &panels),
+    )
+}
+
+/// The support: each bar reaches half way to its neighbours.
+fn bars(curve: &Curve) -> Vec<Bar> {
+    let points = curve.x.iter().zip(&curve.support).take(MOST_POINTS);
+    let points: Vec<(f64, f64)> = points
+        .map(|(x, n)| (*x, *n as f64))
+        .filter(|p| p.0.is_finite())
+        .collect();
+    if points.len() < 2 || !points.is_sorted_by(|a, b| a.0 < b.0) {
+        return Vec::new();
+    }
+    let middle = |i: usize| 0.5 * (points[i].0 + points[i + 1].0);
+    let last = points.len() - 1;
+    let bar = |i: usize| Bar {
+        from: if i == 0 { points[0].0 } else { middle(i - 1) },
+        to: if i == last { points[last].0 } else { middle(i) },
+        height: points[i].1,
+    };
+    (0..points.len()).map(bar).collect()
+}
+
+/// Quantities that the extension leaves as they are, if it moves others.
+pub(in super::super) fn unmoved(page: &DiagnosisPage<'_>) -> Vec<String> {
+    let curves = &page.report.curves;
+    if !curves.iter().any(moves) {
+        return Vec::new();
+    }
+    let still = curves.iter().filter(|c| !moves(c));
+    still
+        .map(|c| format!("{} over {}", c.quantity, symbol(&c.over)))
+        .collect()
+}

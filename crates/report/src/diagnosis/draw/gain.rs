@@ -1,0 +1,96 @@
+//! What the extension gains on flights that it has not seen.
+
+use diagnose::report::{FlightGain, Report};
+use identify::dataset::Role;
+
+use super::drawn;
+use super::rows::{Chart, Row, Shape, axis_for};
+use crate::figures::Layout;
+use crate::fit::Drawn;
+
+/// Flights that have a row, at most.
+const MOST: usize = 12;
+
+/// One row for all, and one for each held-out flight; none where the gain is not known.
+pub(super) fn gain(report: &Report) -> Option<Drawn> {
+    let gain = report.gain.as_ref()?;
+    let mm = |metres: f64| 1e3 * metres;
+    let mut held_out: Vec<&FlightGain> = Vec::new();
+    if gain.held_out_by_dataset {
+        let all = report.flights.iter();
+        held_out.extend(all.filter(|f| f.role == Role::HeldOut && f.rms_after_m.is_some()));
+    }
+    let number = held_out.len();
+    if number > MOST {
+        held_out.sort_by(|a, b| b.rms_before_m.total_cmp(&a.rms_before_m));
+        held_out.truncate(MOST);
+    }
+    let (before, after) = (
+        mm(gain.held_out_rms_before_m),
+        mm(gain.held_out_rms_after_m),
+    );
+    let error = mm(gain.standard_error_m);
+    let all = Row {
+        name: "all".into(),
+        class: "strong",
+        shapes: vec![
+            Shape::Span(before, after, "join"),
+            Shape::Span((after - error).max(0.0), after + error, "reach"),
+            Shape::Dot(before, "before"),
+            Shape::Dot(after, "after"),
+        ],
+        words: String::new(),
+    };
+    // A single flight is all of them.
+    let shown = if number > 1 { &held_out[..] } else { &[] };
+    let rows: Vec<Row> = std::iter::once(all)
+        .chain(shown.iter().map(|f| row(f)))
+        .collect();
+    let floor = mm(gain.noise_floor_m);
+    let values = rows.iter().flat_map(|r| &r.shapes).filter_map(|s| match s {
+        Shape::Dot(value, _) => Some(*value),
+        _ => None,
+    });
+    let axis = axis_for(values.chain([floor]));
+    let chart = Chart {
+        title: "Errors of prediction".into(),
+        legend: vec![
+            (Shape::Dot(0.0, "before"), "before".into()),
+            (Shape::Dot(0.0, "after"), "extended".into()),
+        ],
+        rows,
+        axis,
+        across: "rms of the predicted part, mm".into(),
+        level: Some((floor, "noise".into())),
+    };
+    let left_out = match number.saturating_sub(MOST) {
+        0 => String::new(),
+        n => format!(" {n} more flights are not drawn."),
+    };
+    let caption = format!(
+        "Flights that no coefficient was fitted to; the bar at ‘all’ is the standard error of the difference, the \
+         broken line the noise of one coordinate.{left_out}"
+    );
+    let title = chart.title.clone();
+    Some(drawn("gain", &title, caption, Layout::SMALL, |l| {
+        chart.draw(l)
+    }))
+}
+
+/// A flight before and after.
+pub(super) fn row(flight: &FlightGain) -> Row {
+    let before = 1e3 * flight.rms_before_m;
+    let after = flight.rms_after_m.map(|rms| 1e3 * rms);
+    let mut shapes = Vec::new();
+    if let Some(after) = after {
+        shapes.push(Shape::Span(before, after, "join"));
+    }
+    shapes.push(Shape::Dot(before, "before"));
+    shapes.extend(after.map(|after| Shape::Dot(after, "after")));
+    Row {
+        name: flight.file.clone(),
+        class: "tick",
+        shapes,
+        words: String::new(),
+    }
+}

@@ -1,0 +1,89 @@
+//! The figures of a diagnosis, one kind a file.
+
+mod alike;
+mod channels;
+mod curves;
+mod flights;
+mod gain;
+mod residuals;
+mod rows;
+mod sigmas;
+
+pub(super) use curves::unmoved;
+
+use super::DiagnosisPage;
+use crate::figures::Layout;
+use crate::fit::Drawn;
+
+/// What these figures need besides the looks of all.
+pub(super) const STYLE: &str = r##"rect.bar.cause { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
+circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
+line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
+path.ribbon { fill: #cfe2f1; stroke: none } path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
+"##;
+
+/// The figures by their place on the page.
+pub(super) struct Figures {
+    pub(super) gain: Option<Drawn>,
+    pub(super) sigmas: Option<Drawn>,
+    pub(super) alike: Option<Drawn>,
+    pub(super) residuals: Vec<Drawn>,
+    pub(super) curves: Vec<Drawn>,
+    pub(super) flights: Option<Drawn>,
+    pub(super) channels: Vec<Drawn>,
+}
+
+impl Figures {
+    pub(super) fn of(page: &DiagnosisPage<'_>) -> Figures {
+        Figures {
+            gain: gain::gain(page.report),
+            sigmas: sigmas::sigmas(page.report),
+            alike: alike::alike(page.report),
+            residuals: residuals::residuals(page),
+            curves: curves::curves(page.report),
+            flights: flights::flights(page.report),
+            channels: channels::channels(page.report),
+        }
+    }
+
+    /// All of them, in the order of the page.
+    pub(super) fn into_all(self) -> Vec<Drawn> {
+        let mut all: Vec<Drawn> = Vec::new();
+        all.extend(self.gain);
+        all.extend(self.sigmas);
+        all.extend(self.residuals);
+        all.extend(self.curves);
+        all.extend(self.alike);
+        all.extend(self.flights);
+        all.extend(self.channels);
+        all
+    }
+}
+
+/// A figure in its own width and, where that is another, in that of a phone.
+fn drawn(
+    name: &str,
+    title: &str,
+    caption: String,
+    wide: Layout,
+    draw: impl Fn(Layout) -> String,
+) -> Drawn {
+    let full = described(&draw(wide), &caption);
+    let narrow = (wide != Layout::SMALL).then(|| described(&draw(Layout::SMALL), &caption));
+    let mut drawn = Drawn::new(name.into(), title.into(), caption, full);
+    drawn.narrow = narrow;
+    drawn
+}
+
+/// A figure that says how it is read to those who do not see it, and has what it needs to stand alone.
+fn described(svg: &str, words: &str) -> String {
+    let words = crate::figures::svg::escape(words);
+    let more = format!("</title>\n<desc>{words}</desc>\n<style>\n{STYLE}</style>\n");
+    svg.replacen("</title>\n", &more, 1)
+}
+
+/// A figure for a page that states the looks itself.
+pub(super) fn without_style(svg: &str) -> String {
+    let own = format!("<style>\n{STYLE}</style>\n");
+    crate::figures::svg::without_style(&svg.replacen(&own, "", 1))
+}

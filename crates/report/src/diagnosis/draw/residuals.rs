@@ -1,0 +1,108 @@
+//! The residuals of all flights, end to end: as the model leaves them, and as the extended model does.
+
+use identify::dataset::Role;
+use identify::report::FlightEvidence;
+
+use super::super::DiagnosisPage;
+use super::drawn;
+use crate::figures::{Dots, Layout, Look, Panel, figure_of};
+use crate::fit::Drawn;
+use crate::fit::draw::MOST_FLIGHTS;
+use crate::fit::draw::residuals::panel;
+use crate::fit::thin::stride;
+
+/// Dots of a kind on a narrow screen, at most.
+const NARROW_DOTS: usize = 400;
+
+/// A figure of the fitted flights and one of those held out, where there are such.
+pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
+    let kinds = [
+        (
+            Role::Fit,
+            "residuals",
+            "Residuals of the fitted flights",
+            "",
+        ),
+        (
+            Role::HeldOut,
+            "residuals-held-out",
+            "Residuals of the held-out flights",
+            " The first 30\u{a0}% of each were used for its initial state, the rest is predicted.",
+        ),
+    ];
+    let figures = kinds.into_iter().filter_map(|(role, name, title, meaning)| {
+        let before = of(page.before, role);
+        let after = of(page.after, role);
+        if before.is_empty() {
+            return None;
+        }
+        let sigma = page.report.noise.sigma_m;
+        let axes = ["x", "y", "z"].iter().enumerate();
+        let panels = axes.map(|(i, axis)| both(&before, &after, i, axis, sigma));
+        let panels: Vec<Panel> = panels.collect();
+        let files = before.iter().enumerate();
+        let files: Vec<String> = files.map(|(i, f)| format!("{} {}", i + 1, f.file)).collect();
+        let colours = if after.is_empty() {
+            "a colour a marker"
+        } else {
+            "grey as the model leaves them, blue as the extended model does"
+        };
+        let caption = format!(
+            "Measured less predicted, one flight after the other, {colours}; shaded: ±2 standard deviations of the \
+             noise; crosses: taken for outliers.{meaning} Flights: {}.",
+            files.join(", ")
+        );
+        Some(drawn(name, title, caption, Layout::WIDE, |layout| {
+            if layout == Layout::WIDE {
+                return figure_of(layout, title, &panels);
+            }
+            let mut fewer = panels.clone();
+            let dots = fewer.iter_mut().flat_map(|panel| &mut panel.dots);
+            dots.for_each(|dots| dots.points = stride(&dots.points, NARROW_DOTS));
+            figure_of(layout, title, &fewer)
+        }))
+    });
+    figures.collect()
+}
+
+/// The flights of one role among those that are drawn.
+fn of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
+    let drawn = evidence.iter().take(MOST_FLIGHTS);
+    drawn.filter(|f| f.role == role).collect()
+}
+
+/// One axis: what was, in grey, and upon it what is.
+fn both(
+    before: &[&FlightEvidence],
+    after: &[&FlightEvidence],
+    axis: usize,
+    name: &str,
+    sigma: f64,
+) -> Panel {
+    let mut first = panel(before, axis, name, sigma);
+    if after.is_empty() {
+        return first;
+    }
+    let second = panel(after, axis, name, sigma);
+    let points = |panel: &Panel| -> Vec<(f64, f64)> {
+        let seen = panel.dots.iter().filter(|d| d.look != Look::Cross);
+        seen.flat_map(|d| d.points.iter().copied()).collect()
+    };
+    let dots = |look, points| Dots { look, points };
+    let crosses = second
+        .dots
+        .iter()
+        .filter(|d| d.look == Look::Cross)
+        .cloned();
+    first.dots = [
+        dots(Look::Pale, points(&first)),
+        dots(Look::Colour(0), points(&second)),
+    ]
+    .into_iter()
+    .chain(crosses)
+    .collect();
+    let reach = |panel: &Panel| panel.up.map_or(0.0, |(_, high)| high);
+    let reach = reach(&first).max(reach(&second));
+    first.up = Some((-reach, reach));
+    first
+}

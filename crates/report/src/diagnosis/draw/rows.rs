@@ -1,0 +1,244 @@
+//! A chart of rows: a name at the left, and beside it bars or dots along one axis that all rows share.
+
+use crate::figures::Layout;
+use crate::figures::axis::{number, ticks};
+use crate::figures::svg::{Svg, cut};
+use crate::fit::numbers::stated;
+
+/// How numbers become places.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Axis {
+    /// In proportion, from 0.
+    Linear,
+    /// By their logarithms, from this one on.
+    Log(f64),
+    /// Nearly in proportion up to 1 and by their logarithms far beyond it: sizes from 0 to thousands.
+    Sizes,
+}
+
+/// What stands in a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// A bar from 0, and its class.
+    Bar(f64, &'static str),
+    /// A dot, and its class.
+    Dot(f64, &'static str),
+    /// A line between two numbers, and its class.
+    Span(f64, f64, &'static str),
+}
+
+/// One row.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Row {
+    /// Its name.
+    pub(super) name: String,
+    /// Class of the name.
+    pub(super) class: &'static str,
+    /// What is drawn.
+    pub(super) shapes: Vec<Shape>,
+    /// Words at its right end.
+    pub(super) words: String,
+}
+
+/// The chart.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Chart {
+    pub(super) title: String,
+    /// What its marks mean: class of each, and its words.
+    pub(super) legend: Vec<(Shape, String)>,
+    pub(super) rows: Vec<Row>,
+    pub(super) axis: Axis,
+    pub(super) across: String,
+    /// A broken line over all rows, and its name.
+    pub(super) level: Option<(f64, String)>,
+}
+
+impl Chart {
+    /// The figure's text.
+    pub(super) fn draw(&self, layout: Layout) -> String {
+        let (letters, letter) = (layout.letters, layout.letter());
+        let mut svg = Svg::new();
+        let title = cut(&self.title, layout.width - 16.0, 1.25 * letter);
+        svg.text("title", (2.0, 2.0 * letters), "start", &title);
+        let mut top = self.draw_legend(&mut svg, &layout, 2.0 * letters + 12.0);
+        let words = |text: &str| text.chars().count() as f64 * letter;
+        let names = self.rows.iter().map(|row| words(&row.name));
+        let left = 12.0 + names.fold(20.0, f64::max).min(0.5 * layout.width);
+        let notes = self.rows.iter().map(|row| words(&row.words));
+        let right = layout.width - 10.0 - notes.fold(14.0, f64::max).min(0.25 * layout.width);
+        let greatest = self.greatest();
+        let place = |value: f64| {
+            let part = self.axis.part(value, greatest).clamp(0.0, 1.0);
+            left + (right - left) * part
+        };
+        let step = letters + 7.0;
+        top += if self.level.is_some() {
+            letters + 8.0
+        } else {
+            6.0
+        };
+        let bottom = top + step * self.rows.len() as f64 + 2.0;
+        let mut free = f64::NEG_INFINITY;
+        for (value, text) in self.axis.ticks(greatest, ((right - left) / 52.0) as usize) {
+            let (x, half) = (place(value), 0.5 * words(&text));
+            svg.line("grid", (x, top), (x, bottom));
+            if x - half > free {
+                svg.text("tick", (x, bottom + 4.0 + letters), "middle", &text);
+                free = x + half + 8.0;
+            }
+        }
+        for (i, row) in self.rows.iter().enumerate() {
+            let middle = top + step * (i as f64 + 0.5) + 1.0;
+            let name = cut(&row.name, left - 8.0, 0.97 * letter);
+            let base = middle + 0.36 * letters;
+            svg.text(row.class, (left - 8.0, base), "end", &name);
+            for shape in &row.shapes {
+                draw_shape(&mut svg, shape, middle, letters, left, &place);
+            }
+            // Words stand in a column of their own, clear of every line.
+            svg.text("mark", (layout.width - 4.0, base), "end", &row.words);
+        }
+        svg.line("axis", (left, top), (left, bottom));
+        svg.line("axis", (left, bottom), (right, bottom));
+        if let Some((value, name)) = self.level.as_ref().filter(|l| l.0.is_finite()) {
+            let x = place(*value);
+            svg.line("level", (x, top - 4.0), (x, bottom));
+            let half = 0.5 * words(name);
+            let x = x.clamp(half + 4.0, (layout.width - half - 4.0).max(half + 4.0));
+            svg.text("mark", (x, top - 8.0), "middle", name);
+        }
+        let below = bottom + 8.0 + 2.0 * letters;
+        let across = cut(&self.across, layout.width - 16.0, letter);
+        let half = 0.5 * words(&across);
+        let middle = (0.5 * (left + right)).clamp(half + 4.0, layout.width - half - 4.0);
+        svg.text("across", (middle, below), "middle", &across);
+        svg.finish(
+            &self.title,
+            (layout.width, below + 12.0),
+            layout.most,
+            letters,
+        )
+    }
+
+    fn greatest(&self) -> f64 {
+        let shapes = self.rows.iter().flat_map(|row| &row.shapes);
+        let ends = shapes.map(|shape| match shape {
+            Shape::Bar(value, _) | Shape::Dot(value, _) => *value,
+            Shape::Span(from, to, _) => from.max(*to),
+        });
+        let level = self.level.iter().map(|l| l.0);
+        let all = ends.chain(level).filter(|v| v.is_finite());
+        let most = all.fold(0.0, f64::max);
+        if most > 0.0 { most * 1.02 } else { 1.0 }
+    }
+
+    /// The legend, in as many lines as it takes; gives where it ends.
+    fn draw_legend(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
+        if self.legend.is_empty() {
+            return top;
+        }
+        let (letters, letter) = (layout.letters, layout.letter());
+        let (mut x, mut y) = (2.0, top + 0.9 * letters);
+        for (shape, words) in &self.legend {
+            let wide = 20.0 + letter * words.chars().count() as f64;
+            if x > 2.0 && x + wide > layout.width - 4.0 {
+                (x, y) = (2.0, y + letters + 6.0);
+            }
+            let middle = y - 0.35 * letters;
+            match shape {
+                Shape::Bar(_, class) => svg.block(class, (x, middle - 5.0), (12.0, 10.0)),
+                Shape::Dot(_, class) => svg.dot(class, (x + 6.0, middle)),
+                Shape::Span(_, _, class) => svg.line(class, (x, middle), (x + 12.0, middle)),
+            }
+            svg.text("mark", (x + 17.0, y), "start", words);
+            x += wide + 12.0;
+        }
+        y + 6.0
+    }
+}
+
+fn draw_shape(
+    svg: &mut Svg,
+    shape: &Shape,
+    middle: f64,
+    letters: f64,
+    left: f64,
+    place: &impl Fn(f64) -> f64,
+) {
+    match *shape {
+        Shape::Bar(value, class) if value.is_finite() => {
+            let tall = letters - 1.0;
+            let wide = (place(value) - left).max(1.0);
+            svg.block(class, (left, middle - 0.5 * tall), (wide, tall));
+        }
+        Shape::Dot(value, class) if value.is_finite() => {
+            svg.dot(class, (place(value), middle));
+        }
+        Shape::Span(from, to, class) if from.is_finite() && to.is_finite() => {
+            svg.line(class, (place(from), middle), (place(to), middle));
+        }
+        _ => {}
+    }
+}
+
+impl Axis {
+    /// From 0 to 1; what lies below the axis is below 0.
+    fn part(self, value: f64, greatest: f64) -> f64 {
+        let part = match self {
+            Axis::Linear => value / greatest,
+            Axis::Log(least) => (value / least).ln() / (greatest / least).ln(),
+            Axis::Sizes => value.max(0.0).ln_1p() / greatest.ln_1p(),
+        };
+        if part.is_nan() { 0.0 } else { part }
+    }
+
+    fn ticks(self, greatest: f64, most: usize) -> Vec<(f64, String)> {
+        let most = most.clamp(3, 8);
+        if self == Axis::Linear {
+            let (at, decimals) = ticks((0.0, greatest), most);
+            let text = |t: f64| (t, number(t, decimals));
+            return at.into_iter().map(text).collect();
+        }
+        let least = match self {
+            Axis::Log(least) => least,
+            _ => 1.0,
+        };
+        let first = least.log10().floor().max(-12.0) as i32;
+        let last = greatest.log10().ceil().min(300.0) as i32;
+        let all = (first..=last).flat_map(|power| {
+            let unit = |m: f64| {
+                if power < 0 {
+                    m / 10_f64.powi(-power)
+                } else {
+                    m * 10_f64.powi(power)
+                }
+            };
+            [1.0, 2.0, 5.0].map(unit)
+        });
+        let mut all: Vec<f64> = all.filter(|v| (least..=greatest).contains(v)).collect();
+        // Fewer of each decade, then of the decades, until there is room.
+        if all.len() > most + 2 {
+            all.retain(|v| (v.log10() - v.log10().round()).abs() < 1e-9);
+        }
+        if all.len() > most {
+            let step = all.len().div_ceil(most);
+            all = all.into_iter().step_by(step).collect();
+        }
+        let zero = (self == Axis::Sizes).then_some(0.0);
+        let all = zero.into_iter().chain(all);
+        all.map(|t| (t, stated(t))).collect()
+    }
+}
+
+/// The axis for lengths: in proportion, unless some are so much smaller that they could not be told apart.
+pub(super) fn axis_for(values: impl Iterator<Item = f64> + Clone) -> Axis {
+    let good = values.filter(|v| v.is_finite() && *v > 0.0);
+    let least = good.clone().fold(f64::INFINITY, f64::min);
+    let most = good.fold(0.0, f64::max);
+    // The logarithm of what is nearly nothing would leave no room for the rest.
+    if most > 30.0 * least {
+        Axis::Log((0.8 * least).max(1e-6 * most))
+    } else {
+        Axis::Linear
+    }
+}

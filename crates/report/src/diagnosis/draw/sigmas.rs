@@ -1,0 +1,92 @@
+//! The scores of all candidates.
+
+use diagnose::report::{CandidateScore, Report};
+
+use super::super::words;
+use super::drawn;
+use super::rows::{Axis, Chart, Row, Shape};
+use crate::figures::Layout;
+use crate::fit::Drawn;
+
+/// Candidates that are drawn at most.
+const MOST: usize = 60;
+
+/// A bar for each candidate, the most significant first; none where nothing was asked.
+pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
+    let mut all: Vec<&CandidateScore> = report.candidates.iter().collect();
+    // What has no number comes last.
+    let size = |c: &CandidateScore| {
+        if c.sigmas.is_nan() {
+            f64::NEG_INFINITY
+        } else {
+            c.sigmas
+        }
+    };
+    all.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let left_out = all.len().saturating_sub(MOST);
+    all.truncate(MOST);
+    if all.is_empty() {
+        return None;
+    }
+    let named = |c: &CandidateScore| {
+        let effects = report.causes.iter().flat_map(|cause| &cause.effects);
+        effects.into_iter().any(|e| e.name == c.name)
+    };
+    let row = |c: &&CandidateScore| {
+        let (class, bar) = match (named(c), c.significant) {
+            (true, _) => ("strong", "bar cause"),
+            (false, true) => ("tick", "bar alarm"),
+            (false, false) => ("weak", "bar calm"),
+        };
+        Row {
+            name: c.name.clone(),
+            class,
+            shapes: vec![Shape::Bar(c.sigmas.max(0.0), bar)],
+            words: words::sigmas(c.sigmas),
+        }
+    };
+    let rows: Vec<Row> = all.iter().map(row).collect();
+    let kinds = [
+        ("bar cause", "part of an explanation"),
+        ("bar alarm", "alarm, explained by it"),
+        ("bar calm", "no alarm"),
+    ];
+    let drawn_kinds = kinds.into_iter().filter(|(class, _)| {
+        let has = |row: &Row| matches!(row.shapes[0], Shape::Bar(_, c) if c == *class);
+        rows.iter().any(has)
+    });
+    let legend = drawn_kinds.map(|(class, words)| {
+        let words = if report.causes.is_empty() && class == "bar alarm" {
+            "alarm"
+        } else {
+            words
+        };
+        (Shape::Bar(0.0, class), words.to_owned())
+    });
+    let threshold = report.threshold.sigmas;
+    let chart = Chart {
+        title: "What each effect would explain".into(),
+        legend: legend.collect(),
+        rows,
+        axis: Axis::Sizes,
+        across: "size as of a normal number, standard deviations".into(),
+        level: Some((
+            threshold,
+            format!("alarm from {}", words::sigmas(threshold)),
+        )),
+    };
+    let more = match left_out {
+        0 => String::new(),
+        n => format!(" {n} more, all smaller, are not drawn."),
+    };
+    let caption = format!(
+        "How significant each effect is when it alone is asked for: what the flights would gain by it, as the size of a \
+         normal number that is as unlikely. Chance alone raises an alarm among all of them with a probability of {}. \
+         Effects that look like the cause are raised along with it.{more}",
+        crate::fit::numbers::percent(report.threshold.false_alarms)
+    );
+    let title = chart.title.clone();
+    Some(drawn("candidates", &title, caption, Layout::COLUMN, |l| {
+        chart.draw(l)
+    }))
+}

@@ -1,0 +1,134 @@
+//! The tables of what these flights cannot show, of what lies outside the catalogue, and of the flights.
+
+use diagnose::report::{CandidateScore, FlightGain, Report, Term};
+use identify::dataset::Role;
+use serde::Serialize;
+
+use super::words;
+use crate::fit::numbers::{Digits, millimetres, significant, unit};
+use crate::fit::words::names;
+
+/// Rows of a table, at most.
+const MOST_ROWS: usize = 60;
+
+/// An effect that leaves no trace of its own.
+pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
+    let all = report.undetectable.iter().take(MOST_ROWS);
+    all.map(|u| {
+        let absorbed = names(u.absorbed_by.iter().map(String::as_str));
+        let by = if absorbed.is_empty() {
+            "nothing: it does nothing at all in these flights".to_owned()
+        } else {
+            absorbed
+        };
+        [u.name.clone(), by]
+    })
+    .collect()
+}
+
+/// Effect, coefficient, size, unit.
+pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
+    let all = report.smallest_detectable.iter().take(MOST_ROWS);
+    all.map(|d| {
+        let size = significant(d.value, 2);
+        [d.name.clone(), d.coefficient.clone(), size, unit(&d.unit)]
+    })
+    .collect()
+}
+
+/// A term that was tried.
+#[derive(Serialize)]
+pub(super) struct TermRow {
+    site: String,
+    formula: String,
+    statistic: String,
+    value: String,
+    error: String,
+    taken: bool,
+}
+
+/// The terms of the grammar, as they came.
+pub(super) fn terms(terms: &[Term]) -> Vec<TermRow> {
+    let row = |term: &Term| {
+        let digits = Digits::of(term.value, term.std_error);
+        TermRow {
+            site: words::site(&term.site).to_owned(),
+            formula: term.formula.clone(),
+            statistic: significant(term.statistic, 4),
+            value: digits.one(term.value),
+            error: digits.one(term.std_error),
+            taken: term.taken,
+        }
+    };
+    terms.iter().take(MOST_ROWS).map(row).collect()
+}
+
+/// A candidate's score.
+#[derive(Serialize)]
+pub(super) struct Score {
+    name: String,
+    doc: String,
+    site: String,
+    sigmas: String,
+    statistic: String,
+    freedom: usize,
+    p: String,
+    visible: String,
+    expected: String,
+    significant: bool,
+}
+
+/// What was asked of each effect, the most significant first.
+pub(super) fn scores(report: &Report) -> Vec<Score> {
+    let row = |c: &CandidateScore| {
+        let expected = c.expected.iter().take(6).map(|(name, e)| {
+            let digits = Digits::of(e.value, e.std_error);
+            let (value, error) = (digits.one(e.value), digits.one(e.std_error));
+            let unit = unit(&e.unit);
+            let text = format!("{name} = {value} ± {error} {unit}");
+            text.trim_end().to_owned()
+        });
+        Score {
+            name: c.name.clone(),
+            doc: c.doc.replace('\n', " "),
+            site: words::site(&c.site).to_owned(),
+            sigmas: words::sigmas(c.sigmas),
+            statistic: significant(c.statistic, 4),
+            freedom: c.freedom,
+            p: words::probability_of_ln(c.ln_p),
+            visible: crate::fit::numbers::percent(c.visible),
+            expected: expected.collect::<Vec<_>>().join("; "),
+            significant: c.significant,
+        }
+    };
+    report.candidates.iter().take(MOST_ROWS).map(row).collect()
+}
+
+/// A flight: file, role, before, after.
+#[derive(Serialize)]
+pub(super) struct Flight {
+    file: String,
+    held_out: bool,
+    before: String,
+    after: String,
+}
+
+/// The flights in their own order, or the worst of many.
+pub(super) fn flights(report: &Report) -> Vec<Flight> {
+    let mut all: Vec<&FlightGain> = report.flights.iter().collect();
+    if all.len() > MOST_ROWS {
+        let size = |f: &FlightGain| match f.rms_before_m {
+            rms if rms.is_nan() => f64::INFINITY,
+            rms => rms,
+        };
+        all.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        all.truncate(MOST_ROWS);
+    }
+    let row = |f: &FlightGain| Flight {
+        file: f.file.clone(),
+        held_out: f.role == Role::HeldOut,
+        before: millimetres(f.rms_before_m),
+        after: f.rms_after_m.map_or("–".to_owned(), millimetres),
+    };
+    all.into_iter().map(row).collect()
+}

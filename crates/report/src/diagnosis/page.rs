@@ -1,0 +1,136 @@
+//! From all that to HTML.
+
+use diagnose::report::{Report, Verified};
+use identify::dataset::Role;
+use minijinja::context;
+use minijinja::value::Value;
+
+use super::draw::{self, Figures};
+use super::{DiagnosisPage, causes, coefficients, limits, words};
+use crate::figures::svg::STYLE;
+use crate::fit::Drawn;
+use crate::fit::flights::short;
+use crate::fit::numbers::{count, millimetres, percent, plain};
+use crate::fit::page::{plain_values, rendered, sentence};
+use crate::fit::words::names;
+
+/// Letters of the extended model that are shown, at most.
+const MOST_TEXT: usize = 60_000;
+/// Notes and checks that are shown, at most.
+const MOST_NOTES: usize = 40;
+/// Channels and curves that are unfolded.
+const OPEN: usize = 6;
+
+/// The page: one file, that loads nothing.
+pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
+    let report = page.report;
+    let (curves, more_curves) = split(&figures.curves);
+    let (channels, more_channels) = split(&figures.channels);
+    let seconds = report.seconds.iter().filter(|(_, s)| s.is_finite());
+    let seconds: Vec<String> = seconds
+        .map(|(what, s)| format!("{what} {} s", plain(*s, 2)))
+        .collect();
+    let notes: Vec<String> = report
+        .notes
+        .iter()
+        .take(MOST_NOTES)
+        .map(|n| sentence(n))
+        .collect();
+    let number = |role| report.flights.iter().filter(|f| f.role == role).count();
+    let looked_for = report.candidates.len();
+    let alarms = report.candidates.iter().filter(|c| c.significant).count();
+    let outside = report.outside.as_ref();
+    let context = context! {
+        css => Value::from_safe_string(include_str!("../fit/page.css").to_owned() + include_str!("page.css")),
+        style => Value::from_safe_string(STYLE.to_owned() + draw::STYLE),
+        model => &report.model,
+        dataset => &report.dataset,
+        effects => names(report.effects.iter().map(String::as_str)),
+        kind => words::kind(report.verdict),
+        verdict => words::verdict(report),
+        summary => report.summary.trim(),
+        gain => words::gain(report),
+        notes => plain_values(&notes),
+        gain_figure => figures.gain.iter().map(one).collect::<Vec<_>>(),
+        causes => plain_values(&causes::explanations(report)),
+        more_causes => report.causes.len().saturating_sub(causes::MOST),
+        throw => report.next_throw.as_ref().map(|t| plain_values(&causes::throw(t))),
+        candidates => figures.sigmas.iter().map(one).collect::<Vec<_>>(),
+        alike => figures.alike.iter().map(one).collect::<Vec<_>>(),
+        scores => plain_values(&limits::scores(report)),
+        looked_for => count(looked_for, "effect"),
+        alarms,
+        residuals => shown(&figures.residuals),
+        curves => shown(curves),
+        more_curves => shown(more_curves),
+        unmoved => names(draw::unmoved(page).iter().map(String::as_str)),
+        flights_figure => figures.flights.iter().map(one).collect::<Vec<_>>(),
+        flights => plain_values(&limits::flights(report)),
+        fitted => number(Role::Fit),
+        held_out => number(Role::HeldOut),
+        coefficients => plain_values(&coefficients::rows(report)),
+        extended => coefficients::extended(report),
+        undetectable => plain_values(&limits::undetectable(report)),
+        detectable => plain_values(&limits::detectable(report)),
+        outside => outside.map(|o| o.says.trim()),
+        channels => shown(channels),
+        more_channels => shown(more_channels),
+        terms => outside.map(|o| plain_values(&limits::terms(&o.terms))),
+        extended_model => &report.extended_model,
+        extended_text => page.extended.map(beginning),
+        verified => report.verified.as_ref().map(verified),
+        noise => noise(report),
+        schema => &report.schema,
+        seconds => seconds.join(", "),
+        version => env!("CARGO_PKG_VERSION"),
+    };
+    rendered(include_str!("page.html"), context)
+}
+
+fn split(drawn: &[Drawn]) -> (&[Drawn], &[Drawn]) {
+    drawn.split_at(OPEN.min(drawn.len()))
+}
+
+fn shown(drawn: &[Drawn]) -> Vec<Value> {
+    drawn.iter().map(one).collect()
+}
+
+fn one(drawn: &Drawn) -> Value {
+    // The figures' own writer has escaped whatever came from outside.
+    let safe = |svg: &String| Value::from_safe_string(draw::without_style(svg));
+    context! {
+        name => &drawn.figure.name,
+        caption => &drawn.figure.caption,
+        svg => safe(&drawn.figure.svg),
+        narrow => drawn.narrow.as_ref().map(safe),
+    }
+}
+
+/// A file's text, as far as a page bears it.
+fn beginning(text: &str) -> String {
+    let mut shown: String = text.chars().take(MOST_TEXT).collect();
+    if shown.len() < text.len() {
+        shown.push('…');
+    }
+    shown
+}
+
+fn verified(found: &Verified) -> Value {
+    let checks = found.checks.iter().take(MOST_NOTES);
+    let checks: Vec<(String, String)> = checks
+        .map(|(name, says)| (short(name), short(says)))
+        .collect();
+    context! { holds => found.holds, checks => plain_values(&checks) }
+}
+
+/// The noise in a sentence.
+fn noise(report: &Report) -> String {
+    let noise = &report.noise;
+    format!(
+        "A measured coordinate has a noise of {} (one standard deviation); neighbouring samples are correlated by {}; \
+         {} of the points were taken for outliers.",
+        millimetres(noise.sigma_m),
+        plain(noise.ar1, 2),
+        percent(noise.outlier_fraction)
+    )
+}

@@ -1,0 +1,166 @@
+//! A diagnosis in plain words.
+
+use diagnose::report::{Cause, Gain, Report, Verdict};
+
+use crate::fit::numbers::{count, millimetres, plain, raised, significant};
+use crate::fit::words::names;
+
+/// A name as the page writes it: effects have hyphens, whoever wrote them.
+pub(super) fn cause(cause: &Cause) -> String {
+    let effects = names(cause.effects.iter().map(|e| e.name.as_str()));
+    match cause.effects.len() {
+        0 => "an explanation without effects".to_owned(),
+        1 => effects,
+        _ => format!("{effects} together"),
+    }
+}
+
+/// The verdict in a sentence.
+pub(super) fn verdict(report: &Report) -> String {
+    let first = report.causes.first();
+    match report.verdict {
+        Verdict::None => "Nothing is found that is not noise.".to_owned(),
+        Verdict::Named => match first {
+            Some(found) if found.effects.len() > 1 => {
+                format!("The model lacks {}.", cause(found))
+            }
+            Some(found) => format!("The model lacks one effect: {}.", cause(found)),
+            None => "The model lacks an effect.".to_owned(),
+        },
+        Verdict::Ambiguous => match report.causes.len() {
+            0 | 1 => "The model lacks something, but these flights cannot tell what.".to_owned(),
+            n => format!("The model lacks one of {n} things, and these flights cannot tell which."),
+        },
+        Verdict::Outside => {
+            "The model lacks something that no effect of the catalogue explains.".to_owned()
+        }
+        Verdict::Immaterial => match first {
+            Some(found) => format!(
+                "The model lacks something real, but too small to matter: {}.",
+                cause(found)
+            ),
+            None => "The model lacks something real, but too small to matter.".to_owned(),
+        },
+    }
+}
+
+/// Of what colour the verdict is.
+pub(super) fn kind(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::None => "none",
+        Verdict::Named => "named",
+        Verdict::Ambiguous => "ambiguous",
+        Verdict::Outside => "outside",
+        Verdict::Immaterial => "immaterial",
+    }
+}
+
+/// What the extension gains, or why nothing says so.
+pub(super) fn gain(report: &Report) -> String {
+    let Some(gain) = &report.gain else {
+        return match (report.extended_model.is_some(), report.verdict) {
+            (true, _) => "No flight says what the extension gains on flights that it has not seen.",
+            (false, Verdict::None) => "Nothing is extended.",
+            (false, _) => "Nothing is extended, and so nothing is gained.",
+        }
+        .to_owned();
+    };
+    let after = millimetres(gain.held_out_rms_after_m);
+    let before = millimetres(gain.held_out_rms_before_m);
+    let how = match (gain.held_out_by_dataset, gain.flights) {
+        (true, 1) => "On the one flight that was held out".to_owned(),
+        (true, n) => format!("On the {n} flights that were held out"),
+        (false, n) => format!(
+            "Over {}, each predicted by a fit to the others,",
+            count(n, "flight")
+        ),
+    };
+    format!(
+        "{how} a coordinate is missed by {before} without the extension and by {after} with it: a gain of {}. \
+         No model can do better than the noise, {}.",
+        gained(gain),
+        millimetres(gain.noise_floor_m)
+    )
+}
+
+/// `19.4 ± 0.4 mm`.
+pub(super) fn gained(gain: &Gain) -> String {
+    let value = 1e3 * (gain.held_out_rms_before_m - gain.held_out_rms_after_m);
+    let error = 1e3 * gain.standard_error_m;
+    let digits = crate::fit::numbers::Digits::of(value, error);
+    if error.is_finite() && error > 0.0 {
+        format!("{} ± {}\u{a0}mm", digits.one(value), digits.one(error))
+    } else {
+        millimetres(value / 1e3)
+    }
+}
+
+/// Where an effect acts, as people say it.
+pub(super) fn site(site: &str) -> &str {
+    match site {
+        "side" => "side force",
+        "roll" => "rolling moment",
+        "pitch" => "pitching moment",
+        "spin" => "moment about the axis",
+        "vertical" => "the measured vertical",
+        "scale" => "the measured lengths",
+        "clock" => "the clock",
+        "marker" => "the markers’ places",
+        other => other,
+    }
+}
+
+/// How likely chance does as much.
+pub(super) fn probability(p: f64) -> String {
+    if !(0.0..=1.0).contains(&p) {
+        "–".to_owned()
+    } else if p >= 1e-3 {
+        plain(p, if p < 0.0995 { 3 } else { 2 })
+    } else if p > 1e-300 {
+        significant(p, 2)
+    } else {
+        format!("less than 10{}", raised(-300))
+    }
+}
+
+/// The same from its logarithm, where the number itself may be too small to be held.
+pub(super) fn probability_of_ln(ln_p: f64) -> String {
+    if ln_p.is_nan() || ln_p > 0.0 {
+        return "–".to_owned();
+    }
+    if ln_p > -20.0 {
+        return probability(ln_p.exp());
+    }
+    let power = ln_p / std::f64::consts::LN_10;
+    if power < -1e9 {
+        return "0".to_owned();
+    }
+    format!("10{}", raised(power.round() as i32))
+}
+
+/// The size of a standard normal number.
+pub(super) fn sigmas(value: f64) -> String {
+    plain(value, if value.abs() < 99.95 { 1 } else { 0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn probabilities_are_written_however_small() {
+        for (p, text) in [
+            (0.314, "0.31"),
+            (0.0042, "0.004"),
+            (0.0, "less than 10⁻³⁰⁰"),
+            (f64::NAN, "–"),
+            (2.0, "–"),
+        ] {
+            assert_eq!(probability(p), text);
+        }
+        assert_eq!(probability(1.234e-5), "1.2 · 10⁻⁵");
+        assert_eq!(probability_of_ln(-2302.585), "10⁻¹⁰⁰⁰");
+        assert_eq!(probability_of_ln(0.314_f64.ln()), "0.31");
+        assert_eq!(probability_of_ln(f64::NEG_INFINITY), "0");
+    }
+}
