@@ -5,7 +5,7 @@ use diagnose::report::{Cause, Gain, Report, Verdict};
 use crate::fit::numbers::{count, millimetres, plain, raised, significant};
 use crate::fit::words::names;
 
-/// A name as the page writes it: effects have hyphens, whoever wrote them.
+/// An explanation's name: that of its effects.
 pub(super) fn cause(cause: &Cause) -> String {
     let effects = names(cause.effects.iter().map(|e| e.name.as_str()));
     match cause.effects.len() {
@@ -22,7 +22,11 @@ pub(super) fn verdict(report: &Report) -> String {
         Verdict::None => "Nothing is found that is not noise.".to_owned(),
         Verdict::Named => match first {
             Some(found) if found.effects.len() > 1 => {
-                format!("The model lacks {}.", cause(found))
+                format!(
+                    "The model lacks {} effects, {}.",
+                    found.effects.len(),
+                    cause(found)
+                )
             }
             Some(found) => format!("The model lacks one effect: {}.", cause(found)),
             None => "The model lacks an effect.".to_owned(),

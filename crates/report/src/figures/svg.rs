@@ -67,6 +67,20 @@ impl Svg {
         );
     }
 
+    /// A box through which the ground shows, the less the closer `cover` is to 1.
+    pub(crate) fn veil(
+        &mut self,
+        class: &str,
+        cover: f64,
+        (x, y): (f64, f64),
+        (wide, tall): (f64, f64),
+    ) {
+        let _ = writeln!(
+            self.body,
+            r#"<rect class="{class}" fill-opacity="{cover:.2}" x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{tall:.1}"/>"#
+        );
+    }
+
     /// A box of its own colour.
     pub(crate) fn cell(&mut self, colour: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
         let _ = writeln!(

@@ -24,7 +24,7 @@ pub(super) fn alike(report: &Report) -> Option<Drawn> {
     let caption = format!(
         "Each square: the size of the correlation between what two coefficients of effects would do to these flights, \
          once initial states and the model’s own coefficients are allowed for. Rows are read to the left of a name and \
-         columns below it; dark pairs these flights hardly tell apart. {}",
+         columns below it; pairs of strong colour these flights hardly tell apart. {}",
         match left_out {
             0 => "The most significant come first.".to_owned(),
             n => format!(
@@ -82,21 +82,22 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
                 .copied()
                 .unwrap_or(f64::NAN);
             let place = (left + side * j as f64, y);
-            svg.cell(&colour(value), place, (side - 1.0, tall - 1.0));
+            shade(&mut svg, value, place, (side - 1.0, tall - 1.0));
         }
         let x = left + side * i as f64 + 4.0;
-        let name = cut(name, layout.width - x - 2.0, letter);
         let class = if named(name) { "strong" } else { "tick" };
+        let name = cut(name, layout.width - x - 2.0, letter);
         svg.text(class, (x, y + 0.5 * tall + 0.33 * letters), "start", &name);
     }
     let bottom = top + tall * names.len() as f64 + 12.0;
     let wide = (0.6 * layout.width).min(260.0) / STEPS as f64;
     for i in 0..STEPS {
         let place = (left + wide * i as f64, bottom);
-        svg.cell(
-            &colour((i as f64 + 0.5) / STEPS as f64),
+        shade(
+            &mut svg,
+            (i as f64 + 0.5) / STEPS as f64,
             place,
-            (wide + 0.2, 8.0),
+            (wide, 8.0),
         );
     }
     let end = left + wide * STEPS as f64;
@@ -114,17 +115,11 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
     )
 }
 
-/// From nearly white to dark blue, darker the closer to 1; grey with red in it where there is no number.
-fn colour(value: f64) -> String {
-    if !value.is_finite() {
-        return "#c9b9b9".to_owned();
+/// A square, the stronger the closer to 1, on a light ground as on a dark one.
+fn shade(svg: &mut Svg, value: f64, place: (f64, f64), size: (f64, f64)) {
+    if value.is_finite() {
+        svg.veil("alike", 0.05 + 0.95 * value.abs().min(1.0), place, size);
+    } else {
+        svg.block("unknown", place, size);
     }
-    let part = value.abs().min(1.0);
-    let mix = |from: f64, to: f64| (from + (to - from) * part).round() as u8;
-    format!(
-        "#{:02x}{:02x}{:02x}",
-        mix(240.0, 4.0),
-        mix(243.0, 60.0),
-        mix(247.0, 120.0)
-    )
 }

@@ -31,7 +31,7 @@ pub(super) fn channels(report: &Report) -> Vec<Drawn> {
 
 fn figure(index: usize, channel: &Channel) -> Drawn {
     let title = format!(
-        "{}: explains {} of what is left",
+        "{}: {} explained",
         words::site(&channel.site),
         percent(channel.explains)
     );
@@ -40,7 +40,8 @@ fn figure(index: usize, channel: &Channel) -> Drawn {
         n => format!(" {n} more flights are not drawn."),
     };
     let caption = format!(
-        "The coefficient that each flight asks for besides the model’s, in time; shaded: ±2 standard errors. \
+        "The coefficient that each flight asks for besides the model’s, in time; in the title the part of what is left \
+         that it would explain; shaded: ±2 standard errors. \
          All have one scale.{left_out}"
     );
     let name = format!("channel-{:02}", index + 1);
@@ -92,7 +93,11 @@ fn draw(channel: &Channel, title: &str, layout: Layout) -> String {
         _ => 0,
     };
     let scale = 10_f64.powi(-power);
-    let (at, decimals) = ticks((low * scale, high * scale), 3);
+    let ends = (low * scale, high * scale);
+    let (mut at, mut decimals) = ticks(ends, 3);
+    if at.len() < 2 {
+        (at, decimals) = ticks(ends, 6);
+    }
     let texts: Vec<(f64, String)> = at
         .into_iter()
         .map(|t| (t / scale, number(t, decimals)))

@@ -62,7 +62,7 @@ impl Chart {
         svg.text("title", (2.0, 2.0 * letters), "start", &title);
         let mut top = self.draw_legend(&mut svg, &layout, 2.0 * letters + 12.0);
         let words = |text: &str| text.chars().count() as f64 * letter;
-        let names = self.rows.iter().map(|row| words(&row.name));
+        let names = self.rows.iter().map(|row| 1.06 * words(&row.name));
         let left = 12.0 + names.fold(20.0, f64::max).min(0.5 * layout.width);
         let notes = self.rows.iter().map(|row| words(&row.words));
         let right = layout.width - 10.0 - notes.fold(14.0, f64::max).min(0.25 * layout.width);
@@ -89,7 +89,7 @@ impl Chart {
         }
         for (i, row) in self.rows.iter().enumerate() {
             let middle = top + step * (i as f64 + 0.5) + 1.0;
-            let name = cut(&row.name, left - 8.0, 0.97 * letter);
+            let name = cut(&row.name, left - 10.0, 1.06 * letter);
             let base = middle + 0.36 * letters;
             svg.text(row.class, (left - 8.0, base), "end", &name);
             for shape in &row.shapes {

@@ -79,10 +79,13 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
         0 => String::new(),
         n => format!(" {n} more, all smaller, are not drawn."),
     };
+    let along = match report.causes.is_empty() {
+        true => "",
+        false => " Effects that look like a cause are raised along with it.",
+    };
     let caption = format!(
         "How significant each effect is when it alone is asked for: what the flights would gain by it, as the size of a \
-         normal number that is as unlikely. Chance alone raises an alarm among all of them with a probability of {}. \
-         Effects that look like the cause are raised along with it.{more}",
+         normal number that is as unlikely. Chance alone raises an alarm among all of them with a probability of {}.{along}{more}",
         crate::fit::numbers::percent(report.threshold.false_alarms)
     );
     let title = chart.title.clone();

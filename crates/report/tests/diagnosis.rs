@@ -1,0 +1,415 @@
+//! The page of a diagnosis, made from reports that never were.
+
+#[allow(dead_code)]
+mod found;
+#[allow(dead_code)]
+mod made;
+
+use diagnose::report::{Report, Verdict};
+use identify::dataset::Role;
+use identify::report::FlightEvidence;
+use report::diagnosis::{DiagnosisPage, Made, make};
+
+const TWO_MEGABYTES: usize = 2_000_000;
+
+fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) -> Made {
+    let extended = report.extended_model.as_ref().map(|_| found::EXTENDED);
+    let made = make(&DiagnosisPage {
+        report,
+        before,
+        after,
+        extended,
+    });
+    check(&made);
+    made
+}
+
+/// What holds of every page: it loads nothing, bears no script, and its figures are whole, each there once.
+fn check(made: &Made) {
+    let without = made
+        .html
+        .replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
+    for load in [
+        "http:", "https:", "//cdn", "url(", "@import", " src=", "<script", "<link", "<img",
+        "<iframe",
+    ] {
+        assert!(!without.contains(load), "{load}");
+    }
+    assert!(made.html.len() < TWO_MEGABYTES, "{} bytes", made.html.len());
+    for (name, svg) in &made.figures {
+        let tree =
+            roxmltree::Document::parse(svg).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        let stem = name.strip_suffix(".svg").unwrap();
+        assert!(
+            stem.chars().all(|c| c.is_ascii_alphanumeric() || c == '-'),
+            "{name}"
+        );
+        assert_eq!(made.figures.iter().filter(|f| f.0 == *name).count(), 1);
+        assert!(
+            made.html.contains(&format!("<figure id=\"{stem}\">")),
+            "{name}"
+        );
+        let has = |tag: &str| {
+            tree.root_element()
+                .children()
+                .any(|n| n.has_tag_name(("http://www.w3.org/2000/svg", tag)) && n.text().is_some())
+        };
+        assert!(has("title") && has("desc"), "{name} is not told in words");
+        for node in tree.descendants().filter(|n| n.is_element()) {
+            for attribute in node.attributes().filter(|a| a.name() != "aria-label") {
+                let value = attribute.value();
+                assert!(
+                    !value.contains("NaN") && !value.contains("inf"),
+                    "{name}: {value}"
+                );
+            }
+        }
+    }
+    assert!(!made.html.contains("<desc></desc>"));
+}
+
+/// The usual page of a verdict.
+fn of(verdict: Verdict) -> (Report, Made) {
+    let after = made::evidence(9);
+    let before = found::without(&after);
+    let report = found::report(verdict, &after);
+    let after = if report.extended_model.is_some() {
+        after
+    } else {
+        Vec::new()
+    };
+    let made = page(&report, &before, &after);
+    (report, made)
+}
+
+fn has(made: &Made, section: &str) -> bool {
+    made.html.contains(&format!("id=\"{section}\""))
+}
+
+#[test]
+fn verdicts_have_their_words() {
+    for (verdict, words) in [
+        (Verdict::None, "Nothing is found that is not noise."),
+        (
+            Verdict::Named,
+            "The model lacks one effect: zero-lift-drag-angle.",
+        ),
+        (
+            Verdict::Ambiguous,
+            "The model lacks one of 3 things, and these flights cannot tell which.",
+        ),
+        (
+            Verdict::Outside,
+            "The model lacks something that no effect of the catalogue explains.",
+        ),
+        (
+            Verdict::Immaterial,
+            "The model lacks something real, but too small to matter: zero-lift-drag-angle.",
+        ),
+    ] {
+        let (_, made) = of(verdict);
+        assert!(made.html.contains(&format!("\">{words}</p>")), "{words}");
+    }
+    let (mut report, _) = of(Verdict::Ambiguous);
+    report.verdict = Verdict::Named;
+    report.causes.swap(0, 2);
+    report.causes.truncate(1);
+    let made = page(&report, &[], &[]);
+    assert!(
+        made.html
+            .contains("The model lacks 2 effects, side-force-by-spin and wind together.")
+    );
+    assert!(made.html.contains("<h2>The cause</h2>"));
+}
+
+#[test]
+fn sections_stand_where_their_data_do() {
+    let sections = |verdict| {
+        let (_, made) = of(verdict);
+        [
+            "gain",
+            "next-throw",
+            "flights",
+            "outside",
+            "channel-01",
+            "extension",
+            "verified",
+            "residuals-held-out",
+        ]
+        .map(|section| has(&made, section))
+    };
+    assert_eq!(
+        sections(Verdict::Named),
+        [true, false, true, false, false, true, true, true]
+    );
+    assert_eq!(
+        sections(Verdict::Ambiguous),
+        [true, true, true, false, false, true, true, true]
+    );
+    assert_eq!(
+        sections(Verdict::Outside),
+        [true, false, true, true, true, true, true, true]
+    );
+    assert_eq!(
+        sections(Verdict::None),
+        [false, false, false, false, false, false, false, true]
+    );
+    let (_, ambiguous) = of(Verdict::Ambiguous);
+    for text in [
+        "These flights cannot tell the following explanations apart",
+        "7.9 standard deviations; now it is 1.3",
+        "18.2\u{a0}m",
+        "−5.0 turns a second",
+        "Next comes tilted-vertical",
+        "On the 2 flights that were held out",
+        "a gain of 12.08 ± 0.90\u{a0}mm",
+        "The extension leaves as they are: C_L over α.",
+        "<td class=\"n doubt\">−6.4</td>",
+        "nothing: it does nothing at all in these flights",
+        "replace C_D = C_D0",
+    ] {
+        assert!(ambiguous.html.contains(text), "{text}");
+    }
+    let (_, none) = of(Verdict::None);
+    for text in [
+        "before</th>",
+        "extended</th>\n",
+        "class=\"alarms\"",
+        "Mind",
+        "too small",
+    ] {
+        let body = &none.html[none.html.find("<main>").unwrap()..];
+        assert!(
+            !body[..body.find("Flight by flight").unwrap()].contains(text),
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn nothing_at_all_reads_well() {
+    let (mut report, _) = of(Verdict::None);
+    report.summary.clear();
+    report.candidates.clear();
+    report.alike = Default::default();
+    report.flights.clear();
+    report.curves.clear();
+    report.coefficients.clear();
+    report.undetectable.clear();
+    report.smallest_detectable.clear();
+    report.seconds.clear();
+    let made = page(&report, &[], &[]);
+    assert_eq!(made.figures, []);
+    for section in ["evidence", "coefficients", "outside", "extension"] {
+        assert!(!has(&made, section), "{section}");
+    }
+    for text in [
+        "No effect of the catalogue is needed",
+        "Each effect that was looked for leaves a trace of its own",
+        "0 flights were fitted; 0 effects were looked for.",
+        "Nothing is extended.",
+    ] {
+        assert!(made.html.contains(text), "{text}");
+    }
+    assert!(!made.html.contains("<p></p>") && !made.html.contains("<tbody>\n</tbody>"));
+    // One of everything, and no coefficient known of a cause.
+    let (mut report, _) = of(Verdict::Named);
+    report.causes[0].effects[0].estimates.clear();
+    report.causes[0].effects[0].variables.clear();
+    report.causes[0].effects[0].doc.clear();
+    report.causes[0].rival = None;
+    report.gain = None;
+    report.candidates.truncate(1);
+    report.alike.names.truncate(1);
+    report.flights.truncate(1);
+    let made = page(&report, &made::evidence(1), &made::evidence(1));
+    assert!(
+        made.html.contains("No words were given for it.")
+            && made.html.contains("No other effect comes next.")
+    );
+    assert!(
+        made.html
+            .contains("No flight says what the extension gains")
+    );
+}
+
+#[test]
+fn names_from_outside_are_escaped() {
+    const EVIL: &str = "<script>alert(1)</script>\"'&\u{1}\u{ffff}";
+    let evil = || EVIL.to_owned();
+    let mut after = made::evidence(3);
+    after[0].file = evil();
+    after[0].markers[0] = evil();
+    let mut report = found::report(Verdict::Outside, &after);
+    let causes = found::report(Verdict::Ambiguous, &after);
+    report.causes = causes.causes;
+    report.next_throw = causes.next_throw;
+    report.schema = evil();
+    report.dataset = evil();
+    report.model = evil();
+    report.effects = vec![evil()];
+    report.summary = evil();
+    report.extended_model = Some(evil());
+    report.seconds.insert(evil(), 1.0);
+    report.notes = vec![evil()];
+    report.next_throw.as_mut().unwrap().says = evil();
+    let cause = &mut report.causes[0];
+    cause.rival.as_mut().unwrap().name = evil();
+    let effect = &mut cause.effects[0];
+    (effect.name, effect.doc, effect.site, effect.variables) =
+        (evil(), evil(), evil(), vec![evil()]);
+    let mut estimate = effect.estimates["alpha_0"].clone();
+    estimate.unit = evil();
+    effect.estimates.insert(evil(), estimate.clone());
+    let score = &mut report.candidates[0];
+    (score.name, score.doc, score.site) = (evil(), evil(), evil());
+    score.expected.insert(evil(), estimate);
+    let mut coefficient = report.coefficients["C_D0"].clone();
+    coefficient.unit = evil();
+    report.coefficients.insert(evil(), coefficient);
+    report.alike.names[0] = evil();
+    report.undetectable[0].name = evil();
+    report.undetectable[0].absorbed_by = vec![evil()];
+    let least = &mut report.smallest_detectable[0];
+    (least.name, least.coefficient, least.unit) = (evil(), evil(), evil());
+    let curve = &mut report.curves[0];
+    (curve.quantity, curve.over, curve.unit) = (evil(), evil(), evil());
+    let outside = report.outside.as_mut().unwrap();
+    outside.says = evil();
+    outside.channels[0].site = evil();
+    outside.channels[0].histories[0].file = evil();
+    (outside.terms[0].site, outside.terms[0].formula) = (evil(), evil());
+    report.verified.as_mut().unwrap().checks[0] = (evil(), evil());
+    let made = make(&DiagnosisPage {
+        report: &report,
+        before: &after,
+        after: &after,
+        extended: Some(EVIL),
+    });
+    check(&made);
+    assert!(made.html.matches("&lt;script&gt;alert(1)").count() > 30);
+}
+
+#[test]
+fn what_is_no_number_breaks_nothing() {
+    for bad in [
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        0.0,
+        1e300,
+        -1e-300,
+    ] {
+        let mut after = made::evidence(5);
+        let mut report = found::report(Verdict::Outside, &after);
+        let causes = found::report(Verdict::Ambiguous, &after);
+        report.causes = causes.causes;
+        report.next_throw = causes.next_throw;
+        report.noise.sigma_m = bad;
+        report.noise.ar1 = bad;
+        let gain = report.gain.as_mut().unwrap();
+        (
+            gain.held_out_rms_after_m,
+            gain.standard_error_m,
+            gain.noise_floor_m,
+        ) = (bad, bad, bad);
+        report.flights[0].rms_before_m = bad;
+        report.flights[1].rms_after_m = Some(bad);
+        report.flights[3].rms_after_m = Some(bad);
+        report.threshold.sigmas = bad;
+        report.threshold.false_alarms = bad;
+        for (i, score) in report.candidates.iter_mut().enumerate() {
+            match i % 4 {
+                0 => score.sigmas = bad,
+                1 => score.statistic = bad,
+                2 => score.ln_p = bad,
+                _ => score.visible = bad,
+            }
+        }
+        report.causes[0].gain = bad;
+        report.causes[0].rival.as_mut().unwrap().p = bad;
+        report.causes[0].effects[0]
+            .estimates
+            .get_mut("alpha_0")
+            .unwrap()
+            .value = bad;
+        report.causes[1].effects[0]
+            .estimates
+            .get_mut("C_Daaa")
+            .unwrap()
+            .std_error = bad;
+        report.next_throw.as_mut().unwrap().spin = bad;
+        report.next_throw.as_mut().unwrap().separation = bad;
+        report.coefficients.get_mut("C_D0").unwrap().before = Some(bad);
+        report.coefficients.get_mut("C_Da").unwrap().std_error = bad;
+        report.alike.matrix[3][1] = bad;
+        report.alike.matrix[5].clear();
+        report.alike.matrix.truncate(9);
+        report.smallest_detectable[0].value = bad;
+        report.curves[0].x[3] = bad;
+        report.curves[1].after[2] = bad;
+        report.curves[1].before.truncate(4);
+        let outside = report.outside.as_mut().unwrap();
+        outside.channels[0].explains = bad;
+        outside.channels[0].histories[0].value[3] = bad;
+        outside.channels[1].histories[0].std_error[2] = bad;
+        outside.channels[2].histories[1].t[2] = bad;
+        outside.channels[2].histories[2].t.clear();
+        outside.terms[0].statistic = bad;
+        after[0].predicted[10][0] = [bad; 3];
+        after[1].measured[3][1] = Some([bad; 3]);
+        page(&report, &after, &after);
+    }
+}
+
+#[test]
+fn much_stays_small() {
+    let after = made::evidence(3);
+    let mut report = found::report(Verdict::Outside, &after);
+    let one = |report: &Report, role| {
+        report
+            .flights
+            .iter()
+            .find(|f| f.role == role)
+            .unwrap()
+            .clone()
+    };
+    let mut flight = one(&report, Role::Fit);
+    report.flights.clear();
+    for i in 0..10_000 {
+        flight.file = format!("throw{i:05}.csv");
+        flight.role = if i % 3 == 0 { Role::HeldOut } else { Role::Fit };
+        flight.rms_before_m = 0.01 + 1e-6 * f64::from(i);
+        report.flights.push(flight.clone());
+    }
+    let score = report.candidates[0].clone();
+    for i in 0..500 {
+        report.candidates.push(diagnose::report::CandidateScore {
+            name: format!("effect-{i}"),
+            ..score.clone()
+        });
+        report.alike.names.push(format!("C_{i}"));
+        report.undetectable.push(report.undetectable[0].clone());
+    }
+    let channel = &mut report.outside.as_mut().unwrap().channels[0];
+    let history = channel.histories[0].clone();
+    channel.histories.extend((0..2000).map(|_| history.clone()));
+    let made = page(&report, &after, &after);
+    assert!(
+        made.html
+            .contains("The worst 60 of 10000 flights in numbers")
+    );
+    assert!(made.html.contains("3322 more flights are not drawn."));
+    let scatter = &made
+        .figures
+        .iter()
+        .find(|f| f.0 == "flights.svg")
+        .unwrap()
+        .1;
+    assert!(scatter.contains("rms before, mm"));
+}
+
+#[test]
+fn the_same_report_gives_the_same_page() {
+    assert_eq!(of(Verdict::Outside).1, of(Verdict::Outside).1);
+}
