@@ -2,6 +2,7 @@
 
 use diagnose::report::{Report, Verified};
 use identify::dataset::Role;
+use identify::report::words::count;
 use minijinja::context;
 use minijinja::value::Value;
 
@@ -10,7 +11,7 @@ use super::{DiagnosisPage, causes, coefficients, limits, words};
 use crate::figures::svg::STYLE;
 use crate::fit::Drawn;
 use crate::fit::flights::short;
-use crate::fit::numbers::{count, millimetres, percent, plain};
+use crate::fit::numbers::{millimetres, percent, plain};
 use crate::fit::page::{plain_values, rendered, sentence};
 use crate::fit::words::names;
 

@@ -1,8 +1,9 @@
 //! A diagnosis in plain words.
 
 use diagnose::report::{Cause, Gain, Report, Verdict};
+use identify::report::words::count;
 
-use crate::fit::numbers::{count, millimetres, plain, raised, significant};
+use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;
 
 /// An explanation's name: that of its effects.
