@@ -400,13 +400,13 @@ fn much_stays_small() {
             .contains("The worst 60 of 10000 flights in numbers")
     );
     assert!(made.html.contains("3322 more flights are not drawn."));
-    let scatter = &made
+    let ranked = &made
         .figures
         .iter()
         .find(|f| f.0 == "flights.svg")
         .unwrap()
         .1;
-    assert!(scatter.contains("rms before, mm"));
+    assert!(ranked.contains("flights in order of their rms before"));
 }
 
 #[test]

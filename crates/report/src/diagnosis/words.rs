@@ -73,6 +73,7 @@ pub(super) fn gain(report: &Report) -> String {
     let after = millimetres(gain.held_out_rms_after_m);
     let before = millimetres(gain.held_out_rms_before_m);
     let how = match (gain.held_out_by_dataset, gain.flights) {
+        (true, 0) => "On flights that were held out".to_owned(),
         (true, 1) => "On the one flight that was held out".to_owned(),
         (true, n) => format!("On the {n} flights that were held out"),
         (false, n) => format!(

@@ -6,11 +6,11 @@ use identify::dataset::Role;
 use super::drawn;
 use super::gain::row;
 use super::rows::{Chart, Row, Shape, axis_for};
-use crate::figures::{Dots, Layout, Look, Panel, figure_of};
+use crate::figures::{Dots, Layout, Line, Look, Panel, figure_of};
 use crate::fit::Drawn;
 use crate::fit::thin::stride;
 
-/// So many flights have a row each; of more there is a dot each.
+/// So many flights have a row each; of more there are two dots each.
 const MOST_ROWS: usize = 16;
 /// Dots at most.
 const MOST_DOTS: usize = 2000;
@@ -25,7 +25,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
     }
     let title = "Fitted flights";
     if fitted.len() > MOST_ROWS {
-        return Some(scatter(title, &fitted));
+        return Some(ranked(title, &fitted, 1e3 * report.noise.sigma_m));
     }
     let rows: Vec<Row> = fitted.iter().map(|f| row(f)).collect();
     let values = fitted
@@ -57,26 +57,54 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
     ))
 }
 
-fn scatter(title: &str, fitted: &[&FlightGain]) -> Drawn {
-    let points = fitted
+/// Both sizes of each flight, in order of the one before.
+fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
+    let sizes = fitted
         .iter()
         .filter_map(|f| Some((1e3 * f.rms_before_m, 1e3 * f.rms_after_m?)));
-    let mut points: Vec<(f64, f64)> = points
-        .filter(|p| p.0.is_finite() && p.1.is_finite())
+    let mut sizes: Vec<(f64, f64)> = sizes
+        .filter(|s| s.0.is_finite() && s.1.is_finite())
         .collect();
-    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sizes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let last = sizes.len() as f64;
+    let ranks = sizes
+        .iter()
+        .enumerate()
+        .map(|(i, s)| (i as f64 + 1.0, s.0, s.1));
+    let ranks = stride(&ranks.collect::<Vec<_>>(), MOST_DOTS);
+    let before: Vec<(f64, f64)> = ranks
+        .iter()
+        .map(|(rank, before, _)| (*rank, *before))
+        .collect();
+    let after: Vec<(f64, f64)> = ranks
+        .iter()
+        .map(|(rank, _, after)| (*rank, *after))
+        .collect();
+    let largest = sizes
+        .iter()
+        .map(|s| s.0.max(s.1))
+        .chain([noise])
+        .filter(|v| v.is_finite());
+    let largest = largest.fold(1e-6, f64::max);
+    // A line of one point is a name alone.
+    let name = |name: &str, points: &[(f64, f64)]| Line {
+        name: name.into(),
+        points: points.last().map(|p| (last, p.1)).into_iter().collect(),
+    };
+    let dots = |colour, points| Dots {
+        look: Look::Colour(colour),
+        points,
+    };
     let panel = Panel {
-        title: "rms extended, mm".into(),
-        across: "rms before, mm".into(),
-        dots: vec![Dots {
-            look: Look::Colour(0),
-            points: stride(&points, MOST_DOTS),
-        }],
-        diagonal: true,
+        title: "rms of the residuals, mm".into(),
+        across: "flights in order of their rms before".into(),
+        lines: vec![name("extended", &after), name("before", &before)],
+        dots: vec![dots(1, before), dots(0, after)],
+        levels: vec![noise],
+        up: Some((0.0, 1.05 * largest)),
         ..Panel::default()
     };
-    let caption =
-        "A dot a flight that was fitted; those below the line are better with the extension.";
+    let caption = "Residuals of the flights that were fitted, two dots a flight; the broken line is the noise.";
     drawn("flights", title, caption.into(), Layout::SMALL, |l| {
         figure_of(l, title, std::slice::from_ref(&panel))
     })

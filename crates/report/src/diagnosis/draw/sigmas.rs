@@ -48,7 +48,7 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     let rows: Vec<Row> = all.iter().map(row).collect();
     let kinds = [
         ("bar cause", "part of an explanation"),
-        ("bar alarm", "alarm, explained by it"),
+        ("bar alarm", "alarm, but not needed"),
         ("bar calm", "no alarm"),
     ];
     let drawn_kinds = kinds.into_iter().filter(|(class, _)| {
