@@ -28,6 +28,7 @@ pub const EFFECTS: &[(&str, &str)] = texts!("effects":
     "added_mass",
     "air_density",
     "buoyancy",
+    "clock_rate",
     "constant_pitching_moment",
     "cubic_pitching_moment",
     "drag_by_reynolds",
@@ -43,6 +44,7 @@ pub const EFFECTS: &[(&str, &str)] = texts!("effects":
     "marker_height",
     "marker_radius",
     "marker_time_offset",
+    "mass_imbalance",
     "pitching_moment_by_spin",
     "quadratic_spin_down",
     "roll_damping",
@@ -57,8 +59,10 @@ pub const EFFECTS: &[(&str, &str)] = texts!("effects":
     "spin_down_by_pressure",
     "stall",
     "tilted_vertical",
+    "unequal_diametral_inertias",
     "wind",
     "wind_by_height",
+    "wind_of_each_flight",
     "zero_lift_drag_angle"
 );
 

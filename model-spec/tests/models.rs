@@ -35,7 +35,8 @@ fn every_effect_applies_to_the_models_it_names() {
                 .unwrap_or_else(|e| panic!("{name} on {}:\n{e}", on.text));
             let without = load::load(&on.text, &[]).unwrap();
             assert_eq!(with.effects.len(), 1);
-            assert!(with.coefficients.len() > without.coefficients.len());
+            let numbers = |model: &Model| model.coefficients.len() + model.states.len();
+            assert!(numbers(&with) > numbers(&without));
             assert!(!with.effects[0].doc.is_empty());
         }
     }
@@ -62,6 +63,10 @@ fn all_effects_apply_together_in_any_order() {
             for effect in &with.effects {
                 assert!(!effect.variables.is_empty(), "{}", effect.name);
                 assert!(!effect.citation.is_empty(), "{}", effect.name);
+                for (index, negligible) in &effect.negligible_states {
+                    assert!(*negligible > 0.0, "{}", with.states[*index].name);
+                }
+                assert_eq!(effect.states.len(), effect.negligible_states.len());
                 for c in &effect.coefficients {
                     let name = &with.coefficients[c.index].name;
                     assert_eq!(c.vanishes_at, 0.0, "{name}");
@@ -162,7 +167,7 @@ fn an_effect_keeps_its_vanishing_value() {
     assert_eq!(model.coefficients[coefficient.index].name, "alpha_0");
     assert_eq!(
         (coefficient.vanishes_at, coefficient.negligible),
-        (0.0, Some(0.002))
+        (0.0, Some(2e-4))
     );
     let drag = model.lets.iter().find(|l| l.name == "C_D").unwrap();
     assert_eq!((drag.effect, drag.span.source), (Some(0), 1));

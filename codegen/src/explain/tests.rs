@@ -168,7 +168,7 @@ fn code_is_what_the_quantity_needs_and_no_more() {
     let explained = explain(&disc, "C_L", Some("C_La")).unwrap_or_else(|e| panic!("{e}"));
     assert!(explained.code.contains("atan2"), "{explained}");
     assert!(
-        explained.code.contains("// disc.hyz:77  let alpha = "),
+        explained.code.contains("// disc.hyz:82  let alpha = "),
         "{explained}"
     );
     for foreign in ["values[", "state[", "wind_x;", "C_D", "T: Real"] {

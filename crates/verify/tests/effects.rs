@@ -159,7 +159,9 @@ fn unbalanced(seen: &str) -> Loaded {
     let body = format!(
         "inertia ((I_d, I_12, I_13), (I_12, I_2, I_23), (I_13, I_23, I_a)) in C;\n angular velocity in {seen};"
     );
+    // Effects of the catalogue that give the disc an inertia of theirs are not for this one.
     let text = text
+        .replace("model disc;", "model unbalanced;")
         .replace("reference hubbard_hummel_disc;", "")
         .replace("inertia diag(I_d, I_d, I_a) in B;", &body)
         + "param I_2 = 0.0015 kg*m^2;\nparam I_12 = -0.0001 kg*m^2;\n\

@@ -36,6 +36,18 @@ fn every_effect_is_written_by_hand_and_agrees() {
 }
 
 #[test]
+fn all_at_once_agree_too() {
+    for model in MODELS {
+        let names = EFFECTS.iter().map(|(name, _)| *name);
+        let names: Vec<&str> = names.filter(|name| load(model, &[name]).is_ok()).collect();
+        assert!(names.len() > 10, "{model}: {names:?}");
+        let with = load(model, &names).unwrap_or_else(|why| panic!("{model}: {why}"));
+        let error = error(&with, &QUICK);
+        assert!(error < 1e-12, "{model}: {error:e}");
+    }
+}
+
+#[test]
 fn a_changed_effect_is_refuted() {
     // Every sign, and every factor of two, in the text of an effect.
     let mut tried = 0;

@@ -29,11 +29,11 @@ pub fn f<T: Real>(
     let wind_z = parameters[17];
     let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
 
-    // disc.hyz:70  let air_velocity = velocity - in_B(air);
+    // disc.hyz:75  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
     let gammadot = state[11];
 
-    // disc.hyz:86  let r = dot(angular_velocity, d3);
+    // disc.hyz:91  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let w = state[5];
     let thetadot = state[10];
@@ -63,12 +63,12 @@ pub fn f<T: Real>(
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 
-    // disc.hyz:72  let V = norm(air_velocity);
+    // disc.hyz:77  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let half_rho_A_d_inv_I_d = prepared[2];
     let V_sq_half_rho_A_d_inv_I_d = half_rho_A_d_inv_I_d * V_sq;
 
-    // disc.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // disc.hyz:82  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let inv_m_half_rho_A = prepared[0];
     let V_inv_m_half_rho_A = inv_m_half_rho_A * V;
@@ -104,12 +104,12 @@ pub fn f<T: Real>(
     let C_La = parameters[8];
     let C_L0 = parameters[7];
 
-    // disc.hyz:80  let C_L = C_L0 + C_La*alpha;
+    // disc.hyz:85  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La.mul_add(alpha, C_L0);
     let C_Da = parameters[10];
     let C_D0 = parameters[9];
 
-    // disc.hyz:81  let C_D = C_D0 + C_Da*alpha^2;
+    // disc.hyz:86  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = alpha.mul_add(C_Da * alpha, C_D0);
     let part_of_w_dot = minus_air_velocity_3.mul_add(C_D, air_velocity_12 * C_L);
     let part_of_V_inv_m_half_rho_A =

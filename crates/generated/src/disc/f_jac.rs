@@ -40,7 +40,7 @@ pub fn f_jac<T: Real>(
     let cos_phi_g = g * cos_phi;
     let gammadot = state[11];
 
-    // disc.hyz:86  let r = dot(angular_velocity, d3);
+    // disc.hyz:91  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let inv_I_d_I_a = prepared[3];
     let part_of_d_thetadot_dot_d_r = inv_I_d_I_a * cos_theta_phidot;
@@ -53,7 +53,7 @@ pub fn f_jac<T: Real>(
     let d_minus_air_velocity_3_d_theta = sin_theta.mul_add(sin_phi_wind_y_sum, wind_x * cos_theta);
     let v = state[4];
 
-    // disc.hyz:70  let air_velocity = velocity - in_B(air);
+    // disc.hyz:75  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
     let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
     let sin_theta_d_minus_product = sin_theta * d_minus_sin_phi_wind_y_sum_d_phi;
@@ -92,7 +92,7 @@ pub fn f_jac<T: Real>(
         r_inv_I_d_I_a_minus_sin_sum.mul_sub(sin_theta_inv_cos_theta, cos_theta_phidot);
     j[58] = d_gammadot_dot_d_thetadot;
 
-    // disc.hyz:72  let V = norm(air_velocity);
+    // disc.hyz:77  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let half_rho_A_d_inv_I_d = prepared[2];
     let V_sq_half_rho_A_d_inv_part = half_rho_A_d_inv_I_d * V_sq;
@@ -124,7 +124,7 @@ pub fn f_jac<T: Real>(
     let d_z_dot_d_u = -(sin_theta * cos_phi);
     j[8] = d_z_dot_d_u;
 
-    // disc.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // disc.hyz:82  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
     let C_La = parameters[8];
@@ -147,14 +147,14 @@ pub fn f_jac<T: Real>(
     let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part * alpha_C_Ma;
     let C_L0 = parameters[7];
 
-    // disc.hyz:80  let C_L = C_L0 + C_La*alpha;
+    // disc.hyz:85  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La.mul_add(alpha, C_L0);
     let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_velocity_12_C_Mq;
     j[50] = d_thetadot_dot_d_thetadot;
     let C_Da = parameters[10];
     let C_D0 = parameters[9];
 
-    // disc.hyz:81  let C_D = C_D0 + C_Da*alpha^2;
+    // disc.hyz:86  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = alpha.mul_add(C_Da * alpha, C_D0);
     let C_Da_two = prepared[6];
     let alpha_C_Da_two = C_Da_two * alpha;

@@ -43,7 +43,7 @@ pub fn f_jac_par<T: Real>(
     let cos_phi_g = g * cos_phi;
     let gammadot = state[11];
 
-    // disc.hyz:86  let r = dot(angular_velocity, d3);
+    // disc.hyz:91  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let cos_theta_sin_phi = cos_theta * sin_phi;
     let inv_I_d_I_a = prepared[3];
@@ -74,7 +74,7 @@ pub fn f_jac_par<T: Real>(
     let d_y_dot_d_theta = x_dot * sin_phi;
     j[7] = d_y_dot_d_theta;
 
-    // disc.hyz:70  let air_velocity = velocity - in_B(air);
+    // disc.hyz:75  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
     let air_velocity_1 = u - d_minus_air_velocity_3_d_theta;
     let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
@@ -100,7 +100,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_cos_theta_phidot_6 = inv_I_d_I_a * r_inv_I_d_thetadot_product;
     let part_of_cos_theta_phidot_sum_2 = thetadot * r_inv_I_d_I_a_minus_sin_sum;
 
-    // disc.hyz:72  let V = norm(air_velocity);
+    // disc.hyz:77  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let inv_I_d_d = prepared[13];
     let V_sq_inv_I_d_d = inv_I_d_d * V_sq;
@@ -141,7 +141,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_thetadot_dot_d_theta = sin_theta * sin_theta_phidot_minus_sum;
     let sin_phi_air_velocity_2 = sin_phi * air_velocity_2;
 
-    // disc.hyz:77  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // disc.hyz:82  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
     let C_La = parameters[8];
@@ -310,7 +310,7 @@ pub fn f_jac_par<T: Real>(
         cos_theta * C_Nr_inv_I_a.mul_from(phidot, cos_theta_phidot_product);
     let C_L0 = parameters[7];
 
-    // disc.hyz:80  let C_L = C_L0 + C_La*alpha;
+    // disc.hyz:85  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La.mul_add(alpha, C_L0);
     let alpha_sq = alpha * alpha;
     let d_u_dot_d_C_Da = -(air_velocity_1_V_product * alpha_sq);
@@ -322,7 +322,7 @@ pub fn f_jac_par<T: Real>(
     let C_Da = parameters[10];
     let C_D0 = parameters[9];
 
-    // disc.hyz:81  let C_D = C_D0 + C_Da*alpha^2;
+    // disc.hyz:86  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = C_Da.mul_add(alpha_sq, C_D0);
     let C_Da_two = prepared[6];
     let alpha_C_Da_two = C_Da_two * alpha;

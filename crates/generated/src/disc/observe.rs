@@ -35,7 +35,7 @@ pub fn observe<T: Real>(
         minus_sin_theta_minus_sum.mul_add(cos_phi, sin_phi * sin_gamma_mark_x_plus_sum);
     let x = state[0];
 
-    // disc.hyz:104  observe mark = place;
+    // disc.hyz:109  observe mark = place;
     let mark_x_2 = part_of_mark_x_2 + x;
     seen[0] = mark_x_2;
     let y = state[1];

@@ -53,7 +53,7 @@ pub fn f<T: Real>(
     let q1_sq_two_minus_one_sum = q1_sq_two - T::splat(1.0) + q2_sq_two;
     let part_of_vx_dot = T::splat(0.5) * q2_sq_two_plus_q3_sq_sum;
 
-    // disc_quaternion.hyz:63  let air_velocity = in_C(velocity - air);
+    // disc_quaternion.hyz:68  let air_velocity = in_C(velocity - air);
     let air_velocity_2 = T::splat(2.0).mul_sub(part_of_air_velocity_2, part_of_air_velocity_2_2);
     let part_of_minus_air_velocity_1 =
         vy_minus_wind_y.mul_add(q0_q3_plus_q1_q2, vz_minus_wind_z * minus_q0_q2_plus_q1_q3);
@@ -81,7 +81,7 @@ pub fn f<T: Real>(
     dx[7] = T::splat(-0.5) * q0.mul_from(p, q2.mul_from(r, q3 * q));
     dx[8] = T::splat(-0.5) * q0.mul_from(q, q3.mul_from(p, q1 * r));
 
-    // disc_quaternion.hyz:65  let V = norm(air_velocity);
+    // disc_quaternion.hyz:70  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let half_d_inv_I_d_rho_A = prepared[1];
     let V_sq_half_d_inv_I_d_rho_A = half_d_inv_I_d_rho_A * V_sq;
@@ -92,7 +92,7 @@ pub fn f<T: Real>(
     let r_dot = C_Nr_inv_I_a * r;
     dx[12] = r_dot;
 
-    // disc_quaternion.hyz:70  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // disc_quaternion.hyz:75  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
     let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
@@ -110,12 +110,12 @@ pub fn f<T: Real>(
     let C_La = parameters[8];
     let C_L0 = parameters[7];
 
-    // disc_quaternion.hyz:74  let C_L = C_L0 + C_La*alpha;
+    // disc_quaternion.hyz:79  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La.mul_add(alpha, C_L0);
     let C_Da = parameters[10];
     let C_D0 = parameters[9];
 
-    // disc_quaternion.hyz:75  let C_D = C_D0 + C_Da*alpha^2;
+    // disc_quaternion.hyz:80  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = alpha.mul_add(C_Da * alpha, C_D0);
     let C_Ma = parameters[11];
     let alpha_C_Ma = C_Ma * alpha;

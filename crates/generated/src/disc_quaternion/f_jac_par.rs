@@ -56,7 +56,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_air_velocity_2 = minus_vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum;
     let q1_sq_two_minus_one_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
 
-    // disc_quaternion.hyz:63  let air_velocity = in_C(velocity - air);
+    // disc_quaternion.hyz:68  let air_velocity = in_C(velocity - air);
     let minus_air_velocity_1 =
         vz_minus_wind_z_product_sum.mul_from(T::splat(2.0), part_of_minus_air_velocity_1);
     let q1_q0_plus_q3_q2_vz_sum =
@@ -102,7 +102,7 @@ pub fn f_jac_par<T: Real>(
     let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
     let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
 
-    // disc_quaternion.hyz:65  let V = norm(air_velocity);
+    // disc_quaternion.hyz:70  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let V_sq_half = T::splat(0.5) * V_sq;
     let q0_two = T::splat(2.0) * q0;
@@ -139,7 +139,7 @@ pub fn f_jac_par<T: Real>(
     let d_minus_air_velocity_1_d_q3 =
         q3.mul_add(vx_minus_wind_x_n4, part_of_d_minus_air_velocity_1_2);
 
-    // disc_quaternion.hyz:70  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // disc_quaternion.hyz:75  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
     let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
@@ -259,12 +259,12 @@ pub fn f_jac_par<T: Real>(
     let C_La = parameters[8];
     let C_L0 = parameters[7];
 
-    // disc_quaternion.hyz:74  let C_L = C_L0 + C_La*alpha;
+    // disc_quaternion.hyz:79  let C_L = C_L0 + C_La*alpha;
     let C_L = C_La.mul_add(alpha, C_L0);
     let C_Da = parameters[10];
     let C_D0 = parameters[9];
 
-    // disc_quaternion.hyz:75  let C_D = C_D0 + C_Da*alpha^2;
+    // disc_quaternion.hyz:80  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = alpha.mul_add(C_Da * alpha, C_D0);
     let two_C_Da = prepared[5];
     let alpha_two_C_Da = two_C_Da * alpha;

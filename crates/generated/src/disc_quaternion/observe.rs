@@ -41,7 +41,7 @@ pub fn observe<T: Real>(
     let y = state[1];
     let part_of_mark_y_2 = mark_y.mul_from(q3_sq_two - T::splat(1.0) + q1_sq_two, y);
 
-    // disc_quaternion.hyz:97  observe mark = place;
+    // disc_quaternion.hyz:102  observe mark = place;
     let mark_x_2 = T::splat(2.0).mul_add(part_of_mark_x_2, part_of_mark_x_2_2);
     seen[0] = mark_x_2;
     let mark_z_2 = T::splat(2.0).mul_add(part_of_mark_z_2, part_of_mark_z_2_2);

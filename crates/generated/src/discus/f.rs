@@ -28,11 +28,11 @@ pub fn f<T: Real>(
     let wind_z = parameters[17];
     let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
 
-    // discus.hyz:79  let air_velocity = velocity - in_B(air);
+    // discus.hyz:84  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
     let gammadot = state[11];
 
-    // discus.hyz:97  let r = dot(angular_velocity, d3);
+    // discus.hyz:102  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let thetadot = state[10];
     let part_of_phidot_dot = T::splat(2.0) * sin_theta * thetadot;
@@ -60,12 +60,12 @@ pub fn f<T: Real>(
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 
-    // discus.hyz:81  let V = norm(air_velocity);
+    // discus.hyz:86  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let half_rho_A_d_inv_I_d = prepared[5];
     let V_sq_half_rho_A_d_inv_I_d = half_rho_A_d_inv_I_d * V_sq;
 
-    // discus.hyz:86  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // discus.hyz:91  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
     let sin_alpha_two = (T::splat(2.0) * alpha).sin_cos().0;
@@ -107,7 +107,7 @@ pub fn f<T: Real>(
     let C_Ds = parameters[11];
     let C_D0 = parameters[10];
 
-    // discus.hyz:92  let C_D = C_D0 + C_Ds*sin(alpha)^2;
+    // discus.hyz:97  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = minus_air_velocity_3_inv_V.mul_add(C_Ds * minus_air_velocity_3_inv_V, C_D0);
     let part_of_C_D_air_velocity_12 =
         minus_air_velocity_3.mul_from(sin_alpha_two_C_Lp_product, C_D * air_velocity_12);

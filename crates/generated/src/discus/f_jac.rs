@@ -45,7 +45,7 @@ pub fn f_jac<T: Real>(
     let cos_theta_phidot = cos_theta * phidot;
     let gammadot = state[11];
 
-    // discus.hyz:97  let r = dot(angular_velocity, d3);
+    // discus.hyz:102  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let u = state[3];
 
@@ -56,7 +56,7 @@ pub fn f_jac<T: Real>(
     let d_minus_air_velocity_3_d_theta = sin_theta.mul_add(sin_phi_wind_y_sum, wind_x * cos_theta);
     let v = state[4];
 
-    // discus.hyz:79  let air_velocity = velocity - in_B(air);
+    // discus.hyz:84  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
     let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
     let minus_sin_theta_u_minus_w_cos_sum_2 = u.mul_from(sin_theta, cos_theta * w);
@@ -96,7 +96,7 @@ pub fn f_jac<T: Real>(
     let d_gammadot_dot_d_gammadot = sin_theta_inv_cos_product + C_Nr_inv_I_a;
     j[59] = d_gammadot_dot_d_gammadot;
 
-    // discus.hyz:81  let V = norm(air_velocity);
+    // discus.hyz:86  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let half_rho_A_d_inv_I_d = prepared[5];
     let V_sq_half_rho_A_d_inv_part = half_rho_A_d_inv_I_d * V_sq;
@@ -132,7 +132,7 @@ pub fn f_jac<T: Real>(
     let d_phidot_dot_d_thetadot = inv_cos_theta * minus_r_inv_I_d_I_a_sum;
     j[42] = d_phidot_dot_d_thetadot;
 
-    // discus.hyz:86  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // discus.hyz:91  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let alpha_two = T::splat(2.0) * alpha;
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
@@ -193,7 +193,7 @@ pub fn f_jac<T: Real>(
     let C_Ds = parameters[11];
     let C_D0 = parameters[10];
 
-    // discus.hyz:92  let C_D = C_D0 + C_Ds*sin(alpha)^2;
+    // discus.hyz:97  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = C_Ds.mul_add(minus_air_velocity_product, C_D0);
     let part_of_inv_V_air_velocity = air_velocity_12 * minus_air_velocity_product_2;
     let part_of_inv_V_minus_air = minus_air_velocity_3 * minus_air_velocity_product_2;

@@ -45,7 +45,7 @@ pub fn f_jac_par<T: Real>(
     let sin_phi_g = g * sin_phi;
     let gammadot = state[11];
 
-    // discus.hyz:97  let r = dot(angular_velocity, d3);
+    // discus.hyz:102  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let u = state[3];
     let minus_sin_theta_u_minus_w_cos_sum_2 = u.mul_from(sin_theta, cos_theta * w);
@@ -55,7 +55,7 @@ pub fn f_jac_par<T: Real>(
     let d_minus_air_velocity_3_d_theta = sin_theta.mul_add(sin_phi_wind_y_sum, wind_x * cos_theta);
     let v = state[4];
 
-    // discus.hyz:79  let air_velocity = velocity - in_B(air);
+    // discus.hyz:84  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
     let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
     let cos_phi_g_plus_v_phidot = v.mul_add(phidot, cos_phi_g);
@@ -94,7 +94,7 @@ pub fn f_jac_par<T: Real>(
     let d_y_dot_d_theta = x_dot * sin_phi;
     j[7] = d_y_dot_d_theta;
 
-    // discus.hyz:81  let V = norm(air_velocity);
+    // discus.hyz:86  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let d_inv_I_d = prepared[18];
     let V_sq_d_inv_I_d = d_inv_I_d * V_sq;
@@ -137,7 +137,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_w_dot_d_phi_2 =
         d_minus_sin_phi_wind_y_sum_d_phi.mul_add(sin_theta_air_velocity_1, part_of_d_w_dot_d_phi);
 
-    // discus.hyz:86  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
+    // discus.hyz:91  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let alpha_two = T::splat(2.0) * alpha;
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
@@ -214,7 +214,7 @@ pub fn f_jac_par<T: Real>(
     let C_Ds = parameters[11];
     let C_D0 = parameters[10];
 
-    // discus.hyz:92  let C_D = C_D0 + C_Ds*sin(alpha)^2;
+    // discus.hyz:97  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = C_Ds.mul_add(minus_air_velocity_product, C_D0);
     let one_minus_minus_air_sum = T::splat(1.0) - minus_air_velocity_product;
     let C_Ds_minus_air_product = C_Ds * minus_air_velocity_product_2;

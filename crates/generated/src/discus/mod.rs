@@ -90,11 +90,11 @@ pub const PREPARED: [&str; 29] = [
 
 /// What `quantities` computes.
 #[rustfmt::skip]
-pub const QUANTITIES: [&str; 32] = [
-    "air_x", "air_y", "air_z", "rho_air", "g_here", "air_velocity_1", "air_velocity_2",
-    "air_velocity_3", "d3_1", "d3_2", "d3_3", "V", "d1_1", "d1_2", "d1_3", "d2_1", "d2_2", "d2_3",
-    "alpha", "q", "attached", "C_L", "C_D", "lift", "drag", "r", "rate_1", "rate_2", "spin_ratio",
-    "roll", "pitch", "spin_down",
+pub const QUANTITIES: [&str; 36] = [
+    "air_x", "air_y", "air_z", "rho_air", "g_here", "J_11", "J_22", "J_13", "J_23",
+    "air_velocity_1", "air_velocity_2", "air_velocity_3", "d3_1", "d3_2", "d3_3", "V", "d1_1",
+    "d1_2", "d1_3", "d2_1", "d2_2", "d2_3", "alpha", "q", "attached", "C_L", "C_D", "lift", "drag",
+    "r", "rate_1", "rate_2", "spin_ratio", "roll", "pitch", "spin_down",
 ];
 
 /// The model holds where each of `limits` is above its bound.
@@ -159,7 +159,7 @@ pub const DY_DMARKER_PATTERN: [(u32, u32); 9] = [
 ];
 
 /// Tells whether this code belongs to a model's text.
-pub const SOURCE_HASH: u64 = 0x6381f96933d729b0;
+pub const SOURCE_HASH: u64 = 0x1739cd8ee1afa6db;
 
 /// These equations as a type.
 #[derive(Clone, Copy, Debug)]

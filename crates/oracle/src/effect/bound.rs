@@ -81,12 +81,13 @@ impl Bound {
         }
     }
 
-    /// The derivative of every state.
+    /// The derivative of every state, by the time of the clock that measures.
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let world = self.world(point);
         let chart = &self.reference.chart;
         let motion = world.motion(&chart.physical(&point.states), point.time);
-        chart.derivatives(&point.states, &motion)
+        let rates = chart.derivatives(&point.states, &motion);
+        rates.into_iter().map(|rate| rate * world.clock()).collect()
     }
 
     /// Where the marker is reported, in inertial components.

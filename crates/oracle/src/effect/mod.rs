@@ -67,6 +67,8 @@ enum Kind {
     Air(air::Air),
     Inertia(inertia::Inertia),
     Seen(seen::Seen),
+    /// The clock that measures runs fast, by a part of the time.
+    Clock,
 }
 
 /// A force at the mass centre and a moment about it, in inertial components.

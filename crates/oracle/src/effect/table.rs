@@ -109,6 +109,10 @@ pub const ALL: &[Effect] = &[
         Kind::Lift(Lift::NearGround),
     ),
     effect("wind", &["W_x", "W_y"], &ANY, Kind::Air(Air::Wind)),
+    Effect {
+        states: &["gust_x", "gust_y"],
+        ..effect("wind_of_each_flight", &[], &ANY, Kind::Air(Air::Wind))
+    },
     effect(
         "wind_by_height",
         &["shear_x", "shear_y"],
@@ -192,6 +196,7 @@ pub const ALL: &[Effect] = &[
         &BALL,
         Kind::Ball(Ball::Buoyancy),
     ),
+    effect("clock_rate", &["clock_error"], &ANY, Kind::Clock),
 ];
 
 const fn effect(

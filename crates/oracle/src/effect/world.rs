@@ -82,7 +82,12 @@ impl<T: Real> World<T> {
 
     /// Seconds of flight in a second of the clock that measures.
     pub fn clock(&self) -> T {
-        T::one()
+        self.effects
+            .iter()
+            .filter(|acting| acting.effect.kind == Kind::Clock)
+            .fold(T::one(), |pace, acting| {
+                pace / (T::one() + acting.values[0])
+            })
     }
 
     /// Where a marker is reported. Its coordinates are in the frame that is fixed in the body, as they were measured;
@@ -144,7 +149,7 @@ impl<T: Real> Acting<T> {
             Kind::Pitch(kind) => kind.load(values, scene),
             Kind::Spin(kind) => kind.load(values, scene),
             Kind::Ball(kind) => kind.load(values, scene),
-            Kind::Air(_) | Kind::Inertia(_) | Kind::Seen(_) => Load::nothing(),
+            Kind::Air(_) | Kind::Inertia(_) | Kind::Seen(_) | Kind::Clock => Load::nothing(),
         }
     }
 
