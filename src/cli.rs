@@ -49,6 +49,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer fit examples/ball --out fitted\n  hyzer fit examples/disc --with zero_lift_drag_angle --hold C_Nr --profile C_D0 --out fitted\n  hyzer fit examples/disc --model disc_quaternion --prior C_D0=0.1+-0.02 --free wind_x"
     )]
     Fit(Fit),
+    /// Find what a model gets wrong of measured flights, name the cause, extend the model, measure the gain
+    #[command(
+        after_help = "Examples:\n  hyzer diagnose examples/disc --out found\n  hyzer diagnose examples/ball --without wind_of_each_flight --out found\n\nThe folder then holds report.html, report.json, figures, tables and, where something is found, extended.hyz: the model with it\nwritten in, and extended/, its code."
+    )]
+    Diagnose(Diagnose),
     /// Hold the paper's claims against every reading of its tables
     #[command(after_help = "Example:\n  hyzer paper --out docs/paper.md")]
     Paper(Paper),
@@ -246,6 +251,37 @@ pub struct Fit {
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
     /// Folder for report.html, report.json, figures and tables; without it a summary is printed
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer diagnose`.
+#[derive(Args)]
+pub struct Diagnose {
+    /// Folder with dataset.toml
+    pub dataset: PathBuf,
+    /// Model: a name or a path; by default the dataset's own
+    #[arg(long, value_name = "MODEL")]
+    pub model: Option<String>,
+    /// Switch an effect on from the beginning, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+    /// Do not look for an effect; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub without: Vec<String>,
+    /// Hold a coefficient at a value (SI), by default the model's own; may be repeated
+    #[arg(long, value_name = "NAME[=VALUE]")]
+    pub hold: Vec<String>,
+    /// Estimate a parameter or a component of an input too, one value for all flights; may be repeated
+    #[arg(long, value_name = "NAME")]
+    pub free: Vec<String>,
+    /// What is known of a coefficient beforehand: value and standard deviation, SI; may be repeated
+    #[arg(long, value_name = "NAME=VALUE+-SIGMA")]
+    pub prior: Vec<String>,
+    /// Flights worked on at once; the result does not depend on it
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Folder for report.html, report.json, the extended model, figures and tables; without it a summary is printed
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

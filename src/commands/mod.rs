@@ -1,6 +1,7 @@
 //! One file per command.
 
 mod check;
+mod diagnose;
 mod explain;
 mod fit;
 mod generate;
@@ -23,6 +24,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Simulate(options) => simulate::run(&options),
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
+        Command::Diagnose(options) => diagnose::run(&options),
         Command::Paper(options) => paper::run(&options),
         Command::Trials(options) => trials::run(&options),
     }

@@ -4,20 +4,21 @@
 use std::sync::Arc;
 
 use flight::batch;
+use flight::body::Conditions;
 use identify::chart::Chart;
 use identify::dataset::{Dataset, Role};
 use identify::fit::{FitError, Fitted};
-use identify::levenberg::{Known, Point, Problem, Solution, Until, solve};
+use identify::levenberg::{Known, Point, Problem, Solution, Until, shared_step, solve};
 use identify::noise::Noise;
-use identify::normal::Block;
+use identify::normal::{Block, eliminate};
 use identify::options::Options;
-use identify::predict::{By, Loss, linearise};
+use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_by};
 use identify::setting::Setting;
 use identify::track::Track;
-use model_spec::model::Model;
 use nalgebra::DVector;
 
-use crate::catalogue::Candidate;
+use crate::catalogue::{Candidate, Catalogue};
+use crate::terms::{Grammar, Weighted};
 
 /// The flights, in the model with all candidates.
 pub struct Bench {
@@ -27,6 +28,8 @@ pub struct Bench {
     pub candidates: Vec<Columns>,
     /// The shared unknowns of the base, by index.
     pub base: Vec<usize>,
+    /// Terms outside the catalogue, where the model has channels for them; their unknowns come behind the shared ones.
+    pub grammar: Option<Grammar>,
     /// The fitted flights; every state may be varied.
     pub tracks: Vec<Track>,
     /// Flights worked on at once.
@@ -50,22 +53,27 @@ impl Bench {
     /// # Errors
     /// Where the flights do not go with the model.
     pub fn new(
-        model: &Model,
-        candidates: Vec<Candidate>,
+        catalogue: &Catalogue,
         dataset: &Dataset,
         fitted: &Fitted,
         options: &Options<'_>,
     ) -> Result<(Self, Point), FitError> {
+        let mut hold = options.hold.to_vec();
+        let loads = catalogue.channels.iter().flat_map(|c| c.loads);
+        hold.extend(loads.map(|(name, ..)| ((*name).to_owned(), None)));
         let all = Options {
-            // A candidate has its bounds; what is profiled is the fit's.
+            hold: &hold,
+            // What is profiled is the fit's.
             profiles: &[],
             ..*options
         };
-        let mut setting = Setting::new(model, dataset, &all)?;
+        let mut setting = Setting::new(&catalogue.model, dataset, &all)?;
         setting.floor = fitted.setting().floor;
         let layout = setting.body.layout();
-        let columns: Vec<Columns> = candidates
-            .into_iter()
+        let columns: Vec<Columns> = catalogue
+            .candidates
+            .iter()
+            .cloned()
             .map(|candidate| {
                 let shared = candidate.coefficients.iter().filter_map(|part| {
                     let place = layout.params + part.index;
@@ -117,7 +125,11 @@ impl Bench {
         let threads = options
             .threads
             .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, |count| count.get()));
+        let grammar = catalogue
+            .channels
+            .and_then(|channels| Grammar::new(channels, layout));
         let bench = Self {
+            grammar,
             setting,
             candidates: columns,
             base,
@@ -127,20 +139,87 @@ impl Bench {
         Ok((bench, Point { shared, own }))
     }
 
-    /// The normal equations of every flight, by every unknown.
+    /// The normal equations of every flight, by every unknown of the base and the catalogue.
     ///
     /// # Errors
     /// Where a flight is impossible.
     pub fn look(&self, point: &Point, noise: &Noise) -> Result<Vec<Block>, FitError> {
+        self.look_by(point, noise, None)
+    }
+
+    /// The same by the terms outside the catalogue too, whose unknowns come behind the shared ones.
+    ///
+    /// # Errors
+    /// Where a flight is impossible.
+    pub fn look_further(&self, point: &Point, noise: &Noise) -> Result<Vec<Block>, FitError> {
+        self.look_by(point, noise, self.grammar.as_ref())
+    }
+
+    fn look_by(
+        &self,
+        point: &Point,
+        noise: &Noise,
+        grammar: Option<&Grammar>,
+    ) -> Result<Vec<Block>, FitError> {
+        let setting = &self.setting;
         let found = batch::each_on(self.threads, self.tracks.len(), |flight| {
             let track = &self.tracks[flight];
             let unknowns = (&point.shared, &point.own[flight]);
             let samples = track.times.len();
             let loss = Loss::Whitened(noise);
-            linearise(&self.setting, track, unknowns, samples, By::All, loss)
-                .map_err(|reason| self.impossible(flight, reason))
+            let found = match grammar {
+                None => linearise(setting, track, unknowns, samples, By::All, loss),
+                Some(grammar) => {
+                    let conditions = self.conditions(track, &point.shared);
+                    let (motion, places) = self.further(&conditions, grammar);
+                    linearise_by(setting, track, unknowns, samples, loss, (motion, &places))
+                }
+            };
+            found.map_err(|reason| self.impossible(flight, reason))
         });
         found.into_iter().collect()
+    }
+
+    fn conditions(&self, track: &Track, shared: &DVector<f64>) -> Conditions<'_> {
+        self.setting
+            .body
+            .with(track.parameters(&self.setting, shared))
+    }
+
+    /// Equations of motion with the terms of a grammar, and the places of all constants.
+    fn further<'c>(
+        &self,
+        conditions: &'c Conditions<'c>,
+        grammar: &'c Grammar,
+    ) -> (Weighted<'c>, Vec<usize>) {
+        let first = self.setting.body.layout().parameters.len();
+        let mut places: Vec<usize> = self.setting.shared.iter().map(|s| s.place).collect();
+        places.extend(first..first + grammar.terms.len());
+        (Weighted::new(conditions, grammar, first), places)
+    }
+
+    /// Hands out a track's residuals with their derivatives by everything there is.
+    ///
+    /// # Errors
+    /// In words, where the flight is impossible.
+    pub(crate) fn each_residual_further(
+        &self,
+        track: &Track,
+        unknowns: (&DVector<f64>, &DVector<f64>),
+        each: impl FnMut(Residual<'_>),
+    ) -> Result<(), String> {
+        let conditions = self.conditions(track, unknowns.0);
+        match &self.grammar {
+            Some(grammar) => {
+                let (motion, places) = self.further(&conditions, grammar);
+                each_residual(&self.setting, track, unknowns, motion, &places, each)
+            }
+            None => {
+                let places: Vec<usize> = self.setting.shared.iter().map(|s| s.place).collect();
+                let motion = conditions.linear_motion();
+                each_residual(&self.setting, track, unknowns, motion, &places, each)
+            }
+        }
     }
 
     pub(crate) fn impossible(&self, flight: usize, reason: String) -> FitError {
@@ -188,14 +267,13 @@ impl Bench {
             ..self.setting.clone()
         };
         let held = self.states_but(with);
-        let tracks = self.tracks.iter().zip(&from.own).map(|(track, own)| {
+        let tracks = self.tracks.iter().map(|track| {
             let mut known: Vec<usize> = track.known.iter().map(|(state, _)| *state).collect();
             known.extend(&held);
             let mut parameters = track.parameters.clone();
             for (unknown, value) in self.setting.shared.iter().zip(from.shared.iter()) {
                 parameters[unknown.place] = *value;
             }
-            let _ = own;
             Track {
                 parameters,
                 chart: Chart::new(&self.setting.model, &known),
@@ -216,8 +294,15 @@ impl Bench {
             ),
             own: from.own.clone(),
         };
-        let Solution { point, squares, .. } =
-            solve(&problem, start, Until::DONE).map_err(|failure| failure.to_string())?;
+        let found = match problem.stepped(&start) {
+            Some(leapt) => solve(&problem, leapt, Until::DONE),
+            None => solve(&problem, start.clone(), Until::DONE),
+        };
+        let found = match found {
+            Ok(found) if found.converged => found,
+            _ => solve(&problem, start, Until::DONE).map_err(|failure| failure.to_string())?,
+        };
+        let Solution { point, squares, .. } = found;
         let mut shared = from.shared.clone();
         for (&i, value) in unknowns.iter().zip(point.shared.iter()) {
             shared[i] = *value;
@@ -237,6 +322,27 @@ struct Refit<'a> {
     noise: &'a Noise,
     known: Vec<Known>,
     threads: usize,
+}
+
+impl Refit<'_> {
+    /// The point after one whole step, even where the squares are greater there: a new effect bends the valley in which the
+    /// solution lies, and to follow it in small steps takes long.
+    fn stepped(&self, from: &Point) -> Option<Point> {
+        let blocks = batch::each_on(self.threads, self.tracks.len(), |flight| {
+            self.linearise(flight, &from.shared, &from.own[flight])
+        });
+        let blocks: Vec<Block> = blocks.into_iter().collect::<Result<_, _>>().ok()?;
+        let system = eliminate(&blocks, 0.0).ok()?;
+        let (matrix, gradient) = (&system.reduced, &system.gradient);
+        let (step, _) = shared_step(matrix, gradient, &from.shared, &self.known, 0.0)?;
+        let own = system.own_steps(&step);
+        let own = own.iter().zip(&from.own).enumerate();
+        let own = own.map(|(flight, (step, own))| self.moved(flight, own, step));
+        Some(Point {
+            own: own.collect(),
+            shared: &from.shared + step,
+        })
+    }
 }
 
 impl Problem for Refit<'_> {

@@ -4,6 +4,8 @@
 use model_spec::load::{self, EFFECTS, LoadError};
 use model_spec::model::{AppliedEffect, Model};
 
+use crate::terms::{Channels, family};
+
 /// An effect that may be the cause.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
@@ -45,6 +47,8 @@ pub struct Catalogue {
     pub model: Model,
     /// The candidates, in the order in which they were switched on.
     pub candidates: Vec<Candidate>,
+    /// Loads that no law gives, on which terms outside the catalogue are tried; none where the model has no place for them.
+    pub channels: Option<Channels>,
 }
 
 /// A name as reports have it.
@@ -53,14 +57,15 @@ pub fn hyphened(name: &str) -> String {
 }
 
 impl Catalogue {
-    /// Switches on what fits a model: of its own file's effects and of the built-in ones those that are not on yet, are
-    /// not in `without`, and can be applied together.
+    /// Switches on what fits a model: of its own file's effects and of the built-in ones those that are not among `with`, the
+    /// names or paths of those that are on, nor `without`, and can be applied together.
     ///
     /// # Errors
     /// Where the model itself cannot be loaded.
-    pub fn new(model: &Model, without: &[String]) -> Result<Self, LoadError> {
-        let text = &model.sources[0];
+    pub fn new(model: &Model, with: &[String], without: &[String]) -> Result<Self, LoadError> {
+        let source = &model.sources[0];
         let on: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
+        let with: Vec<&str> = with.iter().map(String::as_str).collect();
         let left_out = |name: &str| without.iter().any(|w| w.replace('-', "_") == name);
         let own = model.offers.iter().map(|offer| offer.name.as_str());
         let built_in = EFFECTS.iter().map(|(name, _)| *name);
@@ -70,40 +75,48 @@ impl Catalogue {
                 wanted.push(name);
             }
         }
-        // What cannot be applied alone is made for another model.
-        let alone = |name: &str| {
-            let with: Vec<&str> = on.iter().copied().chain([name]).collect();
-            load::from_text(&text.name, &text.text, &with)
+        let load_with = |text: &str, more: &[&str]| {
+            let with: Vec<&str> = with.iter().chain(more).copied().collect();
+            load::from_text(&source.name, text, &with)
         };
-        wanted.retain(|name| alone(name).is_ok());
-        let mut with = on.clone();
-        with.extend(&wanted);
-        let all = match load::from_text(&text.name, &text.text, &with) {
+        // What cannot be applied alone is made for another model.
+        wanted.retain(|name| load_with(&source.text, &[name]).is_ok());
+        let (channels, text) = match family(model, &with) {
+            Some((channels, text)) => (Some(channels), text),
+            None => (None, source.text.clone()),
+        };
+        let first: Vec<&str> = channels.iter().map(|channels| channels.effect).collect();
+        let together = |names: &[&str]| {
+            let names: Vec<&str> = first.iter().chain(names).copied().collect();
+            load_with(&text, &names)
+        };
+        let all = match together(&wanted) {
             Ok(all) => all,
             // Two of them do not go together: one by one, those that still fit.
             Err(_) => {
-                let mut with = on.clone();
-                let mut fits = load::from_text(&text.name, &text.text, &with)?;
+                let mut fits = together(&[])?;
+                let mut taken: Vec<&str> = Vec::new();
                 for name in &wanted {
-                    with.push(name);
-                    match load::from_text(&text.name, &text.text, &with) {
+                    taken.push(name);
+                    match together(&taken) {
                         Ok(model) => fits = model,
                         Err(_) => {
-                            with.pop();
+                            taken.pop();
                         }
                     }
                 }
                 fits
             }
         };
-        let candidates = all
-            .effects
-            .iter()
-            .filter(|e| !on.contains(&e.name.as_str()));
+        let is_candidate = |e: &&AppliedEffect| {
+            !on.contains(&e.name.as_str()) && !first.contains(&e.name.as_str())
+        };
+        let candidates = all.effects.iter().filter(is_candidate);
         let candidates = candidates.map(|e| candidate(&all, e)).collect();
         Ok(Self {
             model: all,
             candidates,
+            channels,
         })
     }
 }
@@ -120,12 +133,24 @@ fn candidate(model: &Model, effect: &AppliedEffect) -> Candidate {
             bounds: constant.bounds,
         }
     });
+    let states = effect.states.iter().map(|&index| {
+        let state = &model.states[index];
+        let negligible = effect.negligible_states.iter().find(|own| own.0 == index);
+        Part {
+            name: state.name.clone(),
+            index,
+            unit: state.unit_text.clone(),
+            vanishes_at: state.value,
+            negligible: negligible.map(|own| own.1),
+            bounds: None,
+        }
+    });
     Candidate {
         name: hyphened(&effect.name),
         doc: effect.doc.clone(),
         site: effect.site.clone(),
-        variables: Vec::new(),
+        variables: effect.variables.clone(),
         coefficients: coefficients.collect(),
-        states: Vec::new(),
+        states: states.collect(),
     }
 }

@@ -10,10 +10,10 @@ use identify::noise::Noise;
 
 use crate::bench::Bench;
 use crate::chance::thresholds;
-use crate::scores::Scores;
+use crate::scores::{Score, Scores};
 
 /// The probability that chance alone raises an alarm.
-const ALARM: f64 = 0.01;
+pub const ALARM: f64 = 0.01;
 
 /// The probability that the true cause is rejected by chance.
 const REJECT: f64 = 0.003;
@@ -28,6 +28,9 @@ const MOST: usize = 8;
 /// Effects at once.
 const AT_ONCE: usize = 3;
 
+/// Another estimate of the noise that differs by less says the same.
+const SAME: f64 = 0.03;
+
 /// Refits from which more effects are added.
 const SEEDS: usize = 4;
 
@@ -35,18 +38,27 @@ const SEEDS: usize = 4;
 pub struct Found {
     /// The noise.
     pub noise: Noise,
-    /// The scores with every candidate off.
+    /// The scores with every candidate off, and those of terms outside the catalogue.
     pub scores: Scores,
-    /// What a logarithm of a probability must be below for an alarm.
-    pub alarm: f64,
-    /// And for a cause to be rejected for another.
-    pub reject: f64,
-    /// Whether any candidate explains more than chance.
+    /// The sum of squares that the base leaves under that noise.
+    pub squares: f64,
+    /// The limits of probabilities.
+    pub limits: Limits,
+    /// Whether anything explains more than chance.
     pub alarmed: bool,
     /// Causes that are not rejected, the best first.
     pub causes: Vec<Cause>,
-    /// The best of those that are, where all are.
+    /// The best of those that are rejected, where all are.
     pub nearest: Option<Cause>,
+}
+
+/// What the logarithm of a probability must be below.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// For an alarm.
+    pub alarm: f64,
+    /// For a cause to be rejected.
+    pub reject: f64,
 }
 
 /// One or several effects that were fitted with the base.
@@ -63,74 +75,68 @@ pub struct Cause {
     pub rival: Option<(usize, f64)>,
 }
 
+impl Cause {
+    fn stands(&self, limits: &Limits) -> bool {
+        self.rival.is_none_or(|(_, ln_p)| ln_p >= limits.reject)
+    }
+}
+
 /// Searches the causes of what is left at the base's fit.
 ///
 /// # Errors
 /// Where a flight is impossible.
 pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Found, FitError> {
-    let mut noise = bench.leftover(base, first_guess)?;
-    noise = bench.leftover(base, &noise)?;
-    let (mut scores, mut limits) = bench.scored(base, &noise)?;
-    let alarmed = |scores: &Scores, limits: &[f64]| {
-        scores.best().is_some_and(|(_, best)| best.ln_p < limits[0])
+    let noise = bench.leftover(base, first_guess)?;
+    let (scores, limits, squares) = bench.scored(base, &noise)?;
+    let mut found = Found {
+        alarmed: scores.alarms(&limits),
+        noise,
+        scores,
+        squares,
+        limits,
+        causes: Vec::new(),
+        nearest: None,
     };
-    if !alarmed(&scores, &limits) {
-        return Ok(found(noise, scores, &limits, Vec::new(), None));
+    if !found.alarmed {
+        return Ok(found);
     }
     let mut fitted: Vec<Cause> = Vec::new();
     for count in 1..=AT_ONCE {
         let wanted = if count == 1 {
-            singles(&scores)
+            singles(&found.scores)
         } else {
             extended(&fitted, count)
         };
         let mut here: Vec<Cause> = Vec::new();
         for (index, effects) in wanted.into_iter().enumerate() {
-            let Some(cause) = bench.cause(&effects, base, &noise) else {
+            let Some(cause) = bench.cause(&effects, base, &found.noise) else {
                 continue;
             };
-            // With the best cause in, what is left is nearer to the noise still.
-            if count == 1 && index == 0 {
-                let nearer = bench.leftover(&cause.point, &noise)?;
-                if !nearer.is_close_to(&noise) {
-                    noise = nearer;
-                    (scores, limits) = bench.scored(base, &noise)?;
-                    here.extend(bench.cause(&effects, base, &noise));
-                    continue;
-                }
+            if count == 1 && index == 0 && bench.is_nearer(&cause, base, &mut found)? {
+                here.extend(bench.cause(&effects, base, &found.noise));
+            } else {
+                here.push(cause);
             }
-            here.push(cause);
         }
         here.sort_by(|a, b| a.squares.total_cmp(&b.squares));
-        let stands = |cause: &Cause| cause.rival.is_none_or(|(_, ln_p)| ln_p >= limits[1]);
-        if here.iter().any(stands) {
-            here.retain(stands);
-            return Ok(found(noise, scores, &limits, here, None));
+        let mut standing = Vec::new();
+        for (index, cause) in here.iter().enumerate() {
+            if cause.stands(&found.limits) && !bench.asks_for_a_term(cause, &found)? {
+                standing.push(index);
+            }
+        }
+        if !standing.is_empty() {
+            let each = here.into_iter().enumerate();
+            let kept = each.filter(|(index, _)| standing.contains(index));
+            found.causes = kept.map(|(_, cause)| cause).collect();
+            return Ok(found);
         }
         if !here.is_empty() {
             fitted = here;
         }
     }
-    let nearest = fitted.into_iter().next();
-    Ok(found(noise, scores, &limits, Vec::new(), nearest))
-}
-
-fn found(
-    noise: Noise,
-    scores: Scores,
-    limits: &[f64],
-    causes: Vec<Cause>,
-    nearest: Option<Cause>,
-) -> Found {
-    Found {
-        noise,
-        alarm: limits[0],
-        reject: limits[1],
-        alarmed: scores.best().is_some_and(|(_, best)| best.ln_p < limits[0]),
-        scores,
-        causes,
-        nearest,
-    }
+    found.nearest = fitted.into_iter().next();
+    Ok(found)
 }
 
 /// Single candidates that may be the cause, the likeliest first.
@@ -177,10 +183,20 @@ fn extended(fitted: &[Cause], count: usize) -> Vec<Vec<usize>> {
     near.take(MOST).map(|(effects, _)| effects).collect()
 }
 
+impl Scores {
+    /// Whether anything explains more than chance.
+    fn alarms(&self, limits: &Limits) -> bool {
+        let least = |best: Option<(usize, &Score)>| best.map_or(0.0, |(_, score)| score.ln_p);
+        least(self.best()).min(least(self.best_term())) < limits.alarm
+    }
+}
+
 impl Bench {
-    fn scored(&self, point: &Point, noise: &Noise) -> Result<(Scores, Vec<f64>), FitError> {
-        let blocks = self.look(point, noise)?;
-        let scores = Scores::new(self, &blocks, &[], &point.shared).map_err(FitError::Mismatch)?;
+    fn scored(&self, point: &Point, noise: &Noise) -> Result<(Scores, Limits, f64), FitError> {
+        let blocks = self.look_further(point, noise)?;
+        let squares = blocks.iter().map(|block| block.squares).sum();
+        let scores =
+            Scores::new(self, &blocks, (&[], &[]), &point.shared).map_err(FitError::Mismatch)?;
         let limits = thresholds(
             &scores.information,
             &scores.groups,
@@ -188,14 +204,18 @@ impl Bench {
             &[ALARM, REJECT],
             1,
         );
-        Ok((scores, limits))
+        let limits = Limits {
+            alarm: limits[0],
+            reject: limits[1],
+        };
+        Ok((scores, limits, squares))
     }
 
     /// Fits some candidates with the base; none where that is impossible.
     pub fn cause(&self, effects: &[usize], from: &Point, noise: &Noise) -> Option<Cause> {
         let (point, squares) = self.refit(effects, from, noise).ok()?;
         let blocks = self.look(&point, noise).ok()?;
-        let scores = Scores::new(self, &blocks, effects, &point.shared).ok()?;
+        let scores = Scores::new(self, &blocks, (effects, &[]), &point.shared).ok()?;
         let rival = scores.best().map(|(index, score)| (index, score.ln_p));
         Some(Cause {
             effects: effects.to_vec(),
@@ -204,5 +224,36 @@ impl Bench {
             scores,
             rival,
         })
+    }
+
+    /// Estimates the noise from what the best cause leaves, which is nearer to it still, and scores anew where that
+    /// makes a difference.
+    fn is_nearer(
+        &mut self,
+        cause: &Cause,
+        base: &Point,
+        found: &mut Found,
+    ) -> Result<bool, FitError> {
+        let nearer = self.leftover(&cause.point, &found.noise)?;
+        let same = |axis: usize| {
+            (nearer.sigma[axis] / found.noise.sigma[axis] - 1.0).abs() < SAME
+                && (nearer.ar1[axis] - found.noise.ar1[axis]).abs() < SAME
+        };
+        if (0..3).all(same) {
+            return Ok(false);
+        }
+        found.noise = nearer;
+        (found.scores, found.limits, found.squares) = self.scored(base, &found.noise)?;
+        Ok(true)
+    }
+
+    /// Whether with a cause allowed for a term outside the catalogue still explains more than chance.
+    fn asks_for_a_term(&self, cause: &Cause, found: &Found) -> Result<bool, FitError> {
+        let blocks = self.look_further(&cause.point, &found.noise)?;
+        let allowed = (cause.effects.as_slice(), &[][..]);
+        let scores =
+            Scores::new(self, &blocks, allowed, &cause.point.shared).map_err(FitError::Mismatch)?;
+        let best = scores.best_term();
+        Ok(best.is_some_and(|(_, score)| score.ln_p < found.limits.reject))
     }
 }

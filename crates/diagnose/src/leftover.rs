@@ -7,7 +7,7 @@ use identify::levenberg::Point;
 use identify::noise::{Moments, Noise};
 use identify::normal::eliminate;
 use identify::outlier;
-use identify::predict::{Residuals, each_residual};
+use identify::predict::{Residual, Residuals};
 use nalgebra::{DMatrix, DVector};
 
 use crate::bench::Bench;
@@ -21,15 +21,17 @@ impl Bench {
     /// # Errors
     /// Where a flight is impossible.
     pub fn leftover(&mut self, point: &Point, noise: &Noise) -> Result<Noise, FitError> {
-        let blocks = self.look(point, noise)?;
+        let blocks = self.look_further(point, noise)?;
         let system = eliminate(&blocks, 1e-12)
             .map_err(|flight| self.impossible(flight.0, flight.to_string()))?;
         let mut matrix = system.reduced.clone();
         for i in 0..matrix.nrows() {
             matrix[(i, i)] += RIDGE * system.reduced[(i, i)].abs() + f64::MIN_POSITIVE;
         }
-        let shared = crate::scores::solve_scaled(&matrix, &-&system.gradient)
-            .unwrap_or_else(|| DVector::zeros(matrix.nrows()));
+        let shared = crate::scores::inverse(&matrix).map_or_else(
+            || DVector::zeros(matrix.nrows()),
+            |inverse| -(inverse * &system.gradient),
+        );
         let own = system.own_steps(&shared);
         let left = batch::each_on(self.threads, self.tracks.len(), |flight| {
             self.left_by(flight, point, &shared, &own[flight])
@@ -50,20 +52,17 @@ impl Bench {
     ) -> Result<Residuals, String> {
         let track = &self.tracks[flight];
         let unknowns = (&point.shared, &point.own[flight]);
-        let parameters = track.parameters(&self.setting, &point.shared);
-        let conditions = self.setting.body.with(parameters);
-        let places: Vec<usize> = self.setting.shared.iter().map(|s| s.place).collect();
         let step: Vec<f64> = own.iter().chain(shared.iter()).copied().collect();
         let mut left: Residuals = vec![vec![None; track.times.len()]; track.markers];
-        let motion = conditions.linear_motion();
-        each_residual(&self.setting, track, unknowns, motion, &places, |seen| {
+        let take = |seen: Residual<'_>| {
             let along = |axis: usize| -> f64 {
                 let row = &seen.rows[axis];
                 row.iter().zip(&step).map(|(a, b)| a * b).sum()
             };
             left[seen.marker][seen.sample] =
                 Some([0, 1, 2].map(|axis| seen.residual[axis] + along(axis)));
-        })?;
+        };
+        self.each_residual_further(track, unknowns, take)?;
         Ok(left)
     }
 

@@ -1,9 +1,23 @@
 //! What a simulation gets wrong, and why.
+//!
+//! [`diagnosis`] fits a model, looks for what is missing, and answers with the causes that the data do not reject. Every
+//! effect of the [`catalogue`] is tried on one [`bench`] without a refit ([`scores`]); the noise is settled first
+//! ([`leftover`]), and what chance does is drawn ([`chance`]). [`causes`] holds each cause against all others; [`terms`]
+//! and [`outside`] look beyond the catalogue; [`extend`] writes the model that has what was found, and [`gain`] measures it on flights
+//! that it has not seen. [`report`] is what comes out.
 
 pub mod bench;
 pub mod catalogue;
 pub mod causes;
 pub mod chance;
+pub mod curves;
+pub mod detect;
+pub mod diagnosis;
+pub mod extend;
+pub mod gain;
 pub mod leftover;
+pub mod outside;
 pub mod report;
 pub mod scores;
+pub mod terms;
+mod words;

@@ -15,8 +15,12 @@ const VISIBLE: f64 = 1e-8;
 pub struct Scores {
     /// Every candidate's, by its index; none for those that are allowed for.
     pub each: Vec<Option<Score>>,
+    /// Those of the terms outside the catalogue, where they were looked at.
+    pub terms: Vec<Score>,
     /// The information of the candidates' shared coefficients, each scaled to 1 before the base was eliminated.
     pub information: DMatrix<f64>,
+    /// The scores of the same columns.
+    pub score: DVector<f64>,
     /// The shared unknowns that its rows stand for.
     pub columns: Vec<usize>,
     /// Groups of these columns that are looked at together, for the threshold.
@@ -25,6 +29,8 @@ pub struct Scores {
     pub others: usize,
     /// The information of the base's unknowns and of what is allowed for, with those unknowns.
     pub base: (Vec<usize>, DMatrix<f64>),
+    /// The squared size of each column before anything was allowed for, and once the flights' own unknowns were.
+    pub sizes: Vec<(f64, f64)>,
     /// How each of the columns leans on each of those unknowns: its share of what absorbs it.
     pub leaning: DMatrix<f64>,
 }
@@ -44,31 +50,54 @@ pub struct Score {
     pub visible: f64,
 }
 
+impl Score {
+    /// That of what is allowed for, or does nothing.
+    const NOTHING: Score = Score {
+        statistic: 0.0,
+        freedom: 0,
+        ln_p: 0.0,
+        estimates: Vec::new(),
+        visible: 0.0,
+    };
+}
+
 impl Scores {
-    /// Scores at a point where these are the flights' normal equations.
+    /// Scores at a point where these are the flights' normal equations, with some candidates and terms allowed for.
     ///
     /// # Errors
     /// In words, where a flight does not determine its own unknowns.
     pub fn new(
         bench: &Bench,
         blocks: &[Block],
-        allowed: &[usize],
+        (allowed, terms): (&[usize], &[usize]),
         shared: &DVector<f64>,
     ) -> Result<Self, String> {
-        let reduced = Reduced::new(bench, blocks, allowed)?;
-        let free = bench.unknowns(allowed);
-        let columns: Vec<usize> = (0..shared.len()).filter(|i| !free.contains(i)).collect();
+        let size = blocks.first().map_or(0, |block| block.shared.nrows());
+        // Terms have no value of their own yet.
+        let known = shared.len();
+        let shared = &DVector::from_fn(size, |i, _| if i < known { shared[i] } else { 0.0 });
+        let reduced = Reduced::new(bench, blocks, allowed, size)?;
+        let mut free = bench.unknowns(allowed);
+        free.extend(terms.iter().map(|term| known + term));
+        let columns: Vec<usize> = (0..size).filter(|i| !free.contains(i)).collect();
         let (h, g) = prior(bench, &reduced.matrix, &reduced.gradient, shared);
         let scale: Vec<f64> = columns.iter().map(|&i| inverse_root(h[(i, i)])).collect();
         let parts = Parts::new(&h, &g, &free, &columns, &scale);
         let (information, score, leaning) = parts.eliminated()?;
         let base = DMatrix::from_fn(free.len(), free.len(), |i, j| h[(free[i], free[j])]);
+        let sizes = columns.iter().map(|&i| {
+            let raw: f64 = blocks.iter().map(|block| block.shared[(i, i)]).sum();
+            (raw, h[(i, i)])
+        });
         let mut scores = Scores {
+            sizes: sizes.collect(),
             each: Vec::new(),
+            terms: Vec::new(),
             information,
             columns,
             groups: Vec::new(),
             others: 0,
+            score: score.clone(),
             base: (free, base),
             leaning,
         };
@@ -83,7 +112,7 @@ impl Scores {
             let score_of = if allowed.contains(&index) {
                 None
             } else if columns.states.is_empty() {
-                Some(scores.shared(bench, index, &score, &scale, shared))
+                Some(scores.shared(&columns.shared, &score, &scale, shared))
             } else {
                 scores.others += 1;
                 let own = reduced.own.iter().find(|own| own.candidate == index);
@@ -91,21 +120,26 @@ impl Scores {
             };
             scores.each.push(score_of);
         }
+        for unknown in known..size {
+            let score = scores.shared(&[unknown], &score, &scale, shared);
+            scores.terms.push(score);
+        }
         Ok(scores)
     }
 
     fn shared(
         &mut self,
-        bench: &Bench,
-        candidate: usize,
+        own: &[usize],
         score: &DVector<f64>,
         scale: &[f64],
         shared: &DVector<f64>,
     ) -> Score {
-        let own = &bench.candidates[candidate].shared;
         let at: Vec<usize> = (0..self.columns.len())
             .filter(|&i| own.contains(&self.columns[i]))
             .collect();
+        if at.is_empty() {
+            return Score::NOTHING;
+        }
         let part = DMatrix::from_fn(at.len(), at.len(), |i, j| self.information[(at[i], at[j])]);
         let eigen = SymmetricEigen::new(part);
         let seen = (0..at.len()).filter(|&k| eigen.eigenvalues[k] > VISIBLE);
@@ -147,6 +181,13 @@ impl Scores {
         }
     }
 
+    /// The term outside the catalogue that would explain most.
+    pub fn best_term(&self) -> Option<(usize, &Score)> {
+        let seen = self.terms.iter().enumerate();
+        seen.filter(|(_, score)| score.freedom > 0)
+            .min_by(|a, b| a.1.ln_p.total_cmp(&b.1.ln_p))
+    }
+
     /// The candidate that would explain most, among those that these flights show.
     pub fn best(&self) -> Option<(usize, &Score)> {
         let each = self.each.iter().enumerate();
@@ -174,8 +215,12 @@ struct Own {
 }
 
 impl Reduced {
-    fn new(bench: &Bench, blocks: &[Block], allowed: &[usize]) -> Result<Self, String> {
-        let size = bench.setting.shared.len();
+    fn new(
+        bench: &Bench,
+        blocks: &[Block],
+        allowed: &[usize],
+        size: usize,
+    ) -> Result<Self, String> {
         let mut total = Reduced {
             matrix: DMatrix::zeros(size, size),
             gradient: DVector::zeros(size),
@@ -282,21 +327,26 @@ fn gain_of(
     let (h, g) = prior(bench, matrix, gradient, shared);
     let gradient = DVector::from_fn(free.len(), |i, _| g[free[i]]);
     let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| h[(free[i], free[j])]);
-    solve_scaled(&matrix, &gradient).map_or(0.0, |step| gradient.dot(&step))
+    inverse(&matrix).map_or(0.0, |inverse| gradient.dot(&(inverse * &gradient)))
 }
 
-/// The solution of a symmetric system, its diagonal scaled to 1; directions that carry nothing are left out.
-pub(crate) fn solve_scaled(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+/// The inverse of a symmetric matrix, its diagonal scaled to 1; directions that carry nothing are left out.
+pub(crate) fn inverse(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let scale = matrix.diagonal().map(inverse_root);
     let size = matrix.nrows();
+    if size == 0 {
+        return Some(DMatrix::zeros(0, 0));
+    }
     let scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
     let eigen = SymmetricEigen::try_new(scaled, 1e-14, 10_000)?;
-    let right = right.component_mul(&scale);
-    let mut along = eigen.eigenvectors.tr_mul(&right);
-    for (part, value) in along.iter_mut().zip(eigen.eigenvalues.iter()) {
-        *part = if *value > 1e-12 { *part / value } else { 0.0 };
+    let mut weighed = eigen.eigenvectors.clone();
+    for (mut column, value) in weighed.column_iter_mut().zip(eigen.eigenvalues.iter()) {
+        column *= if *value > 1e-12 { 1.0 / value } else { 0.0 };
     }
-    Some((eigen.eigenvectors * along).component_mul(&scale))
+    let inverse = weighed * eigen.eigenvectors.transpose();
+    Some(DMatrix::from_fn(size, size, |i, j| {
+        inverse[(i, j)] * scale[i] * scale[j]
+    }))
 }
 
 /// The normal equations with what is known of the unknowns beforehand.
@@ -364,6 +414,9 @@ fn of_shared(block: &Block, own: &[usize], shared: &[usize]) -> Block {
     }
 }
 
+/// Information and score of the columns without the base, and how the columns lean on the base's unknowns.
+type Eliminated = (DMatrix<f64>, DVector<f64>, DMatrix<f64>);
+
 /// The base and the columns of the candidates, the latter scaled.
 struct Parts {
     base: DMatrix<f64>,
@@ -393,14 +446,10 @@ impl Parts {
         }
     }
 
-    /// Information and score of the columns without the base, and how the columns lean on the base's unknowns.
-    fn eliminated(self) -> Result<(DMatrix<f64>, DVector<f64>, DMatrix<f64>), String> {
-        let size = self.base.nrows();
-        let mut leaning = DMatrix::zeros(size, self.columns.ncols());
-        for (mut to, from) in leaning.column_iter_mut().zip(self.cross.column_iter()) {
-            let solved = solve_scaled(&self.base, &from.clone_owned());
-            to.copy_from(&solved.ok_or("the base's unknowns are not determined")?);
-        }
+    /// Takes the base out.
+    fn eliminated(self) -> Result<Eliminated, String> {
+        let inverse = inverse(&self.base).ok_or("the base's unknowns are not determined")?;
+        let leaning = inverse * &self.cross;
         let information = &self.columns - self.cross.tr_mul(&leaning);
         let score = -(&self.gradient - leaning.tr_mul(&self.base_gradient));
         let information = (&information + information.transpose()) * 0.5;

@@ -71,39 +71,8 @@ pub struct Eliminated<'a> {
     pub gradient: DVector<f64>,
 }
 
-/// A symmetric matrix whose diagonal was scaled to 1: unknowns have sizes from 1e-5 to 1e2.
-pub(crate) struct Scaled {
-    /// What each row and column was multiplied by.
-    pub scale: DVector<f64>,
-    /// The matrix.
-    pub matrix: DMatrix<f64>,
-}
-
-impl Scaled {
-    /// Scales a matrix; an unknown that nothing depends on by `nothing`.
-    pub fn new(matrix: &DMatrix<f64>, nothing: f64) -> Self {
-        let scale = matrix.diagonal().map(|value| {
-            let root = value.max(0.0).sqrt();
-            if root > 1e-100 { 1.0 / root } else { nothing }
-        });
-        let size = matrix.nrows();
-        let matrix = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
-        Self { scale, matrix }
-    }
-
-    /// Its factor with a damping added to the diagonal; none where it is not positive definite.
-    pub fn factor(mut self, damping: f64) -> Option<Factor> {
-        for i in 0..self.scale.len() {
-            self.matrix[(i, i)] += damping;
-        }
-        let cholesky = self.matrix.cholesky()?;
-        let scale = self.scale;
-        Some(Factor { scale, cholesky })
-    }
-}
-
-/// The factor of a scaled matrix.
-pub(crate) struct Factor {
+/// The factor of a symmetric matrix whose diagonal was scaled to 1: unknowns have sizes from 1e-5 to 1e2.
+struct Factor {
     scale: DVector<f64>,
     cholesky: Cholesky<f64, Dyn>,
 }
@@ -112,14 +81,22 @@ pub(crate) struct Factor {
 const DEPENDENT: f64 = 1e-11;
 
 fn factor(matrix: &DMatrix<f64>, damping: f64) -> Option<Factor> {
-    let factor = Scaled::new(matrix, 1.0).factor(damping)?;
-    let least = factor.cholesky.l_dirty().diagonal().min();
-    (matrix.is_empty() || least * least > DEPENDENT).then_some(factor)
+    let scale = matrix.diagonal().map(|value| {
+        let root = value.max(0.0).sqrt();
+        if root > 1e-150 { 1.0 / root } else { 1.0 }
+    });
+    let size = matrix.nrows();
+    let mut scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
+    for i in 0..size {
+        scaled[(i, i)] += damping;
+    }
+    let cholesky = scaled.cholesky()?;
+    let least = cholesky.l_dirty().diagonal().min();
+    (size == 0 || least * least > DEPENDENT).then_some(Factor { scale, cholesky })
 }
 
 impl Factor {
-    /// The solution for a right side, both in the unknowns' own sizes.
-    pub fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
+    fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
         let scaled = right.component_mul(&self.scale);
         self.cholesky.solve(&scaled).component_mul(&self.scale)
     }

@@ -67,6 +67,29 @@ pub fn linearise(
         By::All => setting.shared.iter().map(|shared| shared.place).collect(),
     };
     let motion = conditions.linear_motion();
+    linearise_by(
+        setting,
+        track,
+        (shared, own),
+        samples,
+        loss,
+        (motion, &constants),
+    )
+}
+
+/// As [`linearise`], by equations of motion of one's own and these constants of them, which stand in the place of the shared
+/// unknowns.
+///
+/// # Errors
+/// In words, where the flight is impossible.
+pub fn linearise_by<M: Linearised>(
+    setting: &Setting,
+    track: &Track,
+    (shared, own): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+    loss: Loss<'_>,
+    (motion, constants): (M, &[usize]),
+) -> Result<Block, String> {
     let columns = Columns::new(track, motion.state_pattern(), constants.len());
     let part = match loss {
         Loss::Huber(_) => ROUGH_TOLERANCE,
@@ -83,7 +106,7 @@ pub fn linearise(
         // Where the noise is known an outlier is left out; before, it counts for little.
         outliers: matches!(loss, Loss::Huber(_)),
     };
-    flight.each(motion, &constants, &columns, |seen| {
+    flight.each(motion, constants, &columns, |seen| {
         sums.add(seen.marker, seen.time, seen.rows, seen.residual);
     })?;
     Ok(sums.rows.block())

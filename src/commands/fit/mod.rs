@@ -3,6 +3,8 @@
 mod summary;
 mod tables;
 
+pub(super) use tables::role;
+
 use std::path::Path;
 
 use anyhow::{Context, bail};
@@ -30,7 +32,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         .map(|text| prior(text))
         .collect::<Result<_, _>>()?;
     let dataset = dataset::load(&options.dataset)?;
-    let model = model_of(options, &dataset)?;
+    let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
     let asked = Options {
         hold: &hold,
@@ -62,7 +64,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
 /// Flights that are drawn: some of the first, those with the greatest residuals, some that were held out.
 const DRAWN: (usize, usize, usize) = (6, 3, 3);
 
-fn drawn(fitted: &Fitted) -> Vec<usize> {
+pub(super) fn drawn(fitted: &Fitted) -> Vec<usize> {
     let flights = &fitted.report.flights;
     let of_role = |role: Role| {
         (0..flights.len()).filter(move |&i| flights[i].role == role && flights[i].is_used())
@@ -128,11 +130,15 @@ fn write(
 }
 
 /// The model: as asked for, or the dataset's own, where a path is meant from the dataset's folder.
-fn model_of(options: &Fit, dataset: &Dataset) -> anyhow::Result<String> {
-    if let Some(model) = &options.model {
+pub(super) fn model_of(
+    asked: Option<&String>,
+    folder: &Path,
+    dataset: &Dataset,
+) -> anyhow::Result<String> {
+    if let Some(model) = asked {
         return Ok(model.clone());
     }
-    let beside = options.dataset.join(&dataset.model);
+    let beside = folder.join(&dataset.model);
     let is_path =
         Path::new(&dataset.model).components().count() > 1 || dataset.model.ends_with(".hyz");
     match beside.to_str() {
@@ -142,7 +148,7 @@ fn model_of(options: &Fit, dataset: &Dataset) -> anyhow::Result<String> {
 }
 
 /// `NAME` or `NAME=VALUE`.
-fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
+pub(super) fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     match text.split_once('=') {
         None => Ok((text.to_owned(), None)),
         Some((name, value)) => Ok((name.to_owned(), Some(number("--hold", value)?))),
@@ -150,7 +156,7 @@ fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
 }
 
 /// `NAME=VALUE+-SIGMA`, or with `±`.
-fn prior(text: &str) -> anyhow::Result<Prior> {
+pub(super) fn prior(text: &str) -> anyhow::Result<Prior> {
     let expected = "NAME=VALUE+-SIGMA, such as C_D0=0.1+-0.02";
     let Some((name, rest)) = text.split_once('=') else {
         bail!("--prior: found {text:?}, expected {expected}");

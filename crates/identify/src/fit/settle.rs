@@ -151,7 +151,7 @@ pub fn own_only(
     start: DVector<f64>,
     options: &Options<'_>,
 ) -> Result<(f64, DVector<f64>), String> {
-    let (mut own, mut scale, mut solution) = (start, f64::INFINITY, None);
+    let (mut own, mut scale) = (start, f64::INFINITY);
     for _ in 0..SHRINKS {
         let shrunk = size(setting, track, (shared, &own), samples).unwrap_or(1.0);
         let shrunk = shrunk.max(setting.floor);
@@ -159,19 +159,26 @@ pub fn own_only(
             break;
         }
         scale = shrunk;
-        let loss = Loss::Huber(scale);
-        let solved = solve_own(setting, track, samples, shared, own, loss, options)?;
-        (own, solution) = (solved.0, Some(solved.1));
+        own = solve_own(
+            setting,
+            track,
+            samples,
+            shared,
+            own,
+            Loss::Huber(scale),
+            options,
+        )?
+        .0;
     }
-    let solution = match solution.filter(|_| scale == setting.floor) {
-        Some(solution) => solution,
-        None => {
-            let loss = Loss::Huber(setting.floor);
-            let solved = solve_own(setting, track, samples, shared, own, loss, options)?;
-            own = solved.0;
-            solved.1
-        }
-    };
+    let (own, solution) = solve_own(
+        setting,
+        track,
+        samples,
+        shared,
+        own,
+        Loss::Huber(setting.floor),
+        options,
+    )?;
     if !solution.blocks[0].determines_own() {
         return Err("its samples do not determine its initial state".into());
     }

@@ -3,7 +3,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Known;
-use crate::normal::Scaled;
 
 /// The step of the shared unknowns that minimises the quadratic left after the elimination, with priors added and
 /// without leaving the bounds; and by how much it decreases the priors' part of the sum of squares. An unknown that
@@ -71,14 +70,24 @@ fn solve(
     free: &[usize],
     damping: f64,
 ) -> Option<DVector<f64>> {
+    let scale = |i: usize| {
+        let root = matrix[(i, i)].max(0.0).sqrt();
+        if root > 1e-150 { 1.0 / root } else { 1.0 }
+    };
     let size = free.len();
-    let left = DMatrix::from_fn(size, size, |i, j| matrix[(free[i], free[j])]);
+    let mut left = DMatrix::from_fn(size, size, |i, j| {
+        matrix[(free[i], free[j])] * scale(free[i]) * scale(free[j])
+    });
+    for i in 0..size {
+        left[(i, i)] += damping;
+    }
     let right = DVector::from_fn(size, |i, _| {
         let moved = (0..held.len()).filter(|&j| held[j]);
         let moved: f64 = moved.map(|j| matrix[(free[i], j)] * step[j]).sum();
-        -(gradient[free[i]] + moved)
+        -(gradient[free[i]] + moved) * scale(free[i])
     });
-    let solved = Scaled::new(&left, 1.0).factor(damping)?.solve(&right);
+    let solved = left.cholesky()?.solve(&right);
+    let solved = DVector::from_fn(size, |i, _| solved[i] * scale(free[i]));
     solved
         .iter()
         .all(|value| value.is_finite())

@@ -1,7 +1,6 @@
 //! Where each unknown stands in a row.
 
 use flight::body::Derivatives;
-use lanes::{Kernel, Lanes};
 
 use crate::rows::Rows;
 use crate::track::Track;
@@ -74,18 +73,16 @@ impl Columns {
         constants: &[usize],
         rows: &mut [Vec<f64>; 3],
     ) {
+        let flown = self.moving + self.shared;
         for row in rows.iter_mut() {
             row.fill(0.0);
         }
-        let (at, values) = (derivatives.by_state_at, derivatives.by_state);
-        lanes::dispatch(AddRows {
-            at,
-            values,
-            row_of,
-            rows,
-        });
-        for (&(axis, state), &value) in at.iter().zip(values) {
+        let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
+        for (&(axis, state), &value) in entries {
             let row = &mut rows[axis];
+            for (sum, part) in row[..flown].iter_mut().zip(row_of(state)) {
+                *sum += value * part;
+            }
             if let Some((direction, _)) = self.still.iter().find(|(_, s)| *s == state) {
                 row[self.own[*direction]] += value;
             }
@@ -97,31 +94,6 @@ impl Columns {
         for (&(axis, place), &value) in entries {
             if let Some(column) = constants.iter().position(|constant| *constant == place) {
                 rows[axis][self.moving + column] += value;
-            }
-        }
-    }
-}
-
-/// Adds to the row of each axis the rows of the states, each by its entry.
-struct AddRows<'a, F> {
-    at: &'a [(usize, usize)],
-    values: &'a [f64],
-    /// The row of a state, padded with zeros to whole lanes.
-    row_of: F,
-    rows: &'a mut [Vec<f64>; 3],
-}
-
-impl<'s, F: Fn(usize) -> &'s [f64]> Kernel for AddRows<'_, F> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<T: Lanes>(self) {
-        for (&(axis, state), &value) in self.at.iter().zip(self.values) {
-            let (value, parts) = (T::splat(value), (self.row_of)(state));
-            // Rows of residuals are padded too, and have one place more.
-            let sums = self.rows[axis].chunks_exact_mut(T::WIDTH);
-            for (sum, part) in sums.zip(parts.chunks_exact(T::WIDTH)) {
-                value.mul_add(T::load(part), T::load(sum)).store(sum);
             }
         }
     }

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use lanes::{Kernel, Lanes};
-
 use super::AxisResiduals;
 use crate::noise::Noise;
 
@@ -120,45 +118,11 @@ impl Axis {
 }
 
 fn products(series: &[Option<f64>], sums: &mut [(f64, usize)]) {
-    // What is missing adds nothing; beyond the end stand zeros.
-    let mut values = vec![0.0; series.len() + PADDED];
-    let mut seen = vec![0.0; series.len() + PADDED];
-    for (place, value) in series
-        .iter()
-        .enumerate()
-        .filter_map(|(i, v)| Some((i, (*v)?)))
-    {
-        (values[place], seen[place]) = (value, 1.0);
-    }
-    let (mut products, mut pairs) = ([0.0; PADDED], [0.0; PADDED]);
-    for (values, sums) in [(&values, &mut products), (&seen, &mut pairs)] {
-        lanes::dispatch(Lagged { values, sums });
-    }
-    for ((sum, product), pairs) in sums.iter_mut().zip(products).zip(pairs) {
-        *sum = (sum.0 + product, sum.1 + pairs as usize);
-    }
-}
-
-/// Lags that are worked on together: whole lanes.
-const PADDED: usize = LAGS.next_multiple_of(8);
-
-/// Sums of the products of values at each lag; as many zeros as there are lags stand at the end.
-struct Lagged<'a> {
-    values: &'a [f64],
-    sums: &'a mut [f64; PADDED],
-}
-
-impl Kernel for Lagged<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<T: Lanes>(self) {
-        for (lag, sums) in self.sums.chunks_exact_mut(T::WIDTH).enumerate() {
-            let mut sum = T::splat(0.0);
-            for later in self.values.windows(PADDED) {
-                sum = T::splat(later[0]).mul_add(T::load(&later[lag * T::WIDTH..]), sum);
+    for (lag, sum) in sums.iter_mut().enumerate() {
+        for (earlier, later) in series.iter().zip(series.iter().skip(lag)) {
+            if let (Some(earlier), Some(later)) = (earlier, later) {
+                *sum = (sum.0 + earlier * later, sum.1 + 1);
             }
-            sum.store(sums);
         }
     }
 }

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 pub use profile::profile;
 pub use undetermined::{Support, undetermined};
 
-use crate::normal::{Eliminated, Scaled};
+use crate::normal::Eliminated;
 use crate::setting::Shared;
 
 /// Half the interval of 95 %, over the standard error.
@@ -94,9 +94,13 @@ impl Covariance {
 /// them.
 fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
     let size = information.nrows();
-    // An unknown that nothing depends on: as uncertain as can be written.
-    let Scaled { scale, matrix } = Scaled::new(information, 1e6);
-    let eigen = SymmetricEigen::new(matrix);
+    let scale = information.diagonal().map(|value| {
+        let root = value.max(0.0).sqrt();
+        // An unknown that nothing depends on: as uncertain as can be written.
+        if root > 1e-100 { 1.0 / root } else { 1e6 }
+    });
+    let scaled = DMatrix::from_fn(size, size, |i, j| information[(i, j)] * scale[i] * scale[j]);
+    let eigen = SymmetricEigen::new(scaled);
     let mut inverse = DMatrix::zeros(size, size);
     for (value, vector) in eigen
         .eigenvalues

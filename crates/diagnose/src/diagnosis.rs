@@ -1,0 +1,410 @@
+//! The diagnosis from fit to report.
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use identify::dataset::{Dataset, Role};
+use identify::fit::{FitError, Fitted, fit};
+use identify::options::Options;
+use identify::report::FlightEvidence;
+use model_spec::load::LoadError;
+use model_spec::model::Model;
+
+use crate::bench::Bench;
+use crate::catalogue::{Catalogue, hyphened};
+use crate::causes::{Cause, Found, search};
+use crate::chance::normal_size;
+use crate::curves::curves;
+use crate::detect::detectable;
+use crate::extend::Extension;
+use crate::outside;
+use crate::report::{
+    Alike, CandidateScore, CauseEffect, Coefficient, Estimate, FlightGain, Noise, Outside, Report,
+    Rival, Threshold, Verdict,
+};
+use crate::{gain, leftover, words};
+
+/// What is asked of a diagnosis beside its dataset and its model.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Asked<'a> {
+    /// The dataset as it was named, for the report.
+    pub dataset: &'a str,
+    /// Effects that are on, by name or path.
+    pub with: &'a [String],
+    /// Effects that are not looked for.
+    pub without: &'a [String],
+    /// What is asked of its fits.
+    pub fit: Options<'a>,
+}
+
+/// A diagnosis.
+pub struct Diagnosed {
+    /// What was found.
+    pub report: Report,
+    /// The fit of the model.
+    pub before: Fitted,
+    /// The extended model and its fit, where there is one.
+    pub after: Option<(Extension, Fitted)>,
+}
+
+/// Why there is none.
+#[derive(Debug, thiserror::Error)]
+pub enum DiagnosisError {
+    /// The flights cannot be fitted.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// The model cannot be loaded.
+    #[error("{0}")]
+    Load(#[from] LoadError),
+}
+
+/// Finds what a model gets wrong of a dataset's flights.
+///
+/// # Errors
+/// Where the flights cannot be fitted.
+pub fn diagnose(
+    model: &Model,
+    dataset: &Dataset,
+    asked: &Asked<'_>,
+) -> Result<Diagnosed, DiagnosisError> {
+    let clock = Instant::now();
+    let mut seconds = BTreeMap::new();
+    // The candidates are made ready while the flights are fitted.
+    let (before, catalogue) = std::thread::scope(|scope| {
+        let catalogue = scope.spawn(|| Catalogue::new(model, asked.with, asked.without));
+        let before = fit(model, dataset, &asked.fit);
+        (before, catalogue.join())
+    });
+    let before = before?;
+    let catalogue = catalogue.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
+    seconds.insert("fit".to_owned(), clock.elapsed().as_secs_f64());
+    let (mut bench, base) = Bench::new(&catalogue, dataset, &before, &asked.fit)?;
+    let found = search(&mut bench, &base, before.noise())?;
+    let terms = match found.alarmed && found.causes.is_empty() {
+        true => outside::terms(&bench, &base, &found)?,
+        false => None,
+    };
+    seconds.insert("search".to_owned(), clock.elapsed().as_secs_f64());
+
+    let mut report = told(model, asked, &before, &bench, &found);
+    let extension = extension(model, asked, &bench, &found, terms.as_ref())?;
+    let after = match extension {
+        Some(extension) => {
+            let fitted = fit(&extension.model, dataset, &asked.fit)?;
+            Some((extension, fitted))
+        }
+        None => None,
+    };
+    if let Some(terms) = terms {
+        report.outside = Some(Outside {
+            says: words::outside(&bench, &terms),
+            channels: outside::channels(&bench, &found.scores),
+            terms: terms.told,
+        });
+    }
+    if let Some((extension, fitted)) = &after {
+        take_over(&mut report, extension, &before, fitted);
+        let floor = report.noise.sigma_m;
+        let held_out = dataset.flights.iter().any(|f| f.role == Role::HeldOut);
+        report.gain = match held_out {
+            true => gain::by_held_out(&before.report, &fitted.report, floor),
+            false => gain::by_turns([model, &extension.model], dataset, &asked.fit, floor)?,
+        };
+        let evidence = |fitted: &Fitted| -> Vec<FlightEvidence> {
+            let fits = (0..dataset.flights.len()).filter(|&k| dataset.flights[k].role == Role::Fit);
+            fits.filter_map(|k| fitted.evidence(k)).collect()
+        };
+        report.curves = curves(model, &evidence(&before), &evidence(fitted));
+    }
+    report.summary = words::summary(&report);
+    seconds.insert("total".to_owned(), clock.elapsed().as_secs_f64());
+    report.seconds = seconds;
+    Ok(Diagnosed {
+        report,
+        before,
+        after,
+    })
+}
+
+/// The report of what was found, before anything is extended.
+fn told(model: &Model, asked: &Asked<'_>, before: &Fitted, bench: &Bench, found: &Found) -> Report {
+    let causes: Vec<_> = found
+        .causes
+        .iter()
+        .map(|cause| cause_report(bench, found, cause))
+        .collect();
+    let verdict = if !found.alarmed {
+        Verdict::None
+    } else if causes.is_empty() {
+        Verdict::Outside
+    } else if causes
+        .iter()
+        .all(|c| c.effects.iter().all(|e| e.immaterial))
+    {
+        Verdict::Immaterial
+    } else if causes.len() == 1 {
+        Verdict::Named
+    } else {
+        Verdict::Ambiguous
+    };
+    let (points, outliers) = bench
+        .tracks
+        .iter()
+        .fold((0, 0), |(points, outliers), track| {
+            (
+                points + track.seen.iter().flatten().count(),
+                outliers + track.outlier.iter().filter(|o| **o).count(),
+            )
+        });
+    let (undetectable, smallest_detectable) = detectable(bench, &found.scores, found.limits.alarm);
+    let flights = before.report.flights.iter().map(|flight| FlightGain {
+        file: flight.file.clone(),
+        role: flight.role,
+        rms_before_m: flight.rms_m,
+        rms_after_m: None,
+    });
+    let coefficients = before.report.coefficients.iter().map(|(name, c)| {
+        let coefficient = Coefficient {
+            value: c.value,
+            std_error: c.std_error,
+            unit: c.unit.clone(),
+            before: None,
+        };
+        (name.clone(), coefficient)
+    });
+    Report {
+        schema: "hyzer.diagnosis/1".into(),
+        dataset: asked.dataset.to_owned(),
+        model: model.name.clone(),
+        effects: model.effects.iter().map(|e| hyphened(&e.name)).collect(),
+        verdict,
+        summary: String::new(),
+        causes,
+        noise: Noise {
+            sigma_m: found.noise.overall(),
+            ar1: found.noise.ar1.iter().sum::<f64>() / 3.0,
+            outlier_fraction: outliers as f64 / points.max(1) as f64,
+        },
+        gain: None,
+        coefficients: coefficients.collect(),
+        undetectable,
+        smallest_detectable,
+        next_throw: None,
+        extended_model: None,
+        seconds: BTreeMap::new(),
+        candidates: candidates(bench, found),
+        threshold: Threshold {
+            false_alarms: crate::causes::ALARM,
+            ln_p: found.limits.alarm,
+            sigmas: normal_size(found.limits.alarm),
+        },
+        alike: alike(bench, found),
+        flights: flights.collect(),
+        curves: Vec::new(),
+        outside: None,
+        verified: None,
+        notes: Vec::new(),
+    }
+}
+
+fn candidates(bench: &Bench, found: &Found) -> Vec<CandidateScore> {
+    let each = bench.candidates.iter().zip(&found.scores.each);
+    let mut all: Vec<CandidateScore> = each
+        .filter_map(|(columns, score)| Some((columns, score.as_ref()?)))
+        .map(|(columns, score)| {
+            let expected = score.estimates.iter().map(|&(unknown, value, std_error)| {
+                let name = bench.setting.shared[unknown].name.clone();
+                let part = columns.candidate.coefficients.iter();
+                let part = part.clone().find(|part| part.name == name);
+                let estimate = Estimate {
+                    value,
+                    std_error,
+                    unit: part.map(|p| p.unit.clone()).unwrap_or_default(),
+                    negligible: part.and_then(|p| p.negligible),
+                };
+                (name, estimate)
+            });
+            CandidateScore {
+                name: columns.candidate.name.clone(),
+                doc: columns.candidate.doc.clone(),
+                site: columns.candidate.site.clone(),
+                statistic: score.statistic,
+                freedom: score.freedom,
+                ln_p: score.ln_p,
+                sigmas: normal_size(score.ln_p),
+                significant: score.freedom > 0 && score.ln_p < found.limits.alarm,
+                visible: score.visible,
+                expected: expected.collect(),
+            }
+        })
+        .collect();
+    all.sort_by(|a, b| a.ln_p.total_cmp(&b.ln_p));
+    all
+}
+
+fn alike(bench: &Bench, found: &Found) -> Alike {
+    let scores = &found.scores;
+    let known = bench.setting.shared.len();
+    let at: Vec<usize> = (0..scores.columns.len())
+        .filter(|&i| scores.columns[i] < known && scores.information[(i, i)] > 1e-8)
+        .collect();
+    let matrix = leftover::alike(&scores.information);
+    Alike {
+        names: at
+            .iter()
+            .map(|&i| bench.setting.shared[scores.columns[i]].name.clone())
+            .collect(),
+        matrix: at
+            .iter()
+            .map(|&i| at.iter().map(|&j| matrix[(i, j)]).collect())
+            .collect(),
+    }
+}
+
+fn cause_report(bench: &Bench, found: &Found, cause: &Cause) -> crate::report::Cause {
+    let (unknowns, information) = &cause.scores.base;
+    let covariance = crate::scores::inverse(information);
+    let error = |unknown: usize| {
+        let at = unknowns.iter().position(|u| *u == unknown);
+        let variance = at.zip(covariance.as_ref()).map(|(at, c)| c[(at, at)]);
+        variance.unwrap_or(0.0).max(0.0).sqrt()
+    };
+    let effects = cause.effects.iter().map(|&index| {
+        let columns = &bench.candidates[index];
+        let mut estimates = BTreeMap::new();
+        let mut immaterial = true;
+        for (part, &unknown) in columns.candidate.coefficients.iter().zip(&columns.shared) {
+            let value = cause.point.shared[unknown];
+            let departure = (value - part.vanishes_at).abs();
+            immaterial &= part.negligible.is_some_and(|size| departure < size);
+            let estimate = Estimate {
+                value,
+                std_error: error(unknown),
+                unit: part.unit.clone(),
+                negligible: part.negligible,
+            };
+            estimates.insert(part.name.clone(), estimate);
+        }
+        for part in &columns.candidate.states {
+            let own = cause
+                .point
+                .own
+                .iter()
+                .map(|own| own[part.index] - part.vanishes_at);
+            let count = cause.point.own.len().max(1) as f64;
+            let value = (own.map(|v| v * v).sum::<f64>() / count).sqrt();
+            immaterial &= part.negligible.is_some_and(|size| value < size);
+            let estimate = Estimate {
+                value,
+                std_error: value / (2.0 * count).sqrt(),
+                unit: part.unit.clone(),
+                negligible: part.negligible,
+            };
+            estimates.insert(part.name.clone(), estimate);
+        }
+        let score = found.scores.each[index].as_ref();
+        CauseEffect {
+            name: columns.candidate.name.clone(),
+            doc: columns.candidate.doc.clone(),
+            site: columns.candidate.site.clone(),
+            variables: columns.candidate.variables.clone(),
+            estimates,
+            statistic: score.map_or(0.0, |score| score.statistic),
+            immaterial,
+        }
+    });
+    crate::report::Cause {
+        effects: effects.collect(),
+        gain: (found.squares - cause.squares).max(0.0),
+        rival: cause.rival.map(|(index, ln_p)| Rival {
+            name: bench.candidates[index].candidate.name.clone(),
+            p: ln_p.exp(),
+        }),
+    }
+}
+
+/// The extension by the best cause, or by terms from outside the catalogue.
+fn extension(
+    model: &Model,
+    asked: &Asked<'_>,
+    bench: &Bench,
+    found: &Found,
+    terms: Option<&outside::Terms>,
+) -> Result<Option<Extension>, LoadError> {
+    let underscored = |name: &str| name.replace('-', "_");
+    if let Some(best) = found.causes.first() {
+        let each = best.effects.iter();
+        let names = each.map(|&e| underscored(&bench.candidates[e].candidate.name));
+        return Extension::new(model, asked.with, names.collect(), Vec::new()).map(Some);
+    }
+    let (Some(terms), Some(grammar)) = (terms, &bench.grammar) else {
+        return Ok(None);
+    };
+    if terms.taken.is_empty() {
+        return Ok(None);
+    }
+    let names = terms.taken.iter().map(|&t| underscored(&grammar.name(t)));
+    let written = terms.taken.iter().map(|&t| {
+        let told = terms
+            .told
+            .iter()
+            .find(|told| told.formula == grammar.formula(t));
+        grammar.effect(t, &words::evidence(asked.dataset, bench, told))
+    });
+    Extension::new(model, asked.with, names.collect(), written.collect()).map(Some)
+}
+
+/// Takes the extended model's fit into the report.
+fn take_over(report: &mut Report, extension: &Extension, before: &Fitted, after: &Fitted) {
+    for (flight, after) in report.flights.iter_mut().zip(&after.report.flights) {
+        flight.rms_after_m = Some(after.rms_m);
+    }
+    report.coefficients = after
+        .report
+        .coefficients
+        .iter()
+        .map(|(name, c)| {
+            let coefficient = Coefficient {
+                value: c.value,
+                std_error: c.std_error,
+                unit: c.unit.clone(),
+                before: before.report.coefficients.get(name).map(|b| b.value),
+            };
+            (name.clone(), coefficient)
+        })
+        .collect();
+    if report.causes.is_empty() {
+        // What was written is a cause with a name of its own.
+        let each = extension.model.effects.iter();
+        let written = each.filter(|effect| extension.effects.contains(&effect.name));
+        let effects = written.map(|effect| CauseEffect {
+            name: hyphened(&effect.name),
+            doc: effect.doc.clone(),
+            site: effect.site.clone(),
+            variables: effect.variables.clone(),
+            estimates: effect
+                .coefficients
+                .iter()
+                .filter_map(|own| {
+                    let constant = &extension.model.coefficients[own.index];
+                    let found = after.report.coefficients.get(&constant.name)?;
+                    let estimate = Estimate {
+                        value: found.value,
+                        std_error: found.std_error,
+                        unit: constant.unit_text.clone(),
+                        negligible: own.negligible,
+                    };
+                    Some((constant.name.clone(), estimate))
+                })
+                .collect(),
+            statistic: 0.0,
+            immaterial: false,
+        });
+        let effects: Vec<CauseEffect> = effects.collect();
+        report.causes.push(crate::report::Cause {
+            effects,
+            gain: 0.0,
+            rival: None,
+        });
+    }
+}

@@ -1,0 +1,175 @@
+//! `hyzer diagnose`: what a model gets wrong, and why.
+
+mod summary;
+mod tables;
+
+use std::path::Path;
+
+use ::diagnose::diagnosis::{Asked, Diagnosed, diagnose};
+use ::diagnose::report::{Verdict, Verified};
+use anyhow::Context;
+use identify::dataset;
+use identify::fit::Fitted;
+use identify::options::{Options, Prior};
+use report::diagnosis::DiagnosisPage;
+
+use super::fit::{drawn, held, model_of, prior};
+use crate::cli::Diagnose;
+use crate::progress::Progress;
+use crate::{Answer, output};
+
+/// The file of the extended model.
+const EXTENDED: &str = "extended.hyz";
+
+/// Random states for each check of the extended model: `hyzer verify` looks at more.
+const CASES: usize = 20;
+
+/// Diagnoses and reports.
+pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
+    let progress = Progress::new()?;
+    let hold: Vec<(String, Option<f64>)> = options
+        .hold
+        .iter()
+        .map(|text| held(text))
+        .collect::<Result<_, _>>()?;
+    let priors: Vec<Prior> = options
+        .prior
+        .iter()
+        .map(|text| prior(text))
+        .collect::<Result<_, _>>()?;
+    let dataset = dataset::load(&options.dataset)?;
+    let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
+    let model = model_spec::load::load(&model, &super::names(&options.with))?;
+    let name = options.dataset.file_name().map_or_else(
+        || options.dataset.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    );
+    let asked = Asked {
+        dataset: &name,
+        with: &options.with,
+        without: &options.without,
+        fit: Options {
+            hold: &hold,
+            free: &options.free,
+            priors: &priors,
+            threads: options.threads,
+            watch: Some(&progress),
+            ..Options::default()
+        },
+    };
+    progress.working();
+    let found = diagnose(&model, &dataset, &asked);
+    progress.writing();
+    let mut found =
+        found.with_context(|| format!("cannot diagnose {}", options.dataset.display()))?;
+    let text = match &found.after {
+        Some((extension, _)) => {
+            let told = format!(
+                "Extended by {}, found in {name} by `hyzer diagnose`.",
+                extension.effects.join(" and ")
+            );
+            let text = extension.text(&model, &options.with, &told)?;
+            found.report.verified = Some(verified(&text)?);
+            Some(text)
+        }
+        None => None,
+    };
+    if let Some(folder) = &options.out {
+        if text.is_some() {
+            found.report.extended_model = Some(EXTENDED.to_owned());
+        }
+        write(folder, text.as_deref(), &found)?;
+    }
+    output::print(summary::summary(&found.report))?;
+    if found.report.verified.as_ref().is_some_and(|v| !v.holds) {
+        eprintln!("a check refutes the extended model: do not rely on it");
+        return Ok(Answer::No);
+    }
+    Ok(Answer::Yes)
+}
+
+/// What the independent checks say of a model's text.
+fn verified(text: &str) -> anyhow::Result<Verified> {
+    let loaded = model_spec::load::inspect_text(EXTENDED, text, &[])?;
+    if loaded.model.is_none() || !loaded.diagnostics.is_empty() {
+        let told = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+        anyhow::bail!("the extended model is faulty:\n{told}");
+    }
+    let settings = verify::Options {
+        cases: CASES,
+        ..verify::Options::default()
+    };
+    let report = verify::run(&loaded, &settings);
+    Ok(Verified {
+        holds: report.holds(),
+        checks: report
+            .rows
+            .iter()
+            .map(|row| {
+                (
+                    row.check.to_string(),
+                    format!("{:?}", row.verdict).to_lowercase(),
+                )
+            })
+            .collect(),
+    })
+}
+
+fn write(folder: &Path, extended: Option<&str>, found: &Diagnosed) -> anyhow::Result<()> {
+    let evidence = |fitted: &Fitted, flights: &[usize]| {
+        let each = flights.iter().filter_map(|&flight| fitted.evidence(flight));
+        each.collect::<Vec<_>>()
+    };
+    let flights = drawn(&found.before);
+    let before = evidence(&found.before, &flights);
+    let after = found.after.as_ref();
+    let after = after.map_or_else(Vec::new, |(_, fitted)| evidence(fitted, &flights));
+    if let (Some(text), Some((extension, _))) = (extended, &found.after) {
+        output::write(&folder.join(EXTENDED), text)?;
+        for effect in &extension.written {
+            let name = extension
+                .effects
+                .iter()
+                .find(|name| effect.contains(&format!("effect {name} ")));
+            if let Some(name) = name {
+                output::write(&folder.join(format!("{name}.hyz")), effect)?;
+            }
+        }
+        let model = model_spec::load::from_text(EXTENDED, text, &[])?;
+        let compiled = codegen::compile::compile(&model);
+        for (file, code) in codegen::rust::emit(&compiled, &model) {
+            output::write(&folder.join("extended").join(file), code)?;
+        }
+    }
+    let json = serde_json::to_string_pretty(&found.report)?;
+    output::write(&folder.join("report.json"), json + "\n")?;
+    let page = DiagnosisPage {
+        report: &found.report,
+        before: &before,
+        after: &after,
+        extended,
+    };
+    let made = report::diagnosis::make(&page);
+    output::write(&folder.join("report.html"), made.html)?;
+    for (name, figure) in made.figures {
+        output::write(&folder.join(name), figure)?;
+    }
+    output::write(
+        &folder.join("candidates.csv"),
+        tables::candidates(&found.report)?,
+    )?;
+    output::write(
+        &folder.join("coefficients.csv"),
+        tables::coefficients(&found.report)?,
+    )?;
+    output::write(&folder.join("flights.csv"), tables::flights(&found.report)?)?;
+    let what = match found.report.verdict {
+        Verdict::None => "report.html, report.json, figures and tables are",
+        _ if extended.is_some() => {
+            "report.html, report.json, the extended model, figures and tables are"
+        }
+        _ => "report.html, report.json, figures and tables are",
+    };
+    eprintln!("{what} in {}", folder.display());
+    Ok(())
+}

@@ -1,0 +1,143 @@
+//! What a diagnosis found, for the terminal.
+
+use std::fmt::Write;
+
+use comfy_table::Table;
+use comfy_table::presets::UTF8_BORDERS_ONLY;
+use diagnose::report::{Report, Verdict};
+
+/// Effects that are listed.
+const LISTED: usize = 10;
+
+/// The whole summary.
+pub fn summary(report: &Report) -> String {
+    let mut text = format!("{}: {}\n\n", word(report.verdict), wrapped(&report.summary));
+    for (index, cause) in report.causes.iter().enumerate() {
+        let names: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
+        let _ = write!(text, "cause {}: {}", index + 1, names.join(" with "));
+        for effect in &cause.effects {
+            for (name, estimate) in &effect.estimates {
+                let unit = if estimate.unit == "1" {
+                    ""
+                } else {
+                    &estimate.unit
+                };
+                let _ = write!(
+                    text,
+                    ", {name} = {:.4e} ± {:.1e} {unit}",
+                    estimate.value, estimate.std_error
+                );
+            }
+        }
+        text.push('\n');
+    }
+    if let Some(gain) = &report.gain {
+        let how = if gain.held_out_by_dataset {
+            "held-out flights"
+        } else {
+            "flights predicted in turn"
+        };
+        let _ = writeln!(
+            text,
+            "{how} ({}): error of prediction {:.2} mm before, {:.2} mm after (gain {:.2} ± {:.2} mm; noise {:.2} mm)",
+            gain.flights,
+            1e3 * gain.held_out_rms_before_m,
+            1e3 * gain.held_out_rms_after_m,
+            1e3 * (gain.held_out_rms_before_m - gain.held_out_rms_after_m),
+            1e3 * gain.standard_error_m,
+            1e3 * gain.noise_floor_m,
+        );
+    }
+    if let Some(throw) = &report.next_throw {
+        let _ = writeln!(text, "next throw: {}", throw.says);
+    }
+    if let Some(verified) = &report.verified {
+        let holds = if verified.holds {
+            "holds"
+        } else {
+            "is REFUTED"
+        };
+        let _ = writeln!(
+            text,
+            "the extended model {holds} ({} checks)",
+            verified.checks.len()
+        );
+    }
+    let _ = writeln!(text, "\n{}\n", candidates(report));
+    if !report.undetectable.is_empty() {
+        text.push_str("these flights cannot show:\n");
+        for hidden in &report.undetectable {
+            let by = match hidden.absorbed_by.as_slice() {
+                [] => "it does nothing here".to_owned(),
+                names => format!("absorbed by {}", names.join(", ")),
+            };
+            let _ = writeln!(text, "  {} ({by})", hidden.name);
+        }
+    }
+    let _ = writeln!(
+        text,
+        "noise of one coordinate: {:.2} mm, correlation from sample to sample {:.2}, {:.1} % outliers",
+        1e3 * report.noise.sigma_m,
+        report.noise.ar1,
+        1e2 * report.noise.outlier_fraction
+    );
+    text
+}
+
+fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::None => "none",
+        Verdict::Named => "named",
+        Verdict::Ambiguous => "ambiguous",
+        Verdict::Outside => "outside",
+        Verdict::Immaterial => "immaterial",
+    }
+}
+
+/// Width of a paragraph.
+const WIDTH: usize = 100;
+
+fn wrapped(text: &str) -> String {
+    let mut lines = String::new();
+    let mut width = 12;
+    for word in text.split_whitespace() {
+        if width + word.len() >= WIDTH {
+            lines.push('\n');
+            width = 0;
+        } else if !lines.is_empty() {
+            lines.push(' ');
+            width += 1;
+        }
+        lines.push_str(word);
+        width += word.chars().count();
+    }
+    lines
+}
+
+fn candidates(report: &Report) -> Table {
+    let mut table = Table::new();
+    table.load_style(UTF8_BORDERS_ONLY).set_header(vec![
+        "effect",
+        "site",
+        "chi squared",
+        "of",
+        "sigmas",
+        "visible",
+    ]);
+    for candidate in report.candidates.iter().take(LISTED) {
+        let mark = if candidate.significant { " *" } else { "" };
+        table.add_row(vec![
+            format!("{}{mark}", candidate.name),
+            candidate.site.clone(),
+            format!("{:.1}", candidate.statistic),
+            candidate.freedom.to_string(),
+            format!("{:.1}", candidate.sigmas),
+            format!("{:.1e}", candidate.visible),
+        ]);
+    }
+    let rest = report.candidates.len().saturating_sub(LISTED);
+    if rest > 0 {
+        table.add_row(vec![format!("… and {rest} more")]);
+    }
+    table
+}

@@ -1,0 +1,66 @@
+//! The tables of a diagnosis, as CSV.
+
+use diagnose::report::Report;
+
+use crate::commands::fit::role;
+
+/// One row per effect that was looked for.
+pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record([
+        "name",
+        "site",
+        "statistic",
+        "freedom",
+        "ln_p",
+        "sigmas",
+        "significant",
+        "visible",
+    ])?;
+    for candidate in &report.candidates {
+        table.write_record([
+            &candidate.name,
+            &candidate.site,
+            &candidate.statistic.to_string(),
+            &candidate.freedom.to_string(),
+            &candidate.ln_p.to_string(),
+            &candidate.sigmas.to_string(),
+            &candidate.significant.to_string(),
+            &candidate.visible.to_string(),
+        ])?;
+    }
+    Ok(table.into_inner()?)
+}
+
+/// One row per coefficient, before and after.
+pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(["name", "before", "value", "std_error", "unit"])?;
+    for (name, found) in &report.coefficients {
+        let before = found.before.map(|before| before.to_string());
+        table.write_record([
+            name,
+            &before.unwrap_or_default(),
+            &found.value.to_string(),
+            &found.std_error.to_string(),
+            &found.unit,
+        ])?;
+    }
+    Ok(table.into_inner()?)
+}
+
+/// One row per flight, before and after.
+pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(["file", "role", "rms_before_m", "rms_after_m"])?;
+    for flight in &report.flights {
+        let after = flight.rms_after_m.map(|after| after.to_string());
+        table.write_record([
+            &flight.file,
+            role(flight.role),
+            &flight.rms_before_m.to_string(),
+            &after.unwrap_or_default(),
+        ])?;
+    }
+    Ok(table.into_inner()?)
+}
