@@ -69,6 +69,37 @@ fn every_effect_shows_more_when_it_is_strong() {
 }
 
 #[test]
+fn what_is_negligible_moves_a_throw_by_millimetres_at_most() {
+    let each = effect::ALL.iter().flat_map(|effect| {
+        let bodies = [(Law::Disc, "disc"), (Law::Ball, "ball")];
+        let laws = bodies
+            .into_iter()
+            .filter(|(law, _)| effect.laws.contains(law));
+        laws.map(move |(law, model)| (effect, law, model))
+    });
+    for (found, law, model) in each {
+        let name = found.name;
+        let plain = of_law(law, &Hidden::default(), 3);
+        let model = model_spec::load::load(model, &[name]).expect("a model");
+        let [applied] = &model.effects[..] else {
+            panic!("one effect")
+        };
+        let of_coefficients = applied.coefficients.iter().map(|c| c.negligible);
+        let of_states = applied.negligible_states.iter().map(|&(_, n)| Some(n));
+        for (k, negligible) in of_coefficients.chain(of_states).enumerate() {
+            let mut values = vec![0.0; found.values()];
+            values[k] = negligible.expect("a size");
+            let with = of_law(law, &Hidden::effect(name, &values), 3);
+            let moved = apart(&plain, &with);
+            assert!(
+                (1e-6..3e-3).contains(&moved),
+                "{name} of {law:?}: {moved} m"
+            );
+        }
+    }
+}
+
+#[test]
 fn what_is_outside_shows_too() {
     assert!(outside::ALL.len() >= 6);
     for found in outside::ALL {
@@ -134,11 +165,31 @@ fn the_fit_finds_what_is_hidden() {
         "side_force_by_spin",
         "marker_2_misplaced",
         "marker_time_offset",
+        "clock_rate",
+        "mass_imbalance",
     ] {
         let strong = strength::of(name).expect("a strength").strong;
         let hidden = Hidden::effect(name, strong).with_noise(Noise::default());
         found_again("disc", name, &dataset(&TWELVE, &hidden, 21), strong);
     }
+}
+
+#[test]
+fn the_fit_finds_the_wind_of_each_flight() {
+    let hidden = Hidden::effect("wind_of_each_flight", &[0.5, 0.5]);
+    let made = dataset(&TWELVE, &hidden.with_noise(Noise::default()), 23);
+    let with = model_spec::load::load("disc", &["wind_of_each_flight"]).expect("a model");
+    let fitted = |model| {
+        let fitted = fit(model, &made, &Options::default());
+        fitted.expect("a fit").report
+    };
+    let (plain, report) = (fitted(&disc()), fitted(&with));
+    let over = [plain.rms_m, report.rms_m].map(|rms| rms / 0.0015);
+    assert!((over[1] - 1.0).abs() < 0.03, "{over:?}");
+    assert!(over[0] > 1.02 * over[1], "{over:?}");
+    let gusts = report.flights.iter().map(|f| f.initial["gust_y"].value);
+    let spread = (gusts.map(|gust| gust * gust).sum::<f64>() / 12.0).sqrt();
+    assert!((0.2..1.2).contains(&spread), "{spread}");
 }
 
 #[test]
