@@ -22,6 +22,7 @@ use crate::report::{
     Alike, CandidateScore, CauseEffect, Coefficient, Estimate, FlightGain, Noise, Outside, Report,
     Rival, Threshold, Verdict,
 };
+use crate::throw::next_throw;
 use crate::{gain, leftover, words};
 
 /// What is asked of a diagnosis beside its dataset and its model.
@@ -87,6 +88,10 @@ pub fn diagnose(
     seconds.insert("search".to_owned(), clock.elapsed().as_secs_f64());
 
     let mut report = told(model, asked, &before, &bench, &found);
+    if found.causes.len() > 1 {
+        let blocks = bench.look(&found.causes[0].point, &found.noise)?;
+        report.next_throw = next_throw(&bench, &found.causes, &blocks, &found.noise, 1);
+    }
     let extension = extension(model, asked, &bench, &found, terms.as_ref())?;
     let after = match extension {
         Some(extension) => {

@@ -4,7 +4,7 @@
 //! effect of the [`catalogue`] is tried on one [`bench`] without a refit ([`scores`]); the noise is settled first
 //! ([`leftover`]), and what chance does is drawn ([`chance`]). [`causes`] holds each cause against all others; [`terms`]
 //! and [`outside`] look beyond the catalogue; [`extend`] writes the model that has what was found, and [`gain`] measures it on flights
-//! that it has not seen. [`report`] is what comes out.
+//! that it has not seen; [`throw`] says which flight would tell the remaining causes apart. [`report`] is what comes out.
 
 pub mod bench;
 pub mod catalogue;
@@ -20,4 +20,5 @@ pub mod outside;
 pub mod report;
 pub mod scores;
 pub mod terms;
+pub mod throw;
 mod words;

@@ -67,7 +67,8 @@ pub fn summary(report: &Report) -> String {
         .filter_map(|(name, c)| {
             let before = c.before?;
             let away = (c.value - before) / c.std_error;
-            (away.abs() > 3.0).then(|| format!("{name} from {before:.3} to {:.3}", c.value))
+            (away.abs() > 3.0)
+                .then(|| format!("{name} from {} to {}", figures(before), figures(c.value)))
         })
         .collect();
     if !moved.is_empty() {

@@ -25,6 +25,14 @@ pub struct Start {
 /// Spins beyond this are not believed, rad/s: a strong arm reaches about 160.
 const FASTEST: f64 = 400.0;
 
+/// The state in which a body moves so, at the beginning of a track whose samples need not show anything.
+///
+/// # Errors
+/// In words, where the model has no such state.
+pub fn state_of(setting: &Setting, track: &Track, motion: &Motion) -> Result<DVector<f64>, String> {
+    invert::state(setting, track, motion)
+}
+
 /// Starts for a track, the likeliest first: more than one where the samples are too far apart to tell by how many
 /// turns the body spun between them.
 ///
