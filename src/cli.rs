@@ -51,7 +51,7 @@ pub enum Command {
     Fit(Fit),
     /// Find what a model gets wrong of measured flights, name the cause, extend the model, measure the gain
     #[command(
-        after_help = "Examples:\n  hyzer diagnose examples/disc --out found\n  hyzer diagnose examples/ball --without wind_of_each_flight --out found\n\nThe folder then holds report.html, report.json, figures, tables and, where something is found, extended.hyz: the model with it\nwritten in, and extended/, its code."
+        after_help = "Examples:\n  hyzer diagnose examples/mystery --out found\n  hyzer diagnose examples/ball --without wind_of_each_flight --threads 2\n\nThe folder then holds report.html, report.json, figures, tables and, where something is found, extended.hyz: the model with it\nwritten in, and extended/, its code."
     )]
     Diagnose(Diagnose),
     /// Hold the paper's claims against every reading of its tables

@@ -64,7 +64,7 @@ fn the_examples_of_the_help_run() {
 fn the_committed_examples_are_what_their_commands_make() {
     let page = std::fs::read_to_string(repository().join("examples/README.md")).expect("the page");
     let commands = commands(&page);
-    assert_eq!(commands.len(), 2, "{page}");
+    assert_eq!(commands.len(), 3, "{page}");
     let around = tempfile::tempdir().expect("a folder");
     for command in commands {
         let (named, out) = run(&command, around.path());

@@ -40,6 +40,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
+    known(&options.without, &model)?;
     let name = options.dataset.file_name().map_or_else(
         || options.dataset.display().to_string(),
         |name| name.to_string_lossy().into_owned(),
@@ -171,5 +172,25 @@ fn write(folder: &Path, extended: Option<&str>, found: &Diagnosed) -> anyhow::Re
         _ => "report.html, report.json, figures and tables are",
     };
     eprintln!("{what} in {}", folder.display());
+    Ok(())
+}
+
+/// Refuses names of effects that there are not.
+fn known(names: &[String], model: &model_spec::model::Model) -> anyhow::Result<()> {
+    let own = model.offers.iter().map(|offer| offer.name.as_str());
+    let all: Vec<&str> = own
+        .chain(model_spec::load::EFFECTS.iter().map(|effect| effect.0))
+        .collect();
+    for name in names {
+        let wanted = name.replace('-', "_");
+        if !all.contains(&wanted.as_str()) {
+            let near = model_spec::suggest::nearest(&wanted, all.iter().copied());
+            let near = near.map(|near| format!("; did you mean `{near}`?"));
+            anyhow::bail!(
+                "--without: there is no effect `{name}`{}",
+                near.unwrap_or_default()
+            );
+        }
+    }
     Ok(())
 }
