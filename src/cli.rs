@@ -59,7 +59,7 @@ pub enum Command {
     Paper(Paper),
     /// Try what a fit is worth: on flights made by the oracle, and on measured ones
     #[command(
-        after_help = "Examples:\n  hyzer trials identification --seeds 20\n  hyzer trials real-data --data ../shared/data --out docs/real-data.md"
+        after_help = "Examples:\n  hyzer trials identification --seeds 20\n  hyzer trials real-data --data ../shared/data --out docs/real-data.md\n  hyzer trials discovery --seeds 40 --only 'stall strong' --details"
     )]
     Trials(Trials),
 }
@@ -309,6 +309,8 @@ pub enum TrialsOf {
     Identification(TrialsIdentification),
     /// Measured flights, and a wind tunnel's table
     RealData(TrialsRealData),
+    /// Flights with something hidden in them: how often does the diagnosis find it?
+    Discovery(TrialsDiscovery),
 }
 
 /// `hyzer trials identification`.
@@ -329,6 +331,23 @@ pub struct TrialsRealData {
     #[arg(long, value_name = "DIR")]
     pub data: PathBuf,
     /// File for the page, with its figures beside it; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer trials discovery`.
+#[derive(Args)]
+pub struct TrialsDiscovery {
+    /// Runs of each row in which nothing is hidden; other rows have a few for every hundred
+    #[arg(long, default_value_t = 100)]
+    pub seeds: u64,
+    /// Only rows that have all of these words: of the group, the body, the effect, the strength, the noise
+    #[arg(long, value_name = "WORDS")]
+    pub only: Option<String>,
+    /// Print a line for each run, and what rejects a truth that is missed
+    #[arg(long)]
+    pub details: bool,
+    /// File for the page; without it the page is printed
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }

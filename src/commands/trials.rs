@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use trials::page::{Page, RealData, identification, real_data};
+use trials::discovery::{self, plan::Row, run};
+use trials::page::{self, Page, RealData, identification, real_data};
 use trials::{coverage, replay};
 
-use crate::cli::{Trials, TrialsOf};
+use crate::cli::{Trials, TrialsDiscovery, TrialsOf};
 use crate::{Answer, output};
 
 /// Runs the trials and writes their page.
@@ -29,12 +30,40 @@ pub fn run(options: &Trials) -> anyhow::Result<Answer> {
             let data = RealData::of(&options.data).map_err(anyhow::Error::msg)?;
             (real_data(&data), &options.out)
         }
+        TrialsOf::Discovery(options) => (discovered(options)?, &options.out),
     };
     match out {
         Some(file) => write(file, &page)?,
         None => output::print(page.text)?,
     }
     Ok(Answer::Yes)
+}
+
+/// Has what is hidden sought, and tells of each run where that is asked for.
+fn discovered(options: &TrialsDiscovery) -> anyhow::Result<Page> {
+    let mut rows = discovery::plan::plan(options.seeds as usize);
+    if let Some(words) = &options.only {
+        rows.retain(|row| row.has(words));
+        anyhow::ensure!(!rows.is_empty(), "no row has the words `{words}`");
+    }
+    let runs: usize = rows.iter().map(|row: &Row| row.runs).sum();
+    eprintln!("{} rows, {runs} runs", rows.len());
+    let tried = discovery::discovery(&rows, &|done, of| {
+        if done % (of / 20).max(1) == 0 {
+            eprintln!("{done} of {of} runs");
+        }
+    });
+    if options.details {
+        let truths = run::Truths::default();
+        for tried in &tried {
+            let lines = page::details(tried, &|outcome| {
+                let missed = outcome.alarmed() && !outcome.in_set && outcome.has(1.0);
+                missed.then(|| run::rejected_by(&outcome.case, &truths))?
+            });
+            output::print(lines.join("\n") + "\n")?;
+        }
+    }
+    Ok(page::discovery(&tried))
 }
 
 /// Writes a page, and its figures beside it.

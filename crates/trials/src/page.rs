@@ -1,9 +1,11 @@
 //! Pages that the trials write, in Markdown with figures beside them.
 
+mod discovery;
 mod identification;
 mod real_data;
 mod write;
 
+pub use discovery::{details, discovery};
 pub use identification::identification;
 pub use real_data::{RealData, real_data};
 

@@ -1,0 +1,67 @@
+//! Discovery end to end, a small fixed part of it: quiet where nothing is hidden, right where something strong is.
+
+use trials::discovery::plan::{Row, plan};
+use trials::discovery::{Tried, discovery};
+
+/// Rows by their words, so many runs each.
+fn tried(words: &[&str], runs: usize) -> Vec<Tried> {
+    let all = plan(100);
+    let rows = words.iter().map(|words| {
+        let mut found = all.iter().filter(|row| row.has(words));
+        let row = found.next().unwrap_or_else(|| panic!("no row `{words}`"));
+        assert!(found.next().is_none(), "`{words}` is more than one row");
+        Row {
+            runs,
+            ..row.clone()
+        }
+    });
+    discovery(&rows.collect::<Vec<Row>>(), &|_, _| {})
+}
+
+#[test]
+fn nothing_is_found_where_nothing_is_hidden() {
+    let noises = ["white", "AR(0.6)", "outliers", "dropouts"];
+    let words = noises.map(|noise| format!("null {noise}"));
+    for tried in tried(&words.each_ref().map(String::as_str), 1) {
+        for outcome in &tried.outcomes {
+            assert!(outcome.failed.is_none(), "{outcome:?}");
+            assert!(
+                !outcome.alarmed(),
+                "{}: {}",
+                tried.row.key(),
+                outcome.said()
+            );
+            assert_eq!(outcome.held_out_ratio(), Some(1.0));
+        }
+    }
+}
+
+#[test]
+fn what_is_strong_is_found_and_no_wrong_cause_stands_alone() {
+    let words = [
+        "effects zero_lift_drag_angle strong white",
+        "effects constant_pitching_moment strong white",
+        "effects marker_2_misplaced strong white",
+        "effects tilted_vertical strong white",
+        "effects rolling_moment_by_angle strong white",
+        "effects marker_time_offset strong outliers",
+        "ball magnus strong white",
+        "outside roll_by_angle_squared strong white",
+    ];
+    let mut strong = 0;
+    for tried in tried(&words, 1) {
+        for outcome in &tried.outcomes {
+            assert!(outcome.failed.is_none(), "{outcome:?}");
+            assert!(!outcome.wrong, "{}: {}", tried.row.key(), outcome.said());
+            if outcome.has(3.0) {
+                strong += 1;
+                assert!(outcome.in_set, "{}: {}", tried.row.key(), outcome.said());
+                assert!(
+                    outcome.held_out_after < outcome.held_out_before,
+                    "{outcome:?}"
+                );
+            }
+        }
+    }
+    assert!(strong >= 6, "only {strong} are strong");
+}
