@@ -23,7 +23,7 @@ use crate::report::{
     Rival, Threshold, Verdict,
 };
 use crate::throw::next_throw;
-use crate::{gain, leftover, words};
+use crate::{gain, histories, leftover, words};
 
 /// What is asked of a diagnosis beside its dataset and its model.
 #[derive(Clone, Copy, Debug, Default)]
@@ -101,9 +101,11 @@ pub fn diagnose(
         None => None,
     };
     if let Some(terms) = terms {
+        let mut channels = outside::channels(&bench, &found.scores);
+        histories::fill(&mut channels, &bench, &base, &found.noise);
         report.outside = Some(Outside {
             says: words::outside(&bench, &terms),
-            channels: outside::channels(&bench, &found.scores),
+            channels,
             terms: terms.told,
         });
     }

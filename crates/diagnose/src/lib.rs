@@ -15,6 +15,7 @@ pub mod detect;
 pub mod diagnosis;
 pub mod extend;
 pub mod gain;
+pub mod histories;
 pub mod leftover;
 pub mod outside;
 pub mod report;
