@@ -1,8 +1,8 @@
 //! The set of causes that the data do not reject.
 //!
-//! A cause is rejected where, with it allowed for, another candidate would still explain more than chance does. What is left is
-//! the answer: one cause, or several that these flights cannot tell apart; where no single one is left, pairs, and
-//! then three at once.
+//! A cause is rejected where, with it allowed for, another candidate, or a term outside the catalogue, would still explain more
+//! than chance does. What is left is the answer: one cause, or several that these flights cannot tell apart; where no
+//! single one is left, two and three at once.
 
 use identify::fit::FitError;
 use identify::levenberg::Point;
@@ -23,7 +23,7 @@ const REJECT: f64 = 0.003;
 const NEAR: (f64, f64) = (30.0, 0.25);
 
 /// Causes that are refitted at most, of each number of effects.
-const MOST: usize = 8;
+const MOST: usize = 6;
 
 /// Effects at once.
 const AT_ONCE: usize = 3;
@@ -32,7 +32,7 @@ const AT_ONCE: usize = 3;
 const SAME: f64 = 0.03;
 
 /// Refits from which more effects are added.
-const SEEDS: usize = 4;
+const SEEDS: usize = 3;
 
 /// What was found.
 pub struct Found {
@@ -48,8 +48,8 @@ pub struct Found {
     pub alarmed: bool,
     /// Causes that are not rejected, the best first.
     pub causes: Vec<Cause>,
-    /// The best of those that are rejected, where all are.
-    pub nearest: Option<Cause>,
+    /// Those that are rejected, the best first, where all are.
+    pub nearest: Vec<Cause>,
 }
 
 /// What the logarithm of a probability must be below.
@@ -81,7 +81,7 @@ impl Cause {
     }
 }
 
-/// Searches the causes of what is left at the base's fit.
+/// Searches single causes of what is left at the base's fit.
 ///
 /// # Errors
 /// Where a flight is impossible.
@@ -95,48 +95,42 @@ pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Fo
         squares,
         limits,
         causes: Vec::new(),
-        nearest: None,
+        nearest: Vec::new(),
     };
     if !found.alarmed {
         return Ok(found);
     }
-    let mut fitted: Vec<Cause> = Vec::new();
-    for count in 1..=AT_ONCE {
-        let wanted = if count == 1 {
-            singles(&found.scores)
-        } else {
-            extended(&fitted, count)
+    let mut here: Vec<Cause> = Vec::new();
+    for (index, effects) in singles(&found.scores).into_iter().enumerate() {
+        let Some(cause) = bench.cause(&effects, base, &found.noise) else {
+            continue;
         };
-        let mut here: Vec<Cause> = Vec::new();
-        for (index, effects) in wanted.into_iter().enumerate() {
-            let Some(cause) = bench.cause(&effects, base, &found.noise) else {
-                continue;
-            };
-            if count == 1 && index == 0 && bench.is_nearer(&cause, base, &mut found)? {
-                here.extend(bench.cause(&effects, base, &found.noise));
-            } else {
-                here.push(cause);
-            }
-        }
-        here.sort_by(|a, b| a.squares.total_cmp(&b.squares));
-        let mut standing = Vec::new();
-        for (index, cause) in here.iter().enumerate() {
-            if cause.stands(&found.limits) && !bench.asks_for_a_term(cause, &found)? {
-                standing.push(index);
-            }
-        }
-        if !standing.is_empty() {
-            let each = here.into_iter().enumerate();
-            let kept = each.filter(|(index, _)| standing.contains(index));
-            found.causes = kept.map(|(_, cause)| cause).collect();
-            return Ok(found);
-        }
-        if !here.is_empty() {
-            fitted = here;
+        if index == 0 && bench.is_nearer(&cause, base, &mut found)? {
+            here.extend(bench.cause(&effects, base, &found.noise));
+        } else {
+            here.push(cause);
         }
     }
-    found.nearest = fitted.into_iter().next();
+    bench.take_standing(here, &mut found)?;
     Ok(found)
+}
+
+/// Searches causes of one more effect than those that were rejected.
+///
+/// # Errors
+/// Where a flight is impossible.
+pub fn search_on(bench: &Bench, base: &Point, found: &mut Found) -> Result<(), FitError> {
+    let Some(count) = found.nearest.first().map(|cause| cause.effects.len() + 1) else {
+        return Ok(());
+    };
+    if count > AT_ONCE {
+        return Ok(());
+    }
+    let wanted = extended(&found.nearest, count);
+    let here = wanted.iter();
+    let here = here.filter_map(|effects| bench.cause(effects, base, &found.noise));
+    let here = here.collect();
+    bench.take_standing(here, found)
 }
 
 /// Single candidates that may be the cause, the likeliest first.
@@ -185,14 +179,18 @@ fn extended(fitted: &[Cause], count: usize) -> Vec<Vec<usize>> {
 
 impl Scores {
     /// Whether anything explains more than chance.
-    fn alarms(&self, limits: &Limits) -> bool {
+    pub(crate) fn alarms(&self, limits: &Limits) -> bool {
         let least = |best: Option<(usize, &Score)>| best.map_or(0.0, |(_, score)| score.ln_p);
         least(self.best()).min(least(self.best_term())) < limits.alarm
     }
 }
 
 impl Bench {
-    fn scored(&self, point: &Point, noise: &Noise) -> Result<(Scores, Limits, f64), FitError> {
+    pub(crate) fn scored(
+        &self,
+        point: &Point,
+        noise: &Noise,
+    ) -> Result<(Scores, Limits, f64), FitError> {
         let blocks = self.look_further(point, noise)?;
         let squares = blocks.iter().map(|block| block.squares).sum();
         let scores =
@@ -224,6 +222,32 @@ impl Bench {
             scores,
             rival,
         })
+    }
+
+    /// Keeps the causes that stand; all of them as the nearest where none does.
+    fn take_standing(&self, mut here: Vec<Cause>, found: &mut Found) -> Result<(), FitError> {
+        here.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+        let mut standing = Vec::new();
+        for (index, cause) in here.iter().enumerate() {
+            if cause.stands(&found.limits) && !self.asks_for_a_term(cause, found)? {
+                standing.push(index);
+            }
+        }
+        if standing.is_empty() {
+            found.nearest = here;
+        } else {
+            let each = here.into_iter().enumerate();
+            let kept = each.filter(|(index, _)| standing.contains(index));
+            found.causes = kept.map(|(_, cause)| cause).collect();
+        }
+        Ok(())
+    }
+
+    /// How many unknowns some candidates have in all flights.
+    pub fn size_of(&self, effects: &[usize]) -> usize {
+        let each = effects.iter().map(|&e| &self.candidates[e]);
+        each.map(|c| c.shared.len() + c.states.len() * self.tracks.len())
+            .sum()
     }
 
     /// Estimates the noise from what the best cause leaves, which is nearer to it still, and scores anew where that

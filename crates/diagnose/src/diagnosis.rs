@@ -7,12 +7,13 @@ use identify::dataset::{Dataset, Role};
 use identify::fit::{FitError, Fitted, fit};
 use identify::options::Options;
 use identify::report::FlightEvidence;
+use identify::track::Track;
 use model_spec::load::LoadError;
 use model_spec::model::Model;
 
 use crate::bench::Bench;
 use crate::catalogue::{Catalogue, hyphened};
-use crate::causes::{Cause, Found, search};
+use crate::causes::{Cause, Found, search, search_on};
 use crate::chance::normal_size;
 use crate::curves::curves;
 use crate::detect::detectable;
@@ -80,11 +81,23 @@ pub fn diagnose(
     let catalogue = catalogue.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
     seconds.insert("fit".to_owned(), clock.elapsed().as_secs_f64());
     let (mut bench, base) = Bench::new(&catalogue, dataset, &before, &asked.fit)?;
-    let found = search(&mut bench, &base, before.noise())?;
-    let terms = match found.alarmed && found.causes.is_empty() {
-        true => outside::terms(&bench, &base, &found)?,
-        false => None,
-    };
+    let mut found = search(&mut bench, &base, before.noise())?;
+    let mut written = None;
+    if found.alarmed && found.causes.is_empty() {
+        let place = outside::Place {
+            model,
+            dataset,
+            asked,
+        };
+        written = outside::write(place, &bench, &found)?;
+        search_on(&bench, &base, &mut found)?;
+        if found.causes.is_empty() && !written.as_ref().is_some_and(|written| written.stands) {
+            search_on(&bench, &base, &mut found)?;
+        }
+        found.causes = by_size(&bench, found.causes, written.as_ref(), 0);
+    } else {
+        found.causes = by_size(&bench, found.causes, None, FEW);
+    }
     seconds.insert("search".to_owned(), clock.elapsed().as_secs_f64());
 
     let mut report = told(model, asked, &before, &bench, &found);
@@ -92,22 +105,22 @@ pub fn diagnose(
         let blocks = bench.look(&found.causes[0].point, &found.noise)?;
         report.next_throw = next_throw(&bench, &found.causes, &blocks, &found.noise, 1);
     }
-    let extension = extension(model, asked, &bench, &found, terms.as_ref())?;
-    let after = match extension {
-        Some(extension) => {
-            let fitted = fit(&extension.model, dataset, &asked.fit)?;
-            Some((extension, fitted))
-        }
-        None => None,
-    };
-    if let Some(terms) = terms {
+    let mut after = None;
+    if let Some(best) = found.causes.first() {
+        let each = best.effects.iter();
+        let names = each.map(|&e| bench.candidates[e].candidate.name.replace('-', "_"));
+        let extension = Extension::new(model, asked.with, names.collect(), Vec::new())?;
+        let fitted = fit(&extension.model, dataset, &asked.fit)?;
+        after = Some((extension, fitted));
+    } else if let Some(written) = written {
         let mut channels = outside::channels(&bench, &found.scores);
         histories::fill(&mut channels, &bench, &base, &found.noise);
         report.outside = Some(Outside {
-            says: words::outside(&bench, &terms),
+            says: words::outside(&written),
             channels,
-            terms: terms.told,
+            terms: written.told,
         });
+        after = written.model;
     }
     if let Some((extension, fitted)) = &after {
         take_over(&mut report, extension, &before, fitted);
@@ -330,35 +343,37 @@ fn cause_report(bench: &Bench, found: &Found, cause: &Cause) -> crate::report::C
     }
 }
 
-/// The extension by the best cause, or by terms from outside the catalogue.
-fn extension(
-    model: &Model,
-    asked: &Asked<'_>,
+/// What one more unknown must take from the sum of squares, over the logarithm of the number of residuals.
+const PRICE: f64 = 1.0;
+
+/// A single cause of so many unknowns does not pay for them.
+const FEW: usize = 6;
+
+/// Causes that are so much worse than the best, once their unknowns are paid for, are none.
+const WORSE: f64 = 12.0;
+
+/// Of causes of several effects those that are as good as the best once their unknowns are paid for (Schwarz): with more effects at
+/// once, and some that each flight has for itself, nearly anything can be explained. None where terms that were
+/// written explain it better. Causes of no more than `free` unknowns do not pay.
+fn by_size(
     bench: &Bench,
-    found: &Found,
-    terms: Option<&outside::Terms>,
-) -> Result<Option<Extension>, LoadError> {
-    let underscored = |name: &str| name.replace('-', "_");
-    if let Some(best) = found.causes.first() {
-        let each = best.effects.iter();
-        let names = each.map(|&e| underscored(&bench.candidates[e].candidate.name));
-        return Extension::new(model, asked.with, names.collect(), Vec::new()).map(Some);
+    causes: Vec<Cause>,
+    written: Option<&outside::Written>,
+    free: usize,
+) -> Vec<Cause> {
+    let seen = |track: &Track| track.seen.iter().flatten().count();
+    let residuals = 3 * bench.tracks.iter().map(seen).sum::<usize>();
+    let price = PRICE * (residuals.max(2) as f64).ln();
+    let cost = |cause: &Cause| cause.squares + price * bench.size_of(&cause.effects) as f64;
+    let of_terms = written
+        .filter(|written| written.stands)
+        .map_or(f64::INFINITY, |w| w.squares + price * w.taken.len() as f64);
+    let least = causes.iter().map(cost).fold(of_terms, f64::min);
+    if of_terms <= least {
+        return Vec::new();
     }
-    let (Some(terms), Some(grammar)) = (terms, &bench.grammar) else {
-        return Ok(None);
-    };
-    if terms.taken.is_empty() {
-        return Ok(None);
-    }
-    let names = terms.taken.iter().map(|&t| underscored(&grammar.name(t)));
-    let written = terms.taken.iter().map(|&t| {
-        let told = terms
-            .told
-            .iter()
-            .find(|told| told.formula == grammar.formula(t));
-        grammar.effect(t, &words::evidence(asked.dataset, bench, told))
-    });
-    Extension::new(model, asked.with, names.collect(), written.collect()).map(Some)
+    let kept = |cause: &Cause| bench.size_of(&cause.effects) <= free || cost(cause) < least + WORSE;
+    causes.into_iter().filter(kept).collect()
 }
 
 /// Takes the extended model's fit into the report.

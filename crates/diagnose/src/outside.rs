@@ -1,13 +1,18 @@
 //! What lies outside the catalogue: terms are taken one by one, each the one that explains most of what is left.
 
-use identify::fit::FitError;
-use identify::levenberg::Point;
+use identify::dataset::Dataset;
+use identify::fit::{Fitted, fit};
+use model_spec::model::Model;
 use nalgebra::DVector;
 
 use crate::bench::Bench;
+use crate::catalogue::Catalogue;
 use crate::causes::Found;
-use crate::report;
+use crate::diagnosis::{Asked, DiagnosisError};
+use crate::extend::Extension;
 use crate::scores::Scores;
+use crate::terms::Grammar;
+use crate::{report, words};
 
 /// Terms that are taken at most.
 const MOST: usize = 4;
@@ -15,69 +20,138 @@ const MOST: usize = 4;
 /// Terms that are told of.
 const TOLD: usize = 12;
 
-/// What was found.
-pub struct Terms {
-    /// Terms that were taken, by index in the grammar.
+/// A model with terms that were written for these flights.
+pub struct Written {
+    /// Terms that were taken, by index in the grammar, in the order in which they were.
     pub taken: Vec<usize>,
     /// The terms with the greatest statistics, and those taken.
     pub told: Vec<report::Term>,
+    /// The model with them, and its fit; none where no term explains anything.
+    pub model: Option<(Extension, Fitted)>,
+    /// The sum of squares that they leave, under the noise of the search.
+    pub squares: f64,
+    /// Whether nothing explains more than chance once they are in.
+    pub stands: bool,
 }
 
-/// Looks for terms that explain what the base leaves; none where the model has no place for them.
+/// What terms are looked for in.
+#[derive(Clone, Copy)]
+pub struct Place<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// The flights.
+    pub dataset: &'a Dataset,
+    /// What was asked.
+    pub asked: &'a Asked<'a>,
+}
+
+/// Takes terms one by one, each the one that explains most of what is left, and fits anew with each; none where the model has
+/// no place for them.
 ///
 /// # Errors
 /// Where a flight is impossible.
-pub fn terms(bench: &Bench, base: &Point, found: &Found) -> Result<Option<Terms>, FitError> {
+pub fn write(
+    place: Place<'_>,
+    bench: &Bench,
+    found: &Found,
+) -> Result<Option<Written>, DiagnosisError> {
     let Some(grammar) = &bench.grammar else {
         return Ok(None);
     };
-    let blocks = bench.look_further(base, &found.noise)?;
-    let scored = |taken: &[usize]| {
-        Scores::new(bench, &blocks, (&[], taken), &base.shared).map_err(FitError::Mismatch)
+    let mut written = Written {
+        taken: Vec::new(),
+        told: told(grammar, &found.scores),
+        model: None,
+        squares: found.squares,
+        stands: false,
     };
-    let first = scored(&[])?;
-    let mut taken: Vec<usize> = Vec::new();
-    let mut last = scored(&[])?;
-    while taken.len() < MOST {
-        let best = last.best_term().filter(|(index, _)| !taken.contains(index));
-        let Some((index, _)) = best.filter(|(_, score)| score.ln_p < found.limits.reject) else {
+    let mut next = best(&found.scores, found, &[]);
+    while let Some(term) = next.filter(|_| written.taken.len() < MOST) {
+        let mut taken = written.taken.clone();
+        taken.push(term);
+        let evidence = |term: &usize| {
+            let told = written.told.iter().find(|t| t.name == grammar.name(*term));
+            grammar.effect(*term, &words::evidence(place.asked.dataset, bench, told))
+        };
+        let names = taken
+            .iter()
+            .map(|&term| grammar.name(term).replace('-', "_"));
+        let texts = taken.iter().map(evidence).collect();
+        let with = place.asked.with;
+        let Ok(extension) = Extension::new(place.model, with, names.collect(), texts) else {
             break;
         };
-        taken.push(index);
-        last = scored(&taken)?;
+        let Ok(fitted) = fit(&extension.model, place.dataset, &place.asked.fit) else {
+            break;
+        };
+        let all: Vec<String> = with.iter().chain(&extension.effects).cloned().collect();
+        let catalogue = Catalogue::new(&extension.model, &all, place.asked.without)?;
+        let (mut there, point) = Bench::new(&catalogue, place.dataset, &fitted, &place.asked.fit)?;
+        for (to, from) in there.tracks.iter_mut().zip(&bench.tracks) {
+            to.outlier.clone_from(&from.outlier);
+        }
+        let (scores, _, squares) = there.scored(&point, &found.noise)?;
+        // A term that takes nothing from the squares was none.
+        if squares > written.squares {
+            break;
+        }
+        written.squares = squares;
+        written.model = Some((extension, fitted));
+        written.taken = taken;
+        let rival = scores
+            .best()
+            .is_some_and(|(_, score)| score.ln_p < found.limits.reject);
+        next = best(&scores, found, &written.taken);
+        written.stands = !rival && next.is_none();
+        if written.stands {
+            break;
+        }
     }
-    let mut order: Vec<usize> = (0..first.terms.len())
-        .filter(|&index| first.terms[index].freedom > 0)
+    for term in &written.taken {
+        let name = grammar.name(*term);
+        match written.told.iter_mut().find(|told| told.name == name) {
+            Some(told) => told.taken = true,
+            None => written
+                .told
+                .push(term_of(grammar, &found.scores, *term, true)),
+        }
+    }
+    Ok(Some(written))
+}
+
+/// The term that explains most, where that is more than chance.
+fn best(scores: &Scores, found: &Found, taken: &[usize]) -> Option<usize> {
+    let best = scores.best_term()?;
+    (best.1.ln_p < found.limits.reject && !taken.contains(&best.0)).then_some(best.0)
+}
+
+fn told(grammar: &Grammar, scores: &Scores) -> Vec<report::Term> {
+    let mut order: Vec<usize> = (0..scores.terms.len())
+        .filter(|&index| scores.terms[index].freedom > 0)
         .collect();
     order.sort_by(|&a, &b| {
-        first.terms[b]
+        scores.terms[b]
             .statistic
-            .total_cmp(&first.terms[a].statistic)
+            .total_cmp(&scores.terms[a].statistic)
     });
     order.truncate(TOLD);
-    order.extend(
-        taken
-            .iter()
-            .filter(|index| !order.contains(index))
-            .copied()
-            .collect::<Vec<_>>(),
-    );
-    let told = order.into_iter().map(|index| {
-        let score = &first.terms[index];
-        let (value, std_error) = score.estimates.first().map_or((0.0, 0.0), |e| (e.1, e.2));
-        report::Term {
-            site: grammar.site(index).to_owned(),
-            formula: grammar.formula(index),
-            statistic: score.statistic,
-            value,
-            std_error,
-            taken: taken.contains(&index),
-        }
-    });
-    Ok(Some(Terms {
-        told: told.collect(),
+    let each = order.into_iter();
+    each.map(|term| term_of(grammar, scores, term, false))
+        .collect()
+}
+
+fn term_of(grammar: &Grammar, scores: &Scores, term: usize, taken: bool) -> report::Term {
+    let score = &scores.terms[term];
+    let (value, std_error) = score.estimates.first().map_or((0.0, 0.0), |e| (e.1, e.2));
+    report::Term {
+        name: grammar.name(term),
+        site: grammar.site(term).to_owned(),
+        formula: grammar.formula(term),
+        statistic: score.statistic,
+        value,
+        std_error,
         taken,
-    }))
+    }
 }
 
 /// What each channel alone would explain, as a part of what all terms together would.

@@ -325,6 +325,8 @@ pub struct History {
 /// A term of the grammar.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Term {
+    /// Its name, as that of the effect that is written for it.
+    pub name: String,
     /// Where it acts.
     pub site: String,
     /// In the model's notation.

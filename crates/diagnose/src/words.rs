@@ -1,7 +1,7 @@
 //! What was found, in plain words.
 
 use crate::bench::Bench;
-use crate::outside::Terms;
+use crate::outside::Written;
 use crate::report::{Cause, CauseEffect, Report, Term, Verdict};
 
 /// The paragraph that a report begins with.
@@ -133,10 +133,9 @@ fn millimetres(value: f64) -> String {
 }
 
 /// Where an error sits that no effect of the catalogue explains.
-pub fn outside(bench: &Bench, terms: &Terms) -> String {
+pub fn outside(terms: &Written) -> String {
     let taken: Vec<&Term> = terms.told.iter().filter(|term| term.taken).collect();
     let all: f64 = terms.told.first().map_or(0.0, |term| term.statistic);
-    let _ = bench;
     match taken.as_slice() {
         [] => format!(
             "No product of angle of attack, spin, speed, rates, height and time on one of the loads explains more than chance does \
@@ -147,7 +146,12 @@ pub fn outside(bench: &Bench, terms: &Terms) -> String {
                 .iter()
                 .map(|term| format!("{} by {}", term.site, term.formula))
                 .collect();
-            format!("The error sits in {}.", each.join(", and in "))
+            let rest = if terms.stands {
+                ""
+            } else {
+                " Something is left that they do not explain."
+            };
+            format!("The error sits in {}.{rest}", each.join(", and in "))
         }
     }
 }
