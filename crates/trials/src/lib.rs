@@ -11,5 +11,6 @@ pub mod made;
 pub mod page;
 pub mod paper_flight;
 pub mod replay;
+pub mod spindoe;
 pub mod throw;
 pub mod windtunnel;

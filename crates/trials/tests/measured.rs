@@ -30,11 +30,35 @@ fn measured_balls_and_a_wind_tunnel() {
             .all(|flight| !flight.initial.is_empty())
     );
     let page = real_data(&data);
+    spins_of_half_of_the_balls(&data);
     // The parabola through the tunnel's drag, and the model's own slope of the lift beside the tunnel's.
     assert!(
         page.text.contains("| drag, -5° to 10° | 0.0868 | 5.40 |"),
         "{}",
         page.text
     );
-    assert!(page.figures[0].1.contains("pitching moment"));
+    let figures = page.figures.iter();
+    let mut tunnel = figures.filter(|(name, _)| name == "real-data-tunnel.svg");
+    assert!(tunnel.all(|(_, svg)| svg.contains("pitching moment")));
+    assert!(page.text.contains("real-data-spin.svg"), "{}", page.text);
+}
+
+fn spins_of_half_of_the_balls(data: &RealData) {
+    let [all, inside, outside] = data.agreement();
+    assert_eq!((all.flights, inside.flights, outside.flights), (62, 31, 31));
+    assert!(all.by_chance == 0.0 && all.cosine > 0.4, "{all:?}");
+    assert!(inside.cosine > 0.9, "{inside:?}");
+    // The others are no nearer to their lifts than shuffled spins are, nor by any turn of all axes alike.
+    assert!(outside.by_chance > 0.2, "{outside:?}");
+    assert!(
+        outside.turned < outside.turned_shuffled + 0.15,
+        "{outside:?}"
+    );
+    let [plain, lift, square] = data.lift_by_spin();
+    assert!(lift.rms_m < 0.6 * plain.rms_m && square.rms_m < 0.9 * lift.rms_m);
+    let lift = &square.coefficients["C_Lw"];
+    assert!((0.6..0.8).contains(&lift.value), "{lift:?}");
+    let square = &square.coefficients["C_Lww"];
+    let error = square.std_error_clustered.expect("21 flights");
+    assert!(square.value < -5.0 * error, "{square:?}");
 }

@@ -1,0 +1,74 @@
+//! docs/real-data.md: what measured flights and a wind tunnel say.
+
+mod paper;
+mod spindoe;
+mod windtunnel;
+
+use std::path::Path;
+
+use identify::dataset;
+use identify::report::Report;
+use model_spec::model::Model;
+
+use super::Page;
+use super::write::Text;
+use crate::spindoe::Agreement;
+use crate::windtunnel::{Measured, read};
+
+/// What was made of the measured data.
+pub struct RealData {
+    balls: spindoe::Balls,
+    table: Vec<Measured>,
+    disc: Model,
+}
+
+impl RealData {
+    /// The fit of the balls.
+    pub fn ball(&self) -> &Report {
+        &self.balls.plain
+    }
+
+    /// How the balls' spins fit their lifts: of all flights, of the agreeing stretches, of the others.
+    pub fn agreement(&self) -> [Agreement; 3] {
+        self.balls.agreeing
+    }
+
+    /// The fits of the agreeing stretches: gravity and drag, with lift by spin, and with its square.
+    pub fn lift_by_spin(&self) -> &[Report; 3] {
+        &self.balls.steps
+    }
+
+    /// Fits and compares what is in a folder with `spindoe` and `windtunnel`.
+    ///
+    /// # Errors
+    /// In words, where a file is missing or malformed, or a fit fails.
+    pub fn of(folder: &Path) -> Result<Self, String> {
+        let flights = dataset::load(&folder.join("spindoe")).map_err(|error| error.to_string())?;
+        Ok(Self {
+            balls: spindoe::Balls::of(&flights)?,
+            table: read(&folder.join("windtunnel/potts_crowther.csv"))?,
+            disc: crate::made::disc(),
+        })
+    }
+}
+
+/// The page.
+pub fn real_data(data: &RealData) -> Page {
+    let mut text = Text::default();
+    text.paragraph("# Measured data");
+    text.paragraph("<!-- Written by `hyzer trials real-data`; do not edit. -->");
+    text.paragraph(
+        "What the models say to data that nobody of this project made. The data are not part of the repository; where they lie \
+         beside it, `hyzer trials real-data --data ../shared/data --out docs/real-data.md` makes this page again.",
+    );
+    spindoe::section(&mut text, &data.balls);
+    windtunnel::tunnel(&mut text, data);
+    paper::paper(&mut text, data);
+    Page {
+        text: text.finish(),
+        figures: vec![
+            ("real-data-spin.svg".into(), spindoe::drawn(&data.balls)),
+            ("real-data-tunnel.svg".into(), windtunnel::drawn(data)),
+        ],
+    }
+}
