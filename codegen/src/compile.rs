@@ -1,10 +1,13 @@
 //! The stages in order: derive, simplify, differentiate, simplify, schedule.
 
+mod jacobians;
+
 use crate::count;
 use crate::derive::{Derived, derive};
-use crate::differentiate::{self, Jacobian, Linear, Order};
+use crate::differentiate::{self, Linear, Values};
 use crate::graph::{Graph, NodeId, Symbol};
 use crate::layout::Layout;
+use crate::number::Number;
 use crate::optimise::{Dag, import};
 use crate::program::{Function, Operand, Program, Section};
 use crate::schedule::prepare::Prepare;
@@ -18,6 +21,15 @@ pub enum Selection {
     All,
     /// These, by their place in [`Layout::parameters`].
     Only(Vec<usize>),
+}
+
+/// How much work goes into few operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// Each Jacobian in the best of several orders, for code that is kept.
+    Full,
+    /// One order, and `f_jac` as what `f_jac_par` computes of it, for a tape that is made for one question.
+    Quick,
 }
 
 /// A model as programs.
@@ -109,8 +121,33 @@ pub fn compile_for(model: &Model, selection: &Selection) -> Compiled {
     Compiler::new(model, selection).run(&model.name)
 }
 
+/// Compiles a model at given values of some parameters, by their place in [`Layout::parameters`], of two values for one
+/// the last.
+///
+/// Derivatives are taken for all selected parameters, these among them, and then the values are put in, so that nothing is
+/// left of what vanishes there: entries of the Jacobians that are 0 at these values are not in their patterns. All
+/// functions are for these values; what they are handed in those places is not read.
+pub fn compile_at(
+    model: &Model,
+    selection: &Selection,
+    fixed: &[(usize, f64)],
+    effort: Effort,
+) -> Compiled {
+    let mut compiler = Compiler::new(model, selection);
+    let places = compiler.derived.layout.parameters.len();
+    for &(place, value) in fixed.iter().filter(|&&(place, _)| place < places) {
+        let symbol = Symbol::Parameter(place as u32);
+        compiler.fixed.insert(symbol, Number::literal(value, None));
+    }
+    compiler.effort = effort;
+    compiler.run(&model.name)
+}
+
 struct Compiler {
     derived: Derived,
+    /// Parameters that are numbers.
+    fixed: Values,
+    effort: Effort,
     columns: Vec<usize>,
     prepare: Prepare,
     origins: Vec<String>,
@@ -136,6 +173,8 @@ impl Compiler {
         Compiler {
             prepare: Prepare::new(&derived.layout.parameters),
             derived,
+            fixed: Values::default(),
+            effort: Effort::Full,
             columns,
             origins,
         }
@@ -155,34 +194,52 @@ impl Compiler {
             .collect();
 
         let dx = self.derived.dx.clone();
-        let value = self.optimised(&dx);
-        let linear = self.linear(&value);
+        let y: Vec<NodeId> = self
+            .derived
+            .observation
+            .map_or_else(Vec::new, |y| y.to_vec());
+        let (motion, seen, linear, linear_seen) = if self.fixed.is_empty() {
+            let (motion, seen) = (self.optimised(&dx), self.optimised(&y));
+            let (linear, linear_seen) = (self.linear(&motion), self.linear(&seen));
+            (motion, seen, linear, linear_seen)
+        } else {
+            // What operations are shared now need not be once the values are in.
+            let graph = &self.derived.graph;
+            let linear = self.linear(&import(graph, &dx));
+            let linear_seen = self.linear(&import(graph, &y));
+            self.derived.put_in(&self.fixed);
+            let y = self.derived.observation;
+            let y = y.map_or_else(Vec::new, |y| y.to_vec());
+            let (motion, seen) = (self.optimised(&self.derived.dx), self.optimised(&y));
+            (motion, seen, linear, linear_seen)
+        };
         let f = self.finish(
             "f",
-            &value,
+            &motion,
             &self.derived.graph.clone(),
             vec![dense("dx", dx.len())],
         );
 
         let n = dx.len();
-        let f_jac = self.jacobians("f_jac", linear.clone(), n, "dx", &[("j", &states)]);
-        let f_jac_par = self.jacobians(
-            "f_jac_par",
-            linear,
-            n,
-            "dx",
-            &[("j", &states), ("jp", &parameters)],
-        );
+        let by = [("j", states.as_slice()), ("jp", parameters.as_slice())];
+        let (f_jac, f_jac_par) = match self.effort {
+            Effort::Full => {
+                let f_jac = self.jacobians(linear.clone(), n, "dx", &by[..1]);
+                let f_jac = self.finish_jacobians("f_jac", f_jac);
+                let f_jac_par = self.jacobians(linear, n, "dx", &by);
+                (f_jac, self.finish_jacobians("f_jac_par", f_jac_par))
+            }
+            Effort::Quick => {
+                let f_jac_par = self.jacobians(linear, n, "dx", &by);
+                let f_jac = f_jac_par.first_sections(2);
+                let f_jac = self.finish_jacobians("f_jac", f_jac);
+                (f_jac, self.finish_jacobians("f_jac_par", f_jac_par))
+            }
+        };
 
-        let y: Vec<NodeId> = self
-            .derived
-            .observation
-            .map_or_else(Vec::new, |y| y.to_vec());
-        let value = self.optimised(&y);
-        let linear = self.linear(&value);
         let observe = self.finish(
             "observe",
-            &value,
+            &seen,
             &self.derived.graph.clone(),
             vec![dense("y", y.len())],
         );
@@ -191,7 +248,8 @@ impl Compiler {
             ("dy_dp", parameters.as_slice()),
             ("dy_dmarker", marker.as_slice()),
         ];
-        let observe_jac = self.jacobians("observe_jac", linear, y.len(), "y", &by);
+        let observe_jac = self.jacobians(linear_seen, y.len(), "y", &by);
+        let observe_jac = self.finish_jacobians("observe_jac", observe_jac);
 
         let named: Vec<NodeId> = self
             .derived
@@ -324,75 +382,6 @@ impl Compiler {
             _ => format!("seen_{}", ["x", "y", "z"][row % 3]),
         }
     }
-
-    /// A function with its value and sparse derivatives by groups of symbols.
-    fn jacobians(
-        &mut self,
-        name: &'static str,
-        linear: Linear,
-        rows: usize,
-        value: &'static str,
-        by: &[(&'static str, &[Symbol])],
-    ) -> Function {
-        let symbols: Vec<Symbol> = by
-            .iter()
-            .flat_map(|(_, part)| part.iter().copied())
-            .collect();
-        let names: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
-        let row_names: Vec<String> = (0..rows).map(|row| self.row_name(value, row)).collect();
-        let mut best: Option<(usize, Dag, Graph, Vec<Section>)> = None;
-        for order in [Order::FewestEdges, Order::FewestProducts] {
-            let Linear {
-                mut graph, roots, ..
-            } = linear.clone();
-            let all = differentiate::jacobian(
-                &mut graph,
-                (&roots, &row_names),
-                (&symbols, &names),
-                order,
-            );
-            let mut wanted = roots;
-            let mut sections = vec![dense(value, rows)];
-            let mut start = 0;
-            for &(section, symbols) in by {
-                let part = columns(&all, start, symbols.len() as u32);
-                wanted.extend(&part.entries);
-                sections.push(Section {
-                    name: section,
-                    len: part.entries.len(),
-                    pattern: Some(part.pattern),
-                });
-                start += symbols.len() as u32;
-            }
-            let mut dag = import(&graph, &wanted);
-            dag.optimise();
-            let cost = dag.cost();
-            if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
-                best = Some((cost, dag, graph, sections));
-            }
-        }
-        let Some((_, dag, graph, sections)) = best else {
-            return Function {
-                name,
-                program: Program::default(),
-                sections: Vec::new(),
-                results: Vec::new(),
-            };
-        };
-        self.finish(name, &dag, &graph, sections)
-    }
-}
-
-/// The columns `start .. start + width` of a Jacobian.
-fn columns(all: &Jacobian, start: u32, width: u32) -> Jacobian {
-    let mut part = Jacobian::default();
-    for (&(row, column), &entry) in all.pattern.iter().zip(&all.entries) {
-        if (start..start + width).contains(&column) {
-            part.pattern.push((row, column - start));
-            part.entries.push(entry);
-        }
-    }
-    part
 }
 
 fn dense(name: &'static str, len: usize) -> Section {

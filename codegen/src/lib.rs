@@ -20,6 +20,6 @@ pub mod schedule;
 pub mod tape;
 pub mod tape_model;
 
-pub use compile::{Compiled, Selection, compile, compile_for};
+pub use compile::{Compiled, Effort, Selection, compile, compile_at, compile_for};
 pub use layout::Layout;
 pub use tape_model::TapeModel;

@@ -6,6 +6,7 @@ mod inertia;
 mod motion;
 mod solve;
 
+use crate::differentiate::{Substituted, Values};
 use crate::graph::{Graph, NodeId, Symbol};
 use crate::layout::Layout;
 use frames::Vector;
@@ -130,6 +131,23 @@ pub fn derive(model: &Model) -> Derived {
         limits,
         origins,
         lets,
+    }
+}
+
+impl Derived {
+    /// Puts numbers in the place of symbols.
+    pub fn put_in(&mut self, values: &Values) {
+        let lets = self.lets.iter_mut().flatten();
+        let quantities = self.quantities.iter_mut().map(|(_, node)| node);
+        let seen = self.observation.iter_mut().flatten();
+        let all = self.dx.iter_mut().chain(&mut self.limits);
+        let mut all: Vec<&mut NodeId> = all.chain(seen).chain(quantities).chain(lets).collect();
+        let roots: Vec<NodeId> = all.iter().map(|node| **node).collect();
+        let mut new = Substituted::new(&self.graph, &roots, values);
+        for node in &mut all {
+            **node = new.image(**node);
+        }
+        self.graph = new.graph;
     }
 }
 

@@ -1,9 +1,13 @@
 //! Derivatives of the shared graph: exact, sparse, by elimination of its vertices.
 
+mod edges;
 mod eliminate;
 pub mod partials;
+mod substitute;
 
-pub use eliminate::{Jacobian, Order, jacobian};
+pub use edges::Edges;
+pub use eliminate::{Jacobian, Order};
+pub use substitute::{Substituted, Values};
 
 use crate::graph::{FastMap, Graph, Node, NodeId, Symbol};
 use crate::number::Number;

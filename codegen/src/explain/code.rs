@@ -3,7 +3,7 @@
 use super::find::Found;
 use crate::compile::Compiled;
 use crate::count::{Count, count};
-use crate::differentiate::{self, Linear};
+use crate::differentiate::{self, Edges, Linear, Order};
 use crate::graph::{Graph, Symbol};
 use crate::optimise::{Dag, import};
 use crate::program::{Function, Program, Section};
@@ -49,12 +49,12 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
             let Linear {
                 mut graph, roots, ..
             } = differentiate::linearise(&dag, graph, &mut fresh.clone());
-            let jacobian = differentiate::jacobian(
+            let edges = Edges::new(
                 &mut graph,
                 (&roots, &found.names),
                 (&[symbol], &[wrt.to_string()]),
-                differentiate::Order::FewestEdges,
             );
+            let jacobian = edges.accumulate(&mut graph, Order::FewestEdges);
             let mut dag = import(&graph, &jacobian.entries);
             dag.optimise();
             let rows: Vec<u32> = jacobian.pattern.iter().map(|&(row, _)| row).collect();

@@ -168,6 +168,14 @@ impl Graph {
         }
     }
 
+    /// States what is known of a node's value from elsewhere.
+    pub fn know(&mut self, id: NodeId, facts: Facts) {
+        self.facts[id.index()].nonneg |= facts.nonneg;
+        if facts.nonzero {
+            self.assume_nonzero(id);
+        }
+    }
+
     /// Gives a node a name, unless it has one already; the opposite of a sum is called after it.
     pub fn name(&mut self, id: NodeId, name: impl Into<String>) {
         let name = name.into();

@@ -27,6 +27,8 @@ struct Order<'a> {
     height: Vec<u32>,
     /// When it can start; none before that is known, and once it has.
     ready: Vec<Option<u32>>,
+    /// Those of which that is known.
+    waiting: Vec<usize>,
     end: Vec<u32>,
     /// Uses of its result that are still to come.
     left: Vec<usize>,
@@ -52,6 +54,7 @@ impl<'a> Order<'a> {
         Order {
             program,
             ready: needs.iter().map(|n| n.is_empty().then_some(0)).collect(),
+            waiting: (0..n).filter(|&k| needs[k].is_empty()).collect(),
             left: users.iter().map(Vec::len).collect(),
             end: vec![0; n],
             live: 0,
@@ -66,7 +69,8 @@ impl<'a> Order<'a> {
         let (mut time, mut started) = (0, 0);
         while sequence.len() < self.needs.len() {
             let Some(next) = self.next(time) else {
-                time = self.ready.iter().flatten().min().copied().unwrap_or(time);
+                let known = self.waiting.iter().filter_map(|&k| self.ready[k]);
+                time = known.min().unwrap_or(time);
                 started = 0;
                 continue;
             };
@@ -83,7 +87,8 @@ impl<'a> Order<'a> {
     }
 
     fn next(&self, time: u32) -> Option<usize> {
-        let waiting = (0..self.ready.len()).filter_map(|k| Some((k, self.ready[k]? <= time)));
+        let waiting = self.waiting.iter();
+        let waiting = waiting.filter_map(|&k| Some((k, self.ready[k]? <= time)));
         if self.live >= MOST {
             let rank = |k: usize, now| (self.freed(k), now, self.height[k], Reverse(k));
             return waiting.max_by_key(|&(k, now)| rank(k, now)).map(|(k, _)| k);
@@ -111,6 +116,7 @@ impl<'a> Order<'a> {
 
     fn start(&mut self, k: usize, time: u32) {
         self.ready[k] = None;
+        self.waiting.retain(|&other| other != k);
         self.end[k] = time + latency(&self.program.statements[k].op);
         for &need in &self.needs[k] {
             self.left[need] -= 1;
@@ -125,6 +131,7 @@ impl<'a> Order<'a> {
             });
             if known {
                 self.ready[user] = Some(ends);
+                self.waiting.push(user);
             }
         }
     }

@@ -9,7 +9,7 @@ pub use observer::{Derivatives, Observer};
 use crate::dynamics::Dynamics;
 use crate::event::Event;
 use crate::release::Release;
-use codegen::compile::compile;
+use codegen::compile::{Effort, Selection, compile, compile_at};
 use codegen::layout::Layout;
 use codegen::rust::source_hash;
 use codegen::tape_model::{At, Scratch, TapeModel};
@@ -47,6 +47,13 @@ impl Body {
     pub fn on_tape(model: &Model) -> Body {
         // With every derivative, as the generated code was: what is computed once per flight is then the same too.
         let compiled = compile(model);
+        Body::by(model, Functions::Tape(Box::new(TapeModel::new(&compiled))))
+    }
+
+    /// Lays out a tape for given values of some parameters, by their place in the layout: derivatives by them are there as by
+    /// all others, and nothing else is left of what vanishes at these values. Other values of them are not heeded.
+    pub fn on_tape_at(model: &Model, fixed: &[(usize, f64)]) -> Body {
+        let compiled = compile_at(model, &Selection::All, fixed, Effort::Quick);
         Body::by(model, Functions::Tape(Box::new(TapeModel::new(&compiled))))
     }
 
@@ -226,6 +233,35 @@ mod tests {
             flight.expect("it flies").end_state
         };
         assert_eq!(flown(&code), flown(&tape));
+    }
+
+    #[test]
+    fn a_tape_at_given_values_flies_as_the_whole_one_at_these_values() {
+        let names = model_spec::load::EFFECTS.iter().map(|(name, _)| *name);
+        let fits = |name: &&str| model_spec::load::load("disc", &[name]).is_ok();
+        let names: Vec<&str> = names.filter(fits).collect();
+        let model = model_spec::load::load("disc", &names).expect("the disc with all effects");
+        let layout = Layout::new(&model);
+        let own = model.effects.iter().flat_map(|effect| &effect.coefficients);
+        let place = |index| layout.coefficient(index) as usize;
+        let fixed: Vec<(usize, f64)> = own.map(|c| (place(c.index), c.vanishes_at)).collect();
+        let flown = |body: &Body, unread: f64| {
+            let mut parameters = layout.default_parameters();
+            for &(place, value) in &fixed {
+                parameters[place] = value + unread;
+            }
+            let conditions = body.with(parameters);
+            let mut start: States = layout.default_states().into();
+            start[2..12].copy_from_slice(&[1.0, 14.0, 0.0, -1.0, 0.1, -0.2, 0.0, 0.5, 0.0, -50.0]);
+            let (mut motion, options) = (conditions.motion(), Options::default());
+            let flight = fly(&mut motion, (0.0, &start), 1.0, &options, &mut []);
+            flight.expect("it flies").end_state
+        };
+        let whole = flown(&Body::on_tape(&model), 0.0);
+        let at = flown(&Body::on_tape_at(&model, &fixed), f64::NAN);
+        for (a, b) in whole.iter().zip(&at) {
+            assert!((a - b).abs() <= 1e-9 * a.abs().max(1.0), "{a} {b}");
+        }
     }
 
     #[test]

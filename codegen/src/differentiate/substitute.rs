@@ -1,0 +1,176 @@
+//! Numbers in the place of symbols: what vanishes with them is gone from the graph.
+//!
+//! Every node is made anew by the constructors of another graph, so that it simplifies. What was known of a node holds of
+//! what it has become: it is a statement about its value, whatever the symbols are.
+
+use crate::graph::{Facts, FastMap, Graph, Node, NodeId, Symbol};
+use crate::number::Number;
+
+/// Values of symbols.
+pub type Values = FastMap<Symbol, Number>;
+
+/// A graph in which some symbols are numbers.
+#[derive(Debug)]
+pub struct Substituted {
+    /// The new graph.
+    pub graph: Graph,
+    images: Vec<Option<NodeId>>,
+}
+
+impl Substituted {
+    /// What the roots need of a graph, with these values put in.
+    pub fn new(old: &Graph, roots: &[NodeId], values: &Values) -> Substituted {
+        let mut new = Substituted {
+            graph: Graph::new(),
+            images: vec![None; old.len()],
+        };
+        let mut locals: FastMap<NodeId, NodeId> = FastMap::default();
+        for (k, needed) in needed(old, roots).into_iter().enumerate() {
+            if needed {
+                let id = NodeId(k as u32);
+                let image = new.node(old, id, values, &mut locals);
+                if new.graph.as_number(image).is_none() {
+                    new.graph.know(image, old.facts(id));
+                    if let Some(name) = old.name_of(id)
+                        && !new.is_leaf(image)
+                    {
+                        new.graph.name(image, name);
+                    }
+                }
+                new.images[k] = Some(image);
+            }
+        }
+        new
+    }
+
+    /// What has become of a node that the roots need; of any other, 0.
+    pub fn image(&mut self, id: NodeId) -> NodeId {
+        match self.images[id.index()] {
+            Some(image) => image,
+            None => self.graph.whole(0),
+        }
+    }
+
+    fn is_leaf(&self, id: NodeId) -> bool {
+        matches!(self.graph.node(id), Node::Symbol(s) if !matches!(s, Symbol::Local(_)))
+    }
+
+    fn node(
+        &mut self,
+        old: &Graph,
+        id: NodeId,
+        values: &Values,
+        locals: &mut FastMap<NodeId, NodeId>,
+    ) -> NodeId {
+        match old.node(id) {
+            Node::Number(number) => self.graph.number(*number),
+            Node::Symbol(Symbol::Local(k)) => self.local(old, (id, *k), locals),
+            Node::Symbol(symbol) => match values.get(symbol) {
+                Some(&value) => self.graph.number(value),
+                None => self.graph.symbol(*symbol),
+            },
+            Node::Sum(terms, constant) => {
+                let terms = terms.iter().map(|&(c, term)| (c, self.image(term)));
+                let terms = terms.collect();
+                self.graph.sum(terms, *constant)
+            }
+            Node::Product(factors) => {
+                let factors = factors.iter().map(|&(base, exponent)| {
+                    let base = self.image(base);
+                    if exponent % 2 == 0 {
+                        (base, exponent)
+                    } else {
+                        (self.graph.sqrt(base), 2 * exponent)
+                    }
+                });
+                let factors = factors.collect();
+                self.graph.product(factors)
+            }
+            Node::Call(function, x) => {
+                let x = self.image(*x);
+                self.graph.call(*function, x)
+            }
+            Node::Atan2(y, x) => {
+                let (y, x) = (self.image(*y), self.image(*x));
+                self.graph.atan2(y, x)
+            }
+            Node::Min(a, b) => {
+                let (a, b) = (self.image(*a), self.image(*b));
+                self.graph.min(a, b)
+            }
+            Node::Max(a, b) => {
+                let (a, b) = (self.image(*a), self.image(*b));
+                self.graph.max(a, b)
+            }
+            Node::IfZero(condition, a, b) => {
+                let condition = self.image(*condition);
+                let (a, b) = (self.image(*a), self.image(*b));
+                self.graph.if_zero(condition, a, b)
+            }
+        }
+    }
+
+    /// What was shared stays shared while there is something to share.
+    fn local(
+        &mut self,
+        old: &Graph,
+        (id, local): (NodeId, u32),
+        locals: &mut FastMap<NodeId, NodeId>,
+    ) -> NodeId {
+        if let Some(sum) = old.rooted_sum(id) {
+            let sum = self.image(sum);
+            return match self.graph.node(sum) {
+                Node::Sum(terms, constant) if terms.len() > 1 || !constant.is_zero() => {
+                    let facts = self.graph.facts(sum);
+                    self.graph.local_root(facts, sum)
+                }
+                _ => {
+                    // what a root was taken of without a guard is not negative
+                    let facts = Facts {
+                        nonneg: true,
+                        ..Facts::default()
+                    };
+                    if self.graph.as_number(sum).is_none() {
+                        self.graph.know(sum, facts);
+                    }
+                    self.graph.sqrt(sum)
+                }
+            };
+        }
+        let definition = self.image(old.definition(local));
+        let worth = match self.graph.node(definition) {
+            Node::Sum(terms, constant) => terms.len() > 1 || !constant.is_zero(),
+            Node::Product(_) => true,
+            _ => false,
+        };
+        if !worth {
+            return definition;
+        }
+        if let Some(&known) = locals.get(&definition) {
+            return known;
+        }
+        let facts = self.graph.facts(definition);
+        let image = self.graph.local(facts, definition);
+        locals.insert(definition, image);
+        image
+    }
+}
+
+/// Which nodes the roots need, through the definitions of locals.
+fn needed(graph: &Graph, roots: &[NodeId]) -> Vec<bool> {
+    let mut needed = vec![false; graph.len()];
+    for root in roots {
+        needed[root.index()] = true;
+    }
+    // operands and definitions are created before their users
+    for k in (0..graph.len()).rev() {
+        if needed[k] {
+            let id = NodeId(k as u32);
+            graph.for_operands(id, |operand| needed[operand.index()] = true);
+            if let Node::Symbol(Symbol::Local(local)) = graph.node(id) {
+                needed[graph.definition(*local).index()] = true;
+            }
+        }
+    }
+    needed
+}
