@@ -12,5 +12,6 @@ pub mod page;
 pub mod paper_flight;
 pub mod replay;
 pub mod spindoe;
+pub mod spindown;
 pub mod throw;
 pub mod windtunnel;

@@ -92,6 +92,25 @@ impl Curve {
     }
 }
 
+/// A sum of multiples of given curves that is nearest to the rows, and the root mean square of what it leaves; none where the rows do
+/// not determine it.
+pub fn nearest(
+    rows: &[Measured],
+    which: usize,
+    curves: &[fn(f64) -> f64],
+) -> Option<(Vec<f64>, f64)> {
+    if rows.len() < curves.len() {
+        return None;
+    }
+    let design = DMatrix::from_fn(rows.len(), curves.len(), |row, curve| {
+        curves[curve](rows[row].alpha)
+    });
+    let values = DVector::from_fn(rows.len(), |row, _| rows[row].coefficients[which]);
+    let found = design.clone().svd(true, true).solve(&values, 1e-12).ok()?;
+    let left = (values - design * &found).norm_squared() / rows.len() as f64;
+    Some((found.iter().copied().collect(), left.sqrt()))
+}
+
 /// The angle (rad) at which a parabola through the rows is lowest; none where it has no lowest point.
 pub fn lowest(rows: &[Measured], which: usize) -> Option<f64> {
     let design = DMatrix::from_fn(rows.len(), 3, |row, power| {
@@ -128,6 +147,23 @@ pub fn between(rows: &[Measured], low: f64, high: f64) -> Vec<Measured> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_nearest_sum_of_curves_is_found_and_what_it_leaves() {
+        let rows: Vec<Measured> = (-4..=4)
+            .map(|k| f64::from(k) * 0.1)
+            .map(|alpha| Measured {
+                alpha,
+                coefficients: [1.0 + 2.0 * alpha - 3.0 * alpha.powi(3), 0.0, 0.0],
+            })
+            .collect();
+        let curves: [fn(f64) -> f64; 3] = [|_| 1.0, |a| a, |a| a.powi(3)];
+        let (found, left) = nearest(&rows, 0, &curves).unwrap();
+        assert!((found[2] + 3.0).abs() < 1e-9 && left < 1e-12, "{found:?}");
+        let (_, left) = nearest(&rows, 0, &curves[..2]).unwrap();
+        assert!((0.01..0.1).contains(&left), "{left}");
+        assert!(nearest(&rows[..2], 0, &curves).is_none());
+    }
 
     #[test]
     fn a_curve_is_found_again() {

@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 
 use trials::page::{RealData, real_data};
+use trials::spindown::Form;
 
 /// The folder of the measured data; none where it is not there, which is said.
 fn measured() -> Option<PathBuf> {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
-    let there = folder.join("spindoe").is_dir() && folder.join("windtunnel").is_dir();
+    let all = ["spindoe", "spindown", "windtunnel"];
+    let there = all.iter().all(|name| folder.join(name).is_dir());
     if !there {
         eprintln!("skipped: no measured data at {}", folder.display());
     }
@@ -31,6 +33,7 @@ fn measured_balls_and_a_wind_tunnel() {
     );
     let page = real_data(&data);
     spins_of_half_of_the_balls(&data);
+    spin_that_dies_away_faster_than_itself(&data);
     // The parabola through the tunnel's drag, and the model's own slope of the lift beside the tunnel's.
     assert!(
         page.text.contains("| drag, -5° to 10° | 0.0868 | 5.40 |"),
@@ -61,4 +64,16 @@ fn spins_of_half_of_the_balls(data: &RealData) {
     let square = &square.coefficients["C_Lww"];
     let error = square.std_error_clustered.expect("21 flights");
     assert!(square.value < -5.0 * error, "{square:?}");
+}
+
+fn spin_that_dies_away_faster_than_itself(data: &RealData) {
+    let [constant, linear, quadratic, falling] =
+        [Form::Constant, Form::Linear, Form::Quadratic, Form::Falling]
+            .map(|form| data.spin_down(form).expect("a fit"));
+    assert!(constant.aic > linear.aic && linear.aic > quadratic.aic);
+    assert!(
+        quadratic.aic > falling.aic + 10.0,
+        "{quadratic:?} {falling:?}"
+    );
+    assert!((0.03..0.05).contains(&falling.numbers[1]), "{falling:?}");
 }

@@ -2,6 +2,8 @@
 
 mod paper;
 mod spindoe;
+mod spindown;
+mod tunnel_effects;
 mod windtunnel;
 
 use std::path::Path;
@@ -13,11 +15,13 @@ use model_spec::model::Model;
 use super::Page;
 use super::write::Text;
 use crate::spindoe::Agreement;
+use crate::spindown::{Fit, Form};
 use crate::windtunnel::{Measured, read};
 
 /// What was made of the measured data.
 pub struct RealData {
     balls: spindoe::Balls,
+    spin: spindown::Spindown,
     table: Vec<Measured>,
     disc: Model,
 }
@@ -38,16 +42,23 @@ impl RealData {
         &self.balls.steps
     }
 
-    /// Fits and compares what is in a folder with `spindoe` and `windtunnel`.
+    /// The fit of a form of the spin's decay to the record of a disc in flight.
+    pub fn spin_down(&self, form: Form) -> Option<&Fit> {
+        self.spin.fit(form)
+    }
+
+    /// Fits and compares what is in a folder with `spindoe`, `spindown` and `windtunnel`.
     ///
     /// # Errors
     /// In words, where a file is missing or malformed, or a fit fails.
     pub fn of(folder: &Path) -> Result<Self, String> {
         let flights = dataset::load(&folder.join("spindoe")).map_err(|error| error.to_string())?;
+        let disc = crate::made::disc();
         Ok(Self {
             balls: spindoe::Balls::of(&flights)?,
+            spin: spindown::Spindown::of(&folder.join("spindown/flight.csv"), &disc)?,
             table: read(&folder.join("windtunnel/potts_crowther.csv"))?,
-            disc: crate::made::disc(),
+            disc,
         })
     }
 }
@@ -62,7 +73,9 @@ pub fn real_data(data: &RealData) -> Page {
          beside it, `hyzer trials real-data --data ../shared/data --out docs/real-data.md` makes this page again.",
     );
     spindoe::section(&mut text, &data.balls);
+    spindown::section(&mut text, &data.spin);
     windtunnel::tunnel(&mut text, data);
+    tunnel_effects::section(&mut text, &data.table);
     paper::paper(&mut text, data);
     Page {
         text: text.finish(),
