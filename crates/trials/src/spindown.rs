@@ -211,7 +211,8 @@ mod tests {
 
     #[test]
     fn the_form_that_made_a_record_is_likeliest_and_its_rate_is_found() {
-        let torques: [(Form, fn(f64, f64) -> f64); 4] = [
+        type Torque = fn(f64, f64) -> f64;
+        let torques: [(Form, Torque); 4] = [
             (Form::Constant, |_, _| -2.4),
             (Form::Linear, |spin, _| -0.04 * spin),
             (Form::Quadratic, |spin, _| -0.04 / 60.0 * spin * spin),
