@@ -15,7 +15,7 @@ use identify::options::Options;
 use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_by};
 use identify::setting::Setting;
 use identify::track::Track;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use crate::catalogue::{Candidate, Catalogue};
 use crate::terms::{Grammar, Weighted};
@@ -243,6 +243,29 @@ impl Bench {
         each.filter(|(index, _)| !with.contains(index))
             .flat_map(|(_, columns)| columns.states.clone())
             .collect()
+    }
+
+    /// A flight's normal equations by its own unknowns without the states of candidates that are not among `with`; and which
+    /// directions of its chart are left.
+    pub(crate) fn own_of(
+        &self,
+        flight: usize,
+        block: Block,
+        with: &[usize],
+    ) -> (Block, Vec<usize>) {
+        let held = self.states_but(with);
+        let chart = &self.tracks[flight].chart;
+        let own: Vec<usize> = (0..chart.dimension())
+            .filter(|&d| chart.plain(d).is_none_or(|state| !held.contains(&state)))
+            .collect();
+        let shared = block.shared.nrows();
+        let block = Block {
+            own: DMatrix::from_fn(own.len(), own.len(), |i, j| block.own[(own[i], own[j])]),
+            cross: DMatrix::from_fn(own.len(), shared, |i, j| block.cross[(own[i], j)]),
+            own_gradient: DVector::from_fn(own.len(), |i, _| block.own_gradient[own[i]]),
+            ..block
+        };
+        (block, own)
     }
 
     /// Fits the base and some candidates from a point on, all other candidates staying as they are there; the sum of squares

@@ -13,10 +13,10 @@ use crate::chance::thresholds;
 use crate::scores::{Score, Scores};
 
 /// The probability that chance alone raises an alarm.
-pub const ALARM: f64 = 0.01;
+pub const ALARM: f64 = 0.004;
 
 /// The probability that the true cause is rejected by chance.
-const REJECT: f64 = 0.003;
+const REJECT: f64 = 0.002;
 
 /// A cause is refitted where its score says that it may come as near as this to the best: chi squared, and a part of the best
 /// for what straight lines miss.
@@ -86,7 +86,7 @@ impl Cause {
 /// # Errors
 /// Where a flight is impossible.
 pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Found, FitError> {
-    let noise = bench.leftover(base, first_guess)?;
+    let noise = bench.leftover(base, &[], first_guess)?;
     let (scores, limits, squares) = bench.scored(base, &noise)?;
     let mut found = Found {
         alarmed: scores.alarms(&limits),
@@ -258,7 +258,7 @@ impl Bench {
         base: &Point,
         found: &mut Found,
     ) -> Result<bool, FitError> {
-        let nearer = self.leftover(&cause.point, &found.noise)?;
+        let nearer = self.leftover(&cause.point, &cause.effects, &found.noise)?;
         let same = |axis: usize| {
             (nearer.sigma[axis] / found.noise.sigma[axis] - 1.0).abs() < SAME
                 && (nearer.ar1[axis] - found.noise.ar1[axis]).abs() < SAME

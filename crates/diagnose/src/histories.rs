@@ -10,7 +10,7 @@ use flight::body::{Conditions, LinearMotion};
 use flight::sensitivity::Linearised;
 use identify::levenberg::Point;
 use identify::noise::Noise;
-use identify::normal::{Block, eliminate};
+use identify::normal::eliminate;
 use identify::predict::{Loss, linearise_by};
 use nalgebra::{DMatrix, DVector};
 
@@ -111,22 +111,7 @@ impl Flown {
         let loss = Loss::Whitened(noise);
         let block =
             linearise_by(setting, track, unknowns, samples, loss, (motion, &places)).ok()?;
-        // States that candidates add are not this flight's own here.
-        let held = bench.states_but(&[]);
-        let own: Vec<usize> = (0..track.chart.dimension())
-            .filter(|&d| {
-                track
-                    .chart
-                    .plain(d)
-                    .is_none_or(|state| !held.contains(&state))
-            })
-            .collect();
-        let blocks = [Block {
-            own: DMatrix::from_fn(own.len(), own.len(), |i, j| block.own[(own[i], own[j])]),
-            cross: DMatrix::from_fn(own.len(), places.len(), |i, j| block.cross[(own[i], j)]),
-            own_gradient: DVector::from_fn(own.len(), |i, _| block.own_gradient[own[i]]),
-            ..block
-        }];
+        let blocks = [bench.own_of(flight, block, &[]).0];
         let system = eliminate(&blocks, 0.0).ok()?;
         Some(Self {
             flight,

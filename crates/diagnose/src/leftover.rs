@@ -1,5 +1,5 @@
-//! The noise first: what is left of the residuals once every candidate at once has taken what it can is far nearer to the
-//! noise than what the base leaves.
+//! The noise first: what is left of the residuals once the candidates have taken what is certainly theirs is far nearer to
+//! the noise than what the base leaves.
 
 use flight::batch;
 use identify::fit::FitError;
@@ -11,34 +11,61 @@ use identify::predict::{Residual, Residuals};
 use nalgebra::{DMatrix, DVector};
 
 use crate::bench::Bench;
+use crate::scores::Scores;
 
-/// Directions that carry less than this of a column's information are not followed.
-const RIDGE: f64 = 1e-6;
+/// Directions whose scores are smaller than this, in standard deviations, are noise's own: to take them from it would leave too
+/// little, and of noise that is correlated the wrong part.
+const BEYOND: f64 = 4.0;
+
+/// States of each flight are followed where chance does as much with a probability of this logarithm.
+const ALARMING: f64 = -14.0;
 
 impl Bench {
-    /// Estimates the noise from what all candidates together leave, and marks outliers by it. `noise` is a first guess of it.
+    /// Estimates the noise from what is left once the candidates have taken what is certainly theirs, and marks outliers by it; `allowed` candidates are in at
+    /// the point already. `noise` is a first guess.
     ///
     /// # Errors
     /// Where a flight is impossible.
-    pub fn leftover(&mut self, point: &Point, noise: &Noise) -> Result<Noise, FitError> {
+    pub fn leftover(
+        &mut self,
+        point: &Point,
+        allowed: &[usize],
+        noise: &Noise,
+    ) -> Result<Noise, FitError> {
         let blocks = self.look_further(point, noise)?;
-        let system = eliminate(&blocks, 1e-12)
-            .map_err(|flight| self.impossible(flight.0, flight.to_string()))?;
-        let mut matrix = system.reduced.clone();
-        for i in 0..matrix.nrows() {
-            matrix[(i, i)] += RIDGE * system.reduced[(i, i)].abs() + f64::MIN_POSITIVE;
+        let scored = |allowed: &[usize]| {
+            Scores::new(self, &blocks, (allowed, &[]), &point.shared).map_err(FitError::Mismatch)
+        };
+        let mut scores = scored(allowed)?;
+        let mut with = allowed.to_vec();
+        for (index, score) in scores.each.iter().enumerate() {
+            let own = !self.candidates[index].states.is_empty();
+            if own && score.as_ref().is_some_and(|score| score.ln_p < ALARMING) {
+                with.push(index);
+            }
         }
-        let shared = crate::scores::inverse(&matrix).map_or_else(
-            || DVector::zeros(matrix.nrows()),
-            |inverse| -(inverse * &system.gradient),
-        );
-        let own = system.own_steps(&shared);
+        if with.len() > allowed.len() {
+            scores = scored(&with)?;
+        }
+        let (shared, kept) = scores.step(BEYOND);
+        let mut own = Vec::with_capacity(blocks.len());
+        for (flight, block) in blocks.into_iter().enumerate() {
+            let (block, directions) = self.own_of(flight, block, &with);
+            let blocks = [block];
+            let system = eliminate(&blocks, 1e-12)
+                .map_err(|fault| self.impossible(flight, fault.to_string()))?;
+            let mut step = DVector::zeros(self.tracks[flight].chart.dimension());
+            for (&direction, value) in directions.iter().zip(system.own_steps(&shared)[0].iter()) {
+                step[direction] = *value;
+            }
+            own.push(step);
+        }
         let left = batch::each_on(self.threads, self.tracks.len(), |flight| {
             self.left_by(flight, point, &shared, &own[flight])
                 .map_err(|reason| self.impossible(flight, reason))
         });
         let left: Vec<Residuals> = left.into_iter().collect::<Result<_, FitError>>()?;
-        let unknowns = shared.len() + own.iter().map(DVector::len).sum::<usize>();
+        let unknowns = kept + scores.base.0.len() + own.iter().map(DVector::len).sum::<usize>();
         Ok(self.noise_of(&left, unknowns, noise.interval))
     }
 

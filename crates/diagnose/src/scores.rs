@@ -21,6 +21,10 @@ pub struct Scores {
     pub information: DMatrix<f64>,
     /// The scores of the same columns.
     pub score: DVector<f64>,
+    /// What each column was scaled by.
+    pub scale: Vec<f64>,
+    /// By how much the base's unknowns would step by themselves.
+    pub base_step: DVector<f64>,
     /// The shared unknowns that its rows stand for.
     pub columns: Vec<usize>,
     /// Groups of these columns that are looked at together, for the threshold.
@@ -83,7 +87,12 @@ impl Scores {
         let (h, g) = prior(bench, &reduced.matrix, &reduced.gradient, shared);
         let scale: Vec<f64> = columns.iter().map(|&i| inverse_root(h[(i, i)])).collect();
         let parts = Parts::new(&h, &g, &free, &columns, &scale);
-        let (information, score, leaning) = parts.eliminated()?;
+        let Eliminated {
+            information,
+            score,
+            leaning,
+            base_step,
+        } = parts.eliminated()?;
         let base = DMatrix::from_fn(free.len(), free.len(), |i, j| h[(free[i], free[j])]);
         let sizes = columns.iter().map(|&i| {
             let raw: f64 = blocks.iter().map(|block| block.shared[(i, i)]).sum();
@@ -98,6 +107,8 @@ impl Scores {
             groups: Vec::new(),
             others: 0,
             score: score.clone(),
+            scale: scale.clone(),
+            base_step,
             base: (free, base),
             leaning,
         };
@@ -179,6 +190,39 @@ impl Scores {
             estimates,
             visible,
         }
+    }
+
+    /// The step of all shared unknowns along those directions of the columns whose scores are greater than `limit` standard
+    /// deviations, the base following; and how many directions that are.
+    pub fn step(&self, limit: f64) -> (DVector<f64>, usize) {
+        let size = self.columns.len() + self.base.0.len();
+        let mut step = DVector::zeros(size);
+        let mut along = DVector::zeros(self.columns.len());
+        let mut kept = 0;
+        if !self.columns.is_empty() {
+            let eigen = SymmetricEigen::new(self.information.clone());
+            for (value, vector) in eigen
+                .eigenvalues
+                .iter()
+                .zip(eigen.eigenvectors.column_iter())
+            {
+                if *value > VISIBLE {
+                    let score = vector.dot(&self.score) / value.sqrt();
+                    if score.abs() > limit {
+                        along.axpy(score / value.sqrt(), &vector, 1.0);
+                        kept += 1;
+                    }
+                }
+            }
+        }
+        let base = &self.base_step - &self.leaning * &along;
+        for (&unknown, value) in self.base.0.iter().zip(base.iter()) {
+            step[unknown] = *value;
+        }
+        for ((&unknown, value), scale) in self.columns.iter().zip(along.iter()).zip(&self.scale) {
+            step[unknown] = value * scale;
+        }
+        (step, kept)
     }
 
     /// The term outside the catalogue that would explain most.
@@ -414,8 +458,15 @@ fn of_shared(block: &Block, own: &[usize], shared: &[usize]) -> Block {
     }
 }
 
-/// Information and score of the columns without the base, and how the columns lean on the base's unknowns.
-type Eliminated = (DMatrix<f64>, DVector<f64>, DMatrix<f64>);
+/// The columns without the base.
+struct Eliminated {
+    information: DMatrix<f64>,
+    score: DVector<f64>,
+    /// How the columns lean on the base's unknowns.
+    leaning: DMatrix<f64>,
+    /// The base's own step.
+    base_step: DVector<f64>,
+}
 
 /// The base and the columns of the candidates, the latter scaled.
 struct Parts {
@@ -449,10 +500,16 @@ impl Parts {
     /// Takes the base out.
     fn eliminated(self) -> Result<Eliminated, String> {
         let inverse = inverse(&self.base).ok_or("the base's unknowns are not determined")?;
+        let base_step = -(&inverse * &self.base_gradient);
         let leaning = inverse * &self.cross;
         let information = &self.columns - self.cross.tr_mul(&leaning);
         let score = -(&self.gradient - leaning.tr_mul(&self.base_gradient));
         let information = (&information + information.transpose()) * 0.5;
-        Ok((information, score, leaning))
+        Ok(Eliminated {
+            information,
+            score,
+            leaning,
+            base_step,
+        })
     }
 }
