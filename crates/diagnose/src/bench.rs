@@ -3,8 +3,9 @@
 
 use std::sync::Arc;
 
+use codegen::layout::Layout;
 use flight::batch;
-use flight::body::Conditions;
+use flight::body::{Body, Conditions};
 use identify::chart::Chart;
 use identify::dataset::{Dataset, Role};
 use identify::fit::{FitError, Fitted};
@@ -22,8 +23,9 @@ use crate::terms::{Grammar, Weighted};
 
 /// The flights, in the model with all candidates.
 pub struct Bench {
-    /// The model; its shared unknowns are those of the base and the candidates' coefficients.
+    /// The model, with every candidate off; its shared unknowns are those of the base and the candidates' coefficients.
     pub setting: Setting,
+    catalogue: Catalogue,
     /// The candidates.
     pub candidates: Vec<Columns>,
     /// The shared unknowns of the base, by index.
@@ -67,7 +69,9 @@ impl Bench {
             profiles: &[],
             ..*options
         };
-        let mut setting = Setting::new(&catalogue.model, dataset, &all)?;
+        let fixed = off(catalogue, &[]);
+        let body = Body::on_tape_at(&catalogue.model, &fixed);
+        let mut setting = Setting::with_body(&catalogue.model, body, dataset, &all)?;
         setting.floor = fitted.setting().floor;
         let layout = setting.body.layout();
         let columns: Vec<Columns> = catalogue
@@ -129,6 +133,7 @@ impl Bench {
             .channels
             .and_then(|channels| Grammar::new(channels, layout));
         let bench = Self {
+            catalogue: catalogue.clone(),
             grammar,
             setting,
             candidates: columns,
@@ -143,25 +148,35 @@ impl Bench {
     ///
     /// # Errors
     /// Where a flight is impossible.
-    pub fn look(&self, point: &Point, noise: &Noise) -> Result<Vec<Block>, FitError> {
-        self.look_by(point, noise, None)
+    pub fn look(
+        &self,
+        setting: &Setting,
+        point: &Point,
+        noise: &Noise,
+    ) -> Result<Vec<Block>, FitError> {
+        self.look_by(setting, point, noise, None)
     }
 
     /// The same by the terms outside the catalogue too, whose unknowns come behind the shared ones.
     ///
     /// # Errors
     /// Where a flight is impossible.
-    pub fn look_further(&self, point: &Point, noise: &Noise) -> Result<Vec<Block>, FitError> {
-        self.look_by(point, noise, self.grammar.as_ref())
+    pub fn look_further(
+        &self,
+        setting: &Setting,
+        point: &Point,
+        noise: &Noise,
+    ) -> Result<Vec<Block>, FitError> {
+        self.look_by(setting, point, noise, self.grammar.as_ref())
     }
 
     fn look_by(
         &self,
+        setting: &Setting,
         point: &Point,
         noise: &Noise,
         grammar: Option<&Grammar>,
     ) -> Result<Vec<Block>, FitError> {
-        let setting = &self.setting;
         let found = batch::each_on(self.threads, self.tracks.len(), |flight| {
             let track = &self.tracks[flight];
             let unknowns = (&point.shared, &point.own[flight]);
@@ -170,7 +185,7 @@ impl Bench {
             let found = match grammar {
                 None => linearise(setting, track, unknowns, samples, By::All, loss),
                 Some(grammar) => {
-                    let conditions = self.conditions(track, &point.shared);
+                    let conditions = conditions(setting, track, &point.shared);
                     let (motion, places) = self.further(&conditions, grammar);
                     linearise_by(setting, track, unknowns, samples, loss, (motion, &places))
                 }
@@ -178,12 +193,6 @@ impl Bench {
             found.map_err(|reason| self.impossible(flight, reason))
         });
         found.into_iter().collect()
-    }
-
-    fn conditions(&self, track: &Track, shared: &DVector<f64>) -> Conditions<'_> {
-        self.setting
-            .body
-            .with(track.parameters(&self.setting, shared))
     }
 
     /// Equations of motion with the terms of a grammar, and the places of all constants.
@@ -204,20 +213,21 @@ impl Bench {
     /// In words, where the flight is impossible.
     pub(crate) fn each_residual_further(
         &self,
+        setting: &Setting,
         track: &Track,
         unknowns: (&DVector<f64>, &DVector<f64>),
         each: impl FnMut(Residual<'_>),
     ) -> Result<(), String> {
-        let conditions = self.conditions(track, unknowns.0);
+        let conditions = conditions(setting, track, unknowns.0);
         match &self.grammar {
             Some(grammar) => {
                 let (motion, places) = self.further(&conditions, grammar);
-                each_residual(&self.setting, track, unknowns, motion, &places, each)
+                each_residual(setting, track, unknowns, motion, &places, each)
             }
             None => {
                 let places: Vec<usize> = self.setting.shared.iter().map(|s| s.place).collect();
                 let motion = conditions.linear_motion();
-                each_residual(&self.setting, track, unknowns, motion, &places, each)
+                each_residual(setting, track, unknowns, motion, &places, each)
             }
         }
     }
@@ -226,6 +236,16 @@ impl Bench {
         FitError::Flight {
             file: self.tracks[flight].file.clone(),
             reason,
+        }
+    }
+
+    /// The model in which these candidates may be on, the others being off: for their derivatives it is quicker than one in which
+    /// all may be.
+    pub fn setting_with(&self, effects: &[usize]) -> Setting {
+        let fixed = off(&self.catalogue, effects);
+        Setting {
+            body: Arc::new(Body::on_tape_at(&self.catalogue.model, &fixed)),
+            ..self.setting.clone()
         }
     }
 
@@ -275,19 +295,18 @@ impl Bench {
     /// In words, where that is impossible.
     pub fn refit(
         &self,
+        setting: &Setting,
         with: &[usize],
         from: &Point,
         noise: &Noise,
     ) -> Result<(Point, f64), String> {
         let unknowns = self.unknowns(with);
         let setting = Setting {
-            model: Arc::clone(&self.setting.model),
-            body: Arc::clone(&self.setting.body),
             shared: unknowns
                 .iter()
-                .map(|&i| self.setting.shared[i].clone())
+                .map(|&i| setting.shared[i].clone())
                 .collect(),
-            ..self.setting.clone()
+            ..setting.clone()
         };
         let held = self.states_but(with);
         let tracks = self.tracks.iter().map(|track| {
@@ -336,6 +355,25 @@ impl Bench {
         };
         Ok((point, squares))
     }
+}
+
+fn conditions<'a>(setting: &'a Setting, track: &Track, shared: &DVector<f64>) -> Conditions<'a> {
+    setting.body.with(track.parameters(setting, shared))
+}
+
+/// Places and values of everything that is off where only these candidates are on.
+fn off(catalogue: &Catalogue, on: &[usize]) -> Vec<(usize, f64)> {
+    let layout = Layout::new(&catalogue.model);
+    let each = catalogue.candidates.iter().enumerate();
+    let parts = each
+        .filter(|(index, _)| !on.contains(index))
+        .flat_map(|(_, candidate)| &candidate.coefficients);
+    let mut fixed: Vec<(usize, f64)> = parts
+        .map(|part| (layout.params + part.index, part.vanishes_at))
+        .collect();
+    let loads = catalogue.channels.iter().flat_map(|c| c.loads);
+    fixed.extend(loads.filter_map(|(name, ..)| Some((layout.parameter(name)?, 0.0))));
+    fixed
 }
 
 /// The least squares of the base with some candidates.

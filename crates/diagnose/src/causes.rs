@@ -7,6 +7,7 @@
 use identify::fit::FitError;
 use identify::levenberg::Point;
 use identify::noise::Noise;
+use identify::setting::Setting;
 
 use crate::bench::Bench;
 use crate::chance::thresholds;
@@ -65,6 +66,8 @@ pub struct Limits {
 pub struct Cause {
     /// The candidates.
     pub effects: Vec<usize>,
+    /// The model in which they may be on.
+    pub setting: Setting,
     /// All unknowns there.
     pub point: Point,
     /// The sum of squares that is left.
@@ -86,7 +89,8 @@ impl Cause {
 /// # Errors
 /// Where a flight is impossible.
 pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Found, FitError> {
-    let noise = bench.leftover(base, &[], first_guess)?;
+    let setting = bench.setting.clone();
+    let noise = bench.leftover(&setting, base, &[], first_guess)?;
     let (scores, limits, squares) = bench.scored(base, &noise)?;
     let mut found = Found {
         alarmed: scores.alarms(&limits),
@@ -191,7 +195,7 @@ impl Bench {
         point: &Point,
         noise: &Noise,
     ) -> Result<(Scores, Limits, f64), FitError> {
-        let blocks = self.look_further(point, noise)?;
+        let blocks = self.look_further(&self.setting, point, noise)?;
         let squares = blocks.iter().map(|block| block.squares).sum();
         let scores =
             Scores::new(self, &blocks, (&[], &[]), &point.shared).map_err(FitError::Mismatch)?;
@@ -211,11 +215,13 @@ impl Bench {
 
     /// Fits some candidates with the base; none where that is impossible.
     pub fn cause(&self, effects: &[usize], from: &Point, noise: &Noise) -> Option<Cause> {
-        let (point, squares) = self.refit(effects, from, noise).ok()?;
-        let blocks = self.look(&point, noise).ok()?;
+        let setting = self.setting_with(effects);
+        let (point, squares) = self.refit(&setting, effects, from, noise).ok()?;
+        let blocks = self.look(&setting, &point, noise).ok()?;
         let scores = Scores::new(self, &blocks, (effects, &[]), &point.shared).ok()?;
         let rival = scores.best().map(|(index, score)| (index, score.ln_p));
         Some(Cause {
+            setting,
             effects: effects.to_vec(),
             point,
             squares,
@@ -258,7 +264,7 @@ impl Bench {
         base: &Point,
         found: &mut Found,
     ) -> Result<bool, FitError> {
-        let nearer = self.leftover(&cause.point, &cause.effects, &found.noise)?;
+        let nearer = self.leftover(&cause.setting, &cause.point, &cause.effects, &found.noise)?;
         let same = |axis: usize| {
             (nearer.sigma[axis] / found.noise.sigma[axis] - 1.0).abs() < SAME
                 && (nearer.ar1[axis] - found.noise.ar1[axis]).abs() < SAME
@@ -273,7 +279,7 @@ impl Bench {
 
     /// Whether with a cause allowed for a term outside the catalogue still explains more than chance.
     fn asks_for_a_term(&self, cause: &Cause, found: &Found) -> Result<bool, FitError> {
-        let blocks = self.look_further(&cause.point, &found.noise)?;
+        let blocks = self.look_further(&cause.setting, &cause.point, &found.noise)?;
         let allowed = (cause.effects.as_slice(), &[][..]);
         let scores =
             Scores::new(self, &blocks, allowed, &cause.point.shared).map_err(FitError::Mismatch)?;

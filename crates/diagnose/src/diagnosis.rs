@@ -102,7 +102,11 @@ pub fn diagnose(
 
     let mut report = told(model, asked, &before, &bench, &found);
     if found.causes.len() > 1 {
-        let blocks = bench.look(&found.causes[0].point, &found.noise)?;
+        let blocks = bench.look(
+            &found.causes[0].setting,
+            &found.causes[0].point,
+            &found.noise,
+        )?;
         report.next_throw = next_throw(&bench, &found.causes, &blocks, &found.noise, 1);
     }
     let mut after = None;

@@ -8,6 +8,7 @@ use identify::noise::{Moments, Noise};
 use identify::normal::eliminate;
 use identify::outlier;
 use identify::predict::{Residual, Residuals};
+use identify::setting::Setting;
 use nalgebra::{DMatrix, DVector};
 
 use crate::bench::Bench;
@@ -28,11 +29,12 @@ impl Bench {
     /// Where a flight is impossible.
     pub fn leftover(
         &mut self,
+        setting: &Setting,
         point: &Point,
         allowed: &[usize],
         noise: &Noise,
     ) -> Result<Noise, FitError> {
-        let blocks = self.look_further(point, noise)?;
+        let blocks = self.look_further(setting, point, noise)?;
         let scored = |allowed: &[usize]| {
             Scores::new(self, &blocks, (allowed, &[]), &point.shared).map_err(FitError::Mismatch)
         };
@@ -61,7 +63,7 @@ impl Bench {
             own.push(step);
         }
         let left = batch::each_on(self.threads, self.tracks.len(), |flight| {
-            self.left_by(flight, point, &shared, &own[flight])
+            self.left_by(setting, flight, point, &shared, &own[flight])
                 .map_err(|reason| self.impossible(flight, reason))
         });
         let left: Vec<Residuals> = left.into_iter().collect::<Result<_, FitError>>()?;
@@ -72,6 +74,7 @@ impl Bench {
     /// What a step of all unknowns leaves of a flight's residuals, to the first order.
     fn left_by(
         &self,
+        setting: &Setting,
         flight: usize,
         point: &Point,
         shared: &DVector<f64>,
@@ -89,7 +92,7 @@ impl Bench {
             left[seen.marker][seen.sample] =
                 Some([0, 1, 2].map(|axis| seen.residual[axis] + along(axis)));
         };
-        self.each_residual_further(track, unknowns, take)?;
+        self.each_residual_further(setting, track, unknowns, take)?;
         Ok(left)
     }
 

@@ -5,6 +5,7 @@ use identify::levenberg::Point;
 use identify::noise::Noise;
 use identify::normal::{Block, eliminate};
 use identify::predict::{By, Loss, linearise};
+use identify::setting::Setting;
 use identify::start::{Motion, state_of};
 use identify::track::Track;
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
@@ -88,7 +89,7 @@ pub fn next_throw(
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let releases: Vec<Release> = (0..TRIED).map(|_| Release::draw(&mut random)).collect();
     let tried = batch::each_on(bench.threads, releases.len(), |index| {
-        let more = flown(bench, &releases[index], &best.point, noise)?;
+        let more = flown((bench, &best.setting), &releases[index], &best.point, noise)?;
         let more = information_of(bench, &more)?;
         Some(separation(bench, causes, &(&known + more)))
     });
@@ -128,8 +129,12 @@ pub fn next_throw(
 }
 
 /// The normal equations of a throw that nobody has made yet.
-fn flown(bench: &Bench, release: &Release, at: &Point, noise: &Noise) -> Option<Block> {
-    let setting = &bench.setting;
+fn flown(
+    (bench, setting): (&Bench, &Setting),
+    release: &Release,
+    at: &Point,
+    noise: &Noise,
+) -> Option<Block> {
     let count = (WATCHED.0 * WATCHED.1) as usize;
     let mut parameters = bench.tracks[0].parameters.clone();
     let layout = setting.body.layout();

@@ -82,7 +82,19 @@ impl Setting {
     /// # Errors
     /// [`FitError::Mismatch`], [`FitError::Flight`].
     pub fn new(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Self, FitError> {
-        let body = Body::new(model);
+        Self::with_body(model, Body::new(model), dataset, options)
+    }
+
+    /// The same with the model made ready already.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_body(
+        model: &Model,
+        body: Body,
+        dataset: &Dataset,
+        options: &Options<'_>,
+    ) -> Result<Self, FitError> {
         let layout = body.layout();
         let mut parameters = layout.default_parameters();
         for (name, &value) in &dataset.parameters {
