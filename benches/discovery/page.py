@@ -1,0 +1,175 @@
+"""The page docs/discovery-peers.md, from the results alone."""
+
+import collections
+import statistics
+
+import library
+import ours
+
+WHO = {
+    "PSE": "stepwise with PSE, by the book",
+    "PSE, best": "stepwise with PSE, its best settings",
+    "pysindy, one": "pysindy, its best threshold over all",
+    "pysindy, each": "pysindy, its best threshold of each case",
+    "pysindy, not told": "the same, the model's terms not told",
+}
+
+HEAD = """# Discovery beside its peers
+
+`python3 benches/discovery/run.py` makes this page. Flights of a disc have one effect hidden in them that the model does not know, and each tool is asked
+what is missing: `hyzer diagnose`, pysindy {pysindy} (sequentially thresholded least squares), and stepwise regression with predicted squared error
+(PSE; Klein and Morelli, *Aircraft System Identification*), the usual way with the coefficients of aircraft.
+
+**The cases.** {effects} aerodynamic effects of the disc, each weak and strong, {seeds} {datasets} each, and {nulls} datasets with nothing hidden: 20 flights of 1 s, three markers
+at 120 Hz, white noise of 1.5 mm. The flights are the oracle's; no text of an effect and none of the compiler takes part. All are effects on one of the six
+loads in the disc's frame: effects of wind, clock, markers, inertia, which `hyzer` looks for as well in the same run, are not asked of the peers. Two effects are
+left out: denser air, which hides wholly in the coefficients, and a damping of roll that differs from that of pitch, which is no term where each equation has its own.
+
+**What each is given.** `hyzer diagnose`: the folder with the marker tracks, and nothing else. The peers cannot read tracks, and were helped in every way we could think of:
+
+- poses by Kabsch, derivatives by Savitzky and Golay, and the six coefficients in the frame of the stream, with the true mass, inertia, air and gravity, no wind;
+- for each peer the windows of smoothing with which most equations come out right, on the first dataset of each effect and strength (samples, degree):
+  stepwise {stepwise_windows}; pysindy {pysindy_windows}; each term is smoothed as the left side is;
+- a library of {terms} terms for each equation, every hidden one in its exact form (with the 8 and 10 degrees and the 0.5 m of those that have such a number);
+- the model's own terms told as certain: they are in each regression, and only what is beside them counts;
+- settings by the truth. pysindy: the threshold and ridge parameter that are right most often over all cases (one for the six equations, all scaled alike), or for each
+  case those that serve it best (low enough, any threshold takes the true term with every other). Stepwise: by the book (every sample, F of 4), or the stride and the F that are right most often over all cases ({stepwise}).
+
+A peer is *right* where it picks the true term in the right equation, and nothing else in any of the six. `hyzer` is right where its verdict is that one effect;
+*among others* means for a peer that it takes other terms into the model too, for `hyzer` that it lists the effect as one of several explanations of which the data
+do not tell which: not the same thing, but neither is an answer to act upon.
+
+"""
+
+FOR = """
+## What each is for
+
+pysindy finds whole equations of motion where there is no model, with derivatives that are measured or hardly noisy; here the task is one small term beside a known model, which is not what
+it was made for. Stepwise regression is for aircraft, whose accelerations and rates are measured by instruments, where a few terms too many do little harm to a simulation. `hyzer` was made for this task,
+its catalogue was made by the same people as the cases, and holds each hidden effect as the peers' library does. The rows without noise are nearer to what the peers
+were made for. With noise, a regression on coefficients has to differentiate the tracks twice before it begins, and takes what smoothing leaves for independent noise; a fit of trajectories does neither.
+The settings chosen by the truth are not to be had in practice.
+"""
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|---" + "|---:" * (len(head) - 1) + "|"]
+    return "\n".join(lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows]) + "\n"
+
+
+def of(count, total):
+    return f"{count} of {total}"
+
+
+def hidden(results, size):
+    """The tools on the cases of a strength."""
+    index = [k for k, case in enumerate(results["cases"]) if case["size"] == size]
+    total, rows = len(index), []
+    words = collections.Counter(ours.judged(results["cases"][k], results["ours"][k])[0] for k in index)
+    several = [len(results["ours"][k]["causes"]) for k in index if ours.judged(results["cases"][k], results["ours"][k])[0] == "among"]
+    wrong = sum(words[w] for w in ("wrong", "wrong set", "joined"))
+    others = f"{statistics.median(several) - 1:g}" if several else "–"
+    rows.append(["**hyzer diagnose**", of(words["exact"], total), of(words["among"], total), others, of(wrong, total), of(words["none"] + words["outside"], total), "–"])
+    for who, verdicts in results["peers"].items():
+        some = [verdicts[k] for k in index]
+        right = sum(v["found"] and v["others"] == 0 for v in some)
+        among = [v["others"] for v in some if v["found"] and v["others"] > 0]
+        wrong = sum(not v["found"] and v["others"] > 0 for v in some)
+        silent = sum(not v["found"] and v["others"] == 0 for v in some)
+        others = f"{statistics.median(among):g}" if among else "–"
+        rows.append([WHO[who], of(right, total), of(len(among), total), others, of(wrong, total), of(silent, total), of(sum(v["equation"] for v in some), total)])
+    return table(["who", "right", "among others", "how many others, median", "only wrong ones", "nothing found", "its own equation right, whatever the five others say"], rows)
+
+
+def sets(results):
+    """What `hyzer` lists, as it is judged in its own page."""
+    rows = []
+    for size in ("strong", "weak"):
+        index = [k for k, case in enumerate(results["cases"]) if case["size"] == size]
+        words = collections.Counter(ours.judged(results["cases"][k], results["ours"][k])[0] for k in index)
+        sizes = [len(results["ours"][k]["causes"]) for k in index if results["ours"][k]["causes"]]
+        counts = [words["exact"] + words["among"], words["exact"], words["wrong"], words["joined"], words["wrong set"], words["outside"], words["none"]]
+        rows.append([size, *(of(count, len(index)) for count in counts), f"{statistics.mean(sizes):.2f}" if sizes else "–"])
+    head = ["", "truth in the set", "alone in it", "one cause, and wrong", "only joined with another effect", "several, all wrong", "'outside'", "'none'", "size of a set, mean"]
+    return table(head, rows)
+
+
+def nulls(results):
+    index = [k for k, case in enumerate(results["cases"]) if case["effect"] is None]
+    alarms = [results["ours"][k]["verdict"] != "none" for k in index]
+    listed = [len(results["ours"][k]["causes"]) for k in index]
+    rows = [["**hyzer diagnose**", of(sum(alarms), len(index)), f"{statistics.mean(listed):.2g}"]]
+    for who, verdicts in results["peers"].items():
+        if who in ("pysindy, each", "pysindy, not told"):
+            rows.append([WHO[who], "a threshold chosen by the truth is silent", "–"])
+            continue
+        counts = [verdicts[k]["others"] for k in index]
+        rows.append([WHO[who], of(sum(c > 0 for c in counts), len(index)), f"{statistics.mean(counts):.2g}"])
+    return table(["who", "datasets in which something is found", "terms found in a dataset, mean"], rows)
+
+
+def clean(results):
+    rows, total = [], len(results["clean cases"])
+    for who, verdicts in results["clean"].items():
+        counts = [sum(v["found"] and v["others"] == 0 for v in verdicts), sum(v["found"] for v in verdicts), sum(v["equation"] for v in verdicts)]
+        rows.append([WHO[who], *(of(count, total) for count in counts)])
+    return table(["who", "right", "right or among others", "its own equation right"], rows)
+
+
+def effects(results):
+    rows = []
+    for effect in library.TRUE:
+        row = [effect.replace("_", "-")]
+        for size in ("weak", "strong"):
+            index = [k for k, case in enumerate(results["cases"]) if case["effect"] == effect and case["size"] == size]
+            words = [ours.judged(results["cases"][k], results["ours"][k])[0] for k in index]
+            row.append(f"{words.count('exact')} + {words.count('among')}")
+            for who in ("PSE, best", "pysindy, one", "pysindy, each"):
+                some = [results["peers"][who][k] for k in index]
+                right = sum(v["found"] and v["others"] == 0 for v in some)
+                row.append(f"{right} + {sum(v['found'] for v in some) - right}")
+        rows.append(row)
+    short = ["hyzer", "PSE, best", "pysindy, over all", "pysindy, each case"]
+    return table(["effect", *(f"{size}: {who}" for size in ("weak", "strong") for who in short)], rows)
+
+
+def times(results):
+    rows, clock = [], results["times"]
+    names = {
+        "ours": "**hyzer diagnose**, from tracks to the report",
+        "process": "hyzer diagnose, the whole process with its files",
+        "stepwise": "stepwise with PSE, from tracks to terms",
+        "pysindy": "pysindy at one threshold, from tracks to terms",
+        "before stepwise": "of that poses, smoothing, loads, library (numpy)",
+    }
+    for who, name in names.items():
+        values, ratios = [r[who] for r in clock], [r[who] / r["ours"] for r in clock]
+        rows.append([name, f"{statistics.median(values):.2f} s", f"{min(values):.2f} – {max(values):.2f} s", f"{statistics.median(ratios):.2f}"])
+    return table(["who", "median", "least – most", "over ours, case by case, median"], rows)
+
+
+def text(results):
+    cases = results["cases"]
+    seeds = sum(c["size"] == "weak" for c in cases) // len(library.TRUE)
+    stride, least = results["settings"]["stepwise"]
+    windows = {f"{who}_windows": ", ".join(f"{name} {tuple(w)}" for name, w in some.items() if name != "light") for who, some in results["windows"].items()}
+    page = HEAD.format(
+        pysindy=results["machine"]["pysindy"],
+        effects=len(library.TRUE),
+        seeds=seeds,
+        datasets="dataset" if seeds == 1 else "datasets",
+        nulls=sum(c["effect"] is None for c in cases),
+        **windows,
+        terms=len(library.NAMES),
+        stepwise=f"every {stride}th sample, F of {least:g}" if stride > 1 else f"every sample, F of {least:g}",
+    )
+    for size in ("strong", "weak"):
+        page += f"## A {size} effect is hidden\n\n" + hidden(results, size) + "\n"
+    page += "## The sets of `hyzer diagnose`\n\n" + sets(results)
+    page += "\n## Nothing is hidden\n\n" + nulls(results)
+    page += "\n## The peers on tracks without noise\n\nOne dataset of each effect and strength, next to no smoothing: what the peers can do where their left sides are right.\n\n" + clean(results)
+    page += f"\n## By effect\n\nOf {seeds} each: right + among others.\n\n" + effects(results)
+    load = ", ".join(f"{value:.1f}" for value in results["load"])
+    page += "\n## Time of a case\n\nIn turn, case by case, on {cpu}, {threads} threads; the machine was shared with other work (load {load} at the beginning, before these and at the end). ".format(**results["machine"], load=load)
+    page += "`hyzer` uses all threads, fits, looks for all of its catalogue, extends the model, verifies it, fits again and predicts flights; the peers do one regression with settings known beforehand, on one thread.\n\n" + times(results)
+    return page + FOR

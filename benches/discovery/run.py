@@ -1,0 +1,55 @@
+"""Discovery beside its peers: `python3 benches/discovery/run.py [--datasets N]` writes docs/discovery-peers.md.
+
+`hyzer diagnose`, pysindy, and stepwise regression with the predicted squared error, on the same hidden cases. What each is given, and
+how it is scored, stands on the page. Minutes on four quiet cores, most of them `hyzer diagnose` on 190 datasets; `--datasets 1` takes one of each effect instead of five.
+The peers live in an environment of their own, target/peers/discovery, which is made where it is not there (pip).
+
+export.rs    writes the cases with their truth as folders (an example of cargo's: `discovery_cases`)
+tracks.py    marker tracks to poses, rates, accelerations, and the six coefficients in the disc's own frame
+library.py   the terms that the peers choose from, and which of them is hidden
+sparse.py    pysindy's sequentially thresholded least squares on one equation
+stepwise.py  stepwise regression, which stops by the predicted squared error
+peers.py     both with every setting, and the choices made with knowledge of the truth
+ours.py      `hyzer diagnose` and what its report says
+measure.py   all of them on all cases, then in turn against the clock; results.json in discovery-bench of cargo's target folder
+page.py      the page from the results alone
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import venv
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+
+def environment():
+    folder = ROOT / "target" / "peers" / "discovery"
+    python, stamp = folder / "bin" / "python", folder / "requirements.txt"
+    wanted = (HERE / "requirements.txt").read_text()
+    if not stamp.exists() or stamp.read_text() != wanted:
+        venv.create(folder, with_pip=True, clear=True)
+        subprocess.run([python, "-m", "pip", "install", "--quiet", "-r", HERE / "requirements.txt"], check=True)
+        stamp.write_text(wanted)
+    return python
+
+
+def main():
+    python = environment()
+    subprocess.run(["cargo", "build", "--release", "--bin", "hyzer", "--example", "discovery_cases"], cwd=ROOT, check=True)
+    asked = ["cargo", "metadata", "--format-version", "1", "--no-deps"]
+    target = json.loads(subprocess.run(asked, cwd=ROOT, check=True, capture_output=True).stdout)["target_directory"]
+    target = pathlib.Path(target)
+    cases = target / "discovery-cases"
+    subprocess.run([target / "release" / "examples" / "discovery_cases", cases], check=True)
+    # Every case has a core of its own; the peers' matrices are too small to share.
+    env = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    command = [python, HERE / "measure.py", "--hyzer", target / "release" / "hyzer", "--cases", cases, "--out", target / "discovery-bench"]
+    subprocess.run([*command, "--page", ROOT / "docs" / "discovery-peers.md", *sys.argv[1:]], env=env, check=True)
+
+
+if __name__ == "__main__":
+    main()
