@@ -7,7 +7,7 @@ import library
 import ours
 
 WHO = {
-    "PSE": "stepwise with PSE, by the book",
+    "PSE": "stepwise with PSE, every sample, F of 4",
     "PSE, best": "stepwise with PSE, its best settings",
     "pysindy, one": "pysindy, its best threshold over all",
     "pysindy, each": "pysindy, its best threshold of each case",
@@ -33,7 +33,7 @@ left out: denser air, which hides wholly in the coefficients, and a damping of r
 - a library of {terms} terms for each equation, every hidden one in its exact form (with the 8 and 10 degrees and the 0.5 m of those that have such a number);
 - the model's own terms told as certain: they are in each regression, and only what is beside them counts;
 - settings by the truth. pysindy: the threshold and ridge parameter that are right most often over all cases (one for the six equations, all scaled alike), or for each
-  case those that serve it best (low enough, any threshold takes the true term with every other). Stepwise: by the book (every sample, F of 4), or the stride and the F that are right most often over all cases ({stepwise}).
+  case those that serve it best (low enough, any threshold takes the true term with every other). Stepwise: every sample and the F of 95 %, or the stride and the F that are right most often over all cases ({stepwise}).
 
 A peer is *right* where it picks the true term in the right equation, and nothing else in any of the six. `hyzer` is right where its verdict is that one effect;
 *among others* means for a peer that it takes other terms into the model too, for `hyzer` that it lists the effect as one of several explanations of which the data

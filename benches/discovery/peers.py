@@ -19,7 +19,7 @@ WINDOWS = {
 CLEAN = {group: (9, 8) for group in ("light", "force", "turn", "spin")}
 # Stepwise: every so manyth sample (smoothed ones resemble their neighbours), and the F that a term needs.
 STEPWISE = [(stride, least) for stride in (1, 10, 20) for least in (4.0, 20.0)]
-# The book's own: every sample, and the F of 95 %.
+# Without choosing: every sample, and the F of 95 %.
 PLAIN = (1, 4.0)
 
 
