@@ -16,7 +16,7 @@ WHO = {
 
 HEAD = """# Discovery beside its peers
 
-`python3 benches/discovery/run.py` makes this page. Flights of a disc have one effect hidden in them that the model does not know, and each tool is asked
+`python3 benches/discovery/run.py{option}` makes this page. Flights of a disc have one effect hidden in them that the model does not know, and each tool is asked
 what is missing: `hyzer diagnose`, pysindy {pysindy} (sequentially thresholded least squares), and stepwise regression with predicted squared error
 (PSE; Klein and Morelli, *Aircraft System Identification*), the usual way with the coefficients of aircraft.
 
@@ -155,6 +155,7 @@ def text(results):
     windows = {f"{who}_windows": ", ".join(f"{name} {tuple(w)}" for name, w in some.items() if name != "light") for who, some in results["windows"].items()}
     page = HEAD.format(
         pysindy=results["machine"]["pysindy"],
+        option="" if seeds == 5 else f" --datasets {seeds}",
         effects=len(library.TRUE),
         seeds=seeds,
         datasets="dataset" if seeds == 1 else "datasets",
