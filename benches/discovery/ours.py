@@ -24,8 +24,11 @@ def told(report):
 def judged(case, told):
     """What came of it, in one word, and how many explanations were left."""
     causes, truth = told["causes"], [case["effect"]]
-    if not causes:
-        word = "outside" if told["verdict"] == "outside" else "none"
+    if told["verdict"] == "outside":
+        # Terms of its own making, where no effect of the catalogue explains the flights.
+        word = "outside"
+    elif not causes:
+        word = "none"
     elif causes == [truth]:
         word = "exact"
     elif truth in causes:

@@ -67,9 +67,9 @@ def hidden(results, size):
     total, rows = len(index), []
     words = collections.Counter(ours.judged(results["cases"][k], results["ours"][k])[0] for k in index)
     several = [len(results["ours"][k]["causes"]) for k in index if ours.judged(results["cases"][k], results["ours"][k])[0] == "among"]
-    wrong = sum(words[w] for w in ("wrong", "wrong set", "joined"))
+    wrong = sum(words[w] for w in ("wrong", "wrong set", "joined", "outside"))
     others = f"{statistics.median(several) - 1:g}" if several else "–"
-    rows.append(["**hyzer diagnose**", of(words["exact"], total), of(words["among"], total), others, of(wrong, total), of(words["none"] + words["outside"], total), "–"])
+    rows.append(["**hyzer diagnose**", of(words["exact"], total), of(words["among"], total), others, of(wrong, total), of(words["none"], total), "–"])
     for who, verdicts in results["peers"].items():
         some = [verdicts[k] for k in index]
         right = sum(v["found"] and v["others"] == 0 for v in some)
@@ -90,7 +90,7 @@ def sets(results):
         sizes = [len(results["ours"][k]["causes"]) for k in index if results["ours"][k]["causes"]]
         counts = [words["exact"] + words["among"], words["exact"], words["wrong"], words["joined"], words["wrong set"], words["outside"], words["none"]]
         rows.append([size, *(of(count, len(index)) for count in counts), f"{statistics.mean(sizes):.2f}" if sizes else "–"])
-    head = ["", "truth in the set", "alone in it", "one cause, and wrong", "only joined with another effect", "several, all wrong", "'outside'", "'none'", "size of a set, mean"]
+    head = ["", "truth in the set", "alone in it", "one cause, and wrong", "only joined with another effect", "several, all wrong", "'outside', with terms of its own making", "'none'", "size of a set, mean"]
     return table(head, rows)
 
 
