@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use trials::discovery::{self, plan::Row, run};
+use trials::discovery::{self, plan::Row};
 use trials::page::{self, Page, RealData, identification, real_data};
 use trials::{coverage, replay};
 
@@ -54,12 +54,8 @@ fn discovered(options: &TrialsDiscovery) -> anyhow::Result<Page> {
         }
     });
     if options.details {
-        let truths = run::Truths::default();
-        for tried in &tried {
-            let lines = page::details(tried, &|outcome| {
-                let missed = outcome.alarmed() && !outcome.in_set && outcome.has(1.0);
-                missed.then(|| run::rejected_by(&outcome.case, &truths))?
-            });
+        for (tried, rejections) in tried.iter().zip(discovery::rejections(&tried)) {
+            let lines = page::details(tried, &rejections);
             output::print(lines.join("\n") + "\n")?;
         }
     }

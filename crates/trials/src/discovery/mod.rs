@@ -45,3 +45,20 @@ pub fn discovery(rows: &[Row], watch: &(dyn Fn(usize, usize) + Sync)) -> Vec<Tri
     });
     tried.collect()
 }
+
+/// For every run that missed what can be seen, though it raised an alarm: what rejects the truth once it is switched on.
+pub fn rejections(tried: &[Tried]) -> Vec<Vec<Option<String>>> {
+    let truths = Truths::default();
+    let all: Vec<&Outcome> = tried.iter().flat_map(|tried| &tried.outcomes).collect();
+    let mut told = batch::each(all.len(), |at| {
+        let outcome = all[at];
+        let missed = outcome.alarmed() && !outcome.in_set && outcome.has(1.0);
+        missed.then(|| run::rejected_by(&outcome.case, &truths))?
+    })
+    .into_iter();
+    let rows = tried.iter().map(|tried| {
+        let own = told.by_ref().take(tried.outcomes.len());
+        own.collect()
+    });
+    rows.collect()
+}

@@ -322,8 +322,8 @@ fn table(text: &mut Text, tried: &[Tried]) {
     text.table(&head, rows);
 }
 
-/// A line for each run.
-pub fn details(tried: &Tried, rejected: &dyn Fn(&Outcome) -> Option<String>) -> Vec<String> {
+/// A line for each run, and one for what rejects its truth where that is known.
+pub fn details(tried: &Tried, rejections: &[Option<String>]) -> Vec<String> {
     let mut lines = vec![tried.row.key()];
     for (run, outcome) in tried.outcomes.iter().enumerate() {
         let hidden = &outcome.case.hidden;
@@ -364,11 +364,16 @@ pub fn details(tried: &Tried, rejected: &dyn Fn(&Outcome) -> Option<String>) -> 
             1e3 * outcome.held_out_after,
             number(outcome.held_out_true.map(|rms| 1e3 * rms)),
             outcome.seconds,
-            outcome.failed.as_ref().map_or(String::new(), |why| format!("; {why}")),
+            outcome.failed.as_ref().map_or(String::new(), |why| format!("; {}", first_line(why))),
         ));
-        if let Some(why) = rejected(outcome) {
+        if let Some(why) = rejections.get(run).and_then(Option::as_ref) {
             lines.push(format!("      {why}"));
         }
     }
     lines
+}
+
+/// A message may go on with a text and its marks.
+fn first_line(text: &str) -> &str {
+    text.lines().next().unwrap_or("")
 }
