@@ -4,6 +4,7 @@
 //! generated code nor its integrator is shared with what is tested.
 
 pub mod coverage;
+pub mod discgolf;
 pub mod discovery;
 pub mod fly;
 pub mod hidden;

@@ -8,7 +8,7 @@ use trials::spindown::Form;
 /// The folder of the measured data; none where it is not there, which is said.
 fn measured() -> Option<PathBuf> {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
-    let all = ["spindoe", "spindown", "windtunnel"];
+    let all = ["discgolf", "spindoe", "spindown", "windtunnel"];
     let there = all.iter().all(|name| folder.join(name).is_dir());
     if !there {
         eprintln!("skipped: no measured data at {}", folder.display());
@@ -34,6 +34,7 @@ fn measured_balls_and_a_wind_tunnel() {
     let page = real_data(&data);
     spins_of_half_of_the_balls(&data);
     spin_that_dies_away_faster_than_itself(&data);
+    launches_within_what_is_known_of_them(&data);
     // The parabola through the tunnel's drag, and the model's own slope of the lift beside the tunnel's.
     assert!(
         page.text.contains("| drag, -5° to 10° | 0.0868 | 5.40 |"),
@@ -76,4 +77,26 @@ fn spin_that_dies_away_faster_than_itself(data: &RealData) {
         "{quadratic:?} {falling:?}"
     );
     assert!((0.03..0.05).contains(&falling.numbers[1]), "{falling:?}");
+}
+
+fn launches_within_what_is_known_of_them(data: &RealData) {
+    let mut throws = 0;
+    for [launch, factors] in data.launches() {
+        let (launch, factors) = (
+            launch.as_ref().expect("a fit"),
+            factors.as_ref().expect("a fit"),
+        );
+        assert!(
+            launch.rms[1] < launch.rms[0] && launch.rms[1] < 2.5,
+            "{launch:?}"
+        );
+        assert!(
+            launch.moved.iter().all(|moved| moved.abs() < 3.0),
+            "{launch:?}"
+        );
+        // A track from above leaves the moment open.
+        assert!(factors.errors[2] > 0.1, "{factors:?}");
+        throws += 1;
+    }
+    assert_eq!(throws, 3);
 }

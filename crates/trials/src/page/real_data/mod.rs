@@ -1,5 +1,6 @@
 //! docs/real-data.md: what measured flights and a wind tunnel say.
 
+mod discgolf;
 mod paper;
 mod spindoe;
 mod spindown;
@@ -14,6 +15,7 @@ use model_spec::model::Model;
 
 use super::Page;
 use super::write::Text;
+use crate::discgolf::Fitted;
 use crate::spindoe::Agreement;
 use crate::spindown::{Fit, Form};
 use crate::windtunnel::{Measured, read};
@@ -22,6 +24,7 @@ use crate::windtunnel::{Measured, read};
 pub struct RealData {
     balls: spindoe::Balls,
     spin: spindown::Spindown,
+    golf: discgolf::Discgolf,
     table: Vec<Measured>,
     disc: Model,
 }
@@ -42,12 +45,17 @@ impl RealData {
         &self.balls.steps
     }
 
+    /// The launches of the disc-golf throws, without and with factors on their disc's table.
+    pub fn launches(&self) -> impl Iterator<Item = &[Option<Fitted>; 2]> {
+        self.golf.fits()
+    }
+
     /// The fit of a form of the spin's decay to the record of a disc in flight.
     pub fn spin_down(&self, form: Form) -> Option<&Fit> {
         self.spin.fit(form)
     }
 
-    /// Fits and compares what is in a folder with `spindoe`, `spindown` and `windtunnel`.
+    /// Fits and compares what is in a folder with `spindoe`, `spindown`, `windtunnel` and `discgolf`.
     ///
     /// # Errors
     /// In words, where a file is missing or malformed, or a fit fails.
@@ -57,6 +65,7 @@ impl RealData {
         Ok(Self {
             balls: spindoe::Balls::of(&flights)?,
             spin: spindown::Spindown::of(&folder.join("spindown/flight.csv"), &disc)?,
+            golf: discgolf::Discgolf::of(&folder.join("discgolf"), &disc)?,
             table: read(&folder.join("windtunnel/potts_crowther.csv"))?,
             disc,
         })
@@ -77,6 +86,7 @@ pub fn real_data(data: &RealData) -> Page {
     windtunnel::tunnel(&mut text, data);
     tunnel_effects::section(&mut text, &data.table);
     paper::paper(&mut text, data);
+    discgolf::section(&mut text, &data.golf);
     Page {
         text: text.finish(),
         figures: vec![
