@@ -123,7 +123,7 @@ pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Fo
 ///
 /// # Errors
 /// Where a flight is impossible.
-pub fn search_on(bench: &Bench, base: &Point, found: &mut Found) -> Result<(), FitError> {
+pub fn search_on(bench: &Bench, found: &mut Found) -> Result<(), FitError> {
     let Some(count) = found.nearest.first().map(|cause| cause.effects.len() + 1) else {
         return Ok(());
     };
@@ -132,9 +132,16 @@ pub fn search_on(bench: &Bench, base: &Point, found: &mut Found) -> Result<(), F
     }
     let wanted = extended(&found.nearest, count);
     let here = wanted.iter();
-    let here = here.filter_map(|effects| bench.cause(effects, base, &found.noise));
+    let here = here.filter_map(|(effects, seed)| {
+        bench.cause(effects, &found.nearest[*seed].point, &found.noise)
+    });
     let here = here.collect();
-    bench.take_standing(here, found)
+    bench.take_standing(here, found)?;
+    // What stands may have one effect too many: a better start shows that fewer do.
+    while let Some(fewer) = bench.pruned(found)? {
+        found.causes = fewer;
+    }
+    Ok(())
 }
 
 /// Single candidates that may be the cause, the likeliest first.
@@ -153,10 +160,10 @@ fn singles(scores: &Scores) -> Vec<Vec<usize>> {
     near.take(MOST).map(|(index, _)| vec![index]).collect()
 }
 
-/// The best causes with one more effect each, the likeliest first.
-fn extended(fitted: &[Cause], count: usize) -> Vec<Vec<usize>> {
-    let mut all: Vec<(Vec<usize>, f64)> = Vec::new();
-    for cause in fitted.iter().take(SEEDS) {
+/// The best causes with one more effect each, the likeliest first, and which cause that was.
+fn extended(fitted: &[Cause], count: usize) -> Vec<(Vec<usize>, usize)> {
+    let mut all: Vec<(Vec<usize>, usize, f64)> = Vec::new();
+    for (seed, cause) in fitted.iter().enumerate().take(SEEDS) {
         for (index, score) in cause.scores.each.iter().enumerate() {
             let Some(score) = score.as_ref().filter(|score| score.freedom > 0) else {
                 continue;
@@ -165,20 +172,23 @@ fn extended(fitted: &[Cause], count: usize) -> Vec<Vec<usize>> {
             effects.push(index);
             effects.sort_unstable();
             let left = cause.squares - score.statistic + 2.0 * score.freedom as f64;
-            match all.iter_mut().find(|(same, _)| *same == effects) {
-                Some((_, least)) => *least = least.min(left),
-                None if effects.len() == count => all.push((effects, left)),
+            match all.iter_mut().find(|(same, ..)| *same == effects) {
+                Some((_, from, least)) if left < *least => (*from, *least) = (seed, left),
+                Some(_) => {}
+                None if effects.len() == count => all.push((effects, seed, left)),
                 None => {}
             }
         }
     }
-    all.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let least = all.first().map_or(0.0, |(_, left)| *left);
+    all.sort_by(|a, b| a.2.total_cmp(&b.2));
+    let least = all.first().map_or(0.0, |all| all.2);
     let gained = fitted.first().map_or(0.0, |cause| cause.squares) - least;
     let near = all
         .into_iter()
-        .filter(|(_, left)| *left < least + NEAR.0 + NEAR.1 * gained);
-    near.take(MOST).map(|(effects, _)| effects).collect()
+        .filter(|(.., left)| *left < least + NEAR.0 + NEAR.1 * gained);
+    near.take(MOST)
+        .map(|(effects, seed, _)| (effects, seed))
+        .collect()
 }
 
 impl Scores {
@@ -247,6 +257,45 @@ impl Bench {
             found.causes = kept.map(|(_, cause)| cause).collect();
         }
         Ok(())
+    }
+
+    /// Causes that stand with one effect fewer, fitted from where the causes are; none where all are needed.
+    fn pruned(&self, found: &Found) -> Result<Option<Vec<Cause>>, FitError> {
+        let mut fewer: Vec<Cause> = Vec::new();
+        for cause in found.causes.iter().filter(|cause| cause.effects.len() > 1) {
+            for dropped in &cause.effects {
+                let kept = cause.effects.iter().copied().filter(|e| e != dropped);
+                let kept: Vec<usize> = kept.collect();
+                if fewer.iter().any(|known| known.effects == kept) {
+                    continue;
+                }
+                let from = self.without(&cause.point, *dropped);
+                let Some(less) = self.cause(&kept, &from, &found.noise) else {
+                    continue;
+                };
+                if less.stands(&found.limits) && !self.asks_for_a_term(&less, found)? {
+                    fewer.push(less);
+                }
+            }
+        }
+        fewer.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+        Ok((!fewer.is_empty()).then_some(fewer))
+    }
+
+    /// A point with one candidate off.
+    fn without(&self, point: &Point, dropped: usize) -> Point {
+        let columns = &self.candidates[dropped];
+        let mut point = point.clone();
+        let parts = &columns.candidate.coefficients;
+        for (&unknown, part) in columns.shared.iter().zip(parts) {
+            point.shared[unknown] = part.vanishes_at;
+        }
+        for part in &columns.candidate.states {
+            for own in &mut point.own {
+                own[part.index] = part.vanishes_at;
+            }
+        }
+        point
     }
 
     /// How many unknowns some candidates have in all flights.

@@ -90,9 +90,9 @@ pub fn diagnose(
             asked,
         };
         written = outside::write(place, &bench, &found)?;
-        search_on(&bench, &base, &mut found)?;
+        search_on(&bench, &mut found)?;
         if found.causes.is_empty() && !written.as_ref().is_some_and(|written| written.stands) {
-            search_on(&bench, &base, &mut found)?;
+            search_on(&bench, &mut found)?;
         }
         found.causes = by_size(&bench, found.causes, written.as_ref(), 0);
     } else {
