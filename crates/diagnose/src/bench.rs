@@ -21,6 +21,12 @@ use nalgebra::{DMatrix, DVector};
 use crate::catalogue::{Candidate, Catalogue};
 use crate::terms::{Grammar, Weighted};
 
+/// A refit that takes more steps leads nowhere.
+const STEPS: Until = Until {
+    steps: 25,
+    ..Until::DONE
+};
+
 /// The flights, in the model with all candidates.
 pub struct Bench {
     /// The model, with every candidate off; its shared unknowns are those of the base and the candidates' coefficients.
@@ -336,13 +342,11 @@ impl Bench {
             ),
             own: from.own.clone(),
         };
-        let found = match problem.stepped(&start) {
-            Some(leapt) => solve(&problem, leapt, Until::DONE),
-            None => solve(&problem, start.clone(), Until::DONE),
-        };
+        let leapt = problem.stepped(&start);
+        let found = leapt.and_then(|leapt| solve(&problem, leapt, STEPS).ok());
         let found = match found {
-            Ok(found) if found.converged => found,
-            _ => solve(&problem, start, Until::DONE).map_err(|failure| failure.to_string())?,
+            Some(found) => found,
+            None => solve(&problem, start, STEPS).map_err(|failure| failure.to_string())?,
         };
         let Solution { point, squares, .. } = found;
         let mut shared = from.shared.clone();

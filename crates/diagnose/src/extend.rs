@@ -2,6 +2,7 @@
 
 use model_spec::load::{self, LoadError};
 use model_spec::model::Model;
+use model_spec::syntax::ast::ItemKind;
 
 /// A model with what was found.
 #[derive(Clone, Debug)]
@@ -51,11 +52,10 @@ impl Extension {
             .collect();
         let mut file = load::inspect_text(&source.name, &text, &names)?.file;
         // What is written in need not be offered any more.
-        file.items.retain(|item| {
-            let model_spec::syntax::ast::ItemKind::Effect(effect) = &item.kind else {
-                return true;
-            };
-            !self.effects.contains(&effect.name.text)
+        let applied: Vec<String> = file.applied.iter().map(|a| a.name.text.clone()).collect();
+        file.items.retain(|item| match &item.kind {
+            ItemKind::Effect(effect) => !applied.contains(&effect.name.text),
+            _ => true,
         });
         file.doc = format!("{}\n\n{told}", file.doc.trim_end());
         Ok(file.to_string())

@@ -215,7 +215,7 @@ impl Grammar {
             let formula = self.channels.variables[variable].formula;
             match power {
                 1 => formula.to_owned(),
-                _ => format!("{formula}^{power}"),
+                _ => format!("({formula})^{power}"),
             }
         };
         let factors: Vec<String> = self.terms[term].product.iter().map(factor).collect();
@@ -384,4 +384,39 @@ pub fn family(model: &Model, with: &[&str]) -> Option<(Channels, String)> {
         model_spec::load::from_text(&source.name, &text, &with).ok()?;
         Some((*channels, text))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::extend::Extension;
+    use model_spec::load::load;
+
+    #[test]
+    fn every_term_of_the_grammar_can_be_written_into_its_model() {
+        for (name, terms) in [("disc", 132), ("ball", 40)] {
+            let model = load(name, &[]).expect("a model");
+            let (channels, text) = family(&model, &[]).expect("its channels");
+            let with = load_with(&model, &text, channels.effect);
+            let layout = codegen::layout::Layout::new(&with);
+            let grammar = Grammar::new(channels, &layout).expect("its grammar");
+            assert_eq!(grammar.terms.len(), terms);
+            for term in 0..grammar.terms.len() {
+                let names = vec![grammar.name(term).replace('-', "_")];
+                let written = vec![grammar.effect(term, "Found.")];
+                let extension = Extension::new(&model, &[], names, written);
+                let extension = extension.unwrap_or_else(|e| panic!("{}: {e}", grammar.name(term)));
+                let text = extension.text(&model, &[], "Extended.").expect("a text");
+                let again = model_spec::load::from_text("extended", &text, &[]);
+                assert_eq!(
+                    again.expect("a model").coefficients.len(),
+                    model.coefficients.len() + 1
+                );
+            }
+        }
+    }
+
+    fn load_with(model: &Model, text: &str, effect: &str) -> Model {
+        model_spec::load::from_text(&model.sources[0].name, text, &[effect]).expect("a model")
+    }
 }
