@@ -30,7 +30,7 @@ const MOST: usize = 6;
 const AT_ONCE: usize = 3;
 
 /// Another estimate of the noise that differs by less says the same.
-const SAME: f64 = 0.03;
+const SAME: f64 = 0.05;
 
 /// Refits from which more effects are added.
 const SEEDS: usize = 3;

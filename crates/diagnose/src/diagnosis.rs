@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Instant;
 
+use flight::batch;
 use identify::dataset::{Dataset, Role};
 use identify::fit::{FitError, Fitted, fit};
 use identify::options::Options;
@@ -134,9 +135,12 @@ pub fn diagnose(
             true => gain::by_held_out(&before.report, &fitted.report, floor),
             false => gain::by_turns([model, &extension.model], dataset, &asked.fit, floor)?,
         };
+        let fits: Vec<usize> = (0..dataset.flights.len())
+            .filter(|&k| dataset.flights[k].role == Role::Fit)
+            .collect();
         let evidence = |fitted: &Fitted| -> Vec<FlightEvidence> {
-            let fits = (0..dataset.flights.len()).filter(|&k| dataset.flights[k].role == Role::Fit);
-            fits.filter_map(|k| fitted.evidence(k)).collect()
+            let each = batch::each_on(bench.threads, fits.len(), |k| fitted.evidence(fits[k]));
+            each.into_iter().flatten().collect()
         };
         report.curves = curves(model, &evidence(&before), &evidence(fitted));
     }

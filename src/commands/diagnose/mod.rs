@@ -22,7 +22,7 @@ use crate::{Answer, output};
 const EXTENDED: &str = "extended.hyz";
 
 /// Random states for each check of the extended model: `hyzer verify` looks at more.
-const CASES: usize = 20;
+const CASES: usize = 12;
 
 /// Diagnoses and reports.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
@@ -98,6 +98,7 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
     }
     let settings = verify::Options {
         cases: CASES,
+        mutants: false,
         ..verify::Options::default()
     };
     let report = verify::run(&loaded, &settings);
