@@ -326,12 +326,16 @@ impl Bench {
         Ok(true)
     }
 
+    /// The scores of everything, terms too, where a cause is allowed for.
+    pub(crate) fn scored_beside(&self, cause: &Cause, noise: &Noise) -> Result<Scores, FitError> {
+        let blocks = self.look_further(&cause.setting, &cause.point, noise)?;
+        let allowed = (cause.effects.as_slice(), &[][..]);
+        Scores::new(self, &blocks, allowed, &cause.point.shared).map_err(FitError::Mismatch)
+    }
+
     /// Whether with a cause allowed for a term outside the catalogue still explains more than chance.
     fn asks_for_a_term(&self, cause: &Cause, found: &Found) -> Result<bool, FitError> {
-        let blocks = self.look_further(&cause.setting, &cause.point, &found.noise)?;
-        let allowed = (cause.effects.as_slice(), &[][..]);
-        let scores =
-            Scores::new(self, &blocks, allowed, &cause.point.shared).map_err(FitError::Mismatch)?;
+        let scores = self.scored_beside(cause, &found.noise)?;
         let best = scores.best_term();
         Ok(best.is_some_and(|(_, score)| score.ln_p < found.limits.reject))
     }

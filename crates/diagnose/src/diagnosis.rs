@@ -90,7 +90,16 @@ pub fn diagnose(
             dataset,
             asked,
         };
-        written = outside::write(place, &bench, &found)?;
+        let single = found
+            .nearest
+            .iter()
+            .find(|c| bench.size_of(&c.effects) <= FEW);
+        written = outside::write(place, &bench, &found, None)?;
+        // What no term alone explains may be the best effect with terms beside it.
+        if let (Some(single), false) = (single, written.as_ref().is_some_and(|w| w.stands)) {
+            let beside = outside::write(place, &bench, &found, Some(single))?;
+            written = better(written, beside);
+        }
         search_on(&bench, &mut found)?;
         if found.causes.is_empty() && !written.as_ref().is_some_and(|written| written.stands) {
             search_on(&bench, &mut found)?;
@@ -351,10 +360,22 @@ fn cause_report(bench: &Bench, found: &Found, cause: &Cause) -> crate::report::C
     }
 }
 
+/// Of two that were written the one that stands, or else the one that leaves less.
+fn better(
+    one: Option<outside::Written>,
+    other: Option<outside::Written>,
+) -> Option<outside::Written> {
+    let rank = |written: &outside::Written| (!written.stands, written.squares);
+    match (one, other) {
+        (Some(one), Some(other)) if rank(&other) < rank(&one) => Some(other),
+        (one, other) => one.or(other),
+    }
+}
+
 /// What one more unknown must take from the sum of squares, over the logarithm of the number of residuals.
 const PRICE: f64 = 1.0;
 
-/// A single cause of so many unknowns does not pay for them.
+/// A single cause of no more unknowns does not pay for them.
 const FEW: usize = 6;
 
 /// Causes that are so much worse than the best, once their unknowns are paid for, are none.

@@ -7,7 +7,7 @@ use nalgebra::DVector;
 
 use crate::bench::Bench;
 use crate::catalogue::Catalogue;
-use crate::causes::Found;
+use crate::causes::{Cause, Found};
 use crate::diagnosis::{Asked, DiagnosisError};
 use crate::extend::Extension;
 use crate::scores::Scores;
@@ -22,6 +22,8 @@ const TOLD: usize = 12;
 
 /// A model with terms that were written for these flights.
 pub struct Written {
+    /// Effects of the catalogue that they stand beside, with underscores.
+    pub effects: Vec<String>,
     /// Terms that were taken, by index in the grammar, in the order in which they were.
     pub taken: Vec<usize>,
     /// The terms with the greatest statistics, and those taken.
@@ -45,8 +47,8 @@ pub struct Place<'a> {
     pub asked: &'a Asked<'a>,
 }
 
-/// Takes terms one by one, each the one that explains most of what is left, and fits anew with each; none where the model has
-/// no place for them.
+/// Takes terms one by one, each the one that explains most of what is left, and fits anew with each; beside the effects of a
+/// cause that does not stand by itself, where one is given. None where the model has no place for terms.
 ///
 /// # Errors
 /// Where a flight is impossible.
@@ -54,18 +56,27 @@ pub fn write(
     place: Place<'_>,
     bench: &Bench,
     found: &Found,
+    beside: Option<&Cause>,
 ) -> Result<Option<Written>, DiagnosisError> {
     let Some(grammar) = &bench.grammar else {
         return Ok(None);
     };
+    let name = |&index: &usize| bench.candidates[index].candidate.name.replace('-', "_");
+    let effects: Vec<String> = beside.iter().flat_map(|c| &c.effects).map(name).collect();
+    let first = match beside {
+        Some(cause) => Some(bench.scored_beside(cause, &found.noise)?),
+        None => None,
+    };
+    let first = first.as_ref().unwrap_or(&found.scores);
     let mut written = Written {
+        effects: effects.clone(),
         taken: Vec::new(),
-        told: told(grammar, &found.scores),
+        told: told(grammar, first),
         model: None,
-        squares: found.squares,
+        squares: beside.map_or(found.squares, |cause| cause.squares),
         stands: false,
     };
-    let mut next = best(&found.scores, found, &[]);
+    let mut next = best(first, found, &[]);
     while let Some(term) = next.filter(|_| written.taken.len() < MOST) {
         let mut taken = written.taken.clone();
         taken.push(term);
@@ -73,9 +84,10 @@ pub fn write(
             let told = written.told.iter().find(|t| t.name == grammar.name(*term));
             grammar.effect(*term, &words::evidence(place.asked.dataset, bench, told))
         };
-        let names = taken
+        let of_terms = taken
             .iter()
             .map(|&term| grammar.name(term).replace('-', "_"));
+        let names = effects.iter().cloned().chain(of_terms);
         let texts = taken.iter().map(evidence).collect();
         let with = place.asked.with;
         let Ok(extension) = Extension::new(place.model, with, names.collect(), texts) else {
@@ -111,9 +123,7 @@ pub fn write(
         let name = grammar.name(*term);
         match written.told.iter_mut().find(|told| told.name == name) {
             Some(told) => told.taken = true,
-            None => written
-                .told
-                .push(term_of(grammar, &found.scores, *term, true)),
+            None => written.told.push(term_of(grammar, first, *term, true)),
         }
     }
     Ok(Some(written))

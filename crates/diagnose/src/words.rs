@@ -151,7 +151,17 @@ pub fn outside(terms: &Written) -> String {
             } else {
                 " Something is left that they do not explain."
             };
-            format!("The error sits in {}.{rest}", each.join(", and in "))
+            let beside = match terms.effects.as_slice() {
+                [] => String::new(),
+                effects => format!(
+                    "Most of it looks like {}, but not all. ",
+                    effects.join(" with ").replace('_', "-")
+                ),
+            };
+            format!(
+                "{beside}The error sits in {}.{rest}",
+                each.join(", and in ")
+            )
         }
     }
 }

@@ -12,6 +12,9 @@ use identify::dataset;
 use identify::fit::Fitted;
 use identify::options::{Options, Prior};
 use report::diagnosis::DiagnosisPage;
+use verify::checks::by_hand::BY_HAND;
+use verify::checks::effects::EFFECTS;
+use verify::report::{Row, Verdict as Judged};
 
 use super::fit::{drawn, held, model_of, prior};
 use crate::cli::Diagnose;
@@ -102,10 +105,12 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
         ..verify::Options::default()
     };
     let report = verify::run(&loaded, &settings);
+    // Effects that it could still be given are another matter than what it is.
+    let own = |row: &&Row| ![EFFECTS, BY_HAND].contains(&row.check);
+    let rows: Vec<&Row> = report.rows.iter().filter(own).collect();
     Ok(Verified {
-        holds: report.holds(),
-        checks: report
-            .rows
+        holds: report.refuted.is_empty() && rows.iter().all(|row| row.verdict != Judged::Refuted),
+        checks: rows
             .iter()
             .map(|row| {
                 (
