@@ -289,6 +289,7 @@ fn outside(flights: &[FlightEvidence]) -> Outside {
             .collect(),
     };
     let term = |formula: &str, statistic: f64, taken: bool| Term {
+        name: formula.to_owned(),
         site: "drag".into(),
         formula: formula.into(),
         statistic,
