@@ -120,6 +120,7 @@ pub fn diagnose(
         report.next_throw = next_throw(&bench, &found.causes, &blocks, &found.noise, 1);
     }
     let mut after = None;
+    let mut gained = 0.0;
     if let Some(best) = found.causes.first() {
         let each = best.effects.iter();
         let names = each.map(|&e| bench.candidates[e].candidate.name.replace('-', "_"));
@@ -134,10 +135,11 @@ pub fn diagnose(
             channels,
             terms: written.told,
         });
+        gained = (found.squares - written.squares).max(0.0);
         after = written.model;
     }
     if let Some((extension, fitted)) = &after {
-        take_over(&mut report, extension, &before, fitted);
+        take_over(&mut report, (extension, gained), &before, fitted);
         let floor = report.noise.sigma_m;
         let held_out = dataset.flights.iter().any(|f| f.role == Role::HeldOut);
         report.gain = match held_out {
@@ -406,7 +408,12 @@ fn by_size(
 }
 
 /// Takes the extended model's fit into the report.
-fn take_over(report: &mut Report, extension: &Extension, before: &Fitted, after: &Fitted) {
+fn take_over(
+    report: &mut Report,
+    (extension, gained): (&Extension, f64),
+    before: &Fitted,
+    after: &Fitted,
+) {
     for (flight, after) in report.flights.iter_mut().zip(&after.report.flights) {
         flight.rms_after_m = Some(after.rms_m);
     }
@@ -454,7 +461,7 @@ fn take_over(report: &mut Report, extension: &Extension, before: &Fitted, after:
         let effects: Vec<CauseEffect> = effects.collect();
         report.causes.push(crate::report::Cause {
             effects,
-            gain: 0.0,
+            gain: gained,
             rival: None,
         });
     }
