@@ -6,6 +6,7 @@ use std::sync::Arc;
 use codegen::layout::Layout;
 use flight::batch;
 use flight::body::{Body, Conditions};
+use flight::sensitivity::Linearised;
 use identify::chart::Chart;
 use identify::dataset::{Dataset, Role};
 use identify::fit::{FitError, Fitted};
@@ -16,10 +17,11 @@ use identify::options::Options;
 use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_by};
 use identify::setting::Setting;
 use identify::track::Track;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use crate::catalogue::{Candidate, Catalogue};
-use crate::terms::{Grammar, Weighted};
+use crate::scores::own_block;
+use crate::terms::Grammar;
 
 /// A refit that takes more steps leads nowhere.
 const STEPS: Until = Until {
@@ -132,9 +134,6 @@ impl Bench {
                 .map(|(place, initial)| place.map_or(*initial, |place| state[place]));
             own.push(DVector::from_iterator(places.len(), full));
         }
-        let threads = options
-            .threads
-            .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, |count| count.get()));
         let grammar = catalogue
             .channels
             .and_then(|channels| Grammar::new(channels, layout));
@@ -145,7 +144,7 @@ impl Bench {
             candidates: columns,
             base,
             tracks,
-            threads,
+            threads: options.threads(),
         };
         Ok((bench, Point { shared, own }))
     }
@@ -206,11 +205,11 @@ impl Bench {
         &self,
         conditions: &'c Conditions<'c>,
         grammar: &'c Grammar,
-    ) -> (Weighted<'c>, Vec<usize>) {
+    ) -> (impl Linearised + use<'c>, Vec<usize>) {
         let first = self.setting.body.layout().parameters.len();
         let mut places: Vec<usize> = self.setting.shared.iter().map(|s| s.place).collect();
         places.extend(first..first + grammar.terms.len());
-        (Weighted::new(conditions, grammar, first), places)
+        (grammar.motion(conditions, first), places)
     }
 
     /// Hands out a track's residuals with their derivatives by everything there is.
@@ -271,27 +270,24 @@ impl Bench {
             .collect()
     }
 
+    /// The directions of a flight's chart that move the states of candidates which are not among `with`, and all others.
+    pub(crate) fn directions(&self, flight: usize, with: &[usize]) -> (Vec<usize>, Vec<usize>) {
+        let off = self.states_but(with);
+        let chart = &self.tracks[flight].chart;
+        let is_off = |direction: &usize| chart.plain(*direction).is_some_and(|s| off.contains(&s));
+        (0..chart.dimension()).partition(is_off)
+    }
+
     /// A flight's normal equations by its own unknowns without the states of candidates that are not among `with`; and which
     /// directions of its chart are left.
     pub(crate) fn own_of(
         &self,
         flight: usize,
-        block: Block,
+        block: &Block,
         with: &[usize],
     ) -> (Block, Vec<usize>) {
-        let held = self.states_but(with);
-        let chart = &self.tracks[flight].chart;
-        let own: Vec<usize> = (0..chart.dimension())
-            .filter(|&d| chart.plain(d).is_none_or(|state| !held.contains(&state)))
-            .collect();
-        let shared = block.shared.nrows();
-        let block = Block {
-            own: DMatrix::from_fn(own.len(), own.len(), |i, j| block.own[(own[i], own[j])]),
-            cross: DMatrix::from_fn(own.len(), shared, |i, j| block.cross[(own[i], j)]),
-            own_gradient: DVector::from_fn(own.len(), |i, _| block.own_gradient[own[i]]),
-            ..block
-        };
-        (block, own)
+        let (_, own) = self.directions(flight, with);
+        (own_block(block, &own, &[]), own)
     }
 
     /// Fits the base and some candidates from a point on, all other candidates staying as they are there; the sum of squares

@@ -56,6 +56,11 @@ pub fn hyphened(name: &str) -> String {
     name.replace('_', "-")
 }
 
+/// A name as model files have it.
+pub fn underscored(name: &str) -> String {
+    name.replace('-', "_")
+}
+
 impl Catalogue {
     /// Switches on what fits a model: of its own file's effects and of the built-in ones those that are not among `with`, the
     /// names or paths of those that are on, nor `without`, and can be applied together.
@@ -66,7 +71,7 @@ impl Catalogue {
         let source = &model.sources[0];
         let on: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
         let with: Vec<&str> = with.iter().map(String::as_str).collect();
-        let left_out = |name: &str| without.iter().any(|w| w.replace('-', "_") == name);
+        let left_out = |name: &str| without.iter().any(|w| underscored(w) == name);
         let own = model.offers.iter().map(|offer| offer.name.as_str());
         let built_in = EFFECTS.iter().map(|(name, _)| *name);
         let mut wanted: Vec<&str> = Vec::new();

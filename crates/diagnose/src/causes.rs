@@ -78,12 +78,6 @@ pub struct Cause {
     pub rival: Option<(usize, f64)>,
 }
 
-impl Cause {
-    fn stands(&self, limits: &Limits) -> bool {
-        self.rival.is_none_or(|(_, ln_p)| ln_p >= limits.reject)
-    }
-}
-
 /// Searches single causes of what is left at the base's fit.
 ///
 /// # Errors
@@ -245,7 +239,7 @@ impl Bench {
         here.sort_by(|a, b| a.squares.total_cmp(&b.squares));
         let mut standing = Vec::new();
         for (index, cause) in here.iter().enumerate() {
-            if cause.stands(&found.limits) && !self.asks_for_a_term(cause, found)? {
+            if self.stands(cause, found)? {
                 standing.push(index);
             }
         }
@@ -273,7 +267,7 @@ impl Bench {
                 let Some(less) = self.cause(&kept, &from, &found.noise) else {
                     continue;
                 };
-                if less.stands(&found.limits) && !self.asks_for_a_term(&less, found)? {
+                if self.stands(&less, found)? {
                     fewer.push(less);
                 }
             }
@@ -333,10 +327,16 @@ impl Bench {
         Scores::new(self, &blocks, allowed, &cause.point.shared).map_err(FitError::Mismatch)
     }
 
-    /// Whether with a cause allowed for a term outside the catalogue still explains more than chance.
-    fn asks_for_a_term(&self, cause: &Cause, found: &Found) -> Result<bool, FitError> {
+    /// Whether with a cause allowed for nothing explains more than chance, neither a candidate nor a term outside the catalogue.
+    fn stands(&self, cause: &Cause, found: &Found) -> Result<bool, FitError> {
+        if cause
+            .rival
+            .is_some_and(|(_, ln_p)| ln_p < found.limits.reject)
+        {
+            return Ok(false);
+        }
         let scores = self.scored_beside(cause, &found.noise)?;
         let best = scores.best_term();
-        Ok(best.is_some_and(|(_, score)| score.ln_p < found.limits.reject))
+        Ok(best.is_none_or(|(_, score)| score.ln_p >= found.limits.reject))
     }
 }

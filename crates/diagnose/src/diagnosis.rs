@@ -13,7 +13,7 @@ use model_spec::load::LoadError;
 use model_spec::model::Model;
 
 use crate::bench::Bench;
-use crate::catalogue::{Catalogue, hyphened};
+use crate::catalogue::{Catalogue, hyphened, underscored};
 use crate::causes::{Cause, Found, search, search_on};
 use crate::chance::normal_size;
 use crate::curves::curves;
@@ -24,8 +24,9 @@ use crate::report::{
     Alike, CandidateScore, CauseEffect, Coefficient, Estimate, FlightGain, Noise, Outside, Report,
     Rival, Threshold, Verdict,
 };
+use crate::scores::correlations;
 use crate::throw::next_throw;
-use crate::{gain, histories, leftover, words};
+use crate::{gain, histories, words};
 
 /// What is asked of a diagnosis beside its dataset and its model.
 #[derive(Clone, Copy, Debug, Default)]
@@ -123,7 +124,7 @@ pub fn diagnose(
     let mut gained = 0.0;
     if let Some(best) = found.causes.first() {
         let each = best.effects.iter();
-        let names = each.map(|&e| bench.candidates[e].candidate.name.replace('-', "_"));
+        let names = each.map(|&e| underscored(&bench.candidates[e].candidate.name));
         let extension = Extension::new(model, asked.with, names.collect(), Vec::new())?;
         let fitted = fit(&extension.model, dataset, &asked.fit)?;
         after = Some((extension, fitted));
@@ -287,7 +288,7 @@ fn alike(bench: &Bench, found: &Found) -> Alike {
     let at: Vec<usize> = (0..scores.columns.len())
         .filter(|&i| scores.columns[i] < known && scores.information[(i, i)] > 1e-8)
         .collect();
-    let matrix = leftover::alike(&scores.information);
+    let matrix = correlations(&scores.information);
     Alike {
         names: at
             .iter()
@@ -374,9 +375,6 @@ fn better(
     }
 }
 
-/// What one more unknown must take from the sum of squares, over the logarithm of the number of residuals.
-const PRICE: f64 = 1.0;
-
 /// A single cause of no more unknowns does not pay for them.
 const FEW: usize = 6;
 
@@ -394,7 +392,7 @@ fn by_size(
 ) -> Vec<Cause> {
     let seen = |track: &Track| track.seen.iter().flatten().count();
     let residuals = 3 * bench.tracks.iter().map(seen).sum::<usize>();
-    let price = PRICE * (residuals.max(2) as f64).ln();
+    let price = (residuals.max(2) as f64).ln();
     let cost = |cause: &Cause| cause.squares + price * bench.size_of(&cause.effects) as f64;
     let of_terms = written
         .filter(|written| written.stands)

@@ -34,9 +34,7 @@ pub fn by_turns(
         return Ok(None);
     }
     let folds = FOLDS.min(dataset.flights.len());
-    let threads = options
-        .threads
-        .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, |n| n.get()));
+    let threads = options.threads();
     let alone = Options {
         threads: Some(1.max(threads / (2 * folds))),
         profiles: &[],

@@ -3,11 +3,7 @@
 //! A history is a broken line between knots. How far its beginning and its bends are believed is estimated from all flights
 //! at once, so that a channel that asks for nothing stays at nothing.
 
-use std::borrow::Cow;
-
 use flight::batch;
-use flight::body::{Conditions, LinearMotion};
-use flight::sensitivity::Linearised;
 use identify::levenberg::Point;
 use identify::noise::Noise;
 use identify::normal::eliminate;
@@ -17,6 +13,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::bench::Bench;
 use crate::report::{Channel, History};
 use crate::terms::Grammar;
+use crate::weighted::Weighted;
 
 /// Time between knots, s, and most of them.
 const KNOTS: (f64, usize) = (0.2, 9);
@@ -104,14 +101,20 @@ impl Flown {
         let parameters = track.parameters(setting, &at.shared);
         let conditions = setting.body.with(parameters);
         let first = setting.body.layout().parameters.len();
-        let motion = Hats::new(&conditions, &grammar.places, &knots, first);
+        let each = grammar.places.iter();
+        let loads: Vec<usize> = each.flat_map(|&place| vec![place; count]).collect();
+        let motion = Weighted::new(&conditions, &loads, first, |t, _, weights| {
+            for (index, weight) in weights.iter_mut().enumerate() {
+                *weight = hat(&knots, index % count, t);
+            }
+        });
         let places: Vec<usize> = (first..first + count * grammar.places.len()).collect();
         let unknowns = (&at.shared, &at.own[flight]);
         let samples = track.times.len();
         let loss = Loss::Whitened(noise);
         let block =
             linearise_by(setting, track, unknowns, samples, loss, (motion, &places)).ok()?;
-        let blocks = [bench.own_of(flight, block, &[]).0];
+        let blocks = [bench.own_of(flight, &block, &[]).0];
         let system = eliminate(&blocks, 0.0).ok()?;
         Some(Self {
             flight,
@@ -157,85 +160,10 @@ impl Flown {
     }
 }
 
-/// Equations of motion whose constants, behind those of the model, are the knots' values of each channel's load.
-struct Hats<'a> {
-    motion: LinearMotion<'a>,
-    knots: &'a [f64],
-    pattern: Vec<(usize, usize)>,
-    /// Entry of the channel's load, and knot, of each entry behind the model's own.
-    sources: Vec<(usize, usize)>,
-    own: usize,
-}
-
-impl<'a> Hats<'a> {
-    fn new(
-        conditions: &'a Conditions<'a>,
-        channels: &[usize],
-        knots: &'a [f64],
-        first: usize,
-    ) -> Self {
-        let motion = conditions.linear_motion();
-        let mut pattern = motion.constant_pattern().to_vec();
-        let own = pattern.len();
-        let mut sources = Vec::new();
-        for (channel, place) in channels.iter().enumerate() {
-            for knot in 0..knots.len() {
-                for entry in 0..own {
-                    let (row, column) = pattern[entry];
-                    if column == *place {
-                        pattern.push((row, first + channel * knots.len() + knot));
-                        sources.push((entry, knot));
-                    }
-                }
-            }
-        }
-        Self {
-            motion,
-            knots,
-            pattern,
-            sources,
-            own,
-        }
-    }
-}
-
 /// How much a knot counts at a time.
 fn hat(knots: &[f64], knot: usize, t: f64) -> f64 {
     let width = knots[1] - knots[0];
     (1.0 - ((t - knots[knot]) / width).abs()).max(0.0)
-}
-
-impl Linearised for Hats<'_> {
-    fn states(&self) -> usize {
-        self.motion.states()
-    }
-
-    fn state_pattern(&self) -> &[(usize, usize)] {
-        self.motion.state_pattern()
-    }
-
-    fn constant_pattern(&self) -> &[(usize, usize)] {
-        &self.pattern
-    }
-
-    fn linearise(
-        &mut self,
-        t: f64,
-        x: &[f64],
-        dx: &mut [f64],
-        by_state: &mut [f64],
-        by_constant: &mut [f64],
-    ) {
-        let (own, knots) = by_constant.split_at_mut(self.own);
-        self.motion.linearise(t, x, dx, by_state, own);
-        for (to, &(entry, knot)) in knots.iter_mut().zip(&self.sources) {
-            *to = own[entry] * hat(self.knots, knot, t);
-        }
-    }
-
-    fn state_name(&self, state: usize) -> Cow<'_, str> {
-        self.motion.state_name(state)
-    }
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use identify::normal::eliminate;
 use identify::outlier;
 use identify::predict::{Residual, Residuals};
 use identify::setting::Setting;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use crate::bench::Bench;
 use crate::scores::Scores;
@@ -51,7 +51,7 @@ impl Bench {
         }
         let (shared, kept) = scores.step(BEYOND);
         let mut own = Vec::with_capacity(blocks.len());
-        for (flight, block) in blocks.into_iter().enumerate() {
+        for (flight, block) in blocks.iter().enumerate() {
             let (block, directions) = self.own_of(flight, block, &with);
             let blocks = [block];
             let system = eliminate(&blocks, 1e-12)
@@ -119,17 +119,4 @@ impl Bench {
         }
         sum.noise(unknowns, interval, self.setting.sigma)
     }
-}
-
-/// The correlation matrix of an information matrix.
-pub fn alike(information: &DMatrix<f64>) -> DMatrix<f64> {
-    let root = information.diagonal().map(|value| value.max(0.0).sqrt());
-    DMatrix::from_fn(information.nrows(), information.ncols(), |i, j| {
-        let product = root[i] * root[j];
-        if product > 0.0 {
-            (information[(i, j)] / product).clamp(-1.0, 1.0)
-        } else {
-            0.0
-        }
-    })
 }

@@ -22,4 +22,5 @@ pub mod report;
 pub mod scores;
 pub mod terms;
 pub mod throw;
+pub mod weighted;
 mod words;

@@ -6,7 +6,7 @@ use model_spec::model::Model;
 use nalgebra::DVector;
 
 use crate::bench::Bench;
-use crate::catalogue::Catalogue;
+use crate::catalogue::{Catalogue, underscored};
 use crate::causes::{Cause, Found};
 use crate::diagnosis::{Asked, DiagnosisError};
 use crate::extend::Extension;
@@ -61,7 +61,7 @@ pub fn write(
     let Some(grammar) = &bench.grammar else {
         return Ok(None);
     };
-    let name = |&index: &usize| bench.candidates[index].candidate.name.replace('-', "_");
+    let name = |&index: &usize| underscored(&bench.candidates[index].candidate.name);
     let effects: Vec<String> = beside.iter().flat_map(|c| &c.effects).map(name).collect();
     let first = match beside {
         Some(cause) => Some(bench.scored_beside(cause, &found.noise)?),
@@ -84,9 +84,7 @@ pub fn write(
             let told = written.told.iter().find(|t| t.name == grammar.name(*term));
             grammar.effect(*term, &words::evidence(place.asked.dataset, bench, told))
         };
-        let of_terms = taken
-            .iter()
-            .map(|&term| grammar.name(term).replace('-', "_"));
+        let of_terms = taken.iter().map(|&term| underscored(&grammar.name(term)));
         let names = effects.iter().cloned().chain(of_terms);
         let texts = taken.iter().map(evidence).collect();
         let with = place.asked.with;

@@ -3,11 +3,11 @@
 //! A term is tried without a model of its own: where it vanishes, its effect on a flight is that of its channel's load, weighed by the
 //! term along the flight.
 
-use std::borrow::Cow;
-
-use flight::body::{Conditions, LinearMotion, Observer};
-use flight::sensitivity::Linearised;
+use flight::body::Conditions;
 use model_spec::model::Model;
+
+use crate::catalogue::underscored;
+use crate::weighted::Weighted;
 
 /// The effect by which a family of models gets loads that no law gives them.
 #[derive(Clone, Copy, Debug)]
@@ -204,6 +204,27 @@ impl Grammar {
         })
     }
 
+    /// The equations of motion of a body in the conditions of one flight, with the terms' constants from `first` on.
+    pub fn motion<'a>(
+        &'a self,
+        conditions: &'a Conditions<'a>,
+        first: usize,
+    ) -> Weighted<'a, impl FnMut(f64, &[f64], &mut [f64])> {
+        let loads: Vec<usize> = self.terms.iter().map(|t| self.places[t.load]).collect();
+        let mut observer = conditions.observer();
+        let mut values = vec![0.0; self.quantities.len()];
+        Weighted::new(conditions, &loads, first, move |t, x, weights| {
+            let quantities = observer.quantities(t, x);
+            for (value, &index) in values.iter_mut().zip(&self.quantities) {
+                *value = quantities[index];
+            }
+            for (weight, term) in weights.iter_mut().zip(&self.terms) {
+                let factors = term.product.iter();
+                *weight = factors.map(|&(v, power)| values[v].powi(power)).product();
+            }
+        })
+    }
+
     /// Where a term acts.
     pub fn site(&self, term: usize) -> &'static str {
         self.channels.loads[self.terms[term].load].1
@@ -264,7 +285,7 @@ impl Grammar {
 
     /// The text of an effect that has this term.
     pub fn effect(&self, term: usize, evidence: &str) -> String {
-        let name = self.name(term).replace('-', "_");
+        let name = underscored(&self.name(term));
         let (_, site, load) = self.channels.loads[self.terms[term].load];
         let coefficient = format!("k_{name}");
         let formula = self.formula(term);
@@ -286,92 +307,6 @@ impl Grammar {
             "{doc}effect {name} {{\n  source \"found in measured flights\";\n  site {site};\n  variables {variables};\n  \
              /// found in measured flights\n  coefficient {coefficient} = 0 [1];\n  {load}\n}}\n"
         )
-    }
-}
-
-/// Equations of motion whose constants are those of a model, and behind them every term of a grammar.
-pub struct Weighted<'a> {
-    motion: LinearMotion<'a>,
-    observer: Observer<'a>,
-    grammar: &'a Grammar,
-    pattern: Vec<(usize, usize)>,
-    /// Entry of the channel's load, and term, of each entry behind the model's own.
-    sources: Vec<(usize, usize)>,
-    own: usize,
-    values: Vec<f64>,
-    weights: Vec<f64>,
-}
-
-impl<'a> Weighted<'a> {
-    /// The equations of motion of a body in the conditions of one flight, with the terms' constants from `first` on.
-    pub fn new(conditions: &'a Conditions<'a>, grammar: &'a Grammar, first: usize) -> Self {
-        let motion = conditions.linear_motion();
-        let mut pattern = motion.constant_pattern().to_vec();
-        let own = pattern.len();
-        let mut sources = Vec::new();
-        for (index, term) in grammar.terms.iter().enumerate() {
-            let place = grammar.places[term.load];
-            for entry in 0..own {
-                let (row, column) = pattern[entry];
-                if column == place {
-                    pattern.push((row, first + index));
-                    sources.push((entry, index));
-                }
-            }
-        }
-        Self {
-            motion,
-            observer: conditions.observer(),
-            grammar,
-            pattern,
-            sources,
-            own,
-            values: vec![0.0; grammar.quantities.len()],
-            weights: vec![0.0; grammar.terms.len()],
-        }
-    }
-}
-
-impl Linearised for Weighted<'_> {
-    fn states(&self) -> usize {
-        self.motion.states()
-    }
-
-    fn state_pattern(&self) -> &[(usize, usize)] {
-        self.motion.state_pattern()
-    }
-
-    fn constant_pattern(&self) -> &[(usize, usize)] {
-        &self.pattern
-    }
-
-    fn linearise(
-        &mut self,
-        t: f64,
-        x: &[f64],
-        dx: &mut [f64],
-        by_state: &mut [f64],
-        by_constant: &mut [f64],
-    ) {
-        let (own, terms) = by_constant.split_at_mut(self.own);
-        self.motion.linearise(t, x, dx, by_state, own);
-        let quantities = self.observer.quantities(t, x);
-        for (value, &index) in self.values.iter_mut().zip(&self.grammar.quantities) {
-            *value = quantities[index];
-        }
-        for (weight, term) in self.weights.iter_mut().zip(&self.grammar.terms) {
-            let factors = term.product.iter();
-            *weight = factors
-                .map(|&(v, power)| self.values[v].powi(power))
-                .product();
-        }
-        for (to, &(entry, term)) in terms.iter_mut().zip(&self.sources) {
-            *to = own[entry] * self.weights[term];
-        }
-    }
-
-    fn state_name(&self, state: usize) -> Cow<'_, str> {
-        self.motion.state_name(state)
     }
 }
 
@@ -402,7 +337,7 @@ mod tests {
             let grammar = Grammar::new(channels, &layout).expect("its grammar");
             assert_eq!(grammar.terms.len(), terms);
             for term in 0..grammar.terms.len() {
-                let names = vec![grammar.name(term).replace('-', "_")];
+                let names = vec![underscored(&grammar.name(term))];
                 let written = vec![grammar.effect(term, "Found.")];
                 let extension = Extension::new(&model, &[], names, written);
                 let extension = extension.unwrap_or_else(|e| panic!("{}: {e}", grammar.name(term)));

@@ -60,7 +60,8 @@ impl Options<'_> {
         self.watch.is_some_and(Watch::is_stopped)
     }
 
-    pub(crate) fn threads(&self) -> usize {
+    /// How many flights are worked on at once.
+    pub fn threads(&self) -> usize {
         let available = || std::thread::available_parallelism().map_or(1, |n| n.get());
         self.threads.unwrap_or_else(available).max(1)
     }

@@ -5,18 +5,19 @@ mod tables;
 
 use std::path::Path;
 
+use ::diagnose::catalogue::underscored;
 use ::diagnose::diagnosis::{Asked, Diagnosed, diagnose};
 use ::diagnose::report::{Verdict, Verified};
 use anyhow::Context;
 use identify::dataset;
 use identify::fit::Fitted;
-use identify::options::{Options, Prior};
+use identify::options::Options;
 use report::diagnosis::DiagnosisPage;
 use verify::checks::by_hand::BY_HAND;
 use verify::checks::effects::EFFECTS;
 use verify::report::{Row, Verdict as Judged};
 
-use super::fit::{drawn, held, model_of, prior};
+use super::fit::{drawn, held, model_of, priors};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -30,16 +31,7 @@ const CASES: usize = 12;
 /// Diagnoses and reports.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let progress = Progress::new()?;
-    let hold: Vec<(String, Option<f64>)> = options
-        .hold
-        .iter()
-        .map(|text| held(text))
-        .collect::<Result<_, _>>()?;
-    let priors: Vec<Prior> = options
-        .prior
-        .iter()
-        .map(|text| prior(text))
-        .collect::<Result<_, _>>()?;
+    let (hold, priors) = (held(&options.hold)?, priors(&options.prior)?);
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
@@ -188,7 +180,7 @@ fn known(names: &[String], model: &model_spec::model::Model) -> anyhow::Result<(
         .chain(model_spec::load::EFFECTS.iter().map(|effect| effect.0))
         .collect();
     for name in names {
-        let wanted = name.replace('-', "_");
+        let wanted = underscored(name);
         if !all.contains(&wanted.as_str()) {
             let near = model_spec::suggest::nearest(&wanted, all.iter().copied());
             let near = near.map(|near| format!("; did you mean `{near}`?"));

@@ -21,16 +21,7 @@ use crate::{Answer, output};
 /// Fits and reports.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let progress = Progress::new()?;
-    let hold: Vec<(String, Option<f64>)> = options
-        .hold
-        .iter()
-        .map(|text| held(text))
-        .collect::<Result<_, _>>()?;
-    let priors: Vec<Prior> = options
-        .prior
-        .iter()
-        .map(|text| prior(text))
-        .collect::<Result<_, _>>()?;
+    let (hold, priors) = (held(&options.hold)?, priors(&options.prior)?);
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
@@ -147,8 +138,18 @@ pub(super) fn model_of(
     }
 }
 
+/// What is to be held: `NAME` or `NAME=VALUE` each.
+pub(super) fn held(texts: &[String]) -> anyhow::Result<Vec<(String, Option<f64>)>> {
+    texts.iter().map(|text| one_held(text)).collect()
+}
+
+/// Priors: `NAME=VALUE+-SIGMA` each, or with `±`.
+pub(super) fn priors(texts: &[String]) -> anyhow::Result<Vec<Prior>> {
+    texts.iter().map(|text| prior(text)).collect()
+}
+
 /// `NAME` or `NAME=VALUE`.
-pub(super) fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
+fn one_held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     match text.split_once('=') {
         None => Ok((text.to_owned(), None)),
         Some((name, value)) => Ok((name.to_owned(), Some(number("--hold", value)?))),
@@ -156,7 +157,7 @@ pub(super) fn held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
 }
 
 /// `NAME=VALUE+-SIGMA`, or with `±`.
-pub(super) fn prior(text: &str) -> anyhow::Result<Prior> {
+fn prior(text: &str) -> anyhow::Result<Prior> {
     let expected = "NAME=VALUE+-SIGMA, such as C_D0=0.1+-0.02";
     let Some((name, rest)) = text.split_once('=') else {
         bail!("--prior: found {text:?}, expected {expected}");

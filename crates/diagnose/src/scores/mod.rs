@@ -233,18 +233,36 @@ impl Scores {
 
     /// The term outside the catalogue that would explain most.
     pub fn best_term(&self) -> Option<(usize, &Score)> {
-        let seen = self.terms.iter().enumerate();
-        seen.filter(|(_, score)| score.freedom > 0)
-            .min_by(|a, b| a.1.ln_p.total_cmp(&b.1.ln_p))
+        least_likely(self.terms.iter().enumerate())
     }
 
     /// The candidate that would explain most, among those that these flights show.
     pub fn best(&self) -> Option<(usize, &Score)> {
         let each = self.each.iter().enumerate();
-        each.filter_map(|(index, score)| Some((index, score.as_ref()?)))
-            .filter(|(_, score)| score.freedom > 0)
-            .min_by(|a, b| a.1.ln_p.total_cmp(&b.1.ln_p))
+        least_likely(each.filter_map(|(index, score)| Some((index, score.as_ref()?))))
     }
+}
+
+/// The score that chance reaches least, of those that these flights show.
+fn least_likely<'s>(
+    scores: impl Iterator<Item = (usize, &'s Score)>,
+) -> Option<(usize, &'s Score)> {
+    scores
+        .filter(|(_, score)| score.freedom > 0)
+        .min_by(|a, b| a.1.ln_p.total_cmp(&b.1.ln_p))
+}
+
+/// The correlation matrix of an information matrix.
+pub fn correlations(information: &DMatrix<f64>) -> DMatrix<f64> {
+    let root = information.diagonal().map(|value| value.max(0.0).sqrt());
+    DMatrix::from_fn(information.nrows(), information.ncols(), |i, j| {
+        let product = root[i] * root[j];
+        if product > 0.0 {
+            (information[(i, j)] / product).clamp(-1.0, 1.0)
+        } else {
+            0.0
+        }
+    })
 }
 
 /// The normal equations of the shared unknowns once each flight's own are eliminated, and with them the states of what is
@@ -302,15 +320,13 @@ impl Reduced {
         allowed: &[usize],
     ) -> Result<(), String> {
         let chart = &bench.tracks[flight].chart;
-        let off = bench.states_but(allowed);
-        let held = |direction: &usize| chart.plain(*direction).is_some_and(|s| off.contains(&s));
-        let (out, own): (Vec<usize>, Vec<usize>) = (0..chart.dimension()).partition(held);
+        let (out, own) = bench.directions(flight, allowed);
         let told = |_| {
             let file = &bench.tracks[flight].file;
             format!("{file}: its samples do not determine its initial state")
         };
         // What is off counts among the shared unknowns, before them, while the flight's own are eliminated.
-        let rest = sub_block(block, &own, &out);
+        let rest = own_block(block, &own, &out);
         let blocks = [rest];
         let rest = eliminate(&blocks, 0.0).map_err(told)?;
         let skip = out.len();
@@ -322,17 +338,8 @@ impl Reduced {
             let at: Vec<usize> = (0..skip)
                 .filter(|&i| chart.plain(out[i]).is_some_and(|s| states.contains(&s)))
                 .collect();
-            let whole = Block {
-                own: DMatrix::zeros(0, 0),
-                cross: DMatrix::zeros(0, skip + size),
-                shared: rest.reduced.clone(),
-                own_gradient: DVector::zeros(0),
-                shared_gradient: rest.gradient.clone(),
-                squares: 0.0,
-                count: 0,
-            };
             let shared: Vec<usize> = (skip..skip + size).collect();
-            let blocks = [of_shared(&whole, &at, &shared)];
+            let blocks = [of_shared((&rest.reduced, &rest.gradient), &at, &shared)];
             match eliminate(&blocks, 0.0) {
                 Ok(next) => {
                     let step = &next.own_steps(&DVector::zeros(size))[0];
@@ -397,8 +404,8 @@ fn prior(
     (matrix, gradient)
 }
 
-/// The own unknowns `own`, and `out` of them put before the shared ones.
-fn sub_block(block: &Block, own: &[usize], out: &[usize]) -> Block {
+/// The normal equations of a flight's own unknowns `own`, with the unknowns `out` put before the shared ones.
+pub(crate) fn own_block(block: &Block, own: &[usize], out: &[usize]) -> Block {
     let (skip, size) = (out.len(), block.shared.nrows());
     let cross = DMatrix::from_fn(own.len(), skip + size, |i, j| match j.checked_sub(skip) {
         None => block.own[(own[i], out[j])],
@@ -426,16 +433,25 @@ fn sub_block(block: &Block, own: &[usize], out: &[usize]) -> Block {
     }
 }
 
-/// Some of the shared unknowns made own ones.
-fn of_shared(block: &Block, own: &[usize], shared: &[usize]) -> Block {
-    let at = |i: usize, j: usize| block.shared[(i, j)];
+/// The normal equations of some unknowns, of which `own` are made own ones and `shared` shared ones.
+fn of_shared(
+    (matrix, gradient): (&DMatrix<f64>, &DVector<f64>),
+    own: &[usize],
+    shared: &[usize],
+) -> Block {
+    let part = |rows: &[usize], columns: &[usize]| {
+        DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+            matrix[(rows[i], columns[j])]
+        })
+    };
+    let gradient = |rows: &[usize]| DVector::from_fn(rows.len(), |i, _| gradient[rows[i]]);
     Block {
-        own: DMatrix::from_fn(own.len(), own.len(), |i, j| at(own[i], own[j])),
-        cross: DMatrix::from_fn(own.len(), shared.len(), |i, j| at(own[i], shared[j])),
-        shared: DMatrix::from_fn(shared.len(), shared.len(), |i, j| at(shared[i], shared[j])),
-        own_gradient: DVector::from_fn(own.len(), |i, _| block.shared_gradient[own[i]]),
-        shared_gradient: DVector::from_fn(shared.len(), |i, _| block.shared_gradient[shared[i]]),
-        squares: block.squares,
-        count: block.count,
+        own: part(own, own),
+        cross: part(own, shared),
+        shared: part(shared, shared),
+        own_gradient: gradient(own),
+        shared_gradient: gradient(shared),
+        squares: 0.0,
+        count: 0,
     }
 }
