@@ -52,7 +52,7 @@ def compiled(function, folder):
 class Problem:
     """`per` samples in each shooting interval; unknowns in units of `scale`: coefficients, then nodes flight by flight."""
 
-    def __init__(self, lib, data, start, scale, per, threads=1, folder=None, ipopt=None):
+    def __init__(self, lib, data, start, scale, per, threads=1, folder=None, tolerance=1e-4):
         flights_, samples = data.seen.shape[:2]
         self.per, self.nodes = per, (samples - 1) // per + 1
         sizes = np.tile(scale[NC:].reshape(-1, 1, NX), (1, self.nodes, 1))
@@ -87,18 +87,28 @@ class Problem:
         after = [i + 1 for i in inner]
         # Gaps in units of the states, as the unknowns are.
         gaps = ca.vec((reached - X[:, after]) / ca.DM(sizes.reshape(-1, NX)[after].T))
-        r = ca.vertcat(ca.vec(r1), ca.vec(r2))
+        # A weight for each axis, which may change without building the problem again.
+        p, lam_f, lam_g = ca.MX.sym("p", 3), ca.MX.sym("lam_f"), ca.MX.sym("lam_g", gaps.numel())
+        r = ca.vertcat(ca.vec(r1 * ca.repmat(p, 3 * per, count)), ca.vec(r2 * ca.repmat(p, 3, flights_)))
         J = ca.jacobian(r, z)
-        p, lam_f, lam_g = ca.MX.sym("p", 0), ca.MX.sym("lam_f"), ca.MX.sym("lam_g", gaps.numel())
         hess = ca.Function("gauss_newton", [z, p, lam_f, lam_g], [ca.triu(lam_f * ca.mtimes(J.T, J))],
                            ["x", "p", "lam_f", "lam_g"], ["triu_hess_gamma_x_x"])
         options = {"hess_lag": hess, "print_time": False,
-                   "ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-4, "nlp_scaling_method": "none", **(ipopt or {})}}
-        self.solver = ca.nlpsol("fit", "ipopt", {"x": z, "f": ca.sumsqr(r) / 2, "g": gaps}, options)
+                   "ipopt": {"print_level": 0, "sb": "yes", "tol": tolerance, "nlp_scaling_method": "none"}}
+        self.solver = ca.nlpsol("fit", "ipopt", {"x": z, "p": p, "f": ca.sumsqr(r) / 2, "g": gaps}, options)
 
-    def fit(self):
-        found = self.solver(x0=0, lbg=0, ubg=0)
+    def from_nodes(self, coefficients, states):
+        """Unknowns that begin at these coefficients and at these states of each flight's samples."""
+        begin = np.concatenate([coefficients, states[:, :: self.per].ravel()])
+        return (begin - self.begin) / self.scale
+
+    def fit(self, begin=0, weights=(1, 1, 1)):
+        """The unknowns where IPOPT ends, and what it says."""
+        found = np.array(self.solver(x0=begin, p=weights, lbg=0, ubg=0)["x"]).ravel()
         stats = self.solver.stats()
-        unknowns = self.begin + np.array(found["x"]).ravel() * self.scale
-        self.stats = stats
-        return unknowns[:NC], f"{stats['iter_count']} iterations, {stats['return_status']}"
+        return found, f"{stats['iter_count']} iterations, {stats['return_status']}"
+
+    def values(self, found):
+        """Coefficients, and each flight's initial state."""
+        unknowns = self.begin + found * self.scale
+        return unknowns[:NC], unknowns[NC:].reshape(-1, self.nodes, NX)[:, 0]

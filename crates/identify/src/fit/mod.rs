@@ -3,6 +3,7 @@
 //! Output error: the differences between observed and predicted markers are made as small as their noise allows,
 //! and the noise (its scale and its first-order correlation along each axis, its outliers) is estimated with them.
 
+mod alone;
 mod begin;
 mod flown;
 mod held_out;
@@ -14,6 +15,7 @@ mod rounds;
 mod settle;
 mod spin;
 
+use std::borrow::Borrow;
 use std::time::Instant;
 
 use model_spec::model::Model;
@@ -155,14 +157,15 @@ impl Fitted {
 }
 
 /// A failure of the least squares over these tracks, for the user.
-fn told(failure: Failure, tracks: &[Track]) -> FitError {
+fn told(failure: Failure, tracks: &[impl Borrow<Track>]) -> FitError {
+    let file = |flight: usize| tracks[flight].borrow().file.clone();
     match failure {
         Failure::Start { flight, reason } => FitError::Flight {
-            file: tracks[flight].file.clone(),
+            file: file(flight),
             reason,
         },
         Failure::Undetermined(crate::normal::Undetermined(flight)) => FitError::Flight {
-            file: tracks[flight].file.clone(),
+            file: file(flight),
             reason: "its samples do not determine its initial state".into(),
         },
         Failure::Stopped => FitError::Interrupted,

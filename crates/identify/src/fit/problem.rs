@@ -14,7 +14,7 @@ pub struct Squares<'a> {
     /// The model.
     pub setting: &'a Setting,
     /// The flights.
-    pub tracks: &'a [Track],
+    pub tracks: Vec<&'a Track>,
     /// How many samples of each count.
     pub samples: Vec<usize>,
     /// How residuals count.
@@ -38,14 +38,15 @@ impl<'a> Squares<'a> {
     /// All samples of all flights, by all unknowns.
     pub fn of_all(
         setting: &'a Setting,
-        tracks: &'a [Track],
+        tracks: impl IntoIterator<Item = &'a Track>,
         loss: Loss<'a>,
         options: &'a Options<'a>,
     ) -> Self {
+        let tracks: Vec<&Track> = tracks.into_iter().collect();
         Self {
             setting,
+            samples: tracks.iter().map(|track| track.times.len()).collect(),
             tracks,
-            samples: whole(tracks),
             loss,
             held: None,
             known: setting.shared.iter().map(|shared| shared.known).collect(),
@@ -65,7 +66,7 @@ impl<'a> Squares<'a> {
     ) -> Self {
         Self {
             setting,
-            tracks: std::slice::from_ref(track),
+            tracks: vec![track],
             samples: vec![samples],
             loss,
             held: Some(shared),
@@ -92,7 +93,7 @@ impl Problem for Squares<'_> {
             None => (shared, By::All),
         };
         let samples = self.samples[flight];
-        let track = &self.tracks[flight];
+        let track = self.tracks[flight];
         let block = linearise(self.setting, track, (shared, own), samples, by, self.loss);
         if self.held.is_none() {
             self.options.part_done();
