@@ -24,6 +24,7 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
         seed: options.seed,
         cases: options.cases,
         mutants: options.mutants,
+        ..Options::default()
     };
     let mut holds = true;
     let mut reports = Vec::new();

@@ -13,6 +13,7 @@ use model_spec::load::LoadError;
 use model_spec::model::Model;
 
 use crate::bench::Bench;
+use crate::beside::both;
 use crate::catalogue::{Catalogue, hyphened, underscored};
 use crate::causes::{Cause, Found, search, search_on};
 use crate::chance::normal_size;
@@ -71,16 +72,29 @@ pub fn diagnose(
     dataset: &Dataset,
     asked: &Asked<'_>,
 ) -> Result<Diagnosed, DiagnosisError> {
+    diagnose_beside(model, dataset, asked, |_| ()).map(|(diagnosed, _)| diagnosed)
+}
+
+/// The same, with what `beside` makes of the extension, where there is one, while its gain is measured.
+///
+/// # Errors
+/// Where the flights cannot be fitted.
+pub fn diagnose_beside<R: Send>(
+    model: &Model,
+    dataset: &Dataset,
+    asked: &Asked<'_>,
+    beside: impl FnOnce(&Extension) -> R + Send,
+) -> Result<(Diagnosed, Option<R>), DiagnosisError> {
+    let threads = asked.fit.threads();
     let clock = Instant::now();
     let mut seconds = BTreeMap::new();
     // The candidates are made ready while the flights are fitted.
-    let (before, catalogue) = std::thread::scope(|scope| {
-        let catalogue = scope.spawn(|| Catalogue::new(model, asked.with, asked.without));
-        let before = fit(model, dataset, &asked.fit);
-        (before, catalogue.join())
-    });
-    let before = before?;
-    let catalogue = catalogue.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
+    let (catalogue, before) = both(
+        threads,
+        || Catalogue::new(model, asked.with, asked.without),
+        || fit(model, dataset, &asked.fit),
+    );
+    let (before, catalogue) = (before?, catalogue?);
     seconds.insert("fit".to_owned(), clock.elapsed().as_secs_f64());
     let (mut bench, base) = Bench::new(&catalogue, dataset, &before, &asked.fit)?;
     let mut found = search(&mut bench, &base, before.noise())?;
@@ -120,14 +134,13 @@ pub fn diagnose(
         )?;
         report.next_throw = next_throw(&bench, &found.causes, &blocks, &found.noise, 1);
     }
-    let mut after = None;
+    let mut chosen = None;
     let mut gained = 0.0;
     if let Some(best) = found.causes.first() {
         let each = best.effects.iter();
         let names = each.map(|&e| underscored(&bench.candidates[e].candidate.name));
         let extension = Extension::new(model, asked.with, names.collect(), Vec::new())?;
-        let fitted = fit(&extension.model, dataset, &asked.fit)?;
-        after = Some((extension, fitted));
+        chosen = Some((extension, None));
     } else if let Some(written) = written {
         let mut channels = outside::channels(&bench, &found.scores);
         histories::fill(&mut channels, &bench, &base, &found.noise);
@@ -137,15 +150,35 @@ pub fn diagnose(
             terms: written.told,
         });
         gained = (found.squares - written.squares).max(0.0);
-        after = written.model;
+        chosen = written
+            .model
+            .map(|(extension, fitted)| (extension, Some(fitted)));
     }
-    if let Some((extension, fitted)) = &after {
-        take_over(&mut report, (extension, gained), &before, fitted);
+    let mut after = None;
+    let mut made = None;
+    if let Some((extension, fitted)) = chosen {
         let floor = report.noise.sigma_m;
         let held_out = dataset.flights.iter().any(|f| f.role == Role::HeldOut);
+        // None of the three needs what another finds.
+        let (by_turns, (besides, fitted)) = both(
+            threads,
+            || match held_out {
+                true => Ok(None),
+                false => gain::by_turns([model, &extension.model], dataset, &asked.fit, floor),
+            },
+            || {
+                both(
+                    threads,
+                    || beside(&extension),
+                    || fitted.map_or_else(|| fit(&extension.model, dataset, &asked.fit), Ok),
+                )
+            },
+        );
+        let fitted = fitted?;
+        take_over(&mut report, (&extension, gained), &before, &fitted);
         report.gain = match held_out {
             true => gain::by_held_out(&before.report, &fitted.report, floor),
-            false => gain::by_turns([model, &extension.model], dataset, &asked.fit, floor)?,
+            false => by_turns?,
         };
         let fits: Vec<usize> = (0..dataset.flights.len())
             .filter(|&k| dataset.flights[k].role == Role::Fit)
@@ -154,16 +187,19 @@ pub fn diagnose(
             let each = batch::each_on(bench.threads, fits.len(), |k| fitted.evidence(fits[k]));
             each.into_iter().flatten().collect()
         };
-        report.curves = curves(model, &evidence(&before), &evidence(fitted));
+        report.curves = curves(model, &evidence(&before), &evidence(&fitted));
+        after = Some((extension, fitted));
+        made = Some(besides);
     }
     report.summary = words::summary(&report);
     seconds.insert("total".to_owned(), clock.elapsed().as_secs_f64());
     report.seconds = seconds;
-    Ok(Diagnosed {
+    let diagnosed = Diagnosed {
         report,
         before,
         after,
-    })
+    };
+    Ok((diagnosed, made))
 }
 
 /// The report of what was found, before anything is extended.

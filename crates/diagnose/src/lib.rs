@@ -7,6 +7,7 @@
 //! that it has not seen; [`throw`] says which flight would tell the remaining causes apart. [`report`] is what comes out.
 
 pub mod bench;
+mod beside;
 pub mod catalogue;
 pub mod causes;
 pub mod chance;

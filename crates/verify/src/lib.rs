@@ -44,6 +44,8 @@ pub struct Options {
     pub cases: usize,
     /// Whether to make mutants.
     pub mutants: bool,
+    /// Whether to look at the effects that the model could be given too.
+    pub effects: bool,
 }
 
 impl Default for Options {
@@ -52,6 +54,7 @@ impl Default for Options {
             seed: 1,
             cases: 200,
             mutants: true,
+            effects: true,
         }
     }
 }
@@ -85,19 +88,8 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     report
         .rows
         .extend(every_check(&subject, &compiled, &engine, options));
-    match checks::effects::variants(loaded) {
-        Some((with, without)) => {
-            let off = checks::effects::check(&without, &with, options);
-            report.rows.push(off);
-            report.rows.push(checks::by_hand::check(&with, options));
-        }
-        None => {
-            let why = "the model is refused";
-            let names = [checks::effects::EFFECTS, checks::by_hand::BY_HAND];
-            report
-                .rows
-                .extend(names.map(|name| Row::skipped(name, why)));
-        }
+    if options.effects {
+        report.rows.extend(of_effects(loaded, options));
     }
     report.refuted = refute::refutations(&subject, options);
     if options.mutants && loaded.diagnostics.is_empty() {
@@ -107,6 +99,18 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
         report.mutants = Some(table);
     }
     report
+}
+
+/// The checks of the model with effects on.
+fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
+    match checks::effects::variants(loaded) {
+        Some((with, without)) => [
+            checks::effects::check(&without, &with, options),
+            checks::by_hand::check(&with, options),
+        ],
+        None => [checks::effects::EFFECTS, checks::by_hand::BY_HAND]
+            .map(|name| Row::skipped(name, "the model is refused")),
+    }
 }
 
 /// Whether several models are the same motion, pairwise.

@@ -6,16 +6,13 @@ mod tables;
 use std::path::Path;
 
 use ::diagnose::catalogue::underscored;
-use ::diagnose::diagnosis::{Asked, Diagnosed, diagnose};
+use ::diagnose::diagnosis::{Asked, Diagnosed, diagnose_beside};
 use ::diagnose::report::{Verdict, Verified};
 use anyhow::Context;
 use identify::dataset;
 use identify::fit::Fitted;
 use identify::options::Options;
 use report::diagnosis::DiagnosisPage;
-use verify::checks::by_hand::BY_HAND;
-use verify::checks::effects::EFFECTS;
-use verify::report::{Row, Verdict as Judged};
 
 use super::fit::{drawn, held, model_of, priors};
 use crate::cli::Diagnose;
@@ -54,27 +51,23 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
         },
     };
     progress.working();
-    let found = diagnose(&model, &dataset, &asked);
+    let found = diagnose_beside(&model, &dataset, &asked, |extension| {
+        let told = format!(
+            "Extended by {}, found in {name} by `hyzer diagnose`.",
+            extension.effects.join(" and ")
+        );
+        extended(&extension.text(&model, &options.with, &told)?)
+    });
     progress.writing();
-    let mut found =
+    let (mut found, extended) =
         found.with_context(|| format!("cannot diagnose {}", options.dataset.display()))?;
-    let text = match &found.after {
-        Some((extension, _)) => {
-            let told = format!(
-                "Extended by {}, found in {name} by `hyzer diagnose`.",
-                extension.effects.join(" and ")
-            );
-            let text = extension.text(&model, &options.with, &told)?;
-            found.report.verified = Some(verified(&text)?);
-            Some(text)
-        }
-        None => None,
-    };
+    let extended = extended.transpose()?;
+    found.report.verified = extended.as_ref().map(|extended| extended.verified.clone());
     if let Some(folder) = &options.out {
-        if text.is_some() {
+        if extended.is_some() {
             found.report.extended_model = Some(EXTENDED.to_owned());
         }
-        write(folder, text.as_deref(), &found)?;
+        write(folder, extended.as_ref(), &found)?;
     }
     output::print(summary::summary(&found.report))?;
     if found.report.verified.as_ref().is_some_and(|v| !v.holds) {
@@ -84,37 +77,51 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// What the independent checks say of a model's text.
-fn verified(text: &str) -> anyhow::Result<Verified> {
+/// The extended model.
+struct Extended {
+    /// Its file.
+    text: String,
+    /// What the independent checks say of it.
+    verified: Verified,
+    /// Its code, file by file.
+    code: Vec<(String, String)>,
+}
+
+/// Checks an extended model and writes its code.
+fn extended(text: &str) -> anyhow::Result<Extended> {
     let loaded = model_spec::load::inspect_text(EXTENDED, text, &[])?;
-    if loaded.model.is_none() || !loaded.diagnostics.is_empty() {
-        let told = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
-        anyhow::bail!("the extended model is faulty:\n{told}");
-    }
+    let model = match &loaded.model {
+        Some(model) if loaded.diagnostics.is_empty() => model,
+        _ => {
+            let told = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+            anyhow::bail!("the extended model is faulty:\n{told}");
+        }
+    };
     let settings = verify::Options {
         cases: CASES,
         mutants: false,
+        // Effects that it could still be given are another matter than what it is.
+        effects: false,
         ..verify::Options::default()
     };
     let report = verify::run(&loaded, &settings);
-    // Effects that it could still be given are another matter than what it is.
-    let own = |row: &&Row| ![EFFECTS, BY_HAND].contains(&row.check);
-    let rows: Vec<&Row> = report.rows.iter().filter(own).collect();
-    Ok(Verified {
-        holds: report.refuted.is_empty() && rows.iter().all(|row| row.verdict != Judged::Refuted),
-        checks: rows
-            .iter()
-            .map(|row| {
-                (
-                    row.check.to_string(),
-                    format!("{:?}", row.verdict).to_lowercase(),
-                )
-            })
-            .collect(),
+    let checks = report.rows.iter().map(|row| {
+        (
+            row.check.to_string(),
+            format!("{:?}", row.verdict).to_lowercase(),
+        )
+    });
+    Ok(Extended {
+        verified: Verified {
+            holds: report.refuted.is_empty() && report.holds(),
+            checks: checks.collect(),
+        },
+        code: codegen::rust::emit(&codegen::compile::compile(model), model),
+        text: text.to_owned(),
     })
 }
 
-fn write(folder: &Path, extended: Option<&str>, found: &Diagnosed) -> anyhow::Result<()> {
+fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosed) -> anyhow::Result<()> {
     let evidence = |fitted: &Fitted, flights: &[usize]| {
         let each = flights.iter().filter_map(|&flight| fitted.evidence(flight));
         each.collect::<Vec<_>>()
@@ -123,8 +130,8 @@ fn write(folder: &Path, extended: Option<&str>, found: &Diagnosed) -> anyhow::Re
     let before = evidence(&found.before, &flights);
     let after = found.after.as_ref();
     let after = after.map_or_else(Vec::new, |(_, fitted)| evidence(fitted, &flights));
-    if let (Some(text), Some((extension, _))) = (extended, &found.after) {
-        output::write(&folder.join(EXTENDED), text)?;
+    if let (Some(extended), Some((extension, _))) = (extended, &found.after) {
+        output::write(&folder.join(EXTENDED), &extended.text)?;
         for effect in &extension.written {
             let name = extension
                 .effects
@@ -134,9 +141,7 @@ fn write(folder: &Path, extended: Option<&str>, found: &Diagnosed) -> anyhow::Re
                 output::write(&folder.join(format!("{name}.hyz")), effect)?;
             }
         }
-        let model = model_spec::load::from_text(EXTENDED, text, &[])?;
-        let compiled = codegen::compile::compile(&model);
-        for (file, code) in codegen::rust::emit(&compiled, &model) {
+        for (file, code) in &extended.code {
             output::write(&folder.join("extended").join(file), code)?;
         }
     }
@@ -146,7 +151,7 @@ fn write(folder: &Path, extended: Option<&str>, found: &Diagnosed) -> anyhow::Re
         report: &found.report,
         before: &before,
         after: &after,
-        extended,
+        extended: extended.map(|extended| extended.text.as_str()),
     };
     let made = report::diagnosis::make(&page);
     output::write(&folder.join("report.html"), made.html)?;

@@ -9,6 +9,7 @@ pub const QUICK: Options = Options {
     seed: 1,
     cases: 24,
     mutants: false,
+    effects: true,
 };
 
 /// Checks that refute a built-in model for a defect that is known and not the model's.
