@@ -14,12 +14,13 @@ use identify::levenberg::{Known, Point, Problem, Solution, Until, shared_step, s
 use identify::noise::Noise;
 use identify::normal::{Block, eliminate};
 use identify::options::Options;
-use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_by};
+use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_again};
 use identify::setting::Setting;
 use identify::track::Track;
 use nalgebra::DVector;
 
 use crate::catalogue::{Candidate, Catalogue};
+use crate::kept::{Kept, Vantage};
 use crate::scores::own_block;
 use crate::terms::Grammar;
 
@@ -159,29 +160,30 @@ impl Bench {
         point: &Point,
         noise: &Noise,
     ) -> Result<Vec<Block>, FitError> {
-        self.look_by(setting, point, noise, None)
+        let nothing = Kept::default();
+        let from = Vantage {
+            setting,
+            point,
+            kept: &nothing,
+        };
+        self.look_by(from, noise, None)
     }
 
     /// The same by the terms outside the catalogue too, whose unknowns come behind the shared ones.
     ///
     /// # Errors
     /// Where a flight is impossible.
-    pub fn look_further(
-        &self,
-        setting: &Setting,
-        point: &Point,
-        noise: &Noise,
-    ) -> Result<Vec<Block>, FitError> {
-        self.look_by(setting, point, noise, self.grammar.as_ref())
+    pub fn look_further(&self, from: Vantage<'_>, noise: &Noise) -> Result<Vec<Block>, FitError> {
+        self.look_by(from, noise, self.grammar.as_ref())
     }
 
     fn look_by(
         &self,
-        setting: &Setting,
-        point: &Point,
+        from: Vantage<'_>,
         noise: &Noise,
         grammar: Option<&Grammar>,
     ) -> Result<Vec<Block>, FitError> {
+        let Vantage { setting, point, .. } = from;
         let found = batch::each_on(self.threads, self.tracks.len(), |flight| {
             let track = &self.tracks[flight];
             let unknowns = (&point.shared, &point.own[flight]);
@@ -192,7 +194,10 @@ impl Bench {
                 Some(grammar) => {
                     let conditions = conditions(setting, track, &point.shared);
                     let (motion, places) = self.further(&conditions, grammar);
-                    linearise_by(setting, track, unknowns, samples, loss, (motion, &places))
+                    let by = (motion, places.as_slice());
+                    from.kept.with(flight, |kept| {
+                        linearise_again(setting, track, unknowns, samples, loss, by, kept)
+                    })
                 }
             };
             found.map_err(|reason| self.impossible(flight, reason))

@@ -11,6 +11,7 @@ use identify::setting::Setting;
 
 use crate::bench::Bench;
 use crate::chance::thresholds;
+use crate::kept::{Kept, Vantage, without_terms};
 use crate::scores::{Score, Scores};
 
 /// The probability that chance alone raises an alarm.
@@ -76,6 +77,18 @@ pub struct Cause {
     pub scores: Scores,
     /// The other that would explain most, and the logarithm of its probability.
     pub rival: Option<(usize, f64)>,
+    kept: Kept,
+}
+
+impl Cause {
+    /// Where it is.
+    fn vantage(&self) -> Vantage<'_> {
+        Vantage {
+            setting: &self.setting,
+            point: &self.point,
+            kept: &self.kept,
+        }
+    }
 }
 
 /// Searches single causes of what is left at the base's fit.
@@ -84,7 +97,13 @@ pub struct Cause {
 /// Where a flight is impossible.
 pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Found, FitError> {
     let setting = bench.setting.clone();
-    let noise = bench.leftover(&setting, base, &[], first_guess)?;
+    let kept = Kept::of(bench.tracks.len());
+    let base = Vantage {
+        setting: &setting,
+        point: base,
+        kept: &kept,
+    };
+    let noise = bench.leftover(base, &[], first_guess)?;
     let (scores, limits, squares) = bench.scored(base, &noise)?;
     let mut found = Found {
         alarmed: scores.alarms(&limits),
@@ -100,11 +119,13 @@ pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Fo
     }
     let mut here: Vec<Cause> = Vec::new();
     for (index, effects) in singles(&found.scores).into_iter().enumerate() {
-        let Some(cause) = bench.cause(&effects, base, &found.noise) else {
+        // The likeliest is looked at again and again.
+        let kept = Kept::of(if index == 0 { bench.tracks.len() } else { 0 });
+        let Some(cause) = bench.cause_kept(&effects, base.point, &found.noise, kept) else {
             continue;
         };
         if index == 0 && bench.is_nearer(&cause, base, &mut found)? {
-            here.extend(bench.cause(&effects, base, &found.noise));
+            here.extend(bench.cause(&effects, base.point, &found.noise));
         } else {
             here.push(cause);
         }
@@ -196,13 +217,13 @@ impl Scores {
 impl Bench {
     pub(crate) fn scored(
         &self,
-        point: &Point,
+        from: Vantage<'_>,
         noise: &Noise,
     ) -> Result<(Scores, Limits, f64), FitError> {
-        let blocks = self.look_further(&self.setting, point, noise)?;
+        let blocks = self.look_further(from, noise)?;
         let squares = blocks.iter().map(|block| block.squares).sum();
-        let scores =
-            Scores::new(self, &blocks, (&[], &[]), &point.shared).map_err(FitError::Mismatch)?;
+        let scores = Scores::new(self, &blocks, (&[], &[]), &from.point.shared)
+            .map_err(FitError::Mismatch)?;
         let limits = thresholds(
             &scores.information,
             &scores.groups,
@@ -219,9 +240,33 @@ impl Bench {
 
     /// Fits some candidates with the base; none where that is impossible.
     pub fn cause(&self, effects: &[usize], from: &Point, noise: &Noise) -> Option<Cause> {
+        self.cause_kept(effects, from, noise, Kept::default())
+    }
+
+    /// The same, with flights from there kept where there is room for them.
+    fn cause_kept(
+        &self,
+        effects: &[usize],
+        from: &Point,
+        noise: &Noise,
+        kept: Kept,
+    ) -> Option<Cause> {
         let setting = self.setting_with(effects);
         let (point, squares) = self.refit(&setting, effects, from, noise).ok()?;
-        let blocks = self.look(&setting, &point, noise).ok()?;
+        let blocks = match kept.is_empty() {
+            true => self.look(&setting, &point, noise).ok()?,
+            false => {
+                let from = Vantage {
+                    setting: &setting,
+                    point: &point,
+                    kept: &kept,
+                };
+                let blocks = self.look_further(from, noise).ok()?;
+                let shared = point.shared.len();
+                let each = blocks.iter().map(|block| without_terms(block, shared));
+                each.collect()
+            }
+        };
         let scores = Scores::new(self, &blocks, (effects, &[]), &point.shared).ok()?;
         let rival = scores.best().map(|(index, score)| (index, score.ln_p));
         Some(Cause {
@@ -231,6 +276,7 @@ impl Bench {
             squares,
             scores,
             rival,
+            kept,
         })
     }
 
@@ -304,10 +350,10 @@ impl Bench {
     fn is_nearer(
         &mut self,
         cause: &Cause,
-        base: &Point,
+        base: Vantage<'_>,
         found: &mut Found,
     ) -> Result<bool, FitError> {
-        let nearer = self.leftover(&cause.setting, &cause.point, &cause.effects, &found.noise)?;
+        let nearer = self.leftover(cause.vantage(), &cause.effects, &found.noise)?;
         let same = |axis: usize| {
             (nearer.sigma[axis] / found.noise.sigma[axis] - 1.0).abs() < SAME
                 && (nearer.ar1[axis] - found.noise.ar1[axis]).abs() < SAME
@@ -322,7 +368,7 @@ impl Bench {
 
     /// The scores of everything, terms too, where a cause is allowed for.
     pub(crate) fn scored_beside(&self, cause: &Cause, noise: &Noise) -> Result<Scores, FitError> {
-        let blocks = self.look_further(&cause.setting, &cause.point, noise)?;
+        let blocks = self.look_further(cause.vantage(), noise)?;
         let allowed = (cause.effects.as_slice(), &[][..]);
         Scores::new(self, &blocks, allowed, &cause.point.shared).map_err(FitError::Mismatch)
     }

@@ -12,6 +12,7 @@ use identify::setting::Setting;
 use nalgebra::DVector;
 
 use crate::bench::Bench;
+use crate::kept::Vantage;
 use crate::scores::Scores;
 
 /// Directions whose scores are smaller than this, in standard deviations, are noise's own: to take them from it would leave too
@@ -29,12 +30,12 @@ impl Bench {
     /// Where a flight is impossible.
     pub fn leftover(
         &mut self,
-        setting: &Setting,
-        point: &Point,
+        from: Vantage<'_>,
         allowed: &[usize],
         noise: &Noise,
     ) -> Result<Noise, FitError> {
-        let blocks = self.look_further(setting, point, noise)?;
+        let Vantage { setting, point, .. } = from;
+        let blocks = self.look_further(from, noise)?;
         let scored = |allowed: &[usize]| {
             Scores::new(self, &blocks, (allowed, &[]), &point.shared).map_err(FitError::Mismatch)
         };

@@ -17,6 +17,7 @@ pub mod diagnosis;
 pub mod extend;
 pub mod gain;
 pub mod histories;
+pub mod kept;
 pub mod leftover;
 pub mod outside;
 pub mod report;

@@ -10,6 +10,7 @@ use crate::catalogue::{Catalogue, underscored};
 use crate::causes::{Cause, Found};
 use crate::diagnosis::{Asked, DiagnosisError};
 use crate::extend::Extension;
+use crate::kept::{Kept, Vantage};
 use crate::scores::Scores;
 use crate::terms::Grammar;
 use crate::{report, words};
@@ -100,7 +101,12 @@ pub fn write(
         for (to, from) in there.tracks.iter_mut().zip(&bench.tracks) {
             to.outlier.clone_from(&from.outlier);
         }
-        let (scores, _, squares) = there.scored(&point, &found.noise)?;
+        let once = Vantage {
+            setting: &there.setting,
+            point: &point,
+            kept: &Kept::default(),
+        };
+        let (scores, _, squares) = there.scored(once, &found.noise)?;
         // A term that takes nothing from the squares was none.
         if squares > written.squares {
             break;

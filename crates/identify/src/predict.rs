@@ -90,6 +90,24 @@ pub fn linearise_by<M: Linearised>(
     loss: Loss<'_>,
     (motion, constants): (M, &[usize]),
 ) -> Result<Block, String> {
+    let by = (motion, constants);
+    linearise_again(setting, track, (shared, own), samples, loss, by, &mut None)
+}
+
+/// As [`linearise_by`], of a flight that is kept for another look at it: none before the first. Nothing else than the loss
+/// and the outliers may differ from look to look.
+///
+/// # Errors
+/// In words, where the flight is impossible.
+pub fn linearise_again<M: Linearised>(
+    setting: &Setting,
+    track: &Track,
+    (shared, own): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+    loss: Loss<'_>,
+    (motion, constants): (M, &[usize]),
+    kept: &mut Option<Vec<f64>>,
+) -> Result<Block, String> {
     let columns = Columns::new(track, motion.state_pattern(), constants.len());
     let part = match loss {
         Loss::Huber(_) => ROUGH_TOLERANCE,
@@ -106,7 +124,7 @@ pub fn linearise_by<M: Linearised>(
         // Where the noise is known an outlier is left out; before, it counts for little.
         outliers: matches!(loss, Loss::Huber(_)),
     };
-    flight.each(motion, constants, &columns, |seen| {
+    flight.each((motion, constants), &columns, kept, |seen| {
         sums.add(seen.marker, seen.time, seen.rows, seen.residual);
     })?;
     Ok(sums.rows.block())
@@ -142,7 +160,7 @@ pub fn each_residual<M: Linearised>(
         .chain(columns.moving..columns.moving + columns.shared)
         .collect();
     let mut rows = [0; 3].map(|_| vec![0.0; places.len()]);
-    flight.each(motion, constants, &columns, |seen| {
+    flight.each((motion, constants), &columns, &mut None, |seen| {
         for (to, from) in rows.iter_mut().zip(seen.rows.iter()) {
             for (to, &place) in to.iter_mut().zip(&places) {
                 *to = from[place];
@@ -193,24 +211,24 @@ struct Seen<'r> {
 impl Along<'_> {
     fn each<M: Linearised>(
         &self,
-        motion: M,
-        constants: &[usize],
+        (motion, constants): (M, &[usize]),
         columns: &Columns,
+        kept: &mut Option<Vec<f64>>,
         mut each: impl FnMut(Seen<'_>),
     ) -> Result<(), String> {
         let (setting, track) = (self.setting, self.track);
         // Only how many columns there are counts here; they are filled along the chart.
         let moving: Vec<usize> = (0..columns.moving).collect();
         let mut variations = Sensitivities::new(motion, &moving, constants);
-        let tangent = columns.tangent(&track.chart.tangent(self.own.as_slice()));
-        let start = variations.start_along(self.own.as_slice(), &tangent);
-        let flown = flown(
-            &mut variations,
-            start,
-            &track.times[..self.samples],
-            setting,
-            self.part,
-        )?;
+        let flown = match kept {
+            Some(flown) => flown,
+            None => {
+                let tangent = columns.tangent(&track.chart.tangent(self.own.as_slice()));
+                let start = variations.start_along(self.own.as_slice(), &tangent);
+                let times = &track.times[..self.samples];
+                kept.insert(flown(&mut variations, start, times, setting, self.part)?)
+            }
+        };
         let parameters = track.parameters(setting, self.shared);
         let sight = Sight::new(&setting.body, &parameters, track.markers);
         let mut observers = sight.observers();
