@@ -66,3 +66,58 @@ pub(crate) fn without_terms(block: &Block, shared: usize) -> Block {
         ..*block
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use identify::fit::fit;
+    use identify::noise::Noise;
+    use identify::options::Options;
+
+    use super::*;
+    use crate::bench::Bench;
+    use crate::catalogue::Catalogue;
+
+    #[test]
+    fn a_kept_flight_is_seen_as_one_that_is_flown_again() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/mystery");
+        let mut dataset = identify::dataset::load(folder.as_ref()).unwrap();
+        dataset.flights.truncate(3);
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let options = Options::default();
+        let fitted = fit(&model, &dataset, &options).unwrap();
+        let catalogue = Catalogue::new(&model, &[], &[]).unwrap();
+        let (bench, point) = Bench::new(&catalogue, &dataset, &fitted, &options).unwrap();
+        let setting = &bench.setting;
+        let point = &point;
+        let look = |kept: &Kept, noise: &Noise| {
+            let from = Vantage {
+                setting,
+                point,
+                kept,
+            };
+            bench.look_further(from, noise).unwrap()
+        };
+        let (one, other) = (fitted.noise(), Noise::white(0.01, 0.01));
+        let kept = Kept::of(bench.tracks.len());
+        assert_eq!(look(&kept, one), look(&Kept::default(), one));
+        assert!(kept.0.iter().all(|slot| slot.lock().unwrap().is_some()));
+        assert_eq!(look(&kept, &other), look(&Kept::default(), &other));
+        // The terms only come behind.
+        let further = look(&kept, one);
+        let shared = point.shared.len();
+        assert!(further[0].shared.nrows() > shared);
+        let further: Vec<Block> = further.iter().map(|b| without_terms(b, shared)).collect();
+        assert_eq!(further, bench.look(setting, point, one).unwrap());
+    }
+
+    #[test]
+    fn what_is_too_much_is_not_kept() {
+        let kept = Kept::of(2);
+        let half = MOST / 8 - 1;
+        for flight in [0, 1] {
+            kept.with(flight, |flown| *flown = Some(vec![0.0; half]));
+        }
+        assert!(kept.with(0, |flown| flown.is_some()));
+        assert!(kept.with(1, |flown| flown.is_none()));
+    }
+}
