@@ -56,6 +56,10 @@ table! {
     common_factors_come_out_of_products: |b, [x, y, z, w]| {
         let (p, q) = (b.g.mul(x, y), b.g.mul(x, z)); let s = b.g.add(p, q); b.g.mul(s, w)
     } => "a*d*(b + c)";
+    what_a_model_writes_times_1_stays_a_sum: |b, [x, y, z, _]| {
+        let (p, q) = (b.g.mul(x, y), b.g.mul(x, z)); let s = b.g.sub(q, p);
+        let one = b.g.whole(1); let t = b.g.times(s, one); b.g.over(t, one)
+    } => "-a*b + a*c";
     root_squared: |b, [x, y, ..]| { let n = b.norm(&[x, y]); b.g.mul(n, n) } => "a^2 + b^2";
     x_over_root_x: |b, [x, y, ..]| { let n = b.norm(&[x, y]); let s = b.g.mul(n, n); b.g.div(s, n) } => "(a^2 + b^2)^(1/2)";
     norm_over_itself_is_a_mask: |b, [x, y, ..]| { let n = b.norm(&[x, y]); b.g.div(n, n) } => "nonzero(a^2 + b^2)";

@@ -84,7 +84,7 @@ impl Deriver<'_> {
                 (Value::Vector(v), Value::Scalar(s)) | (Value::Scalar(s), Value::Vector(v)) => {
                     Value::Vector(frames::scale(&mut self.graph, s, v))
                 }
-                (a, b) => Value::Scalar(self.graph.mul(first(a), first(b))),
+                (a, b) => Value::Scalar(self.graph.times(first(a), first(b))),
             },
             E::Div(a, b) => {
                 let (a, b) = (self.evaluate(a), self.scalar(b));
@@ -92,9 +92,9 @@ impl Deriver<'_> {
                 self.graph.assume_nonzero(b);
                 match a {
                     Value::Vector(v) => {
-                        Value::Vector(v.map(|component| self.graph.div(component, b)))
+                        Value::Vector(v.map(|component| self.graph.over(component, b)))
                     }
-                    Value::Scalar(a) => Value::Scalar(self.graph.div(a, b)),
+                    Value::Scalar(a) => Value::Scalar(self.graph.over(a, b)),
                 }
             }
             E::Ratio(parts) => {

@@ -19,7 +19,10 @@ pub fn sub(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
 
 /// `s a`.
 pub fn scale(graph: &mut Graph, s: NodeId, a: Vector) -> Vector {
-    a.map(|component| graph.mul(s, component))
+    match graph.is_one(s) {
+        true => a,
+        false => a.map(|component| graph.mul(s, component)),
+    }
 }
 
 /// `a · b`.

@@ -28,7 +28,7 @@ impl Deriver<'_> {
             let pace = self.scalar(&clock.value);
             self.record(pace, "clock", clock.span);
             for node in &mut dx {
-                *node = self.graph.mul(*node, pace);
+                *node = self.graph.times(*node, pace);
             }
         }
         for (k, &node) in dx.iter().enumerate() {

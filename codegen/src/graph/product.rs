@@ -18,6 +18,26 @@ impl Graph {
         self.product(vec![(a, 2), (b, 2)])
     }
 
+    /// `a b` as a model writes it: what is times 1 stays as it is, where of a sum that becomes a factor all that its terms
+    /// have in common comes out.
+    pub fn times(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        match (self.is_one(a), self.is_one(b)) {
+            (true, _) => b,
+            (_, true) => a,
+            _ => self.mul(a, b),
+        }
+    }
+
+    /// `a / b` as a model writes it: likewise over 1.
+    pub fn over(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        if self.is_one(b) { a } else { self.div(a, b) }
+    }
+
+    /// Whether it is the number 1.
+    pub fn is_one(&self, id: NodeId) -> bool {
+        matches!(self.node(id), Node::Number(number) if number.is_one())
+    }
+
     /// `a b c …`.
     pub fn mul_all(&mut self, factors: &[NodeId]) -> NodeId {
         self.product(factors.iter().map(|&factor| (factor, 2)).collect())

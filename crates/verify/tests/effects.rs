@@ -24,6 +24,11 @@ fn report(name: &str, text: &str, effects: &[&str]) -> Report {
     verify::run(&with(name, text, effects), &QUICK)
 }
 
+/// That of a text by itself.
+fn report_of(text: &str) -> Report {
+    verify::run(&inspect_text("own.hyz", text, &[]).unwrap(), &QUICK)
+}
+
 /// A wind that each flight has for itself, one part of it dying away.
 fn wind(velocity: &str) -> String {
     format!(
@@ -72,6 +77,16 @@ fn a_state_that_acts_at_its_default_is_no_effect_that_is_off() {
 
 const CLOCK: &str = "effect rate { site clock; coefficient c = 0 in -0.5 .. 0.5; coefficient by_z = 0 /m;\n\
     replace clock = previous/(1 + c) + by_z*z; }\n";
+
+#[test]
+fn what_is_off_costs_nothing_beside_an_effect_that_is_written_in() {
+    for effect in ["magnus", "spin_decay", "drag_crisis"] {
+        let extended = with("ball", "", &[effect]).file.to_string();
+        let report = report_of(&extended);
+        let off = row(&report, effects::EFFECTS);
+        assert_eq!(off.verdict, Verdict::Holds, "{effect}\n{}", report.table());
+    }
+}
 
 #[test]
 fn a_clock_passes_every_check() {
