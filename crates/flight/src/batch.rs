@@ -33,18 +33,21 @@ pub fn each_on<R: Send>(threads: usize, count: usize, fly: impl Fn(usize) -> R +
     }
     let next = AtomicUsize::new(0);
     let done: Mutex<Vec<Option<R>>> = Mutex::new((0..count).map(|_| None).collect());
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                // A thread takes what is next when it is free, and hands its results in once.
-                let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count);
-                let own: Vec<(usize, R)> = std::iter::from_fn(take).map(|i| (i, fly(i))).collect();
-                let mut done = done.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-                for (i, result) in own {
-                    done[i] = Some(result);
-                }
-            });
+    let work = || {
+        // A thread takes what is next when it is free, and hands its results in once.
+        let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count);
+        let own: Vec<(usize, R)> = std::iter::from_fn(take).map(|i| (i, fly(i))).collect();
+        let mut done = done.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        for (i, result) in own {
+            done[i] = Some(result);
         }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..threads {
+            scope.spawn(work);
+        }
+        // This thread is one of them.
+        work();
     });
     let done = done
         .into_inner()

@@ -1,10 +1,11 @@
 //! What is looked for while flying: the ground, the apex, where the model ends.
 
 use crate::dynamics::{Dynamics, Storage};
-use crate::method::{Method, ROWS, WIDE};
+use crate::method::wide::{WIDE, Weighted};
+use crate::method::{Method, ROWS};
 use crate::root::just_past;
-use lanes::{Kernel, Lanes};
 use std::borrow::Cow;
+use std::ops::Range;
 
 /// Something that happens where a quantity passes through 0.
 pub struct Event<'a, X> {
@@ -193,8 +194,7 @@ impl<'a, X: Storage> Event<'a, X> {
     ) {
         if let Quantity::Component(i, level) = self.quantity {
             let sign = self.crossing.falling(1.0);
-            let n = scratch[0].as_ref().len();
-            return search(curve, |s| sign * (curve.component(s, i, n) - level), found);
+            return search(curve, |s| sign * (curve.component(s, i) - level), found);
         }
         let [x, rate] = scratch;
         let value = |s: f64| {
@@ -284,26 +284,32 @@ pub(crate) struct Curve<'a> {
     pub method: Method,
     pub t: f64,
     pub h: f64,
-    pub rows: &'a [f64],
+    pub rows: [&'a [f64]; ROWS],
 }
 
 impl Curve<'_> {
+    /// The numbers at some places of the state at a part of the step.
+    pub(crate) fn at_places(&self, s: f64, places: &[Range<usize>], to: &mut [f64]) {
+        let weights = self.method.weights(s, self.h);
+        for places in places {
+            let rows = self.rows.map(|row| &row[places.clone()]);
+            let to = &mut to[places.clone()];
+            lanes::dispatch(Weighted { rows, weights, to });
+        }
+    }
+
     /// The state at a part of the step.
     #[inline]
     pub(crate) fn state(&self, s: f64, to: &mut [f64]) {
         let n = to.len();
-        debug_assert_eq!(self.rows.len(), ROWS * n);
-        let weights = self.method.weights(s);
+        let weights = self.method.weights(s, self.h);
         if n >= WIDE {
-            return lanes::dispatch(Weighted {
-                rows: self.rows,
-                weights,
-                to,
-            });
+            let rows = self.rows;
+            return lanes::dispatch(Weighted { rows, weights, to });
         }
-        to.copy_from_slice(&self.rows[..n]);
-        for (row, weight) in self.rows.chunks_exact(n).zip(weights).skip(1) {
-            for (to, value) in to.iter_mut().zip(row) {
+        to.copy_from_slice(self.rows[0]);
+        for (row, weight) in self.rows.iter().zip(weights).skip(1) {
+            for (to, value) in to.iter_mut().zip(*row) {
                 *to += weight * value;
             }
         }
@@ -311,38 +317,13 @@ impl Curve<'_> {
 }
 
 impl Curve<'_> {
-    /// One of the `n` states at a part of the step: the bits that [`state`](Self::state) has for a short state.
-    pub(crate) fn component(&self, s: f64, i: usize, n: usize) -> f64 {
-        let weights = self.method.weights(s);
-        let mut sum = self.rows[i];
-        for (row, weight) in self.rows.chunks_exact(n).zip(weights).skip(1) {
+    /// One of the states at a part of the step: the bits that [`state`](Self::state) has for a short state.
+    pub(crate) fn component(&self, s: f64, i: usize) -> f64 {
+        let weights = self.method.weights(s, self.h);
+        let mut sum = self.rows[0][i];
+        for (row, weight) in self.rows.iter().zip(weights).skip(1) {
             sum += weight * row[i];
         }
         sum
-    }
-}
-
-/// The same sum on the machine's widest lanes, for long states; with the same bits.
-struct Weighted<'a> {
-    rows: &'a [f64],
-    weights: [f64; ROWS],
-    to: &'a mut [f64],
-}
-
-impl Kernel for Weighted<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<T: Lanes>(self) {
-        let n = self.to.len();
-        for i in (0..n).step_by(T::WIDTH) {
-            let end = n.min(i + T::WIDTH);
-            let mut sum = T::load_part(&self.rows[i..end], 0.0);
-            for row in 1..ROWS {
-                let values = T::load_part(&self.rows[row * n + i..row * n + end], 0.0);
-                sum = sum + T::splat(self.weights[row]) * values;
-            }
-            sum.store_part(&mut self.to[i..end]);
-        }
     }
 }

@@ -1,10 +1,11 @@
 //! A flight: its curve at every time, its events and its end.
 
-use crate::dynamics::Dynamics;
+use crate::dynamics::{Dynamics, Storage};
 use crate::error::{Cause, FlightError};
 use crate::event::{Curve, Event, Occurrence};
 use crate::integrate::{End, Observer, Options, Work, integrate};
 use crate::method::{Method, ROWS};
+use std::ops::Range;
 
 /// A flight from its start to its end.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,12 +134,7 @@ pub fn fly_at<D: Dynamics>(
         n * times.len(),
         "room for all states at all times"
     );
-    assert!(times.is_sorted(), "times in order");
-    let at_start = times.iter().take_while(|t| **t == from.0).count();
-    assert!(
-        times.get(at_start).is_none_or(|t| *t > from.0),
-        "times after the start"
-    );
+    let at_start = started(from.0, times);
     for to in samples.chunks_mut(n).take(at_start) {
         to.copy_from_slice(from.1.as_ref());
     }
@@ -164,6 +160,48 @@ pub fn fly_at<D: Dynamics>(
         to.copy_from_slice(end.state.as_ref());
     }
     Ok(end)
+}
+
+/// Flies as [`fly_at`] does, and shows the state at each of `times` as it comes there, with the time's index; of it only the
+/// numbers at these places are up to date. What was shown of a flight that fails means nothing.
+///
+/// # Panics
+/// Where a time lies outside the flight or before the one ahead of it, or a place outside the state.
+pub fn fly_past<D: Dynamics>(
+    d: &mut D,
+    from: (f64, &D::State),
+    times: &[f64],
+    options: &Options,
+    places: &[Range<usize>],
+    mut show: impl FnMut(usize, &[f64]),
+) -> Result<(), FlightError> {
+    let at_start = started(from.0, times);
+    for index in 0..at_start {
+        show(index, from.1.as_ref());
+    }
+    let Some(&last) = times[at_start..].last() else {
+        return Ok(());
+    };
+    let mut shower = Shower {
+        times,
+        next: at_start,
+        state: from.1.clone(),
+        places,
+        show,
+    };
+    integrate(d, from, last, options, &mut [], &mut shower)?;
+    Ok(())
+}
+
+/// How many of the times, which must be in order, are that of the start; none may be before.
+fn started(start: f64, times: &[f64]) -> usize {
+    assert!(times.is_sorted(), "times in order");
+    let at_start = times.iter().take_while(|t| **t == start).count();
+    assert!(
+        times.get(at_start).is_none_or(|t| *t > start),
+        "times after the start"
+    );
+    at_start
 }
 
 impl Flight {
@@ -197,7 +235,8 @@ impl Flight {
             .saturating_sub(1);
         let (start, h) = self.steps[step];
         let size = ROWS * self.states;
-        let rows = &self.rows[step * size..(step + 1) * size];
+        let all = &self.rows[step * size..(step + 1) * size];
+        let rows = std::array::from_fn(|row| &all[row * self.states..][..self.states]);
         Curve {
             method: self.method,
             t: start,
@@ -247,7 +286,9 @@ impl Observer for Recorder {
     #[inline(always)]
     fn see(&mut self, curve: Curve<'_>, _: f64) {
         self.steps.push((curve.t, curve.h));
-        self.rows.extend_from_slice(curve.rows);
+        for row in curve.rows {
+            self.rows.extend_from_slice(row);
+        }
     }
 }
 
@@ -268,6 +309,30 @@ impl Observer for Sampler<'_> {
         while let Some(&t) = self.times.get(self.next).filter(|t| **t <= until) {
             let to = &mut self.samples[self.next * self.states..][..self.states];
             curve.state((t - curve.t) / curve.h, to);
+            self.next += 1;
+        }
+    }
+}
+
+/// Shows parts of the state at given times.
+struct Shower<'a, X, S> {
+    times: &'a [f64],
+    next: usize,
+    state: X,
+    places: &'a [Range<usize>],
+    show: S,
+}
+
+impl<X: Storage, S: FnMut(usize, &[f64])> Observer for Shower<'_, X, S> {
+    fn wants(&self, _: f64, to: f64) -> bool {
+        self.times.get(self.next).is_some_and(|t| *t <= to)
+    }
+
+    fn see(&mut self, curve: Curve<'_>, until: f64) {
+        while let Some(&t) = self.times.get(self.next).filter(|t| **t <= until) {
+            let s = (t - curve.t) / curve.h;
+            curve.at_places(s, self.places, self.state.as_mut());
+            (self.show)(self.next, self.state.as_ref());
             self.next += 1;
         }
     }

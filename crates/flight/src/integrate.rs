@@ -6,6 +6,7 @@ use crate::error::{Cause, FlightError};
 use crate::event::{Curve, Event, Occurrence, Step, Then};
 use crate::method::dop853::Dop853;
 use crate::method::tsit5::Tsit5;
+use crate::method::wide::{AllFinite, WIDE};
 use crate::method::{Method, Start, Stepper, Tolerance};
 
 /// How a flight is computed.
@@ -142,7 +143,7 @@ fn run<D: Dynamics, O: Observer, S: Stepper<D::State>>(
     let mut control = Control::new(S::ORDER, S::MEMORY, S::FACTORS);
     let mut stepper = S::new(&x);
     let mut found: Vec<(f64, usize)> = Vec::new();
-    let (mut rows, mut scratch) = (Vec::new(), x.clone());
+    let (mut room, mut scratch) = (Vec::new(), x.clone());
     let mut occurrences = Vec::new();
     let mut work = Work {
         evaluations: 1,
@@ -203,13 +204,14 @@ fn run<D: Dynamics, O: Observer, S: Stepper<D::State>>(
         }
         let mut stop = None;
         if happens != 0 || observer.wants(t, t_end) {
-            rows.clear();
-            work.evaluations += stepper.rows(d, &Start { t, x: &x, dx: &dx }, h, &mut rows);
+            let start = Start { t, x: &x, dx: &dx };
+            let (rows, asked) = stepper.rows(d, &start, h, &mut room);
+            work.evaluations += asked;
             let curve = Curve {
                 method: S::METHOD,
                 t,
                 h,
-                rows: &rows,
+                rows,
             };
             if happens != 0 {
                 locate(d, &curve, events, &x, &mut found);
@@ -279,10 +281,15 @@ fn locate<D: Dynamics>(
 
 fn not_finite<X: Storage>(x: &X) -> Option<usize> {
     // First without branches: it is asked of every step.
-    if x.as_ref().iter().fold(true, |all, v| all & v.is_finite()) {
+    let x = x.as_ref();
+    let finite = match x.len() < WIDE {
+        true => x.iter().fold(true, |all, v| all & v.is_finite()),
+        false => lanes::dispatch(AllFinite(x)),
+    };
+    if finite {
         return None;
     }
-    x.as_ref().iter().position(|v| !v.is_finite())
+    x.iter().position(|v| !v.is_finite())
 }
 
 #[cold]

@@ -1,5 +1,6 @@
 //! How a flight changes with its start and its constants: the variational equations, flown along with it.
 
+use crate::aligned::Aligned;
 use crate::dynamics::Dynamics;
 use lanes::{Kernel, Lanes};
 use std::borrow::Cow;
@@ -9,7 +10,7 @@ use std::ops::Range;
 pub trait Linearised {
     /// How many states.
     fn states(&self) -> usize;
-    /// Row and column of each entry of ∂f/∂x that is not always 0.
+    /// Row and column of each entry of ∂f/∂x that is not always 0, row by row.
     fn state_pattern(&self) -> &[(usize, usize)];
     /// Row and column of each entry of ∂f/∂p that is not always 0; columns are constants of the model.
     fn constant_pattern(&self) -> &[(usize, usize)];
@@ -34,16 +35,18 @@ const PADDING: usize = 8;
 
 /// A model that is flown together with S = ∂x/∂(some of the start's states, some constants).
 ///
-/// Its state is `x`, then S row by row, each row padded with zeros; [`start`](Self::start) makes it,
+/// Its state is `x`, then S row by row, all padded with zeros; [`start`](Self::start) makes it,
 /// [`state`](Self::state) and [`row`](Self::row) read it. Steps are controlled by the error of `x` alone, unless
 /// [`controlled_by_all`](Self::controlled_by_all).
 pub struct Sensitivities<M> {
     model: M,
     states: usize,
+    /// Where S begins.
+    first: usize,
     columns: usize,
     stride: usize,
     initial: Vec<usize>,
-    /// Rows of ∂f/∂x, and where the entries of each are.
+    /// Rows of ∂f/∂x with their entries, the shortest first: loops that are as long as the last one are foreseen.
     rows: Vec<(usize, Range<usize>)>,
     /// Entry of ∂f/∂p, and where it is added in S.
     constant_entries: Vec<(usize, usize)>,
@@ -56,7 +59,7 @@ impl<M: Linearised> Sensitivities<M> {
     /// With respect to the start's states `initial`, and then the model's constants `constants`, in that order.
     ///
     /// # Panics
-    /// Where there is no such state.
+    /// Where there is no such state, or the entries of ∂f/∂x do not stand row by row.
     pub fn new(model: M, initial: &[usize], constants: &[usize]) -> Self {
         let states = model.states();
         assert!(initial.iter().all(|i| *i < states), "states of the model");
@@ -74,10 +77,13 @@ impl<M: Linearised> Sensitivities<M> {
         let by_state = vec![0.0; model.state_pattern().len()];
         let by_constant = vec![0.0; model.constant_pattern().len()];
         let initial = initial.to_vec();
-        let rows = rows(model.state_pattern());
+        let pattern = model.state_pattern();
+        assert!(pattern.is_sorted_by_key(|(row, _)| row), "row by row");
+        let rows = rows(pattern, states);
         Sensitivities {
             model,
             states,
+            first: states.next_multiple_of(PADDING),
             columns,
             stride,
             initial,
@@ -106,50 +112,56 @@ impl<M: Linearised> Sensitivities<M> {
     ///
     /// # Panics
     /// Where `x` has not a number for each state.
-    pub fn start(&self, x: &[f64]) -> Box<[f64]> {
+    pub fn start(&self, x: &[f64]) -> Aligned {
         assert_eq!(x.len(), self.states, "a number for each state");
-        let mut start = vec![0.0; self.len()];
+        let mut all = Aligned::zeros(self.len());
+        let start = all.as_mut();
         start[..self.states].copy_from_slice(x);
         for (column, state) in self.initial.iter().enumerate() {
-            start[self.states + state * self.stride + column] = 1.0;
+            start[self.first + state * self.stride + column] = 1.0;
         }
-        start.into()
+        all
     }
 
     /// The start of a flight whose S has these entries (state, column, value) and 0 elsewhere.
     ///
     /// # Panics
     /// Where `x` has not a number for each state, or there is no such state or column.
-    pub fn start_along(&self, x: &[f64], entries: &[(usize, usize, f64)]) -> Box<[f64]> {
+    pub fn start_along(&self, x: &[f64], entries: &[(usize, usize, f64)]) -> Aligned {
         assert_eq!(x.len(), self.states, "a number for each state");
-        let mut start = vec![0.0; self.len()];
+        let mut all = Aligned::zeros(self.len());
+        let start = all.as_mut();
         start[..self.states].copy_from_slice(x);
         for &(state, column, value) in entries {
             assert!(column < self.columns, "a column of S");
-            start[self.states + state * self.stride + column] = value;
+            start[self.first + state * self.stride + column] = value;
         }
-        start.into()
+        all
+    }
+
+    /// Where the state and S stand among the numbers that are flown.
+    pub fn places(&self) -> Places {
+        Places {
+            states: self.states,
+            first: self.first,
+            stride: self.stride,
+        }
     }
 
     /// How many numbers the state and S together are.
     #[allow(clippy::len_without_is_empty)] // of a vector that is never empty
     pub fn len(&self) -> usize {
-        self.states * (1 + self.stride)
+        self.first + self.states * self.stride
     }
 
     /// The state alone.
     pub fn state<'x>(&self, both: &'x [f64]) -> &'x [f64] {
-        &both[..self.states]
+        self.places().state(both)
     }
 
     /// How one state changes with each of the columns.
     pub fn row<'x>(&self, both: &'x [f64], state: usize) -> &'x [f64] {
-        &both[self.states + state * self.stride..][..self.columns]
-    }
-
-    /// The same with the zeros that it is padded with to whole lanes.
-    pub fn padded_row<'x>(&self, both: &'x [f64], state: usize) -> &'x [f64] {
-        &both[self.states + state * self.stride..][..self.stride]
+        &self.places().padded_row(both, state)[..self.columns]
     }
 
     /// The model.
@@ -158,26 +170,63 @@ impl<M: Linearised> Sensitivities<M> {
     }
 }
 
-impl<M: Linearised> Dynamics for Sensitivities<M> {
-    type State = Box<[f64]>;
+/// Where the state and S stand among the numbers that are flown.
+#[derive(Clone, Copy, Debug)]
+pub struct Places {
+    states: usize,
+    first: usize,
+    stride: usize,
+}
 
-    fn derivative(&mut self, t: f64, both: &Box<[f64]>, rates: &mut Box<[f64]>) {
-        let (x, s) = both.split_at(self.states);
-        let (dx, ds) = rates.split_at_mut(self.states);
+impl Places {
+    /// The state's.
+    pub fn of_state(&self) -> Range<usize> {
+        0..self.states
+    }
+
+    /// Those of how one state changes with each of the columns, padded with zeros to whole lanes.
+    pub fn of_row(&self, state: usize) -> Range<usize> {
+        let first = self.first + state * self.stride;
+        first..first + self.stride
+    }
+
+    /// The state alone.
+    pub fn state<'x>(&self, both: &'x [f64]) -> &'x [f64] {
+        &both[self.of_state()]
+    }
+
+    /// How one state changes with each of the columns, with the zeros behind them.
+    pub fn padded_row<'x>(&self, both: &'x [f64], state: usize) -> &'x [f64] {
+        &both[self.of_row(state)]
+    }
+}
+
+impl<M: Linearised> Dynamics for Sensitivities<M> {
+    type State = Aligned;
+
+    fn derivative(&mut self, t: f64, both: &Aligned, rates: &mut Aligned) {
+        let (x, s) = both.as_ref().split_at(self.first);
+        let (dx, ds) = rates.as_mut().split_at_mut(self.first);
+        let (x, dx) = (&x[..self.states], &mut dx[..self.states]);
         self.model
             .linearise(t, x, dx, &mut self.by_state, &mut self.by_constant);
-        ds.fill(0.0);
-        for (entry, place) in &self.constant_entries {
-            ds[*place] = self.by_constant[*entry];
+        let (rows, columns, values) = (&self.rows, self.model.state_pattern(), &self.by_state);
+        let lines = self.stride / PADDING;
+        macro_rules! product {
+            ($lines:literal) => {{
+                let both = (lines / $lines, s, &mut *ds);
+                lanes::dispatch(Product::<$lines>::of(rows, columns, values, both))
+            }};
         }
-        lanes::dispatch(AddProduct {
-            rows: &self.rows,
-            columns: self.model.state_pattern(),
-            values: &self.by_state,
-            stride: self.stride,
-            s,
-            ds,
-        });
+        match lines {
+            _ if lines.is_multiple_of(4) => product!(4),
+            _ if lines.is_multiple_of(3) => product!(3),
+            _ if lines.is_multiple_of(2) => product!(2),
+            _ => product!(1),
+        }
+        for (entry, place) in &self.constant_entries {
+            ds[*place] += self.by_constant[*entry];
+        }
     }
 
     fn controlled(&self) -> usize {
@@ -185,7 +234,7 @@ impl<M: Linearised> Dynamics for Sensitivities<M> {
     }
 
     fn state_name(&self, component: usize) -> Cow<'_, str> {
-        match component.checked_sub(self.states) {
+        match component.checked_sub(self.first) {
             None => self.model.state_name(component),
             Some(i) => format!(
                 "∂{}/∂column {}",
@@ -198,61 +247,124 @@ impl<M: Linearised> Dynamics for Sensitivities<M> {
 }
 
 /// The entries of each row, which stand together.
-fn rows(pattern: &[(usize, usize)]) -> Vec<(usize, Range<usize>)> {
-    let mut rows: Vec<(usize, Range<usize>)> = Vec::new();
-    for (entry, (row, _)) in pattern.iter().enumerate() {
-        match rows.last_mut() {
-            Some((last, range)) if last == row => range.end = entry + 1,
-            _ => rows.push((*row, entry..entry + 1)),
-        }
-    }
+fn rows(pattern: &[(usize, usize)], states: usize) -> Vec<(usize, Range<usize>)> {
+    let first = |row: usize| pattern.partition_point(|(at, _)| *at < row);
+    let rows = (0..states).map(|row| (row, first(row)..first(row + 1)));
+    let mut rows: Vec<_> = rows.collect();
+    rows.sort_by_key(|(_, entries)| entries.len());
     rows
 }
 
-/// `ds += J s`, J given by its entries.
-struct AddProduct<'a> {
+/// `ds = J s`, J given by its entries. A row of S is so many groups of `LINES` lines, whose sums stay where they are summed.
+struct Product<'a, const LINES: usize> {
     rows: &'a [(usize, Range<usize>)],
     columns: &'a [(usize, usize)],
     values: &'a [f64],
-    stride: usize,
-    s: &'a [f64],
-    ds: &'a mut [f64],
+    groups: usize,
+    s: &'a [Group<LINES>],
+    ds: &'a mut [Group<LINES>],
 }
 
-impl Kernel for AddProduct<'_> {
+/// Lines that are summed together.
+type Group<const LINES: usize> = [[f64; PADDING]; LINES];
+
+impl<'a, const LINES: usize> Product<'a, LINES> {
+    fn of(
+        rows: &'a [(usize, Range<usize>)],
+        columns: &'a [(usize, usize)],
+        values: &'a [f64],
+        (groups, s, ds): (usize, &'a [f64], &'a mut [f64]),
+    ) -> Self {
+        Product {
+            rows,
+            columns,
+            values,
+            groups,
+            s: s.as_chunks().0.as_chunks().0,
+            ds: ds.as_chunks_mut().0.as_chunks_mut().0,
+        }
+    }
+}
+
+impl<const LINES: usize> Kernel for Product<'_, LINES> {
     type Output = ();
 
     #[inline(always)]
     fn run<T: Lanes>(self) {
         const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
+        let groups = self.groups;
         for (row, entries) in self.rows {
-            let to = &mut self.ds[row * self.stride..][..self.stride];
-            let entries = self.columns[entries.clone()]
-                .iter()
-                .zip(&self.values[entries.clone()]);
-            // Two sums at a time, which stay where they are summed.
-            let mut pairs = to.chunks_exact_mut(2 * T::WIDTH);
-            let mut at = 0;
-            for to in &mut pairs {
-                let (mut left, mut right) = (T::load(to), T::load(&to[T::WIDTH..]));
-                for (&(_, column), &value) in entries.clone() {
-                    let from = &self.s[column * self.stride + at..][..2 * T::WIDTH];
-                    let value = T::splat(value);
-                    left = value.mul_add(T::load(from), left);
-                    right = value.mul_add(T::load(&from[T::WIDTH..]), right);
+            let columns = &self.columns[entries.clone()];
+            let values = &self.values[entries.clone()];
+            for group in 0..groups {
+                for part in (0..PADDING).step_by(T::WIDTH) {
+                    let mut sums = [T::splat(0.0); LINES];
+                    for (&(_, column), &value) in columns.iter().zip(values) {
+                        let from = &self.s[column * groups + group];
+                        let value = T::splat(value);
+                        for line in 0..LINES {
+                            sums[line] = value.mul_add(T::load(&from[line][part..]), sums[line]);
+                        }
+                    }
+                    let to = &mut self.ds[row * groups + group];
+                    for line in 0..LINES {
+                        sums[line].store(&mut to[line][part..]);
+                    }
                 }
-                left.store(to);
-                right.store(&mut to[T::WIDTH..]);
-                at += 2 * T::WIDTH;
             }
-            let to = pairs.into_remainder();
-            if !to.is_empty() {
-                let mut sum = T::load(to);
-                for (&(_, column), &value) in entries.clone() {
-                    sum =
-                        T::splat(value).mul_add(T::load(&self.s[column * self.stride + at..]), sum);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A model of four states whose entries of ∂f/∂x are the numbers from 1 on.
+    struct Numbered(Vec<(usize, usize)>);
+
+    impl Linearised for Numbered {
+        fn states(&self) -> usize {
+            4
+        }
+        fn state_pattern(&self) -> &[(usize, usize)] {
+            &self.0
+        }
+        fn constant_pattern(&self) -> &[(usize, usize)] {
+            &[(2, 0)]
+        }
+        fn linearise(&mut self, _: f64, _: &[f64], dx: &mut [f64], j: &mut [f64], jp: &mut [f64]) {
+            dx.fill(0.0);
+            jp.fill(100.0);
+            for (i, value) in j.iter_mut().enumerate() {
+                *value = (i + 1) as f64;
+            }
+        }
+    }
+
+    #[test]
+    fn rates_are_those_of_plain_loops_for_any_number_of_columns() {
+        let pattern = vec![(0, 1), (0, 3), (2, 0), (2, 1), (2, 2), (2, 3), (3, 1)];
+        for columns in 1..100 {
+            let constants = vec![0; columns];
+            let mut both = Sensitivities::new(Numbered(pattern.clone()), &[], &constants);
+            let value = |state: usize, column: usize| (state * 7 + column * 3) as f64;
+            let entries = (0..4).flat_map(|s| (0..columns).map(move |c| (s, c, value(s, c))));
+            let at = both.start_along(&[0.0; 4], &entries.collect::<Vec<_>>());
+            let mut rates = at.clone();
+            both.derivative(0.0, &at, &mut rates);
+            for state in 0..4 {
+                for column in 0..columns {
+                    let entries = pattern
+                        .iter()
+                        .enumerate()
+                        .filter(|(_, (row, _))| *row == state);
+                    let terms =
+                        entries.map(|(i, (_, other))| (i + 1) as f64 * value(*other, column));
+                    let expected = terms.sum::<f64>() + if state == 2 { 100.0 } else { 0.0 };
+                    let found = both.row(rates.as_ref(), state)[column];
+                    assert_eq!(found, expected, "{state}, {column} of {columns}");
                 }
-                sum.store(to);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Sensitivities against closed forms and against flights that start a little elsewhere.
 
 use flight::sensitivity::{Linearised, Sensitivities};
-use flight::{Method, Options, equations, fly, fly_at, fly_to_end};
+use flight::{Method, Options, equations, fly, fly_at, fly_past, fly_to_end};
 
 /// A driven pendulum: constants are its stiffness, friction, and one that it does not depend on.
 struct Pendulum([f64; 3]);
@@ -49,8 +49,8 @@ fn sensitivities_are_the_slopes_of_flights() {
     // Columns: start's second state, start's first, friction, stiffness, nothing, friction again.
     let columns: [(usize, usize); 6] = [(0, 1), (0, 0), (1, 1), (1, 0), (1, 2), (1, 1)];
     let mut both = Sensitivities::new(Pendulum(P), &[1, 0], &[1, 0, 2, 1]);
-    assert_eq!((both.columns(), both.len()), (6, 18));
-    let mut samples = vec![0.0; 18 * times.len()];
+    assert_eq!(both.columns(), 6);
+    let mut samples = vec![0.0; both.len() * times.len()];
     let start = both.start(&X);
     fly_at(
         &mut both,
@@ -81,7 +81,7 @@ fn sensitivities_are_the_slopes_of_flights() {
             flown(p, x)
         };
         let (up, down) = (moved(1e-4), moved(-1e-4));
-        for (i, at_time) in samples.chunks(18).enumerate() {
+        for (i, at_time) in samples.chunks(both.len()).enumerate() {
             for state in 0..2 {
                 let slope = (up[2 * i + state] - down[2 * i + state]) / 2e-4;
                 let found = both.row(at_time, state)[column];
@@ -128,4 +128,45 @@ fn an_error_names_states_alone() {
     at 0 s the model has no answer: the rate of change of state 1 is NaN
       last state: state 0 = 1.2, state 1 = -0.7
     "#);
+}
+
+#[test]
+fn what_is_shown_in_passing_is_what_is_written() {
+    let options = Options::tolerance(1e-6);
+    let times = [0.0, 0.0, 0.3, 1.1, 1.1, 2.0];
+    let mut both = Sensitivities::new(Pendulum(P), &[1, 0], &[1, 0, 2, 1]);
+    let start = both.start(&X);
+    let mut samples = vec![0.0; both.len() * times.len()];
+    fly_at(
+        &mut both,
+        (0.0, &start),
+        &times,
+        &options,
+        &mut [],
+        &mut samples,
+    )
+    .unwrap();
+    let places = both.places();
+    let shown = [places.of_state(), places.of_row(1)];
+    let mut next = 0;
+    let from = (0.0, &start);
+    fly_past(
+        &mut both,
+        from,
+        &times,
+        &options,
+        &shown,
+        |index, at_time| {
+            assert_eq!(index, next);
+            let written = &samples[index * start.as_ref().len()..][..start.as_ref().len()];
+            for place in &shown {
+                for (a, b) in at_time[place.clone()].iter().zip(&written[place.clone()]) {
+                    assert!((a - b).abs() < 1e-14, "{a}, not {b}, at {} s", times[index]);
+                }
+            }
+            next += 1;
+        },
+    )
+    .unwrap();
+    assert_eq!(next, times.len());
 }

@@ -5,9 +5,11 @@
 mod columns;
 mod sums;
 
+use std::ops::Range;
+
 use flight::body::States;
 use flight::sensitivity::{Linearised, Sensitivities};
-use flight::{Dynamics, Method, Options, fly_at};
+use flight::{Method, Options, fly_at, fly_past};
 use nalgebra::DVector;
 
 use self::columns::Columns;
@@ -91,7 +93,7 @@ pub fn linearise_by<M: Linearised>(
     (motion, constants): (M, &[usize]),
 ) -> Result<Block, String> {
     let by = (motion, constants);
-    linearise_again(setting, track, (shared, own), samples, loss, by, &mut None)
+    linearise_kept(setting, track, (shared, own), samples, loss, by, None)
 }
 
 /// As [`linearise_by`], of a flight that is kept for another look at it: none before the first. Nothing else than the loss
@@ -105,8 +107,20 @@ pub fn linearise_again<M: Linearised>(
     (shared, own): (&DVector<f64>, &DVector<f64>),
     samples: usize,
     loss: Loss<'_>,
-    (motion, constants): (M, &[usize]),
+    by: (M, &[usize]),
     kept: &mut Option<Vec<f64>>,
+) -> Result<Block, String> {
+    linearise_kept(setting, track, (shared, own), samples, loss, by, Some(kept))
+}
+
+fn linearise_kept<M: Linearised>(
+    setting: &Setting,
+    track: &Track,
+    (shared, own): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+    loss: Loss<'_>,
+    (motion, constants): (M, &[usize]),
+    kept: Option<&mut Option<Vec<f64>>>,
 ) -> Result<Block, String> {
     let columns = Columns::new(track, motion.state_pattern(), constants.len());
     let part = match loss {
@@ -160,7 +174,7 @@ pub fn each_residual<M: Linearised>(
         .chain(columns.moving..columns.moving + columns.shared)
         .collect();
     let mut rows = [0; 3].map(|_| vec![0.0; places.len()]);
-    flight.each((motion, constants), &columns, &mut None, |seen| {
+    flight.each((motion, constants), &columns, None, |seen| {
         for (to, from) in rows.iter_mut().zip(seen.rows.iter()) {
             for (to, &place) in to.iter_mut().zip(&places) {
                 *to = from[place];
@@ -213,29 +227,21 @@ impl Along<'_> {
         &self,
         (motion, constants): (M, &[usize]),
         columns: &Columns,
-        kept: &mut Option<Vec<f64>>,
+        kept: Option<&mut Option<Vec<f64>>>,
         mut each: impl FnMut(Seen<'_>),
     ) -> Result<(), String> {
         let (setting, track) = (self.setting, self.track);
         // Only how many columns there are counts here; they are filled along the chart.
         let moving: Vec<usize> = (0..columns.moving).collect();
         let mut variations = Sensitivities::new(motion, &moving, constants);
-        let flown = match kept {
-            Some(flown) => flown,
-            None => {
-                let tangent = columns.tangent(&track.chart.tangent(self.own.as_slice()));
-                let start = variations.start_along(self.own.as_slice(), &tangent);
-                let times = &track.times[..self.samples];
-                kept.insert(flown(&mut variations, start, times, setting, self.part)?)
-            }
-        };
+        let places = variations.places();
         let parameters = track.parameters(setting, self.shared);
         let sight = Sight::new(&setting.body, &parameters, track.markers);
         let mut observers = sight.observers();
         let mut rows = columns.empty_rows();
-        for (sample, both) in flown.chunks(variations.len()).enumerate() {
-            let time = track.times[sample];
-            let state = variations.state(both);
+        let times = &track.times[..self.samples];
+        let mut look = |sample: usize, both: &[f64]| {
+            let (time, state) = (times[sample], places.state(both));
             for (marker, position) in setting.markers.iter().enumerate() {
                 let seen = match self.outliers {
                     true => track.row(sample)[marker],
@@ -243,7 +249,7 @@ impl Along<'_> {
                 };
                 let Some(seen) = seen else { continue };
                 let (y, derivatives) = observers.linearise(time, state, (marker, position));
-                let row_of = |state: usize| variations.padded_row(both, state);
+                let row_of = |state: usize| places.padded_row(both, state);
                 columns.derive(&derivatives, row_of, constants, &mut rows);
                 each(Seen {
                     marker,
@@ -253,9 +259,47 @@ impl Along<'_> {
                     rows: &mut rows,
                 });
             }
+        };
+        let length = variations.len();
+        if let Some(Some(flown)) = kept {
+            for (sample, both) in flown.chunks(length).enumerate() {
+                look(sample, both);
+            }
+            return Ok(());
         }
-        Ok(())
+        let tangent = columns.tangent(&track.chart.tangent(self.own.as_slice()));
+        let start = variations.start_along(self.own.as_slice(), &tangent);
+        let (from, options) = ((times[0], &start), options(setting, self.part));
+        let flown = match kept {
+            Some(kept) => {
+                let mut flown = vec![0.0; length * times.len()];
+                fly_at(&mut variations, from, times, &options, &mut [], &mut flown).map(|_| {
+                    for (sample, both) in kept.insert(flown).chunks(length).enumerate() {
+                        look(sample, both);
+                    }
+                })
+            }
+            None => {
+                let observed = setting.body.observed_states();
+                let observed = observed.into_iter().map(|state| places.of_row(state));
+                let shown = joined(std::iter::once(places.of_state()).chain(observed));
+                fly_past(&mut variations, from, times, &options, &shown, look)
+            }
+        };
+        flown.map_err(|error| error.to_string())
     }
+}
+
+/// The same places, those that meet joined.
+fn joined(places: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
+    let mut joined: Vec<Range<usize>> = Vec::new();
+    for places in places {
+        match joined.last_mut() {
+            Some(last) if last.end == places.start => last.end = places.end,
+            _ => joined.push(places),
+        }
+    }
+    joined
 }
 
 /// The state at each of the first samples of a track, sample after sample.
@@ -270,13 +314,13 @@ pub fn states(
 ) -> Result<Vec<f64>, String> {
     let conditions = setting.body.with(track.parameters(setting, shared));
     let start: States = own.as_slice().into();
-    flown(
-        &mut conditions.motion(),
-        start,
-        &track.times[..samples],
-        setting,
-        LOOSE_TOLERANCE,
-    )
+    let times = &track.times[..samples];
+    let mut states = vec![0.0; start.len() * times.len()];
+    let (from, options) = ((times[0], &start), options(setting, LOOSE_TOLERANCE));
+    let mut motion = conditions.motion();
+    fly_at(&mut motion, from, times, &options, &mut [], &mut states)
+        .map_err(|error| error.to_string())?;
+    Ok(states)
 }
 
 /// Predicted less measured, by marker and sample, m; `None` where nothing was seen. Outliers are among them.
@@ -320,21 +364,10 @@ pub fn residuals_of(
     residuals
 }
 
-/// Flies from the first of the times to the last, and gives the state at each; the tolerance is a part of the noise's size.
-fn flown<D: Dynamics<State = States>>(
-    dynamics: &mut D,
-    start: States,
-    times: &[f64],
-    setting: &Setting,
-    part: f64,
-) -> Result<Vec<f64>, String> {
-    let mut samples = vec![0.0; start.len() * times.len()];
-    let options = Options {
+/// Options of an integration whose tolerance is a part of the noise's size.
+fn options(setting: &Setting, part: f64) -> Options {
+    Options {
         method: Method::Tsit5,
         ..Options::tolerance((setting.floor * part).clamp(TOLERANCES.0, TOLERANCES.1))
-    };
-    let from = (times[0], &start);
-    fly_at(dynamics, from, times, &options, &mut [], &mut samples)
-        .map_err(|error| error.to_string())?;
-    Ok(samples)
+    }
 }

@@ -102,8 +102,8 @@ struct AddSquares<'a> {
     sums: &'a mut [f64],
 }
 
-/// Rows of the sums that are computed together, so that each load is used several times.
-const TOGETHER: usize = 4;
+/// Rows of the sums that are computed together, and the most vectors of each, so that each load is used several times.
+const TOGETHER: (usize, usize) = (4, 3);
 
 impl Kernel for AddSquares<'_> {
     type Output = ();
@@ -111,25 +111,48 @@ impl Kernel for AddSquares<'_> {
     #[inline(always)]
     fn run<T: Lanes>(self) {
         const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
-        let width = self.width;
-        for first in (0..width).step_by(TOGETHER) {
+        let AddSquares { rows, width, sums } = self;
+        for first in (0..width).step_by(TOGETHER.0) {
             // Whole lanes that reach the diagonal.
-            let from = first / T::WIDTH * T::WIDTH;
-            for column in (from..width).step_by(T::WIDTH) {
-                let mut sums = [T::splat(0.0); TOGETHER];
-                for row in self.rows.chunks_exact(width) {
-                    let right = T::load(&row[column..]);
-                    for (sum, left) in sums.iter_mut().zip(&row[first..first + TOGETHER]) {
-                        *sum = *sum + T::splat(*left) * right;
-                    }
-                }
-                for (k, sum) in sums.into_iter().enumerate() {
-                    let place = &mut self.sums[(first + k) * width + column..];
-                    (T::load(place) + sum).store(place);
-                }
+            let mut column = first / T::WIDTH * T::WIDTH;
+            while column < width {
+                column += match (width - column) / T::WIDTH {
+                    1 => add_block::<T, 1>(rows, width, sums, (first, column)),
+                    2 => add_block::<T, 2>(rows, width, sums, (first, column)),
+                    _ => add_block::<T, { TOGETHER.1 }>(rows, width, sums, (first, column)),
+                };
             }
         }
     }
+}
+
+/// Adds to some rows of the sums, `VECTORS` of each from a column on; gives how many columns these are.
+#[inline(always)]
+fn add_block<T: Lanes, const VECTORS: usize>(
+    rows: &[f64],
+    width: usize,
+    sums: &mut [f64],
+    (first, column): (usize, usize),
+) -> usize {
+    let columns = VECTORS * T::WIDTH;
+    let mut block = [[T::splat(0.0); VECTORS]; TOGETHER.0];
+    for row in rows.chunks_exact(width) {
+        let (left, right) = (&row[first..][..TOGETHER.0], &row[column..][..columns]);
+        for k in 0..TOGETHER.0 {
+            let left = T::splat(left[k]);
+            for v in 0..VECTORS {
+                block[k][v] = left.mul_add(T::load(&right[v * T::WIDTH..]), block[k][v]);
+            }
+        }
+    }
+    for k in 0..TOGETHER.0 {
+        let places = &mut sums[(first + k) * width + column..][..columns];
+        for v in 0..VECTORS {
+            let place = &mut places[v * T::WIDTH..];
+            (T::load(place) + block[k][v]).store(place);
+        }
+    }
+    columns
 }
 
 #[cfg(test)]

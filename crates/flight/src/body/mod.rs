@@ -83,6 +83,19 @@ impl Body {
         &self.layout
     }
 
+    /// The states that the position of a marker depends on, in their order.
+    pub fn observed_states(&self) -> Vec<usize> {
+        let mut states: Vec<usize> = self
+            .patterns
+            .dy_dx
+            .iter()
+            .map(|(_, state)| *state)
+            .collect();
+        states.sort_unstable();
+        states.dedup();
+        states
+    }
+
     /// The parameters of a release, in the order of the layout: the model's defaults with its values, its wind and
     /// what else is known of the flight.
     pub fn parameters(&self, release: &Release) -> Vec<f64> {

@@ -97,13 +97,13 @@ impl<X: Storage> Stepper<X> for Dop853<X> {
     }
 
     #[inline(always)]
-    fn rows<D: Dynamics<State = X>>(
-        &mut self,
+    fn rows<'s, D: Dynamics<State = X>>(
+        &'s mut self,
         d: &mut D,
-        start: &Start<'_, X>,
+        start: &Start<'s, X>,
         h: f64,
-        to: &mut Vec<f64>,
-    ) -> usize {
+        room: &'s mut Vec<f64>,
+    ) -> ([&'s [f64]; ROWS], usize) {
         let Start { t, x, dx } = *start;
         let Dop853 { k, stage, end } = self;
         combine(stage, x, h, k, A13);
@@ -115,6 +115,8 @@ impl<X: Storage> Stepper<X> for Dop853<X> {
 
         let (x, dx, end, end_rate) = (x.as_ref(), dx.as_ref(), end.as_ref(), k[12].as_ref());
         let n = x.len();
+        let to = &mut *room;
+        to.clear();
         to.extend_from_slice(x);
         to.extend((0..n).map(|i| end[i] - x[i]));
         to.extend((0..n).map(|i| h * dx[i] - (end[i] - x[i])));
@@ -123,7 +125,7 @@ impl<X: Storage> Stepper<X> for Dop853<X> {
         row(to, h, k, D1);
         row(to, h, k, D2);
         row(to, h, k, D3);
-        3
+        (std::array::from_fn(|row| &room[row * n..][..n]), 3)
     }
 }
 

@@ -3,9 +3,9 @@
 pub(crate) mod dop853;
 mod dop853_table;
 pub(crate) mod tsit5;
+pub(crate) mod wide;
 
 use crate::dynamics::{Dynamics, Storage};
-use lanes::{Kernel, Lanes};
 
 /// Which method flies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,10 +18,16 @@ pub enum Method {
 }
 
 impl Method {
-    /// Weights of a segment's rows for the state at the part `s` (0 to 1) of its step.
-    pub(crate) fn weights(self, s: f64) -> [f64; ROWS] {
+    /// Weights of a segment's rows for the state at the part `s` (0 to 1) of its step `h`.
+    pub(crate) fn weights(self, s: f64, h: f64) -> [f64; ROWS] {
         match self {
-            Method::Tsit5 => tsit5::weights(s),
+            Method::Tsit5 => {
+                let mut weights = tsit5::weights(s);
+                for weight in &mut weights[1..] {
+                    *weight *= h;
+                }
+                weights
+            }
             Method::Dop853 => dop853::weights(s),
         }
     }
@@ -75,14 +81,15 @@ pub(crate) trait Stepper<X: Storage> {
     fn end(&self) -> &X;
     fn end_rate(&self) -> &X;
 
-    /// Appends the [`ROWS`] rows of the accepted step's curve; gives how often the model was asked for them.
-    fn rows<D: Dynamics<State = X>>(
-        &mut self,
+    /// The [`ROWS`] rows of the accepted step's curve, in `room` where they are not at hand; and how often the model was
+    /// asked for them.
+    fn rows<'s, D: Dynamics<State = X>>(
+        &'s mut self,
         d: &mut D,
-        start: &Start<'_, X>,
+        start: &Start<'s, X>,
         h: f64,
-        to: &mut Vec<f64>,
-    ) -> usize;
+        room: &'s mut Vec<f64>,
+    ) -> ([&'s [f64]; ROWS], usize);
 }
 
 /// Where a step starts.
@@ -106,8 +113,8 @@ pub(crate) fn combine<X: Storage, const M: usize>(
     let n = to.len();
     let from = &from.as_ref()[..n];
     let k = slices(k, n);
-    if n >= WIDE {
-        return lanes::dispatch(Combine {
+    if n >= wide::WIDE {
+        return lanes::dispatch(wide::Combine {
             to,
             from,
             h,
@@ -121,42 +128,6 @@ pub(crate) fn combine<X: Storage, const M: usize>(
             sum += weights[m] * k[m][i];
         }
         to[i] = from[i] + h * sum;
-    }
-}
-
-/// States of so many numbers are combined on the machine's widest lanes; shorter ones are quicker as they are.
-pub(crate) const WIDE: usize = 64;
-
-/// The same for long states, with the same bits.
-struct Combine<'a, const M: usize> {
-    to: &'a mut [f64],
-    from: &'a [f64],
-    h: f64,
-    weights: [f64; M],
-    k: [&'a [f64]; M],
-}
-
-impl<const M: usize> Kernel for Combine<'_, M> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<T: Lanes>(self) {
-        let Combine {
-            to,
-            from,
-            h,
-            weights,
-            k,
-        } = self;
-        let n = to.len();
-        for i in (0..n).step_by(T::WIDTH) {
-            let end = n.min(i + T::WIDTH);
-            let mut sum = T::splat(weights[0]) * T::load_part(&k[0][i..end], 0.0);
-            for m in 1..M {
-                sum = sum + T::splat(weights[m]) * T::load_part(&k[m][i..end], 0.0);
-            }
-            (T::load_part(&from[i..end], 0.0) + T::splat(h) * sum).store_part(&mut to[i..end]);
-        }
     }
 }
 

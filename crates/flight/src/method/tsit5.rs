@@ -136,24 +136,21 @@ impl<X: Storage> Stepper<X> for Tsit5<X> {
     }
 
     #[inline(always)]
-    fn rows<D: Dynamics<State = X>>(
-        &mut self,
+    fn rows<'s, D: Dynamics<State = X>>(
+        &'s mut self,
         _: &mut D,
-        start: &Start<'_, X>,
-        h: f64,
-        to: &mut Vec<f64>,
-    ) -> usize {
-        to.extend_from_slice(start.x.as_ref());
-        for k in [
-            start.dx, &self.k2, &self.k3, &self.k4, &self.k5, &self.k6, &self.k7,
-        ] {
-            to.extend(k.as_ref().iter().map(|k| h * k));
-        }
-        0
+        start: &Start<'s, X>,
+        _: f64,
+        _: &'s mut Vec<f64>,
+    ) -> ([&'s [f64]; ROWS], usize) {
+        let [k2, k3, k4, k5, k6, k7] =
+            [&self.k2, &self.k3, &self.k4, &self.k5, &self.k6, &self.k7].map(|k| k.as_ref());
+        let rows = [start.x.as_ref(), start.dx.as_ref(), k2, k3, k4, k5, k6, k7];
+        (rows, 0)
     }
 }
 
-/// The interpolant of order 4 that needs no further stages.
+/// The interpolant of order 4 that needs no further stages; but for the first, over the step.
 pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     let s2 = s * s;
     [

@@ -1,6 +1,7 @@
 //! Where each unknown stands in a row.
 
 use flight::body::Derivatives;
+use lanes::{Kernel, Lanes};
 
 use crate::rows::Rows;
 use crate::track::Track;
@@ -12,8 +13,8 @@ pub(super) struct Columns {
     pub moving: usize,
     /// Place of each direction.
     pub own: Vec<usize>,
-    /// Direction and state of those that are not flown.
-    pub still: Vec<(usize, usize)>,
+    /// Of each state the place of the direction that is it and is not flown.
+    still: Vec<Option<usize>>,
     /// How many shared unknowns.
     pub shared: usize,
 }
@@ -36,10 +37,15 @@ impl Columns {
             *place += 1;
             *place - 1
         });
+        let own: Vec<usize> = own.collect();
+        let mut place_of = vec![None; track.chart.states()];
+        for (direction, state) in still {
+            place_of[state] = Some(own[direction]);
+        }
         Self {
             moving,
-            own: own.collect(),
-            still,
+            own,
+            still: place_of,
             shared,
         }
     }
@@ -73,18 +79,15 @@ impl Columns {
         constants: &[usize],
         rows: &mut [Vec<f64>; 3],
     ) {
-        let flown = self.moving + self.shared;
-        for row in rows.iter_mut() {
-            row.fill(0.0);
-        }
+        lanes::dispatch(Chain {
+            derivatives,
+            row_of,
+            rows,
+        });
         let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
         for (&(axis, state), &value) in entries {
-            let row = &mut rows[axis];
-            for (sum, part) in row[..flown].iter_mut().zip(row_of(state)) {
-                *sum += value * part;
-            }
-            if let Some((direction, _)) = self.still.iter().find(|(_, s)| *s == state) {
-                row[self.own[*direction]] += value;
+            if let Some(place) = self.still[state] {
+                rows[axis][place] += value;
             }
         }
         let entries = derivatives
@@ -94,6 +97,35 @@ impl Columns {
         for (&(axis, place), &value) in entries {
             if let Some(column) = constants.iter().position(|constant| *constant == place) {
                 rows[axis][self.moving + column] += value;
+            }
+        }
+    }
+}
+
+/// Rows of a marker by what is flown: its derivatives by the states, times how those change.
+struct Chain<'a, R> {
+    derivatives: &'a Derivatives<'a>,
+    /// How a state changes, padded with zeros to whole lanes.
+    row_of: R,
+    rows: &'a mut [Vec<f64>; 3],
+}
+
+impl<'s, R: Fn(usize) -> &'s [f64]> Kernel for Chain<'_, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        for row in self.rows.iter_mut() {
+            for to in row.chunks_exact_mut(T::WIDTH) {
+                T::splat(0.0).store(to);
+            }
+        }
+        let at = self.derivatives.by_state_at.iter();
+        for (&(axis, state), &value) in at.zip(self.derivatives.by_state) {
+            let value = T::splat(value);
+            let from = (self.row_of)(state).chunks_exact(T::WIDTH);
+            for (to, from) in self.rows[axis].chunks_exact_mut(T::WIDTH).zip(from) {
+                value.mul_add(T::load(from), T::load(to)).store(to);
             }
         }
     }
