@@ -54,6 +54,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer diagnose examples/mystery --out found\n  hyzer diagnose examples/ball --without wind_of_each_flight --threads 2\n\nThe folder then holds report.html, report.json, figures, tables and, where something is found, extended.hyz: the model with it\nwritten in, and extended/, its code."
     )]
     Diagnose(Diagnose),
+    /// List the effects that a model can be given: what each says, where it acts, when it vanishes and when it does not matter
+    #[command(
+        after_help = "Examples:\n  hyzer effects ball\n  hyzer effects --out docs/effects.md     # all of them"
+    )]
+    Effects(Effects),
     /// Hold the paper's claims against every reading of its tables
     #[command(after_help = "Example:\n  hyzer paper --out docs/paper.md")]
     Paper(Paper),
@@ -283,6 +288,16 @@ pub struct Diagnose {
     pub threads: Option<usize>,
     /// Folder for report.html, report.json, the extended model, figures and tables; without it a summary is printed
     #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer effects`.
+#[derive(Args)]
+pub struct Effects {
+    /// Only those that go with this model: a name or a path
+    pub model: Option<String>,
+    /// File for the page; without it the page is printed
+    #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }
 

@@ -279,6 +279,31 @@ fn real_flights_are_fitted() {
     assert!(rms < 0.02, "{rms}");
 }
 
+#[test]
+fn the_page_of_the_effects_is_what_the_command_writes() {
+    let written = stdout(hyzer().arg("effects"), 0);
+    let committed =
+        std::fs::read_to_string(repository().join("docs/effects.md")).expect("the page");
+    assert_eq!(
+        written, committed,
+        "run `hyzer effects --out docs/effects.md`"
+    );
+    // Of a model of one's own, its own too.
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("own.hyz");
+    let offered = "effect lead on ball { site gravity; variables none; source \"a | scale\";\n\
+        coefficient lead = 0 kg in 0 .. 1; negligible lead 1e-5 kg; replace g_here = previous*(1 + lead/m); }\n";
+    let ball = repository().join("model-spec/models/ball.hyz");
+    let ball = std::fs::read_to_string(ball).expect("the ball");
+    std::fs::write(&file, ball + offered).expect("written");
+    let told = stdout(hyzer().arg("effects").arg(&file), 0);
+    assert!(
+        told.contains("| `lead` |  | none | `lead` in kg | 0 | 1e-5 | ball | a \\| scale |"),
+        "{told}"
+    );
+    assert!(told.contains("`magnus`") && !told.contains("`stall`"));
+}
+
 /// Drag coefficient, its standard error, and the rms (m) of a report.
 fn drag(folder: &Path) -> (f64, f64, f64) {
     let text = std::fs::read_to_string(folder.join("report.json")).expect("a report");
@@ -359,7 +384,7 @@ fn bad_input_is_status_2_and_says_what_was_expected() {
 #[test]
 fn every_command_has_help_with_an_example() {
     for command in [
-        "check", "generate", "verify", "explain", "simulate", "fit", "paper",
+        "check", "generate", "verify", "explain", "simulate", "fit", "effects", "paper",
     ] {
         let told = stdout(hyzer().args([command, "--help"]), 0);
         assert!(told.contains(&format!("  hyzer {command}")), "{told}");

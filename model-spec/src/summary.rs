@@ -183,7 +183,7 @@ fn first(doc: &str) -> &str {
 }
 
 /// A number as people write it, with its unit.
-fn with_unit(value: f64, unit: &str) -> String {
+pub fn with_unit(value: f64, unit: &str) -> String {
     let small = value != 0.0 && value.abs() < 1e-3;
     let number = if small {
         format!("{value:e}")

@@ -2,6 +2,7 @@
 
 mod check;
 mod diagnose;
+mod effects;
 mod explain;
 mod fit;
 mod generate;
@@ -25,6 +26,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),
+        Command::Effects(options) => effects::run(&options),
         Command::Paper(options) => paper::run(&options),
         Command::Trials(options) => trials::run(&options),
     }

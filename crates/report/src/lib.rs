@@ -1,8 +1,9 @@
-//! Figures and tables of flights, and the pages of a fit and of a diagnosis.
+//! Figures and tables of flights, the pages of a fit and of a diagnosis, and that of the effects.
 
 #![forbid(unsafe_code)]
 
 pub mod diagnosis;
+pub mod effects;
 pub mod figures;
 pub mod fit;
 pub mod literature;

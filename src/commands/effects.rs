@@ -1,0 +1,21 @@
+//! `hyzer effects`: the effects that there are.
+
+use report::effects::{listed, page};
+
+use crate::cli::Effects;
+use crate::{Answer, output};
+
+/// Lists them.
+pub fn run(options: &Effects) -> anyhow::Result<Answer> {
+    let model = options.model.as_deref();
+    let effects = listed(model)?;
+    let page = page(&effects, model);
+    match &options.out {
+        Some(file) => {
+            output::write(file, page)?;
+            eprintln!("{} effects; the page is {}", effects.len(), file.display());
+        }
+        None => output::print(page)?,
+    }
+    Ok(Answer::Yes)
+}
