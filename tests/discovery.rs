@@ -66,3 +66,26 @@ fn what_is_strong_is_found_and_no_wrong_cause_stands_alone() {
     }
     assert!(strong >= 7, "only {strong} are strong");
 }
+
+#[test]
+fn what_flights_agree_on_is_named_and_those_that_contradict_are_listed() {
+    let words = [
+        "told off20% swapped0%",
+        "told off0% swapped33%",
+        "told off0% swapped100%",
+    ];
+    let all = tried(&words, 1);
+    let [off, some, every] = &all[..] else {
+        panic!("three rows");
+    };
+    for tried in [off, some] {
+        let outcome = &tried.outcomes[0];
+        assert!(outcome.in_set, "{}: {}", tried.row.key(), outcome.said());
+        assert!(outcome.held_out_after < outcome.held_out_before);
+    }
+    let (listed, right) = some.outcomes[0].contradicting;
+    assert!(listed >= 4 && right == listed, "{right} of {listed}");
+    // Where every flight was told another's spin nothing is said of spin.
+    let outcome = &every.outcomes[0];
+    assert!(!outcome.wrong && !outcome.in_set, "{}", outcome.said());
+}

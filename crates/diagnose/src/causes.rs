@@ -82,7 +82,7 @@ pub struct Cause {
 
 impl Cause {
     /// Where it is.
-    fn vantage(&self) -> Vantage<'_> {
+    pub(crate) fn vantage(&self) -> Vantage<'_> {
         Vantage {
             setting: &self.setting,
             point: &self.point,

@@ -90,11 +90,14 @@ pub fn thresholds(
 ) -> Vec<f64> {
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
-    let eigen = SymmetricEigen::new(covariance.clone());
     let size = covariance.nrows();
-    let mut root = eigen.eigenvectors;
-    for (mut column, value) in root.column_iter_mut().zip(eigen.eigenvalues.iter()) {
-        column *= value.max(0.0).sqrt();
+    let mut root = covariance.clone();
+    if size > 0 {
+        let eigen = SymmetricEigen::new(root);
+        root = eigen.eigenvectors;
+        for (mut column, value) in root.column_iter_mut().zip(eigen.eigenvalues.iter()) {
+            column *= value.max(0.0).sqrt();
+        }
     }
     let rows: usize = groups.iter().map(|group| group.whitening.nrows()).sum();
     let mut all = DMatrix::zeros(rows, size);

@@ -6,11 +6,13 @@
 //! and [`outside`] look beyond the catalogue; [`extend`] writes the model that has what was found, and [`gain`] measures it on flights
 //! that it has not seen; [`throw`] says which flight would tell the remaining causes apart. [`report`] is what comes out.
 
+pub mod agree;
 pub mod bench;
 mod beside;
 pub mod catalogue;
 pub mod causes;
 pub mod chance;
+pub mod common;
 pub mod curves;
 pub mod detect;
 pub mod diagnosis;
@@ -22,6 +24,7 @@ pub mod leftover;
 pub mod outside;
 pub mod report;
 pub mod scores;
+mod telling;
 pub mod terms;
 pub mod throw;
 pub mod weighted;

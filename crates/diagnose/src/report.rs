@@ -50,6 +50,8 @@ pub struct Report {
     pub curves: Vec<Curve>,
     /// What was found outside the catalogue.
     pub outside: Option<Outside>,
+    /// Where the causes do not explain all, how far the flights agree on them.
+    pub agreement: Option<Agreement>,
     /// What the checks say of the extended model.
     pub verified: Option<Verified>,
     /// Noteworthy circumstances.
@@ -148,6 +150,10 @@ pub struct Gain {
     pub noise_floor_m: f64,
     /// Flights that were held out, or each in turn where the dataset holds none out.
     pub flights: usize,
+    /// Flights among them whose first part, on which their initial state is fitted, contradicts causes that not all flights go with:
+    /// they are predicted without the extension.
+    #[serde(default)]
+    pub without: usize,
     /// Whether flights were held out by the dataset; else every flight was predicted by a fit to the others.
     pub held_out_by_dataset: bool,
 }
@@ -296,6 +302,22 @@ pub struct Outside {
     pub channels: Vec<Channel>,
     /// Terms that were tried, the most significant first.
     pub terms: Vec<Term>,
+}
+
+/// How far flights agree on causes that leave more than noise: what is left differs from flight to flight, and has no law that they
+/// share.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Agreement {
+    /// Fitted flights that go with the causes.
+    pub flights: usize,
+    /// The part of what is more than noise that the first cause explains of these flights: weighted squares. None where it leaves
+    /// noise alone.
+    pub part: Option<f64>,
+    /// The probability that all fitted flights agree as well by chance, over everything that was looked for.
+    pub chance: f64,
+    /// Files of fitted flights that contradict: with the causes at the size that the others ask for they are predicted worse. They are
+    /// left out of everything else in the report.
+    pub contradicting: Vec<String>,
 }
 
 /// What one load would have to be besides what the model says.

@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 use crate::outside::Written;
-use crate::report::{Cause, CauseEffect, Report, Term, Verdict};
+use crate::report::{Agreement, Cause, CauseEffect, Report, Term, Verdict};
 
 /// The paragraph that a report begins with.
 pub fn summary(report: &Report) -> String {
@@ -49,6 +49,9 @@ pub fn summary(report: &Report) -> String {
             ),
         },
     };
+    if let Some(agreement) = &report.agreement {
+        told.push_str(&agreed(agreement));
+    }
     if let Some(gain) = &report.gain {
         let how = match gain.held_out_by_dataset {
             true => "flights that were held out",
@@ -60,6 +63,13 @@ pub fn summary(report: &Report) -> String {
             millimetres(gain.held_out_rms_after_m),
             millimetres(gain.noise_floor_m)
         ));
+        if gain.without > 0 {
+            told.push_str(&format!(
+                " Of these {}, {} contradict it in their first part already, on which their initial state is fitted, and are predicted \
+                 without it.",
+                gain.flights, gain.without
+            ));
+        }
     }
     let moved: Vec<String> = report
         .coefficients
@@ -78,6 +88,40 @@ pub fn summary(report: &Report) -> String {
         ));
     }
     told
+}
+
+/// How far flights agree on a cause that leaves more than noise.
+fn agreed(agreement: &Agreement) -> String {
+    let mut told = format!(
+        " It is what {} flights agree on (the probability that chance does as much is at most {}).",
+        agreement.flights,
+        figures(agreement.chance),
+    );
+    if let Some(part) = agreement.part {
+        told.push_str(&format!(
+            " It explains {:.0} % of what is more than noise; what it leaves differs from flight to flight, and has no law among all \
+             that was looked for. Standard errors are by the scatter of the flights.",
+            100.0 * part
+        ));
+    }
+    if !agreement.contradicting.is_empty() {
+        told.push_str(&format!(
+            " {} other flights contradict it and are left out: look at what was told of them beforehand ({}).",
+            agreement.contradicting.len(),
+            listed(&agreement.contradicting)
+        ));
+    }
+    told
+}
+
+/// Names that are listed at most.
+const LISTED: usize = 16;
+
+fn listed(names: &[String]) -> String {
+    match names.len().checked_sub(LISTED) {
+        Some(more) if more > 0 => format!("{} and {more} more", names[..LISTED].join(", ")),
+        _ => names.join(", "),
+    }
 }
 
 fn named(cause: &Cause) -> String {

@@ -29,6 +29,7 @@ use crate::report::{FlightEvidence, Report};
 pub use crate::setting::FitError;
 use crate::setting::Setting;
 use crate::track::Track;
+pub use held_out::FITTED;
 
 /// A dataset that was fitted.
 pub struct Fitted {

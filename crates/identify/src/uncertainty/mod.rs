@@ -94,6 +94,9 @@ impl Covariance {
 /// them.
 fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
     let size = information.nrows();
+    if size == 0 {
+        return DMatrix::zeros(0, 0);
+    }
     let scale = information.diagonal().map(|value| {
         let root = value.max(0.0).sqrt();
         // An unknown that nothing depends on: as uncertain as can be written.

@@ -27,6 +27,10 @@ pub fn undetermined(
 ) -> Vec<Undetermined> {
     let usual = |i: usize| shared[i].usual;
     let size = shared.len();
+    // Where everything is held nothing is open.
+    if size == 0 {
+        return Vec::new();
+    }
     let relative = DMatrix::from_fn(size, size, |i, j| {
         covariance[(i, j)] / (usual(i) * usual(j))
     });

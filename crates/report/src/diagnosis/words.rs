@@ -81,8 +81,18 @@ pub(super) fn gain(report: &Report) -> String {
             count(n, "flight")
         ),
     };
+    let without = match gain.without {
+        0 => String::new(),
+        n => format!(
+            " {} already in the first part, on which the initial state is fitted, and predicted without it.",
+            match n {
+                1 => "One of them contradicts it".to_owned(),
+                n => format!("{n} of them contradict it"),
+            }
+        ),
+    };
     format!(
-        "{how} a coordinate is missed by {before} without the extension and by {after} with it: a gain of {}. \
+        "{how} a coordinate is missed by {before} without the extension and by {after} with it: a gain of {}.{without} \
          No model can do better than the noise, {}.",
         gained(gain),
         millimetres(gain.noise_floor_m)

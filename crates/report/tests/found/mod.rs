@@ -201,6 +201,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
             standard_error_m: 0.0009,
             noise_floor_m: SIGMA,
             flights: flights.len() / 4,
+            without: 0,
             held_out_by_dataset: true,
         }),
         coefficients,
@@ -251,6 +252,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         flights: flights.iter().enumerate().map(each).collect(),
         curves,
         outside: (verdict == Verdict::Outside).then(|| outside(flights)),
+        agreement: None,
         verified: extended.then(|| Verified {
             holds: true,
             checks: vec![

@@ -7,6 +7,7 @@ use rand_chacha::ChaCha12Rng;
 
 use super::plan::{Body, Row, Size, numbers};
 use crate::coverage::TWELVE;
+use crate::hidden::told::Told;
 use crate::hidden::{Hidden, ball, dataset, outside};
 use crate::made::Plan;
 
@@ -29,6 +30,10 @@ pub struct Case {
     pub body: Body,
     /// What is hidden, with its numbers.
     pub hidden: Hidden,
+    /// How many flights.
+    pub flights: usize,
+    /// How what is told of them departs from the truth.
+    pub told: Option<Told>,
     /// The seed of all of it.
     pub seed: u64,
 }
@@ -72,13 +77,17 @@ impl Case {
             let (value, sign) = around(found.strength[size as usize]);
             (name.to_owned(), sign * value)
         });
+        let (usual, held_out) = flights(row.body);
+        let flights = row.flights.unwrap_or(usual);
         Self {
             body: row.body,
+            flights,
+            told: row.told,
             hidden: Hidden {
                 effects,
                 outside: outside.collect(),
                 noise: Some(row.noise.noise),
-                held_out: flights(row.body).1,
+                held_out: held_out * flights / usual,
             },
             seed,
         }
@@ -86,16 +95,20 @@ impl Case {
 
     /// Its flights.
     pub fn dataset(&self) -> Dataset {
-        let (flights, _) = flights(self.body);
+        let flights = self.flights;
         let of_ball = |plan| {
             let plan = ball::Plan { flights, ..plan };
             ball::dataset(&plan, &self.hidden, self.seed)
         };
-        match self.body {
+        let mut dataset = match self.body {
             Body::Disc => dataset(&Plan { flights, ..TWELVE }, &self.hidden, self.seed),
             Body::TableTennis => of_ball(ball::TABLE_TENNIS),
             Body::Football => of_ball(ball::FOOTBALL),
+        };
+        if let Some(told) = self.told {
+            told.spoil(&mut dataset, self.seed);
         }
+        dataset
     }
 }
 

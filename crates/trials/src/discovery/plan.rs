@@ -6,6 +6,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
 use crate::coverage::{Condition, conditions};
+use crate::hidden::told::Told;
 use crate::hidden::{outside, strength};
 
 /// Kinds of rows.
@@ -23,6 +24,10 @@ pub enum Group {
     Outside,
     /// A ball's.
     Ball,
+    /// What is in no catalogue, in many flights.
+    Many,
+    /// What is told of flights beforehand is not quite so.
+    Told,
 }
 
 impl Group {
@@ -35,6 +40,8 @@ impl Group {
             Group::Equivalents => "equivalents",
             Group::Outside => "outside",
             Group::Ball => "ball",
+            Group::Many => "many",
+            Group::Told => "told",
         }
     }
 }
@@ -96,6 +103,10 @@ pub struct Row {
     pub size: Option<Size>,
     /// The noise.
     pub noise: Condition,
+    /// How many flights, where it is not as many as usual.
+    pub flights: Option<usize>,
+    /// How what is told of the flights departs from the truth.
+    pub told: Option<Told>,
     /// How many runs.
     pub runs: usize,
 }
@@ -115,7 +126,15 @@ impl Row {
     pub fn key(&self) -> String {
         let size = self.size.map_or("", Size::word);
         let (group, hidden, noise) = (self.group.word(), self.hidden(), self.noise.name);
-        format!("{group} {:?} {hidden} {size} {noise}", self.body).to_lowercase()
+        let mut key = format!("{group} {:?} {hidden} {size} {noise}", self.body);
+        if let Some(flights) = self.flights {
+            key += &format!(" {flights} flights");
+        }
+        if let Some(told) = self.told {
+            let [off, swapped] = [told.off, told.swapped].map(|part| (100.0 * part).round());
+            key += &format!(" off{off}% swapped{swapped}%");
+        }
+        key.to_lowercase()
     }
 
     /// Whether all words stand in its key; hyphens are as good as underscores.
@@ -137,6 +156,8 @@ struct Share {
     equivalents: usize,
     outside: usize,
     ball: usize,
+    many: usize,
+    told: usize,
 }
 
 const SHARE: Share = Share {
@@ -146,6 +167,8 @@ const SHARE: Share = Share {
     equivalents: 5,
     outside: 4,
     ball: 4,
+    many: 3,
+    told: 10,
 };
 
 /// Pairs that are drawn.
@@ -174,6 +197,21 @@ const BALLS: [(&[&str], Body); 5] = [
     (&["buoyancy"], Body::TableTennis),
 ];
 
+/// Flights of rows that have many.
+const MANY: usize = 48;
+
+/// How what is told of flights departs from the truth.
+const TOLD: [Told; 4] = [
+    told(0.2, 0.0),
+    told(0.0, 0.33),
+    told(0.2, 0.33),
+    told(0.0, 1.0),
+];
+
+const fn told(off: f64, swapped: f64) -> Told {
+    Told { off, swapped }
+}
+
 /// The whole plan, with so many seeds of each null row and fewer of the others.
 ///
 /// # Panics
@@ -193,6 +231,8 @@ pub fn plan(seeds: usize) -> Vec<Row> {
         alike: None,
         size,
         noise,
+        flights: None,
+        told: None,
         runs,
     };
     let (white, disc) = (noise("white"), Body::Disc);
@@ -247,6 +287,36 @@ pub fn plan(seeds: usize) -> Vec<Row> {
                 ..row(Group::Outside, body, &[], Some(size), noise, runs)
             });
         }
+    }
+    for found in outside::ALL {
+        let body = match found.laws.contains(&Law::Disc) {
+            true => disc,
+            false => Body::TableTennis,
+        };
+        for size in both {
+            let (runs, noise) = (share(SHARE.many), white.clone());
+            rows.push(Row {
+                outside: Some(found.name),
+                flights: Some(MANY),
+                ..row(Group::Many, body, &[], Some(size), noise, runs)
+            });
+        }
+    }
+    for told in TOLD {
+        let (runs, noise) = (share(SHARE.told), white.clone());
+        let size = Some(Size::Strong);
+        rows.push(Row {
+            flights: Some(MANY),
+            told: Some(told),
+            ..row(
+                Group::Told,
+                Body::TableTennis,
+                &["magnus"],
+                size,
+                noise,
+                runs,
+            )
+        });
     }
     for (effects, body) in BALLS {
         for size in both {

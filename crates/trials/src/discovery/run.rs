@@ -11,7 +11,8 @@ use identify::options::Options;
 use model_spec::model::Model;
 
 use super::case::Case;
-use crate::hidden::outside;
+use crate::hidden::told::Told;
+use crate::hidden::{file_of, outside};
 
 /// The quantile that is exceeded nine times in ten.
 const POWER: f64 = 1.281_551_565_544_6;
@@ -39,6 +40,8 @@ pub struct Outcome {
     pub detectable_sizes: Option<f64>,
     /// Its own score, as the size of a standard normal number: of several effects the least.
     pub sigmas: Option<f64>,
+    /// Flights that are said to contradict, and how many of them were told another flight's spin.
+    pub contradicting: (usize, usize),
     /// Sites of the terms that were written, for what is outside the catalogue.
     pub sites: Vec<String>,
     /// Error of prediction on held-out flights without an extension, m.
@@ -99,6 +102,7 @@ impl Outcome {
             undetectable: false,
             detectable_sizes: None,
             sigmas: None,
+            contradicting: (0, 0),
             sites: Vec::new(),
             held_out_before: f64::NAN,
             held_out_after: f64::NAN,
@@ -180,6 +184,13 @@ fn judge(outcome: &mut Outcome, report: &Report) {
         debug_assert!(!site.is_empty());
         return;
     }
+    if let Some(told) = outcome.case.told {
+        outcome.contradicting = contradicting(&outcome.case, told, report);
+        outcome.in_set = outcome.causes.contains(&truth);
+        // Where nobody's spin is his own it says nothing.
+        outcome.wrong = single && (outcome.causes[0] != truth || told.swapped == 1.0);
+        return;
+    }
     let mut shown: Vec<String> = Vec::new();
     for (name, values) in &hidden.effects {
         let gone = report.undetectable.iter();
@@ -205,6 +216,17 @@ fn judge(outcome: &mut Outcome, report: &Report) {
     // Of two effects, one of which is too small to be seen, the other alone is right.
     let right = |cause: &Vec<String>| *cause == truth || (!shown.is_empty() && *cause == shown);
     outcome.wrong = single && !right(&outcome.causes[0]);
+}
+
+/// Flights that are said to contradict, and how many of them were told another flight's spin.
+fn contradicting(case: &Case, told: Told, report: &Report) -> (usize, usize) {
+    let swapped = told.swapped(case.flights, case.seed);
+    let files = report.agreement.iter().flat_map(|a| &a.contradicting);
+    let right = files.clone().filter(|file| {
+        let swapped = swapped.iter().map(|flight| file_of(*flight));
+        swapped.into_iter().any(|name| name == **file)
+    });
+    (files.count(), right.count())
 }
 
 fn least(a: Option<f64>, b: Option<f64>) -> Option<f64> {
@@ -241,7 +263,7 @@ fn held_out(outcome: &mut Outcome, found: &Diagnosed, dataset: &Dataset, truths:
     let after = found.after.as_ref().map(|(_, fitted)| prediction(fitted));
     outcome.held_out_before = before;
     outcome.held_out_after = after.unwrap_or(before);
-    if !outcome.case.hidden.outside.is_empty() {
+    if !outcome.case.hidden.outside.is_empty() || outcome.case.told.is_some() {
         return;
     }
     let truth = truth(&outcome.case);

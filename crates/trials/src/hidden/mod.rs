@@ -6,6 +6,7 @@
 pub mod ball;
 pub mod outside;
 pub mod strength;
+pub mod told;
 mod watch;
 
 use identify::dataset::{Dataset, Flight, Role};
@@ -122,6 +123,11 @@ fn fly(
     seen
 }
 
+/// The file of a flight, by its index.
+pub fn file_of(index: usize) -> String {
+    format!("flight{:03}.csv", index + 1)
+}
+
 fn flight(
     index: usize,
     of: usize,
@@ -130,7 +136,7 @@ fn flight(
     positions: Vec<Vec<Option<[f64; 3]>>>,
 ) -> Flight {
     Flight {
-        file: format!("flight{:03}.csv", index + 1),
+        file: file_of(index),
         role: if index + hidden.held_out < of {
             Role::Fit
         } else {

@@ -391,8 +391,12 @@ fn said(text: &mut Text, balls: &Balls) {
     }
     text.paragraph(
         "A cause stands for the diagnosis where what it leaves is noise, here a few millimetres that hardly depend on one another. Measured \
-         lift scatters about any law of the measured spin by more than that, from flight to flight; so each law is refused in turn, \
-         however much it explains. The standard errors from the scatter of the flights, in the table above, are the fairer measure here.",
+         lift scatters about any law of the measured spin by more than that, from flight to flight, and so no law stands in this \
+         sense. What is named is what the flights agree on: their signs are drawn at random ten thousand times, and nothing that was \
+         looked for is then agreed on as well as lift by spin is, over all effects and terms at once, more often than the figure says. \
+         Beside it they agree on nothing more. The flights that contradict it are found by the fit alone, which knows nothing of the \
+         stretches above; all of them lie in the others. A held-out flight is predicted with the lift unless its first part, on \
+         which its initial state is fitted, contradicts it.",
     );
 }
 
