@@ -169,7 +169,7 @@ fn looked<R: Send>(
             let contradicting: Vec<String> = agreed.contradicting.iter().map(file).collect();
             if !contradicting.is_empty()
                 && may_leave_out
-                && let Some(done) = without(
+                && let Some(mut done) = without(
                     model,
                     dataset,
                     asked,
