@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
+use diagnose::diagnosis::{Asked, diagnose};
+use diagnose::report::Verdict;
 use trials::page::{RealData, real_data};
+use trials::spindoe;
 use trials::spindown::Form;
 
 /// The folder of the measured data; none where it is not there, which is said.
@@ -65,6 +68,34 @@ fn spins_of_half_of_the_balls(data: &RealData) {
     let square = &square.coefficients["C_Lww"];
     let error = square.std_error_clustered.expect("21 flights");
     assert!(square.value < -5.0 * error, "{square:?}");
+}
+
+#[test]
+fn lift_by_spin_is_named_and_flights_with_another_s_spin_contradict_it() {
+    let Some(folder) = measured() else { return };
+    let dataset = identify::dataset::load(&folder.join("spindoe")).expect("the balls");
+    let model = model_spec::load::load("ball", &[]).expect("the ball");
+    let found = diagnose(&model, &dataset, &Asked::default()).expect("a diagnosis");
+    let report = found.report;
+    assert_eq!(report.verdict, Verdict::Named, "{}", report.summary);
+    let [cause] = &report.causes[..] else {
+        panic!("one cause: {}", report.summary);
+    };
+    assert_eq!(cause.effects.len(), 1);
+    assert_eq!(cause.effects[0].name, "magnus");
+    let lift = &cause.effects[0].estimates["C_Lw"];
+    assert!((0.2..0.5).contains(&lift.value), "{lift:?}");
+    assert!(lift.value > 4.0 * lift.std_error, "{lift:?}");
+    let agreement = report.agreement.expect("more than noise is left");
+    assert!(agreement.chance < 0.01, "{agreement:?}");
+    assert!(agreement.contradicting.len() > 5, "{agreement:?}");
+    for file in &agreement.contradicting {
+        assert!(!spindoe::agrees(file), "{file} goes with its spin");
+    }
+    let gain = report.gain.expect("flights are held out");
+    let gained = gain.held_out_rms_before_m - gain.held_out_rms_after_m;
+    assert!(gained > gain.standard_error_m, "{gain:?}");
+    assert_eq!(gain.flights, 20);
 }
 
 fn spin_that_dies_away_faster_than_itself(data: &RealData) {
