@@ -153,18 +153,32 @@ pub fn usual(scales: &[[f64; 3]]) -> [f64; 3] {
     })
 }
 
+/// Points that stand out at a scale: places as [`Track::outlier`](crate::track::Track::outlier) has them, and departures.
+pub fn suspects(departures: &Residuals, scale: [f64; 3]) -> Vec<(usize, [f64; 3])> {
+    let markers = departures.len();
+    let mut suspects = Vec::new();
+    for (marker, series) in departures.iter().enumerate() {
+        for (sample, departure) in series.iter().enumerate() {
+            if let Some(departure) = departure.filter(|departure| stands_out(departure, scale)) {
+                suspects.push((sample * markers + marker, departure));
+            }
+        }
+    }
+    suspects
+}
+
+/// Whether a departure is an outlier's.
+pub fn stands_out(departure: &[f64; 3], scale: [f64; 3]) -> bool {
+    (0..3).any(|axis| departure[axis].abs() > OUTLIER * scale[axis])
+}
+
 /// Which points stand out, by sample and marker as [`Track::outlier`](crate::track::Track::outlier) has them.
 pub fn marks(departures: &Residuals, scale: [f64; 3]) -> Vec<bool> {
-    let samples = departures.first().map_or(0, Vec::len);
-    let stands_out = |sample: usize, series: &Vec<Option<[f64; 3]>>| {
-        series[sample].is_some_and(|departure| {
-            (0..3).any(|axis| departure[axis].abs() > OUTLIER * scale[axis])
-        })
-    };
-    let rows =
-        (0..samples).flat_map(|sample| departures.iter().map(move |series| (sample, series)));
-    rows.map(|(sample, series)| stands_out(sample, series))
-        .collect()
+    let mut marks = vec![false; departures.iter().map(Vec::len).sum()];
+    for (place, _) in suspects(departures, scale) {
+        marks[place] = true;
+    }
+    marks
 }
 
 #[cfg(test)]

@@ -75,16 +75,23 @@ fn estimate(
     let scales = batch::each_on(options.threads(), state.tracks.len(), |flight| {
         let residuals = flown.residuals(setting, state, flight)?;
         let departures = outlier::departures(&state.tracks[flight].times, &residuals);
-        Ok(outlier::scale(&departures))
+        // What does not stand out in its own flight will not at a scale that is no smaller.
+        let scale = outlier::scale(&departures);
+        Ok((scale, outlier::suspects(&departures, scale)))
     });
-    let scales: Vec<[f64; 3]> = scales.into_iter().collect::<Result<_, FitError>>()?;
+    let judged: Vec<_> = scales.into_iter().collect::<Result<_, FitError>>()?;
+    let scales: Vec<[f64; 3]> = judged.iter().map(|(scale, _)| *scale).collect();
     let usual = outlier::usual(&scales);
     let marked = batch::each_on(options.threads(), state.tracks.len(), |flight| {
         let residuals = flown.residuals(setting, state, flight)?;
         let track = &state.tracks[flight];
         // A flight that is noisier than the others is judged by its own noise.
-        let scale = [0, 1, 2].map(|axis| usual[axis].max(scales[flight][axis]));
-        let outlier = outlier::marks(&outlier::departures(&track.times, &residuals), scale);
+        let (own, suspects) = &judged[flight];
+        let scale = [0, 1, 2].map(|axis| usual[axis].max(own[axis]));
+        let mut outlier = vec![false; track.seen.len()];
+        for (place, departure) in suspects {
+            outlier[*place] = outlier::stands_out(departure, scale);
+        }
         let mut moments = Moments::default();
         for (marker, series) in residuals.iter().enumerate() {
             let good = series.iter().enumerate().map(|(sample, residual)| {

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use lanes::{Kernel, Lanes};
+
 use super::AxisResiduals;
 use crate::noise::Noise;
 
@@ -118,12 +120,38 @@ impl Axis {
 }
 
 fn products(series: &[Option<f64>], sums: &mut [(f64, usize)]) {
-    for (lag, sum) in sums.iter_mut().enumerate() {
-        for (earlier, later) in series.iter().zip(series.iter().skip(lag)) {
-            if let (Some(earlier), Some(later)) = (earlier, later) {
-                *sum = (sum.0 + earlier * later, sum.1 + 1);
+    let seen: Vec<bool> = series.iter().map(Option::is_some).collect();
+    let values: Vec<f64> = series.iter().map(|value| value.unwrap_or(0.0)).collect();
+    let gaps = seen.contains(&false);
+    for (lag, sum) in sums.iter_mut().enumerate().take(values.len()) {
+        sum.0 += lanes::dispatch(Dot(&values[..values.len() - lag], &values[lag..]));
+        sum.1 += match gaps {
+            false => values.len() - lag,
+            true => {
+                let pairs = seen.iter().zip(&seen[lag..]);
+                pairs.filter(|(earlier, later)| **earlier & **later).count()
             }
+        };
+    }
+}
+
+/// The sum of products of two series of one length.
+struct Dot<'a>(&'a [f64], &'a [f64]);
+
+impl Kernel for Dot<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) -> f64 {
+        let mut sums = T::splat(0.0);
+        for (a, b) in self.0.chunks(T::WIDTH).zip(self.1.chunks(T::WIDTH)) {
+            sums = T::load_part(a, 0.0).mul_add(T::load_part(b, 0.0), sums);
         }
+        let mut sum = 0.0;
+        for lane in 0..T::WIDTH {
+            sum += sums.lane(lane);
+        }
+        sum
     }
 }
 
@@ -194,6 +222,24 @@ mod tests {
         }
         for [expected, found] in quantiles(&bins) {
             assert!((expected - found).abs() < 0.1, "{expected} {found}");
+        }
+    }
+
+    #[test]
+    fn products_are_those_of_pairs_that_were_seen() {
+        let value = |i: usize| (i as f64 * 0.7).sin();
+        for missing in [None, Some(7), Some(30)] {
+            let series: Vec<Option<f64>> = (0..31)
+                .map(|i| Some(value(i)).filter(|_| Some(i) != missing))
+                .collect();
+            let mut sums = vec![(1.0, 1); 40];
+            products(&series, &mut sums);
+            for (lag, (sum, count)) in sums.into_iter().enumerate() {
+                let pairs = (lag..31).filter(|&i| Some(i) != missing && Some(i - lag) != missing);
+                let expected: f64 = pairs.clone().map(|i| value(i) * value(i - lag)).sum();
+                assert!((sum - 1.0 - expected).abs() < 1e-12, "lag {lag}");
+                assert_eq!(count, 1 + pairs.count());
+            }
         }
     }
 
