@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::noise::median;
-use crate::pose::pose;
+use crate::pose::{Pose, pose};
 use crate::setting::Setting;
 use crate::track::Track;
 
@@ -16,10 +16,28 @@ const LEAST: f64 = 1.0;
 /// How far a jump must stand out from the scatter of the velocities.
 const CLEAR: f64 = 10.0;
 
-/// Cuts a track before its first jump of velocity with a rise: nothing but the ground throws a body up at once.
-pub fn at_the_ground(setting: &Setting, track: &mut Track) {
-    let path: Vec<(usize, f64, Vector3<f64>)> = (0..track.times.len())
-        .filter_map(|sample| Some((sample, track.times[sample], place(setting, track, sample)?)))
+/// Cuts a track before its first jump of velocity with a rise: nothing but the ground throws a body up at once. Gives the
+/// poses in the samples that are left, of a body that turns.
+pub fn at_the_ground(setting: &Setting, track: &mut Track) -> Vec<Option<Pose>> {
+    let samples = 0..track.times.len();
+    let mut poses: Vec<Option<Pose>> = match setting.turns {
+        true => samples
+            .clone()
+            .map(|sample| pose(&setting.markers, track.row(sample)))
+            .collect(),
+        false => Vec::new(),
+    };
+    let place = |sample: usize| match setting.turns {
+        true => poses[sample].map(|pose| pose.position),
+        false => track
+            .row(sample)
+            .iter()
+            .flatten()
+            .next()
+            .map(|&seen| seen.into()),
+    };
+    let path: Vec<(usize, f64, Vector3<f64>)> = samples
+        .filter_map(|sample| Some((sample, track.times[sample], place(sample)?)))
         .collect();
     if let Some((index, jump)) = jump(&path) {
         let (sample, time, _) = path[index];
@@ -31,16 +49,9 @@ pub fn at_the_ground(setting: &Setting, track: &mut Track) {
             track.origin + time
         );
         track.cut(sample, why);
+        poses.truncate(sample);
     }
-}
-
-/// Where the body is in a sample.
-fn place(setting: &Setting, track: &Track, sample: usize) -> Option<Vector3<f64>> {
-    let row = track.row(sample);
-    if setting.turns {
-        return pose(&setting.markers, row).map(|pose| pose.position);
-    }
-    row.iter().flatten().next().map(|&seen| seen.into())
+    poses
 }
 
 /// The first sample after a jump, and the jump, m/s.
@@ -48,9 +59,9 @@ fn jump(path: &[(usize, f64, Vector3<f64>)]) -> Option<(usize, Vector3<f64>)> {
     if path.len() < 2 * SIDE + 1 {
         return None;
     }
-    let jumps: Vec<Vector3<f64>> = (SIDE..=path.len() - SIDE)
-        .map(|at| velocity(&path[at..at + SIDE]) - velocity(&path[at - SIDE..at]))
-        .collect();
+    let velocities: Vec<Vector3<f64>> = path.windows(SIDE).map(velocity).collect();
+    let pairs = velocities[SIDE..].iter().zip(&velocities);
+    let jumps: Vec<Vector3<f64>> = pairs.map(|(after, before)| after - before).collect();
     // Gravity and drag change the velocity too, but by much the same everywhere.
     let usual = [0, 1, 2].map(|axis| {
         let mut values: Vec<f64> = jumps.iter().map(|jump| jump[axis]).collect();

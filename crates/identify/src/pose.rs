@@ -17,6 +17,13 @@ pub struct Pose {
     pub seen: usize,
 }
 
+impl Pose {
+    /// The squares over the degrees of freedom that are left, m².
+    pub fn variance(&self) -> f64 {
+        self.squares / (3.0 * self.seen as f64 - 6.0)
+    }
+}
+
 /// Markers whose spread across their best line is less than this part of their spread along it are in line.
 const IN_LINE: f64 = 0.02;
 

@@ -9,6 +9,7 @@ use crate::cut;
 use crate::dataset::{Dataset, Flight};
 use crate::noise::median;
 use crate::options::Options;
+use crate::pose::Pose;
 use crate::setting::Setting;
 use crate::start::{self, Start};
 use crate::track::Track;
@@ -42,8 +43,8 @@ pub fn tracks(
     options: &Options<'_>,
 ) -> (Tracks, f64) {
     let made = batch::each_on(options.threads(), flights.len(), |index| {
-        let track = track(setting, &dataset.flights[flights[index]])?;
-        let floor = start::floor(setting, &track);
+        let (track, poses) = track_and_poses(setting, &dataset.flights[flights[index]])?;
+        let floor = start::floor(setting, &track, &poses);
         Ok((track, floor))
     });
     let (mut tracks, mut left_out) = (Vec::with_capacity(flights.len()), Vec::new());
@@ -145,8 +146,16 @@ pub fn spin_note(turns: i32) -> String {
 
 /// A track of a flight, cut at the ground.
 pub fn track(setting: &Setting, flight: &Flight) -> Result<Track, String> {
+    Ok(track_and_poses(setting, flight)?.0)
+}
+
+/// The same with the poses in its samples, of a body that turns.
+fn track_and_poses(
+    setting: &Setting,
+    flight: &Flight,
+) -> Result<(Track, Vec<Option<Pose>>), String> {
     let mut track = Track::new(setting, flight)?;
-    cut::at_the_ground(setting, &mut track);
+    let poses = cut::at_the_ground(setting, &mut track);
     let points = track.seen.iter().flatten().count();
     let unknowns = track.chart.dimension();
     if 3 * points < unknowns {
@@ -155,7 +164,7 @@ pub fn track(setting: &Setting, flight: &Flight) -> Result<Track, String> {
             "{measured} measured coordinates do not determine the {unknowns} unknowns of its initial state"
         ));
     }
-    Ok(track)
+    Ok((track, poses))
 }
 
 /// Starts whose first samples were fitted with the shared unknowns held, the one of least spin first; and how well each

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
 use crate::noise::median;
-use crate::pose::pose;
+use crate::pose::{Pose, pose};
 use crate::setting::Setting;
 use crate::track::Track;
 
@@ -59,8 +59,7 @@ fn seen(setting: &Setting, track: &Track, most: usize) -> Vec<Seen> {
                 time,
                 position: pose.position,
                 attitude: Some(pose.attitude),
-                // Over the degrees of freedom that are left.
-                squares: pose.squares / (3.0 * pose.seen as f64 - 6.0),
+                squares: pose.variance(),
             });
         }
         let points = row.iter().zip(&setting.markers);
@@ -78,15 +77,19 @@ fn seen(setting: &Setting, track: &Track, most: usize) -> Vec<Seen> {
     rows.take(most).collect()
 }
 
-/// A first estimate of the noise of one coordinate, m: by how far the markers are from a rigid body, or for a point
-/// by how rough its path is. None where too little was seen.
-pub fn floor(setting: &Setting, track: &Track) -> Option<f64> {
-    let seen = seen(setting, track, 400);
+/// Samples that the noise is first estimated from, at most.
+const FLOOR_SAMPLES: usize = 400;
+
+/// A first estimate of the noise of one coordinate, m: by how far the markers are from a rigid body in these poses, or for a
+/// point by how rough its path is. None where too little was seen.
+pub fn floor(setting: &Setting, track: &Track, poses: &[Option<Pose>]) -> Option<f64> {
     if setting.turns && setting.markers.len() >= 3 {
-        let mut squares: Vec<f64> = seen.iter().map(|seen| seen.squares).collect();
+        let poses = poses.iter().flatten().take(FLOOR_SAMPLES);
+        let mut squares: Vec<f64> = poses.map(Pose::variance).collect();
         // Of three squares of normal numbers the median sum is 2.366.
         return (squares.len() >= 3).then(|| (median(&mut squares) * 3.0 / 2.366).sqrt());
     }
+    let seen = seen(setting, track, FLOOR_SAMPLES);
     // Third differences: what is left of a smooth path is far below the noise, whose variance they multiply by 20.
     let mut rough: Vec<f64> = seen
         .windows(4)
