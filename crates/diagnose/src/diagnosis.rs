@@ -22,7 +22,7 @@ use crate::extend::Extension;
 use crate::gain::Believed;
 use crate::outside;
 use crate::report::{Agreement, Outside, Report, Verdict};
-use crate::telling::{by_scatter, take_over, told};
+use crate::telling::{by_scatter, not_believed, take_over, told};
 use crate::throw::next_throw;
 use crate::{gain, histories, words};
 
@@ -259,7 +259,11 @@ fn looked<R: Send>(
             by_scatter(&mut report, &fitted);
         }
         report.gain = match held_out {
-            true => gain::by_fits(&before, &fitted, believed, floor),
+            true => {
+                let without = believed.without(&before, &fitted);
+                not_believed(&mut report, &without);
+                gain::by_fits(&before, &fitted, &without, floor)
+            }
             false => by_turns?,
         };
         let fits: Vec<usize> = (0..dataset.flights.len())

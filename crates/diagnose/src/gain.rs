@@ -38,9 +38,9 @@ pub fn by_held_out(before: &report::Report, after: &report::Report, floor: f64) 
     gain(pairs(before, after, |_| false), floor, true)
 }
 
-/// The same from fits with all that they found.
-pub fn by_fits(before: &Fitted, after: &Fitted, believed: Believed, floor: f64) -> Option<Gain> {
-    gain(pairs_of(before, after, believed), floor, true)
+/// The same where the extension is not believed of some flights, by index: they are predicted without.
+pub fn by_fits(before: &Fitted, after: &Fitted, without: &[usize], floor: f64) -> Option<Gain> {
+    gain(pairs_of(before, after, without), floor, true)
 }
 
 /// The gain where the dataset holds nothing out: by parts of it in turn.
@@ -80,7 +80,9 @@ pub fn by_turns(
             (Err(FitError::Interrupted), _) | (_, Err(FitError::Interrupted)) => {
                 return Err(FitError::Interrupted);
             }
-            (Ok(before), Ok(after)) => all.extend(pairs_of(before, after, believed)),
+            (Ok(before), Ok(after)) => {
+                all.extend(pairs_of(before, after, &believed.without(before, after)))
+            }
             // A part that cannot be fitted says nothing.
             _ => {}
         }
@@ -88,11 +90,7 @@ pub fn by_turns(
     Ok(gain(all, floor, false))
 }
 
-fn pairs_of(before: &Fitted, after: &Fitted, believed: Believed) -> Vec<Pair> {
-    let without = match believed {
-        Believed::Always => Vec::new(),
-        Believed::UnlessContradicted => contradicting(before, after),
-    };
+fn pairs_of(before: &Fitted, after: &Fitted, without: &[usize]) -> Vec<Pair> {
     pairs(&before.report, &after.report, |flight| {
         without.contains(&flight)
     })
@@ -116,6 +114,16 @@ fn pairs(
             }
         })
         .collect()
+}
+
+impl Believed {
+    /// Held-out flights, by index, of which the extension is not believed.
+    pub fn without(self, before: &Fitted, after: &Fitted) -> Vec<usize> {
+        match self {
+            Believed::Always => Vec::new(),
+            Believed::UnlessContradicted => contradicting(before, after),
+        }
+    }
 }
 
 /// Held-out flights whose first part is met worse with the extension.

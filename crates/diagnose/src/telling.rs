@@ -308,3 +308,21 @@ pub(crate) fn by_scatter(report: &mut Report, after: &Fitted) {
         }
     }
 }
+
+/// Held-out flights, by index, of which the extension is not believed are predicted without.
+pub(crate) fn not_believed(report: &mut Report, without: &[usize]) {
+    let files: Vec<String> = without
+        .iter()
+        .map(|&flight| {
+            let told = &mut report.flights[flight];
+            told.rms_after_m = Some(told.rms_before_m);
+            told.file.clone()
+        })
+        .collect();
+    if !files.is_empty() {
+        report.notes.push(format!(
+            "held-out flights that contradict the extension in their first part, and are predicted without: {}",
+            files.join(", ")
+        ));
+    }
+}

@@ -81,15 +81,11 @@ pub(super) fn gain(report: &Report) -> String {
             count(n, "flight")
         ),
     };
+    let first = "in the first part already, on which the initial state is fitted,";
     let without = match gain.without {
         0 => String::new(),
-        n => format!(
-            " {} already in the first part, on which the initial state is fitted, and predicted without it.",
-            match n {
-                1 => "One of them contradicts it".to_owned(),
-                n => format!("{n} of them contradict it"),
-            }
-        ),
+        1 => format!(" One of them contradicts it {first} and is predicted without it."),
+        n => format!(" {n} of them contradict it {first} and are predicted without it."),
     };
     format!(
         "{how} a coordinate is missed by {before} without the extension and by {after} with it: a gain of {}.{without} \
