@@ -24,9 +24,10 @@ fn report(name: &str, text: &str, effects: &[&str]) -> Report {
     verify::run(&with(name, text, effects), &QUICK)
 }
 
-/// That of a text by itself.
-fn report_of(text: &str) -> Report {
-    verify::run(&inspect_text("own.hyz", text, &[]).unwrap(), &QUICK)
+/// That of a model with an effect written into its equations.
+fn written_in(name: &str, effect: &str) -> Report {
+    let text = with(name, "", &[effect]).file.to_string();
+    verify::run(&inspect_text("own.hyz", &text, &[]).unwrap(), &QUICK)
 }
 
 /// A wind that each flight has for itself, one part of it dying away.
@@ -81,10 +82,17 @@ const CLOCK: &str = "effect rate { site clock; coefficient c = 0 in -0.5 .. 0.5;
 #[test]
 fn what_is_off_costs_nothing_beside_an_effect_that_is_written_in() {
     for effect in ["magnus", "spin_decay", "drag_crisis"] {
-        let extended = with("ball", "", &[effect]).file.to_string();
-        let report = report_of(&extended);
+        let report = written_in("ball", effect);
         let off = row(&report, effects::EFFECTS);
         assert_eq!(off.verdict, Verdict::Holds, "{effect}\n{}", report.table());
+    }
+}
+
+#[test]
+fn effects_are_what_is_written_by_hand_beside_states_that_are_written_in() {
+    for model in ["ball", "disc"] {
+        let report = written_in(model, "wind_of_each_flight");
+        assert!(refuted(&report).is_empty(), "{model}\n{}", report.table());
     }
 }
 

@@ -1,6 +1,6 @@
 //! Effects of the catalogue against the same effects written by hand: derivatives and observation, each effect alone
 //! and all at once, its coefficients anywhere within half their bounds. Coefficients of the model's own that the law
-//! does not know vanish.
+//! does not know vanish, and states that were added to it by itself are at their defaults.
 
 use crate::random::Random;
 use crate::report::{Row, Worst};
@@ -48,6 +48,13 @@ pub fn compare(
     };
     let names: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
     let names = names.join(" with ");
+    let of_effects: Vec<usize> = model
+        .effects
+        .iter()
+        .flat_map(|e| e.states.clone())
+        .collect();
+    let mut own = model.added_states();
+    own.retain(|state| !of_effects.contains(state));
     let mut random = Random::new(options.seed, BY_HAND);
     let mut worst = Worst::default();
     for _ in 0..options.cases.div_ceil(10) {
@@ -56,10 +63,16 @@ pub fn compare(
         for (index, vanishes_at) in by_hand.reference.vanishing(model) {
             point.coefficients[index] = vanishes_at;
         }
+        for &state in &own {
+            point.states[state] = model.states[state].value;
+        }
         let point = at_work(model, point, &mut random);
         let lifted = point.lift::<Tracked>();
         let got = equations.rates(&point);
         for (i, expected) in by_hand.derivatives(&lifted).into_iter().enumerate() {
+            if own.contains(&i) {
+                continue;
+            }
             let error = got.get(i).map_or(f64::INFINITY, |&v| expected.error_of(v));
             worst.see(error, || {
                 format!("der({}) with {names}", model.states[i].name)
