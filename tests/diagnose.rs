@@ -1,25 +1,10 @@
 //! `hyzer diagnose` as its users run it.
 
+mod support;
+
 use std::path::Path;
-use std::process::Command;
 
-use assert_cmd::cargo::CommandCargoExt;
-
-fn hyzer() -> Command {
-    let mut command = Command::cargo_bin("hyzer").expect("the program");
-    command.current_dir(env!("CARGO_MANIFEST_DIR"));
-    command
-}
-
-fn told(command: &mut Command) -> (i32, String, String) {
-    let output = command.output().expect("it runs");
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
-    (
-        output.status.code().unwrap_or(-1),
-        text(output.stdout),
-        text(output.stderr),
-    )
-}
+use support::{hyzer, the_examples_run, told};
 
 fn report(out: &Path) -> serde_json::Value {
     let text = std::fs::read(out.join("report.json")).expect("a report");
@@ -133,22 +118,7 @@ fn the_result_does_not_depend_on_the_number_of_threads() {
 
 #[test]
 fn the_examples_of_the_help_run() {
-    let help = told(hyzer().args(["diagnose", "--help"])).1;
-    let examples: Vec<&str> = help
-        .lines()
-        .filter_map(|line| line.trim().strip_prefix("hyzer "))
-        .filter(|line| line.starts_with("diagnose "))
-        .collect();
-    assert!(examples.len() >= 2, "{help}");
-    for example in examples {
-        let folder = tempfile::tempdir().expect("a folder");
-        let words = example.split_whitespace().map(|word| match word {
-            "found" => folder.path().join("found").display().to_string(),
-            word => word.to_owned(),
-        });
-        let (status, _, errors) = told(hyzer().args(words));
-        assert_eq!(status, 0, "{example}: {errors}");
-    }
+    the_examples_run("diagnose", 2, "found");
 }
 
 #[test]

@@ -1,26 +1,12 @@
 //! `hyzer fit` as its users run it.
 
+mod support;
+
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use assert_cmd::cargo::CommandCargoExt;
-
-fn hyzer() -> Command {
-    let mut command = Command::cargo_bin("hyzer").expect("the program");
-    command.current_dir(env!("CARGO_MANIFEST_DIR"));
-    command
-}
-
-fn told(command: &mut Command) -> (i32, String, String) {
-    let output = command.output().expect("it runs");
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
-    (
-        output.status.code().unwrap_or(-1),
-        text(output.stdout),
-        text(output.stderr),
-    )
-}
+use support::{hyzer, the_examples_run, told};
 
 #[test]
 fn the_readme_s_command_writes_a_page_that_needs_no_network() {
@@ -82,22 +68,7 @@ fn the_readme_s_command_writes_a_page_that_needs_no_network() {
 
 #[test]
 fn the_examples_of_the_help_run() {
-    let help = told(hyzer().args(["fit", "--help"])).1;
-    let examples: Vec<&str> = help
-        .lines()
-        .filter_map(|line| line.trim().strip_prefix("hyzer "))
-        .filter(|line| line.starts_with("fit "))
-        .collect();
-    assert!(examples.len() >= 3, "{help}");
-    for example in examples {
-        let folder = tempfile::tempdir().expect("a folder");
-        let words = example.split_whitespace().map(|word| match word {
-            "fitted" => folder.path().join("fitted").display().to_string(),
-            word => word.to_owned(),
-        });
-        let (status, _, errors) = told(hyzer().args(words));
-        assert_eq!(status, 0, "{example}: {errors}");
-    }
+    the_examples_run("fit", 3, "fitted");
 }
 
 #[test]

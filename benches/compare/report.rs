@@ -47,7 +47,7 @@ fn machine(results: &Value) -> String {
         n.trim_start_matches([' ', '\t', ':'])
     });
     let of = |tool: &str| results["machine"][tool].as_str().unwrap_or("?").to_string();
-    let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
+    let threads = flight::batch::threads();
     format!("{name}, {threads} threads, {}, {}", of("gcc"), of("rustc"))
 }
 

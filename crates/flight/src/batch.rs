@@ -21,8 +21,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// # Panics
 /// Where `fly` does.
 pub fn each<R: Send>(count: usize, fly: impl Fn(usize) -> R + Sync) -> Vec<R> {
-    let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
-    each_on(threads, count, fly)
+    each_on(threads(), count, fly)
+}
+
+/// As many threads as the machine has processors.
+pub fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, |n| n.get())
 }
 
 /// As [`each`], on so many threads.

@@ -62,8 +62,7 @@ impl Options<'_> {
 
     /// How many flights are worked on at once.
     pub fn threads(&self) -> usize {
-        let available = || std::thread::available_parallelism().map_or(1, |n| n.get());
-        self.threads.unwrap_or_else(available).max(1)
+        self.threads.unwrap_or_else(flight::batch::threads).max(1)
     }
 }
 

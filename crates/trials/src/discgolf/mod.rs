@@ -250,8 +250,7 @@ pub fn band(flyer: &Flyer<'_>, throw: &Throw, draws: usize, seed: u64) -> Band {
             })
         })
         .collect();
-    let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
-    let tracks = batch::each_on(threads, draws, |k| {
+    let tracks = batch::each(draws, |k| {
         flyer.track(throw, &launches[k], &[1.0; 3], &times)
     });
     let count = draws.max(1) as f64;
@@ -320,10 +319,9 @@ pub fn fitted(flyer: &Flyer<'_>, throw: &Throw, with_factors: bool) -> Option<Fi
     let mut sizes = vec![0.0; count];
     let mut here = left(&sizes);
     let mut covariance = DMatrix::identity(count, count);
-    let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
     for _ in 0..8 {
         const STEP: f64 = 0.05;
-        let columns = batch::each_on(threads, count, |k| {
+        let columns = batch::each(count, |k| {
             let mut moved = sizes.clone();
             moved[k] += STEP;
             (&here - left(&moved)) / STEP

@@ -1,0 +1,46 @@
+//! The program run as its users run it, in the repository.
+
+use std::process::Command;
+
+use assert_cmd::cargo::CommandCargoExt;
+
+/// The program.
+pub fn hyzer() -> Command {
+    let mut command = Command::cargo_bin("hyzer").expect("the program");
+    command.current_dir(env!("CARGO_MANIFEST_DIR"));
+    command
+}
+
+/// Runs it; the exit status, what it printed, and its messages.
+pub fn told(command: &mut Command) -> (i32, String, String) {
+    let output = command.output().expect("it runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    (
+        output.status.code().unwrap_or(-1),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
+
+/// Runs every example of a command's help, at least so many; what one names `out` is put elsewhere.
+pub fn the_examples_run(command: &str, least: usize, out: &str) {
+    let help = told(hyzer().args([command, "--help"])).1;
+    let examples: Vec<&str> = help
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("hyzer "))
+        .filter(|line| line.split_whitespace().next() == Some(command))
+        .collect();
+    assert!(examples.len() >= least, "{help}");
+    for example in examples {
+        let folder = tempfile::tempdir().expect("a folder");
+        let words = example.split_whitespace().map(|word| {
+            if word == out {
+                folder.path().join("out").display().to_string()
+            } else {
+                word.to_owned()
+            }
+        });
+        let (status, _, errors) = told(hyzer().args(words));
+        assert_eq!(status, 0, "{example}: {errors}");
+    }
+}
