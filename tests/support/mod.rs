@@ -33,7 +33,8 @@ pub fn the_examples_run(command: &str, least: usize, out: &str) {
     assert!(examples.len() >= least, "{help}");
     for example in examples {
         let folder = tempfile::tempdir().expect("a folder");
-        let words = example.split_whitespace().map(|word| {
+        let command = example.split(" #").next().unwrap_or(example);
+        let words = command.split_whitespace().map(|word| {
             if word == out {
                 folder.path().join("out").display().to_string()
             } else {
