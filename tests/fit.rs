@@ -108,7 +108,7 @@ fn long_work(folder: &Path) {
             "--release",
             "backhand",
             "--flights",
-            "200",
+            "400",
             "--duration",
             "2",
             "--out",
