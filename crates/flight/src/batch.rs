@@ -1,5 +1,6 @@
 //! Many flights at once, over the machine's processors.
 
+use rayon::prelude::*;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -31,10 +32,19 @@ pub fn threads() -> usize {
 
 /// As [`each`], on so many threads.
 pub fn each_on<R: Send>(threads: usize, count: usize, fly: impl Fn(usize) -> R + Sync) -> Vec<R> {
-    let threads = threads.min(count);
-    if threads <= 1 {
+    if threads.min(count) <= 1 {
         return (0..count).map(fly).collect();
     }
+    // Threads that wait for work take it up sooner than new ones begin.
+    if threads == rayon::current_num_threads() {
+        let each = (0..count).into_par_iter().with_max_len(1);
+        return each.map(&fly).collect();
+    }
+    on_new(threads.min(count), count, fly)
+}
+
+/// The same on threads that begin with it and end with it.
+fn on_new<R: Send>(threads: usize, count: usize, fly: impl Fn(usize) -> R + Sync) -> Vec<R> {
     let next = AtomicUsize::new(0);
     let done: Mutex<Vec<Option<R>>> = Mutex::new((0..count).map(|_| None).collect());
     let work = || {
