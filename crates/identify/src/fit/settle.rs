@@ -155,7 +155,8 @@ pub fn own_only(
     for _ in 0..SHRINKS {
         let shrunk = size(setting, track, (shared, &own), samples).unwrap_or(1.0);
         let shrunk = shrunk.max(setting.floor);
-        if shrunk > 0.7 * scale {
+        // The last fit is by the floor's own scale.
+        if shrunk > 0.7 * scale || 0.7 * shrunk < setting.floor {
             break;
         }
         scale = shrunk;
