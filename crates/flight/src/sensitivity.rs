@@ -1,8 +1,10 @@
 //! How a flight changes with its start and its constants: the variational equations, flown along with it.
 
+mod product;
+
+use self::product::Product;
 use crate::aligned::Aligned;
 use crate::dynamics::Dynamics;
-use lanes::{Kernel, Lanes};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -46,8 +48,7 @@ pub struct Sensitivities<M> {
     columns: usize,
     stride: usize,
     initial: Vec<usize>,
-    /// Rows of ∂f/∂x with their entries, the shortest first: loops that are as long as the last one are foreseen.
-    rows: Vec<(usize, Range<usize>)>,
+    product: Product,
     /// Entry of ∂f/∂p, and where it is added in S.
     constant_entries: Vec<(usize, usize)>,
     by_state: Vec<f64>,
@@ -79,7 +80,7 @@ impl<M: Linearised> Sensitivities<M> {
         let initial = initial.to_vec();
         let pattern = model.state_pattern();
         assert!(pattern.is_sorted_by_key(|(row, _)| row), "row by row");
-        let rows = rows(pattern, states);
+        let product = Product::new(pattern, states, stride);
         Sensitivities {
             model,
             states,
@@ -87,7 +88,7 @@ impl<M: Linearised> Sensitivities<M> {
             columns,
             stride,
             initial,
-            rows,
+            product,
             constant_entries,
             by_state,
             by_constant,
@@ -210,22 +211,10 @@ impl<M: Linearised> Dynamics for Sensitivities<M> {
         let (x, dx) = (&x[..self.states], &mut dx[..self.states]);
         self.model
             .linearise(t, x, dx, &mut self.by_state, &mut self.by_constant);
-        let (rows, columns, values) = (&self.rows, self.model.state_pattern(), &self.by_state);
-        let lines = self.stride / PADDING;
-        macro_rules! product {
-            ($lines:literal) => {{
-                let both = (lines / $lines, s, &mut *ds);
-                lanes::dispatch(Product::<$lines>::of(rows, columns, values, both))
-            }};
-        }
-        match lines {
-            _ if lines.is_multiple_of(4) => product!(4),
-            _ if lines.is_multiple_of(3) => product!(3),
-            _ if lines.is_multiple_of(2) => product!(2),
-            _ => product!(1),
-        }
-        for (entry, place) in &self.constant_entries {
-            ds[*place] += self.by_constant[*entry];
+        self.product.write(&self.by_state, s, ds);
+        let by_constant = &self.by_constant[..];
+        for &(entry, place) in &self.constant_entries[..] {
+            ds[place] += by_constant[entry];
         }
     }
 
@@ -242,76 +231,6 @@ impl<M: Linearised> Dynamics for Sensitivities<M> {
                 i % self.stride
             )
             .into(),
-        }
-    }
-}
-
-/// The entries of each row, which stand together.
-fn rows(pattern: &[(usize, usize)], states: usize) -> Vec<(usize, Range<usize>)> {
-    let first = |row: usize| pattern.partition_point(|(at, _)| *at < row);
-    let rows = (0..states).map(|row| (row, first(row)..first(row + 1)));
-    let mut rows: Vec<_> = rows.collect();
-    rows.sort_by_key(|(_, entries)| entries.len());
-    rows
-}
-
-/// `ds = J s`, J given by its entries. A row of S is so many groups of `LINES` lines, whose sums stay where they are summed.
-struct Product<'a, const LINES: usize> {
-    rows: &'a [(usize, Range<usize>)],
-    columns: &'a [(usize, usize)],
-    values: &'a [f64],
-    groups: usize,
-    s: &'a [Group<LINES>],
-    ds: &'a mut [Group<LINES>],
-}
-
-/// Lines that are summed together.
-type Group<const LINES: usize> = [[f64; PADDING]; LINES];
-
-impl<'a, const LINES: usize> Product<'a, LINES> {
-    fn of(
-        rows: &'a [(usize, Range<usize>)],
-        columns: &'a [(usize, usize)],
-        values: &'a [f64],
-        (groups, s, ds): (usize, &'a [f64], &'a mut [f64]),
-    ) -> Self {
-        Product {
-            rows,
-            columns,
-            values,
-            groups,
-            s: s.as_chunks().0.as_chunks().0,
-            ds: ds.as_chunks_mut().0.as_chunks_mut().0,
-        }
-    }
-}
-
-impl<const LINES: usize> Kernel for Product<'_, LINES> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<T: Lanes>(self) {
-        const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
-        let groups = self.groups;
-        for (row, entries) in self.rows {
-            let columns = &self.columns[entries.clone()];
-            let values = &self.values[entries.clone()];
-            for group in 0..groups {
-                for part in (0..PADDING).step_by(T::WIDTH) {
-                    let mut sums = [T::splat(0.0); LINES];
-                    for (&(_, column), &value) in columns.iter().zip(values) {
-                        let from = &self.s[column * groups + group];
-                        let value = T::splat(value);
-                        for line in 0..LINES {
-                            sums[line] = value.mul_add(T::load(&from[line][part..]), sums[line]);
-                        }
-                    }
-                    let to = &mut self.ds[row * groups + group];
-                    for line in 0..LINES {
-                        sums[line].store(&mut to[line][part..]);
-                    }
-                }
-            }
         }
     }
 }
@@ -344,27 +263,34 @@ mod tests {
 
     #[test]
     fn rates_are_those_of_plain_loops_for_any_number_of_columns() {
-        let pattern = vec![(0, 1), (0, 3), (2, 0), (2, 1), (2, 2), (2, 3), (3, 1)];
+        let each_its_own = [(0, 1), (0, 3), (2, 0), (2, 1), (2, 2), (2, 3), (3, 1)];
+        let two_alike = [(0, 1), (0, 3), (1, 2), (3, 1), (3, 3)];
+        let all_alike = [0, 1, 2, 3].map(|row| [(row, 0), (row, 2), (row, 3)]);
         for columns in 1..100 {
-            let constants = vec![0; columns];
-            let mut both = Sensitivities::new(Numbered(pattern.clone()), &[], &constants);
-            let value = |state: usize, column: usize| (state * 7 + column * 3) as f64;
-            let entries = (0..4).flat_map(|s| (0..columns).map(move |c| (s, c, value(s, c))));
-            let at = both.start_along(&[0.0; 4], &entries.collect::<Vec<_>>());
-            let mut rates = at.clone();
-            both.derivative(0.0, &at, &mut rates);
-            for state in 0..4 {
-                for column in 0..columns {
-                    let entries = pattern
-                        .iter()
-                        .enumerate()
-                        .filter(|(_, (row, _))| *row == state);
-                    let terms =
-                        entries.map(|(i, (_, other))| (i + 1) as f64 * value(*other, column));
-                    let expected = terms.sum::<f64>() + if state == 2 { 100.0 } else { 0.0 };
-                    let found = both.row(rates.as_ref(), state)[column];
-                    assert_eq!(found, expected, "{state}, {column} of {columns}");
-                }
+            rates_are_those_of_plain_loops(&each_its_own, columns);
+            rates_are_those_of_plain_loops(&two_alike, columns);
+            rates_are_those_of_plain_loops(&all_alike.concat(), columns);
+        }
+    }
+
+    fn rates_are_those_of_plain_loops(pattern: &[(usize, usize)], columns: usize) {
+        let constants = vec![0; columns];
+        let mut both = Sensitivities::new(Numbered(pattern.to_vec()), &[], &constants);
+        let value = |state: usize, column: usize| (state * 7 + column * 3) as f64;
+        let entries = (0..4).flat_map(|s| (0..columns).map(move |c| (s, c, value(s, c))));
+        let at = both.start_along(&[0.0; 4], &entries.collect::<Vec<_>>());
+        let mut rates = at.clone();
+        both.derivative(0.0, &at, &mut rates);
+        for state in 0..4 {
+            for column in 0..columns {
+                let entries = pattern
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, (row, _))| *row == state);
+                let terms = entries.map(|(i, (_, other))| (i + 1) as f64 * value(*other, column));
+                let expected = terms.sum::<f64>() + if state == 2 { 100.0 } else { 0.0 };
+                let found = both.row(rates.as_ref(), state)[column];
+                assert_eq!(found, expected, "{state}, {column} of {columns}");
             }
         }
     }
