@@ -375,8 +375,13 @@ fn said(text: &mut Text, balls: &Balls) {
                 let tried = report.candidates.iter().find(|c| c.name == "magnus");
                 let magnus = tried.map_or(String::new(), |c| {
                     let part = c.statistic / report.candidates.first().map_or(1.0, |c| c.statistic);
+                    let left_out = report.agreement.as_ref().map_or(0, |a| a.contradicting.len());
+                    let without = match left_out {
+                        0 => String::new(),
+                        n => format!(" (without the {n} that contradict)"),
+                    };
                     format!(
-                        " `magnus` alone would take {:.0} off the weighted sum of squares, {:.2} of what the best of all effects takes.",
+                        " `magnus` alone would take {:.0} off the weighted sum of squares, {:.2} of what the best of all effects takes{without}.",
                         c.statistic, part
                     )
                 });
@@ -392,9 +397,9 @@ fn said(text: &mut Text, balls: &Balls) {
     text.paragraph(
         "A cause stands for the diagnosis where what it leaves is noise, here a few millimetres that hardly depend on one another. Measured \
          lift scatters about any law of the measured spin by more than that, from flight to flight, and so no law stands in this \
-         sense. What is named is what the flights agree on: their signs are drawn at random ten thousand times, and nothing that was \
-         looked for is then agreed on as well as lift by spin is, over all effects and terms at once, more often than the figure says. \
-         Beside it they agree on nothing more. The flights that contradict it are found by the fit alone, which knows nothing of the \
+         sense. What is named is what the flights agree on: \
+         with the sign of each flight drawn at random, ten thousand times, the best agreement over all effects and terms at once is \
+         as good as that on lift by spin no more often than the probability says. Beside it they agree on nothing more. The flights that contradict it are found by the fit alone, which knows nothing of the \
          stretches above; all of them lie in the others. A held-out flight is predicted with the lift unless its first part, on \
          which its initial state is fitted, contradicts it.",
     );
