@@ -15,7 +15,7 @@ use model_spec::model::Model;
 use crate::agree::agreed;
 use crate::bench::Bench;
 use crate::beside::both;
-use crate::catalogue::{Catalogue, underscored};
+use crate::catalogue::Catalogue;
 use crate::causes::{Cause, search, search_on};
 use crate::curves::curves;
 use crate::extend::Extension;
@@ -138,14 +138,14 @@ fn looked<R: Send>(
     seconds.insert("fit".to_owned(), clock.elapsed().as_secs_f64());
     let (mut bench, base) = Bench::new(&catalogue, dataset, &before, &asked.fit)?;
     let mut found = search(&mut bench, &base, before.noise())?;
+    let place = outside::Place {
+        model,
+        dataset,
+        asked,
+    };
     let mut written = None;
     let mut agreement = None;
     if found.alarmed && found.causes.is_empty() {
-        let place = outside::Place {
-            model,
-            dataset,
-            asked,
-        };
         let single = found
             .nearest
             .iter()
@@ -194,10 +194,25 @@ fn looked<R: Send>(
     } else {
         found.causes = by_size(&bench, found.causes, None, FEW);
     }
+    let mut tried = None;
+    let mut refused = None;
+    if let Some(best) = found.causes.first().filter(|best| bench.is_supple(best)) {
+        let with_it = bench.tried(place, best, &before, found.noise.overall())?;
+        if with_it.predicts() {
+            tried = Some(with_it);
+        } else {
+            found.causes.retain(|cause| !bench.is_supple(cause));
+            refused = Some(words::refused(&with_it));
+            if found.causes.is_empty() && written.is_none() {
+                written = outside::write(place, &bench, &found, None)?;
+            }
+        }
+    }
     seconds.insert("search".to_owned(), clock.elapsed().as_secs_f64());
 
     let mut report = told(model, asked, &before, &bench, &found);
     report.agreement = agreement;
+    report.notes.extend(refused);
     if found.causes.len() > 1 {
         let blocks = bench.look(
             &found.causes[0].setting,
@@ -208,11 +223,12 @@ fn looked<R: Send>(
     }
     let mut chosen = None;
     let mut gained = 0.0;
-    if let Some(best) = found.causes.first() {
-        let each = best.effects.iter();
-        let names = each.map(|&e| underscored(&bench.candidates[e].candidate.name));
-        let extension = Extension::new(model, asked.with, names.collect(), Vec::new())?;
-        chosen = Some((extension, None));
+    let mut known_gain = None;
+    if let Some(tried) = tried {
+        known_gain = tried.gain;
+        chosen = Some((tried.extension, Some(tried.fitted)));
+    } else if let Some(best) = found.causes.first() {
+        chosen = Some((bench.extension(place, best)?, None));
     } else if let Some(written) = written {
         let mut channels = outside::channels(&bench, &found.scores);
         histories::fill(&mut channels, &bench, &base, &found.noise);
@@ -238,8 +254,8 @@ fn looked<R: Send>(
         // None of the three needs what another finds.
         let (by_turns, (besides, fitted)) = both(
             threads,
-            || match held_out {
-                true => Ok(None),
+            || match held_out || known_gain.is_some() {
+                true => Ok(known_gain),
                 false => {
                     let models = [model, &extension.model];
                     gain::by_turns(models, dataset, &asked.fit, believed, floor)
@@ -306,6 +322,9 @@ const FEW: usize = 6;
 /// Causes that are so much worse than the best, once their unknowns are paid for, are none.
 const WORSE: f64 = 12.0;
 
+/// Sums of squares that differ by less say the same.
+const ALIKE: f64 = 1.0;
+
 /// Of causes of several effects those that are as good as the best once their unknowns are paid for (Schwarz): with more effects at
 /// once, and some that each flight has for itself, nearly anything can be explained. None where terms that were
 /// written explain it better. Causes of no more than `free` unknowns do not pay.
@@ -319,13 +338,16 @@ fn by_size(
     let residuals = 3 * bench.tracks.iter().map(seen).sum::<usize>();
     let price = (residuals.max(2) as f64).ln();
     let cost = |cause: &Cause| cause.squares + price * bench.size_of(&cause.effects) as f64;
-    let of_terms = written
-        .filter(|written| written.stands)
-        .map_or(f64::INFINITY, |w| w.squares + price * w.taken.len() as f64);
-    let least = causes.iter().map(cost).fold(of_terms, f64::min);
-    if of_terms <= least {
+    let of_terms = written.filter(|written| written.stands);
+    let of_terms = of_terms.map_or(f64::INFINITY, |terms| {
+        terms.squares + price * (terms.taken.len() + terms.beside) as f64
+    });
+    let of_causes = causes.iter().map(cost).fold(f64::INFINITY, f64::min);
+    // An effect of the catalogue that is a term under another name goes before it.
+    if of_terms < of_causes - ALIKE {
         return Vec::new();
     }
+    let least = of_causes.min(of_terms);
     let kept = |cause: &Cause| bench.size_of(&cause.effects) <= free || cost(cause) < least + WORSE;
     causes.into_iter().filter(kept).collect()
 }

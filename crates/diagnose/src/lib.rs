@@ -3,7 +3,8 @@
 //! [`diagnosis`] fits a model, looks for what is missing, and answers with the causes that the data do not reject. Every
 //! effect of the [`catalogue`] is tried on one [`bench`] without a refit ([`scores`]); the noise is settled first
 //! ([`leftover`]), and what chance does is drawn ([`chance`]). [`causes`] holds each cause against all others; where none leaves
-//! only noise, [`agree`] asks what the flights agree on ([`common`]), and which of them contradict it; [`terms`]
+//! only noise, [`agree`] asks what the flights agree on ([`common`]), and which of them contradict it. What could explain nearly
+//! anything must predict (`confirm`). [`terms`]
 //! and [`outside`] look beyond the catalogue; [`extend`] writes the model that has what was found, and [`gain`] measures it on flights
 //! that it has not seen; [`throw`] says which flight would tell the remaining causes apart. [`report`] is what comes out.
 
@@ -14,6 +15,7 @@ pub mod catalogue;
 pub mod causes;
 pub mod chance;
 pub mod common;
+mod confirm;
 pub mod curves;
 pub mod detect;
 pub mod diagnosis;

@@ -25,6 +25,8 @@ const TOLD: usize = 12;
 pub struct Written {
     /// Effects of the catalogue that they stand beside, with underscores.
     pub effects: Vec<String>,
+    /// How many unknowns those have in all flights.
+    pub beside: usize,
     /// Terms that were taken, by index in the grammar, in the order in which they were.
     pub taken: Vec<usize>,
     /// The terms with the greatest statistics, and those taken.
@@ -71,6 +73,7 @@ pub fn write(
     let first = first.as_ref().unwrap_or(&found.scores);
     let mut written = Written {
         effects: effects.clone(),
+        beside: beside.map_or(0, |cause| bench.size_of(&cause.effects)),
         taken: Vec::new(),
         told: told(grammar, first),
         model: None,

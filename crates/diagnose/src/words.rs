@@ -1,6 +1,7 @@
 //! What was found, in plain words.
 
 use crate::bench::Bench;
+use crate::confirm::Tried;
 use crate::outside::Written;
 use crate::report::{Agreement, Cause, CauseEffect, Report, Term, Verdict};
 
@@ -174,6 +175,22 @@ fn figures(value: f64) -> String {
 
 fn millimetres(value: f64) -> String {
     format!("{:.1} mm", 1e3 * value)
+}
+
+/// Why a cause that leaves only noise is not believed.
+pub(crate) fn refused(tried: &Tried) -> String {
+    let names = tried.extension.effects.join(" with ").replace('_', "-");
+    let told = tried.gain.as_ref().map_or_else(String::new, |gain| {
+        format!(
+            " ({} without, {} with)",
+            millimetres(gain.held_out_rms_before_m),
+            millimetres(gain.held_out_rms_after_m)
+        )
+    });
+    format!(
+        "{names} would leave only noise of the flights that were fitted, but predicts others no better{told}: so supple an explanation \
+         is not believed without"
+    )
 }
 
 /// Where an error sits that no effect of the catalogue explains.

@@ -44,11 +44,6 @@ impl Chart {
         self.states
     }
 
-    /// Whether some states are bound to one another, as a quaternion's are by its length.
-    pub fn is_bound(&self) -> bool {
-        !self.quaternions.is_empty()
-    }
-
     /// The entries (state, direction, value) of the derivative of the state by the directions, at `state`.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
         let plain = self.plain.iter().enumerate();
