@@ -93,7 +93,10 @@ fn what_flights_agree_on_is_named_and_those_that_contradict_are_listed() {
 
 #[test]
 fn what_each_flight_has_for_itself_is_named_only_where_it_predicts() {
-    let all = tried(&["outside swerve weak", "effects wind_of_each_flight weak"], 1);
+    let all = tried(
+        &["outside swerve weak", "effects wind_of_each_flight weak"],
+        1,
+    );
     let [swerve, wind] = &all[..] else {
         panic!("two rows");
     };
