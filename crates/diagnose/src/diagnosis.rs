@@ -21,7 +21,7 @@ use crate::curves::curves;
 use crate::extend::Extension;
 use crate::gain::Believed;
 use crate::outside;
-use crate::report::{Agreement, Outside, Report, Verdict};
+use crate::report::{Agreement, Gain, Outside, Report, Verdict};
 use crate::telling::{by_scatter, not_believed, take_over, told};
 use crate::throw::next_throw;
 use crate::{gain, histories, words};
@@ -242,55 +242,16 @@ fn looked<R: Send>(
             .model
             .map(|(extension, fitted)| (extension, Some(fitted)));
     }
-    let mut after = None;
-    let mut made = None;
-    if let Some((extension, fitted)) = chosen {
-        let floor = report.noise.sigma_m;
-        let believed = match report.agreement {
-            Some(_) => Believed::UnlessContradicted,
-            None => Believed::Always,
-        };
-        let held_out = dataset.flights.iter().any(|f| f.role == Role::HeldOut);
-        // None of the three needs what another finds.
-        let (by_turns, (besides, fitted)) = both(
-            threads,
-            || match held_out || known_gain.is_some() {
-                true => Ok(known_gain),
-                false => {
-                    let models = [model, &extension.model];
-                    gain::by_turns(models, dataset, &asked.fit, believed, floor)
-                }
-            },
-            || {
-                both(
-                    threads,
-                    || beside(&extension),
-                    || fitted.map_or_else(|| fit(&extension.model, dataset, &asked.fit), Ok),
-                )
-            },
-        );
-        let fitted = fitted?;
-        take_over(&mut report, (&extension, gained), &before, &fitted);
-        if report.agreement.is_some() {
-            by_scatter(&mut report, &fitted);
-        }
-        report.gain = match held_out {
-            true => {
-                let without = believed.without(&before, &fitted);
-                not_believed(&mut report, &without);
-                gain::by_fits(&before, &fitted, &without, floor)
-            }
-            false => by_turns?,
-        };
-        let fits: Vec<usize> = (0..dataset.flights.len())
-            .filter(|&k| dataset.flights[k].role == Role::Fit)
-            .collect();
-        let evidence = |fitted: &Fitted| -> Vec<FlightEvidence> {
-            let each = batch::each_on(bench.threads, fits.len(), |k| fitted.evidence(fits[k]));
-            each.into_iter().flatten().collect()
-        };
-        report.curves = curves(model, &evidence(&before), &evidence(&fitted));
-        after = Some((extension, fitted));
+    let (mut after, mut made) = (None, None);
+    if let Some(chosen) = chosen {
+        let (extended, besides) = measured(
+            place,
+            &before,
+            &mut report,
+            (chosen, gained, known_gain),
+            beside,
+        )?;
+        after = Some(extended);
         made = Some(besides);
     }
     report.summary = words::summary(&report);
@@ -302,6 +263,69 @@ fn looked<R: Send>(
         after,
     };
     Ok((diagnosed, made))
+}
+
+/// Fits the extended model where that was not done, measures what it gains, and puts both into the report; and what `beside`
+/// makes of it.
+fn measured<R: Send>(
+    place: outside::Place<'_>,
+    before: &Fitted,
+    report: &mut Report,
+    ((extension, fitted), gained, known_gain): ((Extension, Option<Fitted>), f64, Option<Gain>),
+    beside: &(impl Fn(&Extension) -> R + Sync),
+) -> Result<((Extension, Fitted), R), DiagnosisError> {
+    let outside::Place {
+        model,
+        dataset,
+        asked,
+    } = place;
+    let threads = asked.fit.threads();
+    let floor = report.noise.sigma_m;
+    let believed = match report.agreement {
+        Some(_) => Believed::UnlessContradicted,
+        None => Believed::Always,
+    };
+    let held_out = dataset.flights.iter().any(|f| f.role == Role::HeldOut);
+    // None of the three needs what another finds.
+    let (by_turns, (besides, fitted)) = both(
+        threads,
+        || match held_out || known_gain.is_some() {
+            true => Ok(known_gain),
+            false => {
+                let models = [model, &extension.model];
+                gain::by_turns(models, dataset, &asked.fit, believed, floor)
+            }
+        },
+        || {
+            both(
+                threads,
+                || beside(&extension),
+                || fitted.map_or_else(|| fit(&extension.model, dataset, &asked.fit), Ok),
+            )
+        },
+    );
+    let fitted = fitted?;
+    take_over(report, (&extension, gained), before, &fitted);
+    if report.agreement.is_some() {
+        by_scatter(report, &fitted);
+    }
+    report.gain = match held_out {
+        true => {
+            let without = believed.without(before, &fitted);
+            not_believed(report, &without);
+            gain::by_fits(before, &fitted, &without, floor)
+        }
+        false => by_turns?,
+    };
+    let fits: Vec<usize> = (0..dataset.flights.len())
+        .filter(|&k| dataset.flights[k].role == Role::Fit)
+        .collect();
+    let evidence = |fitted: &Fitted| -> Vec<FlightEvidence> {
+        let each = batch::each_on(threads, fits.len(), |k| fitted.evidence(fits[k]));
+        each.into_iter().flatten().collect()
+    };
+    report.curves = curves(model, &evidence(before), &evidence(&fitted));
+    Ok(((extension, fitted), besides))
 }
 
 /// Of two that were written the one that stands, or else the one that leaves less.

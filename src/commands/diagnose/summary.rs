@@ -48,6 +48,9 @@ pub fn summary(report: &Report) -> String {
             1e3 * gain.noise_floor_m,
         );
     }
+    for note in &report.notes {
+        let _ = writeln!(text, "note: {note}");
+    }
     if let Some(throw) = &report.next_throw {
         let _ = writeln!(text, "next throw: {}", throw.says);
     }
