@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use trials::discovery::{self, plan::Row};
-use trials::page::{self, Page, RealData, identification, real_data};
+use trials::page::{self, Page, RealData, identification, peers, real_data};
 use trials::{coverage, replay};
 
 use crate::cli::{Trials, TrialsDiscovery, TrialsOf};
@@ -30,7 +30,11 @@ pub fn run(options: &Trials) -> anyhow::Result<Answer> {
             let data = RealData::of(&options.data).map_err(anyhow::Error::msg)?;
             (real_data(&data), &options.out)
         }
-        TrialsOf::Discovery(options) => (discovered(options)?, &options.out),
+        TrialsOf::Discovery(options) => {
+            let page = discovered(options)?;
+            let page = beside_peers(page, options.out.as_deref());
+            (page, &options.out)
+        }
     };
     match out {
         Some(file) => write(file, &page)?,
@@ -60,6 +64,19 @@ fn discovered(options: &TrialsDiscovery) -> anyhow::Result<Page> {
         }
     }
     Ok(page::discovery(&tried))
+}
+
+/// The page with the peers' tables, where their page stands beside it.
+fn beside_peers(page: Page, out: Option<&Path>) -> Page {
+    let peers = out.map(|file| file.with_file_name("discovery-peers.md"));
+    let peers = peers.and_then(|file| std::fs::read_to_string(file).ok());
+    match peers.and_then(|text| peers::section(&text)) {
+        Some(section) => Page {
+            text: peers::beside(&page.text, &section),
+            ..page
+        },
+        None => page,
+    }
 }
 
 /// Writes a page, and its figures beside it.

@@ -2,6 +2,7 @@
 
 mod discovery;
 mod identification;
+pub mod peers;
 mod real_data;
 mod write;
 

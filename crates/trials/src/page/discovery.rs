@@ -53,10 +53,6 @@ fn told(text: &mut Text) {
          Rows give counts, or medians over their runs. `hyzer trials discovery --out docs/discovery.md` makes the page again; \
          `--only` with words of a row and `--details` shows its runs.",
     );
-    text.paragraph(
-        "What pysindy and stepwise regression with predicted squared error find of the same hidden effects stands in \
-         [discovery-peers.md](discovery-peers.md).",
-    );
 }
 
 fn bars(text: &mut Text, rates: &Rates) {
