@@ -1,4 +1,4 @@
-//! How long a flight takes: `cargo run --release -p flight --example speed`.
+//! How long a flight takes: `cargo run --release -p flight --example flight_speed`.
 
 #[path = "../tests/disc/mod.rs"]
 mod disc;
