@@ -8,8 +8,10 @@ mod sums;
 use std::ops::Range;
 
 use flight::body::States;
+use flight::release::Vocabulary;
 use flight::sensitivity::{Linearised, Sensitivities};
 use flight::{Method, Options, fly_at, fly_past};
+use model_spec::model::Model;
 use nalgebra::DVector;
 
 use self::columns::Columns;
@@ -20,10 +22,24 @@ use crate::setting::Setting;
 use crate::sight::Sight;
 use crate::track::Track;
 
-/// Tolerance of the integration over the noise's size (per metre). A disc then stays far below a thousandth of the noise after
-/// a second, and one that spins fast and is told by a quaternion, whose errors add up, below a fiftieth. Three times as
-/// much costs a fit of 2,000 flights twice the steps: their errors together hide what the last steps gain.
-const TOLERANCE: f64 = 0.007;
+/// Tolerance of the integration over the noise's size (per metre), where there are any number of flights. A disc then stays far below a
+/// thousandth of the noise after a second, and one that spins fast and is told by a quaternion, whose errors add up, below a
+/// fiftieth.
+pub(crate) const FINE: f64 = 0.007;
+
+/// The same where there are so few flights of a body that is not told by a quaternion, still below a thousandth of the noise. The
+/// errors of many would together hide what the last steps gain: of 2,000 they double the steps.
+const OF_FEW: (f64, usize) = (0.02, 200);
+
+/// The tolerance for so many flights of a model.
+pub(crate) fn tolerance(model: &Model, flights: usize) -> f64 {
+    let (coarse, few) = OF_FEW;
+    if !Vocabulary::of(model).quaternions.is_empty() {
+        return FINE;
+    }
+    let part = few as f64 / flights.max(few) as f64;
+    (coarse * part.sqrt()).max(FINE)
+}
 
 /// The same for residuals alone, which are looked at one by one.
 const LOOSE_TOLERANCE: f64 = 0.02;
@@ -126,7 +142,7 @@ fn linearise_kept<M: Linearised>(
     let columns = Columns::new(track, motion.state_pattern(), constants.len());
     let part = match loss {
         Loss::Huber(_) => ROUGH_TOLERANCE,
-        Loss::Whitened(_) => TOLERANCE,
+        Loss::Whitened(_) => setting.tolerance,
     };
     let mut sums = Sums::new(columns.rows(), track.markers, loss);
     let flight = Along {

@@ -9,6 +9,7 @@ use crate::dataset::{Dataset, Known as Value};
 use crate::levenberg::Known;
 use crate::options::Options;
 use crate::pose;
+use crate::predict::FINE;
 use crate::report::words::count;
 
 /// Why a dataset cannot be fitted.
@@ -74,6 +75,8 @@ pub struct Setting {
     pub sigma: Option<f64>,
     /// A first estimate of it from the tracks alone, m; the integration is far more exact than that.
     pub floor: f64,
+    /// Tolerance of the integration over that size, per metre, where residuals are weighed by the noise.
+    pub tolerance: f64,
 }
 
 impl Setting {
@@ -136,6 +139,7 @@ impl Setting {
             held,
             sigma: dataset.sigma,
             floor: NO_FLOOR,
+            tolerance: FINE,
         };
         for flight in &dataset.flights {
             setting

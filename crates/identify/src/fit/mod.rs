@@ -25,6 +25,7 @@ use crate::dataset::{Dataset, Role};
 use crate::levenberg::{Failure, Solution};
 use crate::noise::Noise;
 use crate::options::Options;
+use crate::predict;
 use crate::report::{FlightEvidence, Report};
 pub use crate::setting::FitError;
 use crate::setting::Setting;
@@ -76,6 +77,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
     }
     let (tracks, floor) = begin::tracks(&setting, dataset, &fitted, options);
     setting.floor = floor;
+    setting.tolerance = predict::tolerance(model, fitted.len());
     let mut begun = begin::begin(&setting, dataset, tracks, options)?;
     let (used, left_out) = (
         std::mem::take(&mut begun.flights),
