@@ -15,34 +15,21 @@ measure.py   all of them on all cases, then in turn against the clock; results.j
 page.py      the page from the results alone
 """
 
-import json
 import os
 import pathlib
 import subprocess
 import sys
-import venv
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
+sys.path.insert(0, str(HERE.parent))
+import environment
 
-
-def environment():
-    folder = ROOT / "target" / "peers" / "discovery"
-    python, stamp = folder / "bin" / "python", folder / "requirements.txt"
-    wanted = (HERE / "requirements.txt").read_text()
-    if not stamp.exists() or stamp.read_text() != wanted:
-        venv.create(folder, with_pip=True, clear=True)
-        subprocess.run([python, "-m", "pip", "install", "--quiet", "-r", HERE / "requirements.txt"], check=True)
-        stamp.write_text(wanted)
-    return python
+ROOT = environment.ROOT
 
 
 def main():
-    python = environment()
-    subprocess.run(["cargo", "build", "--release", "--bin", "hyzer", "--example", "discovery_cases"], cwd=ROOT, check=True)
-    asked = ["cargo", "metadata", "--format-version", "1", "--no-deps"]
-    target = json.loads(subprocess.run(asked, cwd=ROOT, check=True, capture_output=True).stdout)["target_directory"]
-    target = pathlib.Path(target)
+    python = environment.peers("discovery", HERE / "requirements.txt")
+    target = environment.built("discovery_cases")
     cases = target / "discovery-cases"
     subprocess.run([target / "release" / "examples" / "discovery_cases", cases], check=True)
     # Every case has a core of its own; the peers' matrices are too small to share.

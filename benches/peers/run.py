@@ -9,19 +9,16 @@ import os
 import pathlib
 import subprocess
 import sys
-import venv
 
 HERE = pathlib.Path(__file__).resolve().parent
-OUT = HERE.parents[1] / "target" / "peers"
+sys.path.insert(0, str(HERE.parent))
+import environment
+
+OUT = environment.ROOT / "target" / "peers"
 
 
 def main():
-    python, stamp = OUT / "venv" / "bin" / "python", OUT / "venv" / "requirements.txt"
-    wanted = (HERE / "requirements.txt").read_text()
-    if not stamp.exists() or stamp.read_text() != wanted:
-        venv.create(OUT / "venv", with_pip=True, clear=True)
-        subprocess.run([python, "-m", "pip", "install", "--quiet", "-r", HERE / "requirements.txt"], check=True)
-        stamp.write_text(wanted)
+    python = environment.peers("venv", HERE / "requirements.txt")
     # SymPy's order of terms, and so its code, depends on the seed.
     env = {**os.environ, "PYTHONHASHSEED": "0"}
     ours = [a for a in sys.argv[1:] if a != "--compare"]

@@ -44,15 +44,14 @@ pub struct Agreed {
 /// Where a flight is impossible.
 pub fn agreed(bench: &Bench, found: &Found, base: &Point) -> Result<Option<Agreed>, FitError> {
     let flights = bench.tracks.len();
-    let Some(nothing) = bench.cause(&[], base, &found.noise) else {
-        return Ok(None);
-    };
     if flights < FEWEST {
         return Ok(None);
     }
+    let Some(nothing) = bench.cause(&[], base, &found.noise) else {
+        return Ok(None);
+    };
     let common = bench.common(&nothing, found)?;
-    let groups = bench.groups(&[]);
-    let chances = common.chances(&groups);
+    let chances = common.chances(&bench.groups(&[]));
     let asked_for = (0..bench.candidates.len()).filter(|&index| {
         let candidate = &bench.candidates[index];
         candidate.states.is_empty() && !candidate.shared.is_empty() && chances[index] < ALARM

@@ -14,7 +14,7 @@ use identify::levenberg::{Known, Point, Problem, Solution, Until, shared_step, s
 use identify::noise::Noise;
 use identify::normal::{Block, eliminate};
 use identify::options::Options;
-use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_again};
+use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_by};
 use identify::setting::Setting;
 use identify::track::Track;
 use nalgebra::DVector;
@@ -196,7 +196,7 @@ impl Bench {
                     let (motion, places) = self.further(&conditions, grammar);
                     let by = (motion, places.as_slice());
                     from.kept.with(flight, |kept| {
-                        linearise_again(setting, track, unknowns, samples, loss, by, kept)
+                        linearise_by(setting, track, unknowns, samples, loss, by, Some(kept))
                     })
                 }
             };

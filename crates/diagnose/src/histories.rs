@@ -112,8 +112,16 @@ impl Flown {
         let unknowns = (&at.shared, &at.own[flight]);
         let samples = track.times.len();
         let loss = Loss::Whitened(noise);
-        let block =
-            linearise_by(setting, track, unknowns, samples, loss, (motion, &places)).ok()?;
+        let block = linearise_by(
+            setting,
+            track,
+            unknowns,
+            samples,
+            loss,
+            (motion, &places),
+            None,
+        )
+        .ok()?;
         let blocks = [bench.own_of(flight, &block, &[]).0];
         let system = eliminate(&blocks, 0.0).ok()?;
         Some(Self {

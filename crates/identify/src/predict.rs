@@ -85,52 +85,17 @@ pub fn linearise(
         By::Own => Vec::new(),
         By::All => setting.shared.iter().map(|shared| shared.place).collect(),
     };
-    let motion = conditions.linear_motion();
-    linearise_by(
-        setting,
-        track,
-        (shared, own),
-        samples,
-        loss,
-        (motion, &constants),
-    )
+    let by = (conditions.linear_motion(), constants.as_slice());
+    linearise_by(setting, track, (shared, own), samples, loss, by, None)
 }
 
 /// As [`linearise`], by equations of motion of one's own and these constants of them, which stand in the place of the shared
-/// unknowns.
+/// unknowns. Where the flight is `kept` for another look at it, none before the first, nothing else than the loss and the
+/// outliers may differ from look to look.
 ///
 /// # Errors
 /// In words, where the flight is impossible.
 pub fn linearise_by<M: Linearised>(
-    setting: &Setting,
-    track: &Track,
-    (shared, own): (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-    loss: Loss<'_>,
-    (motion, constants): (M, &[usize]),
-) -> Result<Block, String> {
-    let by = (motion, constants);
-    linearise_kept(setting, track, (shared, own), samples, loss, by, None)
-}
-
-/// As [`linearise_by`], of a flight that is kept for another look at it: none before the first. Nothing else than the loss
-/// and the outliers may differ from look to look.
-///
-/// # Errors
-/// In words, where the flight is impossible.
-pub fn linearise_again<M: Linearised>(
-    setting: &Setting,
-    track: &Track,
-    (shared, own): (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-    loss: Loss<'_>,
-    by: (M, &[usize]),
-    kept: &mut Option<Vec<f64>>,
-) -> Result<Block, String> {
-    linearise_kept(setting, track, (shared, own), samples, loss, by, Some(kept))
-}
-
-fn linearise_kept<M: Linearised>(
     setting: &Setting,
     track: &Track,
     (shared, own): (&DVector<f64>, &DVector<f64>),

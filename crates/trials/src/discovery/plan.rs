@@ -275,31 +275,24 @@ pub fn plan(seeds: usize) -> Vec<Row> {
             ..row(Group::Equivalents, disc, &[name], size, noise, runs)
         });
     }
-    for found in outside::ALL {
-        let body = match found.laws.contains(&Law::Disc) {
-            true => disc,
-            false => Body::TableTennis,
-        };
-        for size in both {
-            let (runs, noise) = (share(SHARE.outside), white.clone());
-            rows.push(Row {
-                outside: Some(found.name),
-                ..row(Group::Outside, body, &[], Some(size), noise, runs)
-            });
-        }
-    }
-    for found in outside::ALL {
-        let body = match found.laws.contains(&Law::Disc) {
-            true => disc,
-            false => Body::TableTennis,
-        };
-        for size in both {
-            let (runs, noise) = (share(SHARE.many), white.clone());
-            rows.push(Row {
-                outside: Some(found.name),
-                flights: Some(MANY),
-                ..row(Group::Many, body, &[], Some(size), noise, runs)
-            });
+    let of_outside = [
+        (Group::Outside, None, SHARE.outside),
+        (Group::Many, Some(MANY), SHARE.many),
+    ];
+    for (group, flights, part) in of_outside {
+        for found in outside::ALL {
+            let body = match found.laws.contains(&Law::Disc) {
+                true => disc,
+                false => Body::TableTennis,
+            };
+            for size in both {
+                let (runs, noise) = (share(part), white.clone());
+                rows.push(Row {
+                    outside: Some(found.name),
+                    flights,
+                    ..row(group, body, &[], Some(size), noise, runs)
+                });
+            }
         }
     }
     for told in TOLD {
