@@ -5,7 +5,7 @@ mod step;
 use flight::batch;
 use nalgebra::DVector;
 
-use crate::normal::{Block, Undetermined, eliminate};
+use crate::normal::{Block, Eliminated, Rest, Undetermined};
 pub use step::shared_step;
 
 /// A sum of squares with unknowns shared by all flights and unknowns of each flight.
@@ -90,6 +90,14 @@ pub struct Solution {
     pub promised: Option<f64>,
 }
 
+impl Solution {
+    /// Whether the last step, which nobody saw, was negligible in itself.
+    pub fn is_there(&self, until: Until) -> bool {
+        let negligible = |promised| until.is_negligible(promised, self.squares);
+        self.converged && self.promised.is_some_and(negligible)
+    }
+}
+
 /// Why there is no solution.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Failure {
@@ -116,43 +124,55 @@ pub struct Until {
     pub gain: f64,
     /// A step that promises no more than this part of it is negligible.
     pub part: f64,
+    /// A step that promises more, by no more than the first of these, is taken unseen where the next would promise less,
+    /// by the second.
+    pub unseen: (f64, f64),
     /// Steps after which the iteration is given up.
     pub steps: usize,
 }
 
 impl Until {
-    /// Whitened residuals: the step that is then taken unseen is a thirtieth of a standard error at most, and its own
-    /// error far less.
+    /// Whitened residuals: the step that is then taken unseen is a standard error at most, and what it leaves a hundredth.
     pub const DONE: Until = Until {
         gain: 1e-3,
         part: 1e-11,
+        unseen: (1e3, 10.0),
         steps: 100,
     };
     /// On the way, where the weights will change anyway.
     pub const ROUGHLY: Until = Until {
         gain: 1e-2,
         part: 1e-3,
+        unseen: (1e3, 1.0),
         steps: 30,
+    };
+    /// On the way to longer flights, which will tell more than is left here.
+    pub const NEAR: Until = Until {
+        part: 1e-2,
+        unseen: (f64::INFINITY, 1.0),
+        ..Until::ROUGHLY
     };
     /// After one step, unseen.
     pub const ONCE: Until = Until {
         gain: f64::INFINITY,
-        part: 0.0,
         steps: 1,
+        ..Until::ROUGHLY
     };
 
-    /// Whether a step that promises so much of what is left is negligible, or is but for what the next would find, as the
-    /// promises shrink from the one `before` it.
+    /// Whether a step promises so little of what is left that it is negligible.
+    fn is_negligible(&self, promised: f64, squares: f64) -> bool {
+        promised <= self.gain.max(self.part * squares)
+    }
+
+    /// Whether a step need not be seen: it is negligible, or the next will be, as the promises shrink from the one `before`.
     fn is_reached(&self, promised: f64, before: Option<f64>, squares: f64) -> bool {
-        let limit = self.gain.max(self.part * squares);
         let next = before.map_or(f64::INFINITY, |before| promised * (promised / before));
-        promised <= limit || promised <= NEARLY.0 * limit && next <= limit / NEARLY.1
+        let (over, below) = self.unseen;
+        self.is_negligible(promised, squares)
+            || self.is_negligible(promised / over, squares)
+                && self.is_negligible(next * below, squares)
     }
 }
-
-/// A step over the limit by no more than the first of these is taken unseen where the next would be below the limit by the
-/// second.
-const NEARLY: (f64, f64) = (10.0, 50.0);
 
 /// Damping at which no step is tried any more.
 const MOST_DAMPING: f64 = 1e8;
@@ -182,14 +202,14 @@ pub fn solve_after(
     mut last_promised: Option<f64>,
 ) -> Result<Solution, Failure> {
     let mut point = start;
-    let mut blocks = linearise(problem, &point)?;
-    let mut before = squares(problem, &point, &blocks);
     let mut damping = 1e-9;
+    let mut look = look_at(problem, &point, damping)?;
+    let mut before = squares(problem, &point, &look.blocks);
     let mut iterations = 0;
     let mut converged = false;
     while iterations < until.steps {
         iterations += 1;
-        let Some((candidate, promised)) = stepped(problem, &point, &blocks, damping) else {
+        let Some((candidate, promised)) = stepped(problem, &point, &mut look, damping) else {
             if damping >= MOST_DAMPING {
                 break;
             }
@@ -204,20 +224,21 @@ pub fn solve_after(
             converged = true;
             break;
         }
-        let there = match linearise(problem, &candidate) {
+        let less = (damping * 0.1).max(LEAST_DAMPING);
+        let there = match look_at(problem, &candidate, less) {
             Ok(there) => Some(there),
             Err(Failure::Stopped) => return Err(Failure::Stopped),
             Err(_) => None,
         };
-        let after = there
-            .as_ref()
-            .map_or(f64::INFINITY, |there| squares(problem, &candidate, there));
+        let after = there.as_ref().map_or(f64::INFINITY, |there| {
+            squares(problem, &candidate, &there.blocks)
+        });
         match there {
             Some(there) if after < before => {
-                (point, blocks, before) = (candidate, there, after);
+                (point, look, before) = (candidate, there, after);
                 // Where steps are held back, how they shrink says nothing of what is left.
                 last_promised = Some(promised).filter(|_| damping <= FREE_DAMPING);
-                damping = (damping * 0.1).max(LEAST_DAMPING);
+                damping = less;
             }
             _ if damping < MOST_DAMPING => damping = (damping * 10.0).max(1e-6),
             _ => break,
@@ -225,7 +246,7 @@ pub fn solve_after(
     }
     Ok(Solution {
         point,
-        blocks,
+        blocks: look.blocks,
         squares: before,
         iterations,
         converged,
@@ -233,15 +254,28 @@ pub fn solve_after(
     })
 }
 
-fn linearise(problem: &impl Problem, point: &Point) -> Result<Vec<Block>, Failure> {
+/// The flights at a point.
+struct Look {
+    blocks: Vec<Block>,
+    /// What is left of each once its own unknowns are eliminated, by this damping; taken by the first who steps.
+    rests: (f64, Option<Vec<Option<Rest>>>),
+}
+
+fn look_at(problem: &impl Problem, point: &Point, damping: f64) -> Result<Look, Failure> {
     let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
         if problem.is_stopped() {
             return Err(Failure::Stopped);
         }
         let block = problem.linearise(flight, &point.shared, &point.own[flight]);
-        block.map_err(|reason| Failure::Start { flight, reason })
+        let block = block.map_err(|reason| Failure::Start { flight, reason })?;
+        let rest = Rest::new(&block, damping);
+        Ok((block, rest))
     });
-    each.into_iter().collect()
+    let (blocks, rests) = each.into_iter().collect::<Result<_, _>>()?;
+    Ok(Look {
+        blocks,
+        rests: (damping, Some(rests)),
+    })
 }
 
 fn squares(problem: &impl Problem, point: &Point, blocks: &[Block]) -> f64 {
@@ -256,10 +290,15 @@ fn squares(problem: &impl Problem, point: &Point, blocks: &[Block]) -> f64 {
 fn stepped(
     problem: &impl Problem,
     point: &Point,
-    blocks: &[Block],
+    look: &mut Look,
     damping: f64,
 ) -> Option<(Point, f64)> {
-    let system = eliminate(blocks, damping).ok()?;
+    let made = look.rests.1.take_if(|_| look.rests.0 == damping);
+    let anew = || {
+        let each = look.blocks.iter();
+        each.map(|block| Rest::new(block, damping)).collect()
+    };
+    let system = Eliminated::new(&look.blocks, made.unwrap_or_else(anew)).ok()?;
     let (step, prior_gain) = shared_step(
         &system.reduced,
         &system.gradient,

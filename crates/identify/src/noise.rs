@@ -29,7 +29,7 @@ impl Noise {
     pub fn innovation(&self, axis: usize, gap: f64) -> (f64, f64) {
         let intervals = gap / self.interval;
         let ar1 = self.ar1[axis];
-        let kept = if (intervals - 1.0).abs() < 0.01 {
+        let kept = if self.is_one_interval(gap) {
             ar1
         } else if ar1 >= 0.0 {
             ar1.powf(intervals)
@@ -38,6 +38,11 @@ impl Noise {
             ar1.powi(intervals.round().clamp(1.0, 1e6) as i32)
         };
         (kept, self.sigma[axis] * (1.0 - kept * kept).sqrt())
+    }
+
+    /// Whether a time, s, is the interval that the correlation holds for.
+    pub fn is_one_interval(&self, gap: f64) -> bool {
+        (gap / self.interval - 1.0).abs() < 0.01
     }
 
     /// Root of the mean of the axes' variances, m.

@@ -61,6 +61,27 @@ impl Block {
 #[error("the samples of flight {0} do not determine its initial state")]
 pub struct Undetermined(pub usize);
 
+/// What is left of one flight's block once its own unknowns are eliminated.
+pub struct Rest {
+    factor: Factor,
+    reduced: DMatrix<f64>,
+    gradient: DVector<f64>,
+}
+
+impl Rest {
+    /// With Levenberg's damping relative to the diagonal; none where the block is not positive definite.
+    pub fn new(block: &Block, damping: f64) -> Option<Self> {
+        let factor = factor(&block.own, damping)?;
+        let through = block.cross.tr_mul(&factor.solve_matrix(&block.cross));
+        let slope = block.cross.tr_mul(&factor.solve(&block.own_gradient));
+        Some(Self {
+            factor,
+            reduced: &block.shared - through,
+            gradient: &block.shared_gradient - slope,
+        })
+    }
+}
+
 /// The eliminated system, kept for the back-substitution.
 pub struct Eliminated<'a> {
     blocks: &'a [Block],
@@ -127,22 +148,36 @@ impl Factor {
 /// # Errors
 /// [`Undetermined`] where a flight's block is not positive definite.
 pub fn eliminate(blocks: &[Block], damping: f64) -> Result<Eliminated<'_>, Undetermined> {
-    let size = blocks.first().map_or(0, |block| block.shared.nrows());
-    let mut reduced = DMatrix::zeros(size, size);
-    let mut gradient = DVector::zeros(size);
-    let mut factors = Vec::with_capacity(blocks.len());
-    for (index, block) in blocks.iter().enumerate() {
-        let factor = factor(&block.own, damping).ok_or(Undetermined(index))?;
-        reduced += &block.shared - block.cross.tr_mul(&factor.solve_matrix(&block.cross));
-        gradient += &block.shared_gradient - block.cross.tr_mul(&factor.solve(&block.own_gradient));
-        factors.push(factor);
+    let rests = blocks.iter().map(|block| Rest::new(block, damping));
+    Eliminated::new(blocks, rests)
+}
+
+impl<'a> Eliminated<'a> {
+    /// The same by what is left of each block.
+    ///
+    /// # Errors
+    /// [`Undetermined`] where nothing is.
+    pub fn new(
+        blocks: &'a [Block],
+        rests: impl IntoIterator<Item = Option<Rest>>,
+    ) -> Result<Self, Undetermined> {
+        let size = blocks.first().map_or(0, |block| block.shared.nrows());
+        let mut reduced = DMatrix::zeros(size, size);
+        let mut gradient = DVector::zeros(size);
+        let mut factors = Vec::with_capacity(blocks.len());
+        for (index, rest) in rests.into_iter().enumerate() {
+            let rest = rest.ok_or(Undetermined(index))?;
+            reduced += rest.reduced;
+            gradient += rest.gradient;
+            factors.push(rest.factor);
+        }
+        Ok(Self {
+            blocks,
+            factors,
+            reduced,
+            gradient,
+        })
     }
-    Ok(Eliminated {
-        blocks,
-        factors,
-        reduced,
-        gradient,
-    })
 }
 
 impl Eliminated<'_> {

@@ -44,7 +44,7 @@ pub fn departures(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 
 }
 
 /// A departure by least squares beyond this many times the usual one is looked at again.
-const SUSPECT: f64 = 2.0;
+const SUSPECT: f64 = 2.5;
 
 /// Times, samples and residuals of a marker where it was seen.
 struct Series(Vec<(f64, usize, [f64; 3])>);
@@ -64,12 +64,14 @@ impl Series {
         if self.0.len() < LEAST {
             return departures;
         }
+        let mut line = Line::default();
         for (index, &(time, sample, value)) in self.0.iter().enumerate() {
-            let neighbours = self
-                .neighbours(index)
-                .map(|&(t, _, value)| (t - time, value));
-            let (at_zero, spread) = least_squares_at_zero(neighbours);
-            departures[sample] = Some([0, 1, 2].map(|axis| (value[axis] - at_zero[axis]) / spread));
+            line.through(self.neighbours(index).map(|(t, ..)| t - time));
+            let mut beyond = value;
+            for (weight, (.., value)) in line.weights().iter().zip(self.neighbours(index)) {
+                beyond = [0, 1, 2].map(|axis| beyond[axis] - weight * value[axis]);
+            }
+            departures[sample] = Some(beyond.map(|beyond| beyond / line.spread));
         }
         departures
     }
@@ -95,31 +97,51 @@ impl Series {
             count += 1;
         }
         let points = &points[..count];
-        let all = points.iter().map(|&(time, _)| (time, [0.0; 3]));
-        let (_, spread) = least_squares_at_zero(all);
-        (value[axis] - at_zero(points, space)) / spread
+        let mut line = Line::default();
+        line.through(points.iter().map(|&(time, _)| time));
+        (value[axis] - at_zero(points, space)) / line.spread
     }
 }
 
-/// Where the lines of least squares through points (time, values) pass time 0; and the standard deviation of a new value
-/// less that, over that of one value.
-fn least_squares_at_zero(points: impl Iterator<Item = (f64, [f64; 3])> + Clone) -> ([f64; 3], f64) {
-    let (mut count, mut time, mut value) = (0.0, 0.0, [0.0; 3]);
-    for (t, values) in points.clone() {
-        count += 1.0;
-        time += t;
-        value = [0, 1, 2].map(|axis| value[axis] + values[axis]);
+/// Where a line of least squares through points at some times passes time 0.
+#[derive(Default)]
+struct Line {
+    times: [f64; 2 * SIDE],
+    count: usize,
+    weights: [f64; 2 * SIDE],
+    /// The standard deviation of a new value at time 0 less that of the line there, over that of one value.
+    spread: f64,
+}
+
+/// Times that differ by less than this part of the first are the same: samples at an even rate have the same lines.
+const SAME: f64 = 1e-9;
+
+impl Line {
+    /// Draws it through points at these times, no more than twice as many as stand on a side.
+    fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
+        let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME * drawn.abs();
+        if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {
+            return;
+        }
+        self.count = 0;
+        for (place, time) in self.times.iter_mut().zip(times) {
+            *place = time;
+            self.count += 1;
+        }
+        let (times, count) = (&self.times[..self.count], self.count as f64);
+        let middle = times.iter().sum::<f64>() / count;
+        let width: f64 = times.iter().map(|time| (time - middle).powi(2)).sum();
+        let part = middle / width;
+        for (weight, time) in self.weights.iter_mut().zip(times) {
+            *weight = 1.0 / count - (time - middle) * part;
+        }
+        self.spread = (1.0 + 1.0 / count + middle * part).sqrt();
     }
-    let (time, value) = (time / count, value.map(|sum| sum / count));
-    let (mut width, mut slope) = (0.0, [0.0; 3]);
-    for (t, values) in points {
-        let from = t - time;
-        width += from * from;
-        slope = [0, 1, 2].map(|axis| slope[axis] + from * (values[axis] - value[axis]));
+
+    /// What each point's value counts for.
+    fn weights(&self) -> &[f64] {
+        &self.weights[..self.count]
     }
-    let part = time / width;
-    let at_zero = [0, 1, 2].map(|axis| value[axis] - slope[axis] * part);
-    (at_zero, (1.0 + 1.0 / count + time * part).sqrt())
 }
 
 /// Where a line through points (time, value) passes time 0: by the medians of all slopes and of all intercepts, which

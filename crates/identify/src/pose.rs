@@ -1,8 +1,9 @@
 //! Where a rigid body is and how it is turned, from its markers in one frame.
 //!
-//! W. Kabsch, "A solution for the best rotation to relate two sets of vectors", Acta Crystallographica A 32 (1976).
+//! B. K. P. Horn, "Closed-form solution of absolute orientation using unit quaternions", Journal of the Optical Society of
+//! America A 4 (1987); the greatest eigenvalue by D. L. Theobald, Acta Crystallographica A 61 (2005).
 
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Matrix4, Quaternion, UnitQuaternion, Vector3};
 
 /// A body as seen in one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,13 +30,16 @@ const IN_LINE: f64 = 0.02;
 
 /// Whether markers fix the attitude of a body: three of them at least, and not in line.
 pub fn fix_attitude(markers: &[[f64; 3]]) -> bool {
-    let points: Vec<Vector3<f64>> = markers.iter().map(|&marker| marker.into()).collect();
-    if points.len() < 3 {
+    are_not_in_line(markers.iter().map(|&marker| marker.into()))
+}
+
+fn are_not_in_line(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool {
+    let count = points.clone().count();
+    if count < 3 {
         return false;
     }
-    let centre = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
+    let centre = points.clone().sum::<Vector3<f64>>() / count as f64;
     let scatter: Matrix3<f64> = points
-        .iter()
         .map(|p| (p - centre) * (p - centre).transpose())
         .sum();
     let [along, across] = two_greatest(&scatter);
@@ -59,43 +63,74 @@ fn two_greatest(matrix: &Matrix3<f64>) -> [f64; 2] {
 
 /// The pose that brings the markers nearest to where they were seen; none where what was seen does not fix it.
 pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
-    let pairs: Vec<(Vector3<f64>, Vector3<f64>)> = markers
-        .iter()
-        .zip(seen)
-        .filter_map(|(&marker, seen)| seen.map(|seen| (marker.into(), seen.into())))
-        .collect();
-    let visible: Vec<[f64; 3]> = pairs.iter().map(|(marker, _)| (*marker).into()).collect();
-    if !fix_attitude(&visible) {
+    let pairs = markers.iter().zip(seen).filter_map(|(&marker, &seen)| {
+        let pair: (Vector3<f64>, Vector3<f64>) = (marker.into(), seen?.into());
+        Some(pair)
+    });
+    if !are_not_in_line(pairs.clone().map(|(marker, _)| marker)) {
         return None;
     }
-    let count = pairs.len() as f64;
-    let (body, space) = pairs.iter().fold(
+    let seen = pairs.clone().count();
+    let (body, space) = pairs.clone().fold(
         (Vector3::zeros(), Vector3::zeros()),
-        |(body, space), (b, s)| (body + b / count, space + s / count),
+        |(body, space), (b, s)| (body + b / seen as f64, space + s / seen as f64),
     );
-    let covariance: Matrix3<f64> = pairs
-        .iter()
-        .map(|(b, s)| (s - space) * (b - body).transpose())
-        .sum();
-    let svd = covariance.svd(true, true);
-    let (u, v_t) = (svd.u?, svd.v_t?);
-    // A rotation, never a reflection: the least certain direction is turned over where needed.
-    let sign = (u.determinant() * v_t.determinant()).signum();
-    let least = svd.singular_values.imin();
-    let mut turn = Matrix3::identity();
-    turn[(least, least)] = sign;
-    let rotation = Rotation3::from_matrix_unchecked(u * turn * v_t);
-    let position = space - rotation * body;
+    let about = pairs.clone().map(|(b, s)| (b - body, s - space));
+    let covariance = about.clone().map(|(b, s)| s * b.transpose()).sum();
+    let spread = about.map(|(b, s)| b.norm_squared() + s.norm_squared());
+    let attitude = nearest_turn(&covariance, spread.sum::<f64>() / 2.0)?;
+    let position = space - attitude * body;
     let squares = pairs
-        .iter()
-        .map(|(b, s)| (position + rotation * b - s).norm_squared())
+        .map(|(b, s)| (position + attitude * b - s).norm_squared())
         .sum();
     Some(Pose {
         position,
-        attitude: UnitQuaternion::from_rotation_matrix(&rotation),
+        attitude,
         squares,
-        seen: pairs.len(),
+        seen,
     })
+}
+
+/// Most steps to an eigenvalue: they end where one no longer lessens it.
+const STEPS: usize = 100;
+
+/// The turn that brings vectors nearest to others, by the sum of the products (other, vector) and half the sum of all their
+/// squares. None where the vectors are in line.
+fn nearest_turn(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
+    #[rustfmt::skip]
+    let key = Matrix4::new(
+        c[(0, 0)] + c[(1, 1)] + c[(2, 2)], c[(2, 1)] - c[(1, 2)], c[(0, 2)] - c[(2, 0)], c[(1, 0)] - c[(0, 1)],
+        c[(2, 1)] - c[(1, 2)], c[(0, 0)] - c[(1, 1)] - c[(2, 2)], c[(1, 0)] + c[(0, 1)], c[(0, 2)] + c[(2, 0)],
+        c[(0, 2)] - c[(2, 0)], c[(1, 0)] + c[(0, 1)], c[(1, 1)] - c[(0, 0)] - c[(2, 2)], c[(2, 1)] + c[(1, 2)],
+        c[(1, 0)] - c[(0, 1)], c[(0, 2)] + c[(2, 0)], c[(2, 1)] + c[(1, 2)], c[(2, 2)] - c[(0, 0)] - c[(1, 1)],
+    );
+    // The greatest root of its characteristic polynomial, by Newton's steps from above.
+    let (two, one) = (-2.0 * c.norm_squared(), -8.0 * c.determinant());
+    let none = key.determinant();
+    let mut greatest = bound;
+    for _ in 0..STEPS {
+        let value = ((greatest * greatest + two) * greatest + one) * greatest + none;
+        let slope = (4.0 * greatest * greatest + 2.0 * two) * greatest + one;
+        let next = greatest - value / slope;
+        if next.is_nan() || next >= greatest {
+            break;
+        }
+        greatest = next;
+    }
+    // Every column of the adjugate is the eigenvector, times one of its components: the greatest is the most certain.
+    let rest = key - Matrix4::from_diagonal_element(greatest);
+    let cofactor = |row: usize, column: usize| {
+        let sign = if (row + column).is_multiple_of(2) {
+            1.0
+        } else {
+            -1.0
+        };
+        sign * rest.remove_row(row).remove_column(column).determinant()
+    };
+    let sizes = [0, 1, 2, 3].map(|place| cofactor(place, place).abs());
+    let most = (0..4).max_by(|&a, &b| sizes[a].total_cmp(&sizes[b]))?;
+    let [w, i, j, k] = [0, 1, 2, 3].map(|row| cofactor(row, most));
+    UnitQuaternion::try_new(Quaternion::new(w, i, j, k), f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]
@@ -117,6 +152,37 @@ mod tests {
         assert!((pose.position - position).norm() < 1e-12);
         assert!(pose.attitude.angle_to(&attitude) < 1e-7);
         assert!(pose.squares < 1e-24);
+    }
+
+    #[test]
+    fn no_other_pose_is_nearer() {
+        for turn in 0..12 {
+            let attitude = UnitQuaternion::from_euler_angles(0.5 * f64::from(turn), -0.7, 3.0);
+            let mut seen = MARKERS.map(|m| Some((attitude * Vector3::from(m)).into()));
+            for (k, seen) in seen.iter_mut().flatten().enumerate() {
+                let seen: &mut [f64; 3] = seen;
+                seen[k] += 0.004;
+                seen[(k + turn as usize) % 3] -= 0.007;
+            }
+            let pose = pose(&MARKERS, &seen).unwrap();
+            let squares = |attitude: UnitQuaternion<f64>, position: Vector3<f64>| -> f64 {
+                let pairs = MARKERS.iter().zip(seen.iter().flatten());
+                let gap = |(m, s): (&[f64; 3], &[f64; 3])| {
+                    (position + attitude * Vector3::from(*m) - Vector3::from(*s)).norm_squared()
+                };
+                pairs.map(gap).sum()
+            };
+            assert!((squares(pose.attitude, pose.position) - pose.squares).abs() < 1e-15);
+            for axis in 0..6 {
+                for size in [-1e-4, 1e-4] {
+                    let mut step = [0.0; 6];
+                    step[axis] = size;
+                    let turned = UnitQuaternion::new(Vector3::from_column_slice(&step[..3]));
+                    let moved = pose.position + Vector3::from_column_slice(&step[3..]);
+                    assert!(squares(turned * pose.attitude, moved) > pose.squares);
+                }
+            }
+        }
     }
 
     #[test]

@@ -19,7 +19,9 @@ pub struct Rows {
     /// Where those by the shared ones do.
     shared: Vec<usize>,
     width: usize,
+    /// Rows that wait to be summed, and how long they are together.
     batch: Vec<f64>,
+    filled: usize,
     sums: Vec<f64>,
     /// What robust losses add to the sum of squares.
     extra: f64,
@@ -34,7 +36,8 @@ impl Rows {
             own,
             shared,
             width,
-            batch: Vec::with_capacity(BATCH * width),
+            batch: vec![0.0; BATCH * width],
+            filled: 0,
             sums: vec![0.0; width * width],
             extra: 0.0,
             count: 0,
@@ -53,28 +56,31 @@ impl Rows {
 
     /// Adds `scale * (row - kept * before)`; and `extra` to the sum of squares.
     pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
-        match before {
-            Some((kept, before)) => {
-                let each = row.iter().zip(before);
-                self.batch
-                    .extend(each.map(|(row, before)| scale * (row - kept * before)));
-            }
-            None => self.batch.extend(row.iter().map(|row| scale * row)),
-        }
+        let to = &mut self.batch[self.filled..][..self.width];
+        let row = &row[..self.width];
+        let (kept, before) = before.unwrap_or((0.0, row));
+        lanes::dispatch(Innovation {
+            to,
+            row,
+            kept,
+            before,
+            scale,
+        });
+        self.filled += self.width;
         self.extra += extra;
         self.count += 1;
-        if self.batch.len() >= BATCH * self.width {
+        if self.filled == self.batch.len() {
             self.sum();
         }
     }
 
     fn sum(&mut self) {
         lanes::dispatch(AddSquares {
-            rows: &self.batch,
+            rows: &self.batch[..self.filled],
             width: self.width,
             sums: &mut self.sums,
         });
-        self.batch.clear();
+        self.filled = 0;
     }
 
     /// The normal equations of all rows.
@@ -91,6 +97,29 @@ impl Rows {
             shared_gradient: DVector::from_fn(shared.len(), |i, _| at(shared[i], last)),
             squares: at(last, last) + self.extra,
             count: self.count,
+        }
+    }
+}
+
+/// `to = scale (row - kept before)`
+struct Innovation<'a> {
+    to: &'a mut [f64],
+    row: &'a [f64],
+    kept: f64,
+    before: &'a [f64],
+    scale: f64,
+}
+
+impl Kernel for Innovation<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let (kept, scale) = (T::splat(self.kept), T::splat(self.scale));
+        let from = self.row.chunks_exact(T::WIDTH);
+        let from = from.zip(self.before.chunks_exact(T::WIDTH));
+        for (to, (row, before)) in self.to.chunks_exact_mut(T::WIDTH).zip(from) {
+            (scale * (T::load(row) - kept * T::load(before))).store(to);
         }
     }
 }

@@ -33,19 +33,14 @@ impl Isa {
     pub const ALL: [Isa; 4] = [Isa::Avx512, Isa::Avx2, Isa::Portable, Isa::Scalar];
 
     /// Whether this machine has it.
+    #[inline]
     pub fn is_supported(self) -> bool {
+        // Every kernel asks: the machine is asked once.
+        static WIDE: OnceLock<(bool, bool)> = OnceLock::new();
+        let (avx2, avx512) = *WIDE.get_or_init(wide);
         match self {
-            #[cfg(target_arch = "x86_64")]
-            Isa::Avx512 => {
-                // Where wide vectors are, the narrower are too; `alone` counts on it.
-                is_x86_feature_detected!("avx512f")
-                    && is_x86_feature_detected!("avx512dq")
-                    && Isa::Avx2.is_supported()
-            }
-            #[cfg(target_arch = "x86_64")]
-            Isa::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
-            #[cfg(not(target_arch = "x86_64"))]
-            Isa::Avx512 | Isa::Avx2 => false,
+            Isa::Avx512 => avx512,
+            Isa::Avx2 => avx2,
             Isa::Portable | Isa::Scalar => true,
         }
     }
@@ -58,6 +53,7 @@ impl Isa {
 
     /// The one that [`dispatch`] takes: that named by the environment variable `HYZER_LANES` (`avx512`,
     /// `avx2`, `portable`, `scalar`) where the machine has it, else the widest.
+    #[inline]
     pub fn best() -> Isa {
         static BEST: OnceLock<Isa> = OnceLock::new();
         *BEST.get_or_init(|| {
@@ -82,6 +78,20 @@ impl Isa {
             Isa::Scalar => "scalar",
         }
     }
+}
+
+/// Whether the machine has AVX2, and AVX-512.
+#[cfg(target_arch = "x86_64")]
+fn wide() -> (bool, bool) {
+    let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+    let avx512 = is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq");
+    // Where wide vectors are, the narrower are too; `alone` counts on it.
+    (avx2, avx2 && avx512)
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn wide() -> (bool, bool) {
+    (false, false)
 }
 
 /// Runs a kernel on the widest lanes that this machine has.

@@ -15,10 +15,18 @@ pub struct Flown(Vec<One>);
 
 /// One flight, flown.
 struct One {
-    /// The states at its first samples, sample after sample; in words why it is impossible.
-    states: Result<Vec<f64>, String>,
+    /// What was flown; in words why it is impossible.
+    path: Result<Path, String>,
     /// The usual size of its residuals, m; none where it is impossible or nothing was seen.
     size: Option<f64>,
+}
+
+/// Where a flight went.
+pub struct Path {
+    /// The states at its first samples, sample after sample.
+    pub states: Vec<f64>,
+    /// Predicted less measured there.
+    pub residuals: Residuals,
 }
 
 impl Flown {
@@ -27,17 +35,13 @@ impl Flown {
         let count = state.tracks.len();
         Self(batch::each_on(options.threads(), count, |flight| {
             let (track, shared) = (&state.tracks[flight], &state.shared);
-            let states = states(
-                setting,
-                track,
-                (shared, &state.own[flight]),
-                samples[flight],
-            );
-            let residuals = states
-                .as_ref()
-                .map(|states| residuals_of(setting, track, shared, states));
-            let size = residuals.ok().and_then(|residuals| usual(&residuals));
-            One { states, size }
+            let unknowns = (shared, &state.own[flight]);
+            let path = states(setting, track, unknowns, samples[flight]).map(|states| Path {
+                residuals: residuals_of(setting, track, shared, &states),
+                states,
+            });
+            let size = path.as_ref().ok().and_then(|path| usual(&path.residuals));
+            One { path, size }
         }))
     }
 
@@ -52,31 +56,16 @@ impl Flown {
         median(&mut sizes)
     }
 
-    /// The states of a flight at its samples, sample after sample.
+    /// Where a flight of these tracks went.
     ///
     /// # Errors
     /// Where it is impossible.
-    pub fn states(&self, state: &State, flight: usize) -> Result<&[f64], FitError> {
-        let states = self.0[flight].states.as_deref();
-        states.map_err(|reason| FitError::Flight {
-            file: state.tracks[flight].file.clone(),
+    pub fn path(&self, tracks: &[Track], flight: usize) -> Result<&Path, FitError> {
+        let path = self.0[flight].path.as_ref();
+        path.map_err(|reason| FitError::Flight {
+            file: tracks[flight].file.clone(),
             reason: reason.clone(),
         })
-    }
-
-    /// The residuals of a flight.
-    ///
-    /// # Errors
-    /// Where it is impossible.
-    pub fn residuals(
-        &self,
-        setting: &Setting,
-        state: &State,
-        flight: usize,
-    ) -> Result<Residuals, FitError> {
-        let states = self.states(state, flight)?;
-        let track = &state.tracks[flight];
-        Ok(residuals_of(setting, track, &state.shared, states))
     }
 }
 

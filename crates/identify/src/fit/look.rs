@@ -2,8 +2,9 @@
 
 use nalgebra::DVector;
 
+use super::flown::Path;
 use crate::noise::Noise;
-use crate::predict::{residuals_of, states};
+use crate::predict::states;
 use crate::report::{FlightEvidence, residuals::Pool};
 use crate::setting::Setting;
 use crate::sight::Sight;
@@ -31,11 +32,10 @@ pub fn look(
     track: &Track,
     noise: &Noise,
     shared: &DVector<f64>,
-    flown: &[f64],
+    path: &Path,
 ) -> Looked {
-    let all = residuals_of(setting, track, shared, flown);
     let mut pool = Pool::default();
-    for (marker, series) in all.iter().enumerate() {
+    for (marker, series) in path.residuals.iter().enumerate() {
         let outlier = |sample: usize| track.outlier[sample * track.markers + marker];
         let good = series.iter().enumerate();
         let good: Vec<_> = good
@@ -48,7 +48,7 @@ pub fn look(
     let mut support = Support::new();
     let width = track.chart.states();
     let every = (track.times.len() / LOOKS).max(1);
-    for (sample, state) in flown.chunks(width).enumerate().step_by(every) {
+    for (sample, state) in path.states.chunks(width).enumerate().step_by(every) {
         let quantities = observer.quantities(track.times[sample], state);
         let layout = setting.body.layout();
         let named = layout.quantities.iter().zip(&quantities);

@@ -22,7 +22,7 @@ use model_spec::model::Model;
 use nalgebra::DVector;
 
 use crate::dataset::{Dataset, Role};
-use crate::levenberg::{Failure, Solution};
+use crate::levenberg::{Failure, Point, Solution};
 use crate::noise::Noise;
 use crate::options::Options;
 use crate::predict;
@@ -176,6 +176,14 @@ fn told(failure: Failure, tracks: &[impl Borrow<Track>]) -> FitError {
 }
 
 impl State {
+    /// Where the unknowns are.
+    fn point(&self) -> Point {
+        Point {
+            shared: self.shared.clone(),
+            own: self.own.clone(),
+        }
+    }
+
     /// Takes over where an iteration ended.
     fn take(&mut self, solution: &Solution) {
         self.shared.clone_from(&solution.point.shared);

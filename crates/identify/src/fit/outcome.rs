@@ -11,7 +11,7 @@ use super::{FitError, State, told};
 use crate::dataset::Flight;
 use crate::levenberg::Solution;
 use crate::noise::{Noise, median};
-use crate::normal::{Eliminated, eliminate};
+use crate::normal::eliminate;
 use crate::options::Options;
 use crate::predict::Loss;
 use crate::report::{
@@ -29,15 +29,22 @@ pub struct Outcome<'a> {
     state: &'a State,
     noise: &'a Noise,
     solution: &'a Solution,
-    system: Eliminated<'a>,
     covariance: Covariance,
-    /// Root mean square of each flight's residuals, m, and how many points were left out of it.
-    flights: Vec<(f64, usize)>,
+    flights: Vec<One>,
     /// The median of those root mean squares, m.
     usual: f64,
     pool: Pool,
     support: Support,
     profiles: Vec<Profile>,
+}
+
+/// One flight.
+struct One {
+    /// Root mean square of its residuals, m.
+    rms: f64,
+    /// Points that were left out of it.
+    outliers: usize,
+    initial: BTreeMap<String, Estimate>,
 }
 
 impl<'a> Outcome<'a> {
@@ -71,34 +78,34 @@ impl<'a> Outcome<'a> {
             profiles.push(found.map_err(|failure| told(failure, &state.tracks))?);
         }
         let looked = flight::batch::each_on(options.threads(), state.tracks.len(), |index| {
-            let states = flown.states(state, index)?;
-            Ok(look(
-                setting,
-                &state.tracks[index],
-                noise,
-                &state.shared,
-                states,
-            ))
+            let (track, path) = (&state.tracks[index], flown.path(&state.tracks, index)?);
+            let looked = look(setting, track, noise, &state.shared, path);
+            let covariance = system.own_covariance(index, &covariance.model);
+            let initial = initial(setting, track, &solution.point.own[index], &covariance);
+            Ok((looked, initial))
         });
         let mut pool = Pool::default();
         let mut support = Support::new();
         let mut flights = Vec::with_capacity(looked.len());
         for looked in looked {
-            let looked: Looked = looked?;
+            let (looked, initial): (Looked, _) = looked?;
             pool.join(looked.pool);
             for (name, (low, high)) in looked.support {
                 let range = support.entry(name).or_insert((low, high));
                 *range = (range.0.min(low), range.1.max(high));
             }
-            flights.push((looked.rms, looked.outliers));
+            flights.push(One {
+                rms: looked.rms,
+                outliers: looked.outliers,
+                initial,
+            });
         }
-        let mut sizes: Vec<f64> = flights.iter().map(|(rms, _)| *rms).collect();
+        let mut sizes: Vec<f64> = flights.iter().map(|flight| flight.rms).collect();
         Ok(Self {
             setting,
             state,
             noise,
             solution,
-            system,
             covariance,
             flights,
             usual: median(&mut sizes),
@@ -131,11 +138,7 @@ impl<'a> Outcome<'a> {
             .map(|track| track.seen.iter().flatten().count())
             .sum();
         let all: usize = self.state.tracks.iter().map(|track| track.seen.len()).sum();
-        let outliers = self
-            .flights
-            .iter()
-            .map(|(_, outliers)| outliers)
-            .sum::<usize>();
+        let outliers = self.flights.iter().map(|flight| flight.outliers).sum();
         Report {
             schema: "hyzer.fit/1".into(),
             model: setting.model.name.clone(),
@@ -232,20 +235,18 @@ impl<'a> Outcome<'a> {
     /// One of the fitted flights.
     pub fn flight(&self, index: usize) -> FlightReport {
         let track = &self.state.tracks[index];
-        let (rms_m, outliers) = self.flights[index];
-        let covariance = self.system.own_covariance(index, &self.covariance.model);
-        let own = &self.solution.point.own[index];
+        let flight = &self.flights[index];
         let mut notes = track.notes.clone();
-        if let Some(note) = self.stands_out(rms_m) {
+        if let Some(note) = self.stands_out(flight.rms) {
             notes.push(note);
         }
         FlightReport {
             file: track.file.clone(),
             role: track.role,
             samples: track.samples,
-            rms_m,
-            outliers,
-            initial: initial(self.setting, track, own, &covariance),
+            rms_m: flight.rms,
+            outliers: flight.outliers,
+            initial: flight.initial.clone(),
             cut: track.cut.clone(),
             notes,
         }

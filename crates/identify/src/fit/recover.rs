@@ -5,7 +5,6 @@ use nalgebra::DVector;
 
 use super::begin::{FIRST, spin_note};
 use super::flown::{Flown, size};
-use super::problem::whole;
 use super::settle::{own_only, settle};
 use super::{FitError, State};
 use crate::noise::median;
@@ -69,7 +68,7 @@ pub fn recover(
         }
     }
     if helped {
-        return settle(setting, state, whole(&state.tracks), false, options);
+        return settle(setting, state, options);
     }
     Ok(flown)
 }

@@ -6,7 +6,7 @@ use super::flown::Flown;
 use super::problem::{Squares, whole};
 use super::settle::step_unseen;
 use super::{FitError, State, told, white};
-use crate::levenberg::{Point, Solution, Until, solve_after};
+use crate::levenberg::{Solution, Until, solve_after};
 use crate::noise::{Moments, Noise};
 use crate::options::Options;
 use crate::outlier;
@@ -49,14 +49,14 @@ pub fn rounds(
             (flown, promised) = there;
             continue;
         }
-        let start = Point {
-            shared: state.shared.clone(),
-            own: state.own.clone(),
-        };
         let problem = Squares::of_all(setting, &state.tracks, loss, options);
-        let found = solve_after(&problem, start, Until::DONE, promised.take());
+        let found = solve_after(&problem, state.point(), Until::DONE, promised.take());
         let found = found.map_err(|failure| told(failure, &state.tracks))?;
         state.take(&found);
+        // Where nothing was left to gain another look would show the same residuals, and the same noise in them.
+        if found.iterations == 1 && found.is_there(Until::DONE) {
+            return Ok((noise, found, flown));
+        }
         flown = Flown::new(setting, state, &whole(&state.tracks), options);
         solution = Some(found);
     }
@@ -73,8 +73,8 @@ fn estimate(
     options: &Options<'_>,
 ) -> Result<(Noise, bool), FitError> {
     let scales = batch::each_on(options.threads(), state.tracks.len(), |flight| {
-        let residuals = flown.residuals(setting, state, flight)?;
-        let departures = outlier::departures(&state.tracks[flight].times, &residuals);
+        let residuals = &flown.path(&state.tracks, flight)?.residuals;
+        let departures = outlier::departures(&state.tracks[flight].times, residuals);
         // What does not stand out in its own flight will not at a scale that is no smaller.
         let scale = outlier::scale(&departures);
         Ok((scale, outlier::suspects(&departures, scale)))
@@ -83,7 +83,7 @@ fn estimate(
     let scales: Vec<[f64; 3]> = judged.iter().map(|(scale, _)| *scale).collect();
     let usual = outlier::usual(&scales);
     let marked = batch::each_on(options.threads(), state.tracks.len(), |flight| {
-        let residuals = flown.residuals(setting, state, flight)?;
+        let residuals = &flown.path(&state.tracks, flight)?.residuals;
         let track = &state.tracks[flight];
         // A flight that is noisier than the others is judged by its own noise.
         let (own, suspects) = &judged[flight];

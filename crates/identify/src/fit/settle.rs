@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::flown::{Flown, size};
 use super::problem::{Squares, whole};
 use super::{FitError, State, told};
-use crate::levenberg::{Failure, Point, Solution, Until, solve};
+use crate::levenberg::{Failure, Known, Point, Solution, Until, solve};
 use crate::options::Options;
 use crate::predict::Loss;
 use crate::setting::Setting;
@@ -46,7 +46,7 @@ pub fn grow(
             .iter()
             .map(|track| track.until(horizon))
             .collect();
-        settle(setting, state, samples, true, options)?;
+        approach(setting, state, &samples, options)?;
         horizon *= HORIZON.1;
     }
     options.begins("whole flights", state.tracks.len());
@@ -55,7 +55,7 @@ pub fn grow(
     {
         return Ok(flown);
     }
-    settle(setting, state, whole(&state.tracks), false, options)
+    settle(setting, state, options)
 }
 
 /// Steps all flights once over their whole length; gives them as they then are where that leaves no more than the noise.
@@ -84,10 +84,7 @@ pub fn step_unseen(
     options: &Options<'_>,
 ) -> Result<Option<(Flown, Option<f64>)>, FitError> {
     let problem = Squares::of_all(setting, &state.tracks, loss, options);
-    let start = Point {
-        shared: state.shared.clone(),
-        own: state.own.clone(),
-    };
+    let start = state.point();
     let solution = solve(&problem, start.clone(), Until::ONCE);
     let solution = solution.map_err(|failure| told(failure, &state.tracks))?;
     state.take(&solution);
@@ -100,37 +97,57 @@ pub fn step_unseen(
     Ok(None)
 }
 
-/// Fits the first samples of all flights by a loss whose scale shrinks to that of the residuals; and flies them as they
+/// Fits the first samples of all flights, until residuals are as fine as they need be on the way. Short horizons leave
+/// coefficients open, which must not run away before the long ones are seen.
+fn approach(
+    setting: &Setting,
+    state: &mut State,
+    samples: &[usize],
+    options: &Options<'_>,
+) -> Result<(), FitError> {
+    let mut known: Vec<Known> = setting.shared.iter().map(|shared| shared.known).collect();
+    for (known, shared) in known.iter_mut().zip(&setting.shared) {
+        known.prior = known.prior.or(Some((shared.model_value, shared.usual)));
+    }
+    let mut scale = f64::INFINITY;
+    for _ in 0..SHRINKS {
+        let flown = Flown::new(setting, state, samples, options);
+        let shrunk = flown.usual().max(setting.floor);
+        if shrunk > 0.7 * scale {
+            break;
+        }
+        scale = shrunk;
+        let mut problem = Squares::of_all(setting, &state.tracks, Loss::Huber(scale), options);
+        problem.samples.copy_from_slice(samples);
+        problem.known.clone_from(&known);
+        let solution = solve(&problem, state.point(), Until::NEAR);
+        let solution = solution.map_err(|failure| told(failure, &state.tracks))?;
+        state.take(&solution);
+        if scale < FINE * setting.floor {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// Fits all flights over their whole length by a loss whose scale shrinks to that of the residuals; and flies them as they
 /// then are.
 pub fn settle(
     setting: &Setting,
     state: &mut State,
-    samples: Vec<usize>,
-    bridled: bool,
     options: &Options<'_>,
 ) -> Result<Flown, FitError> {
+    let samples = whole(&state.tracks);
     let mut scale = f64::INFINITY;
     let mut flown = Flown::new(setting, state, &samples, options);
     for _ in 0..SHRINKS {
         let shrunk = flown.usual().max(setting.floor);
-        if shrunk > 0.7 * scale || bridled && scale < FINE * setting.floor {
+        if shrunk > 0.7 * scale {
             break;
         }
         scale = shrunk;
-        let loss = Loss::Huber(scale);
-        let mut problem = Squares::of_all(setting, &state.tracks, loss, options);
-        problem.samples.clone_from(&samples);
-        if bridled {
-            // Short horizons leave coefficients open, which must not run away before the long ones are seen.
-            for (known, shared) in problem.known.iter_mut().zip(&setting.shared) {
-                known.prior = known.prior.or(Some((shared.model_value, shared.usual)));
-            }
-        }
-        let start = Point {
-            shared: state.shared.clone(),
-            own: state.own.clone(),
-        };
-        let solution = solve(&problem, start, Until::ROUGHLY);
+        let problem = Squares::of_all(setting, &state.tracks, Loss::Huber(scale), options);
+        let solution = solve(&problem, state.point(), Until::ROUGHLY);
         let solution = solution.map_err(|failure| told(failure, &state.tracks))?;
         state.take(&solution);
         flown = Flown::new(setting, state, &samples, options);

@@ -1,7 +1,7 @@
 //! Rows of residuals, weighed by the noise, on their way to the sums.
 
 use super::Loss;
-use crate::noise::HUBER;
+use crate::noise::{HUBER, Noise};
 use crate::rows::Rows;
 
 /// Rows being summed, with the last row of each marker.
@@ -9,15 +9,22 @@ pub(super) struct Sums<'a> {
     /// What was summed.
     pub rows: Rows,
     loss: Loss<'a>,
+    /// What a residual keeps along each axis of one that is an interval earlier, and how its rest is weighed, 1/m.
+    usual: [(f64, f64); 3],
     /// Time and rows of the last time that each marker was seen.
     before: Vec<Option<(f64, [Vec<f64>; 3])>>,
 }
 
 impl<'a> Sums<'a> {
     pub fn new(rows: Rows, markers: usize, loss: Loss<'a>) -> Self {
+        let usual = match loss {
+            Loss::Huber(_) => [(0.0, 0.0); 3],
+            Loss::Whitened(noise) => innovations(noise, noise.interval),
+        };
         Self {
             rows,
             loss,
+            usual,
             before: vec![None; markers],
         }
     }
@@ -41,27 +48,36 @@ impl<'a> Sums<'a> {
                     self.rows.add(row, None, weight.sqrt() / scale, extra);
                 }
             }
-            Loss::Whitened(noise) => {
-                for (axis, row) in now.iter().enumerate() {
-                    match &self.before[marker] {
-                        Some((earlier, before)) => {
-                            let (kept, fresh) = noise.innovation(axis, time - earlier);
-                            let before = Some((kept, before[axis].as_slice()));
-                            self.rows.add(row, before, 1.0 / fresh, 0.0);
-                        }
-                        None => self.rows.add(row, None, 1.0 / noise.sigma[axis], 0.0),
+            Loss::Whitened(noise) => match &mut self.before[marker] {
+                Some((earlier, before)) => {
+                    let gap = time - *earlier;
+                    let innovations = match noise.is_one_interval(gap) {
+                        true => self.usual,
+                        false => innovations(noise, gap),
+                    };
+                    for ((now, before), (kept, weight)) in now.iter().zip(&*before).zip(innovations)
+                    {
+                        self.rows.add(now, Some((kept, before)), weight, 0.0);
                     }
+                    // The rows of before are written anew for the next residual.
+                    *earlier = time;
+                    std::mem::swap(before, now);
                 }
-                match &mut self.before[marker] {
-                    Some((earlier, before)) => {
-                        *earlier = time;
-                        for (before, now) in before.iter_mut().zip(now.iter()) {
-                            before.copy_from_slice(now);
-                        }
+                none => {
+                    for (now, sigma) in now.iter().zip(noise.sigma) {
+                        self.rows.add(now, None, 1.0 / sigma, 0.0);
                     }
-                    none => *none = Some((time, now.clone())),
+                    *none = Some((time, now.clone()));
                 }
-            }
+            },
         }
     }
+}
+
+/// What a residual keeps along each axis of one that is so much earlier (s), and how its rest is weighed, 1/m.
+fn innovations(noise: &Noise, gap: f64) -> [(f64, f64); 3] {
+    [0, 1, 2].map(|axis| {
+        let (kept, fresh) = noise.innovation(axis, gap);
+        (kept, 1.0 / fresh)
+    })
 }

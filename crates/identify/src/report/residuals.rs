@@ -173,24 +173,24 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     }
     // Even steps of the normal quantile, as far out as there are values.
     let most = normal_quantile(1.0 - 0.5 / total as f64).min(4.0);
-    let mut found = Vec::with_capacity(QUANTILES);
-    for k in 0..QUANTILES {
+    let mut from = (0, 0.0);
+    let each = (0..QUANTILES).map(|k| {
         let expected = most * (2.0 * k as f64 / (QUANTILES - 1) as f64 - 1.0);
         let wanted = normal_probability(expected) * total as f64;
-        found.push([expected, binned_quantile(bins, wanted)]);
-    }
-    found
+        [expected, binned_quantile(bins, wanted, &mut from)]
+    });
+    each.collect()
 }
 
-fn binned_quantile(bins: &[u32], wanted: f64) -> f64 {
+/// The value below which so many lie, searched `from` a bin on with what lies below it: quantiles are asked for in order.
+fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     let width = 2.0 * BINS.1 / BINS.0 as f64;
-    let mut below = 0.0;
-    for (index, &count) in bins.iter().enumerate() {
-        let count = f64::from(count);
+    for (index, &count) in bins.iter().enumerate().skip(from.0) {
+        let (count, below) = (f64::from(count), from.1);
         if count > 0.0 && below + count >= wanted {
             return -BINS.1 + width * (index as f64 + ((wanted - below) / count).clamp(0.0, 1.0));
         }
-        below += count;
+        *from = (index + 1, below + count);
     }
     BINS.1
 }

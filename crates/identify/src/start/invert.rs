@@ -17,6 +17,9 @@ const NEAR: f64 = 1e-6;
 /// How many guesses are followed.
 const TRIED: usize = 8;
 
+/// Derivatives are by differences over so much of an unknown, to one side: they serve to descend, and for nothing else.
+const STEP: f64 = 1e-6;
+
 /// Velocities are weighed against positions by this time, s.
 const WEIGHT: f64 = 0.02;
 
@@ -175,10 +178,9 @@ fn descend(
                 continue;
             }
             let mut step = DVector::zeros(dimension);
-            step[column] = 1e-6;
-            let ahead = shown.at(&track.chart.moved(&state, &step));
-            let behind = shown.at(&track.chart.moved(&state, &-step));
-            jacobian.set_column(column, &((ahead - behind) / 2e-6));
+            step[column] = STEP;
+            let ahead = shown.at(&track.chart.moved(&state, &step)) - target;
+            jacobian.set_column(column, &((ahead - &residual) / STEP));
         }
         let mut normal = jacobian.tr_mul(&jacobian);
         for i in 0..dimension {
