@@ -1,6 +1,5 @@
 //! How an initial state is varied: freely, but for a quaternion's length and for states that are known.
 
-use flight::release::Vocabulary;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
@@ -17,10 +16,9 @@ pub struct Chart {
 impl Chart {
     /// The chart of a model's state, with some states known.
     pub fn new(model: &Model, known: &[usize]) -> Self {
-        let quaternions = Vocabulary::of(model).quaternions;
         // A quaternion is known as a whole or not at all.
-        let quaternions: Vec<[usize; 4]> = quaternions
-            .into_iter()
+        let quaternions: Vec<[usize; 4]> = model
+            .quaternions()
             .filter(|states| !states.iter().any(|state| known.contains(state)))
             .collect();
         let turned: Vec<usize> = quaternions.iter().flatten().copied().collect();
@@ -47,18 +45,25 @@ impl Chart {
     /// The entries (state, direction, value) of the derivative of the state by the directions, at `state`.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
         let plain = self.plain.iter().enumerate();
-        let mut entries: Vec<_> = plain.map(|(column, &row)| (row, column, 1.0)).collect();
-        for (index, places) in self.quaternions.iter().enumerate() {
+        plain
+            .map(|(column, &row)| (row, column, 1.0))
+            .chain(self.turning(state))
+            .collect()
+    }
+
+    /// Those of the entries that turn quaternions.
+    fn turning(&self, state: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
+        let each = self.quaternions.iter().enumerate();
+        each.flat_map(move |(index, &places)| {
             let [q0, q1, q2, q3] = places.map(|place| state[place]);
             // Half the product of the quaternion with each imaginary unit.
             let columns = [[-q1, q0, q3, -q2], [-q2, -q3, q0, q1], [-q3, q2, -q1, q0]];
-            for (k, column) in columns.iter().enumerate() {
-                let direction = self.plain.len() + 3 * index + k;
-                let each = places.iter().zip(column);
-                entries.extend(each.map(|(&place, value)| (place, direction, value / 2.0)));
-            }
-        }
-        entries
+            let first = self.plain.len() + 3 * index;
+            (0..12).map(move |entry| {
+                let (k, place) = (entry / 4, entry % 4);
+                (places[place], first + k, columns[k][place] / 2.0)
+            })
+        })
     }
 
     /// The state that a direction moves, where it moves no other.
@@ -69,7 +74,10 @@ impl Chart {
     /// The state after a step along the directions.
     pub fn moved(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         let mut moved = state.clone();
-        for (row, column, value) in self.tangent(state.as_slice()) {
+        for (&row, step) in self.plain.iter().zip(step.iter()) {
+            moved[row] += step;
+        }
+        for (row, column, value) in self.turning(state.as_slice()) {
             moved[row] += value * step[column];
         }
         for places in &self.quaternions {

@@ -85,16 +85,18 @@ fn jump(path: &[(usize, f64, Vector3<f64>)]) -> Option<(usize, Vector3<f64>)> {
     Some((first + offset + SIDE, *jump))
 }
 
-/// Velocity by the median of the slopes between all pairs of samples, which one outlier does not move.
+/// Velocity by the median of the slopes between all pairs of samples, `SIDE` at most, which one outlier does not move.
 fn velocity(path: &[(usize, f64, Vector3<f64>)]) -> Vector3<f64> {
     let slope = |axis: usize| {
-        let mut slopes = Vec::with_capacity(path.len() * (path.len() - 1) / 2);
+        let mut slopes = [0.0; SIDE * (SIDE - 1) / 2];
+        let mut count = 0;
         for (i, (_, earlier, from)) in path.iter().enumerate() {
             for (_, later, to) in &path[i + 1..] {
-                slopes.push((to[axis] - from[axis]) / (later - earlier));
+                slopes[count] = (to[axis] - from[axis]) / (later - earlier);
+                count += 1;
             }
         }
-        median(&mut slopes)
+        median(&mut slopes[..count])
     };
     Vector3::new(slope(0), slope(1), slope(2))
 }

@@ -132,11 +132,11 @@ pub struct Until {
 }
 
 impl Until {
-    /// Whitened residuals: the step that is then taken unseen is a standard error at most, and what it leaves a hundredth.
+    /// Whitened residuals: the step that is then taken unseen is a standard error at most, and what it leaves a thirtieth.
     pub const DONE: Until = Until {
         gain: 1e-3,
         part: 1e-11,
-        unseen: (1e3, 10.0),
+        unseen: (1e3, 1.0),
         steps: 100,
     };
     /// On the way, where the weights will change anyway.

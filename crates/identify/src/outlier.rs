@@ -51,11 +51,10 @@ struct Series(Vec<(f64, usize, [f64; 3])>);
 
 impl Series {
     fn of(times: &[f64], series: &[Option<[f64; 3]>]) -> Self {
-        let seen = series.iter().enumerate();
-        Self(
-            seen.filter_map(|(sample, residual)| residual.map(|r| (times[sample], sample, r)))
-                .collect(),
-        )
+        let mut seen = Vec::with_capacity(series.len());
+        let each = series.iter().enumerate();
+        seen.extend(each.filter_map(|(sample, r)| Some((times[sample], sample, (*r)?))));
+        Self(seen)
     }
 
     /// By lines of least squares.
@@ -160,9 +159,11 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
 
 /// The usual size of departures along each axis, m.
 pub fn scale(departures: &Residuals) -> [f64; 3] {
+    let mut sizes = Vec::with_capacity(departures.iter().map(Vec::len).sum());
     [0, 1, 2].map(|axis| {
         let all = departures.iter().flatten().flatten();
-        let mut sizes: Vec<f64> = all.map(|departure| departure[axis].abs()).collect();
+        sizes.clear();
+        sizes.extend(all.map(|departure| departure[axis].abs()));
         robust_sigma(&mut sizes)
     })
 }

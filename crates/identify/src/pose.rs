@@ -25,7 +25,7 @@ impl Pose {
     }
 }
 
-/// Markers whose spread across their best line is less than this part of their spread along it are in line.
+/// Markers whose spread across their best line is less than this part of their spread are in line.
 const IN_LINE: f64 = 0.02;
 
 /// Whether markers fix the attitude of a body: three of them at least, and not in line.
@@ -42,23 +42,10 @@ fn are_not_in_line(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool {
     let scatter: Matrix3<f64> = points
         .map(|p| (p - centre) * (p - centre).transpose())
         .sum();
-    let [along, across] = two_greatest(&scatter);
-    along > 0.0 && across.max(0.0).sqrt() > IN_LINE * along.sqrt()
-}
-
-/// The two greatest eigenvalues of a symmetric matrix, by the cosines of a third of an angle: it is asked of every frame.
-fn two_greatest(matrix: &Matrix3<f64>) -> [f64; 2] {
-    let mean = matrix.trace() / 3.0;
-    let rest = matrix - Matrix3::from_diagonal_element(mean);
-    let size = (rest.norm_squared() / 6.0).sqrt();
-    if size == 0.0 {
-        return [mean; 2];
-    }
-    let cosine = (rest / size).determinant() / 2.0;
-    let third = cosine.clamp(-1.0, 1.0).acos() / 3.0;
-    let greatest = mean + 2.0 * size * third.cos();
-    let least = mean + 2.0 * size * (third + std::f64::consts::TAU / 3.0).cos();
-    [greatest, 3.0 * mean - greatest - least]
+    // Along times across, and along plus across: in line one of the eigenvalues is all of their sum.
+    let sum = scatter.trace();
+    let product = (sum * sum - scatter.norm_squared()) / 2.0;
+    sum > 0.0 && product > (IN_LINE * sum).powi(2)
 }
 
 /// The pose that brings the markers nearest to where they were seen; none where what was seen does not fix it.

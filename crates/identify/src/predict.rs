@@ -8,7 +8,6 @@ mod sums;
 use std::ops::Range;
 
 use flight::body::States;
-use flight::release::Vocabulary;
 use flight::sensitivity::{Linearised, Sensitivities};
 use flight::{Method, Options, fly_at, fly_past};
 use model_spec::model::Model;
@@ -27,14 +26,15 @@ use crate::track::Track;
 /// fiftieth.
 pub(crate) const FINE: f64 = 0.007;
 
-/// The same where there are so few flights of a body that is not told by a quaternion, still below a thousandth of the noise. The
-/// errors of many would together hide what the last steps gain: of 2,000 they double the steps.
-const OF_FEW: (f64, usize) = (0.02, 200);
+/// The same where there are so few flights of a body that is not told by a quaternion: a disc's coefficients are then within
+/// 0.002 of their standard errors of what a hundredth of it gives. Errors of many flights weigh more, and would hide what the
+/// last steps gain.
+const OF_FEW: (f64, usize) = (0.05, 200);
 
 /// The tolerance for so many flights of a model.
 pub(crate) fn tolerance(model: &Model, flights: usize) -> f64 {
     let (coarse, few) = OF_FEW;
-    if !Vocabulary::of(model).quaternions.is_empty() {
+    if model.quaternions().next().is_some() {
         return FINE;
     }
     let part = few as f64 / flights.max(few) as f64;
@@ -44,7 +44,7 @@ pub(crate) fn tolerance(model: &Model, flights: usize) -> f64 {
 /// The same for residuals alone, which are looked at one by one.
 const LOOSE_TOLERANCE: f64 = 0.02;
 
-/// The same on the way, where another step follows: below a quarter of the noise at worst.
+/// The same over the scale of the loss on the way, where another step follows: below a quarter of it at worst.
 const ROUGH_TOLERANCE: f64 = 0.08;
 
 /// Bounds of the tolerance: what rounding allows, and what keeps a flight a flight.
@@ -105,9 +105,9 @@ pub fn linearise_by<M: Linearised>(
     kept: Option<&mut Option<Vec<f64>>>,
 ) -> Result<Block, String> {
     let columns = Columns::new(track, motion.state_pattern(), constants.len());
-    let part = match loss {
-        Loss::Huber(_) => ROUGH_TOLERANCE,
-        Loss::Whitened(_) => setting.tolerance,
+    let tolerance = match loss {
+        Loss::Huber(scale) => ROUGH_TOLERANCE * scale,
+        Loss::Whitened(_) => setting.tolerance * setting.floor,
     };
     let mut sums = Sums::new(columns.rows(), track.markers, loss);
     let flight = Along {
@@ -116,7 +116,7 @@ pub fn linearise_by<M: Linearised>(
         shared,
         own,
         samples,
-        part,
+        tolerance,
         // Where the noise is known an outlier is left out; before, it counts for little.
         outliers: matches!(loss, Loss::Huber(_)),
     };
@@ -146,7 +146,7 @@ pub fn each_residual<M: Linearised>(
         shared,
         own,
         samples: track.times.len(),
-        part: LOOSE_TOLERANCE,
+        tolerance: LOOSE_TOLERANCE * setting.floor,
         outliers: true,
     };
     let places: Vec<usize> = columns
@@ -191,7 +191,8 @@ struct Along<'a> {
     shared: &'a DVector<f64>,
     own: &'a DVector<f64>,
     samples: usize,
-    part: f64,
+    /// Of the integration, m.
+    tolerance: f64,
     outliers: bool,
 }
 
@@ -251,7 +252,7 @@ impl Along<'_> {
         }
         let tangent = columns.tangent(&track.chart.tangent(self.own.as_slice()));
         let start = variations.start_along(self.own.as_slice(), &tangent);
-        let (from, options) = ((times[0], &start), options(setting, self.part));
+        let (from, options) = ((times[0], &start), options(self.tolerance));
         let flown = match kept {
             Some(kept) => {
                 let mut flown = vec![0.0; length * times.len()];
@@ -298,7 +299,7 @@ pub fn states(
     let start: States = own.as_slice().into();
     let times = &track.times[..samples];
     let mut states = vec![0.0; start.len() * times.len()];
-    let (from, options) = ((times[0], &start), options(setting, LOOSE_TOLERANCE));
+    let (from, options) = ((times[0], &start), options(LOOSE_TOLERANCE * setting.floor));
     let mut motion = conditions.motion();
     fly_at(&mut motion, from, times, &options, &mut [], &mut states)
         .map_err(|error| error.to_string())?;
@@ -346,10 +347,10 @@ pub fn residuals_of(
     residuals
 }
 
-/// Options of an integration whose tolerance is a part of the noise's size.
-fn options(setting: &Setting, part: f64) -> Options {
+/// Options of an integration of this tolerance, m, within its bounds.
+fn options(tolerance: f64) -> Options {
     Options {
         method: Method::Tsit5,
-        ..Options::tolerance((setting.floor * part).clamp(TOLERANCES.0, TOLERANCES.1))
+        ..Options::tolerance(tolerance.clamp(TOLERANCES.0, TOLERANCES.1))
     }
 }

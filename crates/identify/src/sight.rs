@@ -2,17 +2,16 @@
 
 use flight::body::{Body, Conditions, Derivatives, Observer};
 
-/// The input that says which marker is observed: 1 in the place of the first, second or third.
-pub const MARKER_IS: &str = "marker_is";
+/// The input that says which marker is observed, `marker_is`: 1 in the place of the first, second or third.
+const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
 /// The conditions of a flight under which each marker is observed.
 pub struct Sight<'a>(Vec<Conditions<'a>>);
 
 impl<'a> Sight<'a> {
-    /// One for all of `markers`, unless the model has the input [`MARKER_IS`].
+    /// One for all of `markers`, unless the model has the input `marker_is`.
     pub fn new(body: &'a Body, parameters: &[f64], markers: usize) -> Self {
-        let place = |axis: &str| body.layout().parameter(&format!("{MARKER_IS}_{axis}"));
-        let places = ["x", "y", "z"].map(place);
+        let places = MARKER_IS.map(|name| body.layout().parameter(name));
         if places.iter().all(Option::is_none) {
             return Self(vec![body.with(parameters.to_vec())]);
         }

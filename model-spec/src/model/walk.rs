@@ -1,6 +1,6 @@
 //! Walking over expressions, and the places of a model in its texts.
 
-use super::{Expr, ExprKind, Limit, Model};
+use super::{Expr, ExprKind, FrameKind, Limit, Model};
 use crate::diagnostic::Span;
 
 impl Expr {
@@ -151,6 +151,14 @@ impl Model {
         stated
             .filter(|state| self.body.is_some() || of_effects(state))
             .collect()
+    }
+
+    /// Groups of four states that are a quaternion's, whose length is 1.
+    pub fn quaternions(&self) -> impl Iterator<Item = [usize; 4]> {
+        self.frames.iter().filter_map(|frame| match frame.kind {
+            FrameKind::Quaternion { states, .. } => Some(states),
+            _ => None,
+        })
     }
 
     /// Whether a limit was not stated but follows from the choice of angles.

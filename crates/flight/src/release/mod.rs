@@ -95,10 +95,6 @@ impl Vocabulary {
                 })
                 .collect()
         };
-        let quaternion = |frame: &model_spec::model::Frame| match frame.kind {
-            model_spec::model::FrameKind::Quaternion { states, .. } => Some(states),
-            _ => None,
-        };
         Vocabulary {
             parameters: names(&model.params),
             coefficients: names(&model.coefficients),
@@ -109,7 +105,7 @@ impl Vocabulary {
                 .map(|state| (state, model.states[state].value))
                 .collect(),
             inputs: model.inputs.iter().map(|i| i.name.clone()).collect(),
-            quaternions: model.frames.iter().filter_map(quaternion).collect(),
+            quaternions: model.quaternions().collect(),
         }
     }
 }

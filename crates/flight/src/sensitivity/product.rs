@@ -2,6 +2,7 @@
 
 use super::PADDING;
 use lanes::{Kernel, Lanes};
+use std::ops::Range;
 
 /// As many rows as have their sums in registers.
 const TOGETHER: usize = 3;
@@ -10,6 +11,8 @@ const TOGETHER: usize = 3;
 pub(super) struct Product {
     /// The shortest first: loops that are as long as the last one are foreseen.
     blocks: Vec<Block>,
+    /// First groups of the rows of S that the blocks' columns are, block by block.
+    columns: Vec<usize>,
     /// Lines of `PADDING` numbers that are summed together.
     lines: usize,
     /// How many times as many a row of S is.
@@ -23,8 +26,8 @@ struct Block {
     rows: [usize; TOGETHER],
     /// First entry of each row; the others stand behind it.
     entries: [usize; TOGETHER],
-    /// First group of the row of S that each column is.
-    columns: Vec<usize>,
+    /// Where its columns stand among those of all blocks.
+    columns: Range<usize>,
 }
 
 impl Product {
@@ -34,28 +37,35 @@ impl Product {
         let lines = [4, 3, 2].into_iter().find(|n| all.is_multiple_of(*n));
         let lines = lines.unwrap_or(1);
         let groups = all / lines;
-        let mut blocks: Vec<Block> = Vec::new();
+        let mut blocks: Vec<Block> = Vec::with_capacity(states);
+        let mut columns = Vec::with_capacity(pattern.len());
         for row in 0..states {
             let first = pattern.partition_point(|(at, _)| *at < row);
             let own = pattern[first..].iter().take_while(|(at, _)| *at == row);
-            let columns: Vec<usize> = own.map(|(_, column)| column * groups).collect();
-            let alike = |block: &&mut Block| block.columns == columns && block.count < TOGETHER;
+            let own = own.map(|(_, column)| column * groups);
+            let alike = |block: &&mut Block| {
+                let theirs: &[usize] = &columns[block.columns.clone()];
+                block.count < TOGETHER && theirs.iter().copied().eq(own.clone())
+            };
             if let Some(block) = blocks.iter_mut().find(alike) {
                 block.rows[block.count] = row * groups;
                 block.entries[block.count] = first;
                 block.count += 1;
             } else {
+                let begin = columns.len();
+                columns.extend(own);
                 blocks.push(Block {
                     count: 1,
                     rows: [row * groups; TOGETHER],
                     entries: [first; TOGETHER],
-                    columns,
+                    columns: begin..columns.len(),
                 });
             }
         }
         blocks.sort_by_key(|block| block.columns.len());
         Product {
             blocks,
+            columns,
             lines,
             groups,
         }
@@ -74,6 +84,7 @@ impl Product {
     fn by<const LINES: usize>(&self, values: &[f64], s: &[f64], ds: &mut [f64]) {
         lanes::dispatch(Sums::<LINES> {
             blocks: &self.blocks,
+            columns: &self.columns,
             groups: self.groups,
             values,
             s: s.as_chunks().0.as_chunks().0,
@@ -88,6 +99,7 @@ type Group<const LINES: usize> = [[f64; PADDING]; LINES];
 /// The sums of all blocks, which stay where they are summed.
 struct Sums<'a, const LINES: usize> {
     blocks: &'a [Block],
+    columns: &'a [usize],
     groups: usize,
     values: &'a [f64],
     s: &'a [Group<LINES>],
@@ -98,7 +110,7 @@ impl<const LINES: usize> Sums<'_, LINES> {
     /// One group of each of the first `ROWS` rows of a block.
     #[inline(always)]
     fn sum<T: Lanes, const ROWS: usize>(&mut self, block: &Block, group: usize) {
-        let columns = &block.columns[..];
+        let columns = &self.columns[block.columns.clone()];
         let values: [&[f64]; ROWS] =
             std::array::from_fn(|row| &self.values[block.entries[row]..][..columns.len()]);
         for part in (0..PADDING).step_by(T::WIDTH) {

@@ -82,6 +82,7 @@ pub fn size(
 /// The usual size of residuals, m; none where there are none.
 fn usual(residuals: &Residuals) -> Option<f64> {
     let all = residuals.iter().flatten().flatten().flatten();
-    let mut sizes: Vec<f64> = all.map(|residual| residual.abs()).collect();
+    let mut sizes = Vec::with_capacity(3 * residuals.iter().map(Vec::len).sum::<usize>());
+    sizes.extend(all.map(|residual| residual.abs()));
     (!sizes.is_empty()).then(|| robust_sigma(&mut sizes))
 }

@@ -9,7 +9,6 @@ use crate::report::{FlightEvidence, residuals::Pool};
 use crate::setting::Setting;
 use crate::sight::Sight;
 use crate::track::Track;
-use crate::uncertainty::Support;
 
 /// What one flight shows.
 pub struct Looked {
@@ -19,12 +18,20 @@ pub struct Looked {
     pub outliers: usize,
     /// Its residuals.
     pub pool: Pool,
-    /// Where its quantities lay.
-    pub support: Support,
+    /// The least and the greatest of each of the model's quantities, and then of its states.
+    pub support: Vec<(f64, f64)>,
 }
 
 /// Samples of which the quantities are looked at, in each flight.
 const LOOKS: usize = 12;
+
+/// The range of no values.
+pub const NOTHING: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+
+/// The range over two.
+pub fn joined(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
+    (one.0.min(other.0), one.1.max(other.1))
+}
 
 /// Looks at a flight by its states, sample after sample.
 pub fn look(
@@ -45,17 +52,16 @@ pub fn look(
     }
     let conditions = setting.body.with(track.parameters(setting, shared));
     let mut observer = conditions.observer();
-    let mut support = Support::new();
+    let layout = setting.body.layout();
+    let mut support = vec![NOTHING; layout.quantities.len() + layout.states.len()];
     let width = track.chart.states();
     let every = (track.times.len() / LOOKS).max(1);
     for (sample, state) in path.states.chunks(width).enumerate().step_by(every) {
         let quantities = observer.quantities(track.times[sample], state);
-        let layout = setting.body.layout();
-        let named = layout.quantities.iter().zip(&quantities);
-        for (name, &value) in named.chain(layout.states.iter().zip(state)) {
+        let values = quantities.iter().chain(state);
+        for (range, &value) in support.iter_mut().zip(values) {
             if value.is_finite() {
-                let range = support.entry(name.clone()).or_insert((value, value));
-                *range = (range.0.min(value), range.1.max(value));
+                *range = joined(*range, (value, value));
             }
         }
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::{DMatrix, DVector};
 
 use super::flown::Flown;
-use super::look::{Looked, look};
+use super::look::{Looked, NOTHING, joined, look};
 use super::problem::Squares;
 use super::{FitError, State, told};
 use crate::dataset::Flight;
@@ -85,14 +85,15 @@ impl<'a> Outcome<'a> {
             Ok((looked, initial))
         });
         let mut pool = Pool::default();
-        let mut support = Support::new();
+        let layout = setting.body.layout();
+        let names = layout.quantities.iter().chain(&layout.states);
+        let mut support = vec![NOTHING; layout.quantities.len() + layout.states.len()];
         let mut flights = Vec::with_capacity(looked.len());
         for looked in looked {
             let (looked, initial): (Looked, _) = looked?;
             pool.join(looked.pool);
-            for (name, (low, high)) in looked.support {
-                let range = support.entry(name).or_insert((low, high));
-                *range = (range.0.min(low), range.1.max(high));
+            for (range, seen) in support.iter_mut().zip(looked.support) {
+                *range = joined(*range, seen);
             }
             flights.push(One {
                 rms: looked.rms,
@@ -110,7 +111,11 @@ impl<'a> Outcome<'a> {
             flights,
             usual: median(&mut sizes),
             pool,
-            support,
+            support: names
+                .cloned()
+                .zip(support)
+                .filter(|(_, seen)| *seen != NOTHING)
+                .collect(),
             profiles,
         })
     }

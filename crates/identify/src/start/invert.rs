@@ -37,10 +37,10 @@ pub fn state(setting: &Setting, track: &Track, motion: &Motion) -> Result<DVecto
     let target = target(motion, probes);
     let states = setting.body.layout().states.len();
     let mut shown = Shown::new(&conditions, states, probes);
-    // The nearest first; ties stay in order.
+    // The nearest first, by where the probes are; ties stay in order.
     let mut guesses: Vec<(f64, DVector<f64>)> = guesses(setting, track)
         .into_iter()
-        .map(|guess| ((shown.at(&guess) - &target).norm(), guess))
+        .map(|guess| (shown.distance(&guess, &target), guess))
         .collect();
     guesses.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut best: Option<(f64, DVector<f64>)> = None;
@@ -172,14 +172,15 @@ fn descend(
         }
         let dimension = track.chart.dimension();
         let mut jacobian = DMatrix::zeros(target.len(), dimension);
+        let mut step = DVector::zeros(dimension);
         for column in 0..dimension {
             let moves = track.chart.plain(column);
             if moves.is_some_and(|state| added.contains(&state)) {
                 continue;
             }
-            let mut step = DVector::zeros(dimension);
             step[column] = STEP;
             let ahead = shown.at(&track.chart.moved(&state, &step)) - target;
+            step[column] = 0.0;
             jacobian.set_column(column, &((ahead - &residual) / STEP));
         }
         let mut normal = jacobian.tr_mul(&jacobian);
@@ -210,6 +211,7 @@ fn descend(
 struct Shown<'a> {
     observer: flight::body::Observer<'a>,
     motion: flight::body::Motion<'a>,
+    state: States,
     rates: States,
     probes: &'a [[f64; 3]],
 }
@@ -219,18 +221,33 @@ impl<'a> Shown<'a> {
         Self {
             observer: conditions.observer(),
             motion: conditions.motion(),
+            state: vec![0.0; states].into(),
             rates: vec![0.0; states].into(),
             probes,
         }
     }
 
+    /// How far the probes are from where they should be, m.
+    fn distance(&mut self, state: &DVector<f64>, target: &DVector<f64>) -> f64 {
+        let mut squares = 0.0;
+        for (probe, wanted) in self.probes.iter().zip(target.as_slice().chunks(3)) {
+            let shown = self.observer.position(0.0, state.as_slice(), probe);
+            squares += shown
+                .iter()
+                .zip(wanted)
+                .map(|(a, b)| (a - b).powi(2))
+                .sum::<f64>();
+        }
+        squares.sqrt()
+    }
+
     fn at(&mut self, state: &DVector<f64>) -> DVector<f64> {
-        let x: States = state.as_slice().into();
-        self.motion.derivative(0.0, &x, &mut self.rates);
+        self.state.as_mut().copy_from_slice(state.as_slice());
+        self.motion.derivative(0.0, &self.state, &mut self.rates);
         let count = 3 * self.probes.len();
         let mut shown = DVector::zeros(2 * count);
         for (probe, position) in self.probes.iter().enumerate() {
-            let (y, derivatives) = self.observer.linearise(0.0, &x, position);
+            let (y, derivatives) = self.observer.linearise(0.0, &self.state, position);
             for axis in 0..3 {
                 shown[3 * probe + axis] = y[axis];
             }
