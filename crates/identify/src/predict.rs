@@ -26,10 +26,9 @@ use crate::track::Track;
 /// fiftieth.
 pub(crate) const FINE: f64 = 0.007;
 
-/// The same where there are so few flights of a body that is not told by a quaternion: a disc's coefficients are then within
-/// 0.002 of their standard errors of what a hundredth of it gives. Errors of many flights weigh more, and would hide what the
-/// last steps gain.
-const OF_FEW: (f64, usize) = (0.05, 200);
+/// The same where there are so few flights of a body that is not told by a quaternion, still below a thousandth of the noise. The
+/// errors of many would together hide what the last steps gain.
+const OF_FEW: (f64, usize) = (0.02, 200);
 
 /// The tolerance for so many flights of a model.
 pub(crate) fn tolerance(model: &Model, flights: usize) -> f64 {
@@ -44,8 +43,10 @@ pub(crate) fn tolerance(model: &Model, flights: usize) -> f64 {
 /// The same for residuals alone, which are looked at one by one.
 const LOOSE_TOLERANCE: f64 = 0.02;
 
-/// The same over the scale of the loss on the way, where another step follows: below a quarter of it at worst.
+/// The same on the way, where another step follows: below a quarter of the noise at worst; over the scale of the loss where
+/// that is more than so many times the noise's.
 const ROUGH_TOLERANCE: f64 = 0.08;
+const FAR: f64 = 2.0;
 
 /// Bounds of the tolerance: what rounding allows, and what keeps a flight a flight.
 const TOLERANCES: (f64, f64) = (1e-10, 1e-3);
@@ -106,7 +107,9 @@ pub fn linearise_by<M: Linearised>(
 ) -> Result<Block, String> {
     let columns = Columns::new(track, motion.state_pattern(), constants.len());
     let tolerance = match loss {
-        Loss::Huber(scale) => ROUGH_TOLERANCE * scale,
+        // Where residuals are far from noise yet, what is left of them counts.
+        Loss::Huber(scale) if scale > FAR * setting.floor => ROUGH_TOLERANCE * scale,
+        Loss::Huber(_) => ROUGH_TOLERANCE * setting.floor,
         Loss::Whitened(_) => setting.tolerance * setting.floor,
     };
     let mut sums = Sums::new(columns.rows(), track.markers, loss);
