@@ -122,8 +122,12 @@ def casadi_ways(case, folder, quick):
 PEERS = {"scipy": scipy_ways, "casadi": casadi_ways}
 
 
+# A way that takes less, s, is tried three times.
+OFTEN = 2.0
+
+
 def trials(case, folder, quick, reference, errors):
-    """Each way once: its time and its answer, in our standard errors from ours; the ways by name, and peers that are not installed."""
+    """Each way: its fastest time and its answer, in our standard errors from ours; the ways by name, and peers that are not installed."""
     ways, rows, missing = {}, [], []
     for peer, make in PEERS.items():
         try:
@@ -136,6 +140,9 @@ def trials(case, folder, quick, reference, errors):
             row = {"peer": peer, "what": what, "way": way}
             try:
                 answer = work()
+                # Which way is best must not hang on what else the machine did.
+                again = [work() for _ in range(2 if answer.wall < OFTEN else 0)]
+                answer = min([answer, *again], key=lambda one: one.wall)
                 apart = np.abs(answer.values - reference[what]) / errors
                 row |= {"wall": answer.wall, "cpu": answer.cpu, "note": answer.note, "apart": float(apart.max())}
             except Exception as error:  # a way that fails is no result
