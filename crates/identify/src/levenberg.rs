@@ -124,9 +124,8 @@ pub struct Until {
     pub gain: f64,
     /// A step that promises no more than this part of it is negligible.
     pub part: f64,
-    /// A step that promises more, by no more than the first of these, is taken unseen where the next would promise less,
-    /// by the second.
-    pub unseen: (f64, f64),
+    /// A step that promises up to so many times more is taken unseen where the next would be negligible.
+    pub unseen: f64,
     /// Steps after which the iteration is given up.
     pub steps: usize,
 }
@@ -136,20 +135,20 @@ impl Until {
     pub const DONE: Until = Until {
         gain: 1e-3,
         part: 1e-11,
-        unseen: (1e3, 1.0),
+        unseen: 1e3,
         steps: 100,
     };
     /// On the way, where the weights will change anyway.
     pub const ROUGHLY: Until = Until {
         gain: 1e-2,
         part: 1e-3,
-        unseen: (1e3, 1.0),
+        unseen: 1e3,
         steps: 30,
     };
     /// On the way to longer flights, which will tell more than is left here.
     pub const NEAR: Until = Until {
         part: 1e-2,
-        unseen: (f64::INFINITY, 1.0),
+        unseen: f64::INFINITY,
         ..Until::ROUGHLY
     };
     /// After one step, unseen.
@@ -167,10 +166,9 @@ impl Until {
     /// Whether a step need not be seen: it is negligible, or the next will be, as the promises shrink from the one `before`.
     fn is_reached(&self, promised: f64, before: Option<f64>, squares: f64) -> bool {
         let next = before.map_or(f64::INFINITY, |before| promised * (promised / before));
-        let (over, below) = self.unseen;
         self.is_negligible(promised, squares)
-            || self.is_negligible(promised / over, squares)
-                && self.is_negligible(next * below, squares)
+            || self.is_negligible(promised / self.unseen, squares)
+                && self.is_negligible(next, squares)
     }
 }
 

@@ -73,11 +73,11 @@ impl Rest {
     pub fn new(block: &Block, damping: f64) -> Option<Self> {
         let factor = factor(&block.own, damping)?;
         let through = block.cross.tr_mul(&factor.solve_matrix(&block.cross));
-        let slope = block.cross.tr_mul(&factor.solve(&block.own_gradient));
+        let gradient = score(block, &factor);
         Some(Self {
             factor,
             reduced: &block.shared - through,
-            gradient: &block.shared_gradient - slope,
+            gradient,
         })
     }
 }
@@ -210,10 +210,14 @@ impl Eliminated<'_> {
 
     /// What one flight adds to the gradient of the shared unknowns.
     pub fn score(&self, flight: usize) -> DVector<f64> {
-        let block = &self.blocks[flight];
-        let own = self.factors[flight].solve(&block.own_gradient);
-        &block.shared_gradient - block.cross.tr_mul(&own)
+        score(&self.blocks[flight], &self.factors[flight])
     }
+}
+
+/// What a block adds to the gradient of the shared unknowns once its own are eliminated.
+fn score(block: &Block, factor: &Factor) -> DVector<f64> {
+    let own = factor.solve(&block.own_gradient);
+    &block.shared_gradient - block.cross.tr_mul(&own)
 }
 
 #[cfg(test)]

@@ -61,7 +61,7 @@ fn start() -> Point {
 const EXACT: Until = Until {
     gain: 1e-16,
     part: 0.0,
-    unseen: (1.0, 1.0),
+    unseen: 1.0,
     steps: 100,
 };
 
