@@ -11,7 +11,6 @@ pub mod explain;
 pub mod generate;
 pub mod graph;
 pub mod latex;
-pub mod layout;
 pub mod number;
 pub mod optimise;
 pub mod program;
@@ -21,5 +20,5 @@ pub mod tape;
 pub mod tape_model;
 
 pub use compile::{Compiled, Effort, Selection, compile, compile_at, compile_for};
-pub use layout::Layout;
+pub use model_spec::layout::{self, Layout};
 pub use tape_model::TapeModel;

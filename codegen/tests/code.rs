@@ -123,8 +123,8 @@ fn a_selection_has_only_its_columns() {
     let disc = model("disc");
     let all = compile(&disc);
     let (a, b) = (
-        all.layout.parameter("C_La").unwrap(),
-        all.layout.parameter("C_Nr").unwrap(),
+        all.layout.parameter("C_La").unwrap().index(),
+        all.layout.parameter("C_Nr").unwrap().index(),
     );
     let some = compile_for(&disc, &Selection::Only(vec![a, b]));
     let columns: Vec<u32> = some

@@ -10,6 +10,8 @@
 pub mod check;
 pub mod diagnostic;
 pub mod effect;
+pub mod index;
+pub mod layout;
 pub mod load;
 pub mod model;
 mod render;

@@ -159,7 +159,7 @@ fn flown(body: &Body, release: &Release, options: &Simulate) -> anyhow::Result<F
     let conditions = body.with(body.parameters(release));
     let start: Box<[f64]> = release.state().into();
     let mut events = conditions.limits();
-    if let Some(z) = layout.state("z") {
+    if let Some(z) = layout.state("z").map(|z| z.index()) {
         events.push(Event::peak_of("apex", z));
         if release.stop == Stop::Ground {
             events.push(Event::falls_to("ground", z, 0.0).ends_flight());
@@ -184,7 +184,7 @@ fn summary(model: &Model, body: &Body, flight: &Flight) -> String {
     let end = |name: &str| {
         body.layout()
             .state(name)
-            .map(|place| flight.end_state[place])
+            .map(|state| flight.end_state[state.index()])
     };
     let why = flight.ended_by.as_deref().unwrap_or("time");
     let mut text = format!("{}: {:.4} s, ended by {why}\n", model.name, flight.end);
@@ -193,7 +193,7 @@ fn summary(model: &Model, body: &Body, flight: &Flight) -> String {
         let _ = writeln!(text, "  {:9} {value:>13.6} {}", state.name, state.unit_text);
     }
     for event in &flight.events {
-        let z = body.layout().state("z").map(|place| event.state[place]);
+        let z = body.layout().state("z").map(|z| event.state[z.index()]);
         let _ = writeln!(
             text,
             "  {} at {:.4} s, z = {:.4} m",

@@ -36,15 +36,15 @@ impl Deriver<'_> {
             E::Time => self.symbol(Symbol::Time),
             E::Param(k) => {
                 let at = self.layout.param(*k);
-                self.symbol(Symbol::Parameter(at))
+                self.symbol(Symbol::Parameter(at.index() as u32))
             }
             E::Coefficient(k) => {
                 let at = self.layout.coefficient(*k);
-                self.symbol(Symbol::Parameter(at))
+                self.symbol(Symbol::Parameter(at.index() as u32))
             }
             E::Input(k) => {
                 let at = self.layout.input(*k);
-                Value::Vector([0, 1, 2].map(|axis| self.graph.symbol(Symbol::Parameter(at + axis))))
+                Value::Vector(at.map(|at| self.graph.symbol(Symbol::Parameter(at.index() as u32))))
             }
             E::State(k) => self.symbol(Symbol::State(*k as u32)),
             E::Let(k) => self.lets[*k],

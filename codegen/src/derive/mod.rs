@@ -83,7 +83,7 @@ pub fn derive(model: &Model) -> Derived {
     let mut quantities = Vec::new();
     let names = deriver.layout.quantities.clone();
     let mut next = names.iter();
-    let of_marker = crate::layout::of_marker(model);
+    let of_marker = crate::layout::depends_on_marker(model);
     for ((quantity, value), of_marker) in model.lets.iter().zip(deriver.lets.clone()).zip(of_marker)
     {
         // `quantities` is not handed a marker.

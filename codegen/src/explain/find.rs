@@ -4,7 +4,7 @@ use super::error::{ExplainError, nearest};
 use crate::compile::{Compiled, Selection, compile_for};
 use crate::graph::{NodeId, Symbol};
 use crate::latex;
-use crate::layout::{Layout, of_marker};
+use crate::layout::{Layout, depends_on_marker};
 use model_spec::diagnostic::Span;
 use model_spec::model::{Let, Load, Model};
 
@@ -58,7 +58,7 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     let derived = &compiled.derived;
     let of_let = |name: &str| {
         let mut start = 0;
-        let of_marker = of_marker(&changed);
+        let of_marker = depends_on_marker(&changed);
         for ((quantity, nodes), of_marker) in changed.lets.iter().zip(&derived.lets).zip(of_marker)
         {
             if quantity.name == name && of_marker {
@@ -176,10 +176,10 @@ fn components<'a>(model: &Model, quantity: &'a Let) -> impl Iterator<Item = Stri
 pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError> {
     let layout = Layout::new(model);
     if let Some(k) = layout.state(wanted) {
-        return Ok(Symbol::State(k as u32));
+        return Ok(Symbol::State(k.index() as u32));
     }
     if let Some(k) = layout.parameter(wanted) {
-        return Ok(Symbol::Parameter(k as u32));
+        return Ok(Symbol::Parameter(k.index() as u32));
     }
     let mut known = layout.states;
     known.extend(layout.parameters);

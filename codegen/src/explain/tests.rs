@@ -44,7 +44,10 @@ fn derivatives_agree_with_differences() {
         let layout = Layout::new(&model);
         let (x, p) = point(&layout);
         // Quantities of the marker are not computed without one.
-        let lets = model.lets.iter().zip(crate::layout::of_marker(&model));
+        let lets = model
+            .lets
+            .iter()
+            .zip(crate::layout::depends_on_marker(&model));
         let lets = lets.filter(|(_, of_marker)| !of_marker);
         let mut quantities: Vec<String> = lets.map(|(l, _)| l.name.clone()).collect();
         quantities.extend(model.states.iter().map(|s| format!("der({})", s.name)));

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use codegen::layout::Layout;
+use codegen::Layout;
 use flight::batch;
 use flight::body::{Body, Conditions};
 use flight::sensitivity::Linearised;
@@ -17,6 +17,7 @@ use identify::options::Options;
 use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_by};
 use identify::setting::Setting;
 use identify::track::Track;
+use model_spec::layout::StateId;
 use nalgebra::DVector;
 
 use crate::catalogue::{Candidate, Catalogue};
@@ -89,7 +90,7 @@ impl Bench {
             .cloned()
             .map(|candidate| {
                 let shared = candidate.coefficients.iter().filter_map(|part| {
-                    let place = layout.params + part.index;
+                    let place = layout.coefficient(part.index).index();
                     setting.shared.iter().position(|s| s.place == place)
                 });
                 Columns {
@@ -108,7 +109,7 @@ impl Bench {
             same.map_or(unknown.model_value, |i| fitted.shared()[i])
         });
         let shared = DVector::from_iterator(setting.shared.len(), shared);
-        let places: Vec<Option<usize>> = layout
+        let places: Vec<Option<StateId>> = layout
             .states
             .iter()
             .map(|state| before.body.layout().state(state))
@@ -132,7 +133,7 @@ impl Bench {
             let full = places
                 .iter()
                 .zip(&layout.initial)
-                .map(|(place, initial)| place.map_or(*initial, |place| state[place]));
+                .map(|(place, initial)| place.map_or(*initial, |place| state[place.index()]));
             own.push(DVector::from_iterator(places.len(), full));
         }
         let grammar = catalogue
@@ -374,10 +375,10 @@ fn off(catalogue: &Catalogue, on: &[usize]) -> Vec<(usize, f64)> {
         .filter(|(index, _)| !on.contains(index))
         .flat_map(|(_, candidate)| &candidate.coefficients);
     let mut fixed: Vec<(usize, f64)> = parts
-        .map(|part| (layout.params + part.index, part.vanishes_at))
+        .map(|part| (layout.coefficient(part.index).index(), part.vanishes_at))
         .collect();
     let loads = catalogue.channels.iter().flat_map(|c| c.loads);
-    fixed.extend(loads.filter_map(|(name, ..)| Some((layout.parameter(name)?, 0.0))));
+    fixed.extend(loads.filter_map(|(name, ..)| Some((layout.parameter(name)?.index(), 0.0))));
     fixed
 }
 

@@ -32,7 +32,7 @@ pub fn detectable(
         let Some(score) = score else { continue };
         let mut seen = Vec::new();
         for part in &columns.candidate.coefficients {
-            let place = bench.setting.body.layout().params + part.index;
+            let place = bench.setting.body.layout().coefficient(part.index).index();
             let unknown = bench.setting.shared.iter().position(|s| s.place == place);
             let column = unknown.and_then(|u| scores.columns.iter().position(|&c| c == u));
             let Some(column) = column else { continue };

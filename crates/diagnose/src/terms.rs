@@ -4,6 +4,7 @@
 //! term along the flight.
 
 use flight::body::Conditions;
+use model_spec::layout::{ParamId, QuantityId};
 use model_spec::model::Model;
 
 use crate::catalogue::underscored;
@@ -182,13 +183,11 @@ pub struct Grammar {
 
 impl Grammar {
     /// The grammar in a model that has the channels' effect switched on.
-    pub fn new(channels: Channels, layout: &codegen::layout::Layout) -> Option<Self> {
-        let load = |(name, ..): &(&str, &str, &str)| layout.parameter(name);
+    pub fn new(channels: Channels, layout: &codegen::Layout) -> Option<Self> {
+        let load = |(name, ..): &(&str, &str, &str)| layout.parameter(name).map(ParamId::index);
         let places = channels.loads.iter().map(load).collect::<Option<_>>()?;
-        let quantity = |variable: &Variable| {
-            let names = layout.quantities.iter();
-            names.clone().position(|name| name == variable.quantity)
-        };
+        let quantity =
+            |variable: &Variable| layout.quantity(variable.quantity).map(QuantityId::index);
         let quantities = channels.variables.iter().map(quantity);
         let quantities = quantities.collect::<Option<_>>()?;
         let loads = 0..channels.loads.len();
@@ -333,7 +332,7 @@ mod tests {
             let model = load(name, &[]).expect("a model");
             let (channels, text) = family(&model, &[]).expect("its channels");
             let with = load_with(&model, &text, channels.effect);
-            let layout = codegen::layout::Layout::new(&with);
+            let layout = codegen::Layout::new(&with);
             let grammar = Grammar::new(channels, &layout).expect("its grammar");
             assert_eq!(grammar.terms.len(), terms);
             for term in 0..grammar.terms.len() {

@@ -141,7 +141,7 @@ fn flown(
     if !setting.turns && layout.parameter("omega_x").is_some() {
         let axis = release.motion(true).rates?;
         for (name, value) in ["omega_x", "omega_y", "omega_z"].iter().zip(axis.iter()) {
-            parameters[layout.parameter(name)?] = *value;
+            parameters[layout.parameter(name)?.index()] = *value;
         }
     }
     let track = Track {

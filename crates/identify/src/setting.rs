@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use flight::body::Body;
+use model_spec::layout::ParamId;
 use model_spec::model::{Constant, Model};
 
 use crate::dataset::{Dataset, Known as Value};
@@ -101,7 +102,8 @@ impl Setting {
         let layout = body.layout();
         let mut parameters = layout.default_parameters();
         for (name, &value) in &dataset.parameters {
-            let place = layout.parameter(name).filter(|&p| p < layout.params);
+            let place = layout.parameter(name).map(ParamId::index);
+            let place = place.filter(|&p| p < layout.params);
             let known = model.params.iter().map(|c| c.name.as_str());
             let place =
                 place.ok_or_else(|| mismatch("the dataset sets", name, &model.name, known))?;
@@ -164,11 +166,11 @@ impl Setting {
                 Value::Vector(vector) => {
                     let places = layout.components(name);
                     let places = places.ok_or_else(|| self.not_known(name))?;
-                    parameters.extend(places.into_iter().zip(*vector));
+                    parameters.extend(places.map(ParamId::index).into_iter().zip(*vector));
                 }
                 Value::Scalar(value) => match (layout.parameter(name), layout.state(name)) {
-                    (Some(place), _) => parameters.push((place, *value)),
-                    (None, Some(state)) => states.push((state, *value)),
+                    (Some(place), _) => parameters.push((place.index(), *value)),
+                    (None, Some(state)) => states.push((state.index(), *value)),
                     (None, None) => return Err(self.not_known(name)),
                 },
             }
@@ -219,7 +221,7 @@ fn unknowns(
     }
     let (mut shared, mut held) = (Vec::new(), Vec::new());
     for (index, constant) in model.coefficients.iter().enumerate() {
-        let place = layout.params + index;
+        let place = layout.coefficient(index).index();
         // The last word counts.
         match options
             .hold
@@ -235,7 +237,7 @@ fn unknowns(
         }
     }
     for name in options.free {
-        let place = layout.parameter(name);
+        let place = layout.parameter(name).map(ParamId::index);
         let all = || layout.parameters.iter().map(String::as_str);
         let place = place.ok_or_else(|| mismatch("to be freed is", name, &model.name, all()))?;
         if shared.iter().any(|shared: &Shared| shared.place == place) {

@@ -1,6 +1,7 @@
 //! How each marker is seen: by one observer for all, or by one each where the model asks which marker it is.
 
 use flight::body::{Body, Conditions, Derivatives, Observer};
+use model_spec::layout::ParamId;
 
 /// The input that says which marker is observed, `marker_is`: 1 in the place of the first, second or third.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
@@ -11,7 +12,7 @@ pub struct Sight<'a>(Vec<Conditions<'a>>);
 impl<'a> Sight<'a> {
     /// One for all of `markers`, unless the model has the input `marker_is`.
     pub fn new(body: &'a Body, parameters: &[f64], markers: usize) -> Self {
-        let places = MARKER_IS.map(|name| body.layout().parameter(name));
+        let places = MARKER_IS.map(|name| body.layout().parameter(name).map(ParamId::index));
         if places.iter().all(Option::is_none) {
             return Self(vec![body.with(parameters.to_vec())]);
         }

@@ -51,7 +51,7 @@ impl Flyer {
         self.body
             .layout()
             .parameter(name)
-            .map_or(f64::NAN, |place| self.parameters[place])
+            .map_or(f64::NAN, |id| self.parameters[id.index()])
     }
 
     /// What comes out; `None` where the flight cannot be flown to its end.
@@ -87,7 +87,7 @@ impl Flyer {
             ("C_Nq", c_nq),
         ];
         for (name, value) in set {
-            p[self.body.layout().parameter(name)?] = value;
+            p[self.body.layout().parameter(name)?.index()] = value;
         }
         self.outcome(p)
     }
@@ -99,7 +99,7 @@ impl Flyer {
             most_steps: 5_000,
             ..Options::tolerance(TOLERANCE)
         };
-        let z = layout.state("z")?;
+        let z = layout.state("z")?.index();
         let peak = Event::peak_of("apex", z);
         let flight = fly(
             &mut conditions.motion(),
@@ -110,8 +110,8 @@ impl Flyer {
         )
         .ok()?;
         let (start, end) = (
-            |name| Some(self.initial[layout.state(name)?]),
-            |name| Some(flight.end_state[layout.state(name)?]),
+            |name| Some(self.initial[layout.state(name)?.index()]),
+            |name| Some(flight.end_state[layout.state(name)?.index()]),
         );
         let (spin, spun): (f64, f64) = (start("gammadot")?, end("gammadot")?);
         // The highest point is where the flight begins or ends, unless it turns down in between.

@@ -9,8 +9,8 @@ pub use observer::{Derivatives, Observer};
 use crate::dynamics::Dynamics;
 use crate::event::Event;
 use crate::release::Release;
+use codegen::Layout;
 use codegen::compile::{Effort, Selection, compile, compile_at};
-use codegen::layout::Layout;
 use codegen::rust::source_hash;
 use codegen::tape_model::{At, Scratch, TapeModel};
 use model_spec::model::Model;
@@ -109,7 +109,7 @@ impl Body {
             // A model without wind has no place for it.
             let places = self.layout.components(name).into_iter().flatten();
             for (place, value) in places.zip(vector) {
-                parameters[place] = *value;
+                parameters[place.index()] = *value;
             }
         }
         parameters
@@ -256,7 +256,7 @@ mod tests {
         let model = model_spec::load::load("disc", &names).expect("the disc with all effects");
         let layout = Layout::new(&model);
         let own = model.effects.iter().flat_map(|effect| &effect.coefficients);
-        let place = |index| layout.coefficient(index) as usize;
+        let place = |index| layout.coefficient(index).index();
         let fixed: Vec<(usize, f64)> = own.map(|c| (place(c.index), c.vanishes_at)).collect();
         let flown = |body: &Body, unread: f64| {
             let mut parameters = layout.default_parameters();

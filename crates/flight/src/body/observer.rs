@@ -80,7 +80,7 @@ impl<'a> Observer<'a> {
         (y, derivatives)
     }
 
-    /// The model's named quantities, in the order of [`Layout::quantities`](codegen::layout::Layout).
+    /// The model's named quantities, in the order of [`Layout::quantities`](codegen::Layout).
     pub fn quantities(&mut self, t: f64, x: &[f64]) -> Vec<f64> {
         let conditions = self.conditions;
         let (p, k) = (&conditions.parameters, &conditions.prepared);

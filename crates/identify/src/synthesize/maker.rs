@@ -95,7 +95,8 @@ impl Maker<'_> {
         watched: Option<f64>,
     ) -> Result<f64, String> {
         let conditions = self.body.with(parameters.to_vec());
-        let z = self.body.layout().state("z").ok_or("the model has no z")?;
+        let z = self.body.layout().state("z");
+        let z = z.ok_or("the model has no z")?.index();
         let mut events = conditions.limits();
         events.push(Event::falls_to("ground", z, 0.0).ends_flight());
         let landed = fly_to_end(

@@ -1,0 +1,183 @@
+//! Order of states, parameters and quantities in the plain arrays that compiled code reads and writes.
+
+use std::collections::HashSet;
+
+use crate::index_type;
+use crate::model::{Expr, ExprKind, Model, Shape};
+
+index_type!(
+    /// Index of a state in the state vector.
+    pub struct StateId;
+);
+
+index_type!(
+    /// Index in the parameter vector: constants first, then coefficients, then components of inputs.
+    pub struct ParamId;
+);
+
+index_type!(
+    /// Index of a scalar, or of a vector's component, in the vector of auxiliary quantities.
+    pub struct QuantityId;
+);
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Names and default values of a model's states and parameters, in the order of their arrays.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layout {
+    /// Names of the states.
+    pub states: Vec<String>,
+    /// Names of the constants, then of the coefficients, then of the inputs' components (`wind_x`, …).
+    pub parameters: Vec<String>,
+    /// Number of parameters that are constants of the body and its environment; they come first.
+    pub params: usize,
+    /// Number of parameters that are coefficients; they follow the constants.
+    pub coefficients: usize,
+    /// Names of the marker's coordinates; empty if the model observes nothing.
+    pub marker: Vec<String>,
+    /// Names of the auxiliary quantities by component, without those that depend on the marker.
+    pub quantities: Vec<String>,
+    /// Default values of the parameters, SI.
+    pub defaults: Vec<f64>,
+    /// Default values of the states, SI.
+    pub initial: Vec<f64>,
+}
+
+impl Layout {
+    /// The layout of a model.
+    pub fn new(model: &Model) -> Layout {
+        let constants = || model.params.iter().chain(&model.coefficients);
+        let inputs = model.inputs.iter();
+        let mut layout = Layout {
+            states: model.states.iter().map(|s| s.name.clone()).collect(),
+            parameters: constants()
+                .map(|c| c.name.clone())
+                .chain(inputs.clone().flat_map(|input| components(&input.name)))
+                .collect(),
+            params: model.params.len(),
+            coefficients: model.coefficients.len(),
+            marker: model
+                .marker
+                .iter()
+                .flat_map(|marker| components(&marker.name))
+                .collect(),
+            quantities: Vec::new(),
+            defaults: constants()
+                .map(|c| c.value)
+                .chain(inputs.flat_map(|input| input.value))
+                .collect(),
+            initial: model.states.iter().map(|s| s.value).collect(),
+        };
+        layout.quantities = layout.quantity_names(model);
+        layout
+    }
+
+    /// Names of the auxiliary quantities. Components of a vector `v` are `v_x` in the inertial frame and `v_1` in others,
+    /// or with the frame's name (`v_B1`) where a scalar has that name.
+    fn quantity_names(&self, model: &Model) -> Vec<String> {
+        let scalars = model.lets.iter().filter(|l| l.value.shape == Shape::Scalar);
+        let scalars = scalars.map(|scalar| scalar.name.as_str());
+        let symbols = self
+            .states
+            .iter()
+            .chain(&self.parameters)
+            .map(String::as_str);
+        let used: HashSet<&str> = scalars.chain(symbols).collect();
+        let mut names = Vec::new();
+        for (quantity, of_marker) in model.lets.iter().zip(depends_on_marker(model)) {
+            let name = &quantity.name;
+            match quantity.value.shape {
+                _ if of_marker => {}
+                Shape::Scalar => names.push(name.clone()),
+                Shape::Vector(frame) => names.extend((0..3).map(|k| {
+                    let short = match frame {
+                        0 => format!("{name}_{}", AXES[k]),
+                        _ => format!("{name}_{}", k + 1),
+                    };
+                    if used.contains(short.as_str()) {
+                        format!("{name}_{}{}", model.frames[frame].name, k + 1)
+                    } else {
+                        short
+                    }
+                })),
+            }
+        }
+        names
+    }
+
+    /// Index of the constant `model.params[k]`.
+    pub fn param(&self, k: usize) -> ParamId {
+        ParamId::new(k)
+    }
+
+    /// Index of the coefficient `model.coefficients[k]`.
+    pub fn coefficient(&self, k: usize) -> ParamId {
+        ParamId::new(self.params + k)
+    }
+
+    /// Indices of the three components of the input `model.inputs[k]`.
+    pub fn input(&self, k: usize) -> [ParamId; 3] {
+        let first = self.params + self.coefficients + 3 * k;
+        [0, 1, 2].map(|axis| ParamId::new(first + axis))
+    }
+
+    /// Index of a state by name.
+    pub fn state(&self, name: &str) -> Option<StateId> {
+        position(&self.states, name).map(StateId::new)
+    }
+
+    /// Index of a constant, coefficient or input component by name.
+    pub fn parameter(&self, name: &str) -> Option<ParamId> {
+        position(&self.parameters, name).map(ParamId::new)
+    }
+
+    /// Index of an auxiliary quantity, or of one component of it, by name.
+    pub fn quantity(&self, name: &str) -> Option<QuantityId> {
+        position(&self.quantities, name).map(QuantityId::new)
+    }
+
+    /// Indices of the three components of an input by its name.
+    pub fn components(&self, input: &str) -> Option<[ParamId; 3]> {
+        let [x, y, z] = components(input).map(|name| self.parameter(&name));
+        Some([x?, y?, z?])
+    }
+
+    /// Default values of constants, coefficients and inputs, SI.
+    pub fn default_parameters(&self) -> Vec<f64> {
+        self.defaults.clone()
+    }
+
+    /// Default values of the states, SI.
+    pub fn default_states(&self) -> Vec<f64> {
+        self.initial.clone()
+    }
+}
+
+fn components(vector: &str) -> [String; 3] {
+    AXES.map(|axis| format!("{vector}_{axis}"))
+}
+
+fn position(names: &[String], name: &str) -> Option<usize> {
+    names.iter().position(|own| own == name)
+}
+
+/// For each auxiliary variable of a model, whether it depends on the marker: then it has a value only at an observation.
+pub fn depends_on_marker(model: &Model) -> Vec<bool> {
+    let mut known: Vec<bool> = Vec::new();
+    for quantity in &model.lets {
+        let found = uses_marker(&quantity.value, &known);
+        known.push(found);
+    }
+    known
+}
+
+fn uses_marker(e: &Expr, known: &[bool]) -> bool {
+    match e.kind {
+        ExprKind::Marker => return true,
+        ExprKind::Let(index) => return known.get(index).copied().unwrap_or(false),
+        _ => {}
+    }
+    let mut found = false;
+    e.children(&mut |child| found |= uses_marker(child, known));
+    found
+}
