@@ -1,0 +1,345 @@
+//! Import circles between the files of a crate.
+//!
+//! A file imports another where a path of its code leads to an item of the other, re-exports followed. A file may use what its
+//! ancestors in the module tree define: nesting is no import.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, bail};
+use syn::visit::{self, Visit};
+use syn::{Item, UseTree};
+
+use crate::source;
+
+/// Path of a module from its crate's root: empty for the root itself.
+type ModulePath = Vec<String>;
+
+/// A file's imports, as paths from the crate's root.
+#[derive(Default)]
+struct Module {
+    file: PathBuf,
+    /// Paths that the code names.
+    named: BTreeSet<Vec<String>>,
+    /// Name in this module → path it is re-exported from.
+    exports: BTreeMap<String, Vec<String>>,
+    /// Modules whose public names are all re-exported.
+    globs: Vec<Vec<String>>,
+    /// Names of the items that the file defines.
+    defined: BTreeSet<String>,
+}
+
+/// Fails where files of a crate import each other in a circle, and names them.
+pub fn check(root: &Path) -> Result<()> {
+    let mut circles = Vec::new();
+    let mut files = 0;
+    for folder in source::crates(root)? {
+        if source::is_generated(&folder) {
+            continue;
+        }
+        let modules = modules(&folder.join("src"))?;
+        files += modules.len();
+        for circle in strong_components(&arrows(&modules)) {
+            let names = circle.iter().map(|module| {
+                let file = &modules[module].file;
+                format!("  {}", source::relative(root, file))
+            });
+            circles.push(names.collect::<Vec<_>>().join("\n"));
+        }
+    }
+    if !circles.is_empty() {
+        bail!(
+            "{} import circles:\n{}",
+            circles.len(),
+            circles.join("\n\n")
+        );
+    }
+    println!("no import circle among {files} files");
+    Ok(())
+}
+
+fn modules(source: &Path) -> Result<BTreeMap<ModulePath, Module>> {
+    let mut modules = BTreeMap::new();
+    for file in source::rust_files(source)? {
+        let path = module_path(file.strip_prefix(source)?);
+        let tree = syn::parse_file(&source::read(&file)?)?;
+        let mut module = Module {
+            file,
+            ..Module::default()
+        };
+        let mut reader = Reader {
+            here: path.clone(),
+            module: &mut module,
+        };
+        reader.visit_file(&tree);
+        modules.insert(path, module);
+    }
+    Ok(modules)
+}
+
+/// `a/b.rs` and `a/b/mod.rs` are both `a::b`.
+fn module_path(file: &Path) -> ModulePath {
+    let mut path: ModulePath = file
+        .with_extension("")
+        .iter()
+        .map(|part| part.to_string_lossy().into_owned())
+        .collect();
+    if path
+        .last()
+        .is_some_and(|last| ["mod", "lib", "main"].contains(&last.as_str()))
+    {
+        path.pop();
+    }
+    path
+}
+
+/// Collects what a file names; test modules are passed over.
+struct Reader<'m> {
+    here: ModulePath,
+    module: &'m mut Module,
+}
+
+impl Reader<'_> {
+    /// A path from the crate's root; none where it leads out of the crate.
+    fn from_root(&self, path: &[String]) -> Option<Vec<String>> {
+        let mut base = self.here.clone();
+        let mut rest = path;
+        match rest.first()?.as_str() {
+            "crate" => {
+                base.clear();
+                rest = &rest[1..];
+            }
+            "self" => rest = &rest[1..],
+            "super" => {
+                while rest.first().is_some_and(|part| part == "super") {
+                    base.pop()?;
+                    rest = &rest[1..];
+                }
+            }
+            _ => {}
+        }
+        base.extend(rest.iter().cloned());
+        Some(base)
+    }
+
+    fn use_tree(&mut self, tree: &UseTree, prefix: &mut Vec<String>, is_public: bool) {
+        match tree {
+            UseTree::Path(path) => {
+                prefix.push(path.ident.to_string());
+                self.use_tree(&path.tree, prefix, is_public);
+                prefix.pop();
+            }
+            UseTree::Group(group) => {
+                for tree in &group.items {
+                    self.use_tree(tree, prefix, is_public);
+                }
+            }
+            UseTree::Name(name) => self.used(&name.ident.to_string(), None, prefix, is_public),
+            UseTree::Rename(rename) => {
+                let (name, new) = (rename.ident.to_string(), rename.rename.to_string());
+                self.used(&name, Some(new), prefix, is_public);
+            }
+            UseTree::Glob(_) => {
+                if let Some(path) = self.from_root(prefix) {
+                    self.module.named.insert(path.clone());
+                    self.module.globs.push(path);
+                }
+            }
+        }
+    }
+
+    fn used(&mut self, name: &str, rename: Option<String>, prefix: &[String], is_public: bool) {
+        let mut path = prefix.to_vec();
+        if name != "self" {
+            path.push(name.to_owned());
+        }
+        let Some(path) = self.from_root(&path) else {
+            return;
+        };
+        let key = rename.or_else(|| path.last().cloned()).unwrap_or_default();
+        self.module.exports.insert(key, path.clone());
+        // A face that only hands a name on does not depend on it.
+        if !is_public {
+            self.module.named.insert(path);
+        }
+    }
+}
+
+impl<'a> Visit<'a> for Reader<'_> {
+    fn visit_item(&mut self, item: &'a Item) {
+        match item {
+            Item::Mod(inner) if inner.content.is_some() => {}
+            Item::Use(item) => {
+                let is_public = !matches!(item.vis, syn::Visibility::Inherited);
+                self.use_tree(&item.tree, &mut Vec::new(), is_public);
+            }
+            _ => {
+                self.module.defined.extend(name_of(item));
+                visit::visit_item(self, item);
+            }
+        }
+    }
+
+    fn visit_path(&mut self, path: &'a syn::Path) {
+        let parts: Vec<String> = path
+            .segments
+            .iter()
+            .map(|part| part.ident.to_string())
+            .collect();
+        if parts.len() > 1
+            && let Some(path) = self.from_root(&parts)
+        {
+            self.module.named.insert(path);
+        }
+        visit::visit_path(self, path);
+    }
+}
+
+fn name_of(item: &Item) -> Option<String> {
+    let ident = match item {
+        Item::Const(item) => &item.ident,
+        Item::Enum(item) => &item.ident,
+        Item::Fn(item) => &item.sig.ident,
+        Item::Static(item) => &item.ident,
+        Item::Struct(item) => &item.ident,
+        Item::Trait(item) => &item.ident,
+        Item::Type(item) => &item.ident,
+        _ => return None,
+    };
+    Some(ident.to_string())
+}
+
+/// Which modules each module imports from.
+fn arrows(modules: &BTreeMap<ModulePath, Module>) -> BTreeMap<ModulePath, BTreeSet<ModulePath>> {
+    let arrows_of = |(here, module): (&ModulePath, &Module)| {
+        let targets = module
+            .named
+            .iter()
+            .filter_map(|path| target(modules, here, path));
+        let targets = targets.filter(|target| !here.starts_with(target));
+        (here.clone(), targets.collect())
+    };
+    modules.iter().map(arrows_of).collect()
+}
+
+/// The module that defines what a path names.
+fn target(
+    modules: &BTreeMap<ModulePath, Module>,
+    here: &ModulePath,
+    path: &[String],
+) -> Option<ModulePath> {
+    let mut path = path.to_vec();
+    // A name that the file imports may start the path.
+    if path.len() > here.len() + 1
+        && let Some(exported) = modules[here].exports.get(&path[here.len()])
+        && path.starts_with(here)
+    {
+        path.splice(..=here.len(), exported.iter().cloned());
+    }
+    for _ in 0..16 {
+        let depth = (0..=path.len())
+            .rev()
+            .find(|&depth| modules.contains_key(&path[..depth]))?;
+        let module = &modules[&path[..depth]];
+        let Some(name) = path.get(depth) else {
+            return Some(path);
+        };
+        if module.defined.contains(name) {
+            return Some(path[..depth].to_vec());
+        }
+        if let Some(exported) = module.exports.get(name) {
+            path.splice(..=depth, exported.iter().cloned());
+            continue;
+        }
+        let defines = |glob: &&Vec<String>| {
+            modules
+                .get(*glob)
+                .is_some_and(|module| module.defined.contains(name))
+        };
+        return module.globs.iter().find(defines).cloned();
+    }
+    None
+}
+
+/// Strongly connected components of more than one module.
+fn strong_components(arrows: &BTreeMap<ModulePath, BTreeSet<ModulePath>>) -> Vec<Vec<ModulePath>> {
+    let reach: BTreeMap<&ModulePath, BTreeSet<&ModulePath>> = arrows
+        .keys()
+        .map(|from| (from, reachable(arrows, from)))
+        .collect();
+    let mut found: BTreeSet<Vec<ModulePath>> = BTreeSet::new();
+    for (from, targets) in &reach {
+        let mutual = targets.iter().filter(|to| reach[**to].contains(*from));
+        let mut circle: Vec<ModulePath> = mutual.map(|to| (*to).clone()).collect();
+        circle.sort();
+        if circle.len() > 1 {
+            found.insert(circle);
+        }
+    }
+    found.into_iter().collect()
+}
+
+fn reachable<'a>(
+    arrows: &'a BTreeMap<ModulePath, BTreeSet<ModulePath>>,
+    from: &'a ModulePath,
+) -> BTreeSet<&'a ModulePath> {
+    let mut seen = BTreeSet::new();
+    let mut pending = vec![from];
+    while let Some(module) = pending.pop() {
+        for next in &arrows[module] {
+            if seen.insert(next) {
+                pending.push(next);
+            }
+        }
+    }
+    seen
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::{arrows, modules, strong_components};
+
+    /// Circles among files given as (path, text).
+    fn circles(files: &[(&str, &str)]) -> Vec<Vec<String>> {
+        let folder = tempfile::tempdir().expect("a folder");
+        for (path, text) in files {
+            let path = folder.path().join(path);
+            fs::create_dir_all(path.parent().expect("a parent")).expect("a folder");
+            fs::write(path, text).expect("a file");
+        }
+        let found = strong_components(&arrows(&modules(folder.path()).expect("modules")));
+        let joined = |circle: &Vec<Vec<String>>| circle.iter().map(|m| m.join("::")).collect();
+        found.iter().map(joined).collect()
+    }
+
+    #[test]
+    fn two_files_that_import_each_other_are_a_circle() {
+        let a = ("a.rs", "use crate::b::f; pub fn g() { f() }");
+        let b = ("b.rs", "pub fn f() { super::a::g() }");
+        assert_eq!(circles(&[("lib.rs", "mod a; mod b;"), a, b]), [["a", "b"]]);
+    }
+
+    #[test]
+    fn a_circle_through_a_re_export_is_found() {
+        let lib = ("lib.rs", "mod a; mod b; pub use a::g;");
+        let a = ("a.rs", "use crate::b::f; pub fn g() { f() }");
+        let b = ("b.rs", "use crate::g; pub fn f() { g() }");
+        assert_eq!(circles(&[lib, a, b]), [["a", "b"]]);
+    }
+
+    #[test]
+    fn nesting_and_tests_are_no_circle() {
+        let a = (
+            "a/mod.rs",
+            "mod inner; pub struct S; pub fn f() { inner::g() }",
+        );
+        let inner = (
+            "a/inner.rs",
+            "use super::S; pub fn g() {} #[cfg(test)] mod tests { use crate::b::h; }",
+        );
+        let b = ("b.rs", "use crate::a::f; pub fn h() { f() }");
+        assert!(circles(&[("lib.rs", "mod a; mod b;"), a, inner, b]).is_empty());
+    }
+}

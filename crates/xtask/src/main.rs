@@ -1,0 +1,135 @@
+//! Task runner of the repository: one command per habit; `cargo xtask check` is all of them but the tests.
+
+mod circles;
+mod dependencies;
+mod docs;
+mod glossary;
+mod source;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+use anyhow::{Context, Result, bail};
+use clap::{Parser, Subcommand};
+
+#[derive(Parser)]
+#[command(
+    about = "Tasks of the repository",
+    arg_required_else_help = true,
+    after_help = "Examples:\n  cargo xtask check\n  cargo xtask circles\n  cargo xtask doc-sample --seed 7 --count 20"
+)]
+struct Cli {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Everything but the tests that must hold before a change lands
+    Check,
+    /// Format, clippy and rustdoc, with warnings denied
+    Lint,
+    /// Files of a crate that import each other in a circle
+    Circles,
+    /// Dependencies that no file names, licences that are not allowed, packages that need a newer compiler
+    Dependencies,
+    /// Names in docs/glossary.md that no source file has
+    Glossary,
+    /// Files longer than 500 lines, and the lines of each crate without its tests
+    Lines,
+    /// Doc comments drawn at random, each with the signature of its item
+    DocSample {
+        /// Seed of the draw
+        #[arg(long, default_value_t = 1)]
+        seed: u64,
+        /// Number of comments
+        #[arg(long, default_value_t = 100)]
+        count: usize,
+    },
+}
+
+fn main() -> ExitCode {
+    match run(&Cli::parse().task) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(task: &Task) -> Result<()> {
+    let root = root()?;
+    match *task {
+        Task::Check => check(&root),
+        Task::Lint => lint(&root),
+        Task::Circles => circles::check(&root),
+        Task::Dependencies => dependencies::check(&root),
+        Task::Glossary => glossary::check(&root),
+        Task::Lines => source::print_lines(&root),
+        Task::DocSample { seed, count } => docs::print_sample(&root, seed, count),
+    }
+}
+
+fn check(root: &Path) -> Result<()> {
+    lint(root)?;
+    section("dependencies");
+    dependencies::check(root)?;
+    section("import circles and long files");
+    circles::check(root)?;
+    source::check_lengths(root)?;
+    section("glossary");
+    glossary::check(root)?;
+    section("generated code is what the models say");
+    let generate = ["run", "--locked", "--quiet", "--", "generate", "--check"];
+    cargo(root, &generate, &[])
+}
+
+fn lint(root: &Path) -> Result<()> {
+    section("format");
+    cargo(root, &["fmt", "--all", "--check"], &[])?;
+    section("clippy");
+    let clippy = [
+        "clippy",
+        "--workspace",
+        "--all-targets",
+        "--locked",
+        "--quiet",
+    ];
+    cargo(
+        root,
+        &[&clippy[..], &["--", "-D", "warnings"]].concat(),
+        &[],
+    )?;
+    section("rustdoc");
+    let doc = ["doc", "--workspace", "--no-deps", "--locked", "--quiet"];
+    cargo(root, &doc, &[("RUSTDOCFLAGS", "-D warnings")])
+}
+
+fn section(name: &str) {
+    println!("== {name}");
+}
+
+/// Runs cargo in the repository; an error where it fails.
+fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<()> {
+    let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let status = Command::new(program)
+        .args(arguments)
+        .envs(environment.iter().copied())
+        .current_dir(root)
+        .status()
+        .context("cargo could not be started")?;
+    if !status.success() {
+        bail!("`cargo {}` failed", arguments.join(" "));
+    }
+    Ok(())
+}
+
+/// Root of the repository: two folders above this crate's manifest.
+fn root() -> Result<PathBuf> {
+    let manifest = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = manifest.ancestors().nth(2);
+    Ok(root
+        .context("xtask lies outside the repository")?
+        .to_owned())
+}
