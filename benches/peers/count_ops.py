@@ -6,7 +6,7 @@ Rules, the same for all:
 - `+ - * /` between two values count one each, `+=` and its like too; a unary minus counts as `neg`, apart, unless it is
   the sign of a number. Arithmetic between two numbers is folded and counts nothing. Nothing inside `[...]` counts.
 - sqrt, sin, cos, tan, atan, atan2, exp, log, abs, min, max, hypot count one each, as f(x) or x.f(); `sin_cos` is a sin
-  and a cos; `mul_add` and `fma` are a `*` and a `+`, our `mul_sub` and `mul_from` a `*` and a `-`; `recip` is a `/`; `casadi_sq` is a `*`.
+  and a cos; `mul_add` and `fma` are a `*` and a `+`, our `mul_sub` and `neg_mul_add` a `*` and a `-`; `recip` is a `/`; `casadi_sq` is a `*`.
 - A power of a whole number n is the products of repeated squaring (n=2: one, 3: two, 4: two) and, if n < 0, a `/`;
   with a half on top a `sqrt` besides; every other power is a `pow`. `powi` likewise.
 - `total` leaves out `neg`, which is free on most machines and which tools spread differently; `total_with_neg` has it.
@@ -32,7 +32,7 @@ SEVERAL = {
     "mul_add": ("*", "+"),
     "fma": ("*", "+"),
     "mul_sub": ("*", "-"),
-    "mul_from": ("*", "-"),
+    "neg_mul_add": ("*", "-"),
     "recip": ("/",),
     "casadi_sq": ("*",),
 }

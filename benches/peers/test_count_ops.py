@@ -19,7 +19,7 @@ TABLE = [
     ("[a * b, -c, 1.0 - d]", {"*": 1, "-": 1, "neg": 1}),
     ("State { x: a * b, y: -0.5 * c }", {"*": 2}),
     ("*out = a.mul_add(b, c);", {"*": 1, "+": 1}),
-    ("*out = a.mul_sub(b, c) - a.mul_from(b, -c);", {"*": 2, "-": 3, "neg": 1}),
+    ("*out = a.mul_sub(b, c) - a.neg_mul_add(b, -c);", {"*": 2, "-": 3, "neg": 1}),
     ("out_f.set(0, 0, a / b);", {"/": 1}),
     ("v += a;", {"+": 1}),
 ]

@@ -62,7 +62,7 @@ pub enum Fused {
     /// `a * b - c`
     MulSub,
     /// `c - a * b`
-    MulFrom,
+    NegMulAdd,
 }
 
 /// One operation.

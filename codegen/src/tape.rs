@@ -33,7 +33,7 @@ enum Code {
     Max,
     MulAdd,
     MulSub,
-    MulFrom,
+    NegMulAdd,
     IfZero,
 }
 
@@ -133,7 +133,7 @@ impl Tape {
             let value = match i.code {
                 Code::MulAdd => a.mul_add(s[usize::from(i.b)], s[usize::from(i.c)]),
                 Code::MulSub => a.mul_sub(s[usize::from(i.b)], s[usize::from(i.c)]),
-                Code::MulFrom => a.mul_from(s[usize::from(i.b)], s[usize::from(i.c)]),
+                Code::NegMulAdd => a.neg_mul_add(s[usize::from(i.b)], s[usize::from(i.c)]),
                 Code::Mul => a * s[usize::from(i.b)],
                 Code::Add => a + s[usize::from(i.b)],
                 Code::Sub => a - s[usize::from(i.b)],
@@ -155,7 +155,7 @@ impl Tape {
                 Code::Asin => a.asin(),
                 Code::Abs => a.abs(),
                 Code::Sign => a.sign(),
-                Code::Step => a.step(),
+                Code::Step => a.heaviside(),
                 Code::NonZero => a.if_zero(T::splat(0.0), T::splat(1.0)),
                 Code::Atan2 => a.atan2(s[usize::from(i.b)]),
                 Code::Min => a.min(s[usize::from(i.b)]),
@@ -314,7 +314,7 @@ fn code(op: &Op) -> Code {
         Op::Fused(fused, ..) => match fused {
             Fused::MulAdd => Code::MulAdd,
             Fused::MulSub => Code::MulSub,
-            Fused::MulFrom => Code::MulFrom,
+            Fused::NegMulAdd => Code::NegMulAdd,
         },
         Op::IfZero(..) => Code::IfZero,
         Op::Binary(binary, ..) => match binary {

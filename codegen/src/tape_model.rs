@@ -3,7 +3,7 @@
 use crate::compile::Compiled;
 use crate::program::{Function, Section};
 use crate::tape::{Inputs, Tape};
-use lanes::{Alone, Single, alone};
+use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 
 /// A function on a tape, with the places of its results.
 #[derive(Clone, Debug)]
@@ -212,7 +212,7 @@ fn run(
     if slots.len() < function.tape.slots() {
         slots.resize(function.tape.slots(), 0.0);
     }
-    alone(Run {
+    dispatch_scalar(Run {
         tape: &function.tape,
         at,
         marker,
@@ -235,9 +235,9 @@ struct Run<'a> {
     out: &'a mut [f64],
 }
 
-impl Alone for Run<'_> {
+impl ScalarKernel for Run<'_> {
     #[inline(always)]
-    fn run<T: Single>(self) {
+    fn run<T: ScalarLane>(self) {
         let inputs = Inputs {
             t: T::splat(self.at.t),
             x: T::slice(self.at.x),

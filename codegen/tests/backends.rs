@@ -6,7 +6,7 @@ mod support;
 use codegen::tape::{Inputs, Tape};
 use codegen::tape_model::{At, Scratch};
 use codegen::{Compiled, TapeModel, compile};
-use lanes::{Alone, Kernel, Lanes, Single, alone, dispatch};
+use lanes::{Kernel, Lanes, ScalarKernel, ScalarLane, dispatch, dispatch_scalar};
 use support::{Random, model, point};
 
 #[allow(non_snake_case, clippy::all)]
@@ -101,7 +101,7 @@ fn every_function_agrees_as_rust_and_on_the_tape() {
         let (x, p) = point(&compiled, &mut random);
         let (mut dx, mut j, mut jp) = ([0.0; 3], [0.0; zoo_sizes::J], [0.0; zoo_sizes::JP]);
         let (mut dx2, mut j2, mut jp2) = (dx, j, jp);
-        alone(Zoo {
+        dispatch_scalar(Zoo {
             x: &x,
             p: &p,
             to: [&mut dx, &mut j, &mut jp],
@@ -127,9 +127,9 @@ struct Zoo<'a> {
     to: [&'a mut [f64]; 3],
 }
 
-impl Alone for Zoo<'_> {
+impl ScalarKernel for Zoo<'_> {
     #[inline(always)]
-    fn run<T: Single>(self) {
+    fn run<T: ScalarLane>(self) {
         let (state, parameters) = (T::slice(self.x), T::slice(self.p));
         let (state, parameters) = (state.try_into().unwrap(), parameters.try_into().unwrap());
         let mut k = [T::splat(0.0); zoo_sizes::PREPARED];

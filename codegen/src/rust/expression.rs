@@ -63,7 +63,7 @@ impl Writer<'_> {
                 let method = match fused {
                     Fused::MulAdd => "mul_add",
                     Fused::MulSub => "mul_sub",
-                    Fused::MulFrom => "mul_from",
+                    Fused::NegMulAdd => "neg_mul_add",
                 };
                 let (b, c) = (self.operand(*b), self.operand(*c));
                 (
@@ -89,7 +89,7 @@ impl Writer<'_> {
                     Unary::Asin => "asin()",
                     Unary::Abs => "abs()",
                     Unary::Sign => "sign()",
-                    Unary::Step => "step()",
+                    Unary::Step => "heaviside()",
                     Unary::NonZero => "if_zero(T::splat(0.0), T::splat(1.0))",
                     // written above
                     Unary::Neg | Unary::Recip => "",

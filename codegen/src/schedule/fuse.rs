@@ -25,7 +25,7 @@ pub(super) fn fuse(mut program: Program) -> Program {
             let (of, with) = if second { (b, a) } else { (a, b) };
             if let (Operand::Temp(t), Some((x, y))) = (of, product(of)) {
                 let kind = match (sum, second) {
-                    (Binary::Sub, true) => Fused::MulFrom,
+                    (Binary::Sub, true) => Fused::NegMulAdd,
                     (Binary::Sub, false) => Fused::MulSub,
                     _ => Fused::MulAdd,
                 };

@@ -117,7 +117,7 @@ impl Real for Dual {
         let x = self.0.re;
         Dual::new(if x == 0.0 { 0.0 } else { x.signum() }, 0.0)
     }
-    fn step(self) -> Dual {
+    fn heaviside(self) -> Dual {
         Dual::new(f64::from(u8::from(self.0.re > 0.0)), 0.0)
     }
     fn if_zero(self, then: Dual, otherwise: Dual) -> Dual {

@@ -48,7 +48,7 @@ pub fn f_jac_par<T: Real>(
     let sqrt_sum = sum.sqrt();
     let c = parameters[2];
     let tanh_sum_c = (c * sum).tanh();
-    let sqrt_one_minus_b_sq_const = b_sq.mul_from(T::splat(0.25), T::splat(1.0)).sqrt();
+    let sqrt_one_minus_b_sq_const = b_sq.neg_mul_add(T::splat(0.25), T::splat(1.0)).sqrt();
     let inv_sqrt_one_plus_b_sq = T::splat(1.0) / sqrt_one_plus_b_sq;
     let pi_half = prepared[3];
     let asin_b_half_minus_pi_half = asin_b_half - pi_half;
@@ -62,12 +62,12 @@ pub fn f_jac_par<T: Real>(
     let inv_tau_half = prepared[8];
     let part_of_d_b_dot_d_a_2 = inv_tau_half * asin_b_half_minus_pi_half;
     let part_of_minus_a_inv_sqrt_a_sq_2 =
-        log_a_plus_two.mul_from(sqrt_sum, part_of_minus_a_inv_sqrt_a_sq);
+        log_a_plus_two.neg_mul_add(sqrt_sum, part_of_minus_a_inv_sqrt_a_sq);
     let part_of_d_a_dot_d_b =
         sin_b_const_inv_cos_b_const.mul_add(sin_b_const_inv_cos_b_const, T::splat(1.0));
-    let one_minus_a_sq_const = a_sq.mul_from(T::splat(0.1111111111111111), T::splat(1.0));
+    let one_minus_a_sq_const = a_sq.neg_mul_add(T::splat(0.1111111111111111), T::splat(1.0));
     let sqrt_one_minus_a_sq_const = one_minus_a_sq_const.sqrt();
-    let sqrt_one_minus_a_sq_const_2 = a_sq.mul_from(T::splat(0.25), T::splat(1.0)).sqrt();
+    let sqrt_one_minus_a_sq_const_2 = a_sq.neg_mul_add(T::splat(0.25), T::splat(1.0)).sqrt();
     let inv_sqrt_one_minus_a_sq_of = sqrt_one_minus_a_sq_const_2.recip_or_zero();
     let inv_sqrt_a_sq_plus_e_sq = sqrt_a_sq_plus_e_sq.recip_or_zero();
     let nonzero_sqrt_a_sq_plus_e_sq = sqrt_a_sq_plus_e_sq.if_zero(T::splat(0.0), T::splat(1.0));
@@ -97,18 +97,18 @@ pub fn f_jac_par<T: Real>(
     let max_sum_e = sum.max(e);
     let a_inv_b = a * inv_b;
     let e_minus_const = e - T::splat(0.1);
-    let step_e_minus_const = e_minus_const.step();
+    let step_e_minus_const = e_minus_const.heaviside();
     let nonzero_size = size.if_zero(T::splat(0.0), T::splat(1.0));
     let minus_inv_tau = prepared[2];
     jp[2] = minus_inv_tau * sum * minus_one_plus_tanh_sum_c_sq; // d_a_dot_d_c
-    let step_sum_minus_e = (sum - e).step();
+    let step_sum_minus_e = (sum - e).heaviside();
     let unless_b = b.if_zero(c, a_inv_b);
     let abs_b = b.abs();
     let d_sqrt_a_sq_plus_e_sq_d_e = e * inv_sqrt_a_sq_plus_e_sq;
     let d_sqrt_a_sq_plus_e_sq_d_a = a * inv_sqrt_a_sq_plus_e_sq;
     let sqrt_abs_b = abs_b.sqrt();
     let minus_a_inv_sqrt_a_sq_sum =
-        abs_b.mul_from(sqrt_abs_b, part_of_minus_a_inv_sqrt_a_sq_2) - d_sqrt_a_sq_plus_e_sq_d_a;
+        abs_b.neg_mul_add(sqrt_abs_b, part_of_minus_a_inv_sqrt_a_sq_2) - d_sqrt_a_sq_plus_e_sq_d_a;
     dx[1] = minus_inv_tau * minus_a_inv_sqrt_a_sq_sum;
     let inv_tau_sq = prepared[11];
     let d_b_dot_d_tau = inv_tau_sq * minus_a_inv_sqrt_a_sq_sum;
@@ -116,20 +116,20 @@ pub fn f_jac_par<T: Real>(
     let one_minus_nonzero_sqrt_sum =
         T::splat(1.0) + d_sqrt_a_sq_plus_e_sq_d_e - nonzero_sqrt_a_sq_plus_e_sq;
     let sign_a = a.sign();
-    let step_minus_a_plus_b = (b - a).step();
+    let step_minus_a_plus_b = (b - a).heaviside();
     let inv_sqrt_a_sq_plus_e_sq_size = inv_sqrt_a_sq_plus_e_sq * size;
     let a_inv_size = a * inv_size;
     let part_of_d_e_dot_d_a = d_sqrt_a_sq_plus_e_sq_d_a * d_sqrt_a_sq_plus_e_sq_d_e;
     let part_of_d_e_dot_d_a_2 =
-        inv_sqrt_a_sq_plus_e_sq_size.mul_from(part_of_d_e_dot_d_a, inv_b + nonzero_size);
+        inv_sqrt_a_sq_plus_e_sq_size.neg_mul_add(part_of_d_e_dot_d_a, inv_b + nonzero_size);
     let part_of_d_b_dot_d_a =
-        d_sqrt_a_sq_plus_e_sq_d_a.mul_from(d_sqrt_a_sq_plus_e_sq_d_a, T::splat(1.0));
+        d_sqrt_a_sq_plus_e_sq_d_a.neg_mul_add(d_sqrt_a_sq_plus_e_sq_d_a, T::splat(1.0));
     let inv_sqrt_sum = sqrt_sum.recip_or_zero();
     let log_a_plus_two_inv_product = inv_tau_half * log_a_plus_two * inv_sqrt_sum;
     let part_of_d_b_dot_d_a_3 =
-        inv_sqrt_one_minus_a_sq_of.mul_from(part_of_d_b_dot_d_a_2, log_a_plus_two_inv_product);
-    let part_of_d_b_dot_d_b =
-        inv_sqrt_one_minus_b_sq_of.mul_from(inv_tau_half * asin_a_half, log_a_plus_two_inv_product);
+        inv_sqrt_one_minus_a_sq_of.neg_mul_add(part_of_d_b_dot_d_a_2, log_a_plus_two_inv_product);
+    let part_of_d_b_dot_d_b = inv_sqrt_one_minus_b_sq_of
+        .neg_mul_add(inv_tau_half * asin_a_half, log_a_plus_two_inv_product);
 
     // zoo:16  let along = unit(v, N.3);
     let along_x = size.if_zero(T::splat(0.0), a_inv_size);
@@ -143,7 +143,7 @@ pub fn f_jac_par<T: Real>(
     let inv_size_d_e_dot_d_size =
         inv_size * (minus_inv_tau * (a_inv_size - one_minus_nonzero_sqrt_sum_2));
     let inv_a_plus_two = a_plus_two.recip_or_zero();
-    let step_a_plus_two = a_plus_two.step();
+    let step_a_plus_two = a_plus_two.heaviside();
     let part_of_d_b_dot_d_a_4 = sqrt_sum * step_a_plus_two * inv_a_plus_two;
     let part_of_d_b_dot_d_a_5 =
         inv_sqrt_a_sq_plus_e_sq.mul_add(part_of_d_b_dot_d_a, part_of_d_b_dot_d_a_4);
@@ -152,7 +152,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_b_dot_d_e =
         inv_sqrt_a_sq_plus_e_sq * inv_sqrt_a_sq_plus_e_sq * d_sqrt_a_sq_plus_e_sq_d_e;
     let part_of_d_e_dot_d_e =
-        d_sqrt_a_sq_plus_e_sq_d_e.mul_from(d_sqrt_a_sq_plus_e_sq_d_e, T::splat(1.0));
+        d_sqrt_a_sq_plus_e_sq_d_e.neg_mul_add(d_sqrt_a_sq_plus_e_sq_d_e, T::splat(1.0));
     let b_inv_sqrt_one_plus_b_sq = b * inv_sqrt_one_plus_b_sq;
     let part_of_a_sq_plus_one_plus_a_sum_4 =
         part_of_a_sq_plus_one_plus_a_sum_3 + b_inv_sqrt_one_plus_b_sq + sqrt_one_minus_a_sq_const;
@@ -160,19 +160,19 @@ pub fn f_jac_par<T: Real>(
     let min_a_b_step_sum_minus_e = min_a_b * step_sum_minus_e;
     let part_of_d_e_dot_d_e_2 = min_a_b * (step_sum_minus_e - T::splat(1.0));
     let part_of_d_e_dot_d_e_3 =
-        inv_sqrt_a_sq_plus_e_sq_size.mul_from(part_of_d_e_dot_d_e, part_of_d_e_dot_d_e_2);
+        inv_sqrt_a_sq_plus_e_sq_size.neg_mul_add(part_of_d_e_dot_d_e, part_of_d_e_dot_d_e_2);
     let part_of_d_e_dot_d_a_3 = part_of_d_e_dot_d_a_2 + min_a_b_step_sum_minus_e;
     let part_of_d_e_dot_d_b = inv_sqrt_one_plus_b_sq + min_a_b_step_sum_minus_e;
     let part_of_d_e_dot_d_a_4 = max_sum_e.mul_add(step_minus_a_plus_b, part_of_d_e_dot_d_a_3);
     let part_of_d_e_dot_d_b_2 =
-        max_sum_e.mul_from(step_minus_a_plus_b - T::splat(1.0), part_of_d_e_dot_d_b);
+        max_sum_e.neg_mul_add(step_minus_a_plus_b - T::splat(1.0), part_of_d_e_dot_d_b);
     let a_inv_tau = inv_tau * a;
     let nonzero_b = b.if_zero(T::splat(0.0), T::splat(1.0));
     let part_of_d_e_dot_d_a_sq = inv_size_d_e_dot_d_size.mul_add(T::splat(0.5), inv_tau);
-    let d_a_dot_d_a = a_inv_tau.mul_from(T::splat(2.0) * exp_minus_a_sq, part_of_d_a_dot_d_a);
+    let d_a_dot_d_a = a_inv_tau.neg_mul_add(T::splat(2.0) * exp_minus_a_sq, part_of_d_a_dot_d_a);
     j[0] = d_a_dot_d_a;
     let time_a_inv_tau = time * a_inv_tau;
-    let part_of_d_e_dot_d_b_5 = inv_tau * inv_b.mul_from(a_inv_b, part_of_d_e_dot_d_b_2);
+    let part_of_d_e_dot_d_b_5 = inv_tau * inv_b.neg_mul_add(a_inv_b, part_of_d_e_dot_d_b_2);
     let part_of_d_e_dot_d_b_3 = inv_tau * inv_sqrt_one_plus_b_sq * inv_sqrt_one_plus_b_sq;
     let sign_b = b.sign();
     let part_of_d_e_dot_d_a_5 = inv_tau * inv_tau.mul_add(time, part_of_d_e_dot_d_a_4);
@@ -182,10 +182,10 @@ pub fn f_jac_par<T: Real>(
     let a_sq_plus_one_plus_a_sum = part_of_a_sq_plus_one_plus_a_sum_4 + time_a_inv_tau;
     let inv_tau_const_2 = prepared[10];
     let d_e_dot_d_a_sq =
-        inv_tau_const_2.mul_from(inv_sqrt_one_minus_a_sq_of_2, part_of_d_e_dot_d_a_sq);
+        inv_tau_const_2.neg_mul_add(inv_sqrt_one_minus_a_sq_of_2, part_of_d_e_dot_d_a_sq);
     let part_of_d_e_dot_d_b_4 =
-        b_inv_sqrt_one_plus_b_sq.mul_from(part_of_d_e_dot_d_b_3, inv_size_d_e_dot_d_size);
-    let d_b_dot_d_e = a_inv_tau.mul_from(part_of_d_b_dot_d_e, k_inv_tau * inv_one_plus_k_e_sq);
+        b_inv_sqrt_one_plus_b_sq.neg_mul_add(part_of_d_e_dot_d_b_3, inv_size_d_e_dot_d_size);
+    let d_b_dot_d_e = a_inv_tau.neg_mul_add(part_of_d_b_dot_d_e, k_inv_tau * inv_one_plus_k_e_sq);
     j[4] = d_b_dot_d_e;
     let d_a_dot_d_k = cos_k_a * a_inv_tau;
     jp[0] = d_a_dot_d_k;

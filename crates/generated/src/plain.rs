@@ -1,8 +1,8 @@
 // Written by `hyzer generate`; changes belong in the compiler.
-//! Each function on one number at a time, compiled once for each kind of machine that [`lanes::alone`] knows.
+//! Each function on one number at a time, compiled once for each kind of machine that [`lanes::dispatch_scalar`] knows.
 
 use crate::Equations;
-use lanes::{Alone, Single, alone};
+use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 use std::marker::PhantomData;
 
 macro_rules! functions {
@@ -14,9 +14,9 @@ macro_rules! functions {
             $($to: &'a mut [f64],)*
         }
 
-        impl<E: Equations> Alone for $call<'_, E> {
+        impl<E: Equations> ScalarKernel for $call<'_, E> {
             #[inline(always)]
-            fn run<T: Single>(self) {
+            fn run<T: ScalarLane>(self) {
                 let time = T::splat(self.$time);
                 E::$name(time, $(T::slice(self.$from),)* $(T::slice_mut(self.$to)),*);
             }
@@ -25,7 +25,7 @@ macro_rules! functions {
         #[doc = concat!("See [`Equations::", stringify!($name), "`].")]
         #[inline(never)]
         pub fn $name<E: Equations>($time: f64, $($from: &[f64],)* $($to: &mut [f64]),*) {
-            alone($call::<E> { equations: PhantomData, $time, $($from,)* $($to),* });
+            dispatch_scalar($call::<E> { equations: PhantomData, $time, $($from,)* $($to),* });
         }
     )*};
 }
@@ -42,9 +42,9 @@ functions! {
 
 struct Prepare<'a, E>(PhantomData<E>, &'a [f64], &'a mut [f64]);
 
-impl<E: Equations> Alone for Prepare<'_, E> {
+impl<E: Equations> ScalarKernel for Prepare<'_, E> {
     #[inline(always)]
-    fn run<T: Single>(self) {
+    fn run<T: ScalarLane>(self) {
         E::prepare(T::slice(self.1), T::slice_mut(self.2));
     }
 }
@@ -52,5 +52,5 @@ impl<E: Equations> Alone for Prepare<'_, E> {
 /// See [`Equations::prepare`].
 #[inline(never)]
 pub fn prepare<E: Equations>(p: &[f64], k: &mut [f64]) {
-    alone(Prepare::<E>(PhantomData, p, k));
+    dispatch_scalar(Prepare::<E>(PhantomData, p, k));
 }

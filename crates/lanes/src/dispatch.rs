@@ -1,41 +1,41 @@
-//! Running code on the widest lanes that the machine has.
+//! Target-feature dispatch for code on several lanes.
 
 use crate::Lanes;
 use crate::portable::Four;
 use std::sync::OnceLock;
 
-/// A computation that is written once and run on whatever lanes there are.
+/// A computation that is generic over the lane type.
 ///
-/// `run` and all that it calls over `T` must be `#[inline(always)]`: what is not inlined is compiled
-/// for the plain machine, where every operation on wide lanes becomes a call.
+/// `run` and all its callees over `T` must be `#[inline(always)]`: functions that are not inlined are compiled for
+/// the baseline processor, where every operation on wide lanes becomes a call.
 pub trait Kernel {
-    /// What it gives.
+    /// Result of the computation.
     type Output;
-    /// The computation.
+    /// Runs the computation on lanes of type `T`.
     fn run<T: Lanes>(self) -> Self::Output;
 }
 
-/// Instructions that lanes are made of.
+/// Instruction set of the lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Isa {
-    /// Eight lanes, by AVX-512 (F and DQ); fused.
+    /// Eight lanes, AVX-512 F and DQ; fused multiply-add.
     Avx512,
-    /// Four lanes, by AVX2 and FMA; fused.
+    /// Four lanes, AVX2 and FMA; fused multiply-add.
     Avx2,
-    /// Four lanes, by whatever the compiler makes of an array; not fused, and so the same on every machine.
+    /// Four lanes in an array, vectorized by the compiler; not fused, hence bit-identical on every machine.
     Portable,
-    /// One lane: `f64` itself; not fused.
+    /// One lane of `f64`; not fused.
     Scalar,
 }
 
 impl Isa {
-    /// All, the widest first.
+    /// All instruction sets, widest first.
     pub const ALL: [Isa; 4] = [Isa::Avx512, Isa::Avx2, Isa::Portable, Isa::Scalar];
 
-    /// Whether this machine has it.
+    /// Whether the processor supports it.
     #[inline]
     pub fn is_supported(self) -> bool {
-        // Every kernel asks: the machine is asked once.
+        // Queried by every kernel, hence cached.
         static WIDE: OnceLock<(bool, bool)> = OnceLock::new();
         let (avx2, avx512) = *WIDE.get_or_init(wide);
         match self {
@@ -45,14 +45,14 @@ impl Isa {
         }
     }
 
-    /// Whether [`Real::mul_add`](crate::Real::mul_add) and its like round once. All that do give the same bits, and all
-    /// that do not.
+    /// Whether [`Real::mul_add`](crate::Real::mul_add) rounds once. Results are bit-identical among all instruction
+    /// sets that fuse, and among all that do not.
     pub fn fuses(self) -> bool {
         matches!(self, Isa::Avx512 | Isa::Avx2)
     }
 
-    /// The one that [`dispatch`] takes: that named by the environment variable `HYZER_LANES` (`avx512`,
-    /// `avx2`, `portable`, `scalar`) where the machine has it, else the widest.
+    /// Instruction set used by [`dispatch`]: the environment variable `HYZER_LANES` (`avx512`, `avx2`, `portable`,
+    /// `scalar`) if supported, else the widest supported one. Cached at first use.
     #[inline]
     pub fn best() -> Isa {
         static BEST: OnceLock<Isa> = OnceLock::new();
@@ -69,7 +69,7 @@ impl Isa {
         })
     }
 
-    /// Its name, as in `HYZER_LANES`.
+    /// Name in lower case, as in `HYZER_LANES`.
     pub fn name(self) -> &'static str {
         match self {
             Isa::Avx512 => "avx512",
@@ -80,12 +80,12 @@ impl Isa {
     }
 }
 
-/// Whether the machine has AVX2, and AVX-512.
+/// Processor support of (AVX2 with FMA, AVX-512 F and DQ).
 #[cfg(target_arch = "x86_64")]
 fn wide() -> (bool, bool) {
     let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
     let avx512 = is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq");
-    // Where wide vectors are, the narrower are too; `alone` counts on it.
+    // AVX-512 implies AVX2 here; `dispatch_scalar` relies on it.
     (avx2, avx2 && avx512)
 }
 
@@ -94,17 +94,17 @@ fn wide() -> (bool, bool) {
     (false, false)
 }
 
-/// Runs a kernel on the widest lanes that this machine has.
+/// Runs a kernel on the lanes of [`Isa::best`].
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     run_on(Isa::best(), kernel)
 }
 
-/// Runs a kernel on lanes of one kind; none where the machine does not have them.
+/// Runs a kernel on the lanes of one instruction set; `None` if the processor does not support it.
 pub fn dispatch_with<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     isa.is_supported().then(|| run_on(isa, kernel))
 }
 
-/// Runs on `isa`, which is supported.
+/// Runs a kernel on `isa`, which must be supported.
 fn run_on<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
     match isa {
         #[cfg(target_arch = "x86_64")]

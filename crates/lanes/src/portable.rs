@@ -1,6 +1,6 @@
-//! Four lanes in an array, for machines whose vectors have no module of their own.
+//! Four lanes in an array, for processors without a dedicated module.
 
-use crate::primitive::{Primitive, real_by_primitives};
+use crate::primitive::Primitive;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Four lanes.
@@ -51,24 +51,24 @@ impl Primitive for Four {
     const WIDTH: usize = 4;
 
     #[inline(always)]
-    fn all(value: f64) -> Self {
+    fn broadcast(value: f64) -> Self {
         Four([value; 4])
     }
     #[inline(always)]
-    fn root(self) -> Self {
-        self.each(Primitive::root)
+    fn ieee_sqrt(self) -> Self {
+        self.each(Primitive::ieee_sqrt)
     }
     #[inline(always)]
-    fn below(self, other: Self) -> [u64; 4] {
-        self.compare(other, Primitive::below)
+    fn lt(self, other: Self) -> [u64; 4] {
+        self.compare(other, Primitive::lt)
     }
     #[inline(always)]
-    fn at_most(self, other: Self) -> [u64; 4] {
-        self.compare(other, Primitive::at_most)
+    fn le(self, other: Self) -> [u64; 4] {
+        self.compare(other, Primitive::le)
     }
     #[inline(always)]
-    fn top_bit(self) -> [u64; 4] {
-        self.0.map(Primitive::top_bit)
+    fn sign_mask(self) -> [u64; 4] {
+        self.0.map(Primitive::sign_mask)
     }
     #[inline(always)]
     fn select([a, b, c, d]: [u64; 4], then: Self, otherwise: Self) -> Self {
@@ -81,37 +81,35 @@ impl Primitive for Four {
         ])
     }
     #[inline(always)]
-    fn everywhere([a, b, c, d]: [u64; 4]) -> bool {
+    fn all_true([a, b, c, d]: [u64; 4]) -> bool {
         a & b & c & d != 0
     }
     #[inline(always)]
-    fn bits_and(self, other: Self) -> Self {
-        self.with(other, Primitive::bits_and)
+    fn and_bits(self, other: Self) -> Self {
+        self.with(other, Primitive::and_bits)
     }
     #[inline(always)]
-    fn bits_or(self, other: Self) -> Self {
-        self.with(other, Primitive::bits_or)
+    fn or_bits(self, other: Self) -> Self {
+        self.with(other, Primitive::or_bits)
     }
     #[inline(always)]
-    fn bits_xor(self, other: Self) -> Self {
-        self.with(other, Primitive::bits_xor)
+    fn xor_bits(self, other: Self) -> Self {
+        self.with(other, Primitive::xor_bits)
     }
     #[inline(always)]
-    fn bits_up<const N: u32>(self) -> Self {
-        self.each(Primitive::bits_up::<N>)
+    fn shl_bits<const N: u32>(self) -> Self {
+        self.each(Primitive::shl_bits::<N>)
     }
     #[inline(always)]
-    fn bits_down<const N: u32>(self) -> Self {
-        self.each(Primitive::bits_down::<N>)
+    fn shr_bits<const N: u32>(self) -> Self {
+        self.each(Primitive::shr_bits::<N>)
     }
     #[inline(always)]
-    fn read(from: &[f64]) -> Self {
+    fn load_lanes(from: &[f64]) -> Self {
         Four([from[0], from[1], from[2], from[3]])
     }
     #[inline(always)]
-    fn write(self, to: &mut [f64]) {
+    fn store_lanes(self, to: &mut [f64]) {
         to[..4].copy_from_slice(&self.0);
     }
 }
-
-real_by_primitives!(Four);

@@ -1,30 +1,30 @@
-//! `f64` itself: one lane, which fuses nothing.
+//! `f64` as a single, non-fusing lane.
 
-use crate::primitive::{Primitive, real_by_primitives};
+use crate::primitive::Primitive;
 
 impl Primitive for f64 {
-    // All ones or all zeros, not a bool: selections stay free of branches, whose outcome nobody can predict.
+    // All ones or all zeros instead of `bool`, so that `select` compiles without unpredictable branches.
     type Mask = u64;
     const WIDTH: usize = 1;
 
     #[inline(always)]
-    fn all(value: f64) -> Self {
+    fn broadcast(value: f64) -> Self {
         value
     }
     #[inline(always)]
-    fn root(self) -> Self {
+    fn ieee_sqrt(self) -> Self {
         f64::sqrt(self)
     }
     #[inline(always)]
-    fn below(self, other: Self) -> u64 {
+    fn lt(self, other: Self) -> u64 {
         u64::from(self < other).wrapping_neg()
     }
     #[inline(always)]
-    fn at_most(self, other: Self) -> u64 {
+    fn le(self, other: Self) -> u64 {
         u64::from(self <= other).wrapping_neg()
     }
     #[inline(always)]
-    fn top_bit(self) -> u64 {
+    fn sign_mask(self) -> u64 {
         ((self.to_bits() as i64) >> 63) as u64
     }
     #[inline(always)]
@@ -32,37 +32,35 @@ impl Primitive for f64 {
         f64::from_bits((then.to_bits() & mask) | (otherwise.to_bits() & !mask))
     }
     #[inline(always)]
-    fn everywhere(mask: u64) -> bool {
+    fn all_true(mask: u64) -> bool {
         mask != 0
     }
     #[inline(always)]
-    fn bits_and(self, other: Self) -> Self {
+    fn and_bits(self, other: Self) -> Self {
         f64::from_bits(self.to_bits() & other.to_bits())
     }
     #[inline(always)]
-    fn bits_or(self, other: Self) -> Self {
+    fn or_bits(self, other: Self) -> Self {
         f64::from_bits(self.to_bits() | other.to_bits())
     }
     #[inline(always)]
-    fn bits_xor(self, other: Self) -> Self {
+    fn xor_bits(self, other: Self) -> Self {
         f64::from_bits(self.to_bits() ^ other.to_bits())
     }
     #[inline(always)]
-    fn bits_up<const N: u32>(self) -> Self {
+    fn shl_bits<const N: u32>(self) -> Self {
         f64::from_bits(self.to_bits() << N)
     }
     #[inline(always)]
-    fn bits_down<const N: u32>(self) -> Self {
+    fn shr_bits<const N: u32>(self) -> Self {
         f64::from_bits(self.to_bits() >> N)
     }
     #[inline(always)]
-    fn read(from: &[f64]) -> Self {
+    fn load_lanes(from: &[f64]) -> Self {
         from[0]
     }
     #[inline(always)]
-    fn write(self, to: &mut [f64]) {
+    fn store_lanes(self, to: &mut [f64]) {
         to[0] = self;
     }
 }
-
-real_by_primitives!(f64);

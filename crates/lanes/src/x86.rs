@@ -1,95 +1,105 @@
-//! Lanes of x86's wide vectors. All the `unsafe` of this crate is here.
+//! AVX2 and AVX-512 lanes. All `unsafe` code of the crate is in this file.
 //!
-//! **Why it is sound.** Every `unsafe` block below, but for two that look at a slice of numbers as one of numbers with
-//! another name, is a call of a vector instruction that the machine may lack.
-//! The two types are private to the crate and no function hands them out: code outside can name them
-//! only as the `T` of [`Kernel::run`], and that is called with them only by [`run_avx512`] and [`run_avx2`],
-//! which first ask the machine ([`Isa::is_supported`], asked again in each). So wherever a value of
-//! either type exists, its instructions do. Memory is read and written through slices whose length is
-//! checked first; unaligned addresses are fine for the instructions used.
+//! # Soundness
+//!
+//! *Intrinsics.* [`Eight`] and [`Four`] are private to the crate, and the only values of them are created inside
+//! [`run_avx512`] and [`run_avx2`], which assert [`Isa::is_supported`] first. The existence of a value therefore proves
+//! that the processor has the instructions that its methods use.
+//!
+//! *Target features.* Functions with `#[target_feature]` are called only after the corresponding detection.
+//!
+//! *Memory.* Loads and stores go through arrays of checked length; the instructions allow unaligned addresses. The
+//! reinterpretation of `&[f64]` as `&[Fused]` is valid since [`Fused`] is `repr(transparent)` over `f64`.
 #![allow(unsafe_code)]
 
 use crate::dispatch::{Isa, Kernel};
-use crate::primitive::{Primitive, real_by_primitives};
-use crate::single::{Fused, Single};
+use crate::fused::{Fused, ScalarLane};
+use crate::primitive::Primitive;
+use crate::scalar_dispatch::ScalarKernel;
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::OnceLock;
 
-/// Eight lanes.
+/// Eight lanes of AVX-512.
 #[derive(Clone, Copy)]
 pub(crate) struct Eight(__m512d);
 
-/// Four lanes.
+/// Four lanes of AVX2.
 #[derive(Clone, Copy)]
 pub(crate) struct Four(__m256d);
 
-/// Runs a kernel on eight lanes.
+/// Runs a kernel on eight AVX-512 lanes.
+///
+/// # Panics
+/// If the processor does not support AVX-512 F and DQ.
 pub(crate) fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
     #[target_feature(enable = "avx512f,avx512dq")]
     fn run<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<Eight>()
     }
     assert!(Isa::Avx512.is_supported());
-    // SAFETY: the machine has just been asked.
+    // SAFETY: support asserted above.
     unsafe { run(kernel) }
 }
 
-/// Runs a kernel on four lanes.
+/// Runs a kernel on four AVX2 lanes.
+///
+/// # Panics
+/// If the processor does not support AVX2 and FMA.
 pub(crate) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     #[target_feature(enable = "avx2,fma")]
     fn run<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<Four>()
     }
     assert!(Isa::Avx2.is_supported());
-    // SAFETY: the machine has just been asked.
+    // SAFETY: support asserted above.
     unsafe { run(kernel) }
 }
 
-/// What a number alone is compiled for.
+/// Target features that scalar kernels are compiled for.
 #[derive(Clone, Copy)]
-enum Alone {
+enum ScalarIsa {
     Avx512,
     Avx2,
     Plain,
 }
 
-impl Alone {
+impl ScalarIsa {
     #[inline(always)]
-    fn best() -> Alone {
-        static BEST: OnceLock<Alone> = OnceLock::new();
+    fn best() -> ScalarIsa {
+        static BEST: OnceLock<ScalarIsa> = OnceLock::new();
         *BEST.get_or_init(|| match Isa::best() {
-            Isa::Avx512 if is_x86_feature_detected!("avx512vl") => Alone::Avx512,
-            Isa::Avx512 | Isa::Avx2 => Alone::Avx2,
-            _ => Alone::Plain,
+            Isa::Avx512 if is_x86_feature_detected!("avx512vl") => ScalarIsa::Avx512,
+            Isa::Avx512 | Isa::Avx2 => ScalarIsa::Avx2,
+            _ => ScalarIsa::Plain,
         })
     }
 }
 
-/// Runs a computation on one number at a time with what this machine has.
+/// Runs a scalar kernel compiled for the detected target features.
 #[inline(always)]
-pub(crate) fn run_alone<A: crate::Alone>(computation: A) {
+pub(crate) fn run_scalar<K: ScalarKernel>(kernel: K) {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
-    fn avx512<A: crate::Alone>(computation: A) {
-        computation.run::<Fused>();
+    fn avx512<K: ScalarKernel>(kernel: K) {
+        kernel.run::<Fused>();
     }
     #[target_feature(enable = "avx2,fma")]
-    fn avx2<A: crate::Alone>(computation: A) {
-        computation.run::<Fused>();
+    fn avx2<K: ScalarKernel>(kernel: K) {
+        kernel.run::<Fused>();
     }
-    match Alone::best() {
-        // SAFETY: the machine was asked.
-        Alone::Avx512 => unsafe { avx512(computation) },
-        // SAFETY: the machine was asked.
-        Alone::Avx2 => unsafe { avx2(computation) },
-        Alone::Plain => computation.run::<f64>(),
+    match ScalarIsa::best() {
+        // SAFETY: support detected by `ScalarIsa::best`.
+        ScalarIsa::Avx512 => unsafe { avx512(kernel) },
+        // SAFETY: support detected by `ScalarIsa::best`.
+        ScalarIsa::Avx2 => unsafe { avx2(kernel) },
+        ScalarIsa::Plain => kernel.run::<f64>(),
     }
 }
 
-/// A call of an instruction, which is there since a value of the type is (see the head of this file).
+/// Calls an intrinsic; its availability follows from the existence of a value of the type (see Soundness).
 macro_rules! instruction {
     ($e:expr) => {{
-        // SAFETY: as the head of this file says.
+        // SAFETY: see Soundness, Intrinsics.
         unsafe { $e }
     }};
 }
@@ -108,7 +118,7 @@ macro_rules! operators {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
-                self.bits_xor(Self::all(-0.0))
+                self.xor_bits(Self::broadcast(-0.0))
             }
         }
     };
@@ -116,32 +126,32 @@ macro_rules! operators {
 operators!(Eight, Add add _mm512_add_pd, Sub sub _mm512_sub_pd, Mul mul _mm512_mul_pd, Div div _mm512_div_pd);
 operators!(Four, Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd);
 
-impl Single for Fused {
+impl ScalarLane for Fused {
     #[inline(always)]
     fn slice(of: &[f64]) -> &[Fused] {
-        // SAFETY: a `Fused` is an `f64` and nothing else (`repr(transparent)`).
+        // SAFETY: `Fused` is `repr(transparent)` over `f64`.
         unsafe { &*(of as *const [f64] as *const [Fused]) }
     }
     #[inline(always)]
     fn slice_mut(of: &mut [f64]) -> &mut [Fused] {
-        // SAFETY: as above, and every `Fused` is a good `f64`.
+        // SAFETY: as above, and every bit pattern is valid for both types.
         unsafe { &mut *(of as *mut [f64] as *mut [Fused]) }
     }
 }
 
-/// The three fused operations, by instructions of that name.
+/// Implements the three fused operations by the given intrinsics.
 macro_rules! fused {
     ($type:ident, $plus:ident $minus:ident $from:ident) => {
         #[inline(always)]
-        fn times_plus(self, b: Self, c: Self) -> Self {
+        fn mul_add_op(self, b: Self, c: Self) -> Self {
             $type(instruction!($plus(self.0, b.0, c.0)))
         }
         #[inline(always)]
-        fn times_minus(self, b: Self, c: Self) -> Self {
+        fn mul_sub_op(self, b: Self, c: Self) -> Self {
             $type(instruction!($minus(self.0, b.0, c.0)))
         }
         #[inline(always)]
-        fn times_from(self, b: Self, c: Self) -> Self {
+        fn neg_mul_add_op(self, b: Self, c: Self) -> Self {
             $type(instruction!($from(self.0, b.0, c.0)))
         }
     };
@@ -153,23 +163,23 @@ impl Primitive for Eight {
     fused!(Eight, _mm512_fmadd_pd _mm512_fmsub_pd _mm512_fnmadd_pd);
 
     #[inline(always)]
-    fn all(value: f64) -> Self {
+    fn broadcast(value: f64) -> Self {
         Eight(instruction!(_mm512_set1_pd(value)))
     }
     #[inline(always)]
-    fn root(self) -> Self {
+    fn ieee_sqrt(self) -> Self {
         Eight(instruction!(_mm512_sqrt_pd(self.0)))
     }
     #[inline(always)]
-    fn below(self, other: Self) -> __mmask8 {
+    fn lt(self, other: Self) -> __mmask8 {
         instruction!(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0))
     }
     #[inline(always)]
-    fn at_most(self, other: Self) -> __mmask8 {
+    fn le(self, other: Self) -> __mmask8 {
         instruction!(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(self.0, other.0))
     }
     #[inline(always)]
-    fn top_bit(self) -> __mmask8 {
+    fn sign_mask(self) -> __mmask8 {
         instruction!(_mm512_movepi64_mask(_mm512_castpd_si512(self.0)))
     }
     #[inline(always)]
@@ -181,71 +191,71 @@ impl Primitive for Eight {
         )))
     }
     #[inline(always)]
-    fn everywhere(mask: __mmask8) -> bool {
+    fn all_true(mask: __mmask8) -> bool {
         mask == 0xff
     }
     #[inline(always)]
-    fn bits_and(self, other: Self) -> Self {
+    fn and_bits(self, other: Self) -> Self {
         Eight(instruction!(_mm512_and_pd(self.0, other.0)))
     }
     #[inline(always)]
-    fn bits_or(self, other: Self) -> Self {
+    fn or_bits(self, other: Self) -> Self {
         Eight(instruction!(_mm512_or_pd(self.0, other.0)))
     }
     #[inline(always)]
-    fn bits_xor(self, other: Self) -> Self {
+    fn xor_bits(self, other: Self) -> Self {
         Eight(instruction!(_mm512_xor_pd(self.0, other.0)))
     }
     #[inline(always)]
-    fn bits_up<const N: u32>(self) -> Self {
+    fn shl_bits<const N: u32>(self) -> Self {
         Eight(instruction!(_mm512_castsi512_pd(_mm512_slli_epi64::<N>(
             _mm512_castpd_si512(self.0)
         ))))
     }
     #[inline(always)]
-    fn bits_down<const N: u32>(self) -> Self {
+    fn shr_bits<const N: u32>(self) -> Self {
         Eight(instruction!(_mm512_castsi512_pd(_mm512_srli_epi64::<N>(
             _mm512_castpd_si512(self.0)
         ))))
     }
     #[inline(always)]
-    fn read(from: &[f64]) -> Self {
+    fn load_lanes(from: &[f64]) -> Self {
         let from: &[f64; 8] = from.first_chunk().expect("at least eight numbers");
-        // SAFETY: eight numbers are there, and the instruction as the head of this file says.
+        // SAFETY: the array holds eight numbers; see Soundness for the intrinsic.
         Eight(unsafe { _mm512_loadu_pd(from.as_ptr()) })
     }
     #[inline(always)]
-    fn write(self, to: &mut [f64]) {
+    fn store_lanes(self, to: &mut [f64]) {
         let to: &mut [f64; 8] = to.first_chunk_mut().expect("room for eight numbers");
-        // SAFETY: eight places are there, and the instruction as the head of this file says.
+        // SAFETY: the array holds eight elements; see Soundness for the intrinsic.
         unsafe { _mm512_storeu_pd(to.as_mut_ptr(), self.0) }
     }
 }
 
 impl Primitive for Four {
-    // Each lane's top bit is what selections look at.
+    // `blendv` selects by the sign bit of each lane.
     type Mask = __m256d;
     const WIDTH: usize = 4;
     fused!(Four, _mm256_fmadd_pd _mm256_fmsub_pd _mm256_fnmadd_pd);
 
     #[inline(always)]
-    fn all(value: f64) -> Self {
+    fn broadcast(value: f64) -> Self {
         Four(instruction!(_mm256_set1_pd(value)))
     }
     #[inline(always)]
-    fn root(self) -> Self {
+    fn ieee_sqrt(self) -> Self {
         Four(instruction!(_mm256_sqrt_pd(self.0)))
     }
     #[inline(always)]
-    fn below(self, other: Self) -> __m256d {
+    fn lt(self, other: Self) -> __m256d {
         instruction!(_mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0))
     }
     #[inline(always)]
-    fn at_most(self, other: Self) -> __m256d {
+    fn le(self, other: Self) -> __m256d {
         instruction!(_mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0))
     }
     #[inline(always)]
-    fn top_bit(self) -> __m256d {
+    fn sign_mask(self) -> __m256d {
         self.0
     }
     #[inline(always)]
@@ -253,23 +263,23 @@ impl Primitive for Four {
         Four(instruction!(_mm256_blendv_pd(otherwise.0, then.0, mask)))
     }
     #[inline(always)]
-    fn everywhere(mask: __m256d) -> bool {
+    fn all_true(mask: __m256d) -> bool {
         instruction!(_mm256_movemask_pd(mask)) == 0b1111
     }
     #[inline(always)]
-    fn bits_and(self, other: Self) -> Self {
+    fn and_bits(self, other: Self) -> Self {
         Four(instruction!(_mm256_and_pd(self.0, other.0)))
     }
     #[inline(always)]
-    fn bits_or(self, other: Self) -> Self {
+    fn or_bits(self, other: Self) -> Self {
         Four(instruction!(_mm256_or_pd(self.0, other.0)))
     }
     #[inline(always)]
-    fn bits_xor(self, other: Self) -> Self {
+    fn xor_bits(self, other: Self) -> Self {
         Four(instruction!(_mm256_xor_pd(self.0, other.0)))
     }
     #[inline(always)]
-    fn bits_up<const N: u32>(self) -> Self {
+    fn shl_bits<const N: u32>(self) -> Self {
         let shift = instruction!(_mm_cvtsi64_si128(i64::from(N)));
         Four(instruction!(_mm256_castsi256_pd(_mm256_sll_epi64(
             _mm256_castpd_si256(self.0),
@@ -277,7 +287,7 @@ impl Primitive for Four {
         ))))
     }
     #[inline(always)]
-    fn bits_down<const N: u32>(self) -> Self {
+    fn shr_bits<const N: u32>(self) -> Self {
         let shift = instruction!(_mm_cvtsi64_si128(i64::from(N)));
         Four(instruction!(_mm256_castsi256_pd(_mm256_srl_epi64(
             _mm256_castpd_si256(self.0),
@@ -285,17 +295,15 @@ impl Primitive for Four {
         ))))
     }
     #[inline(always)]
-    fn read(from: &[f64]) -> Self {
+    fn load_lanes(from: &[f64]) -> Self {
         let from: &[f64; 4] = from.first_chunk().expect("at least four numbers");
-        // SAFETY: four numbers are there, and the instruction as the head of this file says.
+        // SAFETY: the array holds four numbers; see Soundness for the intrinsic.
         Four(unsafe { _mm256_loadu_pd(from.as_ptr()) })
     }
     #[inline(always)]
-    fn write(self, to: &mut [f64]) {
+    fn store_lanes(self, to: &mut [f64]) {
         let to: &mut [f64; 4] = to.first_chunk_mut().expect("room for four numbers");
-        // SAFETY: four places are there, and the instruction as the head of this file says.
+        // SAFETY: the array holds four elements; see Soundness for the intrinsic.
         unsafe { _mm256_storeu_pd(to.as_mut_ptr(), self.0) }
     }
 }
-
-real_by_primitives!(Eight, Four);

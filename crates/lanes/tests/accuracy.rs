@@ -157,7 +157,11 @@ fn stated_values_at_singular_points() {
         (-1.0, 0.0, 1.0)
     );
     assert_eq!(
-        (Real::step(-3.0), Real::step(0.0), Real::step(5e-324)),
+        (
+            Real::heaviside(-3.0),
+            Real::heaviside(0.0),
+            Real::heaviside(5e-324)
+        ),
         (0.0, 0.0, 1.0)
     );
     assert_eq!((Real::min(1.0, 2.0), Real::max(1.0, 2.0)), (1.0, 2.0));

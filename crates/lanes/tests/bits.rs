@@ -3,7 +3,7 @@
 // Numbers at which something changes, not constants of mathematics.
 #![allow(clippy::approx_constant)]
 
-use lanes::{Alone, Isa, Kernel, Lanes, Real, Single, alone, dispatch_with};
+use lanes::{Isa, Kernel, Lanes, Real, ScalarKernel, ScalarLane, dispatch_scalar, dispatch_with};
 
 /// What is computed of two numbers: every function and operation of `Real`.
 const RESULTS: usize = 25;
@@ -31,12 +31,12 @@ fn everything<T: Real>(a: T, b: T) -> [T; RESULTS] {
         a.min(b),
         a.max(b),
         a.sign(),
-        a.step(),
+        a.heaviside(),
         a.if_zero(b, T::splat(2.5)),
         (a * b).exp().atan2((a + b).sin_cos().0),
         a.mul_add(b, a),
         a.mul_sub(b, b),
-        a.mul_from(a, b),
+        a.neg_mul_add(a, b),
     ]
 }
 
@@ -145,9 +145,9 @@ fn pairs() -> (Vec<f64>, Vec<f64>) {
 /// One number at a time, with the operations of this machine.
 struct OneByOne<'a>(Map<'a>);
 
-impl Alone for OneByOne<'_> {
+impl ScalarKernel for OneByOne<'_> {
     #[inline(always)]
-    fn run<T: Single>(self) {
+    fn run<T: ScalarLane>(self) {
         self.0.run::<T>();
     }
 }
@@ -195,7 +195,7 @@ fn every_kind_of_lanes_gives_the_bits_of_its_family() {
 
     let mut found = vec![[0.0; RESULTS]; a.len()];
     let to = &mut found;
-    alone(OneByOne(Map { a: &a, b: &b, to }));
+    dispatch_scalar(OneByOne(Map { a: &a, b: &b, to }));
     match fused.as_ref().filter(|_| Isa::best().fuses()) {
         Some(fused) => same(fused, &found, (&a, &b), "alone"),
         None => same(&plain, &found, (&a, &b), "alone"),

@@ -92,7 +92,7 @@ impl<'a> Machine<'a> {
                 Some(match fused {
                     Fused::MulAdd => product + c,
                     Fused::MulSub => product - c,
-                    Fused::MulFrom => c - product,
+                    Fused::NegMulAdd => c - product,
                 })
             }
             Op::IfZero(a, then, otherwise) => {

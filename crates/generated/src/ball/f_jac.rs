@@ -50,13 +50,13 @@ pub fn f_jac<T: Real>(
     let minus_air_velocity_product =
         minus_air_velocity_y * minus_air_velocity_z * inv_V_half_pi_C_D_product;
     let d_vy_dot_d_vy =
-        minus_air_velocity_y_sq.mul_from(inv_V_half_pi_C_D_product, -V_half_part_part_product);
+        minus_air_velocity_y_sq.neg_mul_add(inv_V_half_pi_C_D_product, -V_half_part_part_product);
     j[7] = d_vy_dot_d_vy;
     let d_vz_dot_d_vz =
-        minus_air_velocity_z_sq.mul_from(inv_V_half_pi_C_D_product, -V_half_part_part_product);
+        minus_air_velocity_z_sq.neg_mul_add(inv_V_half_pi_C_D_product, -V_half_part_part_product);
     j[11] = d_vz_dot_d_vz;
     let d_vx_dot_d_vx =
-        air_velocity_x.mul_from(air_velocity_x_inv_product, -V_half_part_part_product);
+        air_velocity_x.neg_mul_add(air_velocity_x_inv_product, -V_half_part_part_product);
     j[3] = d_vx_dot_d_vx;
     let d_vx_dot_d_vy = minus_air_velocity_y * air_velocity_x_inv_product;
     j[4] = d_vx_dot_d_vy;

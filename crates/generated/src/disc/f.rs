@@ -27,10 +27,10 @@ pub fn f<T: Real>(
     let cos_phi_g_plus_v_phidot = g.mul_add(cos_phi, v * phidot);
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
+    let minus_sin_phi_wind_y_sum = wind_y.neg_mul_add(sin_phi, wind_z * cos_phi);
 
     // disc.hyz:75  let air_velocity = velocity - in_B(air);
-    let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
+    let air_velocity_2 = wind_y.neg_mul_add(cos_phi, wind_z.neg_mul_add(sin_phi, v));
     let gammadot = state[11];
 
     // disc.hyz:91  let r = dot(angular_velocity, d3);
@@ -39,7 +39,7 @@ pub fn f<T: Real>(
     let thetadot = state[10];
     let part_of_u_dot = sin_theta.mul_sub(cos_phi_g_plus_v_phidot, w * thetadot);
     let u = state[3];
-    let sin_theta_u_minus_w_cos_sum = w.mul_from(cos_theta, sin_theta * u);
+    let sin_theta_u_minus_w_cos_sum = w.neg_mul_add(cos_theta, sin_theta * u);
 
     // disc.hyz:55  position (x, y, z) in N;
     let y_dot = sin_theta_u_minus_w_cos_sum.mul_add(sin_phi, cos_phi * v);
@@ -51,14 +51,15 @@ pub fn f<T: Real>(
     let r_C_Rr = C_Rr * r;
     let inv_I_d_I_a = prepared[3];
     let r_inv_I_d_I_a = inv_I_d_I_a * r;
-    let z_dot = sin_theta_u_minus_w_cos_sum.mul_from(cos_phi, sin_phi * v);
+    let z_dot = sin_theta_u_minus_w_cos_sum.neg_mul_add(cos_phi, sin_phi * v);
     dx[2] = z_dot;
-    let air_velocity_1 = wind_x.mul_from(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
+    let air_velocity_1 =
+        wind_x.neg_mul_add(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
     let x_dot = cos_theta.mul_add(u, sin_theta * w);
     dx[0] = x_dot;
     let air_velocity_12_sq =
         air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
-    let part_of_phidot_dot = thetadot * sin_theta_phidot.mul_from(T::splat(2.0), r_inv_I_d_I_a);
+    let part_of_phidot_dot = thetadot * sin_theta_phidot.neg_mul_add(T::splat(2.0), r_inv_I_d_I_a);
     let part_of_thetadot_dot_4 = (sin_theta_phidot - r_inv_I_d_I_a) * cos_theta_phidot;
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
@@ -78,7 +79,7 @@ pub fn f<T: Real>(
     let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let C_Ma = parameters[11];
     let alpha_C_Ma = C_Ma * alpha;
-    let part_of_phidot_dot_2 = air_velocity_2.mul_from(alpha_C_Ma, air_velocity_1 * r_C_Rr);
+    let part_of_phidot_dot_2 = air_velocity_2.neg_mul_add(alpha_C_Ma, air_velocity_1 * r_C_Rr);
     let part_of_thetadot_dot = air_velocity_1.mul_add(alpha_C_Ma, air_velocity_2 * r_C_Rr);
     let part_of_phidot_dot_3 = cos_theta_phidot * nonzero_air_velocity_12_C_Mq;
     let part_of_phidot_dot_4 =
@@ -88,11 +89,11 @@ pub fn f<T: Real>(
     let phidot_dot = part_of_phidot_dot_5 / cos_theta;
     dx[9] = phidot_dot;
     let C_Nr_inv_I_a = prepared[4];
-    let part_of_gammadot_dot = sin_theta.mul_from(phidot_dot, C_Nr_inv_I_a * r);
+    let part_of_gammadot_dot = sin_theta.neg_mul_add(phidot_dot, C_Nr_inv_I_a * r);
     let part_of_thetadot_dot_2 = thetadot * nonzero_air_velocity_12_C_Mq;
 
     // disc.hyz:49  frame C = B turned gamma about 3; // fixed in the disc
-    let gammadot_dot = thetadot.mul_from(cos_theta_phidot, part_of_gammadot_dot);
+    let gammadot_dot = thetadot.neg_mul_add(cos_theta_phidot, part_of_gammadot_dot);
     dx[11] = gammadot_dot;
     let part_of_thetadot_dot_3 =
         inv_air_velocity_12.mul_add(part_of_thetadot_dot, part_of_thetadot_dot_2);
@@ -118,13 +119,13 @@ pub fn f<T: Real>(
     let V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * part_of_V_inv_m_half_rho_A;
 
     // disc.hyz:56  velocity (u, v, w) in B;
-    let w_dot = cos_theta.mul_from(cos_phi_g_plus_v_phidot, part_of_w_dot_2);
+    let w_dot = cos_theta.neg_mul_add(cos_phi_g_plus_v_phidot, part_of_w_dot_2);
     dx[5] = w_dot;
     let minus_g = prepared[1];
-    let part_of_v_dot = air_velocity_2.mul_from(V_inv_m_half_rho_A_product, minus_g * sin_phi);
-    let u_dot = air_velocity_1.mul_from(V_inv_m_half_rho_A_product, part_of_u_dot);
+    let part_of_v_dot = air_velocity_2.neg_mul_add(V_inv_m_half_rho_A_product, minus_g * sin_phi);
+    let u_dot = air_velocity_1.neg_mul_add(V_inv_m_half_rho_A_product, part_of_u_dot);
     dx[3] = u_dot;
-    let v_dot = phidot.mul_from(sin_theta_u_minus_w_cos_sum, part_of_v_dot);
+    let v_dot = phidot.neg_mul_add(sin_theta_u_minus_w_cos_sum, part_of_v_dot);
     dx[4] = v_dot;
 
     dx[6] = phidot;

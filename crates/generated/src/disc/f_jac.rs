@@ -33,9 +33,9 @@ pub fn f_jac<T: Real>(
     let inv_cos_theta = T::splat(1.0) / cos_theta;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
-    let sin_phi_wind_y_sum = wind_z.mul_from(cos_phi, wind_y * sin_phi);
+    let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
     let minus_wind_y = prepared[5];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.mul_from(sin_phi, minus_wind_y * cos_phi);
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.neg_mul_add(sin_phi, minus_wind_y * cos_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
     let gammadot = state[11];
@@ -45,7 +45,7 @@ pub fn f_jac<T: Real>(
     let inv_I_d_I_a = prepared[3];
     let part_of_d_thetadot_dot_d_r = inv_I_d_I_a * cos_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = u.mul_from(sin_theta, cos_theta * w);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, cos_theta * w);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let sin_phi_g = g * sin_phi;
@@ -55,7 +55,7 @@ pub fn f_jac<T: Real>(
 
     // disc.hyz:75  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
-    let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
+    let d_air_velocity_1_d_theta = cos_theta.neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
     let sin_theta_d_minus_product = sin_theta * d_minus_sin_phi_wind_y_sum_d_phi;
 
     // disc.hyz:55  position (x, y, z) in N;
@@ -83,7 +83,7 @@ pub fn f_jac<T: Real>(
     let part_of_gammadot_dot = C_Nr_inv_I_a.mul_sub(r, thetadot * cos_theta_phidot);
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
-    let r_inv_I_d_I_a_minus_sin_sum = sin_theta_phidot.mul_from(T::splat(2.0), r_inv_I_d_I_a);
+    let r_inv_I_d_I_a_minus_sin_sum = sin_theta_phidot.neg_mul_add(T::splat(2.0), r_inv_I_d_I_a);
     let sin_theta_phidot_minus_sum = sin_theta_phidot - r_inv_I_d_I_a;
     let two_d_half_rho_A_inv_I_d = prepared[7];
     let minus_air_velocity_product_2 = two_d_half_rho_A_inv_I_d * minus_air_velocity_3;
@@ -111,7 +111,7 @@ pub fn f_jac<T: Real>(
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
-    let y_dot = sin_phi.mul_from(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
+    let y_dot = sin_phi.neg_mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_y_dot_d_w = -(cos_theta * sin_phi);
@@ -140,7 +140,7 @@ pub fn f_jac<T: Real>(
     let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let C_Ma = parameters[11];
     let alpha_C_Ma = C_Ma * alpha;
-    let air_velocity_1_r_C_Rr_sum = air_velocity_2.mul_from(alpha_C_Ma, air_velocity_1 * r_C_Rr);
+    let air_velocity_1_r_C_Rr_sum = air_velocity_2.neg_mul_add(alpha_C_Ma, air_velocity_1 * r_C_Rr);
     let inv_air_velocity_12_product = inv_air_velocity_12 * air_velocity_1_r_C_Rr_sum;
     let air_velocity_2_r_C_Rr_sum = air_velocity_1.mul_add(alpha_C_Ma, air_velocity_2 * r_C_Rr);
     let inv_air_velocity_12_product_2 = inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum;
@@ -159,7 +159,7 @@ pub fn f_jac<T: Real>(
     let C_Da_two = prepared[6];
     let alpha_C_Da_two = C_Da_two * alpha;
     let part_of_minus_part_part_air_sum_2 =
-        nonzero_air_velocity_12.mul_from(alpha_C_Da_two, part_of_minus_part_part_air_sum);
+        nonzero_air_velocity_12.neg_mul_add(alpha_C_Da_two, part_of_minus_part_part_air_sum);
     let C_La_air_velocity_12_sum =
         minus_air_velocity_3.mul_add(alpha_C_Da_two, C_La * air_velocity_12);
     let air_velocity_12_C_D_sum = air_velocity_12.mul_sub(C_D, minus_air_velocity_3 * C_L);
@@ -178,7 +178,7 @@ pub fn f_jac<T: Real>(
     dx[9] = cos_theta_phidot_product;
 
     // disc.hyz:49  frame C = B turned gamma about 3; // fixed in the disc
-    let gammadot_dot = sin_theta.mul_from(cos_theta_phidot_product, part_of_gammadot_dot);
+    let gammadot_dot = sin_theta.neg_mul_add(cos_theta_phidot_product, part_of_gammadot_dot);
     dx[11] = gammadot_dot;
     let inv_V_sq = inv_V * inv_V;
     let air_velocity_12_C_D_product = air_velocity_12_C_D_sum * inv_air_velocity_12;
@@ -207,10 +207,10 @@ pub fn f_jac<T: Real>(
         part_of_V_inv_m_half_rho_A_sum,
     );
     let part_of_d_w_dot_d_air_velocity =
-        inv_V_sq.mul_from(minus_air_velocity_3 * C_La_air_velocity_12_sum, C_L);
+        inv_V_sq.neg_mul_add(minus_air_velocity_3 * C_La_air_velocity_12_sum, C_L);
     let part_of_d_w_dot_d_minus_air =
         V_inv_m_half_rho_A * C_La_air_velocity_12_sum.mul_add(air_velocity_12_inv_V_sq, C_D);
-    let part_of_v_dot_2 = air_velocity_2.mul_from(V_inv_m_half_rho_A_product, part_of_v_dot);
+    let part_of_v_dot_2 = air_velocity_2.neg_mul_add(V_inv_m_half_rho_A_product, part_of_v_dot);
 
     // disc.hyz:56  velocity (u, v, w) in B;
     let v_dot = part_of_v_dot_2 - sin_phi_g;
@@ -221,18 +221,18 @@ pub fn f_jac<T: Real>(
     let air_velocity_2_C_Ma_inv_V_sq = air_velocity_2 * C_Ma_inv_V_sq;
     let air_velocity_1_C_Ma_inv_V_sq = air_velocity_1 * C_Ma_inv_V_sq;
     let part_of_minus_inv_air_velocity =
-        minus_air_velocity_3.mul_from(air_velocity_2_C_Ma_inv_V_sq, inv_air_velocity_12_product);
-    let minus_inv_air_velocity_sum = inv_air_velocity_12_product_3.mul_from(
+        minus_air_velocity_3.neg_mul_add(air_velocity_2_C_Ma_inv_V_sq, inv_air_velocity_12_product);
+    let minus_inv_air_velocity_sum = inv_air_velocity_12_product_3.neg_mul_add(
         part_of_minus_inv_air_velocity,
         part_of_minus_inv_air_velocity_2,
     );
     let part_of_d_thetadot_dot_d_air =
         minus_air_velocity_3.mul_add(air_velocity_1_C_Ma_inv_V_sq, inv_air_velocity_12_product_2);
     let d_thetadot_dot_d_air_velocity_12 = inv_air_velocity_12_product_3
-        .mul_from(part_of_d_thetadot_dot_d_air, part_of_d_thetadot_dot_d_air_2);
+        .neg_mul_add(part_of_d_thetadot_dot_d_air, part_of_d_thetadot_dot_d_air_2);
     let part_of_V_sq_half_rho_A_d_sum = V_sq_half_rho_A_d_inv_part * air_velocity_2_C_Ma_inv_V_sq;
-    let V_sq_half_rho_A_d_sum =
-        cos_theta_phidot_sum.mul_from(minus_air_velocity_product_2, part_of_V_sq_half_rho_A_d_sum);
+    let V_sq_half_rho_A_d_sum = cos_theta_phidot_sum
+        .neg_mul_add(minus_air_velocity_product_2, part_of_V_sq_half_rho_A_d_sum);
     let part_of_V_sq_half_rho_A_d_sum_4 = V_sq_half_rho_A_d_inv_part * air_velocity_1_C_Ma_inv_V_sq;
     let V_sq_half_rho_A_d_sum_4 = thetadot_nonzero_sum.mul_add(
         minus_air_velocity_product_2,
@@ -247,7 +247,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_thetadot_dot_d_theta = d_minus_air_velocity_3_d_theta * V_sq_half_rho_A_d_sum_4;
     let part_of_V_inv_m_half_rho_A_sum_3 =
         V_inv_m_half_rho_A * inv_air_velocity_12 * (air_velocity_12_C_D_product - C_D);
-    let V_inv_m_half_rho_A_sum = inv_V.mul_from(
+    let V_inv_m_half_rho_A_sum = inv_V.neg_mul_add(
         part_of_V_inv_m_half_rho_A_sum_2,
         part_of_V_inv_m_half_rho_A_sum_3,
     );
@@ -270,13 +270,13 @@ pub fn f_jac<T: Real>(
     let d_phidot_dot_d_gammadot = inv_cos_theta * d_cos_theta_phidot_sum_2_d_r;
     j[43] = d_phidot_dot_d_gammadot;
     let d_gammadot_dot_d_gammadot =
-        d_cos_theta_phidot_sum_2_d_r.mul_from(sin_theta_inv_cos_theta, C_Nr_inv_I_a);
+        d_cos_theta_phidot_sum_2_d_r.neg_mul_add(sin_theta_inv_cos_theta, C_Nr_inv_I_a);
     j[59] = d_gammadot_dot_d_gammadot;
     let d_cos_theta_phidot_sum_sum = thetadot.mul_add(T::splat(2.0), d_cos_theta_phidot_sum_2_d_r);
     let air_velocity_1_product_sum =
         air_velocity_1.mul_add(minus_inv_air_velocity_sum, V_sq_half_rho_A_d_product);
     let minus_air_velocity_2_sum =
-        air_velocity_2.mul_from(minus_inv_air_velocity_sum, V_sq_half_rho_A_d_product_2);
+        air_velocity_2.neg_mul_add(minus_inv_air_velocity_sum, V_sq_half_rho_A_d_product_2);
     let V_sq_half_rho_A_d_sum_2 = air_velocity_1.mul_add(
         d_thetadot_dot_d_air_velocity_12,
         V_sq_half_rho_A_d_product_2,
@@ -300,7 +300,7 @@ pub fn f_jac<T: Real>(
     j[47] = d_thetadot_dot_d_phi;
     let part_of_d_cos_theta_phidot = air_velocity_1_product_sum * sin_theta_d_minus_product;
     let part_of_d_cos_theta_phidot_2 =
-        sin_phi_wind_y_sum.mul_from(minus_air_velocity_2_sum, part_of_d_cos_theta_phidot);
+        sin_phi_wind_y_sum.neg_mul_add(minus_air_velocity_2_sum, part_of_d_cos_theta_phidot);
     let part_of_d_cos_theta_phidot_3 = d_minus_air_velocity_3_d_theta * V_sq_half_rho_A_d_sum;
     let part_of_d_cos_theta_phidot_4 = air_velocity_1_product_sum
         .mul_sub(inv_air_velocity_12_product_5, part_of_d_cos_theta_phidot_3);
@@ -341,15 +341,15 @@ pub fn f_jac<T: Real>(
     let part_of_d_w_dot_d_phi_3 =
         d_minus_sin_phi_wind_y_sum_d_phi.mul_add(d_w_dot_d_minus_air_velocity_3, sin_phi_g);
     let part_of_u_dot =
-        air_velocity_1.mul_from(V_inv_m_half_rho_A_product, sin_theta_cos_phi_g_product);
-    let u_dot = w.mul_from(thetadot, part_of_u_dot);
+        air_velocity_1.neg_mul_add(V_inv_m_half_rho_A_product, sin_theta_cos_phi_g_product);
+    let u_dot = w.neg_mul_add(thetadot, part_of_u_dot);
     dx[3] = u_dot;
     let part_of_d_w_dot_d_phi_5 = cos_theta * part_of_d_w_dot_d_phi_3;
     let d_w_dot_d_phi =
         part_of_d_w_dot_d_phi_4.mul_add(part_of_d_w_dot_d_phi_2, part_of_d_w_dot_d_phi_5);
     j[29] = d_w_dot_d_phi;
     let part_of_d_cos_theta_phidot_5 =
-        phidot.mul_from(d_thetadot_dot_d_thetadot, cos_theta_phidot_product);
+        phidot.neg_mul_add(d_thetadot_dot_d_thetadot, cos_theta_phidot_product);
     let part_of_d_cos_theta_phidot_6 =
         sin_theta.mul_add(part_of_d_cos_theta_phidot_5, part_of_d_cos_theta_phidot_4);
     let d_cos_theta_phidot_product_d_phidot =
@@ -370,8 +370,8 @@ pub fn f_jac<T: Real>(
         .mul_sub(part_of_d_cos_theta_phidot_2, part_of_d_cos_theta_phidot_8);
     j[39] = d_cos_theta_phidot_product_d_phi; // d_phidot_dot_d_phi
     let part_of_d_gammadot_dot_d_theta_2 =
-        phidot.mul_from(thetadot, d_cos_theta_phidot_product_d_theta);
-    let d_gammadot_dot_d_theta = sin_theta.mul_from(
+        phidot.neg_mul_add(thetadot, d_cos_theta_phidot_product_d_theta);
+    let d_gammadot_dot_d_theta = sin_theta.neg_mul_add(
         part_of_d_gammadot_dot_d_theta_2,
         part_of_d_gammadot_dot_d_theta,
     );
@@ -390,7 +390,7 @@ pub fn f_jac<T: Real>(
     j[52] = d_gammadot_dot_d_u;
     let part_of_d_u_dot_d_phi_2 = d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_minus_product;
     let part_of_d_v_dot_d_phi =
-        sin_theta.mul_from(V_inv_m_half_rho_A_product_2, cos_theta_minus_product);
+        sin_theta.neg_mul_add(V_inv_m_half_rho_A_product_2, cos_theta_minus_product);
     let d_gammadot_dot_d_phi = -(sin_theta * d_cos_theta_phidot_product_d_phi);
     j[55] = d_gammadot_dot_d_phi;
     let d_u_dot_d_air_velocity_1 =
@@ -402,7 +402,7 @@ pub fn f_jac<T: Real>(
         air_velocity_2.mul_sub(V_inv_m_half_rho_A_product_3, V_inv_m_half_rho_A_product);
     j[21] = d_v_dot_d_air_velocity_2; // d_v_dot_d_v
     let part_of_d_u_dot_d_phi_3 =
-        sin_phi_wind_y_sum.mul_from(V_inv_m_half_rho_A_product_3, part_of_d_u_dot_d_phi_2);
+        sin_phi_wind_y_sum.neg_mul_add(V_inv_m_half_rho_A_product_3, part_of_d_u_dot_d_phi_2);
     let part_of_d_v_dot_d_theta = minus_part_part_air_sum * d_minus_air_velocity_3_d_theta;
     let air_velocity_1_product = air_velocity_1 * minus_part_part_air_sum;
     let air_velocity_2_V_product = air_velocity_2 * V_inv_m_half_rho_A_product_2;
@@ -417,10 +417,10 @@ pub fn f_jac<T: Real>(
     let d_v_dot_d_u = air_velocity_2_V_product - sin_theta_phidot;
     j[20] = d_v_dot_d_u;
     let d_v_dot_d_phi =
-        part_of_d_v_dot_d_phi_3.mul_from(part_of_d_v_dot_d_phi, part_of_d_v_dot_d_phi_2);
+        part_of_d_v_dot_d_phi_3.neg_mul_add(part_of_d_v_dot_d_phi, part_of_d_v_dot_d_phi_2);
     j[23] = d_v_dot_d_phi;
     let d_u_dot_d_theta =
-        air_velocity_1_product.mul_from(d_minus_air_velocity_3_d_theta, part_of_d_u_dot_d_theta);
+        air_velocity_1_product.neg_mul_add(d_minus_air_velocity_3_d_theta, part_of_d_u_dot_d_theta);
     j[17] = d_u_dot_d_theta;
     let d_u_dot_d_w = air_velocity_1_product - thetadot;
     j[15] = d_u_dot_d_w;

@@ -36,9 +36,9 @@ pub fn f_jac_par<T: Real>(
     let cos_theta_phidot = cos_theta * phidot;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
-    let sin_phi_wind_y_sum = wind_z.mul_from(cos_phi, wind_y * sin_phi);
+    let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
     let minus_wind_y = prepared[5];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.mul_from(sin_phi, minus_wind_y * cos_phi);
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.neg_mul_add(sin_phi, minus_wind_y * cos_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
     let gammadot = state[11];
@@ -49,12 +49,12 @@ pub fn f_jac_par<T: Real>(
     let inv_I_d_I_a = prepared[3];
     let cos_theta_phidot_inv_I_d_I_a = inv_I_d_I_a * cos_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = u.mul_from(sin_theta, cos_theta * w);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, cos_theta * w);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let wind_x = parameters[15];
     let d_minus_air_velocity_3_d_theta = sin_theta.mul_add(sin_phi_wind_y_sum, wind_x * cos_theta);
-    let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
+    let d_air_velocity_1_d_theta = cos_theta.neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
 
     // disc.hyz:55  position (x, y, z) in N;
     let x_dot = w.mul_add(sin_theta, u * cos_theta);
@@ -89,7 +89,7 @@ pub fn f_jac_par<T: Real>(
         air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let two_d_half_rho_A_inv_I_d = prepared[7];
     let minus_air_velocity_product_2 = two_d_half_rho_A_inv_I_d * minus_air_velocity_3;
-    let r_inv_I_d_I_a_minus_sin_sum = sin_theta_phidot.mul_from(T::splat(2.0), r_inv_I_d_I_a);
+    let r_inv_I_d_I_a_minus_sin_sum = sin_theta_phidot.neg_mul_add(T::splat(2.0), r_inv_I_d_I_a);
     let sin_theta_phidot_minus_sum = sin_theta_phidot - r_inv_I_d_I_a;
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
@@ -167,7 +167,7 @@ pub fn f_jac_par<T: Real>(
     let V_inv_m_half_rho_A = half_rho_A * V_inv_m;
     let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part * nonzero_air_velocity_12_C_Mq;
     j[50] = d_thetadot_dot_d_thetadot;
-    let y_dot = sin_phi.mul_from(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
+    let y_dot = sin_phi.neg_mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let part_of_thetadot_dot = cos_theta_phidot * sin_theta_phidot_minus_sum;
@@ -257,11 +257,11 @@ pub fn f_jac_par<T: Real>(
     let d_w_dot_d_phidot = -(cos_theta * v);
     j[31] = d_w_dot_d_phidot;
     let alpha_C_Ma = C_Ma * alpha;
-    let air_velocity_1_r_C_Rr_sum = air_velocity_2.mul_from(alpha_C_Ma, air_velocity_1 * r_C_Rr);
+    let air_velocity_1_r_C_Rr_sum = air_velocity_2.neg_mul_add(alpha_C_Ma, air_velocity_1 * r_C_Rr);
     let inv_air_velocity_12_product = inv_air_velocity_12 * air_velocity_1_r_C_Rr_sum;
     let air_velocity_2_r_C_Rr_sum = air_velocity_1.mul_add(alpha_C_Ma, air_velocity_2 * r_C_Rr);
-    let part_of_inv_cos_theta_cos =
-        minus_air_velocity_3_inv_V.mul_from(air_velocity_2_C_Ma_inv_V, inv_air_velocity_12_product);
+    let part_of_inv_cos_theta_cos = minus_air_velocity_3_inv_V
+        .neg_mul_add(air_velocity_2_C_Ma_inv_V, inv_air_velocity_12_product);
     let cos_theta_phidot_sum =
         nonzero_air_velocity_12_C_Mq.mul_add(cos_theta_phidot, inv_air_velocity_12_product);
     let inv_air_velocity_12_product_2 = inv_air_velocity_12 * air_velocity_2_r_C_Rr_sum;
@@ -291,13 +291,13 @@ pub fn f_jac_par<T: Real>(
     dx[9] = cos_theta_phidot_product;
 
     // disc.hyz:49  frame C = B turned gamma about 3; // fixed in the disc
-    let gammadot_dot = sin_theta.mul_from(cos_theta_phidot_product, part_of_gammadot_dot);
+    let gammadot_dot = sin_theta.neg_mul_add(cos_theta_phidot_product, part_of_gammadot_dot);
     dx[11] = gammadot_dot;
     let part_of_d_phidot_dot_d_w_3 = inv_cos_theta * part_of_d_phidot_dot_d_w_2;
     let d_thetadot_dot_d_w = -air_velocity_1_C_Ma_sum;
     j[46] = d_thetadot_dot_d_w;
     let part_of_d_cos_theta_phidot_4 =
-        phidot.mul_from(d_thetadot_dot_d_thetadot, cos_theta_phidot_product);
+        phidot.neg_mul_add(d_thetadot_dot_d_thetadot, cos_theta_phidot_product);
     let d_cos_theta_phidot_product_d_theta =
         sin_theta_inv_cos_theta.mul_add(part_of_d_cos_theta_phidot_4, part_of_d_cos_theta_phidot_5);
     let d_cos_theta_phidot_product_d_d = inv_cos_theta * cos_theta_phidot_product_3;
@@ -307,7 +307,7 @@ pub fn f_jac_par<T: Real>(
     let d_phidot_dot_d_w = -part_of_d_phidot_dot_d_w_3;
     j[38] = d_phidot_dot_d_w;
     let part_of_d_gammadot_dot_d_theta =
-        cos_theta * C_Nr_inv_I_a.mul_from(phidot, cos_theta_phidot_product);
+        cos_theta * C_Nr_inv_I_a.neg_mul_add(phidot, cos_theta_phidot_product);
     let C_L0 = parameters[7];
 
     // disc.hyz:85  let C_L = C_L0 + C_La*alpha;
@@ -342,10 +342,10 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_12_C_D_sum = air_velocity_12.mul_sub(C_D, minus_air_velocity_3 * C_L);
     let part_of_inv_cos_theta_cos_2 = cos_theta_phidot_sum * air_velocity_12_two_product;
     let part_of_inv_cos_theta_cos_3 = inv_air_velocity_12_product_4
-        .mul_from(part_of_inv_cos_theta_cos, part_of_inv_cos_theta_cos_2);
+        .neg_mul_add(part_of_inv_cos_theta_cos, part_of_inv_cos_theta_cos_2);
     let part_of_d_thetadot_dot_d_air_2 = thetadot_nonzero_sum * air_velocity_12_two_product;
     let d_thetadot_dot_d_air_velocity_12 = inv_air_velocity_12_product_4
-        .mul_from(part_of_d_thetadot_dot_d_air, part_of_d_thetadot_dot_d_air_2);
+        .neg_mul_add(part_of_d_thetadot_dot_d_air, part_of_d_thetadot_dot_d_air_2);
     let cos_theta_phidot_product_2 = cos_theta_phidot_sum * V_sq_inv_I_d_d;
     let thetadot_nonzero_product = thetadot_nonzero_sum * V_sq_inv_I_d_d;
     let minus_half_rho_A_inv_I_d = prepared[19];
@@ -380,7 +380,7 @@ pub fn f_jac_par<T: Real>(
     let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12 * part_of_d_thetadot_dot_d_air_6;
     j[44] = d_thetadot_dot_d_air_velocity_1; // d_thetadot_dot_d_u
     let d_cos_theta_phidot_product_d_I_d =
-        half_rho_A_inv_I_d.mul_from(inv_cos_theta_cos_product_2, part_of_d_cos_theta_phidot_6);
+        half_rho_A_inv_I_d.neg_mul_add(inv_cos_theta_cos_product_2, part_of_d_cos_theta_phidot_6);
     jp[34] = d_cos_theta_phidot_product_d_I_d; // d_phidot_dot_d_I_d
     jp[36] = rho_half * inv_cos_theta_cos_product_2; // d_phidot_dot_d_A
     jp[37] = A_half * inv_cos_theta_cos_product_2; // d_phidot_dot_d_rho
@@ -398,15 +398,15 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_w_dot_d_air_velocity = d_w_dot_d_alpha * minus_air_velocity_3_inv_V;
     let inv_m_half_rho_A = prepared[0];
     let air_velocity_12_C_D_product_2 = inv_m_half_rho_A * air_velocity_12_C_D_sum;
-    let part_of_minus_V_inv_m_half_rho_4 = nonzero_air_velocity_12.mul_from(
+    let part_of_minus_V_inv_m_half_rho_4 = nonzero_air_velocity_12.neg_mul_add(
         air_velocity_12_C_D_product_2,
         part_of_minus_V_inv_m_half_rho_3,
     );
     let part_of_minus_V_inv_m_half_rho_5 = inv_V * part_of_minus_V_inv_m_half_rho_4;
     let C_L_V_inv_m_half_rho_A = C_L * V_inv_m_half_rho_A;
-    let part_of_part_part_inv_V_air_sum_2 =
-        minus_air_velocity_3_inv_V.mul_from(air_velocity_12_C_D_product_2, C_L_V_inv_m_half_rho_A);
-    let part_part_inv_V_air_sum = inv_air_velocity_12.mul_from(
+    let part_of_part_part_inv_V_air_sum_2 = minus_air_velocity_3_inv_V
+        .neg_mul_add(air_velocity_12_C_D_product_2, C_L_V_inv_m_half_rho_A);
+    let part_part_inv_V_air_sum = inv_air_velocity_12.neg_mul_add(
         part_of_part_part_inv_V_air_sum_2,
         part_of_part_part_inv_V_air_sum,
     );
@@ -422,11 +422,11 @@ pub fn f_jac_par<T: Real>(
     jp[24] = A_half * minus_air_velocity_product_3; // d_w_dot_d_rho
     let minus_air_velocity_product = inv_m_half_rho_A * minus_air_velocity_3_C_sum;
     let part_of_d_w_dot_d_air_velocity_2 =
-        air_velocity_12.mul_from(minus_air_velocity_product, part_of_d_w_dot_d_air_velocity);
+        air_velocity_12.neg_mul_add(minus_air_velocity_product, part_of_d_w_dot_d_air_velocity);
     let part_of_d_w_dot_d_minus_air_2 =
         minus_air_velocity_3.mul_add(minus_air_velocity_product, part_of_d_w_dot_d_minus_air);
     let d_w_dot_d_air_velocity_12 =
-        inv_V.mul_from(part_of_d_w_dot_d_air_velocity_2, C_L_V_inv_m_half_rho_A);
+        inv_V.neg_mul_add(part_of_d_w_dot_d_air_velocity_2, C_L_V_inv_m_half_rho_A);
     let d_w_dot_d_v =
         d_w_dot_d_air_velocity_12.mul_sub(air_velocity_2_inv_product, cos_theta_phidot);
     j[27] = d_w_dot_d_v;
@@ -442,14 +442,14 @@ pub fn f_jac_par<T: Real>(
     let d_w_dot_d_u = thetadot + d_w_dot_d_air_velocity_1;
     j[26] = d_w_dot_d_u;
     let part_of_minus_V_inv_m_half_rho_6 = C_D - air_velocity_12_C_D_product;
-    let minus_V_inv_m_half_rho_sum = part_of_minus_V_inv_m_half_rho_7.mul_from(
+    let minus_V_inv_m_half_rho_sum = part_of_minus_V_inv_m_half_rho_7.neg_mul_add(
         part_of_minus_V_inv_m_half_rho_6,
         part_of_minus_V_inv_m_half_rho_5,
     );
     let V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * air_velocity_12_C_D_product;
     let d_w_dot_d_minus_air_velocity_3 =
         inv_V.mul_add(part_of_d_w_dot_d_minus_air_2, C_D * V_inv_m_half_rho_A);
-    let part_of_v_dot_2 = air_velocity_2.mul_from(V_inv_m_half_rho_A_product, part_of_v_dot);
+    let part_of_v_dot_2 = air_velocity_2.neg_mul_add(V_inv_m_half_rho_A_product, part_of_v_dot);
     let v_dot = part_of_v_dot_2 - sin_phi_g;
     dx[4] = v_dot;
     let part_of_d_w_dot_d_wind_z_2 =
@@ -459,7 +459,7 @@ pub fn f_jac_par<T: Real>(
     jp[32] = d_w_dot_d_wind_z;
     let part_of_d_w_dot_d_wind_y_2 = -(cos_theta_sin_phi * d_w_dot_d_minus_air_velocity_3);
     let d_w_dot_d_wind_y = inv_air_velocity_12_product_3
-        .mul_from(part_of_d_w_dot_d_wind_y, part_of_d_w_dot_d_wind_y_2);
+        .neg_mul_add(part_of_d_w_dot_d_wind_y, part_of_d_w_dot_d_wind_y_2);
     jp[31] = d_w_dot_d_wind_y;
     let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3;
     j[28] = d_w_dot_d_w;
@@ -494,13 +494,13 @@ pub fn f_jac_par<T: Real>(
         cos_theta.mul_add(part_of_d_phidot_dot_d_w_3, sin_theta_d_phidot_dot_d_u);
     let d_gammadot_dot_d_w = sin_theta * part_of_d_phidot_dot_d_w_3;
     j[54] = d_gammadot_dot_d_w;
-    let d_phidot_dot_d_wind_x = cos_theta.mul_from(d_phidot_dot_d_u, d_gammadot_dot_d_w);
+    let d_phidot_dot_d_wind_x = cos_theta.neg_mul_add(d_phidot_dot_d_u, d_gammadot_dot_d_w);
     jp[41] = d_phidot_dot_d_wind_x;
     let d_gammadot_dot_d_wind_x = -(sin_theta * d_phidot_dot_d_wind_x);
     jp[64] = d_gammadot_dot_d_wind_x;
     let part_of_d_u_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi * cos_theta_part_part_product;
     let part_of_d_u_dot_d_phi_2 =
-        sin_phi_wind_y_sum.mul_from(minus_V_inv_m_half_product_2, part_of_d_u_dot_d_phi);
+        sin_phi_wind_y_sum.neg_mul_add(minus_V_inv_m_half_product_2, part_of_d_u_dot_d_phi);
     let d_v_dot_d_air_velocity_2 =
         air_velocity_2.mul_sub(minus_V_inv_m_half_product_2, V_inv_m_half_rho_A_product);
     j[21] = d_v_dot_d_air_velocity_2; // d_v_dot_d_v
@@ -510,8 +510,8 @@ pub fn f_jac_par<T: Real>(
         air_velocity_1.mul_sub(minus_V_inv_m_half_product, V_inv_m_half_rho_A_product);
     j[13] = d_u_dot_d_air_velocity_1; // d_u_dot_d_u
     let part_of_u_dot =
-        air_velocity_1.mul_from(V_inv_m_half_rho_A_product, sin_theta_cos_phi_g_product);
-    let u_dot = w.mul_from(thetadot, part_of_u_dot);
+        air_velocity_1.neg_mul_add(V_inv_m_half_rho_A_product, sin_theta_cos_phi_g_product);
+    let u_dot = w.neg_mul_add(thetadot, part_of_u_dot);
     dx[3] = u_dot;
     let part_of_d_w_dot_d_theta =
         d_air_velocity_1_d_theta.mul_add(d_w_dot_d_air_velocity_1, sin_theta_cos_phi_g_product);
@@ -529,7 +529,7 @@ pub fn f_jac_par<T: Real>(
     j[55] = d_gammadot_dot_d_phi;
     let part_of_d_v_dot_d_wind_x = -(cos_theta * minus_V_inv_m_half_product);
     let part_of_d_v_dot_d_wind_x_2 =
-        sin_theta.mul_from(part_part_inv_V_air_sum, part_of_d_v_dot_d_wind_x);
+        sin_theta.neg_mul_add(part_part_inv_V_air_sum, part_of_d_v_dot_d_wind_x);
     let d_v_dot_d_wind_x = air_velocity_2 * part_of_d_v_dot_d_wind_x_2;
     jp[19] = d_v_dot_d_wind_x;
     let d_phidot_dot_d_wind_z =
@@ -538,14 +538,14 @@ pub fn f_jac_par<T: Real>(
     let d_gammadot_dot_d_wind_z = -(sin_theta * d_phidot_dot_d_wind_z);
     jp[66] = d_gammadot_dot_d_wind_z;
     let minus_sin_theta_minus_V_sum =
-        sin_theta.mul_from(minus_V_inv_m_half_product, cos_theta_part_part_product);
+        sin_theta.neg_mul_add(minus_V_inv_m_half_product, cos_theta_part_part_product);
     let d_v_dot_d_phi =
-        minus_sin_theta_minus_V_sum.mul_from(part_of_d_v_dot_d_phi_2, part_of_d_v_dot_d_phi);
+        minus_sin_theta_minus_V_sum.neg_mul_add(part_of_d_v_dot_d_phi_2, part_of_d_v_dot_d_phi);
     j[23] = d_v_dot_d_phi;
     let part_of_sin_theta_d_u_dot_d_sum = air_velocity_1 * cos_theta_part_part_product;
     let air_velocity_1_part_product = air_velocity_1 * part_part_inv_V_air_sum;
     let d_u_dot_d_theta = air_velocity_1_part_product
-        .mul_from(d_minus_air_velocity_3_d_theta, part_of_d_u_dot_d_theta);
+        .neg_mul_add(d_minus_air_velocity_3_d_theta, part_of_d_u_dot_d_theta);
     j[17] = d_u_dot_d_theta;
     let d_u_dot_d_w = air_velocity_1_part_product - thetadot;
     j[15] = d_u_dot_d_w;
@@ -573,7 +573,7 @@ pub fn f_jac_par<T: Real>(
     j[20] = d_v_dot_d_u;
     let part_of_sin_theta_d_product_sum = cos_theta * air_velocity_1_C_Ma_sum;
     let part_of_d_thetadot_dot_d_wind_x = sin_theta * air_velocity_1_C_Ma_sum;
-    let d_thetadot_dot_d_wind_x = cos_theta.mul_from(
+    let d_thetadot_dot_d_wind_x = cos_theta.neg_mul_add(
         d_thetadot_dot_d_air_velocity_1,
         part_of_d_thetadot_dot_d_wind_x,
     );
@@ -610,21 +610,22 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_v_dot_d_wind_z = -(sin_phi * d_v_dot_d_air_velocity_2);
     let part_of_d_thetadot_dot_d_wind_y = -(cos_phi * d_thetadot_dot_d_air_velocity_2);
     let d_u_dot_d_wind_x =
-        part_part_inv_V_air_sum.mul_from(sin_theta_air_velocity_1, part_of_d_u_dot_d_wind_x);
+        part_part_inv_V_air_sum.neg_mul_add(sin_theta_air_velocity_1, part_of_d_u_dot_d_wind_x);
     jp[8] = d_u_dot_d_wind_x;
     let d_v_dot_d_wind_z =
-        minus_sin_theta_minus_V_sum.mul_from(cos_phi_air_velocity_2, part_of_d_v_dot_d_wind_z);
+        minus_sin_theta_minus_V_sum.neg_mul_add(cos_phi_air_velocity_2, part_of_d_v_dot_d_wind_z);
     jp[21] = d_v_dot_d_wind_z;
-    let d_w_dot_d_wind_x = cos_theta.mul_from(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_wind_x);
+    let d_w_dot_d_wind_x =
+        cos_theta.neg_mul_add(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_wind_x);
     jp[30] = d_w_dot_d_wind_x;
-    let d_v_dot_d_wind_y = cos_phi.mul_from(d_v_dot_d_air_velocity_2, part_of_d_v_dot_d_wind_y);
+    let d_v_dot_d_wind_y = cos_phi.neg_mul_add(d_v_dot_d_air_velocity_2, part_of_d_v_dot_d_wind_y);
     jp[20] = d_v_dot_d_wind_y;
-    let d_u_dot_d_wind_y = sin_phi.mul_from(sin_theta_d_u_dot_d_sum, part_of_d_u_dot_d_wind_y);
+    let d_u_dot_d_wind_y = sin_phi.neg_mul_add(sin_theta_d_u_dot_d_sum, part_of_d_u_dot_d_wind_y);
     jp[9] = d_u_dot_d_wind_y;
     let d_u_dot_d_wind_z = cos_phi.mul_sub(sin_theta_d_u_dot_d_sum, part_of_d_u_dot_d_wind_z);
     jp[10] = d_u_dot_d_wind_z;
     let d_thetadot_dot_d_wind_y =
-        sin_phi.mul_from(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_wind_y);
+        sin_phi.neg_mul_add(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_wind_y);
     jp[53] = d_thetadot_dot_d_wind_y;
     let d_thetadot_dot_d_wind_z =
         cos_phi.mul_sub(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_wind_z);

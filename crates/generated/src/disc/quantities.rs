@@ -28,11 +28,11 @@ pub fn quantities<T: Real>(
     values[28] = r;
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_wind_y_sin_phi_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
+    let minus_wind_y_sin_phi_sum = wind_y.neg_mul_add(sin_phi, wind_z * cos_phi);
     let v = state[4];
 
     // disc.hyz:75  let air_velocity = velocity - in_B(air);
-    let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
+    let air_velocity_2 = wind_y.neg_mul_add(cos_phi, wind_z.neg_mul_add(sin_phi, v));
     values[10] = air_velocity_2;
     let C_Nr = parameters[14];
 

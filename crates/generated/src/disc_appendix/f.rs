@@ -26,29 +26,30 @@ pub fn f<T: Real>(
     let cos_phi_g_m = g_m * cos_phi;
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
+    let minus_sin_phi_wind_y_sum = wind_y.neg_mul_add(sin_phi, wind_z * cos_phi);
     let v = state[4];
 
     // disc_appendix.hyz:67  let air_velocity = velocity - in_B(wind);
-    let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
+    let air_velocity_2 = wind_y.neg_mul_add(cos_phi, wind_z.neg_mul_add(sin_phi, v));
     let gammadot = state[11];
 
     // disc_appendix.hyz:64  let angular_velocity = (phidot*cos(theta), thetadot, phidot*sin(th …
     let angular_velocity_3 = gammadot + sin_theta_phidot;
     let u = state[3];
     let w = state[5];
-    let w_cos_theta_minus_sin_sum = sin_theta.mul_from(u, w * cos_theta);
+    let w_cos_theta_minus_sin_sum = sin_theta.neg_mul_add(u, w * cos_theta);
     let wind_x = parameters[15];
     let minus_air_velocity_3 =
         cos_theta.mul_add(minus_sin_phi_wind_y_sum, wind_x.mul_sub(sin_theta, w));
-    let air_velocity_1 = wind_x.mul_from(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
+    let air_velocity_1 =
+        wind_x.neg_mul_add(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
     let air_velocity_12_sq =
         air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let thetadot = state[10];
     let part_of_part_part_plus_part_sum =
         air_velocity_1.mul_add(cos_theta_phidot, thetadot * air_velocity_2);
     let part_of_minus_minus_part_part =
-        thetadot.mul_from(air_velocity_1, air_velocity_2 * cos_theta_phidot);
+        thetadot.neg_mul_add(air_velocity_1, air_velocity_2 * cos_theta_phidot);
     let C_Rr = parameters[13];
     let part_of_part_part_plus_part_sum_2 = C_Rr * angular_velocity_3;
     let I_a = parameters[1];
@@ -65,7 +66,7 @@ pub fn f<T: Real>(
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 
     // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
-    let y_dot = sin_phi.mul_from(w_cos_theta_minus_sin_sum, cos_phi * v);
+    let y_dot = sin_phi.neg_mul_add(w_cos_theta_minus_sin_sum, cos_phi * v);
     dx[1] = y_dot;
 
     // disc_appendix.hyz:124  der(z) = -u*sin(theta)*cos(phi) + v*sin(phi) + w*cos(theta)*cos(p …
@@ -73,9 +74,10 @@ pub fn f<T: Real>(
     dx[2] = z_dot;
     let I_d = parameters[2];
     let part_of_thetadot_dot =
-        I_d.mul_from(sin_theta_phidot, angular_velocity_3_I_a) * cos_theta_phidot;
+        I_d.neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a) * cos_theta_phidot;
     let I_d_two = prepared[5];
-    let part_of_der_phidot = thetadot * I_d_two.mul_from(sin_theta_phidot, angular_velocity_3_I_a);
+    let part_of_der_phidot =
+        thetadot * I_d_two.neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
 
     // disc_appendix.hyz:69  let V = norm(air_velocity);
     let V = V_sq.sqrt();
@@ -98,7 +100,7 @@ pub fn f<T: Real>(
     let inv_air_velocity_12_product_3 = inv_air_velocity_12_product * (d * V_sq);
     let part_of_der_phidot_2 = air_velocity_1 * part_part_plus_part_sum;
     let part_of_der_phidot_3 =
-        air_velocity_2.mul_from(minus_minus_part_part_sum, part_of_der_phidot_2);
+        air_velocity_2.neg_mul_add(minus_minus_part_part_sum, part_of_der_phidot_2);
     let part_of_der_phidot_4 =
         inv_air_velocity_12_product_3.mul_sub(part_of_der_phidot_3, part_of_der_phidot);
     let part_of_thetadot_dot_2 = air_velocity_2 * part_part_plus_part_sum;
@@ -119,7 +121,7 @@ pub fn f<T: Real>(
     let inv_I_a = prepared[2];
 
     // disc_appendix.hyz:119  der(gammadot) = (M_b3 - I_a*(der(phidot)*sin(theta) + phidot*thet …
-    let gammadot_dot = inv_I_a * I_a.mul_from(part_of_gammadot_dot, spin_down);
+    let gammadot_dot = inv_I_a * I_a.neg_mul_add(part_of_gammadot_dot, spin_down);
     dx[11] = gammadot_dot;
     let C_La = parameters[8];
     let C_L0 = parameters[7];
@@ -140,18 +142,18 @@ pub fn f<T: Real>(
     let inv_m = prepared[0];
 
     // disc_appendix.hyz:106  der(w) = F_b3/m + u*thetadot - v*phidot*cos(theta);
-    let w_dot = inv_m.mul_add(force_b_3, v.mul_from(cos_theta_phidot, u * thetadot));
+    let w_dot = inv_m.mul_add(force_b_3, v.neg_mul_add(cos_theta_phidot, u * thetadot));
     dx[5] = w_dot;
     let minus_force_b_1 =
         air_velocity_1.mul_sub(inv_air_velocity_12_product_2, sin_theta * cos_phi_g_m);
     let minus_force_b_2 = air_velocity_2.mul_add(inv_air_velocity_12_product_2, g_m * sin_phi);
 
     // disc_appendix.hyz:102  der(u) = F_b1/m - w*thetadot + v*phidot*sin(theta);
-    let u_dot = inv_m.mul_from(minus_force_b_1, v.mul_sub(sin_theta_phidot, w * thetadot));
+    let u_dot = inv_m.neg_mul_add(minus_force_b_1, v.mul_sub(sin_theta_phidot, w * thetadot));
     dx[3] = u_dot;
 
     // disc_appendix.hyz:104  der(v) = F_b2/m + w*phidot*cos(theta) - u*phidot*sin(theta);
-    let v_dot = inv_m.mul_from(minus_force_b_2, phidot * w_cos_theta_minus_sin_sum);
+    let v_dot = inv_m.neg_mul_add(minus_force_b_2, phidot * w_cos_theta_minus_sin_sum);
     dx[4] = v_dot;
 
     dx[6] = phidot;

@@ -35,9 +35,9 @@ pub fn f_jac<T: Real>(
     let cos_phi_g_m = g_m * cos_phi;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
-    let sin_phi_wind_y_sum = wind_z.mul_from(cos_phi, wind_y * sin_phi);
+    let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
     let minus_wind_y = prepared[6];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.mul_from(sin_phi, minus_wind_y * cos_phi);
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.neg_mul_add(sin_phi, minus_wind_y * cos_phi);
     let sin_phi_g_m = g_m * sin_phi;
     let gammadot = state[11];
 
@@ -48,7 +48,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_w_dot_d_theta_3 = inv_m.mul_add(cos_phi_g_m, v * phidot);
     let wind_x = parameters[15];
     let d_minus_air_velocity_3_d_theta = sin_theta.mul_add(sin_phi_wind_y_sum, wind_x * cos_theta);
-    let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
+    let d_air_velocity_1_d_theta = cos_theta.neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
     let d_y_dot_d_u = sin_theta * sin_phi;
     j[3] = d_y_dot_d_u;
     let d_z_dot_d_w = cos_theta * cos_phi;
@@ -70,7 +70,7 @@ pub fn f_jac<T: Real>(
     let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
     let I_a = parameters[1];
     let angular_velocity_3_I_a = I_a * angular_velocity_3;
-    let w_cos_theta_minus_sin_sum = u.mul_from(sin_theta, cos_theta * w);
+    let w_cos_theta_minus_sin_sum = u.neg_mul_add(sin_theta, cos_theta * w);
     j[2] = w_cos_theta_minus_sin_sum; // d_x_dot_d_theta
     j[25] = w_cos_theta_minus_sin_sum; // d_v_dot_d_phidot
     let cos_theta_cos_phi_g_m = cos_theta * cos_phi_g_m;
@@ -82,9 +82,9 @@ pub fn f_jac<T: Real>(
     let air_velocity_1_cos_product = air_velocity_1 * cos_theta_phidot;
     let air_velocity_2_thetadot = air_velocity_2 * thetadot;
     let I_d_two = prepared[5];
-    let angular_velocity_3_I_a_sum = I_d_two.mul_from(sin_theta_phidot, angular_velocity_3_I_a);
+    let angular_velocity_3_I_a_sum = I_d_two.neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
     let I_d = parameters[2];
-    let angular_velocity_3_I_a_sum_2 = I_d.mul_from(sin_theta_phidot, angular_velocity_3_I_a);
+    let angular_velocity_3_I_a_sum_2 = I_d.neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
     let minus_thetadot_air_sum = air_velocity_2_cos_product - air_velocity_1_thetadot;
@@ -121,7 +121,7 @@ pub fn f_jac<T: Real>(
     j[42] = d_phidot_dot_d_thetadot;
 
     // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
-    let y_dot = w_cos_theta_minus_sin_sum.mul_from(sin_phi, v * cos_phi);
+    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_z_dot_d_u = -(sin_theta * cos_phi);
@@ -169,7 +169,7 @@ pub fn f_jac<T: Real>(
     let C_Ma = parameters[11];
     let minus_minus_thetadot_sum = C_Ma.mul_sub(alpha, minus_thetadot_air_product);
     let air_velocity_1_product_sum =
-        air_velocity_2.mul_from(minus_minus_thetadot_sum, part_of_air_velocity_1_product_2);
+        air_velocity_2.neg_mul_add(minus_minus_thetadot_sum, part_of_air_velocity_1_product_2);
     let air_velocity_1_product_sum_2 = air_velocity_1_product_sum.mul_sub(
         inv_air_velocity_12_product_3_2,
         part_of_air_velocity_1_product_3,
@@ -189,7 +189,7 @@ pub fn f_jac<T: Real>(
         inv_air_velocity_12_product_3 * air_velocity_1_inv_product;
     let part_of_minus_inv_air_velocity = air_velocity_12 * inv_air_velocity_12_product_5;
     let minus_air_velocity_product_4 = minus_air_velocity_3 * inv_air_velocity_12_product_5;
-    let minus_inv_air_velocity_sum = inv_air_velocity_12.mul_from(
+    let minus_inv_air_velocity_sum = inv_air_velocity_12.neg_mul_add(
         inv_air_velocity_12_product_3_2,
         part_of_minus_inv_air_velocity,
     );
@@ -209,7 +209,7 @@ pub fn f_jac<T: Real>(
     let minus_air_velocity_product = minus_air_velocity_3 * inv_V_sq;
     let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
     let minus_C_Ma_minus_air_sum =
-        C_Ma.mul_from(minus_air_velocity_product, part_of_minus_C_Ma_minus_air_sum);
+        C_Ma.neg_mul_add(minus_air_velocity_product, part_of_minus_C_Ma_minus_air_sum);
     let part_of_air_velocity_1_product_5 =
         air_velocity_2.mul_add(minus_C_Ma_minus_air_sum, part_of_air_velocity_1_product_4);
     let part_of_air_velocity_1_product_6 =
@@ -253,7 +253,7 @@ pub fn f_jac<T: Real>(
     j[43] = d_phidot_dot_d_gammadot;
     j[46] = minus_inv_I_d * air_velocity_1_inv_sum; // d_thetadot_dot_d_w
     let d_gammadot_dot_d_angular_velocity_3 = prepared[12];
-    let d_gammadot_dot_d_gammadot = C_Rr_air_velocity_1_sum.mul_from(
+    let d_gammadot_dot_d_gammadot = C_Rr_air_velocity_1_sum.neg_mul_add(
         sin_theta_inv_cos_product,
         d_gammadot_dot_d_angular_velocity_3,
     );
@@ -289,12 +289,12 @@ pub fn f_jac<T: Real>(
         .mul_sub(air_velocity_2_inv_product, part_of_air_velocity_1_product_9);
     let air_velocity_2_product_sum_4 = air_velocity_2_product_sum_3
         .mul_add(air_velocity_1_inv_product, part_of_air_velocity_2_product_9);
-    let part_of_d_thetadot_dot_d_theta_4 = d_air_velocity_1_d_theta.mul_from(
+    let part_of_d_thetadot_dot_d_theta_4 = d_air_velocity_1_d_theta.neg_mul_add(
         air_velocity_2_product_sum_4,
         part_of_d_thetadot_dot_d_theta_3,
     );
     let part_of_d_thetadot_dot_d_theta_5 = d_minus_air_velocity_3_d_theta
-        .mul_from(air_velocity_1_inv_sum, part_of_d_thetadot_dot_d_theta_4);
+        .neg_mul_add(air_velocity_1_inv_sum, part_of_d_thetadot_dot_d_theta_4);
     j[48] = minus_inv_I_d * part_of_d_thetadot_dot_d_theta_5; // d_thetadot_dot_d_theta
     let part_of_d_thetadot_dot_d_phi = cos_theta * air_velocity_1_inv_sum;
     let part_of_d_thetadot_dot_d_phi_2 =
@@ -335,7 +335,7 @@ pub fn f_jac<T: Real>(
     let der_phidot = air_velocity_1_product_sum_2 * inv_cos_theta_inv_I_d;
     dx[9] = der_phidot;
     let thetadot_cos_theta_sum = sin_theta.mul_add(der_phidot, thetadot * cos_theta_phidot);
-    let minus_I_a_thetadot_cos_sum = I_a.mul_from(thetadot_cos_theta_sum, spin_down);
+    let minus_I_a_thetadot_cos_sum = I_a.neg_mul_add(thetadot_cos_theta_sum, spin_down);
     let inv_I_a = prepared[2];
 
     // disc_appendix.hyz:119  der(gammadot) = (M_b3 - I_a*(der(phidot)*sin(theta) + phidot*thet …
@@ -345,8 +345,8 @@ pub fn f_jac<T: Real>(
     j[40] = d_phidot_dot_d_theta;
     let part_of_d_gammadot_dot_d_theta =
         cos_theta * d_gammadot_dot_d_angular_velocity_3.mul_sub(phidot, der_phidot);
-    let part_of_d_gammadot_dot_d_theta_2 = thetadot.mul_from(phidot, d_phidot_dot_d_theta);
-    let d_gammadot_dot_d_theta = sin_theta.mul_from(
+    let part_of_d_gammadot_dot_d_theta_2 = thetadot.neg_mul_add(phidot, d_phidot_dot_d_theta);
+    let d_gammadot_dot_d_theta = sin_theta.neg_mul_add(
         part_of_d_gammadot_dot_d_theta_2,
         part_of_d_gammadot_dot_d_theta,
     );
@@ -358,14 +358,14 @@ pub fn f_jac<T: Real>(
     let force_b_3 = minus_air_velocity_3_C_sum.mul_sub(half_rho_A * V, cos_theta_cos_phi_g_m);
 
     // disc_appendix.hyz:106  der(w) = F_b3/m + u*thetadot - v*phidot*cos(theta);
-    let w_dot = v.mul_from(cos_theta_phidot, inv_m.mul_add(force_b_3, u * thetadot));
+    let w_dot = v.neg_mul_add(cos_theta_phidot, inv_m.mul_add(force_b_3, u * thetadot));
     dx[5] = w_dot;
     let part_of_minus_air_velocity_12_C =
-        d_air_velocity_12_C_D_sum_d_alpha.mul_from(minus_air_velocity_product, C_D);
+        d_air_velocity_12_C_D_sum_d_alpha.neg_mul_add(minus_air_velocity_product, C_D);
     let part_of_inv_air_velocity_12 =
-        d_air_velocity_12_C_D_sum_d_alpha.mul_from(air_velocity_12_inv_V_sq, C_L);
+        d_air_velocity_12_C_D_sum_d_alpha.neg_mul_add(air_velocity_12_inv_V_sq, C_L);
     let part_of_d_force_b_3_d_air =
-        air_velocity_12_C_La_sum.mul_from(minus_air_velocity_product, C_L);
+        air_velocity_12_C_La_sum.neg_mul_add(minus_air_velocity_product, C_L);
     let part_of_minus_air_velocity_sum =
         air_velocity_12_C_La_sum.mul_add(air_velocity_12_inv_V_sq, C_D);
     let part_of_minus_air_velocity_12_C_2 =
@@ -377,7 +377,7 @@ pub fn f_jac<T: Real>(
     );
     let part_of_inv_air_velocity_12_2 = air_velocity_12_C_D_sum * minus_air_velocity_3_inv_V;
     let part_of_inv_air_velocity_12_3 =
-        V.mul_from(part_of_inv_air_velocity_12, part_of_inv_air_velocity_12_2);
+        V.neg_mul_add(part_of_inv_air_velocity_12, part_of_inv_air_velocity_12_2);
     let inv_air_velocity_12_product_4 = inv_air_velocity_12_product * part_of_inv_air_velocity_12_3;
     let part_of_minus_air_velocity_sum_2 = minus_air_velocity_3_C_sum * minus_air_velocity_3_inv_V;
     let minus_air_velocity_sum = V.mul_add(
@@ -401,37 +401,37 @@ pub fn f_jac<T: Real>(
     let d_force_b_3_d_air_velocity_12 = half_rho_A * part_of_d_force_b_3_d_air_3;
     let minus_force_b_1 =
         air_velocity_1.mul_sub(inv_air_velocity_12_product_2, sin_theta * cos_phi_g_m);
-    let part_of_u_dot = inv_m.mul_from(minus_force_b_1, v * sin_theta_phidot);
+    let part_of_u_dot = inv_m.neg_mul_add(minus_force_b_1, v * sin_theta_phidot);
 
     // disc_appendix.hyz:102  der(u) = F_b1/m - w*thetadot + v*phidot*sin(theta);
-    let u_dot = w.mul_from(thetadot, part_of_u_dot);
+    let u_dot = w.neg_mul_add(thetadot, part_of_u_dot);
     dx[3] = u_dot;
     let minus_force_b_2 = air_velocity_2.mul_add(inv_air_velocity_12_product_2, sin_phi_g_m);
 
     // disc_appendix.hyz:104  der(v) = F_b2/m + w*phidot*cos(theta) - u*phidot*sin(theta);
-    let v_dot = inv_m.mul_from(minus_force_b_2, w_cos_theta_minus_sin_sum * phidot);
+    let v_dot = inv_m.neg_mul_add(minus_force_b_2, w_cos_theta_minus_sin_sum * phidot);
     dx[4] = v_dot;
     let part_of_d_v_dot_d_phi = air_velocity_2 * minus_air_velocity_12_C_sum;
     let minus_air_velocity_product_2 = minus_air_velocity_12_C_sum * air_velocity_1_inv_product;
     let part_of_d_u_dot_d_phi_2 =
-        minus_air_velocity_product_2.mul_from(part_of_d_u_dot_d_phi, sin_theta * sin_phi_g_m);
+        minus_air_velocity_product_2.neg_mul_add(part_of_d_u_dot_d_phi, sin_theta * sin_phi_g_m);
     let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3;
     j[28] = d_w_dot_d_w;
     let part_of_d_w_dot_d_theta = d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3;
-    let part_of_d_v_dot_d_phi_2 =
-        air_velocity_2_inv_product.mul_from(part_of_d_v_dot_d_phi, inv_air_velocity_12_product_2);
+    let part_of_d_v_dot_d_phi_2 = air_velocity_2_inv_product
+        .neg_mul_add(part_of_d_v_dot_d_phi, inv_air_velocity_12_product_2);
     let inv_air_velocity_12_sum =
-        air_velocity_1.mul_from(minus_air_velocity_product_2, inv_air_velocity_12_product_2);
+        air_velocity_1.neg_mul_add(minus_air_velocity_product_2, inv_air_velocity_12_product_2);
     let air_velocity_1_inv_product_2 = air_velocity_1 * inv_air_velocity_12_product_4;
     let part_of_d_u_dot_d_theta =
-        inv_air_velocity_12_sum.mul_from(d_air_velocity_1_d_theta, cos_theta_cos_phi_g_m);
+        inv_air_velocity_12_sum.neg_mul_add(d_air_velocity_1_d_theta, cos_theta_cos_phi_g_m);
     let minus_inv_m = prepared[7];
     j[21] = minus_inv_m * part_of_d_v_dot_d_phi_2; // d_v_dot_d_v
     let g = parameters[6];
     let part_of_d_v_dot_d_phi_3 =
         sin_phi_wind_y_sum.mul_sub(minus_inv_m * part_of_d_v_dot_d_phi_2, g * cos_phi);
     let part_of_d_u_dot_d_theta_2 = d_minus_air_velocity_3_d_theta
-        .mul_from(air_velocity_1_inv_product_2, part_of_d_u_dot_d_theta);
+        .neg_mul_add(air_velocity_1_inv_product_2, part_of_d_u_dot_d_theta);
     let d_u_dot_d_theta = inv_m.mul_add(part_of_d_u_dot_d_theta_2, phidot * cos_theta_v);
     j[17] = d_u_dot_d_theta;
     let part_of_d_v_dot_d_theta = inv_air_velocity_12_product_4 * d_minus_air_velocity_3_d_theta;
@@ -447,11 +447,11 @@ pub fn f_jac<T: Real>(
     j[16] = minus_inv_m * part_of_d_u_dot_d_phi_5; // d_u_dot_d_phi
     let part_of_d_air_velocity_2_d_sum = cos_theta * minus_air_velocity_2_sum;
     let part_of_d_v_dot_d_phi_5 =
-        sin_theta.mul_from(minus_air_velocity_product_2, part_of_d_v_dot_d_phi_4);
+        sin_theta.neg_mul_add(minus_air_velocity_product_2, part_of_d_v_dot_d_phi_4);
     let part_of_d_v_dot_d_theta_2 =
-        d_air_velocity_1_d_theta.mul_from(minus_air_velocity_product_2, part_of_d_v_dot_d_theta);
+        d_air_velocity_1_d_theta.neg_mul_add(minus_air_velocity_product_2, part_of_d_v_dot_d_theta);
     let d_v_dot_d_theta =
-        air_velocity_2_inv_m.mul_from(part_of_d_v_dot_d_theta_2, part_of_d_v_dot_d_theta_3);
+        air_velocity_2_inv_m.neg_mul_add(part_of_d_v_dot_d_theta_2, part_of_d_v_dot_d_theta_3);
     j[24] = d_v_dot_d_theta;
     let minus_air_velocity_product_3 = minus_air_velocity_product_2 * air_velocity_2_inv_m;
     let d_phidot_dot_d_w = -(minus_air_velocity_2_sum * inv_cos_theta_inv_I_d);
@@ -462,7 +462,7 @@ pub fn f_jac<T: Real>(
     j[52] = d_gammadot_dot_d_u;
     let part_of_d_v_dot_d_phi_6 = d_minus_sin_phi_wind_y_sum_d_phi * part_of_d_v_dot_d_phi_5;
     let d_v_dot_d_phi =
-        air_velocity_2_inv_m.mul_from(part_of_d_v_dot_d_phi_6, part_of_d_v_dot_d_phi_3);
+        air_velocity_2_inv_m.neg_mul_add(part_of_d_v_dot_d_phi_6, part_of_d_v_dot_d_phi_3);
     j[23] = d_v_dot_d_phi;
     let inv_m_d_force_b_3_d_product = inv_m * d_force_b_3_d_air_velocity_12;
     let part_of_d_w_dot_d_phi = sin_phi_wind_y_sum * d_force_b_3_d_air_velocity_12;

@@ -36,9 +36,9 @@ pub fn f_jac_par<T: Real>(
     let cos_phi_g_m = g_m * cos_phi;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
-    let sin_phi_wind_y_sum = wind_z.mul_from(cos_phi, wind_y * sin_phi);
+    let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
     let minus_wind_y = prepared[6];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.mul_from(sin_phi, minus_wind_y * cos_phi);
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.neg_mul_add(sin_phi, minus_wind_y * cos_phi);
     let inv_I_d = prepared[1];
     let cos_theta_phidot_inv_I_d = inv_I_d * cos_theta_phidot;
     let gammadot = state[11];
@@ -50,7 +50,7 @@ pub fn f_jac_par<T: Real>(
     let v_phidot_plus_cos_phi_g_sum = inv_m.mul_add(cos_phi_g_m, v * phidot);
     let wind_x = parameters[15];
     let d_minus_air_velocity_3_d_theta = sin_theta.mul_add(sin_phi_wind_y_sum, wind_x * cos_theta);
-    let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
+    let d_air_velocity_1_d_theta = cos_theta.neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
     let u = state[3];
 
     // disc_appendix.hyz:122  der(x) = u*cos(theta) + w*sin(theta);
@@ -88,9 +88,9 @@ pub fn f_jac_par<T: Real>(
     let thetadot_air_velocity_2_sum = air_velocity_1_cos_product + air_velocity_2_thetadot;
     let minus_thetadot_air_sum = air_velocity_2_cos_product - air_velocity_1_thetadot;
     let I_d_two = prepared[5];
-    let angular_velocity_3_I_a_sum = I_d_two.mul_from(sin_theta_phidot, angular_velocity_3_I_a);
+    let angular_velocity_3_I_a_sum = I_d_two.neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
     let I_d = parameters[2];
-    let angular_velocity_3_I_a_sum_2 = I_d.mul_from(sin_theta_phidot, angular_velocity_3_I_a);
+    let angular_velocity_3_I_a_sum_2 = I_d.neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
 
     // disc_appendix.hyz:69  let V = norm(air_velocity);
     let V = V_sq.sqrt();
@@ -101,7 +101,7 @@ pub fn f_jac_par<T: Real>(
         air_velocity_2.mul_add(minus_thetadot_air_sum, part_of_d_der_phidot_d_C_Mq);
     let part_of_d_thetadot_dot_d_C_Mq = air_velocity_2 * thetadot_air_velocity_2_sum;
     let part_of_d_thetadot_dot_d_C_Mq_2 =
-        air_velocity_1.mul_from(minus_thetadot_air_sum, part_of_d_thetadot_dot_d_C_Mq);
+        air_velocity_1.neg_mul_add(minus_thetadot_air_sum, part_of_d_thetadot_dot_d_C_Mq);
     let thetadot_inv_cos_product = thetadot * inv_cos_theta_inv_I_d;
     let part_of_air_velocity_1_product_2 = thetadot * angular_velocity_3_I_a_sum;
     let angular_velocity_3_product = angular_velocity_3_I_a_sum * inv_cos_theta_inv_I_d;
@@ -121,7 +121,7 @@ pub fn f_jac_par<T: Real>(
     let inv_I_d_angular_product = inv_I_d * angular_velocity_3_I_a_sum_2;
     let part_of_air_velocity_2_product_2 = cos_theta_phidot * angular_velocity_3_I_a_sum_2;
     let sin_theta_angular_velocity_3 = sin_theta * angular_velocity_3;
-    let w_cos_theta_minus_sin_sum = u.mul_from(sin_theta, cos_theta * w);
+    let w_cos_theta_minus_sin_sum = u.neg_mul_add(sin_theta, cos_theta * w);
     j[2] = w_cos_theta_minus_sin_sum; // d_x_dot_d_theta
     j[25] = w_cos_theta_minus_sin_sum; // d_v_dot_d_phidot
 
@@ -188,7 +188,7 @@ pub fn f_jac_par<T: Real>(
     let C_Ma_inv_V = C_Ma * inv_V;
     let part_of_air_velocity_1_product = air_velocity_1 * thetadot_air_product_sum;
     let air_velocity_1_product_sum =
-        air_velocity_2.mul_from(minus_minus_thetadot_sum, part_of_air_velocity_1_product);
+        air_velocity_2.neg_mul_add(minus_minus_thetadot_sum, part_of_air_velocity_1_product);
     let air_velocity_1_product_sum_2 = inv_air_velocity_12_product_3
         .mul_sub(air_velocity_1_product_sum, part_of_air_velocity_1_product_2);
 
@@ -196,14 +196,14 @@ pub fn f_jac_par<T: Real>(
     let der_phidot = air_velocity_1_product_sum_2 * inv_cos_theta_inv_I_d;
     dx[9] = der_phidot;
     let thetadot_cos_theta_sum = sin_theta.mul_add(der_phidot, thetadot * cos_theta_phidot);
-    let d_der_phidot_d_I_d = inv_I_d.mul_from(der_phidot, part_of_d_der_phidot_d_I_d);
+    let d_der_phidot_d_I_d = inv_I_d.neg_mul_add(der_phidot, part_of_d_der_phidot_d_I_d);
     jp[34] = d_der_phidot_d_I_d; // d_phidot_dot_d_I_d
-    let minus_I_a_thetadot_cos_sum = I_a.mul_from(thetadot_cos_theta_sum, spin_down);
+    let minus_I_a_thetadot_cos_sum = I_a.neg_mul_add(thetadot_cos_theta_sum, spin_down);
     let part_of_d_gammadot_dot_d_I_a_2 =
-        inv_I_a.mul_from(thetadot_cos_theta_sum, part_of_d_gammadot_dot_d_I_a);
+        inv_I_a.neg_mul_add(thetadot_cos_theta_sum, part_of_d_gammadot_dot_d_I_a);
     let inv_I_a_sq = prepared[23];
     let d_gammadot_dot_d_I_a =
-        inv_I_a_sq.mul_from(minus_I_a_thetadot_cos_sum, part_of_d_gammadot_dot_d_I_a_2);
+        inv_I_a_sq.neg_mul_add(minus_I_a_thetadot_cos_sum, part_of_d_gammadot_dot_d_I_a_2);
     jp[55] = d_gammadot_dot_d_I_a;
 
     // disc_appendix.hyz:119  der(gammadot) = (M_b3 - I_a*(der(phidot)*sin(theta) + phidot*thet …
@@ -304,14 +304,14 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_12_alpha = air_velocity_12 * alpha;
     let C_Da_two = prepared[8];
     let part_of_minus_inv_air_velocity_2 =
-        C_Da_two.mul_from(air_velocity_12_alpha, C_La * minus_air_velocity_3);
+        C_Da_two.neg_mul_add(air_velocity_12_alpha, C_La * minus_air_velocity_3);
     let part_of_minus_inv_air_velocity_3 = minus_air_velocity_3 * part_of_minus_inv_air_velocity_2;
     let air_velocity_1_inv_product_3 = air_velocity_1 * inv_air_velocity_12_product_10;
     let part_of_d_thetadot_dot_d_air_2 = air_velocity_1_inv_product_3 * minus_air_velocity_product;
     let part_of_d_thetadot_dot_d_air_3 =
         minus_inv_air_velocity_sum_3.mul_sub(inv_I_d_air_product, part_of_d_thetadot_dot_d_air_2);
     let d_thetadot_dot_d_air_velocity_12 =
-        inv_air_velocity_12_C_Mq.mul_from(d_thetadot_dot_d_C_Mq, part_of_d_thetadot_dot_d_air_3);
+        inv_air_velocity_12_C_Mq.neg_mul_add(d_thetadot_dot_d_C_Mq, part_of_d_thetadot_dot_d_air_3);
     let part_of_air_velocity_1_inv_sum = air_velocity_1_inv_product_3 * air_velocity_12_inv_product;
     let air_velocity_1_inv_sum =
         inv_I_d_air_product.mul_add(minus_air_velocity_product_2, part_of_air_velocity_1_inv_sum);
@@ -331,10 +331,10 @@ pub fn f_jac_par<T: Real>(
     let force_b_3 = minus_air_velocity_3_C_sum.mul_sub(half_rho_A * V, cos_theta * cos_phi_g_m);
 
     // disc_appendix.hyz:106  der(w) = F_b3/m + u*thetadot - v*phidot*cos(theta);
-    let w_dot = v.mul_from(cos_theta_phidot, inv_m.mul_add(force_b_3, u * thetadot));
+    let w_dot = v.neg_mul_add(cos_theta_phidot, inv_m.mul_add(force_b_3, u * thetadot));
     dx[5] = w_dot;
     let part_of_minus_inv_air_velocity_6 = air_velocity_12_C_D_sum - air_velocity_12_C_La;
-    let part_of_minus_inv_air_velocity_8 = minus_air_velocity_3.mul_from(
+    let part_of_minus_inv_air_velocity_8 = minus_air_velocity_3.neg_mul_add(
         part_of_minus_inv_air_velocity_6,
         part_of_minus_inv_air_velocity_7,
     );
@@ -384,7 +384,7 @@ pub fn f_jac_par<T: Real>(
     let alpha_air_velocity_12_alpha = alpha * air_velocity_12_alpha;
     let d_w_dot_d_C_D = minus_air_velocity_3 * half_rho_A_V_inv_m;
     jp[28] = d_w_dot_d_C_D; // d_w_dot_d_C_D0
-    let d_v_dot_d_m = inv_m * g.mul_from(sin_phi, inv_m_minus_force_b_2);
+    let d_v_dot_d_m = inv_m * g.neg_mul_add(sin_phi, inv_m_minus_force_b_2);
     jp[11] = d_v_dot_d_m;
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
     let d_der_phidot_d_air_velocity_1 = d_der_phidot_d_air_velocity_12
@@ -393,7 +393,7 @@ pub fn f_jac_par<T: Real>(
     let minus_air_velocity_3_alpha = minus_air_velocity_3 * alpha;
     let part_of_d_w_dot_d_air_velocity =
         C_Da_two.mul_add(minus_air_velocity_3_alpha, air_velocity_12_C_La);
-    let part_of_d_w_dot_d_air_velocity_3 = minus_air_velocity_3_inv_V.mul_from(
+    let part_of_d_w_dot_d_air_velocity_3 = minus_air_velocity_3_inv_V.neg_mul_add(
         part_of_d_w_dot_d_air_velocity,
         part_of_d_w_dot_d_air_velocity_2,
     );
@@ -409,7 +409,7 @@ pub fn f_jac_par<T: Real>(
     let d_der_phidot_d_sin_theta_phidot =
         inv_cos_theta.mul_add(T::splat(2.0) * thetadot, d_der_phidot_d_angular_velocity_3);
     let d_gammadot_dot_d_angular_velocity_3 = prepared[12];
-    let d_gammadot_dot_d_gammadot = sin_theta.mul_from(
+    let d_gammadot_dot_d_gammadot = sin_theta.neg_mul_add(
         d_der_phidot_d_angular_velocity_3,
         d_gammadot_dot_d_angular_velocity_3,
     );
@@ -444,7 +444,7 @@ pub fn f_jac_par<T: Real>(
     j[51] = d_thetadot_dot_d_angular_velocity_3; // d_thetadot_dot_d_gammadot
     let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
     let minus_d_der_phidot_d_air_velocity_2 = d_der_phidot_d_air_velocity_12
-        .mul_from(air_velocity_2_inv_product_2, part_of_minus_d_der_phidot_d);
+        .neg_mul_add(air_velocity_2_inv_product_2, part_of_minus_d_der_phidot_d);
     let inv_air_velocity_12_product_5 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12;
     let d_thetadot_dot_d_air_velocity_1 = d_thetadot_dot_d_air_velocity_12
         .mul_add(air_velocity_1_inv_product, part_of_d_thetadot_dot_d_air_4);
@@ -489,8 +489,8 @@ pub fn f_jac_par<T: Real>(
     jp[12] = minus_rho_half * air_velocity_2_inv_product_5; // d_v_dot_d_A
     jp[13] = minus_A_half * air_velocity_2_inv_product_5; // d_v_dot_d_rho
     let part_of_d_der_phidot_d_theta_4 =
-        inv_cos_theta.mul_from(der_phidot, phidot * d_der_phidot_d_cos_theta_phidot);
-    let d_der_phidot_d_theta = sin_theta.mul_from(
+        inv_cos_theta.neg_mul_add(der_phidot, phidot * d_der_phidot_d_cos_theta_phidot);
+    let d_der_phidot_d_theta = sin_theta.neg_mul_add(
         part_of_d_der_phidot_d_theta_4,
         part_of_d_der_phidot_d_theta_3,
     );
@@ -503,8 +503,8 @@ pub fn f_jac_par<T: Real>(
     j[41] = d_der_phidot_d_phidot; // d_phidot_dot_d_phidot
     let part_of_d_gammadot_dot_d_theta =
         cos_theta * d_gammadot_dot_d_angular_velocity_3.mul_sub(phidot, der_phidot);
-    let part_of_d_gammadot_dot_d_theta_2 = thetadot.mul_from(phidot, d_der_phidot_d_theta);
-    let d_gammadot_dot_d_theta = sin_theta.mul_from(
+    let part_of_d_gammadot_dot_d_theta_2 = thetadot.neg_mul_add(phidot, d_der_phidot_d_theta);
+    let d_gammadot_dot_d_theta = sin_theta.neg_mul_add(
         part_of_d_gammadot_dot_d_theta_2,
         part_of_d_gammadot_dot_d_theta,
     );
@@ -519,7 +519,7 @@ pub fn f_jac_par<T: Real>(
     let d_gammadot_dot_d_w = sin_theta * d_der_phidot_d_minus_air_velocity_3;
     j[54] = d_gammadot_dot_d_w;
     let d_der_phidot_d_wind_x =
-        cos_theta.mul_from(d_der_phidot_d_air_velocity_1, d_gammadot_dot_d_w);
+        cos_theta.neg_mul_add(d_der_phidot_d_air_velocity_1, d_gammadot_dot_d_w);
     jp[41] = d_der_phidot_d_wind_x; // d_phidot_dot_d_wind_x
     let d_gammadot_dot_d_wind_x = -(sin_theta * d_der_phidot_d_wind_x);
     jp[64] = d_gammadot_dot_d_wind_x;
@@ -540,13 +540,13 @@ pub fn f_jac_par<T: Real>(
     j[55] = d_gammadot_dot_d_phi;
     let part_of_d_v_dot_d_wind_x = -(cos_theta * minus_inv_air_product);
     let part_of_d_v_dot_d_wind_x_2 =
-        sin_theta.mul_from(minus_inv_air_velocity_sum_2, part_of_d_v_dot_d_wind_x);
+        sin_theta.neg_mul_add(minus_inv_air_velocity_sum_2, part_of_d_v_dot_d_wind_x);
     let d_v_dot_d_wind_x = part_of_d_v_dot_d_wind_x_2 * air_velocity_2_inv_m;
     jp[19] = d_v_dot_d_wind_x;
     let part_of_d_der_phidot_d_wind_y = cos_phi * minus_d_der_phidot_d_air_velocity_2;
     let part_of_d_der_phidot_d_wind_z = sin_phi * minus_d_der_phidot_d_air_velocity_2;
     let d_der_phidot_d_wind_y =
-        sin_phi.mul_from(sin_theta_d_der_product_sum, part_of_d_der_phidot_d_wind_y);
+        sin_phi.neg_mul_add(sin_theta_d_der_product_sum, part_of_d_der_phidot_d_wind_y);
     jp[42] = d_der_phidot_d_wind_y; // d_phidot_dot_d_wind_y
     let d_der_phidot_d_wind_z =
         cos_phi.mul_add(sin_theta_d_der_product_sum, part_of_d_der_phidot_d_wind_z);
@@ -563,10 +563,10 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_u_dot_d_phi_2 = d_minus_sin_phi_wind_y_sum_d_phi
         .mul_sub(cos_theta_minus_inv_product, part_of_d_u_dot_d_phi);
     let part_of_minus_sin_theta_product =
-        sin_theta.mul_from(minus_inv_air_product, cos_theta_minus_inv_product);
+        sin_theta.neg_mul_add(minus_inv_air_product, cos_theta_minus_inv_product);
     let minus_sin_theta_product = part_of_minus_sin_theta_product * air_velocity_2_inv_m;
-    let d_v_dot_d_phi =
-        d_minus_sin_phi_wind_y_sum_d_phi.mul_from(minus_sin_theta_product, part_of_d_v_dot_d_phi);
+    let d_v_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi
+        .neg_mul_add(minus_sin_theta_product, part_of_d_v_dot_d_phi);
     j[23] = d_v_dot_d_phi;
     let part_of_d_u_dot_d_phi_3 =
         d_u_dot_d_air_velocity_1.mul_sub(d_minus_sin_phi_wind_y_sum_d_phi, sin_phi_g_m_inv_m);
@@ -574,12 +574,13 @@ pub fn f_jac_par<T: Real>(
         d_minus_sin_phi_wind_y_sum_d_phi.mul_add(d_w_dot_d_minus_air_velocity_3, sin_phi_g_m_inv_m);
     let d_w_dot_d_phi = cos_theta.mul_add(part_of_d_w_dot_d_phi_3, part_of_d_w_dot_d_phi_4);
     j[29] = d_w_dot_d_phi;
+    let part_of_d_u_dot_d_phi_4 = sin_theta * part_of_d_u_dot_d_phi_3;
     let d_u_dot_d_phi =
-        air_velocity_1_inv_m.mul_from(part_of_d_u_dot_d_phi_2, sin_theta * part_of_d_u_dot_d_phi_3);
+        air_velocity_1_inv_m.neg_mul_add(part_of_d_u_dot_d_phi_2, part_of_d_u_dot_d_phi_4);
     j[16] = d_u_dot_d_phi;
     let part_of_d_u_dot_d_theta = d_u_dot_d_air_velocity_1 * d_air_velocity_1_d_theta;
-    let part_of_d_u_dot_d_theta_2 =
-        d_minus_air_velocity_3_d_theta.mul_from(minus_inv_air_product_2, part_of_d_u_dot_d_theta);
+    let part_of_d_u_dot_d_theta_2 = d_minus_air_velocity_3_d_theta
+        .neg_mul_add(minus_inv_air_product_2, part_of_d_u_dot_d_theta);
     let d_u_dot_d_theta = cos_theta.mul_add(v_phidot_plus_cos_phi_g_sum, part_of_d_u_dot_d_theta_2);
     j[17] = d_u_dot_d_theta;
     let part_of_d_v_dot_d_theta = d_air_velocity_1_d_theta * minus_inv_air_product;
@@ -592,13 +593,13 @@ pub fn f_jac_par<T: Real>(
     j[20] = d_v_dot_d_u;
 
     // disc_appendix.hyz:102  der(u) = F_b1/m - w*thetadot + v*phidot*sin(theta);
-    let u_dot = w.mul_from(thetadot, v.mul_sub(sin_theta_phidot, minus_force_b_1_inv_m));
+    let u_dot = w.neg_mul_add(thetadot, v.mul_sub(sin_theta_phidot, minus_force_b_1_inv_m));
     dx[3] = u_dot;
     let d_u_dot_d_m = inv_m * g.mul_add(d_u_dot_d_g, minus_force_b_1_inv_m);
     jp[0] = d_u_dot_d_m;
     let part_of_d_u_dot_d_wind_z_3 = d_u_dot_d_g * d_u_dot_d_air_velocity_1;
     let part_of_d_u_dot_d_wind_x = -(cos_theta * d_u_dot_d_air_velocity_1);
-    let d_u_dot_d_wind_x = sin_theta.mul_from(minus_inv_air_product_2, part_of_d_u_dot_d_wind_x);
+    let d_u_dot_d_wind_x = sin_theta.neg_mul_add(minus_inv_air_product_2, part_of_d_u_dot_d_wind_x);
     jp[8] = d_u_dot_d_wind_x;
     let part_of_d_w_dot_d_theta = d_minus_air_velocity_3_d_theta * d_w_dot_d_minus_air_velocity_3;
     let part_of_d_thetadot_dot_d_theta_3 = d_minus_air_velocity_3_d_theta * air_velocity_1_inv_sum;
@@ -617,7 +618,7 @@ pub fn f_jac_par<T: Real>(
     j[48] = d_thetadot_dot_d_theta;
     let part_of_sin_theta_d_product_sum = cos_theta * air_velocity_1_inv_sum;
     let part_of_d_thetadot_dot_d_wind_x = sin_theta * air_velocity_1_inv_sum;
-    let d_thetadot_dot_d_wind_x = cos_theta.mul_from(
+    let d_thetadot_dot_d_wind_x = cos_theta.neg_mul_add(
         d_thetadot_dot_d_air_velocity_1,
         part_of_d_thetadot_dot_d_wind_x,
     );
@@ -639,17 +640,17 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_u_dot_d_wind_z_2 = d_minus_air_velocity_3_d_wind_z
         .mul_add(minus_inv_air_velocity_sum_2, part_of_d_u_dot_d_wind_z);
     let d_u_dot_d_wind_z =
-        air_velocity_1_inv_m.mul_from(part_of_d_u_dot_d_wind_z_2, part_of_d_u_dot_d_wind_z_3);
+        air_velocity_1_inv_m.neg_mul_add(part_of_d_u_dot_d_wind_z_2, part_of_d_u_dot_d_wind_z_3);
     jp[10] = d_u_dot_d_wind_z;
     let part_of_d_w_dot_d_wind_y_2 = -(cos_theta_sin_phi * d_w_dot_d_minus_air_velocity_3);
     let d_w_dot_d_wind_y = inv_air_velocity_12_product_5
-        .mul_from(part_of_d_w_dot_d_wind_y, part_of_d_w_dot_d_wind_y_2);
+        .neg_mul_add(part_of_d_w_dot_d_wind_y, part_of_d_w_dot_d_wind_y_2);
     jp[31] = d_w_dot_d_wind_y;
     let d_v_dot_d_wind_y =
         sin_phi.mul_sub(minus_sin_theta_product, cos_phi * d_v_dot_d_air_velocity_2);
     jp[20] = d_v_dot_d_wind_y;
     let part_of_d_v_dot_d_wind_z = -(sin_phi * d_v_dot_d_air_velocity_2);
-    let d_v_dot_d_wind_z = cos_phi.mul_from(minus_sin_theta_product, part_of_d_v_dot_d_wind_z);
+    let d_v_dot_d_wind_z = cos_phi.neg_mul_add(minus_sin_theta_product, part_of_d_v_dot_d_wind_z);
     jp[21] = d_v_dot_d_wind_z;
     let part_of_d_thetadot_dot_d_wind_z = sin_phi * d_thetadot_dot_d_air_velocity_2;
     let d_thetadot_dot_d_wind_z =
@@ -657,12 +658,12 @@ pub fn f_jac_par<T: Real>(
     jp[54] = d_thetadot_dot_d_wind_z;
 
     // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
-    let y_dot = w_cos_theta_minus_sin_sum.mul_from(sin_phi, v * cos_phi);
+    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let part_of_d_v_dot_d_theta_3 = phidot * d_w_cos_theta_minus_sin_sum_d_theta;
     let d_v_dot_d_theta =
-        air_velocity_2_inv_m.mul_from(part_of_d_v_dot_d_theta_2, part_of_d_v_dot_d_theta_3);
+        air_velocity_2_inv_m.neg_mul_add(part_of_d_v_dot_d_theta_2, part_of_d_v_dot_d_theta_3);
     j[24] = d_v_dot_d_theta;
     let part_of_d_w_dot_d_wind_z = d_minus_air_velocity_3_d_wind_z * d_w_dot_d_minus_air_velocity_3;
     let part_of_d_w_dot_d_wind_x = sin_theta * d_w_dot_d_minus_air_velocity_3;
@@ -670,17 +671,19 @@ pub fn f_jac_par<T: Real>(
     let d_gammadot_dot_d_phidot =
         sin_theta.mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
     j[57] = d_gammadot_dot_d_phidot;
-    let d_w_dot_d_wind_x = cos_theta.mul_from(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_wind_x);
+    let d_w_dot_d_wind_x =
+        cos_theta.neg_mul_add(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_wind_x);
     jp[30] = d_w_dot_d_wind_x;
     let d_w_dot_d_wind_z =
         inv_air_velocity_12_product_5.mul_add(part_of_d_w_dot_d_wind_z_2, part_of_d_w_dot_d_wind_z);
     jp[32] = d_w_dot_d_wind_z;
     let d_thetadot_dot_d_wind_y =
-        sin_phi.mul_from(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_wind_y);
+        sin_phi.neg_mul_add(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_wind_y);
     jp[53] = d_thetadot_dot_d_wind_y;
     let inv_m_sq = prepared[21];
     let minus_g_inv_m = prepared[20];
-    let d_w_dot_d_m = inv_m_sq.mul_from(force_b_3, minus_g_inv_m * d_minus_air_velocity_3_d_wind_z);
+    let d_w_dot_d_m =
+        inv_m_sq.neg_mul_add(force_b_3, minus_g_inv_m * d_minus_air_velocity_3_d_wind_z);
     jp[22] = d_w_dot_d_m;
     let d_y_dot_d_theta = -(sin_phi * d_w_cos_theta_minus_sin_sum_d_theta);
     j[7] = d_y_dot_d_theta;

@@ -23,14 +23,14 @@ pub fn observe<T: Real>(
     let (sin_phi, cos_phi) = phi.sin_cos();
     let mark_y = marker[1];
     let mark_x = marker[0];
-    let minus_sin_gamma_mark_y_sum = sin_gamma.mul_from(mark_y, cos_gamma * mark_x);
+    let minus_sin_gamma_mark_y_sum = sin_gamma.neg_mul_add(mark_y, cos_gamma * mark_x);
     let sin_gamma_mark_x_plus_sum = mark_y.mul_add(cos_gamma, sin_gamma * mark_x);
     let mark_z = marker[2];
     let minus_sin_theta_minus_sum =
-        sin_theta.mul_from(minus_sin_gamma_mark_y_sum, mark_z * cos_theta);
+        sin_theta.neg_mul_add(minus_sin_gamma_mark_y_sum, mark_z * cos_theta);
     let part_of_mark_x_2 = minus_sin_gamma_mark_y_sum.mul_add(cos_theta, mark_z * sin_theta);
     let part_of_mark_y_2 =
-        minus_sin_theta_minus_sum.mul_from(sin_phi, sin_gamma_mark_x_plus_sum * cos_phi);
+        minus_sin_theta_minus_sum.neg_mul_add(sin_phi, sin_gamma_mark_x_plus_sum * cos_phi);
     let part_of_mark_z_2 =
         minus_sin_theta_minus_sum.mul_add(cos_phi, sin_phi * sin_gamma_mark_x_plus_sum);
     let x = state[0];

@@ -29,11 +29,11 @@ pub fn quantities<T: Real>(
     let cos_phi_g_m = g_m * cos_phi;
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
+    let minus_sin_phi_wind_y_sum = wind_y.neg_mul_add(sin_phi, wind_z * cos_phi);
     let v = state[4];
 
     // disc_appendix.hyz:67  let air_velocity = velocity - in_B(wind);
-    let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
+    let air_velocity_2 = wind_y.neg_mul_add(cos_phi, wind_z.neg_mul_add(sin_phi, v));
     values[7] = air_velocity_2;
     let gammadot = state[11];
     let angular_velocity_3 = phidot_sin_theta + gammadot;
@@ -54,7 +54,8 @@ pub fn quantities<T: Real>(
     values[36] = spin_down;
     values[42] = spin_down;
     let u = state[3];
-    let air_velocity_1 = wind_x.mul_from(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
+    let air_velocity_1 =
+        wind_x.neg_mul_add(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
     values[6] = air_velocity_1;
     let air_velocity_3 = -minus_air_velocity_3;
     values[8] = air_velocity_3;
@@ -127,7 +128,7 @@ pub fn quantities<T: Real>(
     values[24] = C_D * V_sq_half_rho_A;
 
     // disc_appendix.hyz:92  let moment_b = roll*d1 + pitch*d2 + spin_down*d3;
-    let moment_b_1 = d1_2.mul_from(pitch, d1_1 * roll);
+    let moment_b_1 = d1_2.neg_mul_add(pitch, d1_1 * roll);
     values[34] = moment_b_1;
     values[40] = moment_b_1;
     let part_of_force_b_3 = minus_air_velocity_3.mul_add(C_D, air_velocity_12 * C_L);
@@ -141,17 +142,17 @@ pub fn quantities<T: Real>(
     let force_b_3 = V_half_rho_A.mul_sub(part_of_force_b_3, cos_theta * cos_phi_g_m);
     values[33] = force_b_3;
     values[39] = force_b_3;
-    let force_b_1 = d1_1.mul_from(air_velocity_12_C_D_product, sin_theta * cos_phi_g_m);
+    let force_b_1 = d1_1.neg_mul_add(air_velocity_12_C_D_product, sin_theta * cos_phi_g_m);
     values[31] = force_b_1;
     values[37] = force_b_1;
     let minus_g_m = prepared[24];
-    let force_b_2 = d1_2.mul_from(air_velocity_12_C_D_product, minus_g_m * sin_phi);
+    let force_b_2 = d1_2.neg_mul_add(air_velocity_12_C_D_product, minus_g_m * sin_phi);
     values[32] = force_b_2;
     values[38] = force_b_2;
     let inv_I_d = prepared[1];
 
     // disc_appendix.hyz:112  der(phidot) = (M_b1 + 2*I_d*phidot*thetadot*sin(theta) - I_a*thet …
-    let der_phidot = inv_I_d * thetadot.mul_from(part_of_der_phidot, moment_b_1) / cos_theta;
+    let der_phidot = inv_I_d * thetadot.neg_mul_add(part_of_der_phidot, moment_b_1) / cos_theta;
     values[43] = der_phidot;
 
     values[0] = u;

@@ -61,15 +61,15 @@ pub fn f<T: Real>(
         vx_minus_wind_x.mul_add(q0_q2_plus_q1_q3, vy_minus_wind_y * minus_q1_q0_plus_q3_q2);
     let part_of_minus_air_velocity_3_2 = vz_minus_wind_z * q1_sq_two_minus_one_sum;
     let minus_air_velocity_1 =
-        T::splat(2.0).mul_from(part_of_minus_air_velocity_1, part_of_minus_air_velocity_1_2);
+        T::splat(2.0).neg_mul_add(part_of_minus_air_velocity_1, part_of_minus_air_velocity_1_2);
     let minus_air_velocity_3 =
-        T::splat(2.0).mul_from(part_of_minus_air_velocity_3, part_of_minus_air_velocity_3_2);
+        T::splat(2.0).neg_mul_add(part_of_minus_air_velocity_3, part_of_minus_air_velocity_3_2);
     let air_velocity_12_sq =
         minus_air_velocity_1.mul_add(minus_air_velocity_1, air_velocity_2 * air_velocity_2);
     let part_of_vx_dot_2 =
         minus_air_velocity_1.mul_add(part_of_vx_dot, minus_q0_q3_plus_q1_q2 * air_velocity_2);
     let part_of_vz_dot =
-        minus_q0_q2_plus_q1_q3.mul_from(minus_air_velocity_1, q1_q0_plus_q3_q2 * air_velocity_2);
+        minus_q0_q2_plus_q1_q3.neg_mul_add(minus_air_velocity_1, q1_q0_plus_q3_q2 * air_velocity_2);
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
     let part_of_vy_dot_2 =
@@ -78,14 +78,14 @@ pub fn f<T: Real>(
     let q = state[11];
     let r = state[12];
     dx[6] = T::splat(-0.5) * q1.mul_add(p, q2.mul_add(q, q3 * r));
-    dx[7] = T::splat(-0.5) * q0.mul_from(p, q2.mul_from(r, q3 * q));
-    dx[8] = T::splat(-0.5) * q0.mul_from(q, q3.mul_from(p, q1 * r));
+    dx[7] = T::splat(-0.5) * q0.neg_mul_add(p, q2.neg_mul_add(r, q3 * q));
+    dx[8] = T::splat(-0.5) * q0.neg_mul_add(q, q3.neg_mul_add(p, q1 * r));
 
     // disc_quaternion.hyz:70  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let half_d_inv_I_d_rho_A = prepared[1];
     let V_sq_half_d_inv_I_d_rho_A = half_d_inv_I_d_rho_A * V_sq;
-    dx[9] = T::splat(-0.5) * q0.mul_from(r, q1.mul_from(q, q2 * p));
+    dx[9] = T::splat(-0.5) * q0.neg_mul_add(r, q1.neg_mul_add(q, q2 * p));
     let C_Nr_inv_I_a = prepared[3];
 
     // disc_quaternion.hyz:51  angular velocity (p, q, r) in C;
@@ -105,8 +105,8 @@ pub fn f<T: Real>(
     let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
     let C_Rr = parameters[13];
     let one_minus_inv_I_d_I_a = prepared[2];
-    let part_of_p_dot = C_Rr.mul_from(minus_air_velocity_product, one_minus_inv_I_d_I_a * q);
-    let part_of_q_dot = C_Rr.mul_from(air_velocity_2_inv_product, one_minus_inv_I_d_I_a * p);
+    let part_of_p_dot = C_Rr.neg_mul_add(minus_air_velocity_product, one_minus_inv_I_d_I_a * q);
+    let part_of_q_dot = C_Rr.neg_mul_add(air_velocity_2_inv_product, one_minus_inv_I_d_I_a * p);
     let C_La = parameters[8];
     let C_L0 = parameters[7];
 
@@ -120,20 +120,21 @@ pub fn f<T: Real>(
     let C_Ma = parameters[11];
     let alpha_C_Ma = C_Ma * alpha;
     let part_of_p_dot_2 =
-        air_velocity_2_inv_product.mul_from(alpha_C_Ma, p * V_sq_half_d_inv_I_d_product);
+        air_velocity_2_inv_product.neg_mul_add(alpha_C_Ma, p * V_sq_half_d_inv_I_d_product);
     let part_of_q_dot_2 =
-        minus_air_velocity_product.mul_from(alpha_C_Ma, q * V_sq_half_d_inv_I_d_product);
+        minus_air_velocity_product.neg_mul_add(alpha_C_Ma, q * V_sq_half_d_inv_I_d_product);
     let p_dot = r.mul_add(part_of_p_dot, part_of_p_dot_2);
     dx[10] = p_dot;
     let minus_air_velocity_3_C_sum = minus_air_velocity_3.mul_add(C_D, air_velocity_12 * C_L);
-    let q_dot = r.mul_from(part_of_q_dot, part_of_q_dot_2);
+    let q_dot = r.neg_mul_add(part_of_q_dot, part_of_q_dot_2);
     dx[11] = q_dot;
     let part_of_vx_dot_3 = q0_q2_plus_q1_q3 * minus_air_velocity_3_C_sum;
     let part_of_vy_dot_3 = minus_q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum;
     let air_velocity_12_C_D_product =
         air_velocity_12.mul_sub(C_D, minus_air_velocity_3 * C_L) * inv_air_velocity_12;
     let part_of_vz_dot_2 = T::splat(0.5) * q1_sq_two_minus_one_sum * minus_air_velocity_3_C_sum;
-    let part_of_vx_dot_4 = air_velocity_12_C_D_product.mul_from(part_of_vx_dot_2, part_of_vx_dot_3);
+    let part_of_vx_dot_4 =
+        air_velocity_12_C_D_product.neg_mul_add(part_of_vx_dot_2, part_of_vx_dot_3);
     let part_of_vy_dot_4 = air_velocity_12_C_D_product.mul_add(part_of_vy_dot_2, part_of_vy_dot_3);
     let part_of_vz_dot_3 = air_velocity_12_C_D_product.mul_add(part_of_vz_dot, part_of_vz_dot_2);
 
@@ -143,7 +144,7 @@ pub fn f<T: Real>(
     let vy_dot = part_of_vy_dot_4 * V_inv_m_rho_A;
     dx[4] = vy_dot;
     let g = parameters[6];
-    let vz_dot = V_inv_m_rho_A.mul_from(part_of_vz_dot_3, -g);
+    let vz_dot = V_inv_m_rho_A.neg_mul_add(part_of_vz_dot_3, -g);
     dx[5] = vz_dot;
 
     dx[0] = vx;

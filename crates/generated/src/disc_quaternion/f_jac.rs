@@ -45,19 +45,21 @@ pub fn f_jac<T: Real>(
     let q0_q3_plus_q1_q2 = q1_q2 + q0_q3;
     let minus_q0_q3_plus_q1_q2 = q1_q2 - q0_q3;
     let q2_sq_two_plus_q3_sq_sum = q2_sq_two + q3_sq_two_minus_one;
+    let part_of_vz_minus_wind_z_product = vz_minus_wind_z * minus_q0_q2_plus_q1_q3;
     let q1_sq_two_plus_q3_sq_sum = q1_sq_two + q3_sq_two_minus_one;
     let q1_q0_plus_q3_q2 = q3_q2 + q1_q0;
     let q0_q2_plus_q1_q3 = q1_q3 + q0_q2;
     let minus_q1_q0_plus_q3_q2 = q3_q2 - q1_q0;
     let vz_minus_wind_z_product_sum =
-        minus_vy_minus_wind_y.mul_from(q0_q3_plus_q1_q2, vz_minus_wind_z * minus_q0_q2_plus_q1_q3);
+        minus_vy_minus_wind_y.neg_mul_add(q0_q3_plus_q1_q2, part_of_vz_minus_wind_z_product);
     let part_of_minus_air_velocity_1 = vx_minus_wind_x * q2_sq_two_plus_q3_sq_sum;
     let part_of_air_velocity_2 = minus_vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum;
     let q1_sq_two_minus_one_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
+    let part_of_vy_minus_wind_y_product = vx_minus_wind_x * q0_q2_plus_q1_q3;
 
     // disc_quaternion.hyz:68  let air_velocity = in_C(velocity - air);
     let minus_air_velocity_1 =
-        vz_minus_wind_z_product_sum.mul_from(T::splat(2.0), part_of_minus_air_velocity_1);
+        vz_minus_wind_z_product_sum.neg_mul_add(T::splat(2.0), part_of_minus_air_velocity_1);
     let q1_q0_plus_q3_q2_vz_sum =
         vz_minus_wind_z.mul_add(q1_q0_plus_q3_q2, vx_minus_wind_x * minus_q0_q3_plus_q1_q2);
     let q2_sq_two_plus_q3_product = T::splat(0.5) * q2_sq_two_plus_q3_sq_sum;
@@ -74,12 +76,12 @@ pub fn f_jac<T: Real>(
     j[40] = d_q1_dot_d_p; // d_q2_dot_d_q
     j[47] = d_q1_dot_d_p; // d_q3_dot_d_r
     let vy_minus_wind_y_product_sum =
-        minus_q1_q0_plus_q3_q2.mul_from(minus_vy_minus_wind_y, vx_minus_wind_x * q0_q2_plus_q1_q3);
+        minus_q1_q0_plus_q3_q2.neg_mul_add(minus_vy_minus_wind_y, part_of_vy_minus_wind_y_product);
     let air_velocity_12_sq =
         air_velocity_2.mul_add(air_velocity_2, minus_air_velocity_1 * minus_air_velocity_1);
     let part_of_minus_air_velocity_3 = q1_sq_two_minus_one_sum * vz_minus_wind_z;
     let minus_air_velocity_3 =
-        vy_minus_wind_y_product_sum.mul_from(T::splat(2.0), part_of_minus_air_velocity_3);
+        vy_minus_wind_y_product_sum.neg_mul_add(T::splat(2.0), part_of_minus_air_velocity_3);
     let part_of_minus_q0_q3_plus_q1_sum = minus_q0_q3_plus_q1_q2 * air_velocity_2;
     let minus_q0_q3_plus_q1_sum =
         minus_air_velocity_1.mul_add(q2_sq_two_plus_q3_product, part_of_minus_q0_q3_plus_q1_sum);
@@ -90,7 +92,7 @@ pub fn f_jac<T: Real>(
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
     let q1_q0_plus_q3_q2_sum =
-        minus_q0_q2_plus_q1_q3.mul_from(minus_air_velocity_1, q1_q0_plus_q3_q2 * air_velocity_2);
+        minus_q0_q2_plus_q1_q3.neg_mul_add(minus_air_velocity_1, q1_q0_plus_q3_q2 * air_velocity_2);
     let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
     let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
     let vx_minus_wind_x_q0_two = vx_minus_wind_x * q0_two;
@@ -157,12 +159,13 @@ pub fn f_jac<T: Real>(
     let q = state[11];
     let part_of_d_q_dot_d_air_velocity = q * air_velocity_12_C_product;
     let minus_air_velocity_product_6 = d_rho_A_inv_I_d * minus_air_velocity_3;
+    let part_of_d_p_dot_d_minus_air = p * C_Mq_nonzero_air_velocity_12;
     let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * C_Mq_nonzero_air_velocity_12;
     j[55] = V_sq_half_d_inv_product; // d_p_dot_d_p
     j[66] = V_sq_half_d_inv_product; // d_q_dot_d_q
     let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_part_rho_A;
-    let nonzero_air_product_sum =
-        inv_air_velocity_12.mul_from(inv_air_velocity_12_product, part_of_nonzero_air_product_sum);
+    let nonzero_air_product_sum = inv_air_velocity_12
+        .neg_mul_add(inv_air_velocity_12_product, part_of_nonzero_air_product_sum);
     let inv_air_velocity_12_product_2 = inv_air_velocity_12_product * r_C_Rr;
     let V_inv_m_rho_A_inv_product = V_inv_m_rho_A * inv_air_velocity_12;
     let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
@@ -172,7 +175,7 @@ pub fn f_jac<T: Real>(
     let inv_V_inv_m_rho_A = inv_m_rho_A * inv_V;
     let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
-    let q3_q_minus_q2_r_minus_q0_p = q2.mul_from(r, q0.mul_from(p, q3 * q));
+    let q3_q_minus_q2_r_minus_q0_p = q2.neg_mul_add(r, q0.neg_mul_add(p, q3 * q));
     dx[7] = T::splat(-0.5) * q3_q_minus_q2_r_minus_q0_p;
     let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_sq;
     let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
@@ -181,18 +184,18 @@ pub fn f_jac<T: Real>(
     let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
     let part_of_d_p_dot_d_air_velocity_2 = minus_air_velocity_product_2
         .mul_add(C_Ma_air_velocity_2_product, part_of_d_p_dot_d_air_velocity);
-    let part_of_d_p_dot_d_minus_air_2 = air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product;
+    let part_of_d_p_dot_d_minus_air_3 = air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product;
     let minus_air_velocity_product_7 = C_Ma * minus_air_velocity_product;
     let part_of_d_q_dot_d_air_velocity_2 = minus_air_velocity_product_2
         .mul_add(minus_air_velocity_product_7, part_of_d_q_dot_d_air_velocity);
     let part_of_d_q_dot_d_minus_air_2 = air_velocity_12_inv_V_sq * minus_air_velocity_product_7;
-    let q1_r_minus_q3_p_minus_q0_q = q3.mul_from(p, q0.mul_from(q, q1 * r));
+    let q1_r_minus_q3_p_minus_q0_q = q3.neg_mul_add(p, q0.neg_mul_add(q, q1 * r));
     dx[8] = T::splat(-0.5) * q1_r_minus_q3_p_minus_q0_q;
-    let q2_p_minus_q1_q_minus_q0_r = q1.mul_from(q, q0.mul_from(r, q2 * p));
+    let q2_p_minus_q1_q_minus_q0_r = q1.neg_mul_add(q, q0.neg_mul_add(r, q2 * p));
     dx[9] = T::splat(-0.5) * q2_p_minus_q1_q_minus_q0_r;
     let one_minus_inv_I_d_I_a = prepared[2];
     let minus_C_Rr_minus_air_sum =
-        C_Rr.mul_from(minus_air_velocity_product, one_minus_inv_I_d_I_a * q);
+        C_Rr.neg_mul_add(minus_air_velocity_product, one_minus_inv_I_d_I_a * q);
     j[57] = minus_C_Rr_minus_air_sum; // d_p_dot_d_r
     let C_Rr_air_velocity_sum = C_Rr.mul_sub(air_velocity_2_inv_product, one_minus_inv_I_d_I_a * p);
     j[67] = C_Rr_air_velocity_sum; // d_q_dot_d_r
@@ -245,7 +248,8 @@ pub fn f_jac<T: Real>(
 
     // disc_quaternion.hyz:80  let C_D = C_D0 + C_Da*alpha^2;
     let C_D = alpha.mul_add(C_Da * alpha, C_D0);
-    let minus_air_velocity_12_C_D_sum = air_velocity_12.mul_from(C_D, minus_air_velocity_3 * C_L);
+    let minus_air_velocity_12_C_D_sum =
+        air_velocity_12.neg_mul_add(C_D, minus_air_velocity_3 * C_L);
     let minus_air_velocity_12_C_D_product = minus_air_velocity_12_C_D_sum * inv_air_velocity_12;
     let minus_air_velocity_3_C_sum = minus_air_velocity_3.mul_add(C_D, air_velocity_12 * C_L);
     let two_C_Da = prepared[5];
@@ -255,7 +259,7 @@ pub fn f_jac<T: Real>(
     let minus_minus_air_sum =
         nonzero_air_velocity_12.mul_sub(alpha_two_C_Da, part_of_minus_minus_air_sum);
     let C_L_minus_air_velocity_sum =
-        air_velocity_12_C_La_sum.mul_from(minus_air_velocity_product_2, C_L);
+        air_velocity_12_C_La_sum.neg_mul_add(minus_air_velocity_product_2, C_L);
     let part_of_minus_minus_minus_air = minus_minus_air_sum * minus_air_velocity_product_2;
     let minus_minus_air_sum_sum =
         minus_minus_air_sum.mul_sub(air_velocity_12_inv_V_sq, C_L * inv_air_velocity_12);
@@ -266,25 +270,25 @@ pub fn f_jac<T: Real>(
         part_of_minus_minus_minus_air,
     );
     let alpha_C_Ma = C_Ma * alpha;
-    let p_dot = alpha_C_Ma.mul_from(air_velocity_2_inv_product, part_of_p_dot);
+    let p_dot = alpha_C_Ma.neg_mul_add(air_velocity_2_inv_product, part_of_p_dot);
     dx[10] = p_dot;
-    let q_dot = minus_air_velocity_product.mul_from(alpha_C_Ma, part_of_q_dot);
+    let q_dot = minus_air_velocity_product.neg_mul_add(alpha_C_Ma, part_of_q_dot);
     dx[11] = q_dot;
     let air_velocity_2_alpha_C_sum =
         air_velocity_2.mul_add(alpha_C_Ma, minus_air_velocity_1 * r_C_Rr);
     let air_velocity_2_r_C_Rr_sum =
-        minus_air_velocity_1.mul_from(alpha_C_Ma, air_velocity_2 * r_C_Rr);
+        minus_air_velocity_1.neg_mul_add(alpha_C_Ma, air_velocity_2 * r_C_Rr);
     let inv_air_velocity_12_product_3 = inv_air_velocity_12_product * alpha_C_Ma;
     let d_p_dot_d_air_velocity_12 = nonzero_air_product_sum
-        .mul_from(air_velocity_2_alpha_C_sum, part_of_d_p_dot_d_air_velocity_2);
-    let part_of_d_p_dot_d_minus_air =
-        inv_air_velocity_12.mul_from(air_velocity_2_alpha_C_sum, p * C_Mq_nonzero_air_velocity_12);
+        .neg_mul_add(air_velocity_2_alpha_C_sum, part_of_d_p_dot_d_air_velocity_2);
+    let part_of_d_p_dot_d_minus_air_2 =
+        inv_air_velocity_12.neg_mul_add(air_velocity_2_alpha_C_sum, part_of_d_p_dot_d_minus_air);
     let d_q_dot_d_air_velocity_12 = nonzero_air_product_sum
         .mul_add(air_velocity_2_r_C_Rr_sum, part_of_d_q_dot_d_air_velocity_2);
     let part_of_d_q_dot_d_minus_air =
         inv_air_velocity_12.mul_add(air_velocity_2_r_C_Rr_sum, q * C_Mq_nonzero_air_velocity_12);
     let d_p_dot_d_minus_air_velocity_3 = minus_air_velocity_product_6
-        .mul_sub(part_of_d_p_dot_d_minus_air, part_of_d_p_dot_d_minus_air_2);
+        .mul_sub(part_of_d_p_dot_d_minus_air_2, part_of_d_p_dot_d_minus_air_3);
     let d_q_dot_d_minus_air_velocity_3 = minus_air_velocity_product_6
         .mul_sub(part_of_d_q_dot_d_minus_air, part_of_d_q_dot_d_minus_air_2);
     let part_of_q0_q2_plus_q1_q3_sum = q0_q2_plus_q1_q3 * minus_air_velocity_3_C_sum;
@@ -296,15 +300,15 @@ pub fn f_jac<T: Real>(
     dx[3] = vx_dot;
     let part_of_minus_q1_q0_plus_q3_sum = minus_q1_q0_plus_q3_q2 * minus_air_velocity_3_C_sum;
     let minus_q1_q0_plus_q3_sum = minus_air_velocity_12_C_D_product
-        .mul_from(q0_q3_plus_q1_q2_sum, part_of_minus_q1_q0_plus_q3_sum);
+        .neg_mul_add(q0_q3_plus_q1_q2_sum, part_of_minus_q1_q0_plus_q3_sum);
     let vy_dot = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum;
     dx[4] = vy_dot;
     let part_of_q0_q2_plus_q1_q3_sum_2 = q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum;
-    let part_of_q0_q2_plus_q1_q3_sum_2_2 =
-        minus_q0_q3_plus_q1_sum.mul_from(minus_minus_minus_air_sum, part_of_q0_q2_plus_q1_q3_sum_2);
+    let part_of_q0_q2_plus_q1_q3_sum_2_2 = minus_q0_q3_plus_q1_sum
+        .neg_mul_add(minus_minus_minus_air_sum, part_of_q0_q2_plus_q1_q3_sum_2);
     let part_of_d_vx_dot_d_minus_air = q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum;
     let part_of_d_vx_dot_d_minus_air_2 =
-        minus_q0_q3_plus_q1_sum.mul_from(minus_minus_air_sum_sum, part_of_d_vx_dot_d_minus_air);
+        minus_q0_q3_plus_q1_sum.neg_mul_add(minus_minus_air_sum_sum, part_of_d_vx_dot_d_minus_air);
     let part_of_minus_q1_sq_two_minus = minus_air_velocity_3_C_sum * q1_sq_two_minus_one_sum_half;
     let V_inv_m_rho_A_minus_product_2 = V_inv_m_rho_A * minus_air_velocity_3_C_sum;
     let minus_q1_sq_two_minus_one_sum_2 = minus_air_velocity_12_C_D_product
@@ -355,13 +359,13 @@ pub fn f_jac<T: Real>(
         part_of_d_vy_dot_d_minus_air_3,
     );
     let part_of_minus_q1_sq_two_product_3 = minus_q1_sq_two_minus_one_sum_2 * inv_V_inv_m_rho_A;
-    let minus_q1_sq_two_product_sum = V_inv_m_rho_A_inv_product.mul_from(
+    let minus_q1_sq_two_product_sum = V_inv_m_rho_A_inv_product.neg_mul_add(
         part_of_minus_q1_sq_two_product_2,
         part_of_minus_q1_sq_two_product_3,
     );
     let part_of_d_vz_dot_d_minus_air_3 =
         minus_q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_3;
-    let d_vz_dot_d_minus_air_velocity_3 = V_inv_m_rho_A.mul_from(
+    let d_vz_dot_d_minus_air_velocity_3 = V_inv_m_rho_A.neg_mul_add(
         part_of_d_vz_dot_d_minus_air_2,
         part_of_d_vz_dot_d_minus_air_3,
     );
@@ -431,7 +435,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_vz_dot_d_q1_2 =
         d_minus_air_velocity_3_d_q1.mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q1);
     let part_of_d_vy_dot_d_q0_3 = minus_d_minus_air_velocity_3_d_q0
-        .mul_from(d_vy_dot_d_minus_air_velocity_3, part_of_d_vy_dot_d_q0_2);
+        .neg_mul_add(d_vy_dot_d_minus_air_velocity_3, part_of_d_vy_dot_d_q0_2);
     let part_of_d_vy_dot_d_minus_air_4 = q0_q3_plus_q1_q2 * V_inv_m_rho_A_minus_product;
     let d_vy_dot_d_minus_air_velocity_1 =
         minus_air_velocity_1.mul_sub(minus_q1_q0_plus_q3_sum_2, part_of_d_vy_dot_d_minus_air_4);
@@ -441,7 +445,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_vy_dot_d_q3_3 = d_minus_air_velocity_1_d_q3
         .mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_q3_2);
     let part_of_d_vy_dot_d_q3_4 = part_of_d_vy_dot_d_q3_3 - q0_minus_air_product;
-    let d_vy_dot_d_q3 = q3_two.mul_from(air_velocity_2_V_product, part_of_d_vy_dot_d_q3_4);
+    let d_vy_dot_d_q3 = q3_two.neg_mul_add(air_velocity_2_V_product, part_of_d_vy_dot_d_q3_4);
     j[16] = d_vy_dot_d_q3;
     let part_of_d_vy_dot_d_q2_3 = d_minus_air_velocity_1_d_q2
         .mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_q2_2);
@@ -455,12 +459,12 @@ pub fn f_jac<T: Real>(
     let part_of_d_vy_dot_d_q1_3 =
         d_air_velocity_2_d_q1.mul_add(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_q1_2);
     let part_of_d_vz_dot_d_q0_2 = minus_d_minus_air_velocity_3_d_q0
-        .mul_from(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q0);
+        .neg_mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q0);
     let part_of_d_vz_dot_d_q3_2 =
         d_minus_air_velocity_3_d_q3.mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q3);
     let part_of_d_vy_dot_d_q1_4 = d_minus_air_velocity_1_d_q1
         .mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_q1_3);
-    let d_vy_dot_d_q1 = q1_two.mul_from(air_velocity_2_V_product, part_of_d_vy_dot_d_q1_4);
+    let d_vy_dot_d_q1 = q1_two.neg_mul_add(air_velocity_2_V_product, part_of_d_vy_dot_d_q1_4);
     j[14] = d_vy_dot_d_q1;
     let part_of_d_vz_dot_d_air_velocity = q1_q0_plus_q3_q2 * V_inv_m_rho_A_minus_product;
     let d_vz_dot_d_air_velocity_2 =
@@ -479,7 +483,7 @@ pub fn f_jac<T: Real>(
     j[20] = d_vz_dot_d_q0;
     let part_of_d_vz_dot_d_q1_4 = d_minus_air_velocity_1_d_q1
         .mul_add(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_q1_3);
-    let d_vz_dot_d_q1 = q1_two.mul_from(V_inv_m_rho_A_minus_product_2, part_of_d_vz_dot_d_q1_4);
+    let d_vz_dot_d_q1 = q1_two.neg_mul_add(V_inv_m_rho_A_minus_product_2, part_of_d_vz_dot_d_q1_4);
     j[21] = d_vz_dot_d_q1;
     let part_of_d_vz_dot_d_q3_3 =
         d_air_velocity_2_d_q3.mul_add(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q3_2);
@@ -488,7 +492,7 @@ pub fn f_jac<T: Real>(
     j[23] = d_vz_dot_d_q3;
     let part_of_d_vz_dot_d_q2_4 = d_minus_air_velocity_1_d_q2
         .mul_add(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_q2_3);
-    let d_vz_dot_d_q2 = q2_two.mul_from(V_inv_m_rho_A_minus_product_2, part_of_d_vz_dot_d_q2_4);
+    let d_vz_dot_d_q2 = q2_two.neg_mul_add(V_inv_m_rho_A_minus_product_2, part_of_d_vz_dot_d_q2_4);
     j[22] = d_vz_dot_d_q2;
     let d_p_dot_d_air_velocity_2 = d_p_dot_d_air_velocity_12
         .mul_sub(air_velocity_2_inv_product_2, inv_air_velocity_12_product_3);
@@ -500,7 +504,7 @@ pub fn f_jac<T: Real>(
         .mul_sub(minus_air_velocity_product_5, inv_air_velocity_12_product_3);
     let part_of_d_vx_dot_d_vx = q0_q2_plus_q1_q3 * d_vx_dot_d_minus_air_velocity_3;
     let part_of_d_vx_dot_d_vx_2 =
-        minus_q0_q3_plus_q1_q2.mul_from(d_vx_dot_d_air_velocity_2, part_of_d_vx_dot_d_vx);
+        minus_q0_q3_plus_q1_q2.neg_mul_add(d_vx_dot_d_air_velocity_2, part_of_d_vx_dot_d_vx);
     let part_of_d_vx_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vx_dot_d_minus_air_velocity_3;
     let part_of_d_vx_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vx_dot_d_minus_air_velocity_3;
     let part_of_d_vx_dot_d_vy_2 =
@@ -510,15 +514,15 @@ pub fn f_jac<T: Real>(
     let d_vx_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_vx_dot_d_vy_2, part_of_d_vx_dot_d_vy_3);
     j[4] = d_vx_dot_d_vy;
     let part_of_d_vx_dot_d_vz_2 =
-        minus_q0_q2_plus_q1_q3.mul_from(d_vx_dot_d_minus_air_velocity_1, part_of_d_vx_dot_d_vz);
+        minus_q0_q2_plus_q1_q3.neg_mul_add(d_vx_dot_d_minus_air_velocity_1, part_of_d_vx_dot_d_vz);
     let d_vx_dot_d_vz = T::splat(2.0).mul_add(part_of_d_vx_dot_d_vz_2, part_of_d_vx_dot_d_vz_3);
     j[5] = d_vx_dot_d_vz;
     let part_of_d_vx_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vx_dot_d_minus_air_velocity_1;
-    let d_vx_dot_d_vx = T::splat(2.0).mul_from(part_of_d_vx_dot_d_vx_2, part_of_d_vx_dot_d_vx_3);
+    let d_vx_dot_d_vx = T::splat(2.0).neg_mul_add(part_of_d_vx_dot_d_vx_2, part_of_d_vx_dot_d_vx_3);
     j[3] = d_vx_dot_d_vx;
     let part_of_d_vy_dot_d_vx = q0_q2_plus_q1_q3 * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_vx_2 =
-        minus_q0_q3_plus_q1_q2.mul_from(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_vx);
+        minus_q0_q3_plus_q1_q2.neg_mul_add(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_vx);
     let part_of_d_vy_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vy_dot_d_minus_air_velocity_3;
     let part_of_d_vy_dot_d_vy_2 =
@@ -528,15 +532,15 @@ pub fn f_jac<T: Real>(
     let d_vy_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_vy_dot_d_vy_2, part_of_d_vy_dot_d_vy_3);
     j[11] = d_vy_dot_d_vy;
     let part_of_d_vy_dot_d_vz_2 =
-        minus_q0_q2_plus_q1_q3.mul_from(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_vz);
+        minus_q0_q2_plus_q1_q3.neg_mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_vz);
     let d_vy_dot_d_vz = T::splat(2.0).mul_add(part_of_d_vy_dot_d_vz_2, part_of_d_vy_dot_d_vz_3);
     j[12] = d_vy_dot_d_vz;
     let part_of_d_vy_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vy_dot_d_minus_air_velocity_1;
-    let d_vy_dot_d_vx = T::splat(2.0).mul_from(part_of_d_vy_dot_d_vx_2, part_of_d_vy_dot_d_vx_3);
+    let d_vy_dot_d_vx = T::splat(2.0).neg_mul_add(part_of_d_vy_dot_d_vx_2, part_of_d_vy_dot_d_vx_3);
     j[10] = d_vy_dot_d_vx;
     let part_of_d_vz_dot_d_vx = q0_q2_plus_q1_q3 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_vx_2 =
-        minus_q0_q3_plus_q1_q2.mul_from(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_vx);
+        minus_q0_q3_plus_q1_q2.neg_mul_add(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_vx);
     let part_of_d_vz_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_vz_3 = q1_sq_two_minus_one_sum * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_vy_2 =
@@ -546,18 +550,18 @@ pub fn f_jac<T: Real>(
     let d_vz_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_vz_dot_d_vy_2, part_of_d_vz_dot_d_vy_3);
     j[18] = d_vz_dot_d_vy;
     let part_of_d_vz_dot_d_vz_2 =
-        minus_q0_q2_plus_q1_q3.mul_from(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_vz);
+        minus_q0_q2_plus_q1_q3.neg_mul_add(d_vz_dot_d_minus_air_velocity_1, part_of_d_vz_dot_d_vz);
     let d_vz_dot_d_vz = T::splat(2.0).mul_add(part_of_d_vz_dot_d_vz_2, part_of_d_vz_dot_d_vz_3);
     j[19] = d_vz_dot_d_vz;
     let part_of_d_vz_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1;
-    let d_vz_dot_d_vx = T::splat(2.0).mul_from(part_of_d_vz_dot_d_vx_2, part_of_d_vz_dot_d_vx_3);
+    let d_vz_dot_d_vx = T::splat(2.0).neg_mul_add(part_of_d_vz_dot_d_vx_2, part_of_d_vz_dot_d_vx_3);
     j[17] = d_vz_dot_d_vx;
     let part_of_d_p_dot_d_vx = q0_q2_plus_q1_q3 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_vx = q0_q2_plus_q1_q3 * d_q_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_vx_2 =
-        minus_q0_q3_plus_q1_q2.mul_from(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_vx);
+        minus_q0_q3_plus_q1_q2.neg_mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_vx);
     let part_of_d_q_dot_d_vx_2 =
-        minus_q0_q3_plus_q1_q2.mul_from(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_vx);
+        minus_q0_q3_plus_q1_q2.neg_mul_add(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_vx);
     let part_of_d_p_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_vy = minus_q1_q0_plus_q3_q2 * d_q_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_vy_2 =
@@ -567,15 +571,15 @@ pub fn f_jac<T: Real>(
     let part_of_d_p_dot_d_vz = q1_q0_plus_q3_q2 * d_p_dot_d_air_velocity_2;
     let part_of_d_q_dot_d_vz = q1_q0_plus_q3_q2 * d_q_dot_d_air_velocity_2;
     let part_of_d_p_dot_d_vz_2 =
-        minus_q0_q2_plus_q1_q3.mul_from(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_vz);
+        minus_q0_q2_plus_q1_q3.neg_mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_vz);
     let part_of_d_q_dot_d_vz_2 =
-        minus_q0_q2_plus_q1_q3.mul_from(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_vz);
+        minus_q0_q2_plus_q1_q3.neg_mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_vz);
     let part_of_d_p_dot_d_q0 = d_air_velocity_2_d_q0 * d_p_dot_d_air_velocity_2;
     let part_of_d_q_dot_d_q0 = d_air_velocity_2_d_q0 * d_q_dot_d_air_velocity_2;
     let part_of_d_p_dot_d_q0_2 = minus_d_minus_air_velocity_3_d_q0
-        .mul_from(d_p_dot_d_minus_air_velocity_3, part_of_d_p_dot_d_q0);
+        .neg_mul_add(d_p_dot_d_minus_air_velocity_3, part_of_d_p_dot_d_q0);
     let part_of_d_q_dot_d_q0_2 = minus_d_minus_air_velocity_3_d_q0
-        .mul_from(d_q_dot_d_minus_air_velocity_3, part_of_d_q_dot_d_q0);
+        .neg_mul_add(d_q_dot_d_minus_air_velocity_3, part_of_d_q_dot_d_q0);
     let d_p_dot_d_q0 =
         d_minus_air_velocity_1_d_q0.mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q0_2);
     j[51] = d_p_dot_d_q0;
@@ -613,7 +617,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_p_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_p_dot_d_minus_air_velocity_1;
     let part_of_d_q_dot_d_vx_3 = q2_sq_two_plus_q3_sq_sum * d_q_dot_d_minus_air_velocity_1;
     let part_of_d_p_dot_d_vy_3 = q1_sq_two_plus_q3_sq_sum * d_p_dot_d_air_velocity_2;
-    let d_p_dot_d_vx = T::splat(2.0).mul_from(part_of_d_p_dot_d_vx_2, part_of_d_p_dot_d_vx_3);
+    let d_p_dot_d_vx = T::splat(2.0).neg_mul_add(part_of_d_p_dot_d_vx_2, part_of_d_p_dot_d_vx_3);
     j[48] = d_p_dot_d_vx;
     let part_of_d_p_dot_d_q3_2 =
         d_air_velocity_2_d_q3.mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_q3);
@@ -626,7 +630,7 @@ pub fn f_jac<T: Real>(
     j[60] = d_q_dot_d_vz;
     let d_p_dot_d_vy = T::splat(-2.0).mul_sub(part_of_d_p_dot_d_vy_2, part_of_d_p_dot_d_vy_3);
     j[49] = d_p_dot_d_vy;
-    let d_q_dot_d_vx = T::splat(2.0).mul_from(part_of_d_q_dot_d_vx_2, part_of_d_q_dot_d_vx_3);
+    let d_q_dot_d_vx = T::splat(2.0).neg_mul_add(part_of_d_q_dot_d_vx_2, part_of_d_q_dot_d_vx_3);
     j[58] = d_q_dot_d_vx;
     let d_p_dot_d_q3 =
         d_minus_air_velocity_1_d_q3.mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q3_2);

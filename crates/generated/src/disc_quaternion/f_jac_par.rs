@@ -46,19 +46,20 @@ pub fn f_jac_par<T: Real>(
     let q0_q3_plus_q1_q2 = q1_q2 + q0_q3;
     let minus_q0_q3_plus_q1_q2 = q1_q2 - q0_q3;
     let q2_sq_two_plus_q3_sq_sum = q2_sq_two + q3_sq_two_minus_one;
+    let part_of_vz_minus_wind_z_product = vz_minus_wind_z * minus_q0_q2_plus_q1_q3;
     let q1_sq_two_plus_q3_sq_sum = q1_sq_two + q3_sq_two_minus_one;
     let q1_q0_plus_q3_q2_2 = q3_q2 + q1_q0;
     let q0_q2_plus_q1_q3 = q1_q3 + q0_q2;
     let q1_q0_plus_q3_q2 = q1_q0 - q3_q2;
     let vz_minus_wind_z_product_sum =
-        minus_vy_minus_wind_y.mul_from(q0_q3_plus_q1_q2, vz_minus_wind_z * minus_q0_q2_plus_q1_q3);
+        minus_vy_minus_wind_y.neg_mul_add(q0_q3_plus_q1_q2, part_of_vz_minus_wind_z_product);
     let part_of_minus_air_velocity_1 = vx_minus_wind_x * q2_sq_two_plus_q3_sq_sum;
     let part_of_air_velocity_2 = minus_vy_minus_wind_y * q1_sq_two_plus_q3_sq_sum;
     let q1_sq_two_minus_one_sum = q2_sq_two + q1_sq_two - T::splat(1.0);
 
     // disc_quaternion.hyz:68  let air_velocity = in_C(velocity - air);
     let minus_air_velocity_1 =
-        vz_minus_wind_z_product_sum.mul_from(T::splat(2.0), part_of_minus_air_velocity_1);
+        vz_minus_wind_z_product_sum.neg_mul_add(T::splat(2.0), part_of_minus_air_velocity_1);
     let q1_q0_plus_q3_q2_vz_sum =
         vz_minus_wind_z.mul_add(q1_q0_plus_q3_q2_2, vx_minus_wind_x * minus_q0_q3_plus_q1_q2);
     let C_Rr = parameters[13];
@@ -86,7 +87,7 @@ pub fn f_jac_par<T: Real>(
         air_velocity_2.mul_add(air_velocity_2, minus_air_velocity_1 * minus_air_velocity_1);
     let part_of_minus_air_velocity_3 = q1_sq_two_minus_one_sum * vz_minus_wind_z;
     let minus_air_velocity_3 =
-        vy_minus_wind_y_product_sum.mul_from(T::splat(2.0), part_of_minus_air_velocity_3);
+        vy_minus_wind_y_product_sum.neg_mul_add(T::splat(2.0), part_of_minus_air_velocity_3);
     let part_of_minus_q0_q3_plus_q1_sum = minus_q0_q3_plus_q1_q2 * air_velocity_2;
     let minus_q0_q3_plus_q1_sum =
         minus_air_velocity_1.mul_add(q2_sq_two_plus_q3_product, part_of_minus_q0_q3_plus_q1_sum);
@@ -98,7 +99,7 @@ pub fn f_jac_par<T: Real>(
         air_velocity_2.mul_add(q1_sq_two_plus_q3_product, part_of_q0_q3_plus_q1_q2_sum);
     let part_of_minus_q1_q0_plus_q3_q2 = minus_q0_q2_plus_q1_q3 * minus_air_velocity_1;
     let minus_q1_q0_plus_q3_q2_sum =
-        q1_q0_plus_q3_q2_2.mul_from(air_velocity_2, part_of_minus_q1_q0_plus_q3_q2);
+        q1_q0_plus_q3_q2_2.neg_mul_add(air_velocity_2, part_of_minus_q1_q0_plus_q3_q2);
     let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
     let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
 
@@ -167,6 +168,7 @@ pub fn f_jac_par<T: Real>(
     let V_sq_half_d_inv_product_2 = C_Mq * V_sq_half_d_inv_product;
     j[55] = V_sq_half_d_inv_product_2; // d_p_dot_d_p
     j[66] = V_sq_half_d_inv_product_2; // d_q_dot_d_q
+    let part_of_minus_inv_air_velocity = p * C_Mq_nonzero_air_velocity_12;
     let two_q0_q3_plus_q1_q2 = T::splat(2.0) * q0_q3_plus_q1_q2;
     let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
@@ -184,23 +186,23 @@ pub fn f_jac_par<T: Real>(
     let inv_air_velocity_12_product_2 = inv_air_velocity_12 * inv_air_velocity_12_product;
     let minus_air_velocity_product_6 = minus_air_velocity_1 * inv_air_velocity_12;
     let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
-    let q3_q_minus_q2_r_minus_q0_p = q2.mul_from(r, q0.mul_from(p, q3 * q));
+    let q3_q_minus_q2_r_minus_q0_p = q2.neg_mul_add(r, q0.neg_mul_add(p, q3 * q));
     dx[7] = T::splat(-0.5) * q3_q_minus_q2_r_minus_q0_p;
     let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
     let minus_air_velocity_product_4 = minus_air_velocity_3 * inv_V_sq;
     let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_inv_m_rho_A;
-    let q1_r_minus_q3_p_minus_q0_q = q3.mul_from(p, q0.mul_from(q, q1 * r));
+    let q1_r_minus_q3_p_minus_q0_q = q3.neg_mul_add(p, q0.neg_mul_add(q, q1 * r));
     dx[8] = T::splat(-0.5) * q1_r_minus_q3_p_minus_q0_q;
     let part_of_d_p_dot_d_minus_air = air_velocity_12_inv_V_sq * C_Ma_air_velocity_2_product;
     let part_of_d_p_dot_d_air_velocity = minus_air_velocity_product_4 * C_Ma_air_velocity_2_product;
     let part_of_d_q_dot_d_air_velocity =
         minus_air_velocity_product_4 * minus_air_velocity_product_7;
     let part_of_d_q_dot_d_minus_air = air_velocity_12_inv_V_sq * minus_air_velocity_product_7;
-    let q2_p_minus_q1_q_minus_q0_r = q1.mul_from(q, q0.mul_from(r, q2 * p));
+    let q2_p_minus_q1_q_minus_q0_r = q1.neg_mul_add(q, q0.neg_mul_add(r, q2 * p));
     dx[9] = T::splat(-0.5) * q2_p_minus_q1_q_minus_q0_r;
     let one_minus_inv_I_d_I_a = prepared[2];
     let minus_C_Rr_minus_air_sum =
-        C_Rr.mul_from(minus_air_velocity_product, one_minus_inv_I_d_I_a * q);
+        C_Rr.neg_mul_add(minus_air_velocity_product, one_minus_inv_I_d_I_a * q);
     j[57] = minus_C_Rr_minus_air_sum; // d_p_dot_d_r
     let C_Rr_air_velocity_sum = C_Rr.mul_sub(air_velocity_2_inv_product, one_minus_inv_I_d_I_a * p);
     j[67] = C_Rr_air_velocity_sum; // d_q_dot_d_r
@@ -209,7 +211,7 @@ pub fn f_jac_par<T: Real>(
     let two_minus_q0_q3_plus_q1_q2 = T::splat(2.0) * minus_q0_q3_plus_q1_q2;
     let two_minus_q0_q2_plus_q1_q3 = T::splat(2.0) * minus_q0_q2_plus_q1_q3;
     let part_of_minus_q1_q0_plus_q3_q2_2 = -(q1_q0_plus_q3_q2 * air_velocity_12);
-    let minus_q1_q0_plus_q3_q2_sum_2 = q0_q3_plus_q1_q2_sum.mul_from(
+    let minus_q1_q0_plus_q3_q2_sum_2 = q0_q3_plus_q1_q2_sum.neg_mul_add(
         minus_air_velocity_product_3,
         part_of_minus_q1_q0_plus_q3_q2_2,
     );
@@ -218,7 +220,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_minus_minus_q1_q0_plus =
         -(minus_q1_q0_plus_q3_q2_sum * minus_air_velocity_product_3);
     let minus_minus_q1_q0_plus_sum =
-        air_velocity_12.mul_from(q1_sq_two_minus_one_sum_half, part_of_minus_minus_q1_q0_plus);
+        air_velocity_12.neg_mul_add(q1_sq_two_minus_one_sum_half, part_of_minus_minus_q1_q0_plus);
     let d_vz_dot_d_C_L0 = V_inv_m_rho_A * minus_minus_q1_q0_plus_sum;
     jp[24] = d_vz_dot_d_C_L0;
     let part_of_p_dot = r.mul_add(minus_C_Rr_minus_air_sum, p * V_sq_half_d_inv_product_2);
@@ -229,8 +231,8 @@ pub fn f_jac_par<T: Real>(
     let d_vx_dot_d_C_L0 = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum_3;
     jp[3] = d_vx_dot_d_C_L0;
     let part_of_q0_q2_plus_q1_q3_sum_4 = q0_q2_plus_q1_q3 * minus_air_velocity_3;
-    let q0_q2_plus_q1_q3_sum_4 =
-        minus_q0_q3_plus_q1_sum.mul_from(nonzero_air_velocity_12, part_of_q0_q2_plus_q1_q3_sum_4);
+    let q0_q2_plus_q1_q3_sum_4 = minus_q0_q3_plus_q1_sum
+        .neg_mul_add(nonzero_air_velocity_12, part_of_q0_q2_plus_q1_q3_sum_4);
     let d_vx_dot_d_C_D0 = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum_4;
     jp[5] = d_vx_dot_d_C_D0;
     let part_of_minus_q1_q0_plus_q3_q2_3 = q1_q0_plus_q3_q2 * minus_air_velocity_3;
@@ -273,19 +275,19 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_12_C_La_sum =
         minus_air_velocity_3.mul_add(alpha_two_C_Da, C_La * air_velocity_12);
     let alpha_C_Ma = C_Ma * alpha;
-    let p_dot = alpha_C_Ma.mul_from(air_velocity_2_inv_product, part_of_p_dot);
+    let p_dot = alpha_C_Ma.neg_mul_add(air_velocity_2_inv_product, part_of_p_dot);
     dx[10] = p_dot;
-    let q_dot = minus_air_velocity_product.mul_from(alpha_C_Ma, part_of_q_dot);
+    let q_dot = minus_air_velocity_product.neg_mul_add(alpha_C_Ma, part_of_q_dot);
     dx[11] = q_dot;
     let d_p_dot_d_C_Ma = -(alpha * air_velocity_2_inv_product);
     jp[36] = d_p_dot_d_C_Ma;
     let air_velocity_2_alpha_C_sum =
         air_velocity_2.mul_add(alpha_C_Ma, minus_air_velocity_1 * r_C_Rr);
     let air_velocity_2_r_C_Rr_sum =
-        minus_air_velocity_1.mul_from(alpha_C_Ma, air_velocity_2 * r_C_Rr);
+        minus_air_velocity_1.neg_mul_add(alpha_C_Ma, air_velocity_2 * r_C_Rr);
     let inv_air_velocity_12_product_4 = inv_air_velocity_12_product * alpha_C_Ma;
     let minus_inv_air_velocity_sum =
-        inv_air_velocity_12.mul_from(air_velocity_2_alpha_C_sum, p * C_Mq_nonzero_air_velocity_12);
+        inv_air_velocity_12.neg_mul_add(air_velocity_2_alpha_C_sum, part_of_minus_inv_air_velocity);
     let inv_air_velocity_12_sum =
         inv_air_velocity_12.mul_add(air_velocity_2_r_C_Rr_sum, q * C_Mq_nonzero_air_velocity_12);
     let air_velocity_12_C_D_sum = air_velocity_12.mul_sub(C_D, minus_air_velocity_3 * C_L);
@@ -293,7 +295,7 @@ pub fn f_jac_par<T: Real>(
     let minus_air_velocity_3_C_sum = minus_air_velocity_3.mul_add(C_D, air_velocity_12 * C_L);
     let C_D_plus_air_velocity_sum = air_velocity_12_C_La_sum.mul_add(air_velocity_12_inv_V_sq, C_D);
     let C_L_minus_air_velocity_sum =
-        air_velocity_12_C_La_sum.mul_from(minus_air_velocity_product_4, C_L);
+        air_velocity_12_C_La_sum.neg_mul_add(minus_air_velocity_product_4, C_L);
     let minus_C_La_minus_sum =
         minus_C_La_minus_air_sum.mul_sub(air_velocity_12_inv_V_sq, C_L * inv_air_velocity_12);
     let part_of_minus_minus_C_La_minus = minus_C_La_minus_air_sum * minus_air_velocity_product_4;
@@ -303,8 +305,8 @@ pub fn f_jac_par<T: Real>(
         part_of_minus_minus_C_La_minus,
     );
     let part_of_q0_q2_plus_q1_q3_sum = q0_q2_plus_q1_q3 * minus_air_velocity_3_C_sum;
-    let q0_q2_plus_q1_q3_sum =
-        air_velocity_12_C_D_product.mul_from(minus_q0_q3_plus_q1_sum, part_of_q0_q2_plus_q1_q3_sum);
+    let q0_q2_plus_q1_q3_sum = air_velocity_12_C_D_product
+        .neg_mul_add(minus_q0_q3_plus_q1_sum, part_of_q0_q2_plus_q1_q3_sum);
 
     // disc_quaternion.hyz:50  velocity (vx, vy, vz) in N;
     let vx_dot = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum;
@@ -331,9 +333,9 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_vx_dot_d_minus_air = q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum;
     let part_of_q0_q2_plus_q1_q3_sum_2 = q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum;
     let part_of_d_vx_dot_d_minus_air_2 =
-        minus_q0_q3_plus_q1_sum.mul_from(minus_C_La_minus_sum, part_of_d_vx_dot_d_minus_air);
+        minus_q0_q3_plus_q1_sum.neg_mul_add(minus_C_La_minus_sum, part_of_d_vx_dot_d_minus_air);
     let part_of_q0_q2_plus_q1_q3_sum_2_2 = minus_q0_q3_plus_q1_sum
-        .mul_from(minus_minus_C_La_minus_sum, part_of_q0_q2_plus_q1_q3_sum_2);
+        .neg_mul_add(minus_minus_C_La_minus_sum, part_of_q0_q2_plus_q1_q3_sum_2);
     let part_of_d_vx_dot_d_minus_air_3 = q0_q2_plus_q1_q3_sum * minus_air_velocity_product_2;
     let d_vx_dot_d_minus_air_velocity_3 = V_inv_m_rho_A.mul_add(
         part_of_d_vx_dot_d_minus_air_2,
@@ -350,7 +352,7 @@ pub fn f_jac_par<T: Real>(
         minus_air_velocity_1.mul_sub(q0_q2_plus_q1_q3_sum_2, part_of_d_vx_dot_d_minus_air_4);
     let part_of_d_vy_dot_d_minus_air = q0_q3_plus_q1_q2_sum * minus_C_La_minus_sum;
     let part_of_d_vy_dot_d_minus_air_2 =
-        q1_q0_plus_q3_q2.mul_from(C_D_plus_air_velocity_sum, part_of_d_vy_dot_d_minus_air);
+        q1_q0_plus_q3_q2.neg_mul_add(C_D_plus_air_velocity_sum, part_of_d_vy_dot_d_minus_air);
     let part_of_minus_q1_q0_plus_q3_sum_3 = q1_q0_plus_q3_q2 * C_L_minus_air_velocity_sum;
     let part_of_minus_q1_q0_plus_q3_sum_4 = q0_q3_plus_q1_q2_sum.mul_sub(
         minus_minus_C_La_minus_sum,
@@ -359,13 +361,13 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_vz_dot_d_minus_air = C_D_plus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
     let part_of_minus_minus_q1_sq_two = C_L_minus_air_velocity_sum * q1_sq_two_minus_one_sum_half;
     let part_of_d_vz_dot_d_minus_air_2 =
-        minus_q1_q0_plus_q3_q2_sum.mul_from(minus_C_La_minus_sum, part_of_d_vz_dot_d_minus_air);
+        minus_q1_q0_plus_q3_q2_sum.neg_mul_add(minus_C_La_minus_sum, part_of_d_vz_dot_d_minus_air);
     let part_of_minus_minus_q1_sq_two_2 = minus_q1_q0_plus_q3_q2_sum
-        .mul_from(minus_minus_C_La_minus_sum, part_of_minus_minus_q1_sq_two);
+        .neg_mul_add(minus_minus_C_La_minus_sum, part_of_minus_minus_q1_sq_two);
     let minus_inv_air_product = d_rho_A_inv_I_d * minus_inv_air_velocity_sum;
     let I_a_inv_I_d = prepared[11];
     let d_p_dot_d_I_d =
-        inv_I_d_V_sq_half.mul_from(minus_inv_air_product, I_a_inv_I_d * q_r_inv_I_d);
+        inv_I_d_V_sq_half.neg_mul_add(minus_inv_air_product, I_a_inv_I_d * q_r_inv_I_d);
     jp[32] = d_p_dot_d_I_d;
     let part_of_d_p_dot_d_air_velocity_2 =
         air_velocity_12.mul_add(minus_inv_air_product, part_of_d_p_dot_d_air_velocity);
@@ -380,14 +382,14 @@ pub fn f_jac_par<T: Real>(
         inv_air_velocity_12_product_5,
         part_of_d_q_dot_d_air_velocity,
     );
-    let d_q_dot_d_air_velocity_12 = air_velocity_2_r_C_Rr_sum.mul_from(
+    let d_q_dot_d_air_velocity_12 = air_velocity_2_r_C_Rr_sum.neg_mul_add(
         inv_air_velocity_12_product_2,
         part_of_d_q_dot_d_air_velocity_2,
     );
     let d_q_dot_d_minus_air_velocity_3 =
         minus_air_velocity_3.mul_sub(inv_air_velocity_12_product_5, part_of_d_q_dot_d_minus_air);
     let d_q_dot_d_I_d =
-        inv_I_d_V_sq_half.mul_from(inv_air_velocity_12_product_5, part_of_d_q_dot_d_I_d);
+        inv_I_d_V_sq_half.neg_mul_add(inv_air_velocity_12_product_5, part_of_d_q_dot_d_I_d);
     jp[43] = d_q_dot_d_I_d;
     let rho_A = prepared[10];
     let rho_A_inv_I_d_V_sq_half = rho_A * inv_I_d_V_sq_half;
@@ -402,7 +404,7 @@ pub fn f_jac_par<T: Real>(
     );
     let part_of_d_vz_dot_d_minus_air_3 =
         minus_q1_sq_two_minus_one_sum_2 * minus_air_velocity_product_2;
-    let d_vz_dot_d_minus_air_velocity_3 = V_inv_m_rho_A.mul_from(
+    let d_vz_dot_d_minus_air_velocity_3 = V_inv_m_rho_A.neg_mul_add(
         part_of_d_vz_dot_d_minus_air_2,
         part_of_d_vz_dot_d_minus_air_3,
     );
@@ -437,8 +439,8 @@ pub fn f_jac_par<T: Real>(
         air_velocity_2.mul_add(minus_q1_q0_plus_q3_sum_2, part_of_d_vy_dot_d_air_velocity);
     let d_vy_dot_d_minus_air_velocity_1 =
         minus_air_velocity_1.mul_add(minus_q1_q0_plus_q3_sum_2, part_of_d_vy_dot_d_minus_air_4);
-    let d_vz_dot_d_minus_air_velocity_1_2 =
-        minus_air_velocity_1.mul_from(minus_minus_q1_sq_two_sum, d_vz_dot_d_minus_air_velocity_1);
+    let d_vz_dot_d_minus_air_velocity_1_2 = minus_air_velocity_1
+        .neg_mul_add(minus_minus_q1_sq_two_sum, d_vz_dot_d_minus_air_velocity_1);
     let minus_d_vz_dot_d_air_velocity_2 =
         air_velocity_2.mul_add(minus_minus_q1_sq_two_sum, part_of_minus_d_vz_dot_d_air);
     let q2_V_inv_m_rho_A_product = q2 * V_inv_m_rho_A_minus_product;
@@ -460,10 +462,10 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_vz_dot_d_q1_2 =
         d_minus_air_velocity_3_d_q1.mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q1);
     let part_of_d_vz_dot_d_q1_3 =
-        d_air_velocity_2_d_q1.mul_from(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q1_2);
+        d_air_velocity_2_d_q1.neg_mul_add(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q1_2);
     let part_of_d_vz_dot_d_q1_4 = d_minus_air_velocity_1_d_q1
         .mul_add(d_vz_dot_d_minus_air_velocity_1_2, part_of_d_vz_dot_d_q1_3);
-    let d_vz_dot_d_q1 = q1_two.mul_from(V_inv_m_rho_A_minus_product, part_of_d_vz_dot_d_q1_4);
+    let d_vz_dot_d_q1 = q1_two.neg_mul_add(V_inv_m_rho_A_minus_product, part_of_d_vz_dot_d_q1_4);
     j[21] = d_vz_dot_d_q1;
     let q2_minus_air_product = q2 * minus_air_velocity_product_5;
     let part_of_d_vy_dot_d_q1 = q2_minus_air_product - q0_V_inv_m_rho_A_product;
@@ -510,7 +512,7 @@ pub fn f_jac_par<T: Real>(
     let q1_air_velocity_2_V_product = q1 * air_velocity_2_V_product;
     let part_of_d_vx_dot_d_q2_4 =
         part_of_d_vx_dot_d_q2_3 + q0_V_inv_m_rho_A_product - q1_air_velocity_2_V_product;
-    let d_vx_dot_d_q2 = q2_two.mul_from(minus_air_velocity_product_5, part_of_d_vx_dot_d_q2_4);
+    let d_vx_dot_d_q2 = q2_two.neg_mul_add(minus_air_velocity_product_5, part_of_d_vx_dot_d_q2_4);
     j[8] = d_vx_dot_d_q2;
     let part_of_d_vz_dot_d_q0 = d_minus_air_velocity_1_d_q0.mul_sub(
         d_vz_dot_d_minus_air_velocity_1_2,
@@ -518,18 +520,18 @@ pub fn f_jac_par<T: Real>(
     );
     let part_of_d_vz_dot_d_q0_2 = part_of_d_vz_dot_d_q0 - q2_minus_air_product;
     let part_of_d_vz_dot_d_q0_3 = minus_d_minus_air_velocity_3_d_q0
-        .mul_from(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q0_2);
+        .neg_mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q0_2);
     let d_vz_dot_d_q0 =
-        d_air_velocity_2_d_q0.mul_from(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q0_3);
+        d_air_velocity_2_d_q0.neg_mul_add(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q0_3);
     j[20] = d_vz_dot_d_q0;
     let q1_V_inv_m_rho_A_product = q1 * V_inv_m_rho_A_minus_product;
     let part_of_d_vy_dot_d_q0 = q3_minus_air_product - q1_V_inv_m_rho_A_product;
     let part_of_d_vx_dot_d_q3_4 =
         part_of_d_vx_dot_d_q3_3 + q0_air_velocity_2_V_product + q1_V_inv_m_rho_A_product;
-    let d_vx_dot_d_q3 = q3_two.mul_from(minus_air_velocity_product_5, part_of_d_vx_dot_d_q3_4);
+    let d_vx_dot_d_q3 = q3_two.neg_mul_add(minus_air_velocity_product_5, part_of_d_vx_dot_d_q3_4);
     j[9] = d_vx_dot_d_q3;
     let part_of_d_vy_dot_d_q0_2 = minus_d_minus_air_velocity_3_d_q0
-        .mul_from(d_vy_dot_d_minus_air_velocity_3, part_of_d_vy_dot_d_q0);
+        .neg_mul_add(d_vy_dot_d_minus_air_velocity_3, part_of_d_vy_dot_d_q0);
     let part_of_d_vy_dot_d_q0_3 =
         d_air_velocity_2_d_q0.mul_add(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_q0_2);
     let d_vy_dot_d_q0 = d_minus_air_velocity_1_d_q0
@@ -545,15 +547,15 @@ pub fn f_jac_par<T: Real>(
     let d_vy_dot_d_q3 = q3_two.mul_add(air_velocity_2_V_product, part_of_d_vy_dot_d_q3_4);
     j[16] = d_vy_dot_d_q3;
     let part_of_d_vz_dot_d_q2_3 =
-        d_air_velocity_2_d_q2.mul_from(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q2_2);
+        d_air_velocity_2_d_q2.neg_mul_add(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q2_2);
     let part_of_d_vz_dot_d_q3_2 =
         d_minus_air_velocity_3_d_q3.mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q3);
     let part_of_d_vz_dot_d_q2_4 = d_minus_air_velocity_1_d_q2
         .mul_add(d_vz_dot_d_minus_air_velocity_1_2, part_of_d_vz_dot_d_q2_3);
-    let d_vz_dot_d_q2 = q2_two.mul_from(V_inv_m_rho_A_minus_product, part_of_d_vz_dot_d_q2_4);
+    let d_vz_dot_d_q2 = q2_two.neg_mul_add(V_inv_m_rho_A_minus_product, part_of_d_vz_dot_d_q2_4);
     j[22] = d_vz_dot_d_q2;
     let part_of_d_vz_dot_d_q3_3 =
-        d_air_velocity_2_d_q3.mul_from(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q3_2);
+        d_air_velocity_2_d_q3.neg_mul_add(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q3_2);
     let d_vz_dot_d_q3 = d_minus_air_velocity_1_d_q3
         .mul_add(d_vz_dot_d_minus_air_velocity_1_2, part_of_d_vz_dot_d_q3_3);
     j[23] = d_vz_dot_d_q3;
@@ -569,7 +571,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_vx_dot_d_vx_2 =
         d_vx_dot_d_air_velocity_2.mul_add(two_minus_q0_q3_plus_q1_q2, part_of_d_vx_dot_d_vx);
     let d_vx_dot_d_vx =
-        d_vx_dot_d_minus_air_velocity_3.mul_from(q0_q2_plus_q1_q3_two, part_of_d_vx_dot_d_vx_2);
+        d_vx_dot_d_minus_air_velocity_3.neg_mul_add(q0_q2_plus_q1_q3_two, part_of_d_vx_dot_d_vx_2);
     j[3] = d_vx_dot_d_vx;
     let minus_d_vx_dot_d_vx = -d_vx_dot_d_vx;
     jp[7] = minus_d_vx_dot_d_vx; // d_vx_dot_d_wind_x
@@ -582,8 +584,8 @@ pub fn f_jac_par<T: Real>(
     let minus_d_vx_dot_d_vy = -d_vx_dot_d_vy;
     jp[8] = minus_d_vx_dot_d_vy; // d_vx_dot_d_wind_y
     let part_of_d_vx_dot_d_vz = q1_sq_two_minus_one_sum * d_vx_dot_d_minus_air_velocity_3;
-    let part_of_d_vx_dot_d_vz_2 =
-        d_vx_dot_d_minus_air_velocity_1.mul_from(two_minus_q0_q2_plus_q1_q3, part_of_d_vx_dot_d_vz);
+    let part_of_d_vx_dot_d_vz_2 = d_vx_dot_d_minus_air_velocity_1
+        .neg_mul_add(two_minus_q0_q2_plus_q1_q3, part_of_d_vx_dot_d_vz);
     let d_vx_dot_d_vz =
         d_vx_dot_d_air_velocity_2.mul_add(two_q1_q0_plus_q3_q2_2, part_of_d_vx_dot_d_vz_2);
     j[5] = d_vx_dot_d_vz;
@@ -593,7 +595,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_vy_dot_d_vx_2 =
         d_vy_dot_d_air_velocity_2.mul_add(two_minus_q0_q3_plus_q1_q2, part_of_d_vy_dot_d_vx);
     let d_vy_dot_d_vx =
-        d_vy_dot_d_minus_air_velocity_3.mul_from(q0_q2_plus_q1_q3_two, part_of_d_vy_dot_d_vx_2);
+        d_vy_dot_d_minus_air_velocity_3.neg_mul_add(q0_q2_plus_q1_q3_two, part_of_d_vy_dot_d_vx_2);
     j[10] = d_vy_dot_d_vx;
     let minus_d_vy_dot_d_vx = -d_vy_dot_d_vx;
     jp[17] = minus_d_vy_dot_d_vx; // d_vy_dot_d_wind_x
@@ -606,24 +608,24 @@ pub fn f_jac_par<T: Real>(
     let minus_d_vy_dot_d_vy = -d_vy_dot_d_vy;
     jp[18] = minus_d_vy_dot_d_vy; // d_vy_dot_d_wind_y
     let part_of_d_vy_dot_d_vz = q1_sq_two_minus_one_sum * d_vy_dot_d_minus_air_velocity_3;
-    let part_of_d_vy_dot_d_vz_2 =
-        d_vy_dot_d_minus_air_velocity_1.mul_from(two_minus_q0_q2_plus_q1_q3, part_of_d_vy_dot_d_vz);
+    let part_of_d_vy_dot_d_vz_2 = d_vy_dot_d_minus_air_velocity_1
+        .neg_mul_add(two_minus_q0_q2_plus_q1_q3, part_of_d_vy_dot_d_vz);
     let d_vy_dot_d_vz =
         d_vy_dot_d_air_velocity_2.mul_add(two_q1_q0_plus_q3_q2_2, part_of_d_vy_dot_d_vz_2);
     j[12] = d_vy_dot_d_vz;
     let minus_d_vy_dot_d_vz = -d_vy_dot_d_vz;
     jp[19] = minus_d_vy_dot_d_vz; // d_vy_dot_d_wind_z
     let part_of_d_vz_dot_d_vx = q2_sq_two_plus_q3_sq_sum * d_vz_dot_d_minus_air_velocity_1_2;
-    let part_of_d_vz_dot_d_vx_2 =
-        minus_d_vz_dot_d_air_velocity_2.mul_from(two_minus_q0_q3_plus_q1_q2, part_of_d_vz_dot_d_vx);
+    let part_of_d_vz_dot_d_vx_2 = minus_d_vz_dot_d_air_velocity_2
+        .neg_mul_add(two_minus_q0_q3_plus_q1_q2, part_of_d_vz_dot_d_vx);
     let d_vz_dot_d_vx =
-        d_vz_dot_d_minus_air_velocity_3.mul_from(q0_q2_plus_q1_q3_two, part_of_d_vz_dot_d_vx_2);
+        d_vz_dot_d_minus_air_velocity_3.neg_mul_add(q0_q2_plus_q1_q3_two, part_of_d_vz_dot_d_vx_2);
     j[17] = d_vz_dot_d_vx;
     let minus_d_vz_dot_d_vx = -d_vz_dot_d_vx;
     jp[28] = minus_d_vz_dot_d_vx; // d_vz_dot_d_wind_x
     let part_of_d_vz_dot_d_vy = d_vz_dot_d_minus_air_velocity_1_2 * two_q0_q3_plus_q1_q2;
-    let part_of_d_vz_dot_d_vy_2 =
-        q1_sq_two_plus_q3_sq_sum.mul_from(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_vy);
+    let part_of_d_vz_dot_d_vy_2 = q1_sq_two_plus_q3_sq_sum
+        .neg_mul_add(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_vy);
     let d_vz_dot_d_vy =
         d_vz_dot_d_minus_air_velocity_3.mul_sub(q1_q0_plus_q3_q2_two, part_of_d_vz_dot_d_vy_2);
     j[18] = d_vz_dot_d_vy;
@@ -631,9 +633,9 @@ pub fn f_jac_par<T: Real>(
     jp[29] = minus_d_vz_dot_d_vy; // d_vz_dot_d_wind_y
     let part_of_d_vz_dot_d_vz = q1_sq_two_minus_one_sum * d_vz_dot_d_minus_air_velocity_3;
     let part_of_d_vz_dot_d_vz_2 = d_vz_dot_d_minus_air_velocity_1_2
-        .mul_from(two_minus_q0_q2_plus_q1_q3, part_of_d_vz_dot_d_vz);
-    let d_vz_dot_d_vz =
-        minus_d_vz_dot_d_air_velocity_2.mul_from(two_q1_q0_plus_q3_q2_2, part_of_d_vz_dot_d_vz_2);
+        .neg_mul_add(two_minus_q0_q2_plus_q1_q3, part_of_d_vz_dot_d_vz);
+    let d_vz_dot_d_vz = minus_d_vz_dot_d_air_velocity_2
+        .neg_mul_add(two_q1_q0_plus_q3_q2_2, part_of_d_vz_dot_d_vz_2);
     j[19] = d_vz_dot_d_vz;
     let minus_d_vz_dot_d_vz = -d_vz_dot_d_vz;
     jp[30] = minus_d_vz_dot_d_vz; // d_vz_dot_d_wind_z
@@ -644,10 +646,10 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_q_dot_d_vx_2 =
         d_q_dot_d_air_velocity_2.mul_add(two_minus_q0_q3_plus_q1_q2, part_of_d_q_dot_d_vx);
     let d_p_dot_d_vx =
-        d_p_dot_d_minus_air_velocity_3.mul_from(q0_q2_plus_q1_q3_two, part_of_d_p_dot_d_vx_2);
+        d_p_dot_d_minus_air_velocity_3.neg_mul_add(q0_q2_plus_q1_q3_two, part_of_d_p_dot_d_vx_2);
     j[48] = d_p_dot_d_vx;
     let d_q_dot_d_vx =
-        d_q_dot_d_minus_air_velocity_3.mul_from(q0_q2_plus_q1_q3_two, part_of_d_q_dot_d_vx_2);
+        d_q_dot_d_minus_air_velocity_3.neg_mul_add(q0_q2_plus_q1_q3_two, part_of_d_q_dot_d_vx_2);
     j[58] = d_q_dot_d_vx;
     let minus_d_p_dot_d_vx = -d_p_dot_d_vx;
     jp[39] = minus_d_p_dot_d_vx; // d_p_dot_d_wind_x
@@ -671,10 +673,10 @@ pub fn f_jac_par<T: Real>(
     jp[51] = minus_d_q_dot_d_vy; // d_q_dot_d_wind_y
     let part_of_d_p_dot_d_vz = q1_sq_two_minus_one_sum * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_vz = q1_sq_two_minus_one_sum * d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_vz_2 =
-        d_p_dot_d_minus_air_velocity_1.mul_from(two_minus_q0_q2_plus_q1_q3, part_of_d_p_dot_d_vz);
-    let part_of_d_q_dot_d_vz_2 =
-        d_q_dot_d_minus_air_velocity_1.mul_from(two_minus_q0_q2_plus_q1_q3, part_of_d_q_dot_d_vz);
+    let part_of_d_p_dot_d_vz_2 = d_p_dot_d_minus_air_velocity_1
+        .neg_mul_add(two_minus_q0_q2_plus_q1_q3, part_of_d_p_dot_d_vz);
+    let part_of_d_q_dot_d_vz_2 = d_q_dot_d_minus_air_velocity_1
+        .neg_mul_add(two_minus_q0_q2_plus_q1_q3, part_of_d_q_dot_d_vz);
     let d_p_dot_d_vz =
         d_p_dot_d_air_velocity_2.mul_add(two_q1_q0_plus_q3_q2_2, part_of_d_p_dot_d_vz_2);
     j[50] = d_p_dot_d_vz;

@@ -30,16 +30,16 @@ pub fn observe<T: Real>(
     let q1_sq_two = T::splat(2.0) * q1 * q1;
     let mark_x = marker[0];
     let x = state[0];
-    let part_of_mark_x_2_2 = mark_x.mul_from(q3_sq_two + q2_sq_two_minus_one, x);
+    let part_of_mark_x_2_2 = mark_x.neg_mul_add(q3_sq_two + q2_sq_two_minus_one, x);
     let mark_y = marker[1];
     let mark_z = marker[2];
     let part_of_mark_x_2 = mark_y.mul_add(q2_q1 - q0_q3, mark_z * (q2_q0 + q3_q1));
     let z = state[2];
-    let part_of_mark_z_2_2 = mark_z.mul_from(q1_sq_two + q2_sq_two_minus_one, z);
+    let part_of_mark_z_2_2 = mark_z.neg_mul_add(q1_sq_two + q2_sq_two_minus_one, z);
     let part_of_mark_y_2_2 = mark_x.mul_add(q0_q3 + q2_q1, mark_z * (q2_q3 - q0_q1));
     let part_of_mark_z_2 = mark_x.mul_add(q3_q1 - q2_q0, mark_y * (q0_q1 + q2_q3));
     let y = state[1];
-    let part_of_mark_y_2 = mark_y.mul_from(q3_sq_two - T::splat(1.0) + q1_sq_two, y);
+    let part_of_mark_y_2 = mark_y.neg_mul_add(q3_sq_two - T::splat(1.0) + q1_sq_two, y);
 
     // disc_quaternion.hyz:102  observe mark = place;
     let mark_x_2 = T::splat(2.0).mul_add(part_of_mark_x_2, part_of_mark_x_2_2);

@@ -46,7 +46,7 @@ pub fn quantities<T: Real>(
         minus_wind_x_plus_vx.mul_add(q2_q0 + q3_q1, minus_wind_y_plus_vy * (q2_q3 - q0_q1));
     let part_of_minus_air_velocity_3_2 = minus_wind_z_plus_vz * (q1_sq_two + q2_sq_two_minus_one);
     let part_of_air_velocity_1_2 =
-        minus_wind_y_plus_vy.mul_from(T::splat(2.0) * (q0_q3 + q2_q1), part_of_air_velocity_1);
+        minus_wind_y_plus_vy.neg_mul_add(T::splat(2.0) * (q0_q3 + q2_q1), part_of_air_velocity_1);
     let C_Nr = parameters[14];
     let r = state[12];
 
@@ -56,10 +56,10 @@ pub fn quantities<T: Real>(
 
     // disc_quaternion.hyz:68  let air_velocity = in_C(velocity - air);
     let air_velocity_2 =
-        minus_wind_y_plus_vy.mul_from(part_of_air_velocity_2_3, part_of_air_velocity_2_2);
+        minus_wind_y_plus_vy.neg_mul_add(part_of_air_velocity_2_3, part_of_air_velocity_2_2);
     values[10] = air_velocity_2;
     let minus_air_velocity_3 =
-        T::splat(2.0).mul_from(part_of_minus_air_velocity_3, part_of_minus_air_velocity_3_2);
+        T::splat(2.0).neg_mul_add(part_of_minus_air_velocity_3, part_of_minus_air_velocity_3_2);
     let air_velocity_1 =
         minus_wind_z_plus_vz.mul_sub(T::splat(2.0) * (q3_q1 - q2_q0), part_of_air_velocity_1_2);
     values[9] = air_velocity_1;
@@ -70,7 +70,7 @@ pub fn quantities<T: Real>(
     let p = state[10];
     let q = state[11];
     let air_velocity_2_q_plus_sum = air_velocity_1.mul_add(p, air_velocity_2 * q);
-    let air_velocity_1_q_minus_sum = air_velocity_2.mul_from(p, air_velocity_1 * q);
+    let air_velocity_1_q_minus_sum = air_velocity_2.neg_mul_add(p, air_velocity_1 * q);
     let air_velocity_12 = air_velocity_12_sq.sqrt();
     let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
 

@@ -26,10 +26,10 @@ pub fn f<T: Real>(
     let cos_phi_g_plus_v_phidot = g.mul_add(cos_phi, v * phidot);
     let wind_y = parameters[16];
     let wind_z = parameters[17];
-    let minus_sin_phi_wind_y_sum = wind_y.mul_from(sin_phi, wind_z * cos_phi);
+    let minus_sin_phi_wind_y_sum = wind_y.neg_mul_add(sin_phi, wind_z * cos_phi);
 
     // discus.hyz:84  let air_velocity = velocity - in_B(air);
-    let air_velocity_2 = wind_y.mul_from(cos_phi, wind_z.mul_from(sin_phi, v));
+    let air_velocity_2 = wind_y.neg_mul_add(cos_phi, wind_z.neg_mul_add(sin_phi, v));
     let gammadot = state[11];
 
     // discus.hyz:102  let r = dot(angular_velocity, d3);
@@ -39,7 +39,7 @@ pub fn f<T: Real>(
     let w = state[5];
     let part_of_u_dot = sin_theta.mul_sub(cos_phi_g_plus_v_phidot, w * thetadot);
     let u = state[3];
-    let sin_theta_u_minus_w_cos_sum = w.mul_from(cos_theta, sin_theta * u);
+    let sin_theta_u_minus_w_cos_sum = w.neg_mul_add(cos_theta, sin_theta * u);
     let wind_x = parameters[15];
     let minus_air_velocity_3 =
         cos_theta.mul_add(minus_sin_phi_wind_y_sum, wind_x.mul_sub(sin_theta, w));
@@ -50,10 +50,11 @@ pub fn f<T: Real>(
     let y_dot = sin_theta_u_minus_w_cos_sum.mul_add(sin_phi, cos_phi * v);
     dx[1] = y_dot;
     let cos_theta_phidot = cos_theta * phidot;
-    let air_velocity_1 = wind_x.mul_from(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
+    let air_velocity_1 =
+        wind_x.neg_mul_add(cos_theta, sin_theta.mul_add(minus_sin_phi_wind_y_sum, u));
     let x_dot = cos_theta.mul_add(u, sin_theta * w);
     dx[0] = x_dot;
-    let z_dot = sin_theta_u_minus_w_cos_sum.mul_from(cos_phi, sin_phi * v);
+    let z_dot = sin_theta_u_minus_w_cos_sum.neg_mul_add(cos_phi, sin_phi * v);
     dx[2] = z_dot;
     let air_velocity_12_sq =
         air_velocity_1.mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
@@ -94,13 +95,13 @@ pub fn f<T: Real>(
     let C_Ms = parameters[12];
     let V_sq_half_rho_A_d_product = V_sq_half_rho_A_d_inv_I_d * (C_Ms * sin_alpha_two);
     let part_of_phidot_dot_4 =
-        air_velocity_2_inv_product.mul_from(V_sq_half_rho_A_d_product, part_of_phidot_dot_3);
+        air_velocity_2_inv_product.neg_mul_add(V_sq_half_rho_A_d_product, part_of_phidot_dot_3);
     let part_of_thetadot_dot_2 =
         air_velocity_1_inv_product.mul_add(V_sq_half_rho_A_d_product, part_of_thetadot_dot);
 
     // discus.hyz:57  frame B = A turned theta about 2; // does not spin with the discus
     let thetadot_dot =
-        cos_theta_phidot.mul_from(sin_theta_phidot - r_inv_I_d_I_a, part_of_thetadot_dot_2);
+        cos_theta_phidot.neg_mul_add(sin_theta_phidot - r_inv_I_d_I_a, part_of_thetadot_dot_2);
     dx[10] = thetadot_dot;
     let phidot_dot = part_of_phidot_dot_4 / cos_theta;
     dx[9] = phidot_dot;
@@ -110,27 +111,27 @@ pub fn f<T: Real>(
     // discus.hyz:97  let C_D = C_D0 + C_Ds*sin(alpha)^2;
     let C_D = minus_air_velocity_3_inv_V.mul_add(C_Ds * minus_air_velocity_3_inv_V, C_D0);
     let part_of_C_D_air_velocity_12 =
-        minus_air_velocity_3.mul_from(sin_alpha_two_C_Lp_product, C_D * air_velocity_12);
+        minus_air_velocity_3.neg_mul_add(sin_alpha_two_C_Lp_product, C_D * air_velocity_12);
     let part_of_w_dot =
         air_velocity_12.mul_add(sin_alpha_two_C_Lp_product, minus_air_velocity_3 * C_D);
     let C_D_air_velocity_12_product = part_of_C_D_air_velocity_12 * V_inv_m_half_rho_A;
     let part_of_w_dot_2 = V_inv_m_half_rho_A.mul_add(part_of_w_dot, u * thetadot);
     let C_Nr_inv_I_a = prepared[6];
-    let part_of_gammadot_dot = sin_theta.mul_from(phidot_dot, C_Nr_inv_I_a * r);
+    let part_of_gammadot_dot = sin_theta.neg_mul_add(phidot_dot, C_Nr_inv_I_a * r);
     let minus_g = prepared[3];
     let part_of_v_dot =
-        air_velocity_2_inv_product.mul_from(C_D_air_velocity_12_product, minus_g * sin_phi);
+        air_velocity_2_inv_product.neg_mul_add(C_D_air_velocity_12_product, minus_g * sin_phi);
 
     // discus.hyz:65  velocity (u, v, w) in B;
-    let u_dot = air_velocity_1_inv_product.mul_from(C_D_air_velocity_12_product, part_of_u_dot);
+    let u_dot = air_velocity_1_inv_product.neg_mul_add(C_D_air_velocity_12_product, part_of_u_dot);
     dx[3] = u_dot;
-    let w_dot = cos_theta.mul_from(cos_phi_g_plus_v_phidot, part_of_w_dot_2);
+    let w_dot = cos_theta.neg_mul_add(cos_phi_g_plus_v_phidot, part_of_w_dot_2);
     dx[5] = w_dot;
 
     // discus.hyz:58  frame C = B turned gamma about 3; // fixed in the discus
-    let gammadot_dot = thetadot.mul_from(cos_theta_phidot, part_of_gammadot_dot);
+    let gammadot_dot = thetadot.neg_mul_add(cos_theta_phidot, part_of_gammadot_dot);
     dx[11] = gammadot_dot;
-    let v_dot = phidot.mul_from(sin_theta_u_minus_w_cos_sum, part_of_v_dot);
+    let v_dot = phidot.neg_mul_add(sin_theta_u_minus_w_cos_sum, part_of_v_dot);
     dx[4] = v_dot;
 
     dx[6] = phidot;

@@ -36,9 +36,9 @@ pub fn f_jac<T: Real>(
     let sin_theta_phidot = sin_theta * phidot;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
-    let sin_phi_wind_y_sum = wind_z.mul_from(cos_phi, wind_y * sin_phi);
+    let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
     let minus_wind_y = prepared[7];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.mul_from(sin_phi, minus_wind_y * cos_phi);
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.neg_mul_add(sin_phi, minus_wind_y * cos_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
     let part_of_sin_theta_two_thetadot = T::splat(2.0) * sin_theta * thetadot;
@@ -58,8 +58,8 @@ pub fn f_jac<T: Real>(
 
     // discus.hyz:84  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
-    let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
-    let minus_sin_theta_u_minus_w_cos_sum_2 = u.mul_from(sin_theta, cos_theta * w);
+    let d_air_velocity_1_d_theta = cos_theta.neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, cos_theta * w);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let cos_phi_g_plus_v_phidot = v.mul_add(phidot, cos_phi_g);
@@ -113,7 +113,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_thetadot_dot_d_theta = cos_theta * cos_theta_phidot_product;
     let part_of_d_thetadot_dot_d_phidot = sin_theta * cos_theta_phidot_product;
     let d_thetadot_dot_d_phidot =
-        cos_theta.mul_from(sin_theta_phidot_minus_sum, part_of_d_thetadot_dot_d_phidot);
+        cos_theta.neg_mul_add(sin_theta_phidot_minus_sum, part_of_d_thetadot_dot_d_phidot);
     j[49] = d_thetadot_dot_d_phidot;
     let part_of_d_thetadot_dot_d_theta_2 =
         sin_theta.mul_add(sin_theta_phidot_minus_sum, part_of_d_thetadot_dot_d_theta);
@@ -121,7 +121,7 @@ pub fn f_jac<T: Real>(
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
-    let y_dot = sin_phi.mul_from(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
+    let y_dot = sin_phi.neg_mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_y_dot_d_w = -(cos_theta * sin_phi);
@@ -162,7 +162,7 @@ pub fn f_jac<T: Real>(
     let d_w_dot_d_phidot = -(cos_theta * v);
     j[31] = d_w_dot_d_phidot;
     let d_gammadot_dot_d_thetadot =
-        minus_r_inv_I_d_I_a_sum.mul_from(sin_theta_inv_cos_theta, -cos_theta_phidot);
+        minus_r_inv_I_d_I_a_sum.neg_mul_add(sin_theta_inv_cos_theta, -cos_theta_phidot);
     j[58] = d_gammadot_dot_d_thetadot;
     let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
     let inv_s_stall = prepared[0];
@@ -200,7 +200,7 @@ pub fn f_jac<T: Real>(
     let part_of_inv_V_air_velocity_2 =
         minus_air_velocity_3.mul_add(n8_inv_s_stall_product_2, part_of_inv_V_air_velocity);
     let part_of_inv_V_minus_air_2 =
-        air_velocity_12.mul_from(n8_inv_s_stall_product_2, part_of_inv_V_minus_air);
+        air_velocity_12.neg_mul_add(n8_inv_s_stall_product_2, part_of_inv_V_minus_air);
     let inv_V_air_velocity_product = inv_V * part_of_inv_V_air_velocity_2;
     let inv_V_minus_air_velocity_sum = inv_V * part_of_inv_V_minus_air_2;
     let air_velocity_2_inv_product_3 = air_velocity_2_inv_product * inv_cos_theta;
@@ -218,7 +218,7 @@ pub fn f_jac<T: Real>(
         air_velocity_12 * V_inv_m_half_rho_A_product * C_Lp_plus_minus_C_product;
     let sin_alpha_two_C_Lp_product = C_Lp_plus_minus_C_Lp_sum * sin_alpha_two;
     let C_D_air_velocity_12_sum =
-        minus_air_velocity_3.mul_from(sin_alpha_two_C_Lp_product, air_velocity_12 * C_D);
+        minus_air_velocity_3.neg_mul_add(sin_alpha_two_C_Lp_product, air_velocity_12 * C_D);
     let minus_air_velocity_3_C_sum =
         air_velocity_12.mul_add(sin_alpha_two_C_Lp_product, minus_air_velocity_3 * C_D);
     let V_sq_half_rho_A_d_product_3 = sin_alpha_two * V_sq_half_rho_A_d_product;
@@ -229,19 +229,19 @@ pub fn f_jac<T: Real>(
     dx[10] = thetadot_dot;
     let sin_alpha_two_C_Ms = C_Ms * sin_alpha_two;
     let part_of_minus_thetadot_r_inv_I_2 = air_velocity_2_inv_product
-        .mul_from(V_sq_half_rho_A_d_product_3, part_of_minus_thetadot_r_inv_I);
+        .neg_mul_add(V_sq_half_rho_A_d_product_3, part_of_minus_thetadot_r_inv_I);
     let minus_thetadot_r_inv_I_sum =
-        thetadot.mul_from(r_inv_I_d_I_a, part_of_minus_thetadot_r_inv_I_2);
+        thetadot.neg_mul_add(r_inv_I_d_I_a, part_of_minus_thetadot_r_inv_I_2);
     let minus_thetadot_r_product = minus_thetadot_r_inv_I_sum * inv_cos_theta;
     dx[9] = minus_thetadot_r_product;
 
     // discus.hyz:58  frame C = B turned gamma about 3; // fixed in the discus
-    let gammadot_dot = sin_theta.mul_from(minus_thetadot_r_product, part_of_gammadot_dot);
+    let gammadot_dot = sin_theta.neg_mul_add(minus_thetadot_r_product, part_of_gammadot_dot);
     dx[11] = gammadot_dot;
     let part_of_d_minus_thetadot_r =
-        phidot.mul_from(V_sq_half_rho_A_d_product_2, minus_thetadot_r_product);
+        phidot.neg_mul_add(V_sq_half_rho_A_d_product_2, minus_thetadot_r_product);
     let part_of_d_gammadot_dot_d_theta =
-        cos_theta * C_Nr_inv_I_a.mul_from(phidot, minus_thetadot_r_product);
+        cos_theta * C_Nr_inv_I_a.neg_mul_add(phidot, minus_thetadot_r_product);
     let sin_alpha_two_C_Ms_product = sin_alpha_two_C_Ms * air_velocity_2_inv_product_3;
     let air_velocity_1_inv_product_4 = air_velocity_1_inv_product * sin_alpha_two_C_Ms;
     let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12 * V_sq_half_rho_A_d_product_3;
@@ -251,19 +251,19 @@ pub fn f_jac<T: Real>(
     let part_of_d_C_D_air_velocity_12 = inv_m_half_rho_A * C_D_air_velocity_12_sum;
     let C_D_air_velocity_12_product = V_inv_m_half_rho_A * C_D_air_velocity_12_sum;
     let d_C_D_air_velocity_12_product_d_V = inv_V_air_velocity_product
-        .mul_from(V_inv_m_half_rho_A_product, part_of_d_C_D_air_velocity_12);
+        .neg_mul_add(V_inv_m_half_rho_A_product, part_of_d_C_D_air_velocity_12);
     let part_of_minus_air_velocity_sum_2 = sin_alpha_two_C_Lp_product - inv_V_air_velocity_product;
     let part_of_minus_d_C_D_air_sum_3 = d_C_D_air_velocity_12_product_d_V
         .mul_add(air_velocity_12_inv_V, part_of_minus_d_C_D_air_sum_2);
     let part_of_minus_air_velocity_sum =
         minus_air_velocity_3_inv_V * d_C_D_air_velocity_12_product_d_V;
-    let part_of_minus_air_velocity_sum_3 = V_inv_m_half_rho_A.mul_from(
+    let part_of_minus_air_velocity_sum_3 = V_inv_m_half_rho_A.neg_mul_add(
         part_of_minus_air_velocity_sum_2,
         part_of_minus_air_velocity_sum,
     );
     let minus_air_velocity_sum = part_of_minus_air_velocity_sum_3 - air_velocity_12_V_product;
     let part_of_v_dot_2 =
-        C_D_air_velocity_12_product.mul_from(air_velocity_2_inv_product, part_of_v_dot);
+        C_D_air_velocity_12_product.neg_mul_add(air_velocity_2_inv_product, part_of_v_dot);
 
     // discus.hyz:65  velocity (u, v, w) in B;
     let v_dot = part_of_v_dot_2 - sin_phi_g;
@@ -274,7 +274,7 @@ pub fn f_jac<T: Real>(
         thetadot.mul_add(C_Mq_nonzero_air_velocity_12, air_velocity_1_inv_product_4);
     let part_of_minus_air_velocity_2_sum_2 =
         part_of_minus_air_velocity_2_sum * minus_air_velocity_product_3;
-    let minus_air_velocity_2_sum = air_velocity_2_inv_product_3.mul_from(
+    let minus_air_velocity_2_sum = air_velocity_2_inv_product_3.neg_mul_add(
         air_velocity_12_inv_product,
         part_of_minus_air_velocity_2_sum_2,
     );
@@ -285,11 +285,11 @@ pub fn f_jac<T: Real>(
         part_of_air_velocity_1_inv_sum_2,
     );
     let part_of_minus_minus_part_part =
-        C_Mq.mul_from(phidot, sin_alpha_two_C_Ms_product) * air_velocity_12_two_product;
+        C_Mq.neg_mul_add(phidot, sin_alpha_two_C_Ms_product) * air_velocity_12_two_product;
     let part_of_d_thetadot_dot_d_air =
         C_Mq.mul_add(thetadot, air_velocity_1_inv_product_4) * air_velocity_12_two_product;
-    let d_thetadot_dot_d_air_velocity_12 =
-        air_velocity_1_inv_product.mul_from(d_thetadot_dot_d_air_sum, part_of_d_thetadot_dot_d_air);
+    let d_thetadot_dot_d_air_velocity_12 = air_velocity_1_inv_product
+        .neg_mul_add(d_thetadot_dot_d_air_sum, part_of_d_thetadot_dot_d_air);
     let part_of_minus_minus_part_part_2 = air_velocity_2_inv_product * d_thetadot_dot_d_air_sum;
     let minus_minus_part_part_sum = inv_cos_theta.mul_sub(
         part_of_minus_minus_part_part_2,
@@ -320,13 +320,13 @@ pub fn f_jac<T: Real>(
     let part_of_d_thetadot_dot_d_phi_3 = sin_phi_wind_y_sum * d_thetadot_dot_d_air_velocity_2;
     let C_D_air_velocity_12_product_2 = C_D_air_velocity_12_product * inv_air_velocity_12;
     let part_of_u_dot = C_D_air_velocity_12_product
-        .mul_from(air_velocity_1_inv_product, sin_theta_cos_phi_g_product);
-    let u_dot = w.mul_from(thetadot, part_of_u_dot);
+        .neg_mul_add(air_velocity_1_inv_product, sin_theta_cos_phi_g_product);
+    let u_dot = w.neg_mul_add(thetadot, part_of_u_dot);
     dx[3] = u_dot;
     let minus_d_C_D_air_sum = C_D_air_velocity_12_product_2 - part_of_minus_d_C_D_air_sum_3;
     let part_of_d_w_dot_d_V = inv_m_half_rho_A * minus_air_velocity_3_C_sum;
     let d_w_dot_d_V =
-        inv_V_minus_air_velocity_sum.mul_from(V_inv_m_half_rho_A_product, part_of_d_w_dot_d_V);
+        inv_V_minus_air_velocity_sum.neg_mul_add(V_inv_m_half_rho_A_product, part_of_d_w_dot_d_V);
     let part_of_d_w_dot_d_air_velocity =
         d_w_dot_d_V.mul_sub(air_velocity_12_inv_V, air_velocity_12_V_product);
     let d_w_dot_d_air_velocity_12 =
@@ -402,10 +402,10 @@ pub fn f_jac<T: Real>(
     let d_v_dot_d_w = cos_theta_phidot + air_velocity_2_inv_product_2;
     j[22] = d_v_dot_d_w;
     let d_v_dot_d_theta = d_minus_air_velocity_3_d_theta
-        .mul_from(air_velocity_2_inv_product_2, part_of_d_v_dot_d_theta_2);
+        .neg_mul_add(air_velocity_2_inv_product_2, part_of_d_v_dot_d_theta_2);
     j[24] = d_v_dot_d_theta;
     let part_of_d_v_dot_d_phi_2 =
-        cos_theta.mul_from(air_velocity_2_inv_product_2, part_of_d_v_dot_d_phi);
+        cos_theta.neg_mul_add(air_velocity_2_inv_product_2, part_of_d_v_dot_d_phi);
     let part_of_d_minus_thetadot_r_6 = sin_phi_wind_y_sum * d_phidot_dot_d_v;
     let d_v_dot_d_phi =
         d_minus_sin_phi_wind_y_sum_d_phi.mul_add(part_of_d_v_dot_d_phi_2, part_of_d_v_dot_d_phi_3);
@@ -415,7 +415,7 @@ pub fn f_jac<T: Real>(
     let part_of_d_thetadot_dot_d_phi = cos_theta * air_velocity_1_inv_sum;
     let part_of_d_thetadot_dot_d_theta_3 = d_minus_air_velocity_3_d_theta * air_velocity_1_inv_sum;
     let part_of_d_u_dot_d_phi =
-        d_u_dot_d_air_velocity_1.mul_from(d_minus_sin_phi_wind_y_sum_d_phi, sin_phi_g);
+        d_u_dot_d_air_velocity_1.neg_mul_add(d_minus_sin_phi_wind_y_sum_d_phi, sin_phi_g);
     let d_minus_thetadot_r_product_d_phi = d_minus_sin_phi_wind_y_sum_d_phi
         .mul_add(part_of_d_minus_thetadot_r_5, part_of_d_minus_thetadot_r_6);
     j[39] = d_minus_thetadot_r_product_d_phi; // d_phidot_dot_d_phi
@@ -423,8 +423,8 @@ pub fn f_jac<T: Real>(
         d_u_dot_d_air_velocity_1.mul_add(d_air_velocity_1_d_theta, cos_theta_cos_phi_g_product);
     let d_u_dot_d_w = air_velocity_1_inv_product_2 - thetadot;
     j[15] = d_u_dot_d_w;
-    let part_of_d_u_dot_d_phi_4 =
-        d_minus_sin_phi_wind_y_sum_d_phi.mul_from(part_of_d_u_dot_d_phi_3, part_of_d_u_dot_d_phi_2);
+    let part_of_d_u_dot_d_phi_4 = d_minus_sin_phi_wind_y_sum_d_phi
+        .neg_mul_add(part_of_d_u_dot_d_phi_3, part_of_d_u_dot_d_phi_2);
     let part_of_d_thetadot_dot_d_phi_2 = sin_theta.mul_add(
         d_thetadot_dot_d_air_velocity_1_2,
         part_of_d_thetadot_dot_d_phi,
@@ -434,11 +434,11 @@ pub fn f_jac<T: Real>(
         part_of_d_thetadot_dot_d_theta_3,
     );
     let d_u_dot_d_theta = air_velocity_1_inv_product_2
-        .mul_from(d_minus_air_velocity_3_d_theta, part_of_d_u_dot_d_theta);
+        .neg_mul_add(d_minus_air_velocity_3_d_theta, part_of_d_u_dot_d_theta);
     j[17] = d_u_dot_d_theta;
     let d_gammadot_dot_d_v = -(sin_theta * d_phidot_dot_d_v);
     j[53] = d_gammadot_dot_d_v;
-    let d_u_dot_d_phi = sin_theta.mul_from(part_of_d_u_dot_d_phi, part_of_d_u_dot_d_phi_4);
+    let d_u_dot_d_phi = sin_theta.neg_mul_add(part_of_d_u_dot_d_phi, part_of_d_u_dot_d_phi_4);
     j[16] = d_u_dot_d_phi;
     let d_thetadot_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi.mul_add(
         part_of_d_thetadot_dot_d_phi_2,

@@ -35,9 +35,9 @@ pub fn f_jac_par<T: Real>(
     let sin_theta_phidot = sin_theta * phidot;
     let wind_z = parameters[17];
     let wind_y = parameters[16];
-    let sin_phi_wind_y_sum = wind_z.mul_from(cos_phi, wind_y * sin_phi);
+    let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
     let minus_wind_y = prepared[7];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.mul_from(sin_phi, minus_wind_y * cos_phi);
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z.neg_mul_add(sin_phi, minus_wind_y * cos_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
     let cos_theta_phidot = cos_theta * phidot;
@@ -48,7 +48,7 @@ pub fn f_jac_par<T: Real>(
     // discus.hyz:102  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = u.mul_from(sin_theta, cos_theta * w);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, cos_theta * w);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let wind_x = parameters[15];
@@ -57,7 +57,7 @@ pub fn f_jac_par<T: Real>(
 
     // discus.hyz:84  let air_velocity = velocity - in_B(air);
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
-    let d_air_velocity_1_d_theta = cos_theta.mul_from(sin_phi_wind_y_sum, wind_x * sin_theta);
+    let d_air_velocity_1_d_theta = cos_theta.neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
     let cos_phi_g_plus_v_phidot = v.mul_add(phidot, cos_phi_g);
     let d_y_dot_d_u = sin_theta * sin_phi;
     j[3] = d_y_dot_d_u;
@@ -146,7 +146,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_thetadot_dot_d_theta = cos_theta * cos_theta_phidot_product;
     let part_of_d_thetadot_dot_d_phidot = sin_theta * cos_theta_phidot_product;
     let d_thetadot_dot_d_phidot =
-        cos_theta.mul_from(sin_theta_phidot_minus_sum, part_of_d_thetadot_dot_d_phidot);
+        cos_theta.neg_mul_add(sin_theta_phidot_minus_sum, part_of_d_thetadot_dot_d_phidot);
     j[49] = d_thetadot_dot_d_phidot;
     let part_of_d_thetadot_dot_d_theta_2 =
         sin_theta.mul_add(sin_theta_phidot_minus_sum, part_of_d_thetadot_dot_d_theta);
@@ -241,25 +241,25 @@ pub fn f_jac_par<T: Real>(
     dx[10] = thetadot_dot;
     let cos_alpha_two_V_sq_product = cos_alpha_two * V_sq_half_rho_A_d_product;
     let part_of_minus_thetadot_r_inv_I_2 = air_velocity_2_inv_product
-        .mul_from(V_sq_half_rho_A_d_product_3, part_of_minus_thetadot_r_inv_I);
+        .neg_mul_add(V_sq_half_rho_A_d_product_3, part_of_minus_thetadot_r_inv_I);
     let minus_thetadot_r_inv_I_sum =
-        thetadot.mul_from(r_inv_I_d_I_a, part_of_minus_thetadot_r_inv_I_2);
+        thetadot.neg_mul_add(r_inv_I_d_I_a, part_of_minus_thetadot_r_inv_I_2);
     let minus_r_inv_I_d_I_a_sum = sin_theta_phidot.mul_sub(T::splat(2.0), r_inv_I_d_I_a);
     let minus_thetadot_r_product = minus_thetadot_r_inv_I_sum * inv_cos_theta;
     dx[9] = minus_thetadot_r_product;
 
     // discus.hyz:58  frame C = B turned gamma about 3; // fixed in the discus
-    let gammadot_dot = sin_theta.mul_from(minus_thetadot_r_product, part_of_gammadot_dot);
+    let gammadot_dot = sin_theta.neg_mul_add(minus_thetadot_r_product, part_of_gammadot_dot);
     dx[11] = gammadot_dot;
     let part_of_d_minus_thetadot_r =
-        phidot.mul_from(V_sq_half_rho_A_d_product_2, minus_thetadot_r_product);
+        phidot.neg_mul_add(V_sq_half_rho_A_d_product_2, minus_thetadot_r_product);
     let part_of_d_gammadot_dot_d_theta =
-        cos_theta * C_Nr_inv_I_a.mul_from(phidot, minus_thetadot_r_product);
+        cos_theta * C_Nr_inv_I_a.neg_mul_add(phidot, minus_thetadot_r_product);
     let d_phidot_dot_d_thetadot = inv_cos_theta * minus_r_inv_I_d_I_a_sum;
     j[42] = d_phidot_dot_d_thetadot;
     let sin_alpha_two_air_product = sin_alpha_two * air_velocity_2_inv_product;
     let minus_C_Ms_inv_cos_sum =
-        sin_alpha_two_air_product.mul_from(C_Ms * inv_cos_theta, part_of_minus_C_Ms_inv_cos_sum);
+        sin_alpha_two_air_product.neg_mul_add(C_Ms * inv_cos_theta, part_of_minus_C_Ms_inv_cos_sum);
     let inv_air_velocity_12_product_2 = inv_air_velocity_12 * V_sq_half_rho_A_d_product_3;
     let air_velocity_2_inv_product_3 = air_velocity_2_inv_product * cos_alpha_two_V_sq_product;
     let air_velocity_1_inv_product_3 = air_velocity_1_inv_product * cos_alpha_two_V_sq_product;
@@ -300,7 +300,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_inv_V_air_velocity = air_velocity_12 * inv_V_two * C_Lp_plus_minus_C_product;
     let part_of_minus_C_D_air_velocity = T::splat(2.0) * C_Lp_plus_minus_C_product;
     let C_D_air_velocity_12_sum =
-        minus_air_velocity_3.mul_from(sin_alpha_two_C_Lp_product, air_velocity_12 * C_D);
+        minus_air_velocity_3.neg_mul_add(sin_alpha_two_C_Lp_product, air_velocity_12 * C_D);
     let minus_air_velocity_3_C_sum =
         air_velocity_12.mul_add(sin_alpha_two_C_Lp_product, minus_air_velocity_3 * C_D);
     let d_w_dot_d_air_velocity_12 = V_inv_m_half_rho_A * sin_alpha_two_C_Lp_product;
@@ -314,8 +314,8 @@ pub fn f_jac_par<T: Real>(
     let inv_s_stall_minus_product_4 = inv_s_stall_minus_product_3 * inv_inv_s_stall_product;
     let d_w_dot_d_C_Ls = air_velocity_12_V_product * inv_inv_s_stall_product;
     jp[28] = d_w_dot_d_C_Ls;
-    let part_of_inv_V_air_velocity_2 =
-        one_minus_minus_air_sum.mul_from(inv_s_stall_minus_product_4, part_of_inv_V_air_velocity);
+    let part_of_inv_V_air_velocity_2 = one_minus_minus_air_sum
+        .neg_mul_add(inv_s_stall_minus_product_4, part_of_inv_V_air_velocity);
     let part_of_minus_C_D_air_velocity_2 =
         air_velocity_12_inv_V.mul_sub(inv_s_stall_minus_product_4, part_of_minus_C_D_air_velocity);
     let part_of_minus_C_D_air_velocity_3 =
@@ -326,7 +326,7 @@ pub fn f_jac_par<T: Real>(
         part_of_minus_C_D_air_velocity_3,
     );
     let part_of_d_w_dot_d_air_velocity = minus_air_velocity_product
-        .mul_from(C_Ds_minus_air_product, part_of_minus_C_D_air_velocity_3);
+        .neg_mul_add(C_Ds_minus_air_product, part_of_minus_C_D_air_velocity_3);
     let part_of_minus_C_Ms_inv_cos_sum_2 =
         air_velocity_2_inv_product * inv_air_velocity_12_product_2;
     let part_of_minus_C_Ms_inv_cos_sum_2_2 = minus_air_velocity_product_2.mul_add(
@@ -339,14 +339,14 @@ pub fn f_jac_par<T: Real>(
         part_of_minus_C_D_air_velocity_6,
         d_w_dot_d_minus_air_velocity_3,
     );
-    let part_of_minus_C_D_air_velocity_8 = d_w_dot_d_C_D.mul_from(
+    let part_of_minus_C_D_air_velocity_8 = d_w_dot_d_C_D.neg_mul_add(
         part_of_minus_C_D_air_velocity_5,
         part_of_minus_C_D_air_velocity_7,
     );
     let part_of_d_w_dot_d_minus_air = inv_V_air_velocity_product
         .mul_add(air_velocity_12_V_product, d_w_dot_d_minus_air_velocity_3);
-    let part_of_minus_d_C_D_d_minus_air =
-        d_C_D_d_minus_air_velocity_3.mul_from(air_velocity_12_V_product, d_w_dot_d_air_velocity_12);
+    let part_of_minus_d_C_D_d_minus_air = d_C_D_d_minus_air_velocity_3
+        .neg_mul_add(air_velocity_12_V_product, d_w_dot_d_air_velocity_12);
     let part_of_minus_d_C_D_d_minus_air_2 = C_D_air_velocity_12_sum * inv_V_inv_m_half_rho_A;
     let part_of_minus_d_C_D_d_minus_air_3 = V_inv_m_half_rho_A.mul_sub(
         inv_V_air_velocity_product,
@@ -380,9 +380,9 @@ pub fn f_jac_par<T: Real>(
     );
     let part_of_d_thetadot_dot_d_air = C_Ms_sin_alpha_two_sum * air_velocity_12_two_product;
     let part_of_d_thetadot_dot_d_air_2 = air_velocity_1_inv_product
-        .mul_from(inv_air_velocity_12_product_2, part_of_d_thetadot_dot_d_air);
+        .neg_mul_add(inv_air_velocity_12_product_2, part_of_d_thetadot_dot_d_air);
     let d_thetadot_dot_d_air_velocity_12 = minus_air_velocity_product_2
-        .mul_from(air_velocity_1_inv_product_3, part_of_d_thetadot_dot_d_air_2);
+        .neg_mul_add(air_velocity_1_inv_product_3, part_of_d_thetadot_dot_d_air_2);
     let part_of_d_phidot_dot_d_v = V_sq_half_rho_A_d_product_3 * inv_cos_theta;
     let part_of_d_phidot_dot_d_v_2 =
         air_velocity_2.mul_sub(minus_C_Ms_inv_cos_sum_2, part_of_d_phidot_dot_d_v);
@@ -398,7 +398,7 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_1_inv_sum = C_Ms_sin_alpha_two_sum
         .mul_add(minus_air_velocity_product_4, part_of_air_velocity_1_inv_sum);
     let part_of_minus_inv_cos_theta_air = minus_C_Ms_inv_cos_sum * minus_air_velocity_product_4;
-    let minus_inv_cos_theta_air_sum = inv_V_two_air_product.mul_from(
+    let minus_inv_cos_theta_air_sum = inv_V_two_air_product.neg_mul_add(
         part_of_minus_inv_cos_theta_air_2,
         part_of_minus_inv_cos_theta_air,
     );
@@ -418,7 +418,7 @@ pub fn f_jac_par<T: Real>(
     let d_phidot_dot_d_w = -minus_inv_cos_theta_air_sum;
     j[38] = d_phidot_dot_d_w;
     let d_minus_thetadot_r_product_d_I_d =
-        half_rho_A_inv_I_d.mul_from(minus_C_Ms_inv_cos_product, part_of_d_minus_thetadot_r_2);
+        half_rho_A_inv_I_d.neg_mul_add(minus_C_Ms_inv_cos_product, part_of_d_minus_thetadot_r_2);
     jp[37] = d_minus_thetadot_r_product_d_I_d; // d_phidot_dot_d_I_d
     let rho_half = prepared[20];
     jp[39] = rho_half * minus_C_Ms_inv_cos_product; // d_phidot_dot_d_A
@@ -443,7 +443,7 @@ pub fn f_jac_par<T: Real>(
     let w_dot = u.mul_add(thetadot, part_of_w_dot);
     dx[5] = w_dot;
     let part_of_v_dot_2 =
-        C_D_air_velocity_12_product.mul_from(air_velocity_2_inv_product, part_of_v_dot);
+        C_D_air_velocity_12_product.neg_mul_add(air_velocity_2_inv_product, part_of_v_dot);
     let v_dot = part_of_v_dot_2 - sin_phi_g;
     dx[4] = v_dot;
     let minus_half_rho_A_inv_m = prepared[23];
@@ -452,12 +452,12 @@ pub fn f_jac_par<T: Real>(
     jp[26] = A_half * minus_air_velocity_product_5; // d_w_dot_d_rho
     let C_D_air_velocity_12_product_2 = C_D_air_velocity_12_product * inv_air_velocity_12;
     let part_of_u_dot =
-        C_D_air_velocity_12_product.mul_from(air_velocity_1_inv_product, d_w_dot_d_theta);
-    let u_dot = w.mul_from(thetadot, part_of_u_dot);
+        C_D_air_velocity_12_product.neg_mul_add(air_velocity_1_inv_product, d_w_dot_d_theta);
+    let u_dot = w.neg_mul_add(thetadot, part_of_u_dot);
     dx[3] = u_dot;
     let inv_air_velocity_12_product = inv_air_velocity_12 * d_w_dot_d_air_velocity_12_2;
-    let d_w_dot_d_wind_y =
-        inv_air_velocity_12_product.mul_from(part_of_d_w_dot_d_wind_y, part_of_d_w_dot_d_wind_y_2);
+    let d_w_dot_d_wind_y = inv_air_velocity_12_product
+        .neg_mul_add(part_of_d_w_dot_d_wind_y, part_of_d_w_dot_d_wind_y_2);
     jp[34] = d_w_dot_d_wind_y;
     let d_w_dot_d_wind_z =
         inv_air_velocity_12_product.mul_add(part_of_d_w_dot_d_wind_z, part_of_d_w_dot_d_wind_z_2);
@@ -500,7 +500,7 @@ pub fn f_jac_par<T: Real>(
     let d_v_dot_d_w = cos_theta_phidot - air_velocity_2_inv_product_2;
     j[22] = d_v_dot_d_w;
     let d_gammadot_dot_d_thetadot =
-        minus_r_inv_I_d_I_a_sum.mul_from(sin_theta_inv_cos_theta, -cos_theta_phidot);
+        minus_r_inv_I_d_I_a_sum.neg_mul_add(sin_theta_inv_cos_theta, -cos_theta_phidot);
     j[58] = d_gammadot_dot_d_thetadot;
     let sin_theta_d_minus_product = sin_theta * d_minus_thetadot_r_product_d_u;
     let d_gammadot_dot_d_u = -sin_theta_d_minus_product;
@@ -510,7 +510,7 @@ pub fn f_jac_par<T: Real>(
     let d_gammadot_dot_d_w = sin_theta * minus_inv_cos_theta_air_sum;
     j[54] = d_gammadot_dot_d_w;
     let d_minus_thetadot_r_product_d_wind_x =
-        cos_theta.mul_from(d_minus_thetadot_r_product_d_u, d_gammadot_dot_d_w);
+        cos_theta.neg_mul_add(d_minus_thetadot_r_product_d_u, d_gammadot_dot_d_w);
     jp[43] = d_minus_thetadot_r_product_d_wind_x; // d_phidot_dot_d_wind_x
     let d_gammadot_dot_d_wind_x = -(sin_theta * d_minus_thetadot_r_product_d_wind_x);
     jp[64] = d_gammadot_dot_d_wind_x;
@@ -522,7 +522,7 @@ pub fn f_jac_par<T: Real>(
     );
     j[13] = d_u_dot_d_air_velocity_1; // d_u_dot_d_u
     let minus_d_v_dot_d_air_velocity_2 = air_velocity_2_inv_product
-        .mul_from(part_of_minus_d_v_dot_d_air, C_D_air_velocity_12_product_2);
+        .neg_mul_add(part_of_minus_d_v_dot_d_air, C_D_air_velocity_12_product_2);
     let air_velocity_1_inv_product_4 = air_velocity_1_inv_product * C_D_air_velocity_12_product_3;
     let air_velocity_2_inv_product_4 = air_velocity_2_inv_product * C_D_air_velocity_12_product_3;
     let part_of_d_u_dot_d_theta =
@@ -542,7 +542,8 @@ pub fn f_jac_par<T: Real>(
     jp[14] = minus_A_half * air_velocity_2_inv_product_4; // d_v_dot_d_rho
     let cos_theta_air_product = cos_theta * air_velocity_1_inv_product_2;
     let part_of_d_u_dot_d_wind_x = sin_theta * air_velocity_1_inv_product_2;
-    let d_u_dot_d_wind_x = cos_theta.mul_from(d_u_dot_d_air_velocity_1, part_of_d_u_dot_d_wind_x);
+    let d_u_dot_d_wind_x =
+        cos_theta.neg_mul_add(d_u_dot_d_air_velocity_1, part_of_d_u_dot_d_wind_x);
     jp[9] = d_u_dot_d_wind_x;
     let part_of_sin_theta_d_u_dot_d_sum = cos_theta * air_velocity_2_inv_product_2;
     let sin_theta_d_u_dot_d_sum =
@@ -550,7 +551,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_v_dot_d_phi =
         d_minus_sin_phi_wind_y_sum_d_phi.mul_sub(sin_theta_d_u_dot_d_sum, cos_phi_g);
     let d_v_dot_d_phi =
-        sin_phi_wind_y_sum.mul_from(minus_d_v_dot_d_air_velocity_2, part_of_d_v_dot_d_phi);
+        sin_phi_wind_y_sum.neg_mul_add(minus_d_v_dot_d_air_velocity_2, part_of_d_v_dot_d_phi);
     j[23] = d_v_dot_d_phi;
     let part_of_d_minus_thetadot_r_6 = sin_phi_wind_y_sum * d_phidot_dot_d_v;
     let d_minus_thetadot_r_product_d_phi = d_minus_sin_phi_wind_y_sum_d_phi
@@ -567,15 +568,16 @@ pub fn f_jac_par<T: Real>(
     let sin_theta_d_u_dot_d_sum_2 =
         sin_theta.mul_add(d_u_dot_d_air_velocity_1, cos_theta_air_product);
     let part_of_d_u_dot_d_phi =
-        d_u_dot_d_air_velocity_1.mul_from(d_minus_sin_phi_wind_y_sum_d_phi, sin_phi_g);
+        d_u_dot_d_air_velocity_1.neg_mul_add(d_minus_sin_phi_wind_y_sum_d_phi, sin_phi_g);
     let part_of_d_w_dot_d_phi_3 =
         d_minus_sin_phi_wind_y_sum_d_phi.mul_add(d_w_dot_d_minus_air_velocity_3_2, sin_phi_g);
     let part_of_d_w_dot_d_wind_x = sin_theta * d_w_dot_d_minus_air_velocity_3_2;
-    let d_w_dot_d_wind_x = cos_theta.mul_from(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_wind_x);
+    let d_w_dot_d_wind_x =
+        cos_theta.neg_mul_add(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_wind_x);
     jp[33] = d_w_dot_d_wind_x;
     let part_of_d_u_dot_d_phi_3 =
         sin_phi_wind_y_sum.mul_add(part_of_d_u_dot_d_v, part_of_d_u_dot_d_phi_2);
-    let d_u_dot_d_phi = sin_theta.mul_from(part_of_d_u_dot_d_phi, part_of_d_u_dot_d_phi_3);
+    let d_u_dot_d_phi = sin_theta.neg_mul_add(part_of_d_u_dot_d_phi, part_of_d_u_dot_d_phi_3);
     j[16] = d_u_dot_d_phi;
     let part_of_d_thetadot_dot_d_phi = sin_phi_wind_y_sum * d_thetadot_dot_d_air_velocity_2;
     let part_of_d_w_dot_d_phi_4 = cos_theta * part_of_d_w_dot_d_phi_3;
@@ -585,7 +587,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_v_dot_d_theta = d_minus_air_velocity_3_d_theta * air_velocity_2_inv_product_2;
     let part_of_d_thetadot_dot_d_theta_3 = d_minus_air_velocity_3_d_theta * air_velocity_1_inv_sum;
     let part_of_d_v_dot_d_wind_x = sin_theta * air_velocity_2_inv_product_2;
-    let d_v_dot_d_wind_x = cos_theta.mul_from(part_of_d_u_dot_d_v, part_of_d_v_dot_d_wind_x);
+    let d_v_dot_d_wind_x = cos_theta.neg_mul_add(part_of_d_u_dot_d_v, part_of_d_v_dot_d_wind_x);
     jp[21] = d_v_dot_d_wind_x;
     let part_of_d_v_dot_d_theta_2 =
         d_air_velocity_1_d_theta.mul_add(part_of_d_u_dot_d_v, part_of_d_v_dot_d_theta);
@@ -599,7 +601,7 @@ pub fn f_jac_par<T: Real>(
     );
     j[48] = d_thetadot_dot_d_theta;
     let part_of_sin_theta_d_product_sum = cos_theta * air_velocity_1_inv_sum;
-    let d_v_dot_d_theta = x_dot.mul_from(phidot, part_of_d_v_dot_d_theta_2);
+    let d_v_dot_d_theta = x_dot.neg_mul_add(phidot, part_of_d_v_dot_d_theta_2);
     j[24] = d_v_dot_d_theta;
     let minus_d_minus_thetadot_r_product_d_wind_y =
         sin_phi.mul_add(sin_theta_d_minus_sum, cos_phi * d_phidot_dot_d_v);
@@ -615,7 +617,7 @@ pub fn f_jac_par<T: Real>(
     j[47] = d_thetadot_dot_d_phi;
     let part_of_d_thetadot_dot_d_wind_x = sin_theta * air_velocity_1_inv_sum;
     let part_of_d_thetadot_dot_d_wind_z = sin_phi * d_thetadot_dot_d_air_velocity_2;
-    let y_dot = sin_phi.mul_from(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
+    let y_dot = sin_phi.neg_mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let part_of_d_v_dot_d_wind_y = cos_phi * minus_d_v_dot_d_air_velocity_2;
@@ -626,20 +628,20 @@ pub fn f_jac_par<T: Real>(
     let d_gammadot_dot_d_phidot =
         sin_theta.mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
     j[57] = d_gammadot_dot_d_phidot;
-    let d_thetadot_dot_d_wind_x = cos_theta.mul_from(
+    let d_thetadot_dot_d_wind_x = cos_theta.neg_mul_add(
         d_thetadot_dot_d_air_velocity_1,
         part_of_d_thetadot_dot_d_wind_x,
     );
     jp[53] = d_thetadot_dot_d_wind_x;
     let d_u_dot_d_wind_y =
-        sin_phi.mul_from(sin_theta_d_u_dot_d_sum_2, -(cos_phi * part_of_d_u_dot_d_v));
+        sin_phi.neg_mul_add(sin_theta_d_u_dot_d_sum_2, -(cos_phi * part_of_d_u_dot_d_v));
     jp[10] = d_u_dot_d_wind_y;
-    let d_v_dot_d_wind_y = sin_phi.mul_from(sin_theta_d_u_dot_d_sum, part_of_d_v_dot_d_wind_y);
+    let d_v_dot_d_wind_y = sin_phi.neg_mul_add(sin_theta_d_u_dot_d_sum, part_of_d_v_dot_d_wind_y);
     jp[22] = d_v_dot_d_wind_y;
     let d_v_dot_d_wind_z = cos_phi.mul_add(sin_theta_d_u_dot_d_sum, part_of_d_v_dot_d_wind_z);
     jp[23] = d_v_dot_d_wind_z;
     let d_thetadot_dot_d_wind_y =
-        sin_phi.mul_from(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_wind_y);
+        sin_phi.neg_mul_add(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_wind_y);
     jp[54] = d_thetadot_dot_d_wind_y;
     let d_thetadot_dot_d_wind_z =
         cos_phi.mul_sub(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_wind_z);

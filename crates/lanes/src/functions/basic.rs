@@ -1,59 +1,63 @@
-//! Roots, comparisons and the stated behaviour at singular points.
+//! Square root, comparisons, and guarded functions with defined values at singular points.
 
 use crate::primitive::Primitive;
 use std::hint::cold_path;
 
-/// Magnitudes below this count as zero: its square is still a normal number.
+/// Magnitude below which a number counts as zero; its square is still a normal number.
 const ZERO: f64 = 1e-75;
 
 #[inline(always)]
 fn is_zero<T: Primitive>(x: T) -> T::Mask {
-    x.magnitude().below(T::all(ZERO))
+    x.magnitude().lt(T::broadcast(ZERO))
 }
 
 #[inline(always)]
 pub(crate) fn sqrt<T: Primitive>(x: T) -> T {
     if T::WIDTH == 1 {
-        // A branch that is foreseen costs less than a selection, which waits.
-        if T::everywhere(T::all(0.0).below(x)) {
-            return x.root();
+        // A well-predicted branch is cheaper than a select, which waits for both sides.
+        if T::all_true(T::broadcast(0.0).lt(x)) {
+            return x.ieee_sqrt();
         }
         cold_path();
     }
-    T::select(x.at_most(T::all(0.0)), T::all(0.0), x.root())
+    T::select(x.le(T::broadcast(0.0)), T::broadcast(0.0), x.ieee_sqrt())
 }
 
 #[inline(always)]
 pub(crate) fn recip_or_zero<T: Primitive>(x: T) -> T {
     if T::WIDTH == 1 {
-        if T::everywhere(T::all(ZERO).at_most(x.magnitude())) {
-            return T::all(1.0) / x;
+        if T::all_true(T::broadcast(ZERO).le(x.magnitude())) {
+            return T::broadcast(1.0) / x;
         }
         cold_path();
     }
-    T::select(is_zero(x), T::all(0.0), T::all(1.0) / x)
+    T::select(is_zero(x), T::broadcast(0.0), T::broadcast(1.0) / x)
 }
 
 #[inline(always)]
 pub(crate) fn min<T: Primitive>(a: T, b: T) -> T {
-    T::select(a.below(b), a, b)
+    T::select(a.lt(b), a, b)
 }
 
 #[inline(always)]
 pub(crate) fn max<T: Primitive>(a: T, b: T) -> T {
-    T::select(b.below(a), a, b)
+    T::select(b.lt(a), a, b)
 }
 
 #[inline(always)]
 pub(crate) fn sign<T: Primitive>(x: T) -> T {
-    let zero = T::all(0.0);
-    let negative = T::select(x.below(zero), T::all(-1.0), zero);
-    T::select(zero.below(x), T::all(1.0), negative)
+    let zero = T::broadcast(0.0);
+    let negative = T::select(x.lt(zero), T::broadcast(-1.0), zero);
+    T::select(zero.lt(x), T::broadcast(1.0), negative)
 }
 
 #[inline(always)]
-pub(crate) fn step<T: Primitive>(x: T) -> T {
-    T::select(T::all(0.0).below(x), T::all(1.0), T::all(0.0))
+pub(crate) fn heaviside<T: Primitive>(x: T) -> T {
+    T::select(
+        T::broadcast(0.0).lt(x),
+        T::broadcast(1.0),
+        T::broadcast(0.0),
+    )
 }
 
 #[inline(always)]

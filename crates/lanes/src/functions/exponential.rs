@@ -1,6 +1,6 @@
 //! Exponential, logarithm and hyperbolic tangent.
 
-use super::{ROUNDER, polynomial};
+use super::{ROUND_TO_INTEGER, polynomial};
 use crate::primitive::Primitive;
 use std::f64::consts::LOG2_E;
 
@@ -26,21 +26,26 @@ const EXPONENTIAL: [f64; 10] = [
 
 /// 2 to the power of an integer from -1022 to 1023.
 #[inline(always)]
-fn power_of_two<T: Primitive>(integer: T) -> T {
-    (integer + T::all(ROUNDER + 1023.0)).bits_up::<52>()
+fn exp2_integer<T: Primitive>(integer: T) -> T {
+    (integer + T::broadcast(ROUND_TO_INTEGER + 1023.0)).shl_bits::<52>()
 }
 
 #[inline(always)]
 pub(crate) fn exp<T: Primitive>(x: T) -> T {
     // Beyond these the result is 0 or infinite. A NaN passes both, since it is not below anything.
-    let x = T::select(x.below(T::all(-746.0)), T::all(-746.0), x);
-    let x = T::select(T::all(710.0).below(x), T::all(710.0), x);
-    let twos = x.times_plus(T::all(LOG2_E), T::all(ROUNDER)) - T::all(ROUNDER);
-    let r = twos.times_from(T::all(LN_2[1]), twos.times_from(T::all(LN_2[0]), x));
-    let e = T::all(1.0) + (r * r).times_plus(polynomial(r, EXPONENTIAL), r);
+    let x = T::select(x.lt(T::broadcast(-746.0)), T::broadcast(-746.0), x);
+    let x = T::select(T::broadcast(710.0).lt(x), T::broadcast(710.0), x);
+    let twos = x.mul_add_op(T::broadcast(LOG2_E), T::broadcast(ROUND_TO_INTEGER))
+        - T::broadcast(ROUND_TO_INTEGER);
+    let r = twos.neg_mul_add_op(
+        T::broadcast(LN_2[1]),
+        twos.neg_mul_add_op(T::broadcast(LN_2[0]), x),
+    );
+    let e = T::broadcast(1.0) + (r * r).mul_add_op(polynomial(r, EXPONENTIAL), r);
     // In two factors, for results that are subnormal or nearly too large.
-    let some = twos.times_plus(T::all(0.5), T::all(ROUNDER)) - T::all(ROUNDER);
-    e * power_of_two(some) * power_of_two(twos - some)
+    let some = twos.mul_add_op(T::broadcast(0.5), T::broadcast(ROUND_TO_INTEGER))
+        - T::broadcast(ROUND_TO_INTEGER);
+    e * exp2_integer(some) * exp2_integer(twos - some)
 }
 
 // Coefficients of Sun's fdlibm (1993): (log(1+f) - 2s)/s in powers of s², s = f/(2+f).
@@ -56,29 +61,29 @@ const LOGARITHM: [f64; 7] = [
 
 #[inline(always)]
 pub(crate) fn log<T: Primitive>(x: T) -> T {
-    let one = T::all(1.0);
+    let one = T::broadcast(1.0);
     // Subnormal numbers are first made normal.
-    let tiny = x.below(T::all(f64::MIN_POSITIVE));
-    let scaled = T::select(tiny, x * T::all(18_014_398_509_481_984.0), x); // 2^54
-    let start = T::select(tiny, T::all(-54.0 - 1023.0), T::all(-1023.0));
+    let tiny = x.lt(T::broadcast(f64::MIN_POSITIVE));
+    let scaled = T::select(tiny, x * T::broadcast(18_014_398_509_481_984.0), x); // 2^54
+    let start = T::select(tiny, T::broadcast(-54.0 - 1023.0), T::broadcast(-1023.0));
 
     // x = 2^twos (1 + f), with 1 + f between √½ and √2.
-    let two_52 = T::all(4_503_599_627_370_496.0);
-    let exponent = scaled.bits_down::<52>().bits_or(two_52) - two_52;
-    let mantissa = scaled.bits_and(T::bits((1 << 52) - 1)).bits_or(one);
-    let upper = T::all(std::f64::consts::SQRT_2).below(mantissa);
-    let f = T::select(upper, mantissa * T::all(0.5), mantissa) - one;
-    let twos = exponent + start + T::select(upper, one, T::all(0.0));
+    let two_52 = T::broadcast(4_503_599_627_370_496.0);
+    let exponent = scaled.shr_bits::<52>().or_bits(two_52) - two_52;
+    let mantissa = scaled.and_bits(T::bit_pattern((1 << 52) - 1)).or_bits(one);
+    let upper = T::broadcast(std::f64::consts::SQRT_2).lt(mantissa);
+    let f = T::select(upper, mantissa * T::broadcast(0.5), mantissa) - one;
+    let twos = exponent + start + T::select(upper, one, T::broadcast(0.0));
 
-    let s = f / (T::all(2.0) + f);
+    let s = f / (T::broadcast(2.0) + f);
     let z = s * s;
     let r = z * polynomial(z, LOGARITHM);
-    let half_square = T::all(0.5) * f * f;
-    let small = s.times_plus(half_square + r, twos * T::all(LN_2[1]));
-    let log = twos.times_minus(T::all(LN_2[0]), (half_square - small) - f);
+    let half_square = T::broadcast(0.5) * f * f;
+    let small = s.mul_add_op(half_square + r, twos * T::broadcast(LN_2[1]));
+    let log = twos.mul_sub_op(T::broadcast(LN_2[0]), (half_square - small) - f);
 
-    let log = T::select(x.below(T::all(f64::INFINITY)), log, x);
-    T::select(x.at_most(T::all(0.0)), T::all(0.0), log)
+    let log = T::select(x.lt(T::broadcast(f64::INFINITY)), log, x);
+    T::select(x.le(T::broadcast(0.0)), T::broadcast(0.0), log)
 }
 
 // Coefficients of Moshier's Cephes (1989): (tanh(x)/x - 1)/x² for |x| up to 0.625.
@@ -96,13 +101,17 @@ const TANH_UNDER: [f64; 4] = [
 
 #[inline(always)]
 pub(crate) fn tanh<T: Primitive>(x: T) -> T {
-    let one = T::all(1.0);
+    let one = T::broadcast(1.0);
     let size = x.magnitude();
-    let upper = T::all(0.625).below(size);
+    let upper = T::broadcast(0.625).lt(size);
     let z = x * x;
     // One division serves both: x + x z P/Q near 0, and 1 - 2/(exp 2x + 1) beyond.
-    let over = T::select(upper, T::all(-2.0), size * z * polynomial(z, TANH_OVER));
+    let over = T::select(
+        upper,
+        T::broadcast(-2.0),
+        size * z * polynomial(z, TANH_OVER),
+    );
     let under = T::select(upper, exp(size + size) + one, polynomial(z, TANH_UNDER));
     let near = T::select(upper, one, size) + over / under;
-    near.bits_xor(x.sign_bit())
+    near.xor_bits(x.sign_bit())
 }

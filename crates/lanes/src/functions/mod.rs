@@ -1,33 +1,33 @@
-//! The functions, each written once over the primitive operations.
+//! Elementary functions, each written once over the primitive operations.
 
 pub(crate) mod basic;
-pub(crate) mod circular;
 pub(crate) mod exponential;
-pub(crate) mod inverse;
+pub(crate) mod inverse_trigonometric;
+pub(crate) mod trigonometric;
 
 use crate::primitive::Primitive;
 
-/// Adding this and taking it away again rounds to the nearest integer, which the low bits then hold.
-const ROUNDER: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
+/// 1.5 · 2^52: adding and subtracting it rounds to the nearest integer, which the sum holds in its low bits.
+const ROUND_TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
-/// `c[0] + c[1] x + c[2] x² + …` in halves that do not wait for each other (Estrin's order).
+/// `c[0] + c[1] x + c[2] x² + …` by Estrin's scheme (independent halves).
 #[inline(always)]
 fn polynomial<T: Primitive, const N: usize>(x: T, c: [f64; N]) -> T {
     const { assert!(N >= 3 && N <= 16) };
     let x2 = x * x;
     let x4 = x2 * x2;
     if N > 8 {
-        (x4 * x4).times_plus(eight(x, x2, x4, c, 8), eight(x, x2, x4, c, 0))
+        (x4 * x4).mul_add_op(eight(x, x2, x4, c, 8), eight(x, x2, x4, c, 0))
     } else {
         eight(x, x2, x4, c, 0)
     }
 }
 
-// Functions and not closures, which could not be told to be inlined always.
+// Functions, since closures do not accept `inline(always)`.
 #[inline(always)]
 fn eight<T: Primitive, const N: usize>(x: T, x2: T, x4: T, c: [f64; N], i: usize) -> T {
     if N > i + 4 {
-        x4.times_plus(four(x, x2, c, i + 4), four(x, x2, c, i))
+        x4.mul_add_op(four(x, x2, c, i + 4), four(x, x2, c, i))
     } else {
         four(x, x2, c, i)
     }
@@ -36,7 +36,7 @@ fn eight<T: Primitive, const N: usize>(x: T, x2: T, x4: T, c: [f64; N], i: usize
 #[inline(always)]
 fn four<T: Primitive, const N: usize>(x: T, x2: T, c: [f64; N], i: usize) -> T {
     if N > i + 2 {
-        x2.times_plus(two(x, c, i + 2), two(x, c, i))
+        x2.mul_add_op(two(x, c, i + 2), two(x, c, i))
     } else {
         two(x, c, i)
     }
@@ -45,8 +45,8 @@ fn four<T: Primitive, const N: usize>(x: T, x2: T, c: [f64; N], i: usize) -> T {
 #[inline(always)]
 fn two<T: Primitive, const N: usize>(x: T, c: [f64; N], i: usize) -> T {
     if N > i + 1 {
-        x.times_plus(T::all(c[i + 1]), T::all(c[i]))
+        x.mul_add_op(T::broadcast(c[i + 1]), T::broadcast(c[i]))
     } else {
-        T::all(c[i])
+        T::broadcast(c[i])
     }
 }

@@ -140,7 +140,7 @@ impl Interner {
                     match fused {
                         Fused::MulAdd => binary(Binary::Add, product, c),
                         Fused::MulSub => binary(Binary::Sub, product, c),
-                        Fused::MulFrom => binary(Binary::Sub, c, product),
+                        Fused::NegMulAdd => binary(Binary::Sub, c, product),
                     }
                 }
                 Op::IfZero(a, b, c) => Key::IfZero(operand(a), operand(b), operand(c)),

@@ -1,18 +1,18 @@
-//! One lane that fuses, and the numbers of a slice as lanes of their own.
+//! Single-lane types: `f64`, and `f64` with fused multiply-add.
 
 use crate::Lanes;
-use crate::primitive::{Primitive, real_by_primitives};
+use crate::primitive::Primitive;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// [`Lanes`] of one: `f64`, or the same number with operations that fuse. A slice of `f64` is a slice of these.
-pub trait Single: Lanes {
-    /// The numbers of a slice.
+/// A single-lane [`Lanes`] type with the layout of `f64`: slices of `f64` are reinterpreted without copying.
+pub trait ScalarLane: Lanes {
+    /// Reinterprets a slice of `f64`.
     fn slice(of: &[f64]) -> &[Self];
-    /// The places of a slice.
+    /// Reinterprets a mutable slice of `f64`.
     fn slice_mut(of: &mut [f64]) -> &mut [Self];
 }
 
-impl Single for f64 {
+impl ScalarLane for f64 {
     #[inline(always)]
     fn slice(of: &[f64]) -> &[f64] {
         of
@@ -23,8 +23,8 @@ impl Single for f64 {
     }
 }
 
-/// A number that fuses. `f64::mul_add` is one instruction where it is compiled for a machine that has it, which is
-/// where [`alone`](crate::alone) takes it; elsewhere it would be a call, slow but right.
+/// An `f64` whose multiply-add is fused. [`dispatch_scalar`](crate::dispatch_scalar) selects it only where
+/// `f64::mul_add` compiles to one instruction; elsewhere that would be a slow library call.
 #[derive(Clone, Copy)]
 #[repr(transparent)]
 pub(crate) struct Fused(pub(crate) f64);
@@ -55,74 +55,72 @@ impl Primitive for Fused {
     const WIDTH: usize = 1;
 
     #[inline(always)]
-    fn times_plus(self, b: Self, c: Self) -> Self {
+    fn mul_add_op(self, b: Self, c: Self) -> Self {
         Fused(f64::mul_add(self.0, b.0, c.0))
     }
     #[inline(always)]
-    fn times_minus(self, b: Self, c: Self) -> Self {
+    fn mul_sub_op(self, b: Self, c: Self) -> Self {
         Fused(f64::mul_add(self.0, b.0, -c.0))
     }
     #[inline(always)]
-    fn times_from(self, b: Self, c: Self) -> Self {
+    fn neg_mul_add_op(self, b: Self, c: Self) -> Self {
         Fused(f64::mul_add(-self.0, b.0, c.0))
     }
 
     #[inline(always)]
-    fn all(value: f64) -> Self {
+    fn broadcast(value: f64) -> Self {
         Fused(value)
     }
     #[inline(always)]
-    fn root(self) -> Self {
-        Fused(self.0.root())
+    fn ieee_sqrt(self) -> Self {
+        Fused(self.0.ieee_sqrt())
     }
     #[inline(always)]
-    fn below(self, other: Self) -> u64 {
-        self.0.below(other.0)
+    fn lt(self, other: Self) -> u64 {
+        self.0.lt(other.0)
     }
     #[inline(always)]
-    fn at_most(self, other: Self) -> u64 {
-        self.0.at_most(other.0)
+    fn le(self, other: Self) -> u64 {
+        self.0.le(other.0)
     }
     #[inline(always)]
-    fn top_bit(self) -> u64 {
-        self.0.top_bit()
+    fn sign_mask(self) -> u64 {
+        self.0.sign_mask()
     }
     #[inline(always)]
     fn select(mask: u64, then: Self, otherwise: Self) -> Self {
         Fused(f64::select(mask, then.0, otherwise.0))
     }
     #[inline(always)]
-    fn everywhere(mask: u64) -> bool {
+    fn all_true(mask: u64) -> bool {
         mask != 0
     }
     #[inline(always)]
-    fn bits_and(self, other: Self) -> Self {
-        Fused(self.0.bits_and(other.0))
+    fn and_bits(self, other: Self) -> Self {
+        Fused(self.0.and_bits(other.0))
     }
     #[inline(always)]
-    fn bits_or(self, other: Self) -> Self {
-        Fused(self.0.bits_or(other.0))
+    fn or_bits(self, other: Self) -> Self {
+        Fused(self.0.or_bits(other.0))
     }
     #[inline(always)]
-    fn bits_xor(self, other: Self) -> Self {
-        Fused(self.0.bits_xor(other.0))
+    fn xor_bits(self, other: Self) -> Self {
+        Fused(self.0.xor_bits(other.0))
     }
     #[inline(always)]
-    fn bits_up<const N: u32>(self) -> Self {
-        Fused(self.0.bits_up::<N>())
+    fn shl_bits<const N: u32>(self) -> Self {
+        Fused(self.0.shl_bits::<N>())
     }
     #[inline(always)]
-    fn bits_down<const N: u32>(self) -> Self {
-        Fused(self.0.bits_down::<N>())
+    fn shr_bits<const N: u32>(self) -> Self {
+        Fused(self.0.shr_bits::<N>())
     }
     #[inline(always)]
-    fn read(from: &[f64]) -> Self {
+    fn load_lanes(from: &[f64]) -> Self {
         Fused(from[0])
     }
     #[inline(always)]
-    fn write(self, to: &mut [f64]) {
+    fn store_lanes(self, to: &mut [f64]) {
         to[0] = self.0;
     }
 }
-
-real_by_primitives!(Fused);

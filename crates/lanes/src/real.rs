@@ -1,0 +1,215 @@
+//! Arithmetic on one number or on one number per lane, and its implementation over the primitive operations.
+
+use crate::functions::{basic, exponential, inverse_trigonometric, trigonometric};
+use crate::primitive::{MAX_WIDTH, Primitive};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number, or one real number per lane: the scalar type of generated code and of the tape.
+///
+/// Contraction is explicit: only [`mul_add`](Real::mul_add), [`mul_sub`](Real::mul_sub) and
+/// [`neg_mul_add`](Real::neg_mul_add) may be fused, and the compiler contracts nothing else. AVX-512, AVX2 and
+/// [`dispatch_scalar`](crate::dispatch_scalar) on machines with FMA fuse them; [`Isa::Portable`](crate::Isa::Portable)
+/// and `f64` do not. The elementary functions use the same polynomials for every type. Results are therefore
+/// bit-identical among all fusing types and among all non-fusing types; the two groups differ by rounding.
+///
+/// NaN propagates, with unspecified sign; NaN does not satisfy "0 or less" in the conditions below.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The same number in every lane.
+    fn splat(value: f64) -> Self;
+    /// `self * b + c`: rounded once where the type fuses ([`Isa::fuses`](crate::Isa::fuses)), twice elsewhere.
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        self * b + c
+    }
+    /// `self * b - c`, fused as [`mul_add`](Real::mul_add) is.
+    #[inline(always)]
+    fn mul_sub(self, b: Self, c: Self) -> Self {
+        self * b - c
+    }
+    /// `c - self * b`, fused as [`mul_add`](Real::mul_add) is.
+    #[inline(always)]
+    fn neg_mul_add(self, b: Self, c: Self) -> Self {
+        c - self * b
+    }
+    /// Square root; 0 where the argument is 0 or less.
+    fn sqrt(self) -> Self;
+    /// Guarded reciprocal: `1 / self`, and 0 where `|self| < 1e-75`.
+    fn recip_or_zero(self) -> Self;
+    /// Sine and cosine, within 2 ulp for arguments up to 1e5 and correctly reduced beyond.
+    fn sin_cos(self) -> (Self, Self);
+    /// Polar angle of the point (`x`, `self`), within 2 ulp; 0 at the origin.
+    fn atan2(self, x: Self) -> Self;
+    /// Exponential function, within 2 ulp.
+    fn exp(self) -> Self;
+    /// Natural logarithm, within 2 ulp; 0 where the argument is 0 or less.
+    fn log(self) -> Self;
+    /// Hyperbolic tangent, within 3 ulp.
+    fn tanh(self) -> Self;
+    /// Arcsine of the argument clamped to [-1, 1], within 3 ulp.
+    fn asin(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// Minimum of two numbers; `other` if either is NaN.
+    fn min(self, other: Self) -> Self;
+    /// Maximum of two numbers; `other` if either is NaN.
+    fn max(self, other: Self) -> Self;
+    /// Sign: -1, 0 or 1.
+    fn sign(self) -> Self;
+    /// Heaviside step: 1 where `self > 0`, else 0.
+    fn heaviside(self) -> Self;
+    /// `then` where `|self| < 1e-75`, else `otherwise`.
+    fn if_zero(self, then: Self, otherwise: Self) -> Self;
+}
+
+/// [`Real`] numbers with a fixed number of lanes, loaded from and stored to slices of `f64`.
+pub trait Lanes: Real {
+    /// Number of lanes.
+    const WIDTH: usize;
+    /// Loads the first `WIDTH` numbers of a slice.
+    ///
+    /// # Panics
+    /// If the slice is shorter than `WIDTH`.
+    fn load(from: &[f64]) -> Self;
+    /// Stores the lanes into the first `WIDTH` elements of a slice.
+    ///
+    /// # Panics
+    /// If the slice is shorter than `WIDTH`.
+    fn store(self, to: &mut [f64]);
+    /// Fills each lane with `value(lane)`, lanes counted from 0.
+    fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
+    /// The number in one lane.
+    ///
+    /// # Panics
+    /// If `lane >= WIDTH`.
+    fn lane(self, lane: usize) -> f64;
+
+    /// Loads up to `WIDTH` numbers of a slice; lanes past its end get `fill`.
+    #[inline(always)]
+    fn load_part(from: &[f64], fill: f64) -> Self {
+        if from.len() >= Self::WIDTH {
+            Self::load(from)
+        } else {
+            Self::from_fn(|lane| from.get(lane).copied().unwrap_or(fill))
+        }
+    }
+
+    /// Stores as many lanes as the slice has elements, at most `WIDTH`.
+    #[inline(always)]
+    fn store_part(self, to: &mut [f64]) {
+        if to.len() >= Self::WIDTH {
+            self.store(to);
+        } else {
+            for (lane, element) in to.iter_mut().enumerate() {
+                *element = self.lane(lane);
+            }
+        }
+    }
+}
+
+impl<T: Primitive> Real for T {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        T::broadcast(value)
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        self.mul_add_op(b, c)
+    }
+    #[inline(always)]
+    fn mul_sub(self, b: Self, c: Self) -> Self {
+        self.mul_sub_op(b, c)
+    }
+    #[inline(always)]
+    fn neg_mul_add(self, b: Self, c: Self) -> Self {
+        self.neg_mul_add_op(b, c)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        basic::sqrt(self)
+    }
+    #[inline(always)]
+    fn recip_or_zero(self) -> Self {
+        basic::recip_or_zero(self)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        trigonometric::sin_cos(self)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        inverse_trigonometric::atan2(self, x)
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        exponential::exp(self)
+    }
+    #[inline(always)]
+    fn log(self) -> Self {
+        exponential::log(self)
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        exponential::tanh(self)
+    }
+    #[inline(always)]
+    fn asin(self) -> Self {
+        inverse_trigonometric::asin(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.magnitude()
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        basic::min(self, other)
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        basic::max(self, other)
+    }
+    #[inline(always)]
+    fn sign(self) -> Self {
+        basic::sign(self)
+    }
+    #[inline(always)]
+    fn heaviside(self) -> Self {
+        basic::heaviside(self)
+    }
+    #[inline(always)]
+    fn if_zero(self, then: Self, otherwise: Self) -> Self {
+        basic::if_zero(self, then, otherwise)
+    }
+}
+
+impl<T: Primitive> Lanes for T {
+    const WIDTH: usize = <T as Primitive>::WIDTH;
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        T::load_lanes(from)
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        self.store_lanes(to);
+    }
+    #[inline(always)]
+    fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
+        let mut lanes = [0.0; MAX_WIDTH];
+        for (i, lane) in lanes.iter_mut().take(<T as Primitive>::WIDTH).enumerate() {
+            *lane = value(i);
+        }
+        T::load_lanes(&lanes)
+    }
+    #[inline(always)]
+    fn lane(self, lane: usize) -> f64 {
+        let mut lanes = [0.0; MAX_WIDTH];
+        self.store_lanes(&mut lanes);
+        lanes[..<T as Primitive>::WIDTH][lane]
+    }
+}
