@@ -63,6 +63,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_b_dot_d_a_2 = inv_tau_half * asin_b_half_minus_pi_half;
     let part_of_minus_a_inv_sqrt_a_sq_2 =
         log_a_plus_two.neg_mul_add(sqrt_sum, part_of_minus_a_inv_sqrt_a_sq);
+    let part_of_d_b_dot_d_b = inv_tau_half * asin_a_half;
     let part_of_d_a_dot_d_b =
         sin_b_const_inv_cos_b_const.mul_add(sin_b_const_inv_cos_b_const, T::splat(1.0));
     let one_minus_a_sq_const = a_sq.neg_mul_add(T::splat(0.1111111111111111), T::splat(1.0));
@@ -128,8 +129,8 @@ pub fn f_jac_par<T: Real>(
     let log_a_plus_two_inv_product = inv_tau_half * log_a_plus_two * inv_sqrt_sum;
     let part_of_d_b_dot_d_a_3 =
         inv_sqrt_one_minus_a_sq_of.neg_mul_add(part_of_d_b_dot_d_a_2, log_a_plus_two_inv_product);
-    let part_of_d_b_dot_d_b = inv_sqrt_one_minus_b_sq_of
-        .neg_mul_add(inv_tau_half * asin_a_half, log_a_plus_two_inv_product);
+    let part_of_d_b_dot_d_b_2 =
+        inv_sqrt_one_minus_b_sq_of.neg_mul_add(part_of_d_b_dot_d_b, log_a_plus_two_inv_product);
 
     // zoo:16  let along = unit(v, N.3);
     let along_x = size.if_zero(T::splat(0.0), a_inv_size);
@@ -177,7 +178,7 @@ pub fn f_jac_par<T: Real>(
     let sign_b = b.sign();
     let part_of_d_e_dot_d_a_5 = inv_tau * inv_tau.mul_add(time, part_of_d_e_dot_d_a_4);
     let inv_tau_const = prepared[9];
-    let d_b_dot_d_b = sign_b.mul_add(inv_tau_const * sqrt_abs_b, part_of_d_b_dot_d_b);
+    let d_b_dot_d_b = sign_b.mul_add(inv_tau_const * sqrt_abs_b, part_of_d_b_dot_d_b_2);
     j[3] = d_b_dot_d_b;
     let a_sq_plus_one_plus_a_sum = part_of_a_sq_plus_one_plus_a_sum_4 + time_a_inv_tau;
     let inv_tau_const_2 = prepared[10];
