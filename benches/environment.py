@@ -21,7 +21,7 @@ def peers(name, requirements):
 
 def built(example):
     """Cargo's target folder, with `hyzer` and an example in `release`."""
-    subprocess.run(["cargo", "build", "--release", "--bin", "hyzer", "--example", example], cwd=ROOT, check=True)
+    subprocess.run(["cargo", "build", "--release", "--workspace", "--bin", "hyzer", "--example", example], cwd=ROOT, check=True)
     asked = ["cargo", "metadata", "--format-version", "1", "--no-deps"]
     told = subprocess.run(asked, cwd=ROOT, check=True, capture_output=True).stdout
     return pathlib.Path(json.loads(told)["target_directory"])

@@ -59,14 +59,6 @@ pub enum Command {
         after_help = "Examples:\n  hyzer effects ball\n  hyzer effects --out docs/effects.md     # all of them"
     )]
     Effects(Effects),
-    /// Hold the paper's claims against every reading of its tables
-    #[command(after_help = "Example:\n  hyzer paper --out docs/paper.md")]
-    Paper(Paper),
-    /// Try what a fit is worth: on flights made by the oracle, and on measured ones
-    #[command(
-        after_help = "Examples:\n  hyzer trials identification --seeds 20\n  hyzer trials real-data --data ../shared/data --out docs/real-data.md\n  hyzer trials discovery --seeds 40 --only 'stall strong' --details"
-    )]
-    Trials(Trials),
 }
 
 /// `hyzer check`.
@@ -296,72 +288,6 @@ pub struct Diagnose {
 pub struct Effects {
     /// Only those that go with this model: a name or a path
     pub model: Option<String>,
-    /// File for the page; without it the page is printed
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
-}
-
-/// `hyzer paper`.
-#[derive(Args)]
-pub struct Paper {
-    /// File for the page; without it the page is printed
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
-}
-
-/// `hyzer trials`.
-#[derive(Args)]
-pub struct Trials {
-    /// On what
-    #[command(subcommand)]
-    pub of: TrialsOf,
-}
-
-/// What a fit is tried on.
-#[derive(Subcommand)]
-pub enum TrialsOf {
-    /// Flights made by the oracle: do the intervals hold the truth, and what could the paper's two flights tell?
-    Identification(TrialsIdentification),
-    /// Measured flights, and a wind tunnel's table
-    RealData(TrialsRealData),
-    /// Flights with something hidden in them: how often does the diagnosis find it?
-    Discovery(TrialsDiscovery),
-}
-
-/// `hyzer trials identification`.
-#[derive(Args)]
-pub struct TrialsIdentification {
-    /// Datasets made under each noise
-    #[arg(long, default_value_t = 200)]
-    pub seeds: u64,
-    /// File for the page, with its figures beside it; without it the page is printed
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
-}
-
-/// `hyzer trials real-data`.
-#[derive(Args)]
-pub struct TrialsRealData {
-    /// Folder that holds the measured data: spindoe, windtunnel
-    #[arg(long, value_name = "DIR")]
-    pub data: PathBuf,
-    /// File for the page, with its figures beside it; without it the page is printed
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
-}
-
-/// `hyzer trials discovery`.
-#[derive(Args)]
-pub struct TrialsDiscovery {
-    /// Runs of each row in which nothing is hidden; other rows have a few for every hundred
-    #[arg(long, default_value_t = 100)]
-    pub seeds: u64,
-    /// Only rows that have all of these words: of the group, the body, the effect, the strength, the noise
-    #[arg(long, value_name = "WORDS")]
-    pub only: Option<String>,
-    /// Print a line for each run, and what rejects a truth that is missed
-    #[arg(long)]
-    pub details: bool,
     /// File for the page; without it the page is printed
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,

@@ -326,17 +326,6 @@ fn drag(folder: &Path) -> (f64, f64, f64) {
 }
 
 #[test]
-fn the_page_on_the_paper_is_what_the_command_writes() {
-    let written = stdout(hyzer().arg("paper"), 0);
-    let committed = std::fs::read_to_string(repository().join("docs/paper.md")).expect("the page");
-    assert_eq!(written, committed, "run `hyzer paper --out docs/paper.md`");
-    assert!(
-        written.contains("| 9 of 9 |"),
-        "a reading that holds every claim"
-    );
-}
-
-#[test]
 fn a_derivative_is_explained_from_its_line_to_its_code() {
     let told = stdout(hyzer().args(["explain", "disc", "alpha", "--wrt", "w"]), 0);
     for part in [
@@ -391,7 +380,7 @@ fn bad_input_is_status_2_and_says_what_was_expected() {
 #[test]
 fn every_command_has_help_with_an_example() {
     for command in [
-        "check", "generate", "verify", "explain", "simulate", "fit", "effects", "paper",
+        "check", "generate", "verify", "explain", "simulate", "fit", "effects",
     ] {
         let told = stdout(hyzer().args([command, "--help"]), 0);
         assert!(told.contains(&format!("  hyzer {command}")), "{told}");

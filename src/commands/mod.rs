@@ -6,10 +6,8 @@ mod effects;
 mod explain;
 mod fit;
 mod generate;
-mod paper;
 mod simulate;
 mod synthesize;
-mod trials;
 mod verify;
 
 use crate::Answer;
@@ -27,8 +25,6 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Fit(options) => fit::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),
         Command::Effects(options) => effects::run(&options),
-        Command::Paper(options) => paper::run(&options),
-        Command::Trials(options) => trials::run(&options),
     }
 }
 

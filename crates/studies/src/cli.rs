@@ -1,0 +1,87 @@
+//! The command line: names, options and help.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Studies of what hyzer's fits and diagnoses are worth; each writes a page of docs/.
+#[derive(Parser)]
+#[command(
+    name = "hyzer-studies",
+    version,
+    arg_required_else_help = true,
+    max_term_width = 100
+)]
+pub struct Cli {
+    /// Which study
+    #[command(subcommand)]
+    pub study: Study,
+}
+
+/// The studies.
+#[derive(Subcommand)]
+pub enum Study {
+    /// Compare the paper's statements on its two flights with every reading of its tables
+    #[command(after_help = "Example:\n  hyzer-studies paper --out docs/paper.md")]
+    Paper(Paper),
+    /// Coverage of a fit's intervals on flights made by the oracle, and fits of the paper's two flights one by one
+    #[command(after_help = "Example:\n  hyzer-studies identification --seeds 20")]
+    Identification(Identification),
+    /// Fits of measured flights, and comparison with a wind tunnel's table
+    #[command(
+        after_help = "Example:\n  hyzer-studies real-data --data ../shared/data --out docs/real-data.md"
+    )]
+    RealData(RealData),
+    /// How often the diagnosis finds effects that were seeded into flights made by the oracle
+    #[command(
+        after_help = "Example:\n  hyzer-studies discovery --seeds 40 --only 'stall strong' --details"
+    )]
+    Discovery(Discovery),
+}
+
+/// `hyzer-studies paper`.
+#[derive(Args)]
+pub struct Paper {
+    /// File for the page; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer-studies identification`.
+#[derive(Args)]
+pub struct Identification {
+    /// Datasets made under each noise
+    #[arg(long, default_value_t = 200)]
+    pub seeds: u64,
+    /// File for the page, with its figures beside it; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer-studies real-data`.
+#[derive(Args)]
+pub struct RealData {
+    /// Folder of the measured data, with the folders spindoe, spindown, windtunnel and discgolf
+    #[arg(long, value_name = "DIR")]
+    pub data: PathBuf,
+    /// File for the page, with its figures beside it; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// `hyzer-studies discovery`.
+#[derive(Args)]
+pub struct Discovery {
+    /// Runs of each row without a seeded effect; other rows have a few for every hundred
+    #[arg(long, default_value_t = 100)]
+    pub seeds: u64,
+    /// Only rows that have all of these words: of the group, the body, the effect, the strength, the noise
+    #[arg(long, value_name = "WORDS")]
+    pub only: Option<String>,
+    /// Print a line for each run, and what rejects a seeded effect that was missed
+    #[arg(long)]
+    pub details: bool,
+    /// File for the page; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}

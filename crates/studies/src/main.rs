@@ -1,0 +1,98 @@
+//! The program `hyzer-studies`: one command for each study, which runs it and writes its page.
+
+mod cli;
+mod output;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Parser;
+use studies::discovery::{self, peers, plan};
+use studies::identification::{self, coverage, paper_fits};
+use studies::page::Page;
+use studies::{paper, real_data};
+
+fn main() -> ExitCode {
+    match run(cli::Cli::parse().study) {
+        Ok(()) => ExitCode::SUCCESS,
+        // A reader that closed the pipe wants no message.
+        Err(error) if output::is_broken_pipe(&error) => ExitCode::from(2),
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(study: cli::Study) -> anyhow::Result<()> {
+    let (page, out) = match study {
+        cli::Study::Paper(options) => (paper()?, options.out),
+        cli::Study::Identification(options) => (identification(options.seeds), options.out),
+        cli::Study::RealData(options) => {
+            let data = real_data::RealData::of(&options.data).map_err(anyhow::Error::msg)?;
+            (real_data::real_data(&data), options.out)
+        }
+        cli::Study::Discovery(options) => discovery(options)?,
+    };
+    match out {
+        Some(file) => output::write_page(&file, &page),
+        None => output::print(page.text),
+    }
+}
+
+fn paper() -> anyhow::Result<Page> {
+    let study = paper::study::Study::run().map_err(anyhow::Error::msg)?;
+    eprintln!("{} readings flown", study.ranking.len());
+    Ok(Page {
+        text: paper::page::page(&study),
+        figures: Vec::new(),
+    })
+}
+
+fn identification(seeds: u64) -> Page {
+    let coverages = coverage::conditions().into_iter().map(|condition| {
+        eprintln!("{seeds} seeds under {} noise", condition.name);
+        coverage::coverage(&coverage::TWELVE, &condition, seeds)
+    });
+    let coverages: Vec<_> = coverages.collect();
+    eprintln!("the paper's flights, {seeds} seeds");
+    identification::page::identification(&coverages, &paper_fits::replay(seeds))
+}
+
+/// Runs the plan, with a line for each run where `--details` asks for it.
+fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
+    let mut rows = plan::plan(options.seeds as usize);
+    if let Some(words) = &options.only {
+        rows.retain(|row| row.has(words));
+        anyhow::ensure!(!rows.is_empty(), "no row has the words `{words}`");
+    }
+    let runs: usize = rows.iter().map(|row| row.runs).sum();
+    eprintln!("{} rows, {runs} runs", rows.len());
+    let tried = discovery::discovery(&rows, &|done, of| {
+        if done % (of / 20).max(1) == 0 {
+            eprintln!("{done} of {of} runs");
+        }
+    });
+    if options.details {
+        for (tried, rejections) in tried.iter().zip(discovery::rejections(&tried)) {
+            let lines = discovery::page::details(tried, &rejections);
+            output::print(lines.join("\n") + "\n")?;
+        }
+    }
+    let page = discovery::page::discovery(&tried);
+    let page = with_peer_tables(page, options.out.as_deref());
+    Ok((page, options.out))
+}
+
+/// The page with the tables of the other programs, where discovery-peers.md lies in the folder that it is written to.
+fn with_peer_tables(page: Page, out: Option<&Path>) -> Page {
+    let peers = out.map(|file| file.with_file_name("discovery-peers.md"));
+    let peers = peers.and_then(|file| std::fs::read_to_string(file).ok());
+    match peers.and_then(|text| peers::section(&text)) {
+        Some(section) => Page {
+            text: peers::beside(&page.text, &section),
+            ..page
+        },
+        None => page,
+    }
+}

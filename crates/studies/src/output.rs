@@ -1,0 +1,42 @@
+//! Pages as files, each of which appears whole or not at all, and on standard output.
+
+use std::io::Write;
+use std::path::Path;
+
+use anyhow::Context;
+use studies::page::Page;
+
+/// Writes a page, its figures in the same folder.
+pub fn write_page(file: &Path, page: &Page) -> anyhow::Result<()> {
+    for (name, svg) in &page.figures {
+        write(&file.with_file_name(name), svg)?;
+    }
+    write(file, &page.text)?;
+    eprintln!("the page is {}", file.display());
+    Ok(())
+}
+
+/// Writes a file, and the folders that it lies in.
+fn write(file: &Path, contents: &str) -> anyhow::Result<()> {
+    let whole = || {
+        if let Some(folder) = file.parent() {
+            std::fs::create_dir_all(folder)?;
+        }
+        flight::write_whole(file, contents)
+    };
+    whole().with_context(|| format!("cannot write {}", file.display()))
+}
+
+/// Prints to standard output.
+pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
+    let mut out = std::io::stdout().lock();
+    out.write_all(text.as_ref().as_bytes())?;
+    out.flush()?;
+    Ok(())
+}
+
+/// Whether an error says that the reader of standard output has closed it.
+pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    let error = error.downcast_ref::<std::io::Error>();
+    error.is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
+}

@@ -1,0 +1,107 @@
+//! Discovery end to end, a small fixed part of it: quiet where nothing is hidden, right where something strong is.
+
+use studies::discovery::plan::{Row, plan};
+use studies::discovery::{Tried, discovery};
+
+/// Rows by their words, so many runs each.
+fn tried(words: &[&str], runs: usize) -> Vec<Tried> {
+    let all = plan(100);
+    let rows = words.iter().map(|words| {
+        let mut found = all.iter().filter(|row| row.has(words));
+        let row = found.next().unwrap_or_else(|| panic!("no row `{words}`"));
+        assert!(found.next().is_none(), "`{words}` is more than one row");
+        Row {
+            runs,
+            ..row.clone()
+        }
+    });
+    discovery(&rows.collect::<Vec<Row>>(), &|_, _| {})
+}
+
+#[test]
+fn nothing_is_found_where_nothing_is_hidden() {
+    let noises = ["white", "AR(0.6)", "outliers", "dropouts"];
+    let words = noises.map(|noise| format!("null {noise}"));
+    for tried in tried(&words.each_ref().map(String::as_str), 1) {
+        for outcome in &tried.outcomes {
+            assert!(outcome.failed.is_none(), "{outcome:?}");
+            assert!(
+                !outcome.alarmed(),
+                "{}: {}",
+                tried.row.key(),
+                outcome.said()
+            );
+            assert_eq!(outcome.held_out_ratio(), Some(1.0));
+        }
+    }
+}
+
+#[test]
+fn what_is_strong_is_found_and_no_wrong_cause_stands_alone() {
+    let words = [
+        "effects constant_pitching_moment strong white",
+        "effects marker_2_misplaced strong outliers",
+        "effects tilted_vertical strong white",
+        "ball drag_crisis strong",
+        "ball wind strong",
+        "ball buoyancy strong",
+        "ball magnus spin_decay strong",
+        "pairs cubic_pitching_moment with marker_2_misplaced",
+        "outside drag_by_height strong",
+    ];
+    let mut strong = 0;
+    for tried in tried(&words, 1) {
+        for outcome in &tried.outcomes {
+            assert!(outcome.failed.is_none(), "{outcome:?}");
+            assert!(!outcome.wrong, "{}: {}", tried.row.key(), outcome.said());
+            let outside = tried.row.outside.is_some();
+            if outside || outcome.has(3.0) {
+                strong += 1;
+                assert!(outcome.in_set, "{}: {}", tried.row.key(), outcome.said());
+                assert!(
+                    outcome.held_out_after < outcome.held_out_before,
+                    "{outcome:?}"
+                );
+            }
+        }
+    }
+    assert!(strong >= 8, "only {strong} are strong");
+}
+
+#[test]
+fn what_flights_agree_on_is_named_and_those_that_contradict_are_listed() {
+    let words = [
+        "told off20% swapped0%",
+        "told off0% swapped33%",
+        "told off0% swapped100%",
+    ];
+    let all = tried(&words, 1);
+    let [off, some, every] = &all[..] else {
+        panic!("three rows");
+    };
+    for tried in [off, some] {
+        let outcome = &tried.outcomes[0];
+        assert!(outcome.in_set, "{}: {}", tried.row.key(), outcome.said());
+        assert!(outcome.held_out_after < outcome.held_out_before);
+    }
+    let (listed, right) = some.outcomes[0].contradicting;
+    assert!(listed >= 4 && right == listed, "{right} of {listed}");
+    // Where every flight was told another's spin nothing is said of spin.
+    let outcome = &every.outcomes[0];
+    assert!(!outcome.wrong && !outcome.in_set, "{}", outcome.said());
+}
+
+#[test]
+fn what_each_flight_has_for_itself_is_named_only_where_it_predicts() {
+    let all = tried(
+        &["outside swerve weak", "effects wind_of_each_flight weak"],
+        1,
+    );
+    let [swerve, wind] = &all[..] else {
+        panic!("two rows");
+    };
+    let outcome = &swerve.outcomes[0];
+    assert!(outcome.alarmed() && !outcome.wrong, "{}", outcome.said());
+    let outcome = &wind.outcomes[0];
+    assert!(outcome.in_set && !outcome.wrong, "{}", outcome.said());
+}
