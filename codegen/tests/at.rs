@@ -21,7 +21,7 @@ fn with_all_effects(name: &str) -> Model {
 /// Places of the effects' coefficients, with the values at which they vanish.
 fn vanishing(model: &Model, compiled: &Compiled) -> Vec<(usize, f64)> {
     let own = model.effects.iter().flat_map(|e| &e.coefficients);
-    own.map(|c| (compiled.layout.coefficient(c.index).index(), c.vanishes_at))
+    own.map(|c| (compiled.layout.coefficient(c.index).index(), c.null_value))
         .collect()
 }
 

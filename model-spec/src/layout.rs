@@ -75,7 +75,10 @@ impl Layout {
     /// Names of the auxiliary quantities. Components of a vector `v` are `v_x` in the inertial frame and `v_1` in others,
     /// or with the frame's name (`v_B1`) where a scalar has that name.
     fn quantity_names(&self, model: &Model) -> Vec<String> {
-        let scalars = model.lets.iter().filter(|l| l.value.shape == Shape::Scalar);
+        let scalars = model
+            .aux_variables
+            .iter()
+            .filter(|l| l.value.shape == Shape::Scalar);
         let scalars = scalars.map(|scalar| scalar.name.as_str());
         let symbols = self
             .states
@@ -84,7 +87,7 @@ impl Layout {
             .map(String::as_str);
         let used: HashSet<&str> = scalars.chain(symbols).collect();
         let mut names = Vec::new();
-        for (quantity, of_marker) in model.lets.iter().zip(depends_on_marker(model)) {
+        for (quantity, of_marker) in model.aux_variables.iter().zip(depends_on_marker(model)) {
             let name = &quantity.name;
             match quantity.value.shape {
                 _ if of_marker => {}
@@ -164,7 +167,7 @@ fn position(names: &[String], name: &str) -> Option<usize> {
 /// For each auxiliary variable of a model, whether it depends on the marker: then it has a value only at an observation.
 pub fn depends_on_marker(model: &Model) -> Vec<bool> {
     let mut known: Vec<bool> = Vec::new();
-    for quantity in &model.lets {
+    for quantity in &model.aux_variables {
         let found = uses_marker(&quantity.value, &known);
         known.push(found);
     }
@@ -174,7 +177,7 @@ pub fn depends_on_marker(model: &Model) -> Vec<bool> {
 fn uses_marker(e: &Expr, known: &[bool]) -> bool {
     match e.kind {
         ExprKind::Marker => return true,
-        ExprKind::Let(index) => return known.get(index).copied().unwrap_or(false),
+        ExprKind::AuxVariable(index) => return known.get(index).copied().unwrap_or(false),
         _ => {}
     }
     let mut found = false;

@@ -10,7 +10,7 @@ use crate::effect;
 use crate::model::{Model, Source};
 use crate::suggest;
 use crate::syntax::ast::{Effect, File, ItemKind};
-use crate::syntax::{self, MOST_BYTES, Parsed};
+use crate::syntax::{self, MAX_SOURCE_BYTES, Parsed};
 
 /// A table of the texts of a folder, by name.
 macro_rules! texts {
@@ -253,7 +253,7 @@ fn text_of_model(name_or_path: &str) -> Result<(String, String), LoadError> {
 fn read(path: &str) -> Result<String, LoadError> {
     let told = |e: std::io::Error| LoadError::told(format!("`{path}` cannot be read: {e}"));
     let length = std::fs::metadata(path).map_err(told)?.len();
-    if length > MOST_BYTES as u64 {
+    if length > MAX_SOURCE_BYTES as u64 {
         let parsed = syntax::too_long(path, usize::try_from(length).unwrap_or(usize::MAX), 0);
         return Err(LoadError::new(parsed.diagnostics, vec![parsed.source]));
     }

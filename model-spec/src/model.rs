@@ -8,7 +8,7 @@ mod walk;
 use crate::diagnostic::Span;
 use crate::unit::Unit;
 
-pub use effect::{AppliedEffect, EffectCoefficient, OfferedEffect};
+pub use effect::{AppliedEffect, EffectUnknown, OfferedEffect};
 
 /// A model of a flying body, checked.
 #[derive(Clone, Debug)]
@@ -22,9 +22,9 @@ pub struct Model {
     /// The texts it was made from: the model file first, then each effect that was switched on.
     pub sources: Vec<Source>,
     /// Known constants of the body and the place, in order of declaration.
-    pub params: Vec<Constant>,
+    pub params: Vec<Parameter>,
     /// What flights are fitted for, in order of declaration; those of effects come last.
-    pub coefficients: Vec<Constant>,
+    pub coefficients: Vec<Parameter>,
     /// Vectors that are given with each flight: the wind, a known spin.
     pub inputs: Vec<Input>,
     /// The state, in order.
@@ -34,7 +34,7 @@ pub struct Model {
     /// The body whose equations of motion are derived; none where every equation is stated.
     pub body: Option<Body>,
     /// Named quantities, each after those that it uses.
-    pub lets: Vec<Let>,
+    pub aux_variables: Vec<AuxVariable>,
     /// Forces at the mass centre; vectors in any frame.
     pub forces: Vec<Load>,
     /// Moments about the mass centre; vectors in any frame.
@@ -50,7 +50,7 @@ pub struct Model {
     /// the same. Every derivative of a state by the measured time is multiplied by it.
     pub clock: Option<Clock>,
     /// Where the model ends: each expression must stay above its bound.
-    pub limits: Vec<Limit>,
+    pub limits: Vec<ValidityLimit>,
     /// Cases that the model file itself states.
     pub checks: Vec<CheckCase>,
     /// Effects that are switched on, in order.
@@ -70,14 +70,14 @@ pub struct Source {
 
 /// A parameter or coefficient: a number that does not change during a flight.
 #[derive(Clone, Debug)]
-pub struct Constant {
+pub struct Parameter {
     /// Name in the notation of the paper.
     pub name: String,
     /// Its `///` lines.
     pub doc: String,
     /// Declared or inferred unit.
     pub unit: Unit,
-    /// The unit of [`Constant::value`]: as the file spells it, or as inferred (`1`, `1/rad`, `kg*m^2`);
+    /// The unit of [`Parameter::value`]: as the file spells it, or as inferred (`1`, `1/rad`, `kg*m^2`);
     /// the SI's own where the file has another (`rad` for `deg`).
     pub unit_text: String,
     /// Whether the unit was inferred from its uses.
@@ -185,7 +185,7 @@ pub struct Rotation {
     /// Frame fixed in the body.
     pub body_frame: usize,
     /// Frame of the components of [`ExprKind::AngularVelocity`]: that of the inertia where the body states no other.
-    pub seen_in: usize,
+    pub angular_velocity_frame: usize,
     /// Frame of the inertia's components, in which they are constant: the body's own, or one that
     /// differs from it by a turn about an axis of symmetry.
     pub inertia_frame: usize,
@@ -198,7 +198,7 @@ pub struct Rotation {
 
 /// A named quantity.
 #[derive(Clone, Debug)]
-pub struct Let {
+pub struct AuxVariable {
     /// Name.
     pub name: String,
     /// Its `///` lines.
@@ -270,7 +270,7 @@ pub struct Clock {
 
 /// The model holds only where `value > bound`.
 #[derive(Clone, Debug)]
-pub struct Limit {
+pub struct ValidityLimit {
     /// Scalar.
     pub value: Expr,
     /// Bound, SI.
@@ -313,7 +313,7 @@ pub enum Observable {
     /// The derivative of a state.
     Derivative(usize),
     /// A scalar named quantity.
-    Let(usize),
+    AuxVariable(usize),
 }
 
 /// One expected number.
@@ -374,14 +374,14 @@ pub enum ExprKind {
     /// A state.
     State(usize),
     /// A named quantity.
-    Let(usize),
+    AuxVariable(usize),
     /// Unit vector along axis 1, 2 or 3 of a frame.
     Axis(usize, u8),
     /// Position of the mass centre, in frame 0.
     Position,
     /// Velocity of the mass centre, in the body's velocity frame.
     Velocity,
-    /// Angular velocity of the body, in the frame [`Rotation::seen_in`].
+    /// Angular velocity of the body, in the frame [`Rotation::angular_velocity_frame`].
     AngularVelocity,
     /// The marker: a vector in its frame.
     Marker,

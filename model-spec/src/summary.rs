@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::check::singular_points;
-use crate::model::{Constant, FrameKind, Model};
+use crate::model::{FrameKind, Model, Parameter};
 
 /// A summary of a model: states, constants with their units, forces, limits, singular points, effects.
 pub fn summary(model: &Model) -> String {
@@ -57,10 +57,13 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             writeln!(out, "  moments  {}", loads(&model.moments))?;
         }
         if let Some(rotation) = &body.rotation
-            && rotation.seen_in != rotation.inertia_frame
+            && rotation.angular_velocity_frame != rotation.inertia_frame
         {
             let name = |frame: usize| &model.frames[frame].name;
-            let (inertia, seen) = (name(rotation.inertia_frame), name(rotation.seen_in));
+            let (inertia, seen) = (
+                name(rotation.inertia_frame),
+                name(rotation.angular_velocity_frame),
+            );
             writeln!(
                 out,
                 "  inertia in {inertia}, angular velocity seen in {seen}"
@@ -135,24 +138,24 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         for coefficient in &effect.coefficients {
             let constant = &model.coefficients[coefficient.index];
             let value = |v: f64| with_unit(v, &constant.unit_text);
-            let vanishes = value(coefficient.vanishes_at);
+            let vanishes = value(coefficient.null_value);
             write!(out, "  {} vanishes at {vanishes}", constant.name)?;
-            if let Some(size) = coefficient.negligible {
+            if let Some(size) = coefficient.smallest_of_interest {
                 write!(out, ", a departure below {} does not matter", value(size))?;
             }
             writeln!(out)?;
         }
-        for &index in &effect.states {
-            let state = &model.states[index];
+        for own in &effect.states {
+            let state = &model.states[own.index];
             let value = |v: f64| with_unit(v, &state.unit_text);
             write!(
                 out,
                 "  {}, of each flight its own, vanishes at {}",
                 state.name,
-                value(state.value)
+                value(own.null_value)
             )?;
-            if let Some((_, size)) = effect.negligible_states.iter().find(|n| n.0 == index) {
-                write!(out, ", a departure below {} does not matter", value(*size))?;
+            if let Some(size) = own.smallest_of_interest {
+                write!(out, ", a departure below {} does not matter", value(size))?;
             }
             writeln!(out)?;
         }
@@ -160,7 +163,7 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-fn automatic(model: &Model, limit: &crate::model::Limit) -> String {
+fn automatic(model: &Model, limit: &crate::model::ValidityLimit) -> String {
     use crate::model::{ExprKind, Function};
     match &limit.value.kind {
         ExprKind::Call(function, angle) => match angle.kind {
@@ -245,7 +248,7 @@ fn frames(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-fn constants(out: &mut String, title: &str, constants: &[Constant]) -> std::fmt::Result {
+fn constants(out: &mut String, title: &str, constants: &[Parameter]) -> std::fmt::Result {
     if constants.is_empty() {
         return Ok(());
     }

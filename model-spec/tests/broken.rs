@@ -82,7 +82,7 @@ fn a_file_just_short_enough_does_not_take_long() {
         "/// doc\n",
         "-",
     ] {
-        let text = line.repeat(model_spec::syntax::MOST_BYTES / line.len());
+        let text = line.repeat(model_spec::syntax::MAX_SOURCE_BYTES / line.len());
         let start = std::time::Instant::now();
         let loaded = load::inspect_text("long.hyz", &text, &[]).unwrap();
         let shown = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);

@@ -2,7 +2,7 @@
 //! what they depend on.
 
 use model_spec::load::{self, LoadError, from_text};
-use model_spec::model::Model;
+use model_spec::model::{EffectUnknown, Model};
 use model_spec::summary::summary;
 use model_spec::syntax::ast::ItemKind;
 
@@ -110,8 +110,11 @@ fn an_effect_adds_states_with_their_equations() {
     let stated: Vec<usize> = model.equations.iter().map(|e| e.state).collect();
     assert_eq!((stated, model.added_states()), (vec![6, 7], vec![6, 7]));
     let effect = &model.effects[0];
-    assert_eq!(effect.states, [6, 7]);
-    assert_eq!(effect.negligible_states, [(7, 0.1)]);
+    let states = effect.states.iter();
+    let states: Vec<_> = states
+        .map(|own| (own.index, own.smallest_of_interest))
+        .collect();
+    assert_eq!(states, [(6, None), (7, Some(0.1))]);
     let told = summary(&model);
     assert!(
         told.contains("  W_x, of each flight its own, vanishes at 0 m/s\n  W_y, of each flight its own, vanishes at 0.5 m/s, a departure below 0.1 m/s does not matter\n"),
@@ -164,7 +167,14 @@ let a_seen = a;
 ";
     let model = from_text("pendulum.hyz", text, &["drift"]).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!((model.equations.len(), model.added_states()), (3, vec![2]));
-    assert_eq!(model.effects[0].states, [2]);
+    assert_eq!(
+        model.effects[0].states[..],
+        [EffectUnknown {
+            index: 2,
+            null_value: model.states[2].value,
+            smallest_of_interest: None
+        }]
+    );
     let model = from_text("pendulum.hyz", text, &[]).unwrap();
     assert!(model.added_states().is_empty());
 }
@@ -249,7 +259,10 @@ fn the_angular_velocity_stays_where_it_was_seen() {
             .and_then(|b| b.rotation.as_ref())
             .expect("it turns");
         let name = |frame: usize| model.frames[frame].name.clone();
-        (name(rotation.seen_in), name(rotation.inertia_frame))
+        (
+            name(rotation.angular_velocity_frame),
+            name(rotation.inertia_frame),
+        )
     };
     let model = from_text("disc.hyz", &text, &[]).unwrap();
     assert_eq!(seen(&model), ("B".into(), "B".into()));

@@ -32,7 +32,7 @@ fn value(model: &Model, e: &Expr) -> f64 {
     match &e.kind {
         ExprKind::Number { value, .. } => *value,
         ExprKind::Pi => std::f64::consts::PI,
-        ExprKind::Let(i) => v(&model.lets[*i].value),
+        ExprKind::AuxVariable(i) => v(&model.aux_variables[*i].value),
         ExprKind::Neg(a) => -v(a),
         ExprKind::Add(a, b) => v(a) + v(b),
         ExprKind::Sub(a, b) => v(a) - v(b),
@@ -44,7 +44,12 @@ fn value(model: &Model, e: &Expr) -> f64 {
 }
 
 fn named<'m>(model: &'m Model, name: &str) -> &'m Expr {
-    &model.lets.iter().find(|l| l.name == name).unwrap().value
+    &model
+        .aux_variables
+        .iter()
+        .find(|l| l.name == name)
+        .unwrap()
+        .value
 }
 
 #[test]
@@ -131,12 +136,16 @@ fn a_stated_unit_holds_for_those_that_use_it() {
 #[test]
 fn quantities_stand_after_those_that_they_use() {
     let model = model("let c = b + a;\nlet b = 2*a;\nlet a = z;\n");
-    let order: Vec<&str> = model.lets.iter().map(|l| l.name.as_str()).collect();
+    let order: Vec<&str> = model
+        .aux_variables
+        .iter()
+        .map(|l| l.name.as_str())
+        .collect();
     assert_eq!(order, ["drag", "a", "b", "c"]);
-    for (i, named) in model.lets.iter().enumerate() {
+    for (i, named) in model.aux_variables.iter().enumerate() {
         let mut stack = vec![&named.value];
         while let Some(e) = stack.pop() {
-            assert!(!matches!(e.kind, ExprKind::Let(j) if j >= i));
+            assert!(!matches!(e.kind, ExprKind::AuxVariable(j) if j >= i));
             e.children(&mut |c| stack.push(c));
         }
     }
@@ -146,7 +155,7 @@ fn quantities_stand_after_those_that_they_use() {
 fn greek_letters_are_their_names() {
     let model = model("param ρ = 1.2 kg/m³;\nlet α = z·ρ;\nlet b = rho*alpha;\n");
     assert_eq!(model.params[2].name, "rho");
-    assert!(model.lets.iter().any(|l| l.name == "alpha"));
+    assert!(model.aux_variables.iter().any(|l| l.name == "alpha"));
 }
 
 #[test]
@@ -288,7 +297,7 @@ fn effects_add_up_and_do_not_undo_one_another() {
     );
     // Switched off they change nothing.
     let off = with(&[]).unwrap();
-    assert_eq!(off.lets.len(), 1);
+    assert_eq!(off.aux_variables.len(), 1);
     assert!(off.coefficients.is_empty());
 }
 
@@ -299,7 +308,10 @@ fn an_extended_model_is_a_file_like_any_other() {
     let read =
         from_text("extended.hyz", &written, &[]).unwrap_or_else(|e| panic!("{e}\n{written}"));
     assert_eq!(read.coefficients.last().unwrap().name, "alpha_0");
-    assert_eq!(read.lets.len(), loaded.model.unwrap().lets.len());
+    assert_eq!(
+        read.aux_variables.len(),
+        loaded.model.unwrap().aux_variables.len()
+    );
 }
 
 #[test]
@@ -329,7 +341,7 @@ fn faults_of_units_alone_leave_a_model_to_speak_of() {
     let loaded = inspect_text("probe.hyz", &text, &[]).unwrap();
     assert_eq!(loaded.diagnostics.len(), 2);
     let model = loaded.model.unwrap();
-    assert_eq!((model.lets.len(), model.forces.len()), (2, 2));
+    assert_eq!((model.aux_variables.len(), model.forces.len()), (2, 2));
     let loaded = inspect_text("probe.hyz", &format!("{POINT}let a = q;\n"), &[]).unwrap();
     assert!(loaded.model.is_none());
 }

@@ -63,14 +63,14 @@ fn all_effects_apply_together_in_any_order() {
             for effect in &with.effects {
                 assert!(!effect.variables.is_empty(), "{}", effect.name);
                 assert!(!effect.citation.is_empty(), "{}", effect.name);
-                for (index, negligible) in &effect.negligible_states {
-                    assert!(*negligible > 0.0, "{}", with.states[*index].name);
+                for own in &effect.states {
+                    let name = &with.states[own.index].name;
+                    assert!(own.smallest_of_interest.is_some_and(|n| n > 0.0), "{name}");
                 }
-                assert_eq!(effect.states.len(), effect.negligible_states.len());
                 for c in &effect.coefficients {
                     let name = &with.coefficients[c.index].name;
-                    assert_eq!(c.vanishes_at, 0.0, "{name}");
-                    assert!(c.negligible.is_some_and(|n| n > 0.0), "{name}");
+                    assert_eq!(c.null_value, 0.0, "{name}");
+                    assert!(c.smallest_of_interest.is_some_and(|n| n > 0.0), "{name}");
                 }
             }
             names.reverse();
@@ -139,7 +139,11 @@ fn units_that_are_not_stated_are_inferred() {
     let lift = disc.coefficients.iter().find(|c| c.name == "C_L0").unwrap();
     assert!(lift.inferred);
     assert_eq!(lift.unit_text, "1");
-    let force = disc.lets.iter().find(|l| l.name == "lift").unwrap();
+    let force = disc
+        .aux_variables
+        .iter()
+        .find(|l| l.name == "lift")
+        .unwrap();
     assert_eq!(force.value.unit.tidy().to_string(), "kg*m/s^2");
 }
 
@@ -148,11 +152,11 @@ fn what_has_one_name_is_written_as_one_quantity() {
     // `der(phidot)` in the equation for `gammadot` is the same expression, not a copy of it.
     let model = load::load("disc_appendix", &[]).unwrap();
     let index = model
-        .lets
+        .aux_variables
         .iter()
         .position(|l| l.name == "der_phidot")
         .unwrap();
-    assert!(matches!(model.equations[9].value.kind, ExprKind::Let(i) if i == index));
+    assert!(matches!(model.equations[9].value.kind, ExprKind::AuxVariable(i) if i == index));
 }
 
 #[test]
@@ -166,10 +170,14 @@ fn an_effect_keeps_its_vanishing_value() {
     let coefficient = effect.coefficients[0];
     assert_eq!(model.coefficients[coefficient.index].name, "alpha_0");
     assert_eq!(
-        (coefficient.vanishes_at, coefficient.negligible),
+        (coefficient.null_value, coefficient.smallest_of_interest),
         (0.0, Some(2e-4))
     );
-    let drag = model.lets.iter().find(|l| l.name == "C_D").unwrap();
+    let drag = model
+        .aux_variables
+        .iter()
+        .find(|l| l.name == "C_D")
+        .unwrap();
     assert_eq!((drag.effect, drag.span.source), (Some(0), 1));
 }
 

@@ -47,7 +47,7 @@ impl Deriver<'_> {
                 Value::Vector(at.map(|at| self.graph.symbol(Symbol::Parameter(at.index() as u32))))
             }
             E::State(k) => self.symbol(Symbol::State(*k as u32)),
-            E::Let(k) => self.lets[*k],
+            E::AuxVariable(k) => self.lets[*k],
             E::Axis(frame, axis) => {
                 let unit = frames::axis(&mut self.graph, *axis);
                 Value::Vector(self.in_frame(unit, *frame, expr.shape))
@@ -189,7 +189,7 @@ impl Deriver<'_> {
                 &mut self.graph,
                 model,
                 rotation.body_frame,
-                rotation.seen_in,
+                rotation.angular_velocity_frame,
             ),
             None => frames::zero(&mut self.graph),
         }

@@ -25,7 +25,7 @@ impl Deriver<'_> {
     /// Moments of inertia seen from the frame of the angular velocity.
     pub(super) fn turned_inertia(&mut self, rotation: &Rotation, given: Matrix) -> Turned {
         let model = self.model;
-        let (from, to) = (rotation.inertia_frame, rotation.seen_in);
+        let (from, to) = (rotation.inertia_frame, rotation.angular_velocity_frame);
         let graph = &mut self.graph;
         let zero = graph.whole(0);
         let mut steady = [[zero; 3]; 3];

@@ -11,7 +11,7 @@ use crate::graph::{Graph, NodeId, Symbol};
 use crate::layout::Layout;
 use frames::Vector;
 use model_spec::diagnostic::Span;
-use model_spec::model::Model;
+use model_spec::model::{ExprKind, Model};
 
 /// Where a named node comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,7 +76,7 @@ pub fn derive(model: &Model) -> Derived {
     };
     deriver.leaves();
     deriver.assumptions();
-    for quantity in &model.lets {
+    for quantity in &model.aux_variables {
         let value = deriver.evaluate(&quantity.value);
         deriver.lets.push(value);
     }
@@ -84,7 +84,11 @@ pub fn derive(model: &Model) -> Derived {
     let names = deriver.layout.quantities.clone();
     let mut next = names.iter();
     let of_marker = crate::layout::depends_on_marker(model);
-    for ((quantity, value), of_marker) in model.lets.iter().zip(deriver.lets.clone()).zip(of_marker)
+    for ((quantity, value), of_marker) in model
+        .aux_variables
+        .iter()
+        .zip(deriver.lets.clone())
+        .zip(of_marker)
     {
         // `quantities` is not handed a marker.
         if of_marker {
@@ -213,7 +217,9 @@ impl Deriver<'_> {
 }
 
 fn mentions_let(expr: &model_spec::model::Expr) -> bool {
-    format!("{:?}", expr.kind).contains("Let(")
+    let mut found = matches!(expr.kind, ExprKind::AuxVariable(_));
+    expr.children(&mut |child| found |= mentions_let(child));
+    found
 }
 
 /// Number and text of the line at a byte.

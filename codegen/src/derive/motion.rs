@@ -133,7 +133,7 @@ impl Deriver<'_> {
     /// in another, what turns in F adds its own part.
     fn euler(&mut self, rotation: &Rotation, dx: &mut [NodeId]) {
         let model = self.model;
-        let frame = rotation.seen_in;
+        let frame = rotation.angular_velocity_frame;
         let given = [0, 1, 2].map(|i| [0, 1, 2].map(|j| self.scalar(&rotation.inertia[i][j])));
         let turned =
             (rotation.inertia_frame != frame).then(|| self.turned_inertia(rotation, given));

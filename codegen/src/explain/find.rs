@@ -6,7 +6,7 @@ use crate::graph::{NodeId, Symbol};
 use crate::latex;
 use crate::layout::{Layout, depends_on_marker};
 use model_spec::diagnostic::Span;
-use model_spec::model::{Let, Load, Model};
+use model_spec::model::{AuxVariable, Load, Model};
 
 /// A quantity with its nodes.
 pub(super) struct Found {
@@ -28,8 +28,8 @@ pub(super) struct Found {
 
 /// What a name stands for.
 enum Meaning<'a> {
-    Let(&'a Let),
-    Component(&'a Let, String),
+    Let(&'a AuxVariable),
+    Component(&'a AuxVariable, String),
     Load(&'a Load, &'static str),
     Rate(usize),
 }
@@ -43,10 +43,14 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     if let Meaning::Load(load, kind) = &meaning {
         label = format!("{kind} {}", load.name);
         prefix = format!("{kind}_{}", load.name);
-        while changed.lets.iter().any(|quantity| quantity.name == prefix) {
+        while changed
+            .aux_variables
+            .iter()
+            .any(|quantity| quantity.name == prefix)
+        {
             prefix.push('_');
         }
-        changed.lets.push(Let {
+        changed.aux_variables.push(AuxVariable {
             name: prefix.clone(),
             doc: String::new(),
             value: load.value.clone(),
@@ -59,7 +63,11 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     let of_let = |name: &str| {
         let mut start = 0;
         let of_marker = depends_on_marker(&changed);
-        for ((quantity, nodes), of_marker) in changed.lets.iter().zip(&derived.lets).zip(of_marker)
+        for ((quantity, nodes), of_marker) in changed
+            .aux_variables
+            .iter()
+            .zip(&derived.lets)
+            .zip(of_marker)
         {
             if quantity.name == name && of_marker {
                 // It is not among the quantities, which are computed without a marker.
@@ -125,7 +133,11 @@ fn meaning<'a>(model: &'a Model, wanted: &str) -> Result<Meaning<'a>, ExplainErr
     {
         return Ok(Meaning::Rate(k));
     }
-    if let Some(quantity) = model.lets.iter().find(|quantity| quantity.name == wanted) {
+    if let Some(quantity) = model
+        .aux_variables
+        .iter()
+        .find(|quantity| quantity.name == wanted)
+    {
         return Ok(Meaning::Let(quantity));
     }
     let force = load(
@@ -146,12 +158,12 @@ fn meaning<'a>(model: &'a Model, wanted: &str) -> Result<Meaning<'a>, ExplainErr
         (None, Some(moment)) => return Ok(Meaning::Load(moment, "moment")),
         (None, None) => {}
     }
-    for quantity in &model.lets {
+    for quantity in &model.aux_variables {
         if let Some(component) = components(model, quantity).find(|name| name == wanted) {
             return Ok(Meaning::Component(quantity, component));
         }
     }
-    let mut known: Vec<String> = model.lets.iter().map(|l| l.name.clone()).collect();
+    let mut known: Vec<String> = model.aux_variables.iter().map(|l| l.name.clone()).collect();
     known.extend(model.forces.iter().map(|l| format!("force {}", l.name)));
     known.extend(model.moments.iter().map(|l| format!("moment {}", l.name)));
     known.extend(model.states.iter().map(|s| format!("der({})", s.name)));
@@ -163,9 +175,14 @@ fn meaning<'a>(model: &'a Model, wanted: &str) -> Result<Meaning<'a>, ExplainErr
 }
 
 /// Names of the components of a vector.
-fn components<'a>(model: &Model, quantity: &'a Let) -> impl Iterator<Item = String> + use<'a> {
+fn components<'a>(
+    model: &Model,
+    quantity: &'a AuxVariable,
+) -> impl Iterator<Item = String> + use<'a> {
     let mut alone = model.clone();
-    alone.lets.retain(|other| other.name == quantity.name);
+    alone
+        .aux_variables
+        .retain(|other| other.name == quantity.name);
     Layout::new(&alone)
         .quantities
         .into_iter()

@@ -45,7 +45,7 @@ fn derivatives_agree_with_differences() {
         let (x, p) = point(&layout);
         // Quantities of the marker are not computed without one.
         let lets = model
-            .lets
+            .aux_variables
             .iter()
             .zip(crate::layout::depends_on_marker(&model));
         let lets = lets.filter(|(_, of_marker)| !of_marker);
@@ -190,7 +190,7 @@ fn code_is_what_the_quantity_needs_and_no_more() {
 fn every_formula_is_well_formed() {
     for model in ["disc_appendix", "disc_quaternion", "ball", "discus"].map(load) {
         let layout = Layout::new(&model);
-        let quantities = model.lets.iter().map(|l| l.name.clone());
+        let quantities = model.aux_variables.iter().map(|l| l.name.clone());
         let rates = model.states.iter().map(|s| format!("der({})", s.name));
         for quantity in quantities.chain(rates) {
             let wrt = [&layout.states[4], &layout.parameters[0]];

@@ -25,7 +25,11 @@ pub fn definition(model: &Model, name: &str) -> Option<String> {
 
 /// Both sides of [`definition`].
 pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
-    if let Some(quantity) = model.lets.iter().find(|quantity| quantity.name == wanted) {
+    if let Some(quantity) = model
+        .aux_variables
+        .iter()
+        .find(|quantity| quantity.name == wanted)
+    {
         let left = name(&quantity.name, tree::style(&quantity.value));
         return Some((left, expression(model, &quantity.value)));
     }
@@ -53,7 +57,9 @@ pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
 /// The right side of an equation, also where other equations use it by a name.
 fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
     match equation.value.kind {
-        ExprKind::Let(k) if model.lets[k].name.starts_with("der_") => &model.lets[k].value,
+        ExprKind::AuxVariable(k) if model.aux_variables[k].name.starts_with("der_") => {
+            &model.aux_variables[k].value
+        }
         _ => &equation.value,
     }
 }
@@ -66,7 +72,7 @@ pub(crate) fn load_name(letter: &str, load: &str) -> String {
 /// Everything that a model says of the motion, as one `align*`.
 pub fn model(model: &Model) -> String {
     let mut lines: Vec<(String, String)> = Vec::new();
-    for quantity in &model.lets {
+    for quantity in &model.aux_variables {
         // a stated derivative that others use is among the equations too
         if !quantity.name.starts_with("der_") {
             lines.extend(sides(model, &quantity.name));

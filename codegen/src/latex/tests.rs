@@ -8,7 +8,11 @@ fn written(expression: &str) -> String {
          let e = (a, b, c) in N;\nlet t = {expression};\n"
     );
     let model = model_spec::load::from_text("t", &text, &[]).unwrap_or_else(|e| panic!("{e}"));
-    let wanted = model.lets.iter().find(|l| l.name == "t").expect("is there");
+    let wanted = model
+        .aux_variables
+        .iter()
+        .find(|l| l.name == "t")
+        .expect("is there");
     super::expression(&model, &wanted.value)
 }
 

@@ -17,8 +17,8 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
         E::Coefficient(k) => scalar(&model.coefficients[*k].name),
         E::Input(k) => Piece::atom(name(&model.inputs[*k].name, Style::Vector)),
         E::State(k) => scalar(&model.states[*k].name),
-        E::Let(k) => {
-            let quantity = &model.lets[*k];
+        E::AuxVariable(k) => {
+            let quantity = &model.aux_variables[*k];
             Piece::atom(name(&quantity.name, style(&quantity.value)))
         }
         E::Axis(frame, k) => axis(model, *frame, *k),

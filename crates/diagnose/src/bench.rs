@@ -375,7 +375,7 @@ fn off(catalogue: &Catalogue, on: &[usize]) -> Vec<(usize, f64)> {
         .filter(|(index, _)| !on.contains(index))
         .flat_map(|(_, candidate)| &candidate.coefficients);
     let mut fixed: Vec<(usize, f64)> = parts
-        .map(|part| (layout.coefficient(part.index).index(), part.vanishes_at))
+        .map(|part| (layout.coefficient(part.index).index(), part.null_value))
         .collect();
     let loads = catalogue.channels.iter().flat_map(|c| c.loads);
     fixed.extend(loads.filter_map(|(name, ..)| Some((layout.parameter(name)?.index(), 0.0))));

@@ -33,7 +33,7 @@ pub struct Part {
     /// Its unit.
     pub unit: String,
     /// Where it vanishes, SI.
-    pub vanishes_at: f64,
+    pub null_value: f64,
     /// A departure smaller than this does not matter in practice, SI.
     pub negligible: Option<f64>,
     /// Least and greatest value, SI.
@@ -133,20 +133,19 @@ fn candidate(model: &Model, effect: &AppliedEffect) -> Candidate {
             name: constant.name.clone(),
             index: own.index,
             unit: constant.unit_text.clone(),
-            vanishes_at: own.vanishes_at,
-            negligible: own.negligible,
+            null_value: own.null_value,
+            negligible: own.smallest_of_interest,
             bounds: constant.bounds,
         }
     });
-    let states = effect.states.iter().map(|&index| {
-        let state = &model.states[index];
-        let negligible = effect.negligible_states.iter().find(|own| own.0 == index);
+    let states = effect.states.iter().map(|own| {
+        let state = &model.states[own.index];
         Part {
             name: state.name.clone(),
-            index,
+            index: own.index,
             unit: state.unit_text.clone(),
-            vanishes_at: state.value,
-            negligible: negligible.map(|own| own.1),
+            null_value: own.null_value,
+            negligible: own.smallest_of_interest,
             bounds: None,
         }
     });

@@ -328,11 +328,11 @@ impl Bench {
         let mut point = point.clone();
         let parts = &columns.candidate.coefficients;
         for (&unknown, part) in columns.shared.iter().zip(parts) {
-            point.shared[unknown] = part.vanishes_at;
+            point.shared[unknown] = part.null_value;
         }
         for part in &columns.candidate.states {
             for own in &mut point.own {
-                own[part.index] = part.vanishes_at;
+                own[part.index] = part.null_value;
             }
         }
         point

@@ -17,14 +17,14 @@ const OVER: [&str; 2] = ["alpha", "V"];
 
 /// Every named number of the model whose name begins with `C_`, over the angle of attack or the speed.
 pub fn curves(model: &Model, before: &[FlightEvidence], after: &[FlightEvidence]) -> Vec<Curve> {
-    let has = |name: &&str| model.lets.iter().any(|l| l.name == **name);
+    let has = |name: &&str| model.aux_variables.iter().any(|l| l.name == **name);
     let Some(over) = OVER.into_iter().find(|name| has(name)) else {
         return Vec::new();
     };
-    let unit = model.lets.iter().find(|l| l.name == over);
+    let unit = model.aux_variables.iter().find(|l| l.name == over);
     let unit = unit.map(|l| l.value.unit.to_string()).unwrap_or_default();
     let wanted = model
-        .lets
+        .aux_variables
         .iter()
         .filter(|l| l.name.starts_with("C_") && l.value.shape == Shape::Scalar);
     wanted

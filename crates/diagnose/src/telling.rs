@@ -174,7 +174,7 @@ fn cause_report(bench: &Bench, found: &Found, cause: &Cause) -> crate::report::C
         let mut immaterial = true;
         for (part, &unknown) in columns.candidate.coefficients.iter().zip(&columns.shared) {
             let value = cause.point.shared[unknown];
-            let departure = (value - part.vanishes_at).abs();
+            let departure = (value - part.null_value).abs();
             immaterial &= part.negligible.is_some_and(|size| departure < size);
             let estimate = Estimate {
                 value,
@@ -189,7 +189,7 @@ fn cause_report(bench: &Bench, found: &Found, cause: &Cause) -> crate::report::C
                 .point
                 .own
                 .iter()
-                .map(|own| own[part.index] - part.vanishes_at);
+                .map(|own| own[part.index] - part.null_value);
             let count = cause.point.own.len().max(1) as f64;
             let value = (own.map(|v| v * v).sum::<f64>() / count).sqrt();
             immaterial &= part.negligible.is_some_and(|size| value < size);
@@ -265,7 +265,7 @@ pub(crate) fn take_over(
                         value: found.value,
                         std_error: found.std_error,
                         unit: constant.unit_text.clone(),
-                        negligible: own.negligible,
+                        negligible: own.smallest_of_interest,
                     };
                     Some((constant.name.clone(), estimate))
                 })

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use flight::body::Body;
 use model_spec::layout::ParamId;
-use model_spec::model::{Constant, Model};
+use model_spec::model::{Model, Parameter};
 
 use crate::dataset::{Dataset, Known as Value};
 use crate::levenberg::Known;
@@ -273,7 +273,7 @@ fn unknowns(
     Ok((shared, held))
 }
 
-fn unknown(constant: &Constant, place: usize, value: f64, options: &Options<'_>) -> Shared {
+fn unknown(constant: &Parameter, place: usize, value: f64, options: &Options<'_>) -> Shared {
     let bounds = constant.bounds.filter(|_| !options.unbounded);
     // A coefficient that vanishes by default says nothing of its size; a tenth of its range does.
     let usual = match constant.bounds {

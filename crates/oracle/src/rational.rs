@@ -57,7 +57,7 @@ fn rational<T: Field>(model: &Model, e: &Expr, point: &Point<T>) -> Option<T> {
         ExprKind::Number { value, exact } => T::literal(*value, *exact)?,
         ExprKind::Param(i) => point.params[*i],
         ExprKind::Coefficient(i) => point.coefficients[*i],
-        ExprKind::Let(i) => part(&model.lets[*i].value)?,
+        ExprKind::AuxVariable(i) => part(&model.aux_variables[*i].value)?,
         ExprKind::Neg(a) => -part(a)?,
         ExprKind::Add(a, b) => part(a)? + part(b)?,
         ExprKind::Sub(a, b) => part(a)? - part(b)?,

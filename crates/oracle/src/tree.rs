@@ -43,9 +43,9 @@ impl<'a, T: Real> Tree<'a, T> {
             model,
             point,
             frames,
-            lets: Vec::with_capacity(model.lets.len()),
+            lets: Vec::with_capacity(model.aux_variables.len()),
         };
-        for (index, named) in model.lets.iter().enumerate() {
+        for (index, named) in model.aux_variables.iter().enumerate() {
             let own = given
                 .iter()
                 .find(|(i, _)| *i == index)
@@ -106,7 +106,7 @@ impl<'a, T: Real> Tree<'a, T> {
                 Vector(self.frames[self.model.inputs[*i].frame].axes * self.point.inputs[*i])
             }
             K::State(i) => Scalar(self.point.states[*i]),
-            K::Let(i) => self.lets[*i],
+            K::AuxVariable(i) => self.lets[*i],
             K::Axis(frame, axis) => Vector(
                 self.frames[*frame]
                     .axes

@@ -36,7 +36,7 @@ pub struct Part {
     /// Its unit; `1` where it has none.
     pub unit: String,
     /// Where the effect is absent.
-    pub vanishes_at: String,
+    pub null_value: String,
     /// A departure below this does not matter in practice.
     pub negligible: Option<String>,
     /// Whether every flight has its own.
@@ -99,19 +99,18 @@ fn of(model: &Model, effect: &AppliedEffect) -> Listed {
         Part {
             name: constant.name.clone(),
             unit: constant.unit_text.clone(),
-            vanishes_at: plain(own.vanishes_at),
-            negligible: own.negligible.map(plain),
+            null_value: plain(own.null_value),
+            negligible: own.smallest_of_interest.map(plain),
             of_each_flight: false,
         }
     });
-    let states = effect.states.iter().map(|&index| {
-        let state = &model.states[index];
-        let negligible = effect.negligible_states.iter().find(|own| own.0 == index);
+    let states = effect.states.iter().map(|own| {
+        let state = &model.states[own.index];
         Part {
             name: state.name.clone(),
             unit: state.unit_text.clone(),
-            vanishes_at: plain(state.value),
-            negligible: negligible.map(|own| plain(own.1)),
+            null_value: plain(own.null_value),
+            negligible: own.smallest_of_interest.map(plain),
             of_each_flight: true,
         }
     });
@@ -193,7 +192,7 @@ fn row(page: &mut String, effect: &Listed, linked: bool) {
         };
         format!("`{}`{unit}{each}", part.name)
     });
-    let vanishes = effect.parts.iter().map(|part| part.vanishes_at.clone());
+    let vanishes = effect.parts.iter().map(|part| part.null_value.clone());
     let negligible = effect.parts.iter().map(|part| {
         let size = part.negligible.clone();
         size.unwrap_or_else(|| "–".to_owned())

@@ -84,11 +84,10 @@ fn what_is_negligible_moves_a_throw_by_millimetres_at_most() {
         let [applied] = &model.effects[..] else {
             panic!("one effect")
         };
-        let of_coefficients = applied.coefficients.iter().map(|c| c.negligible);
-        let of_states = applied.negligible_states.iter().map(|&(_, n)| Some(n));
-        for (k, negligible) in of_coefficients.chain(of_states).enumerate() {
+        let unknowns = applied.coefficients.iter().chain(&applied.states);
+        for (k, unknown) in unknowns.enumerate() {
             let mut values = vec![0.0; found.values()];
-            values[k] = negligible.expect("a size");
+            values[k] = unknown.smallest_of_interest.expect("a size");
             let with = of_law(law, &Hidden::effect(name, &values), 3);
             let moved = apart(&plain, &with);
             assert!(

@@ -66,7 +66,7 @@ pub fn roots_mut(model: &mut Model) -> Vec<&mut Expr> {
                 .flat_map(|r| r.inertia.iter_mut().flatten()),
         );
     }
-    out.extend(model.lets.iter_mut().map(|l| &mut l.value));
+    out.extend(model.aux_variables.iter_mut().map(|l| &mut l.value));
     out.extend(
         model
             .forces

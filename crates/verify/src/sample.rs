@@ -1,7 +1,7 @@
 //! Random points of a model, within its limits.
 
 use crate::random::Random;
-use model_spec::model::{Constant, FrameKind, Model};
+use model_spec::model::{FrameKind, Model, Parameter};
 use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::point::Point;
@@ -90,14 +90,14 @@ fn state(unit: Unit, random: &mut Random) -> f64 {
     random.within(typical(unit)) * small
 }
 
-fn size_varied(constant: &Constant, random: &mut Random) -> f64 {
+fn size_varied(constant: &Parameter, random: &mut Random) -> f64 {
     match constant.value {
         0.0 => random.within(0.5),
         value => value * random.between(-0.7, 0.7).exp(),
     }
 }
 
-fn coefficient(constant: &Constant, random: &mut Random) -> f64 {
+fn coefficient(constant: &Parameter, random: &mut Random) -> f64 {
     let value = size_varied(constant, random);
     if random.once_in(2) { -value } else { value }
 }

@@ -73,7 +73,7 @@ impl<'a> Subject<'a> {
             Some(reference) => reference.vanishing(self.model),
             None => {
                 let of_effects = self.model.effects.iter().flat_map(|e| &e.coefficients);
-                of_effects.map(|c| (c.index, c.vanishes_at)).collect()
+                of_effects.map(|c| (c.index, c.null_value)).collect()
             }
         }
     }

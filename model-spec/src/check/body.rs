@@ -16,7 +16,7 @@ pub(super) struct Parts<'a> {
     position: Option<(&'a [Name; 3], &'a Name)>,
     velocity: Option<(&'a [Name; 3], &'a Name)>,
     pub angular: Option<(&'a [Name; 3], &'a Name)>,
-    seen_in: Option<&'a Name>,
+    angular_velocity_frame: Option<&'a Name>,
 }
 
 impl<'a> Checker<'a> {
@@ -81,10 +81,11 @@ impl<'a> Checker<'a> {
                 return;
             };
             // A frame that is not there has been reported.
-            let seen_in = parts.seen_in.and_then(|f| self.frame_of(f));
+            let angular_velocity_frame =
+                parts.angular_velocity_frame.and_then(|f| self.frame_of(f));
             Some(model::Rotation {
                 body_frame,
-                seen_in: seen_in.unwrap_or(inertia_frame),
+                angular_velocity_frame: angular_velocity_frame.unwrap_or(inertia_frame),
                 inertia_frame,
                 inertia: std::array::from_fn(|_| std::array::from_fn(|_| zero(body.name.span))),
                 angular_velocity: angular.zip(angular_frame),
@@ -171,7 +172,9 @@ impl<'a> Checker<'a> {
                 BodyPartKind::Position(names, frame) => parts.position = Some((names, frame)),
                 BodyPartKind::Velocity(names, frame) => parts.velocity = Some((names, frame)),
                 BodyPartKind::AngularVelocity(names, frame) => parts.angular = Some((names, frame)),
-                BodyPartKind::AngularVelocityIn(frame) => parts.seen_in = Some(frame),
+                BodyPartKind::AngularVelocityIn(frame) => {
+                    parts.angular_velocity_frame = Some(frame)
+                }
             }
         }
         parts
@@ -274,7 +277,7 @@ impl<'a> Checker<'a> {
             | ExprKind::Velocity
             | ExprKind::AngularVelocity
             | ExprKind::Marker => Some(e.span),
-            ExprKind::Let(i) => self.varies[*i].then_some(e.span),
+            ExprKind::AuxVariable(i) => self.varies[*i].then_some(e.span),
             _ => {
                 let mut found = None;
                 e.children(&mut |c| found = found.or_else(|| self.varying(c)));

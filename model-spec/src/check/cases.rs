@@ -63,7 +63,7 @@ impl Checker<'_> {
                         .label(limit.bound.span, other);
                 self.report(fault.help("give the bound the unit of what it bounds"));
             }
-            self.model.limits.push(model::Limit {
+            self.model.limits.push(model::ValidityLimit {
                 value: typed.expr,
                 bound,
                 reason: limit.reason.clone(),
@@ -109,7 +109,7 @@ impl Checker<'_> {
         }
         let name = |i: usize| self.model.states[i].name.clone();
         let reason = format!("{} and {} turn about one axis", name(a), name(c));
-        self.model.limits.push(model::Limit {
+        self.model.limits.push(model::ValidityLimit {
             value,
             bound: GIMBAL,
             reason,
@@ -294,7 +294,7 @@ impl Checker<'_> {
                         let UnitOf::Term(unit) = unit else {
                             return None;
                         };
-                        (Observable::Let(index), unit, name.text.clone())
+                        (Observable::AuxVariable(index), unit, name.text.clone())
                     }
                 },
                 Some(Symbol::State(_)) => {

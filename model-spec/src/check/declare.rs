@@ -6,7 +6,7 @@ use super::term::Term;
 use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{self, Model};
-use crate::syntax::ast::{self, ConstantClass, Item, ItemKind, Name, UnitExpr};
+use crate::syntax::ast::{self, Item, ItemKind, Name, ParameterClass, UnitExpr};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
@@ -17,7 +17,7 @@ impl<'a> Checker<'a> {
         self.frame_names();
         for item in &file.items {
             match &item.kind {
-                ItemKind::Constant(constant) => self.constant(constant, item),
+                ItemKind::Parameter(constant) => self.constant(constant, item),
                 ItemKind::Input(input) => self.input(input, item),
                 _ => {}
             }
@@ -105,7 +105,7 @@ impl<'a> Checker<'a> {
         self.units.fresh(name)
     }
 
-    fn constant(&mut self, constant: &ast::Constant, item: &Item) {
+    fn constant(&mut self, constant: &ast::Parameter, item: &Item) {
         let (measure, term, inferred) =
             self.declared_unit(&constant.name.text, constant.value.unit.as_ref());
         let (value, _) = measure.of(&constant.value.number);
@@ -134,7 +134,7 @@ impl<'a> Checker<'a> {
             }
             Some((least_value, greatest_value))
         });
-        let made = model::Constant {
+        let made = model::Parameter {
             name: constant.name.text.clone(),
             doc: item.doc.clone(),
             unit: measure.unit,
@@ -156,15 +156,15 @@ impl<'a> Checker<'a> {
             ..
         } = self;
         let (made_in, terms) = match constant.class {
-            ConstantClass::Param => (params, p),
-            ConstantClass::Coefficient => (coefficients, c),
+            ParameterClass::Param => (params, p),
+            ParameterClass::Coefficient => (coefficients, c),
         };
         let index = made_in.len();
         made_in.push(made);
         terms.push(term);
         let symbol = match constant.class {
-            ConstantClass::Param => Symbol::Param(index),
-            ConstantClass::Coefficient => Symbol::Coefficient(index),
+            ParameterClass::Param => Symbol::Param(index),
+            ParameterClass::Coefficient => Symbol::Coefficient(index),
         };
         self.define(&constant.name, symbol);
     }

@@ -3,7 +3,7 @@
 use super::Checker;
 use super::quantity::Measure;
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{AppliedEffect, EffectCoefficient};
+use crate::model::{AppliedEffect, EffectUnknown};
 use crate::syntax::ast::{Applied, ItemKind, Quantity};
 use crate::unit::Unit;
 
@@ -20,21 +20,21 @@ impl Checker<'_> {
                 citation: applied.citation.clone(),
                 coefficients: Vec::new(),
                 states: Vec::new(),
-                negligible_states: Vec::new(),
             };
             for item in file.items.iter().filter(|item| item.effect == Some(i)) {
                 match &item.kind {
-                    ItemKind::Constant(constant) => {
+                    ItemKind::Parameter(constant) => {
                         let place = constant.name.span;
                         let all = &self.model.coefficients;
                         let Some(index) = all.iter().position(|c| c.span == place) else {
                             continue;
                         };
-                        let (vanishes_at, unit) = (all[index].value, all[index].unit);
-                        made.coefficients.push(EffectCoefficient {
+                        let (null_value, unit) = (all[index].value, all[index].unit);
+                        let name = &constant.name.text;
+                        made.coefficients.push(EffectUnknown {
                             index,
-                            vanishes_at,
-                            negligible: self.negligible(applied, &constant.name.text, place, unit),
+                            null_value,
+                            smallest_of_interest: self.negligible(applied, name, place, unit),
                         });
                     }
                     ItemKind::State(state) => {
@@ -43,11 +43,13 @@ impl Checker<'_> {
                         let Some(index) = all.iter().position(|s| s.span == place) else {
                             continue;
                         };
-                        let unit = all[index].unit;
-                        made.states.push(index);
-                        let size = self.negligible(applied, &state.name.text, place, unit);
-                        made.negligible_states
-                            .extend(size.map(|size| (index, size)));
+                        let (null_value, unit) = (all[index].value, all[index].unit);
+                        let name = &state.name.text;
+                        made.states.push(EffectUnknown {
+                            index,
+                            null_value,
+                            smallest_of_interest: self.negligible(applied, name, place, unit),
+                        });
                     }
                     _ => {}
                 }

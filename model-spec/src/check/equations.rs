@@ -122,12 +122,12 @@ impl<'a> Checker<'a> {
             // What was declared holds for those that use it.
             typed.unit = UnitOf::Term(declared);
         }
-        let made = self.model.lets.len();
+        let made = self.model.aux_variables.len();
         let varies = self.varying(&typed.expr).is_some();
         self.definitions[index] = Definition::Done(made, typed.expr.shape, typed.unit.clone());
         self.let_units.push(typed.unit);
         self.varies.push(varies);
-        self.model.lets.push(model::Let {
+        self.model.aux_variables.push(model::AuxVariable {
             name,
             doc: defining.doc.to_owned(),
             value: typed.expr,
@@ -285,7 +285,7 @@ impl<'a> Checker<'a> {
             // It has been checked as a quantity of its own, which the equation then is.
             Some(definition) => match &self.definitions[definition] {
                 Definition::Done(index, shape, _) => {
-                    let kind = model::ExprKind::Let(*index);
+                    let kind = model::ExprKind::AuxVariable(*index);
                     Some(super::elaborate::node(kind, *shape, equation.value.span))
                 }
                 Definition::Missing => None,

@@ -210,11 +210,16 @@ impl Checker<'_> {
                 model.inputs[*i].span,
                 true,
             ),
-            ExprKind::Let(i) => {
+            ExprKind::AuxVariable(i) => {
                 let UnitOf::Term(term) = self.let_unit(*i) else {
                     return;
                 };
-                (model.lets[*i].name.clone(), term, model.lets[*i].span, true)
+                (
+                    model.aux_variables[*i].name.clone(),
+                    term,
+                    model.aux_variables[*i].span,
+                    true,
+                )
             }
             ExprKind::Number { .. } => written(Term::known(e.unit)),
             ExprKind::Time => written(Term::known(Unit::SECOND)),

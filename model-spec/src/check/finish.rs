@@ -87,9 +87,9 @@ impl Checker<'_> {
             coefficients: model.coefficients.iter().map(|c| c.unit).collect(),
             inputs: model.inputs.iter().map(|c| c.unit).collect(),
             states: model.states.iter().map(|c| c.unit).collect(),
-            lets: Vec::with_capacity(model.lets.len()),
+            lets: Vec::with_capacity(model.aux_variables.len()),
         };
-        for (i, named) in model.lets.iter_mut().enumerate() {
+        for (i, named) in model.aux_variables.iter_mut().enumerate() {
             tables.assign(&mut named.value);
             if let UnitOf::Term(term) = &self.let_units[i]
                 && let Some(unit) = self.units.resolve(term).unit()
@@ -146,7 +146,7 @@ impl Tables {
         let mul = |a: Unit, b: Unit| a.checked_mul(b).unwrap_or_default();
         // A bare 0 has the unit of what stands beside it.
         let either = |a: &Expr, b: &Expr| if bare_zero(a) { b.unit } else { a.unit };
-        e.each_child(&mut |child| self.assign(child));
+        e.children_mut(&mut |child| self.assign(child));
         e.unit = match &e.kind {
             K::Number { .. } => e.unit,
             K::Pi | K::Axis(..) | K::Direction(..) => Unit::ONE,
@@ -155,7 +155,7 @@ impl Tables {
             K::Coefficient(i) => self.coefficients[*i],
             K::Input(i) => self.inputs[*i],
             K::State(i) => self.states[*i],
-            K::Let(i) => self.lets.get(*i).copied().unwrap_or_default(),
+            K::AuxVariable(i) => self.lets.get(*i).copied().unwrap_or_default(),
             K::Position | K::Marker => Unit::METRE,
             K::Velocity => Unit::SPEED,
             K::AngularVelocity => Unit::RATE,

@@ -117,7 +117,7 @@ struct Typed {
 enum Definition {
     /// Not yet reached, or at fault.
     Missing,
-    /// Index into [`Model::lets`], shape and unit.
+    /// Index into [`Model::aux_variables`], shape and unit.
     Done(usize, model::Shape, UnitOf),
 }
 
@@ -134,9 +134,9 @@ struct Checker<'a> {
     coefficients: Vec<Term>,
     inputs: Vec<Term>,
     states: Vec<Term>,
-    /// Units of [`Model::lets`], by their indices.
+    /// Units of [`Model::aux_variables`], by their indices.
     let_units: Vec<UnitOf>,
-    /// Whether each of [`Model::lets`] changes during a flight.
+    /// Whether each of [`Model::aux_variables`] changes during a flight.
     varies: Vec<bool>,
     /// Statements that define a quantity: all `let`s, then one for every `der(…)` that is used.
     definitions: Vec<Definition>,
@@ -225,7 +225,7 @@ fn empty_model(file: &ast::File, sources: &[Source]) -> Model {
         states: Vec::new(),
         frames: Vec::new(),
         body: None,
-        lets: Vec::new(),
+        aux_variables: Vec::new(),
         forces: Vec::new(),
         moments: Vec::new(),
         equations: Vec::new(),

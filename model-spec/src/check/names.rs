@@ -53,7 +53,7 @@ impl Checker<'_> {
                 Symbol::Let(i) => match self.definitions.get(i)? {
                     Definition::Missing => None,
                     Definition::Done(index, shape, unit) => Some(Typed {
-                        expr: node(ExprKind::Let(*index), *shape, span),
+                        expr: node(ExprKind::AuxVariable(*index), *shape, span),
                         unit: unit.clone(),
                     }),
                 },
@@ -91,7 +91,11 @@ impl Checker<'_> {
             "position" => (ExprKind::Position, 0, Unit::METRE),
             "velocity" => (ExprKind::Velocity, body.velocity_frame, Unit::SPEED),
             _ => match &body.rotation {
-                Some(rotation) => (ExprKind::AngularVelocity, rotation.seen_in, Unit::RATE),
+                Some(rotation) => (
+                    ExprKind::AngularVelocity,
+                    rotation.angular_velocity_frame,
+                    Unit::RATE,
+                ),
                 None => {
                     let fault =
                         Diagnostic::new(Kind::Name, span, "a point has no angular velocity");
@@ -213,7 +217,7 @@ impl Checker<'_> {
         match self.definitions.get(definition)? {
             Definition::Missing => None,
             Definition::Done(index, shape, _) => Some(Typed {
-                expr: node(ExprKind::Let(*index), *shape, span),
+                expr: node(ExprKind::AuxVariable(*index), *shape, span),
                 unit,
             }),
         }

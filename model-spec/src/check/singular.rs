@@ -62,10 +62,10 @@ impl<'m> Signs<'m> {
     fn new(model: &'m Model) -> Signs<'m> {
         let mut signs = Signs {
             model,
-            lets: Vec::with_capacity(model.lets.len()),
-            ranges: Vec::with_capacity(model.lets.len()),
+            lets: Vec::with_capacity(model.aux_variables.len()),
+            ranges: Vec::with_capacity(model.aux_variables.len()),
         };
-        for named in &model.lets {
+        for named in &model.aux_variables {
             let (sign, range) = (signs.of(&named.value), signs.range(&named.value));
             signs.lets.push(sign);
             signs.ranges.push(range);
@@ -95,7 +95,7 @@ impl<'m> Signs<'m> {
             // That constants are not 0 is checked when they are given.
             K::Param(i) => bounded(self.model.params[*i].bounds),
             K::Coefficient(i) => bounded(self.model.coefficients[*i].bounds),
-            K::Let(i) => self.lets.get(*i).copied().unwrap_or(Sign::Unknown),
+            K::AuxVariable(i) => self.lets.get(*i).copied().unwrap_or(Sign::Unknown),
             K::Neg(a) if self.of(a).never_zero() => Sign::NotZero,
             K::Mul(a, b) | K::Div(a, b) => self.of(a).times(self.of(b)),
             K::Add(a, b) => self.of(a).plus(self.of(b)),
@@ -134,7 +134,7 @@ impl<'m> Signs<'m> {
             K::Number { value, .. } => Some((*value, *value)),
             K::Param(i) => self.model.params[*i].bounds,
             K::Coefficient(i) => self.model.coefficients[*i].bounds,
-            K::Let(i) => *self.ranges.get(*i)?,
+            K::AuxVariable(i) => *self.ranges.get(*i)?,
             K::Neg(a) => self.range(a).map(|(least, greatest)| (-greatest, -least)),
             K::Add(a, b) => {
                 let (a, b) = (self.range(a)?, self.range(b)?);
@@ -179,7 +179,7 @@ pub(super) fn limited(model: &Model, e: &Expr) -> bool {
 /// What a name stands for, one step.
 fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     match &e.kind {
-        ExprKind::Let(i) => model.lets.get(*i).map_or(e, |l| &l.value),
+        ExprKind::AuxVariable(i) => model.aux_variables.get(*i).map_or(e, |l| &l.value),
         _ => e,
     }
 }
@@ -193,7 +193,7 @@ fn roots(model: &Model) -> Vec<&Expr> {
             all.extend(rotation.inertia.iter().flatten());
         }
     }
-    all.extend(model.lets.iter().map(|l| &l.value));
+    all.extend(model.aux_variables.iter().map(|l| &l.value));
     all.extend(model.forces.iter().chain(&model.moments).map(|l| &l.value));
     all.extend(model.equations.iter().map(|e| &e.value));
     all.extend(model.observation.iter().map(|o| &o.value));
@@ -255,8 +255,11 @@ impl Checker<'_> {
             .note(
                 "a divisor is made of numbers, constants, sums that bounds keep away from 0, exp(…) and what a `limit` keeps above 0",
             );
-        if let ExprKind::Let(i) = culprit.kind {
-            fault = fault.label(self.model.lets[i].span, format!("`{what}` is defined here"));
+        if let ExprKind::AuxVariable(i) = culprit.kind {
+            fault = fault.label(
+                self.model.aux_variables[i].span,
+                format!("`{what}` is defined here"),
+            );
         }
         fault = match &e.kind {
             ExprKind::Div(a, b) => fault.help(format!(
@@ -308,12 +311,12 @@ fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
 /// First indices into [`Model::params`], then into [`Model::coefficients`].
 pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
     let (mut params, mut coefficients) = (Vec::new(), Vec::new());
-    let mut lets = vec![false; model.lets.len()];
+    let mut lets = vec![false; model.aux_variables.len()];
     let mut look = |e: &Expr, lets: &mut Vec<bool>| {
         factors(e, &mut |factor| match factor.kind {
             ExprKind::Param(i) => params.push(i),
             ExprKind::Coefficient(i) => coefficients.push(i),
-            ExprKind::Let(i) => lets[i] = true,
+            ExprKind::AuxVariable(i) => lets[i] = true,
             _ => {}
         });
     };
@@ -332,9 +335,9 @@ pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
         });
     }
     // Quantities are listed after those that they use.
-    for i in (0..model.lets.len()).rev() {
+    for i in (0..model.aux_variables.len()).rev() {
         if lets[i] {
-            look(&model.lets[i].value, &mut lets);
+            look(&model.aux_variables[i].value, &mut lets);
         }
     }
     for list in [&mut params, &mut coefficients] {

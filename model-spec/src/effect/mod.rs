@@ -216,7 +216,7 @@ impl Change<'_> {
     fn own_coefficient(&mut self, effect: &Effect, name: &Name) {
         let own = effect.parts.iter().filter_map(|p| match p {
             EffectPart::Add(item) => match &item.kind {
-                ItemKind::Constant(c) => Some(c.name.text.as_str()),
+                ItemKind::Parameter(c) => Some(c.name.text.as_str()),
                 ItemKind::State(s) => Some(s.name.text.as_str()),
                 _ => None,
             },

@@ -17,14 +17,10 @@ pub struct AppliedEffect {
     pub variables: Vec<String>,
     /// Where it is described, as the effect cites it; empty where it cites nothing.
     pub citation: String,
-    /// Its coefficients, with the value of each at which the effect vanishes and the size below which
-    /// it does not matter in practice.
-    pub coefficients: Vec<EffectCoefficient>,
-    /// Its states, indices into [`Model::states`]: the effect is absent where each starts at its default and
-    /// stays there. They differ from flight to flight.
-    pub states: Vec<usize>,
-    /// Which of its states do not matter in practice within what distance of their defaults, SI.
-    pub negligible_states: Vec<(usize, f64)>,
+    /// Its coefficients, by index into [`Model::coefficients`].
+    pub coefficients: Vec<EffectUnknown>,
+    /// Its states, by index into [`Model::states`]; their initial values differ from flight to flight.
+    pub states: Vec<EffectUnknown>,
 }
 
 /// An effect that can be switched on by its name.
@@ -38,13 +34,13 @@ pub struct OfferedEffect {
     pub span: Span,
 }
 
-/// A coefficient of an effect.
+/// A coefficient, or the initial value of a state, by which an effect is switched on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EffectCoefficient {
-    /// Index into [`Model::coefficients`].
+pub struct EffectUnknown {
+    /// Index into the model's coefficients or states.
     pub index: usize,
-    /// The effect is absent at this value, SI.
-    pub vanishes_at: f64,
-    /// A departure smaller than this does not matter in practice, SI.
-    pub negligible: Option<f64>,
+    /// Value at which the effect is absent, SI: the default.
+    pub null_value: f64,
+    /// Smallest distance from the null value that matters in practice, SI; none if the effect states none.
+    pub smallest_of_interest: Option<f64>,
 }

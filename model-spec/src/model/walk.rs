@@ -1,6 +1,6 @@
 //! Walking over expressions, and the places of a model in its texts.
 
-use super::{Expr, ExprKind, FrameKind, Limit, Model};
+use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
 use crate::diagnostic::Span;
 
 impl Expr {
@@ -15,7 +15,7 @@ impl Expr {
             | K::Coefficient(_)
             | K::Input(_)
             | K::State(_)
-            | K::Let(_)
+            | K::AuxVariable(_)
             | K::Axis(..)
             | K::Position
             | K::Velocity
@@ -52,7 +52,7 @@ impl Expr {
     }
 
     /// Hands each expression directly under this one to `visit`, from left to right, to be changed.
-    pub fn each_child(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
+    pub fn children_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
         use ExprKind as K;
         match &mut self.kind {
             K::Number { .. }
@@ -62,7 +62,7 @@ impl Expr {
             | K::Coefficient(_)
             | K::Input(_)
             | K::State(_)
-            | K::Let(_)
+            | K::AuxVariable(_)
             | K::Axis(..)
             | K::Position
             | K::Velocity
@@ -109,7 +109,7 @@ impl Expr {
             | (K::Coefficient(a), K::Coefficient(b))
             | (K::Input(a), K::Input(b))
             | (K::State(a), K::State(b))
-            | (K::Let(a), K::Let(b)) => a == b,
+            | (K::AuxVariable(a), K::AuxVariable(b)) => a == b,
             (K::Axis(f, a), K::Axis(g, b)) => f == g && a == b,
             (K::Pow(_, a), K::Pow(_, b)) => a == b,
             (K::Component(_, a), K::Component(_, b)) => a == b,
@@ -146,7 +146,11 @@ impl Model {
     /// States that a body does not have and that an effect or the model adds to it, and states that effects add
     /// to stated equations: each starts at its default where a flight does not say otherwise.
     pub fn added_states(&self) -> Vec<usize> {
-        let of_effects = |state: &usize| self.effects.iter().any(|e| e.states.contains(state));
+        let of_effects = |state: &usize| {
+            self.effects
+                .iter()
+                .any(|e| e.states.iter().any(|own| own.index == *state))
+        };
         let stated = self.equations.iter().map(|e| e.state);
         stated
             .filter(|state| self.body.is_some() || of_effects(state))
@@ -162,7 +166,7 @@ impl Model {
     }
 
     /// Whether a limit was not stated but follows from the choice of angles.
-    pub fn is_automatic(&self, limit: &Limit) -> bool {
+    pub fn is_automatic(&self, limit: &ValidityLimit) -> bool {
         self.frames.iter().any(|f| f.span == limit.span)
     }
 }

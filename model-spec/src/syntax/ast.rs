@@ -56,7 +56,7 @@ pub enum ItemKind {
     /// `reference NAME;`
     Reference(Name),
     /// `param …;` or `coefficient …;`
-    Constant(Constant),
+    Parameter(Parameter),
     /// `input NAME in FRAME = (…) unit;`
     Input(Input),
     /// `state NAME = value;`
@@ -136,7 +136,7 @@ pub struct UnitFactor {
 
 /// Whether a constant is known or fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ConstantClass {
+pub enum ParameterClass {
     /// Known: of the body or the place.
     Param,
     /// What flights are fitted for.
@@ -145,9 +145,9 @@ pub enum ConstantClass {
 
 /// A parameter or a coefficient.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Constant {
+pub struct Parameter {
     /// Which of the two.
-    pub class: ConstantClass,
+    pub class: ParameterClass,
     /// Its name.
     pub name: Name,
     /// Its default, with its unit.

@@ -21,7 +21,7 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::Source;
 
 /// The longest text that is read, in bytes.
-pub const MOST_BYTES: usize = 1_000_000;
+pub const MAX_SOURCE_BYTES: usize = 1_000_000;
 
 /// A file that was read, with what was wrong about it.
 #[derive(Clone, Debug)]
@@ -42,7 +42,7 @@ pub fn parse(name: &str, text: &str) -> Parsed {
 /// Reads a file whose places carry the number `source`; effects that are applied to a model count from 1.
 pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     let text = text.strip_prefix('\u{FEFF}').unwrap_or(text);
-    if text.len() > MOST_BYTES {
+    if text.len() > MAX_SOURCE_BYTES {
         return too_long(name, text.len(), source);
     }
     let mut parser = parser::Parser::new(text, source);
@@ -64,7 +64,8 @@ pub(crate) fn too_long(name: &str, length: usize, source: u16) -> Parsed {
         source,
         ..Span::default()
     };
-    let message = format!("the file has {length} bytes; a model file has at most {MOST_BYTES}");
+    let message =
+        format!("the file has {length} bytes; a model file has at most {MAX_SOURCE_BYTES}");
     Parsed {
         file: ast::File {
             end: span,

@@ -46,10 +46,10 @@ impl Display for ItemKind {
         match self {
             ItemKind::Model(name) => write!(f, "model {};", name.text),
             ItemKind::Reference(name) => write!(f, "reference {};", name.text),
-            ItemKind::Constant(c) => {
+            ItemKind::Parameter(c) => {
                 let word = match c.class {
-                    ConstantClass::Param => "param",
-                    ConstantClass::Coefficient => "coefficient",
+                    ParameterClass::Param => "param",
+                    ParameterClass::Coefficient => "coefficient",
                 };
                 write!(f, "{word} {} = {}", c.name.text, c.value)?;
                 if let Some((least, greatest)) = &c.bounds {

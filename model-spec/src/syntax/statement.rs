@@ -1,8 +1,8 @@
 //! The statements of a file.
 
 use super::ast::{
-    Constant, ConstantClass, Equation, Frame, FrameKind, Input, Item, ItemKind, Let, Limit, Load,
-    LoadClass, Marker, Name, Observe, State,
+    Equation, Frame, FrameKind, Input, Item, ItemKind, Let, Limit, Load, LoadClass, Marker, Name,
+    Observe, Parameter, ParameterClass, State,
 };
 use super::parser::{Parser, Read, Reported, STATEMENTS};
 use super::token::Token;
@@ -95,8 +95,8 @@ impl Parser<'_> {
     /// `param NAME = value unit in lo .. hi;`
     pub fn constant(&mut self) -> Read<ItemKind> {
         let class = match self.raw() {
-            "param" => ConstantClass::Param,
-            _ => ConstantClass::Coefficient,
+            "param" => ParameterClass::Param,
+            _ => ParameterClass::Coefficient,
         };
         let word = self.raw();
         self.advance();
@@ -118,7 +118,7 @@ impl Parser<'_> {
             None
         };
         self.semicolon(&format!("this `{word}`"))?;
-        Ok(ItemKind::Constant(Constant {
+        Ok(ItemKind::Parameter(Parameter {
             class,
             name,
             value,

@@ -257,7 +257,7 @@ mod tests {
         let layout = Layout::new(&model);
         let own = model.effects.iter().flat_map(|effect| &effect.coefficients);
         let place = |index| layout.coefficient(index).index();
-        let fixed: Vec<(usize, f64)> = own.map(|c| (place(c.index), c.vanishes_at)).collect();
+        let fixed: Vec<(usize, f64)> = own.map(|c| (place(c.index), c.null_value)).collect();
         let flown = |body: &Body, unread: f64| {
             let mut parameters = layout.default_parameters();
             for &(place, value) in &fixed {

@@ -87,7 +87,7 @@ pub struct Name {
 impl Vocabulary {
     /// The names of a model.
     pub fn of(model: &model_spec::model::Model) -> Vocabulary {
-        let names = |of: &[model_spec::model::Constant]| {
+        let names = |of: &[model_spec::model::Parameter]| {
             of.iter()
                 .map(|c| Name {
                     name: c.name.clone(),

@@ -157,7 +157,7 @@ pub fn flights(model: &Model, releases: &[Release], plan: &Plan) -> Result<Made,
             .map(|constant| (constant.name.as_str(), constant.value)),
     );
     let (parameters, coefficients) = constants.split_at(model.params.len());
-    let named = |of: &[model_spec::model::Constant], values: &[f64]| {
+    let named = |of: &[model_spec::model::Parameter], values: &[f64]| {
         let names = of.iter().map(|constant| constant.name.clone());
         names.zip(values.iter().copied()).collect()
     };

@@ -99,7 +99,7 @@ fn why(
 /// Ranges of the quantities that the coefficients are multiplied by where the model uses them.
 fn seen_through(model: &Model, names: &[&str], support: &Support) -> Option<String> {
     let mut met: Vec<&str> = Vec::new();
-    let expressions = model.lets.iter().map(|quantity| &quantity.value);
+    let expressions = model.aux_variables.iter().map(|quantity| &quantity.value);
     let loads = model
         .forces
         .iter()
@@ -136,7 +136,10 @@ fn seen_through(model: &Model, names: &[&str], support: &Support) -> Option<Stri
 /// A range in its unit, angles in degrees.
 fn range(model: &Model, name: &str, low: f64, high: f64) -> String {
     let angle = model_spec::unit::Unit::RADIAN;
-    let quantity = model.lets.iter().find(|quantity| quantity.name == name);
+    let quantity = model
+        .aux_variables
+        .iter()
+        .find(|quantity| quantity.name == name);
     let is_angle = quantity.is_some_and(|quantity| quantity.value.unit == angle);
     if is_angle {
         let (low, high) = (low.to_degrees(), high.to_degrees());
@@ -160,7 +163,7 @@ impl<'m> Found<'m> {
     fn walk(&mut self, model: &'m Model, expression: &'m Expr) {
         match expression.kind {
             ExprKind::Coefficient(i) => self.coefficients.push(i),
-            ExprKind::Let(i) => self.quantities.push(&model.lets[i].name),
+            ExprKind::AuxVariable(i) => self.quantities.push(&model.aux_variables[i].name),
             ExprKind::State(i) => self.quantities.push(&model.states[i].name),
             _ => expression.children(&mut |child| self.walk(model, child)),
         }

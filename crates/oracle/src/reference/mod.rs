@@ -157,7 +157,7 @@ impl Reference {
             of_effects
                 .clone()
                 .find(|c| c.index == i)
-                .map_or(0.0, |c| c.vanishes_at)
+                .map_or(0.0, |c| c.null_value)
         };
         self.unknown.iter().map(|&i| (i, vanishes(i))).collect()
     }

@@ -51,7 +51,7 @@ pub fn compare(
     let of_effects: Vec<usize> = model
         .effects
         .iter()
-        .flat_map(|e| e.states.clone())
+        .flat_map(|e| e.states.iter().map(|own| own.index))
         .collect();
     let mut own = model.added_states();
     own.retain(|state| !of_effects.contains(state));
@@ -60,8 +60,8 @@ pub fn compare(
     for _ in 0..options.cases.div_ceil(10) {
         let mut point = sample::point(model, &mut random);
         // Terms of the model's own are nothing the law knows.
-        for (index, vanishes_at) in by_hand.reference.vanishing(model) {
-            point.coefficients[index] = vanishes_at;
+        for (index, null_value) in by_hand.reference.vanishing(model) {
+            point.coefficients[index] = null_value;
         }
         for &state in &own {
             point.states[state] = model.states[state].value;

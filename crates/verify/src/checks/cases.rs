@@ -26,9 +26,9 @@ pub fn check(subject: &Subject<'_>) -> Row {
                     format!("der({})", model.states[i].name),
                     rates.get(i).copied().unwrap_or(f64::NAN),
                 ),
-                Observable::Let(i) => match tree.lets[i] {
-                    Value::Scalar(v) => (model.lets[i].name.clone(), v),
-                    Value::Vector(_) => (model.lets[i].name.clone(), f64::NAN),
+                Observable::AuxVariable(i) => match tree.lets[i] {
+                    Value::Scalar(v) => (model.aux_variables[i].name.clone(), v),
+                    Value::Vector(_) => (model.aux_variables[i].name.clone(), f64::NAN),
                 },
             };
             let close = (got - expected.value).abs() <= expected.within;

@@ -90,10 +90,10 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
         }
         let mut fixed = model.clone();
         for c in model.effects.iter().flat_map(|e| &e.coefficients) {
-            fix_coefficient(&mut fixed, c.index, c.vanishes_at);
+            fix_coefficient(&mut fixed, c.index, c.null_value);
         }
-        for &index in model.effects.iter().flat_map(|e| &e.states) {
-            fix_state(&mut fixed, index, model.states[index].value);
+        for own in model.effects.iter().flat_map(|e| &e.states) {
+            fix_state(&mut fixed, own.index, own.null_value);
         }
         let (was, is) = (plain.operations(), Values::of(&fixed).operations());
         if is > was {
@@ -117,10 +117,10 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
 /// The point with every effect at the value where it vanishes.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
-        point.coefficients[c.index] = c.vanishes_at;
+        point.coefficients[c.index] = c.null_value;
     }
-    for &index in model.effects.iter().flat_map(|e| &e.states) {
-        point.states[index] = model.states[index].value;
+    for own in model.effects.iter().flat_map(|e| &e.states) {
+        point.states[own.index] = own.null_value;
     }
     point
 }

@@ -1,6 +1,6 @@
 //! Which names of a model could be mistaken for one another.
 
-use model_spec::syntax::ast::{Constant, File, ItemKind};
+use model_spec::syntax::ast::{File, ItemKind, Parameter};
 
 /// The names of a file, with the statement that declares each.
 pub struct Names {
@@ -20,7 +20,7 @@ impl Names {
         for (index, item) in file.items.iter().enumerate() {
             match &item.kind {
                 ItemKind::Frame(f) => names.frames.push(f.name.text.clone()),
-                ItemKind::Constant(c) => names.constants.push((c.name.text.clone(), unit_text(c))),
+                ItemKind::Parameter(c) => names.constants.push((c.name.text.clone(), unit_text(c))),
                 ItemKind::Let(l) => names.lets.push((index, l.name.text.clone())),
                 _ => {}
             }
@@ -71,7 +71,7 @@ impl Names {
     }
 }
 
-fn unit_text(constant: &Constant) -> String {
+fn unit_text(constant: &Parameter) -> String {
     let factors = constant.value.unit.iter().flat_map(|u| &u.factors);
     factors
         .map(|f| format!("{}^{} ", f.symbol, f.doubled))

@@ -26,7 +26,7 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
 /// A statement's name for messages.
 pub fn place(item: &Item) -> String {
     match &item.kind {
-        ItemKind::Constant(c) => format!("declaration of {}", c.name.text),
+        ItemKind::Parameter(c) => format!("declaration of {}", c.name.text),
         ItemKind::Input(i) => format!("input {}", i.name.text),
         ItemKind::Frame(f) => format!("frame {}", f.name.text),
         ItemKind::Body(b) => format!("body {}", b.name.text),

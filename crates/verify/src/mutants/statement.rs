@@ -23,11 +23,11 @@ pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
         list: Vec::new(),
     };
     match &item.kind {
-        ItemKind::Constant(c) => {
+        ItemKind::Parameter(c) => {
             let unit = &c.value.unit;
             let mut set = |how: &str, unit: Option<UnitExpr>| {
                 out.push(Operator::Unit, how.to_owned(), |item| {
-                    if let ItemKind::Constant(c) = &mut item.kind {
+                    if let ItemKind::Parameter(c) = &mut item.kind {
                         c.value.unit = unit;
                         // Bounds are in the default's unit unless they say otherwise.
                     }

@@ -92,7 +92,7 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
 /// Derivatives that other equations use: named quantities whose expression is an equation's own.
 fn used_derivatives(model: &Model, truth: &[Tracked]) -> Vec<(usize, Value<Tracked>)> {
     let mut out = Vec::new();
-    for (index, named) in model.lets.iter().enumerate() {
+    for (index, named) in model.aux_variables.iter().enumerate() {
         let own = model
             .equations
             .iter()
@@ -133,8 +133,10 @@ impl Bench<'_> {
         let state = equation.state;
         // A derivative that others use is stated as a named quantity; look at what it stands for.
         let stated = match &equation.value.kind {
-            ExprKind::Let(i) if self.model.lets[*i].value.span == equation.value.span => {
-                &self.model.lets[*i].value
+            ExprKind::AuxVariable(i)
+                if self.model.aux_variables[*i].value.span == equation.value.span =>
+            {
+                &self.model.aux_variables[*i].value
             }
             _ => &equation.value,
         };
