@@ -1,6 +1,7 @@
 //! How many operations a program takes, by kind. A sine and a cosine of one angle count as two, and so do the product
 //! and the sum of a fused operation.
 
+use crate::functions::CostKind;
 use crate::program::{Binary, Op, Operand, Program, Unary};
 use std::fmt;
 
@@ -45,12 +46,12 @@ impl Count {
             },
             Op::Unary(unary, _) => match unary {
                 Unary::Neg => &mut self.neg,
-                Unary::Sqrt => &mut self.sqrt,
                 Unary::Recip | Unary::RecipOrZero => &mut self.div,
-                Unary::Sin | Unary::Cos | Unary::Exp | Unary::Log | Unary::Tanh | Unary::Asin => {
-                    &mut self.call
-                }
-                Unary::Abs | Unary::Sign | Unary::Step | Unary::NonZero => &mut self.select,
+                Unary::Call(function) => match function.cost_kind() {
+                    CostKind::Root => &mut self.sqrt,
+                    CostKind::Call => &mut self.call,
+                    CostKind::Select => &mut self.select,
+                },
             },
         };
         *kind += 1;

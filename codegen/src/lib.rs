@@ -8,6 +8,7 @@ pub mod count;
 pub mod derive;
 pub mod differentiate;
 pub mod explain;
+pub mod functions;
 pub mod generate;
 pub mod graph;
 pub mod latex;

@@ -1,5 +1,7 @@
 //! The one schedule that every backend follows: statements of one operation each, in order.
 
+use crate::functions::MathFunction;
+
 /// Where an operand comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
@@ -21,23 +23,15 @@ pub enum Operand {
 
 /// Operations on one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[allow(missing_docs)]
 pub enum Unary {
+    /// `-x`
     Neg,
-    Sqrt,
-    /// `1 / x` of something that is never 0.
+    /// `1 / x` of a value that is never 0.
     Recip,
+    /// `1 / x`, and 0 at 0.
     RecipOrZero,
-    Sin,
-    Cos,
-    Exp,
-    Log,
-    Tanh,
-    Asin,
-    Abs,
-    Sign,
-    Step,
-    NonZero,
+    /// A function of `x`.
+    Call(MathFunction),
 }
 
 /// Operations on two numbers.
@@ -61,7 +55,7 @@ pub enum Fused {
     MulAdd,
     /// `a * b - c`
     MulSub,
-    /// `c - a * b`
+    /// `c - a * b`: negated multiply-add
     NegMulAdd,
 }
 

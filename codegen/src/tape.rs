@@ -3,6 +3,7 @@
 //! It does exactly the operations of the schedule in the order of the schedule, through
 //! [`lanes::Real`], so that it agrees to the bit with generated code on the same lanes.
 
+use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
 use lanes::Real;
 
@@ -10,20 +11,10 @@ use lanes::Real;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Code {
     Neg,
-    Sqrt,
     Recip,
     RecipOrZero,
     SinCos,
-    Sin,
-    Cos,
-    Exp,
-    Log,
-    Tanh,
-    Asin,
-    Abs,
-    Sign,
-    Step,
-    NonZero,
+    Call(MathFunction),
     Add,
     Sub,
     Mul,
@@ -139,7 +130,6 @@ impl Tape {
                 Code::Sub => a - s[usize::from(i.b)],
                 Code::Div => a / s[usize::from(i.b)],
                 Code::Neg => -a,
-                Code::Sqrt => a.sqrt(),
                 Code::Recip => T::splat(1.0) / a,
                 Code::RecipOrZero => a.recip_or_zero(),
                 Code::SinCos => {
@@ -147,16 +137,7 @@ impl Tape {
                     s[usize::from(i.b)] = cos;
                     sin
                 }
-                Code::Sin => a.sin_cos().0,
-                Code::Cos => a.sin_cos().1,
-                Code::Exp => a.exp(),
-                Code::Log => a.log(),
-                Code::Tanh => a.tanh(),
-                Code::Asin => a.asin(),
-                Code::Abs => a.abs(),
-                Code::Sign => a.sign(),
-                Code::Step => a.heaviside(),
-                Code::NonZero => a.if_zero(T::splat(0.0), T::splat(1.0)),
+                Code::Call(function) => function.eval(a),
                 Code::Atan2 => a.atan2(s[usize::from(i.b)]),
                 Code::Min => a.min(s[usize::from(i.b)]),
                 Code::Max => a.max(s[usize::from(i.b)]),
@@ -265,8 +246,12 @@ impl<'a> Builder<'a> {
         let slots: Vec<u16> = operands.iter().map(|&operand| self.slot(operand)).collect();
         // sine and cosine of one angle are one instruction
         let partner = match op {
-            Op::Unary(Unary::Sin, x) => self.find(k, Op::Unary(Unary::Cos, x)),
-            Op::Unary(Unary::Cos, x) => self.find(k, Op::Unary(Unary::Sin, x)),
+            Op::Unary(Unary::Call(MathFunction::Sin), x) => {
+                self.find(k, Op::Unary(Unary::Call(MathFunction::Cos), x))
+            }
+            Op::Unary(Unary::Call(MathFunction::Cos), x) => {
+                self.find(k, Op::Unary(Unary::Call(MathFunction::Sin), x))
+            }
             _ => None,
         };
         for operand in &operands {
@@ -289,7 +274,7 @@ impl<'a> Builder<'a> {
             self.place[partner] = other;
             done[partner] = true;
             code = Code::SinCos;
-            (first, b) = if matches!(op, Op::Unary(Unary::Sin, _)) {
+            (first, b) = if matches!(op, Op::Unary(Unary::Call(MathFunction::Sin), _)) {
                 (to, other)
             } else {
                 (other, to)
@@ -328,19 +313,9 @@ fn code(op: &Op) -> Code {
         },
         Op::Unary(unary, _) => match unary {
             Unary::Neg => Code::Neg,
-            Unary::Sqrt => Code::Sqrt,
             Unary::Recip => Code::Recip,
             Unary::RecipOrZero => Code::RecipOrZero,
-            Unary::Sin => Code::Sin,
-            Unary::Cos => Code::Cos,
-            Unary::Exp => Code::Exp,
-            Unary::Log => Code::Log,
-            Unary::Tanh => Code::Tanh,
-            Unary::Asin => Code::Asin,
-            Unary::Abs => Code::Abs,
-            Unary::Sign => Code::Sign,
-            Unary::Step => Code::Step,
-            Unary::NonZero => Code::NonZero,
+            Unary::Call(function) => Code::Call(*function),
         },
     }
 }

@@ -1,6 +1,7 @@
 //! What the constructors of the graph make of an expression, one line each.
 
-use codegen::graph::{Function, Graph, NodeId, Symbol};
+use codegen::functions::MathFunction;
+use codegen::graph::{Graph, NodeId, Symbol};
 use codegen::number::Number;
 
 struct Bench {
@@ -69,18 +70,18 @@ table! {
         let n = b.norm(&[x, y]); let (u, v) = (b.g.div(x, n), b.g.div(y, n));
         let (p, q) = (b.g.mul(x, u), b.g.mul(y, v)); b.g.add(p, q)
     } => "(a^2 + b^2)^(1/2)";
-    sin_of_atan2: |b, [y, x, ..]| { let t = b.g.atan2(y, x); b.g.call(Function::Sin, t) } => "a*(a^2 + b^2)^(-1/2)";
-    cos_of_atan2_is_one_at_the_origin: |b, [y, x, ..]| { let t = b.g.atan2(y, x); b.g.call(Function::Cos, t) }
+    sin_of_atan2: |b, [y, x, ..]| { let t = b.g.atan2(y, x); b.g.call(MathFunction::Sin, t) } => "a*(a^2 + b^2)^(-1/2)";
+    cos_of_atan2_is_one_at_the_origin: |b, [y, x, ..]| { let t = b.g.atan2(y, x); b.g.call(MathFunction::Cos, t) }
         => "b*(a^2 + b^2)^(-1/2) - nonzero(a^2 + b^2) + 1";
     cos_of_atan2_times_the_radius: |b, [y, x, ..]| {
-        let t = b.g.atan2(y, x); let c = b.g.call(Function::Cos, t); let n = b.norm(&[x, y]); b.g.mul(c, n)
+        let t = b.g.atan2(y, x); let c = b.g.call(MathFunction::Cos, t); let n = b.norm(&[x, y]); b.g.mul(c, n)
     } => "b";
     sin_squared_plus_cos_squared: |b, [x, y, ..]| {
-        let (s, c) = (b.g.call(Function::Sin, x), b.g.call(Function::Cos, x));
+        let (s, c) = (b.g.call(MathFunction::Sin, x), b.g.call(MathFunction::Cos, x));
         let (s, c) = (b.g.power(s, 4), b.g.power(c, 4)); let (s, c) = (b.g.mul(s, y), b.g.mul(c, y)); b.g.add(s, c)
     } => "b";
-    sin_is_odd: |b, [x, ..]| { let n = b.g.neg(x); b.g.call(Function::Sin, n) } => "-sin(a)";
-    cos_is_even: |b, [x, ..]| { let n = b.g.neg(x); b.g.call(Function::Cos, n) } => "cos(a)";
+    sin_is_odd: |b, [x, ..]| { let n = b.g.neg(x); b.g.call(MathFunction::Sin, n) } => "-sin(a)";
+    cos_is_even: |b, [x, ..]| { let n = b.g.neg(x); b.g.call(MathFunction::Cos, n) } => "cos(a)";
     root_of_a_square: |b, [x, ..]| { let s = b.g.power(x, 4); b.g.sqrt(s) } => "abs(a)";
     root_of_what_may_be_negative: |b, [x, ..]| b.g.sqrt(x) => "sqrt(a)";
     ratio_of_multiples: |b, [x, y, ..]| {
@@ -102,8 +103,8 @@ table! {
     an_unprofitable_product_stays_one: |b, [x, y, p, q]| {
         let (s, t) = (b.g.add(x, y), b.g.add(p, q)); let m = b.g.mul(s, t); let w = b.g.add(m, x); b.g.project(w)
     } => "a + (a + b)*(c + d)";
-    a_mask_of_a_parameter_known_nonzero: |b, [x, ..]| { b.g.assume_nonzero(x); b.g.call(Function::NonZero, x) } => "1";
-    cosine_of_an_arcsine: |b, [x, ..]| { let t = b.g.call(Function::Asin, x); b.g.call(Function::Cos, t) }
+    a_mask_of_a_parameter_known_nonzero: |b, [x, ..]| { b.g.assume_nonzero(x); b.g.call(MathFunction::NonZero, x) } => "1";
+    cosine_of_an_arcsine: |b, [x, ..]| { let t = b.g.call(MathFunction::Asin, x); b.g.call(MathFunction::Cos, t) }
         => "sqrt(-a^2 + 1)";
-    logarithm_of_an_exponential: |b, [x, ..]| { let e = b.g.call(Function::Exp, x); b.g.call(Function::Log, e) } => "a";
+    logarithm_of_an_exponential: |b, [x, ..]| { let e = b.g.call(MathFunction::Exp, x); b.g.call(MathFunction::Log, e) } => "a";
 }

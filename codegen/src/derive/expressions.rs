@@ -2,7 +2,8 @@
 
 use super::frames::{self, Vector};
 use super::{Deriver, Value};
-use crate::graph::{Function, NodeId, Symbol};
+use crate::functions::{Lowered, MathFunction};
+use crate::graph::{NodeId, Symbol};
 use crate::number::Number;
 use model_spec::model::{Expr, ExprKind, Function as Named, Shape};
 
@@ -197,30 +198,23 @@ impl Deriver<'_> {
 
     fn named(&mut self, function: Named, x: NodeId) -> NodeId {
         let graph = &mut self.graph;
-        match function {
-            Named::Sin => graph.call(Function::Sin, x),
-            Named::Cos => graph.call(Function::Cos, x),
-            Named::Tan => graph.tan(x),
-            Named::Asin => graph.call(Function::Asin, x),
-            Named::Acos => {
-                let asin = graph.call(Function::Asin, x);
-                let pi = graph.symbol(Symbol::Pi);
-                graph.sum(
-                    vec![(Number::fraction(1, 2), pi), (Number::MINUS_ONE, asin)],
-                    Number::ZERO,
-                )
+        match Lowered::of(function) {
+            Lowered::Call(function) => graph.call(function, x),
+            Lowered::Tan => {
+                let sin = graph.call(MathFunction::Sin, x);
+                let cos = graph.call(MathFunction::Cos, x);
+                graph.div(sin, cos)
             }
-            Named::Atan => {
+            Lowered::Acos => {
+                let asin = graph.call(MathFunction::Asin, x);
+                let pi = graph.symbol(Symbol::Pi);
+                let terms = vec![(Number::fraction(1, 2), pi), (Number::MINUS_ONE, asin)];
+                graph.sum(terms, Number::ZERO)
+            }
+            Lowered::Atan => {
                 let one = graph.whole(1);
                 graph.atan2(x, one)
             }
-            Named::Sqrt => graph.sqrt(x),
-            Named::Exp => graph.call(Function::Exp, x),
-            Named::Log => graph.call(Function::Log, x),
-            Named::Abs => graph.call(Function::Abs, x),
-            Named::Sign => graph.call(Function::Sign, x),
-            Named::Step => graph.call(Function::Step, x),
-            Named::Tanh => graph.call(Function::Tanh, x),
         }
     }
 }

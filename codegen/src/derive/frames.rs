@@ -1,6 +1,7 @@
 //! Vectors as three components, and rotations along the tree of frames.
 
-use crate::graph::{Function, Graph, NodeId, Symbol};
+use crate::functions::MathFunction;
+use crate::graph::{Graph, NodeId, Symbol};
 use crate::number::Number;
 use model_spec::model::{FrameKind, Model};
 
@@ -97,8 +98,8 @@ pub fn turn(graph: &mut Graph, model: &Model, v: Vector, frame: usize, up: bool)
         FrameKind::Turned { angle, axis, .. } => {
             let angle = graph.symbol(Symbol::State(angle as u32));
             let (sin, cos) = (
-                graph.call(Function::Sin, angle),
-                graph.call(Function::Cos, angle),
+                graph.call(MathFunction::Sin, angle),
+                graph.call(MathFunction::Cos, angle),
             );
             let (i, j) = [(1, 2), (2, 0), (0, 1)][usize::from(axis) - 1];
             let mut turned = v;

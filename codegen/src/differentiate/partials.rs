@@ -1,39 +1,40 @@
 //! Derivatives of single nodes, exact, with the stated behaviour at singular points.
 
-use crate::graph::{FastMap, Function, Graph, Node, NodeId, Symbol};
+use crate::functions::{Derivative, MathFunction};
+use crate::graph::{FastMap, Graph, Node, NodeId, Symbol};
 use crate::number::Number;
 
 /// The derivative of a function at `x`, given the node of its value.
-pub fn of_call(graph: &mut Graph, function: Function, x: NodeId, value: NodeId) -> NodeId {
-    match function {
-        Function::Sin => graph.call(Function::Cos, x),
-        Function::Cos => {
-            let sin = graph.call(Function::Sin, x);
-            graph.neg(sin)
+fn of_call(graph: &mut Graph, function: MathFunction, x: NodeId, value: NodeId) -> NodeId {
+    match function.derivative() {
+        Derivative::Zero => graph.whole(0),
+        Derivative::Value => value,
+        Derivative::Call(other) => graph.call(other, x),
+        Derivative::Opposite(other) => {
+            let other = graph.call(other, x);
+            graph.neg(other)
         }
-        // 1 / sqrt(1 - x²), 0 beyond -1 .. 1
-        Function::Asin => {
-            let square = graph.power(x, 4);
-            let rest = graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE);
-            let root = graph.sqrt(rest);
+        Derivative::OneMinusValueSquared => one_minus_square(graph, value),
+        Derivative::InverseRootOfOneMinusSquare => {
+            let complement = one_minus_square(graph, x);
+            let root = graph.sqrt(complement);
             graph.power(root, -2)
         }
-        Function::Exp => value,
-        Function::Log => {
-            let above = graph.call(Function::Step, x);
+        Derivative::ReciprocalAboveZero => {
+            let above = graph.call(MathFunction::Heaviside, x);
             graph.div(above, x)
         }
-        Function::Tanh => {
-            let square = graph.power(value, 4);
-            graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE)
-        }
-        Function::Abs => graph.call(Function::Sign, x),
-        Function::Sign | Function::Step | Function::NonZero => graph.whole(0),
-        Function::Sqrt => {
+        Derivative::HalfOverValue => {
             let half = graph.number(Number::fraction(1, 2));
             graph.div(half, value)
         }
     }
+}
+
+/// `1 - x²`.
+fn one_minus_square(graph: &mut Graph, x: NodeId) -> NodeId {
+    let square = graph.power(x, 4);
+    graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE)
 }
 
 /// The operands of a node that is neither sum nor product, each with the partial derivative.
@@ -51,18 +52,18 @@ pub fn of_node(graph: &mut Graph, id: NodeId) -> Vec<(NodeId, NodeId)> {
         }
         Node::Min(a, b) => {
             let difference = graph.sub(b, a);
-            let first = graph.call(Function::Step, difference);
+            let first = graph.call(MathFunction::Heaviside, difference);
             let second = graph.sum(vec![(Number::MINUS_ONE, first)], Number::ONE);
             vec![(a, first), (b, second)]
         }
         Node::Max(a, b) => {
             let difference = graph.sub(a, b);
-            let first = graph.call(Function::Step, difference);
+            let first = graph.call(MathFunction::Heaviside, difference);
             let second = graph.sum(vec![(Number::MINUS_ONE, first)], Number::ONE);
             vec![(a, first), (b, second)]
         }
         Node::IfZero(condition, a, b) => {
-            let other = graph.call(Function::NonZero, condition);
+            let other = graph.call(MathFunction::NonZero, condition);
             let here = graph.sum(vec![(Number::MINUS_ONE, other)], Number::ONE);
             vec![(a, here), (b, other)]
         }

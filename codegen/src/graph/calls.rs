@@ -1,95 +1,86 @@
 //! Functions: the arctangent's sine and cosine are algebraic, roots are half powers.
 
-use super::{Function, Graph, Node, NodeId};
+use super::{Graph, Node, NodeId};
+use crate::functions::{MathFunction, Parity};
 use crate::number::Number;
 
 impl Graph {
     /// A function of one argument, simplified.
-    pub fn call(&mut self, function: Function, x: NodeId) -> NodeId {
-        if let Some(value) = self.as_number(x).and_then(|x| fold(function, x)) {
+    pub fn call(&mut self, function: MathFunction, x: NodeId) -> NodeId {
+        if let Some(value) = self.as_number(x).and_then(|x| function.constant_value(x)) {
             return self.number(value);
         }
         match (function, self.node(x).clone()) {
-            (Function::Sqrt, _) => return self.sqrt(x),
-            (Function::Sin, Node::Atan2(y, x)) => {
+            (MathFunction::Sqrt, _) => return self.sqrt(x),
+            (MathFunction::Sin, Node::Atan2(y, x)) => {
                 let radius = self.squares(y, x);
                 return self.product(vec![(y, 2), (radius, -1)]);
             }
-            (Function::Cos, Node::Atan2(y, x)) => {
+            (MathFunction::Cos, Node::Atan2(y, x)) => {
                 // cos 0 = 1 at the origin, where x / h is 0
                 let radius = self.squares(y, x);
                 let quotient = self.product(vec![(x, 2), (radius, -1)]);
-                let mask = self.call(Function::NonZero, radius);
+                let mask = self.call(MathFunction::NonZero, radius);
                 return self.sum(
                     vec![(Number::ONE, quotient), (Number::MINUS_ONE, mask)],
                     Number::ONE,
                 );
             }
-            (Function::Sin, Node::Call(Function::Asin, y)) => {
+            (MathFunction::Sin, Node::Call(MathFunction::Asin, y)) => {
                 let (low, high) = (self.whole(-1), self.whole(1));
                 let held = self.max(y, low);
                 return self.min(held, high);
             }
-            (Function::Cos, Node::Call(Function::Asin, y)) => {
+            (MathFunction::Cos, Node::Call(MathFunction::Asin, y)) => {
                 let square = self.power(y, 4);
                 let one = self.whole(1);
                 let rest = self.sub(one, square);
                 return self.sqrt(rest);
             }
-            (Function::Exp, Node::Call(Function::Log, y))
+            (MathFunction::Exp, Node::Call(MathFunction::Log, y))
                 if self.facts(y).nonneg && self.facts(y).nonzero =>
             {
                 return y;
             }
-            (Function::Log, Node::Call(Function::Exp, y)) => return y,
-            (Function::Abs, _) if self.facts(x).nonneg => return x,
-            (Function::NonZero, _) if self.facts(x).nonzero => return self.whole(1),
-            (Function::NonZero, Node::Product(factors)) => {
+            (MathFunction::Log, Node::Call(MathFunction::Exp, y)) => return y,
+            (MathFunction::Abs, _) if self.facts(x).nonneg => return x,
+            (MathFunction::NonZero, _) if self.facts(x).nonzero => return self.whole(1),
+            (MathFunction::NonZero, Node::Product(factors)) => {
                 let masks = factors
                     .iter()
-                    .map(|&(factor, _)| (self.call(Function::NonZero, factor), 2))
+                    .map(|&(factor, _)| (self.call(MathFunction::NonZero, factor), 2))
                     .collect();
                 return self.product(masks);
             }
             (
-                Function::NonZero,
-                Node::Call(Function::NonZero | Function::Abs | Function::Sign, y),
+                MathFunction::NonZero,
+                Node::Call(MathFunction::NonZero | MathFunction::Abs | MathFunction::Sign, y),
             ) => {
-                return self.call(Function::NonZero, y);
+                return self.call(MathFunction::NonZero, y);
             }
             (
-                Function::Step | Function::Sign,
-                Node::Call(Function::NonZero | Function::Step, _),
+                MathFunction::Heaviside | MathFunction::Sign,
+                Node::Call(MathFunction::NonZero | MathFunction::Heaviside, _),
             ) => return x,
             _ => {}
         }
-        if self.leads_negative(x) && function != Function::Step {
-            let opposite = self.neg(x);
-            let value = match function {
-                Function::Cos | Function::Abs | Function::NonZero => {
+        let (coefficient, rest) = self.split_coefficient(x);
+        if coefficient.is_negative() {
+            match function.parity() {
+                Parity::Even => {
+                    let opposite = self.neg(x);
                     return self.call(function, opposite);
                 }
-                Function::Sin | Function::Asin | Function::Tanh | Function::Sign => {
-                    self.call(function, opposite)
+                Parity::Odd => {
+                    let opposite = self.neg(x);
+                    let value = self.call(function, opposite);
+                    return self.neg(value);
                 }
-                _ => return self.intern(Node::Call(function, x)),
-            };
-            return self.neg(value);
-        }
-        let positive = match (function, self.split_coefficient(x)) {
-            (Function::Step | Function::Sign | Function::NonZero, (c, rest))
-                if !c.is_negative() =>
-            {
-                rest
+                Parity::None => {}
             }
-            _ => x,
-        };
-        self.intern(Node::Call(function, positive))
-    }
-
-    /// Whether it is a single negated term.
-    fn leads_negative(&self, x: NodeId) -> bool {
-        self.split_coefficient(x).0.is_negative()
+        }
+        let scaled = function.ignores_scale() && !coefficient.is_negative();
+        self.intern(Node::Call(function, if scaled { rest } else { x }))
     }
 
     /// `a² + b²`.
@@ -108,7 +99,7 @@ impl Graph {
         }
         match self.node(x).clone() {
             Node::Number(number) => self.number(number.sqrt()),
-            _ if !self.facts(x).nonneg => self.intern(Node::Call(Function::Sqrt, x)),
+            _ if !self.facts(x).nonneg => self.intern(Node::Call(MathFunction::Sqrt, x)),
             Node::Product(factors) => {
                 let halved = factors
                     .iter()
@@ -116,14 +107,14 @@ impl Graph {
                         if self.facts(factor).nonneg && exponent % 2 == 0 {
                             (factor, exponent / 2)
                         } else if exponent % 4 == 0 {
-                            (self.call(Function::Abs, factor), exponent / 2)
+                            (self.call(MathFunction::Abs, factor), exponent / 2)
                         } else {
                             (factor, 0)
                         }
                     })
                     .collect::<Vec<_>>();
                 if halved.iter().any(|&(_, exponent)| exponent == 0) {
-                    return self.intern(Node::Call(Function::Sqrt, x));
+                    return self.intern(Node::Call(MathFunction::Sqrt, x));
                 }
                 self.product(halved)
             }
@@ -166,36 +157,5 @@ impl Graph {
             return then;
         }
         self.intern(Node::IfZero(condition, then, otherwise))
-    }
-
-    /// Tangent.
-    pub fn tan(&mut self, x: NodeId) -> NodeId {
-        let (sin, cos) = (self.call(Function::Sin, x), self.call(Function::Cos, x));
-        self.div(sin, cos)
-    }
-}
-
-fn fold(function: Function, x: Number) -> Option<Number> {
-    let zero = x.is_zero();
-    match function {
-        Function::Sin | Function::Asin | Function::Tanh | Function::Sqrt if zero => {
-            Some(Number::ZERO)
-        }
-        Function::Cos | Function::Exp if zero => Some(Number::ONE),
-        Function::Log if x.is_one() || zero || x.is_negative() => Some(Number::ZERO),
-        Function::Abs => Some(x.abs()),
-        Function::Sign if zero => Some(Number::ZERO),
-        Function::Sign => Some(if x.is_negative() {
-            Number::MINUS_ONE
-        } else {
-            Number::ONE
-        }),
-        Function::Step => Some(if zero || x.is_negative() {
-            Number::ZERO
-        } else {
-            Number::ONE
-        }),
-        Function::NonZero => Some(if zero { Number::ZERO } else { Number::ONE }),
-        _ => None,
     }
 }

@@ -13,6 +13,7 @@ mod sum;
 
 pub use hash::FastMap;
 
+use crate::functions::MathFunction;
 use crate::number::Number;
 
 /// Index of a node; smaller ones were created earlier.
@@ -43,33 +44,6 @@ pub enum Symbol {
     Local(u32),
 }
 
-/// Functions that are computed as one operation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Function {
-    /// Sine.
-    Sin,
-    /// Cosine.
-    Cos,
-    /// Arcsine, its argument held within -1 .. 1.
-    Asin,
-    /// Exponential.
-    Exp,
-    /// Logarithm; 0 where the argument is 0 or less.
-    Log,
-    /// Hyperbolic tangent.
-    Tanh,
-    /// Absolute value.
-    Abs,
-    /// -1, 0 or 1.
-    Sign,
-    /// 1 above 0, else 0.
-    Step,
-    /// Root of something that may be negative; 0 there.
-    Sqrt,
-    /// 0 where the argument is 0, else 1: what is left of `x * recip_or_zero(x)`.
-    NonZero,
-}
-
 /// An expression over other nodes.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
@@ -84,7 +58,7 @@ pub enum Node {
     /// exponent on a factor that may be zero gives 0 there.
     Product(Box<[(NodeId, i32)]>),
     /// A function of one argument.
-    Call(Function, NodeId),
+    Call(MathFunction, NodeId),
     /// Angle of the point (second, first).
     Atan2(NodeId, NodeId),
     /// The smaller.
@@ -288,7 +262,7 @@ impl Graph {
         }
         let id = NodeId(self.nodes.len() as u32);
         let facts = self.derive_facts(&node);
-        self.has_masks |= matches!(node, Node::Call(Function::NonZero, _));
+        self.has_masks |= matches!(node, Node::Call(MathFunction::NonZero, _));
         self.index.insert(node.clone(), id);
         self.nodes.push(node);
         self.facts.push(facts);
@@ -335,17 +309,8 @@ impl Graph {
             },
             Node::Call(function, x) => Facts {
                 fixed: of(x).fixed,
-                nonneg: matches!(
-                    function,
-                    Function::Exp
-                        | Function::Abs
-                        | Function::Step
-                        | Function::Sqrt
-                        | Function::NonZero
-                ),
-                nonzero: *function == Function::Exp
-                    || matches!(function, Function::Abs | Function::Sign | Function::NonZero)
-                        && of(x).nonzero,
+                nonneg: function.is_nonneg(),
+                nonzero: function.is_nonzero(of(x).nonzero),
             },
             Node::Atan2(a, b) => Facts {
                 fixed: of(a).fixed && of(b).fixed,

@@ -1,7 +1,8 @@
 //! Products: exponents are collected, coefficients and common factors of sums come out in front.
 
 use super::sum::divide;
-use super::{Function, Graph, Node, NodeId};
+use super::{Graph, Node, NodeId};
+use crate::functions::MathFunction;
 use crate::number::Number;
 
 /// A sum as coefficient · monomial · rest.
@@ -123,7 +124,7 @@ impl Graph {
                     // the root of a square is the absolute value
                     let signed = exponent % 2 != 0 && e % 4 == 0 && !self.facts(factor).nonneg;
                     let base = if signed {
-                        self.call(Function::Abs, factor)
+                        self.call(MathFunction::Abs, factor)
                     } else {
                         factor
                     };
@@ -146,7 +147,7 @@ impl Graph {
                 pending.push((content.rest, exponent));
                 true
             }
-            Node::Call(Function::Abs, x) if exponent % 4 == 0 => {
+            Node::Call(MathFunction::Abs, x) if exponent % 4 == 0 => {
                 pending.push((*x, exponent));
                 true
             }
@@ -162,12 +163,12 @@ impl Graph {
         for group in flat.chunk_by(|a, b| a.0 == b.0) {
             let base = group[0].0;
             let total: i32 = group.iter().map(|(_, e)| e).sum();
-            if matches!(self.node(base), Node::Call(Function::NonZero, _)) {
+            if matches!(self.node(base), Node::Call(MathFunction::NonZero, _)) {
                 masks.push(base);
             } else if total != 0 {
                 merged.push((base, total));
             } else if !self.facts(base).nonzero {
-                masks.push(self.call(Function::NonZero, base));
+                masks.push(self.call(MathFunction::NonZero, base));
             }
         }
         masks.sort_unstable();
@@ -214,7 +215,7 @@ impl Graph {
                     .monomial(id)
                     .iter()
                     .any(|&(factor, _)| match graph.node(factor) {
-                        Node::Call(Function::NonZero, x) => {
+                        Node::Call(MathFunction::NonZero, x) => {
                             flat.iter().any(|(known, _)| known == x)
                                 || flat.iter().any(|&(known, _)| known == factor)
                         }
@@ -234,7 +235,7 @@ impl Graph {
                     let kept = kept
                         .into_iter()
                         .filter(|&(factor, _)| match self.node(factor) {
-                            Node::Call(Function::NonZero, x) => {
+                            Node::Call(MathFunction::NonZero, x) => {
                                 !flat.iter().any(|(known, _)| known == x || *known == factor)
                             }
                             _ => true,

@@ -1,6 +1,7 @@
 //! Sums: like terms are collected, and squares that make up a norm are put together again.
 
-use super::{Function, Graph, Node, NodeId};
+use super::{Graph, Node, NodeId};
+use crate::functions::MathFunction;
 use crate::number::Number;
 
 impl Graph {
@@ -138,8 +139,8 @@ impl Graph {
                         }
                         (parts, vec![(base, 2)])
                     }
-                    Node::Call(Function::Sin, angle) if exponent >= 4 => {
-                        let Some(cos) = self.find(&Node::Call(Function::Cos, *angle)) else {
+                    Node::Call(MathFunction::Sin, angle) if exponent >= 4 => {
+                        let Some(cos) = self.find(&Node::Call(MathFunction::Cos, *angle)) else {
                             continue;
                         };
                         (

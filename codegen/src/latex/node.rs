@@ -2,9 +2,8 @@
 
 use super::piece::Piece;
 use super::tree;
-use crate::graph::{Function, Graph, Node, NodeId, Symbol};
+use crate::graph::{Graph, Node, NodeId, Symbol};
 use crate::number::Number;
-use model_spec::model::Function as Named;
 
 /// A node, with `leaf` naming the symbols.
 pub(crate) fn piece(graph: &Graph, id: NodeId, leaf: &dyn Fn(NodeId, Symbol) -> Piece) -> Piece {
@@ -14,7 +13,7 @@ pub(crate) fn piece(graph: &Graph, id: NodeId, leaf: &dyn Fn(NodeId, Symbol) -> 
         Node::Symbol(symbol) => leaf(id, *symbol),
         Node::Sum(terms, constant) => sum(graph, terms, *constant, &of),
         Node::Product(factors) => product(graph, factors, &of),
-        Node::Call(function, x) => call(*function, of(*x)),
+        Node::Call(function, x) => tree::call(function.notation(), of(*x)),
         Node::Atan2(y, x) => Piece::operator("atan2", &[of(*y), of(*x)]),
         Node::Min(a, b) => Piece::function(r"\min", tree::pair(of(*a), of(*b))),
         Node::Max(a, b) => Piece::function(r"\max", tree::pair(of(*a), of(*b))),
@@ -123,26 +122,10 @@ fn fraction(
     }
 }
 
-fn call(function: Function, x: Piece) -> Piece {
-    let named = match function {
-        Function::Sin => Named::Sin,
-        Function::Cos => Named::Cos,
-        Function::Asin => Named::Asin,
-        Function::Exp => Named::Exp,
-        Function::Log => Named::Log,
-        Function::Tanh => Named::Tanh,
-        Function::Abs => Named::Abs,
-        Function::Sign => Named::Sign,
-        Function::Step => Named::Step,
-        Function::Sqrt => Named::Sqrt,
-        Function::NonZero => return Piece::atom(format!(r"\left[{} \neq 0\right]", x.text)),
-    };
-    tree::call(named, x)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::functions::MathFunction;
 
     #[test]
     fn nodes_have_the_parentheses_they_need() {
@@ -162,8 +145,8 @@ mod tests {
                 g.sum(vec![(Number::fraction(-3, 2), a)], Number::ONE),
                 r"1 - \frac{3}{2} a",
             ),
-            (g.call(Function::Sin, sum), r"\sin(a + b)"),
-            (g.call(Function::Abs, a), r"\left|a\right|"),
+            (g.call(MathFunction::Sin, sum), r"\sin(a + b)"),
+            (g.call(MathFunction::Abs, a), r"\left|a\right|"),
             (g.atan2(a, sum), r"\operatorname{atan2}(a,\, a + b)"),
             (
                 g.if_zero(c, a, b),

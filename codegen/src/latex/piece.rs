@@ -1,5 +1,7 @@
 //! Pieces of a formula: text, and how tightly it binds, so that parentheses stand where they are needed.
 
+use crate::functions::commands_with_exponent;
+
 /// How tightly a piece binds, loosest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Bind {
@@ -228,9 +230,8 @@ fn is_symbol(text: &str) -> bool {
 
 /// `\sin\alpha` as `\sin` and `\alpha`, where the function is all there is.
 fn split_function(text: &str) -> Option<(&str, &str)> {
-    let functions = [r"\sin", r"\cos", r"\tan", r"\tanh", r"\exp", r"\ln"];
-    functions.iter().find_map(|function| {
-        let argument = text.strip_prefix(function)?;
-        is_symbol(argument.trim_start()).then_some((*function, argument))
+    commands_with_exponent().find_map(|command| {
+        let argument = text.strip_prefix(command)?;
+        is_symbol(argument.trim_start()).then_some((command, argument))
     })
 }

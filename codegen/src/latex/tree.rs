@@ -2,7 +2,8 @@
 
 use super::names::{Style, name};
 use super::piece::{Bind, Piece};
-use model_spec::model::{Expr, ExprKind, Function, Model, Shape};
+use crate::functions::{Lowered, Notation};
+use model_spec::model::{Expr, ExprKind, Model, Shape};
 
 /// An expression. Vectors are free of frames here: one re-expressed is the same vector.
 pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
@@ -70,7 +71,7 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
             Shape::Scalar => of(v),
         },
         E::Reexpress(v) => of(v),
-        E::Call(function, x) => call(*function, of(x)),
+        E::Call(function, x) => call(Lowered::of(*function).notation(), of(x)),
         E::Atan2(y, x) => Piece::operator("atan2", &[of(y), of(x)]),
         E::Min(a, b) => Piece::function(r"\min", pair(of(a), of(b))),
         E::Max(a, b) => Piece::function(r"\max", pair(of(a), of(b))),
@@ -97,20 +98,13 @@ pub(super) fn pair(a: Piece, b: Piece) -> Piece {
 }
 
 /// A function of one number.
-pub(super) fn call(function: Function, x: Piece) -> Piece {
-    match function {
-        Function::Sin => Piece::function(r"\sin", x),
-        Function::Cos => Piece::function(r"\cos", x),
-        Function::Tan => Piece::function(r"\tan", x),
-        Function::Asin => Piece::function(r"\arcsin", x),
-        Function::Acos => Piece::function(r"\arccos", x),
-        Function::Atan => Piece::function(r"\arctan", x),
-        Function::Sqrt => x.power(1),
-        Function::Exp => Piece::new(format!("e^{{{}}}", x.text), Bind::Product),
-        Function::Log => Piece::function(r"\ln", x),
-        Function::Abs => Piece::atom(format!(r"\left|{}\right|", x.text)),
-        Function::Sign => Piece::operator("sgn", &[x]),
-        Function::Step => Piece::atom(format!(r"\left[{} > 0\right]", x.text)),
-        Function::Tanh => Piece::function(r"\tanh", x),
+pub(super) fn call(notation: Notation, x: Piece) -> Piece {
+    match notation {
+        Notation::Command(command, _) => Piece::function(command, x),
+        Notation::Operator(name) => Piece::operator(name, &[x]),
+        Notation::Radical => x.power(1),
+        Notation::PowerOfE => Piece::new(format!("e^{{{}}}", x.text), Bind::Product),
+        Notation::Bars => Piece::atom(format!(r"\left|{}\right|", x.text)),
+        Notation::Bracket(relation) => Piece::atom(format!(r"\left[{} {relation}\right]", x.text)),
     }
 }

@@ -1,7 +1,8 @@
 //! From nodes to definitions: powers become repeated factors, coefficients become factors, signs move out.
 
 use super::{Dag, Def, DefId, Signed};
-use crate::graph::{Facts, FastMap, Function, Graph, Node, NodeId, Symbol};
+use crate::functions::MathFunction;
+use crate::graph::{Facts, FastMap, Graph, Node, NodeId, Symbol};
 use crate::number::Number;
 
 /// The definitions that the roots need.
@@ -128,7 +129,7 @@ impl Import<'_> {
             Node::Product(factors) => self.product(Number::ONE, factors, id),
             Node::Call(function, base) => {
                 let mut x = self.signed(*base);
-                if *function == Function::NonZero && self.rooted[base.index()] {
+                if *function == MathFunction::NonZero && self.rooted[base.index()] {
                     // a norm is 0 where its reciprocal is, not where its square is
                     let root = self.graph.root_node(*base).map(|node| (false, node));
                     x = (

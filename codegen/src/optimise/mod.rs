@@ -12,7 +12,8 @@ mod sums;
 
 pub use import::import;
 
-use crate::graph::{Facts, FastMap, Function, NodeId, Symbol};
+use crate::functions::MathFunction;
+use crate::graph::{Facts, FastMap, NodeId, Symbol};
 use crate::number::Number;
 
 /// Index of a definition.
@@ -37,7 +38,7 @@ pub enum Def {
     /// Reciprocal, 0 at 0 unless the argument is known not to be 0.
     Recip(DefId),
     /// A function.
-    Call(Function, Signed),
+    Call(MathFunction, Signed),
     /// Angle of the point (second, first).
     Atan2(Signed, Signed),
     /// The smaller.

@@ -77,29 +77,14 @@ impl Writer<'_> {
                 format!("T::splat(1.0) / {}", self.tight(*a, Bind::Minus)),
                 Bind::Product,
             ),
-            Op::Unary(unary, a) => {
-                let method = match unary {
-                    Unary::Sqrt => "sqrt()",
-                    Unary::RecipOrZero => "recip_or_zero()",
-                    Unary::Sin => "sin_cos().0",
-                    Unary::Cos => "sin_cos().1",
-                    Unary::Exp => "exp()",
-                    Unary::Log => "log()",
-                    Unary::Tanh => "tanh()",
-                    Unary::Asin => "asin()",
-                    Unary::Abs => "abs()",
-                    Unary::Sign => "sign()",
-                    Unary::Step => "heaviside()",
-                    Unary::NonZero => "if_zero(T::splat(0.0), T::splat(1.0))",
-                    // written above
-                    Unary::Neg | Unary::Recip => "",
-                };
-                (
-                    format!("{}.{method}", self.tight(*a, Bind::Atom)),
-                    Bind::Atom,
-                )
-            }
+            Op::Unary(Unary::RecipOrZero, a) => self.method(*a, "recip_or_zero()"),
+            Op::Unary(Unary::Call(function), a) => self.method(*a, function.rust_method()),
         }
+    }
+
+    fn method(&self, receiver: Operand, call: &str) -> (String, Bind) {
+        let receiver = self.tight(receiver, Bind::Atom);
+        (format!("{receiver}.{call}"), Bind::Atom)
     }
 
     fn binary(&self, binary: Binary, a: Operand, b: Operand) -> (String, Bind) {
@@ -160,6 +145,7 @@ pub(super) fn local(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::functions::MathFunction;
     use crate::program::Statement;
 
     /// The text of `op` over a = temp 0 = `inner` of states b, c.
@@ -206,7 +192,7 @@ mod tests {
                 "T::splat(1.0) / b * a",
             ),
             (
-                Op::Unary(Unary::Sqrt, b),
+                Op::Unary(Unary::Call(MathFunction::Sqrt), b),
                 Div,
                 "a / b.sqrt()",
                 "b.sqrt() / a",
@@ -219,10 +205,13 @@ mod tests {
         let product = Op::Binary(Mul, b, c);
         assert_eq!(nested(product, |t| Op::Unary(Unary::Neg, t)), "-(b * c)");
         assert_eq!(
-            nested(product, |t| Op::Unary(Unary::Sqrt, t)),
+            nested(product, |t| Op::Unary(Unary::Call(MathFunction::Sqrt), t)),
             "(b * c).sqrt()"
         );
         let negative = Op::Unary(Unary::Neg, b);
-        assert_eq!(nested(negative, |t| Op::Unary(Unary::Abs, t)), "(-b).abs()");
+        assert_eq!(
+            nested(negative, |t| Op::Unary(Unary::Call(MathFunction::Abs), t)),
+            "(-b).abs()"
+        );
     }
 }

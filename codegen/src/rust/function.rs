@@ -5,6 +5,7 @@ use super::expression::{Writer, local};
 use super::width::two_lines;
 use crate::compile::Compiled;
 use crate::count;
+use crate::functions::MathFunction;
 use crate::program::{Function, Op, Operand, Unary};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -349,7 +350,10 @@ impl<'a> Body<'a> {
                         lines.text.push(comment);
                     }
                 }
-                if let Op::Unary(Unary::Sin | Unary::Cos, angle) = statement.op
+                if let Op::Unary(
+                    Unary::Call(MathFunction::Sin) | Unary::Call(MathFunction::Cos),
+                    angle,
+                ) = statement.op
                     && let Some((sin, cos)) = self.sin_cos(k, angle, &mut done)
                 {
                     lines.text.push(format!(
@@ -375,7 +379,10 @@ impl<'a> Body<'a> {
                 (k..statements.len()).find(|&at| statements[at].op == Op::Unary(unary, angle))?;
             Some((at, self.writer.names[at].clone()?))
         };
-        let ((sin, sin_name), (cos, cos_name)) = (find(Unary::Sin)?, find(Unary::Cos)?);
+        let ((sin, sin_name), (cos, cos_name)) = (
+            find(Unary::Call(MathFunction::Sin))?,
+            find(Unary::Call(MathFunction::Cos))?,
+        );
         done[sin] = true;
         done[cos] = true;
         Some((sin_name, cos_name))

@@ -84,11 +84,9 @@ pub(super) fn latency(op: &Op) -> u32 {
         Op::Binary(Binary::Atan2, ..) => 50,
         Op::Binary(..) | Op::Fused(..) | Op::IfZero(..) => 4,
         Op::Unary(unary, _) => match unary {
-            Unary::Neg | Unary::Abs => 1,
-            Unary::Sign | Unary::Step | Unary::NonZero => 4,
+            Unary::Neg => 1,
             Unary::Recip | Unary::RecipOrZero => 14,
-            Unary::Sqrt => 18,
-            _ => 30,
+            Unary::Call(function) => function.latency(),
         },
     }
 }

@@ -8,7 +8,8 @@ pub mod prepare;
 pub use naming::{Namer, is_reserved};
 use prepare::Prepare;
 
-use crate::graph::{FastMap, Function, Graph, Symbol};
+use crate::functions::MathFunction;
+use crate::graph::{FastMap, Graph, Symbol};
 use crate::optimise::{Dag, Def, DefId, Signed};
 use crate::program::{About, Binary, Op, Operand, Program, Statement, Unary};
 use std::f64::consts::PI;
@@ -138,7 +139,7 @@ impl Schedule<'_> {
             Def::Product(factors) => self.product(factors, id),
             Def::Root(x) => {
                 let x = self.value(*x);
-                self.finish(Op::Unary(Unary::Sqrt, x), id)
+                self.finish(Op::Unary(Unary::Call(MathFunction::Sqrt), x), id)
             }
             Def::Recip(x) => {
                 if self.divides(id) {
@@ -267,22 +268,9 @@ impl Schedule<'_> {
         self.finish(Op::Binary(binary, a, b), id)
     }
 
-    fn call(&mut self, function: Function, x: Signed, id: DefId) -> Operand {
+    fn call(&mut self, function: MathFunction, x: Signed, id: DefId) -> Operand {
         let x = self.signed(x);
-        let unary = match function {
-            Function::Sin => Unary::Sin,
-            Function::Cos => Unary::Cos,
-            Function::Asin => Unary::Asin,
-            Function::Exp => Unary::Exp,
-            Function::Log => Unary::Log,
-            Function::Tanh => Unary::Tanh,
-            Function::Abs => Unary::Abs,
-            Function::Sign => Unary::Sign,
-            Function::Step => Unary::Step,
-            Function::Sqrt => Unary::Sqrt,
-            Function::NonZero => Unary::NonZero,
-        };
-        self.finish(Op::Unary(unary, x), id)
+        self.finish(Op::Unary(Unary::Call(function), x), id)
     }
 
     fn sum(&mut self, terms: &[Signed], id: DefId) -> Operand {

@@ -231,11 +231,7 @@ impl Namer {
             Def::Recip(x) => format!("inv_{}", inner(*x)),
             Def::Call(function, (minus, x)) => {
                 let sign = if *minus { "minus_" } else { "" };
-                format!(
-                    "{}_{sign}{}",
-                    format!("{function:?}").to_lowercase(),
-                    inner(*x)
-                )
+                format!("{}_{sign}{}", function.name(), inner(*x))
             }
             Def::Atan2((_, y), (_, x)) => format!("angle_{}_{}", inner(*y), inner(*x)),
             Def::Min((_, a), (_, b)) => format!("min_{}_{}", inner(*a), inner(*b)),

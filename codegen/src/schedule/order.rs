@@ -1,6 +1,7 @@
 //! The order of statements: as a machine that does several at once, but has few registers, would start them.
 
 use super::fuse::latency;
+use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Statement, Unary};
 use std::cmp::Reverse;
 
@@ -107,8 +108,12 @@ impl<'a> Order<'a> {
     fn partner(&self, k: usize) -> Option<usize> {
         let statements = &self.program.statements;
         let op = match statements[k].op {
-            Op::Unary(Unary::Sin, x) => Op::Unary(Unary::Cos, x),
-            Op::Unary(Unary::Cos, x) => Op::Unary(Unary::Sin, x),
+            Op::Unary(Unary::Call(MathFunction::Sin), x) => {
+                Op::Unary(Unary::Call(MathFunction::Cos), x)
+            }
+            Op::Unary(Unary::Call(MathFunction::Cos), x) => {
+                Op::Unary(Unary::Call(MathFunction::Sin), x)
+            }
             _ => return None,
         };
         (0..statements.len()).find(|&k| self.ready[k].is_some() && statements[k].op == op)

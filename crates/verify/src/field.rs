@@ -5,6 +5,7 @@
 //! is a symbol, a random number that depends on its argument alone. Equal at a random point, two programs
 //! are the same function of these.
 
+use codegen::functions::{MathFunction, Parity};
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use num_traits::{One, Zero};
 use oracle::point::Point;
@@ -110,17 +111,24 @@ impl<'a> Machine<'a> {
         match op {
             Unary::Neg => Some(-a),
             Unary::Recip | Unary::RecipOrZero => Some(a.inverse()),
-            Unary::Sin => Some(circle()?.0),
-            Unary::Cos => Some(circle()?.1),
-            Unary::NonZero => Some(if a.is_zero() {
-                Prime::zero()
-            } else {
-                Prime::one()
-            }),
-            Unary::Sqrt => self.symbols.then(|| root(a))?,
-            Unary::Asin | Unary::Tanh | Unary::Sign => self.symbols.then(|| odd(op as u64, a)),
-            Unary::Abs => self.symbols.then(|| symbol(op as u64, &[least(a).0])),
-            Unary::Exp | Unary::Log | Unary::Step => self.symbols.then(|| symbol(op as u64, &[a])),
+            Unary::Call(function) => match function {
+                MathFunction::Sin => Some(circle()?.0),
+                MathFunction::Cos => Some(circle()?.1),
+                MathFunction::NonZero => Some(if a.is_zero() {
+                    Prime::zero()
+                } else {
+                    Prime::one()
+                }),
+                MathFunction::Sqrt => self.symbols.then(|| root(a))?,
+                _ => self.symbols.then(|| {
+                    let tag = function as u64;
+                    match function.parity() {
+                        Parity::Odd => odd(tag, a),
+                        Parity::Even => symbol(tag, &[least(a).0]),
+                        Parity::None => symbol(tag, &[a]),
+                    }
+                }),
+            },
         }
     }
 
