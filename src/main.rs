@@ -30,8 +30,8 @@ fn main() -> ExitCode {
                 eprintln!("{}", output::told(&error));
             }
             let interrupted = error
-                .downcast_ref::<identify::fit::FitError>()
-                .is_some_and(|e| *e == identify::fit::FitError::Interrupted);
+                .downcast_ref::<identify::FitError>()
+                .is_some_and(|e| *e == identify::FitError::Interrupted);
             ExitCode::from(if interrupted {
                 progress::INTERRUPTED
             } else {

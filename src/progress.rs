@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
 use std::time::Duration;
 
-use identify::options::Watch;
+use identify::Watch;
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Nothing is being written: an interruption ends the program at once.

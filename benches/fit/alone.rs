@@ -10,11 +10,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use identify::dataset::load;
-use identify::fit::{Fitted, fit};
-use identify::noise::Noise;
-use identify::options::Options;
-use identify::start::starts;
-use identify::track::Track;
+use identify::{Fit, FitOptions, NoiseModel, Observations, fit, initial_guesses};
 use nalgebra::DVector;
 use serde_json::{Value, json};
 
@@ -25,43 +21,45 @@ fn main() -> Result<(), Failure> {
     let mut arguments = std::env::args().skip(1);
     let folder = arguments.next().ok_or("which dataset?")?;
     let threads = arguments.next().map(|text| text.parse()).transpose()?;
-    let options = Options {
+    let options = FitOptions {
         threads,
-        ..Options::default()
+        ..FitOptions::default()
     };
     let dataset = load(Path::new(&folder))?;
     let model = model_spec::load::load(&dataset.model, &[])?;
     let fitted = fit(&model, &dataset, &options)?;
-    let tracks: Vec<&Track> = (0..dataset.flights.len())
+    let observation_sets: Vec<&Observations> = (0..dataset.flights.len())
         .filter_map(|flight| Some(fitted.flight(flight)?.0))
         .collect();
-    let each = tracks.iter().map(|track| from_markers(&fitted, track));
-    let shared = &fitted.setting().shared;
-    let model_values: Values = shared
+    let each = observation_sets
         .iter()
-        .map(|shared| (shared.name.clone(), shared.model_value))
+        .map(|observations| from_markers(&fitted, observations));
+    let global = &fitted.problem().globals;
+    let model_values: Values = global
+        .iter()
+        .map(|global| (global.name.clone(), global.model_value))
         .collect();
     say(&json!({"coefficients": model_values, "starts": each.collect::<Vec<_>>()}))?;
 
     let mut lines = stdin().lock().lines();
     let begin: Value = serde_json::from_str(&lines.next().ok_or("where to begin?")??)?;
-    let states = &fitted.setting().body.layout().states;
-    let names: Vec<&String> = shared.iter().map(|shared| &shared.name).collect();
+    let states = &fitted.problem().body.layout().states;
+    let names: Vec<&String> = global.iter().map(|global| &global.name).collect();
     let from = vector(&begin["coefficients"], &names)?;
     let states: Vec<&String> = states.iter().collect();
-    let own = begin["initial"].as_array().ok_or("no initial states")?;
-    let own: Vec<DVector<f64>> = own
+    let local = begin["initial"].as_array().ok_or("no initial states")?;
+    let local: Vec<DVector<f64>> = local
         .iter()
         .map(|flight| vector(flight, &states))
         .collect::<Result<_, _>>()?;
     let sigma = begin["sigma"].as_f64().ok_or("no noise")?;
-    let noise = Noise::white(sigma, fitted.noise().interval);
+    let noise = NoiseModel::white(sigma, fitted.noise().interval);
     for line in lines {
         line?;
         let clock = Instant::now();
-        let found = fitted.solve_from(&from, &own, &noise, &options)?;
+        let found = fitted.warm_start(&from, &local, &noise, &options)?;
         let seconds = clock.elapsed().as_secs_f64();
-        let named = names.iter().zip(found.point.shared.iter());
+        let named = names.iter().zip(found.iterate.global.iter());
         let values: Values = named
             .map(|(name, &value)| ((*name).clone(), value))
             .collect();
@@ -74,17 +72,17 @@ fn main() -> Result<(), Failure> {
 }
 
 /// The state at each sample by the markers from there on; null where too few follow.
-fn from_markers(fitted: &Fitted, track: &Track) -> Vec<Value> {
-    let setting = fitted.setting();
-    let states = &setting.body.layout().states;
+fn from_markers(fitted: &Fit, observations: &Observations) -> Vec<Value> {
+    let problem = fitted.problem();
+    let states = &problem.body.layout().states;
     let of_tail = |first: usize| {
-        let mut tail = track.clone();
+        let mut tail = observations.clone();
         tail.times.drain(..first);
-        tail.seen.drain(..first * track.markers);
-        tail.outlier.drain(..first * track.markers);
+        tail.measured.drain(..first * observations.markers);
+        tail.outlier.drain(..first * observations.markers);
         let begun = tail.times[0];
         tail.times.iter_mut().for_each(|time| *time -= begun);
-        let start = starts(setting, &tail).ok()?.swap_remove(0);
+        let start = initial_guesses(problem, &tail).ok()?.swap_remove(0);
         Some(
             states
                 .iter()
@@ -93,7 +91,7 @@ fn from_markers(fitted: &Fitted, track: &Track) -> Vec<Value> {
                 .collect::<Values>(),
         )
     };
-    (0..track.times.len())
+    (0..observations.times.len())
         .map(|first| json!(of_tail(first)))
         .collect()
 }

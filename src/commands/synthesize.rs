@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use flight::release::Release;
 use identify::dataset::{Marker, write_with};
-use identify::synthesize::{Made, Noise, Plan, Spread, flights};
+use identify::synthesize::{Corruption, Made, Plan, Spread, flights};
 use model_spec::model::Model;
 
 use super::number;
@@ -76,7 +76,7 @@ fn plan(options: &Synthesize) -> anyhow::Result<Plan> {
             fraction: options.spread,
             ..Spread::default()
         },
-        noise: Noise {
+        noise: Corruption {
             sigma: options.noise_sigma,
             ar1: options.noise_ar1,
             outliers: options.outliers,

@@ -3,8 +3,7 @@
 //! Measured flights differ from one another by more than their noise: what was told of one is a little wrong, the air moves. A cause
 //! stands here where the flights agree on it and, beside it, on nothing else; what it leaves then has no law that they share.
 
-use identify::fit::FitError;
-use identify::levenberg::Point;
+use identify::{FitError, Iterate};
 
 use crate::bench::Bench;
 use crate::causes::{Cause, Found};
@@ -42,8 +41,8 @@ pub struct Agreed {
 ///
 /// # Errors
 /// Where a flight is impossible.
-pub fn agreed(bench: &Bench, found: &Found, base: &Point) -> Result<Option<Agreed>, FitError> {
-    let flights = bench.tracks.len();
+pub fn agreed(bench: &Bench, found: &Found, base: &Iterate) -> Result<Option<Agreed>, FitError> {
+    let flights = bench.observation_sets.len();
     if flights < FEWEST {
         return Ok(None);
     }
@@ -54,7 +53,7 @@ pub fn agreed(bench: &Bench, found: &Found, base: &Point) -> Result<Option<Agree
     let chances = common.chances(&bench.groups(&[]));
     let asked_for = (0..bench.candidates.len()).filter(|&index| {
         let candidate = &bench.candidates[index];
-        candidate.states.is_empty() && !candidate.shared.is_empty() && chances[index] < ALARM
+        candidate.states.is_empty() && !candidate.global.is_empty() && chances[index] < ALARM
     });
     let mut standing: Vec<(Cause, f64)> = Vec::new();
     for index in asked_for {
@@ -74,7 +73,7 @@ pub fn agreed(bench: &Bench, found: &Found, base: &Point) -> Result<Option<Agree
     // Of what most flights go with, that which explains most of them.
     let mut chosen: Option<(f64, f64, Vec<usize>)> = None;
     for (cause, chance) in &standing {
-        let [unknown] = bench.candidates[cause.effects[0]].shared[..] else {
+        let [unknown] = bench.candidates[cause.effects[0]].global[..] else {
             continue;
         };
         let (without, gained) = common.contradicting(unknown);
@@ -110,9 +109,9 @@ impl Bench {
         let each = self.candidates.iter().enumerate();
         let of_candidates = each.map(|(index, columns)| match allowed.contains(&index) {
             true => Vec::new(),
-            false => columns.shared.clone(),
+            false => columns.global.clone(),
         });
-        let known = self.setting.shared.len();
+        let known = self.problem.globals.len();
         let terms = self
             .grammar
             .as_ref()

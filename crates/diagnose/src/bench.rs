@@ -7,34 +7,31 @@ use codegen::Layout;
 use flight::batch;
 use flight::body::{Body, Conditions};
 use flight::sensitivity::Linearised;
-use identify::chart::Chart;
+use identify::StateManifold;
 use identify::dataset::{Dataset, Role};
-use identify::fit::{FitError, Fitted};
-use identify::levenberg::{Known, Point, Problem, Solution, Until, shared_step, solve};
-use identify::noise::Noise;
-use identify::normal::{Block, eliminate};
-use identify::options::Options;
-use identify::predict::{By, Loss, Residual, each_residual, linearise, linearise_by};
-use identify::setting::Setting;
-use identify::track::Track;
+use identify::{
+    Constraint, Fit, FitError, FitOptions, FitProblem, Iterate, LeastSquaresProblem, Loss,
+    NoiseModel, NormalBlock, Observations, PointResidual, Solution, StoppingCriteria, Unknowns,
+    constrained_step, each_residual, eliminate, linearise, linearise_with, solve,
+};
 use model_spec::layout::StateId;
 use nalgebra::DVector;
 
 use crate::catalogue::{Candidate, Catalogue};
 use crate::kept::{Kept, Vantage};
-use crate::scores::own_block;
+use crate::scores::local_block;
 use crate::terms::Grammar;
 
 /// A refit that takes more steps leads nowhere.
-const STEPS: Until = Until {
-    steps: 25,
-    ..Until::DONE
+const STEPS: StoppingCriteria = StoppingCriteria {
+    max_steps: 25,
+    ..StoppingCriteria::CONVERGED
 };
 
 /// The flights, in the model with all candidates.
 pub struct Bench {
     /// The model, with every candidate off; its shared unknowns are those of the base and the candidates' coefficients.
-    pub setting: Setting,
+    pub problem: FitProblem,
     catalogue: Catalogue,
     /// The candidates.
     pub candidates: Vec<Columns>,
@@ -43,7 +40,7 @@ pub struct Bench {
     /// Terms outside the catalogue, where the model has channels for them; their unknowns come behind the shared ones.
     pub grammar: Option<Grammar>,
     /// The fitted flights; every state may be varied.
-    pub tracks: Vec<Track>,
+    pub observation_sets: Vec<Observations>,
     /// Flights worked on at once.
     pub threads: usize,
 }
@@ -54,7 +51,7 @@ pub struct Columns {
     /// What it is.
     pub candidate: Candidate,
     /// Its coefficients among the shared unknowns.
-    pub shared: Vec<usize>,
+    pub global: Vec<usize>,
     /// Its states.
     pub states: Vec<usize>,
 }
@@ -67,74 +64,75 @@ impl Bench {
     pub fn new(
         catalogue: &Catalogue,
         dataset: &Dataset,
-        fitted: &Fitted,
-        options: &Options<'_>,
-    ) -> Result<(Self, Point), FitError> {
-        let mut hold = options.hold.to_vec();
+        fitted: &Fit,
+        options: &FitOptions<'_>,
+    ) -> Result<(Self, Iterate), FitError> {
+        let mut hold = options.fixed.to_vec();
         let loads = catalogue.channels.iter().flat_map(|c| c.loads);
         hold.extend(loads.map(|(name, ..)| ((*name).to_owned(), None)));
-        let all = Options {
-            hold: &hold,
+        let all = FitOptions {
+            fixed: &hold,
             // What is profiled is the fit's.
             profiles: &[],
             ..*options
         };
         let fixed = off(catalogue, &[]);
         let body = Body::on_tape_at(&catalogue.model, &fixed);
-        let mut setting = Setting::with_body(&catalogue.model, body, dataset, &all)?;
-        setting.floor = fitted.setting().floor;
-        let layout = setting.body.layout();
+        let mut problem = FitProblem::with_body(&catalogue.model, body, dataset, &all)?;
+        problem.sigma0 = fitted.problem().sigma0;
+        let layout = problem.body.layout();
         let columns: Vec<Columns> = catalogue
             .candidates
             .iter()
             .cloned()
             .map(|candidate| {
-                let shared = candidate.coefficients.iter().filter_map(|part| {
+                let global = candidate.coefficients.iter().filter_map(|part| {
                     let place = layout.coefficient(part.index).index();
-                    setting.shared.iter().position(|s| s.place == place)
+                    problem.globals.iter().position(|s| s.param == place)
                 });
                 Columns {
-                    shared: shared.collect(),
+                    global: global.collect(),
                     states: candidate.states.iter().map(|part| part.index).collect(),
                     candidate,
                 }
             })
             .collect();
-        let of_candidates: Vec<usize> = columns.iter().flat_map(|c| c.shared.clone()).collect();
-        let base = (0..setting.shared.len()).filter(|i| !of_candidates.contains(i));
+        let of_candidates: Vec<usize> = columns.iter().flat_map(|c| c.global.clone()).collect();
+        let base = (0..problem.globals.len()).filter(|i| !of_candidates.contains(i));
         let base: Vec<usize> = base.collect();
-        let before = fitted.setting();
-        let shared = setting.shared.iter().map(|unknown| {
-            let same = before.shared.iter().position(|s| s.name == unknown.name);
-            same.map_or(unknown.model_value, |i| fitted.shared()[i])
+        let before = fitted.problem();
+        let global = problem.globals.iter().map(|unknown| {
+            let same = before.globals.iter().position(|s| s.name == unknown.name);
+            same.map_or(unknown.model_value, |i| fitted.global()[i])
         });
-        let shared = DVector::from_iterator(setting.shared.len(), shared);
+        let global = DVector::from_iterator(problem.globals.len(), global);
         let places: Vec<Option<StateId>> = layout
             .states
             .iter()
             .map(|state| before.body.layout().state(state))
             .collect();
-        let (mut tracks, mut own) = (Vec::new(), Vec::new());
+        let (mut observation_sets, mut local) = (Vec::new(), Vec::new());
         for (index, flight) in dataset.flights.iter().enumerate() {
-            let Some((track, state)) = fitted.flight(index).filter(|_| flight.role == Role::Fit)
+            let Some((observations, state)) =
+                fitted.flight(index).filter(|_| flight.role == Role::Fit)
             else {
                 continue;
             };
-            let fresh = Track::new(&setting, flight).map_err(|reason| FitError::Flight {
+            let fresh = Observations::new(&problem, flight).map_err(|reason| FitError::Flight {
                 file: flight.file.clone(),
                 reason,
             })?;
-            tracks.push(Track {
+            observation_sets.push(Observations {
                 parameters: fresh.parameters,
-                known: fresh.known,
-                chart: fresh.chart,
-                ..track.clone()
+                known_states: fresh.known_states,
+                manifold: fresh.manifold,
+                ..observations.clone()
             });
             let full = places
                 .iter()
                 .zip(&layout.initial)
                 .map(|(place, initial)| place.map_or(*initial, |place| state[place.index()]));
-            own.push(DVector::from_iterator(places.len(), full));
+            local.push(DVector::from_iterator(places.len(), full));
         }
         let grammar = catalogue
             .channels
@@ -142,13 +140,13 @@ impl Bench {
         let bench = Self {
             catalogue: catalogue.clone(),
             grammar,
-            setting,
+            problem,
             candidates: columns,
             base,
-            tracks,
+            observation_sets,
             threads: options.threads(),
         };
-        Ok((bench, Point { shared, own }))
+        Ok((bench, Iterate { global, local }))
     }
 
     /// The normal equations of every flight, by every unknown of the base and the catalogue.
@@ -157,13 +155,13 @@ impl Bench {
     /// Where a flight is impossible.
     pub fn look(
         &self,
-        setting: &Setting,
-        point: &Point,
-        noise: &Noise,
-    ) -> Result<Vec<Block>, FitError> {
+        problem: &FitProblem,
+        point: &Iterate,
+        noise: &NoiseModel,
+    ) -> Result<Vec<NormalBlock>, FitError> {
         let nothing = Kept::default();
         let from = Vantage {
-            setting,
+            problem,
             point,
             kept: &nothing,
         };
@@ -174,30 +172,49 @@ impl Bench {
     ///
     /// # Errors
     /// Where a flight is impossible.
-    pub fn look_further(&self, from: Vantage<'_>, noise: &Noise) -> Result<Vec<Block>, FitError> {
+    pub fn look_further(
+        &self,
+        from: Vantage<'_>,
+        noise: &NoiseModel,
+    ) -> Result<Vec<NormalBlock>, FitError> {
         self.look_by(from, noise, self.grammar.as_ref())
     }
 
     fn look_by(
         &self,
         from: Vantage<'_>,
-        noise: &Noise,
+        noise: &NoiseModel,
         grammar: Option<&Grammar>,
-    ) -> Result<Vec<Block>, FitError> {
-        let Vantage { setting, point, .. } = from;
-        let found = batch::each_on(self.threads, self.tracks.len(), |flight| {
-            let track = &self.tracks[flight];
-            let unknowns = (&point.shared, &point.own[flight]);
-            let samples = track.times.len();
+    ) -> Result<Vec<NormalBlock>, FitError> {
+        let Vantage { problem, point, .. } = from;
+        let found = batch::each_on(self.threads, self.observation_sets.len(), |flight| {
+            let observations = &self.observation_sets[flight];
+            let unknowns = (&point.global, &point.local[flight]);
+            let samples = observations.times.len();
             let loss = Loss::Whitened(noise);
             let found = match grammar {
-                None => linearise(setting, track, unknowns, samples, By::All, loss),
+                None => linearise(
+                    problem,
+                    observations,
+                    unknowns,
+                    samples,
+                    Unknowns::All,
+                    loss,
+                ),
                 Some(grammar) => {
-                    let conditions = conditions(setting, track, &point.shared);
+                    let conditions = conditions(problem, observations, &point.global);
                     let (motion, places) = self.further(&conditions, grammar);
                     let by = (motion, places.as_slice());
                     from.kept.with(flight, |kept| {
-                        linearise_by(setting, track, unknowns, samples, loss, by, Some(kept))
+                        linearise_with(
+                            problem,
+                            observations,
+                            unknowns,
+                            samples,
+                            loss,
+                            by,
+                            Some(kept),
+                        )
                     })
                 }
             };
@@ -212,8 +229,8 @@ impl Bench {
         conditions: &'c Conditions<'c>,
         grammar: &'c Grammar,
     ) -> (impl Linearised + use<'c>, Vec<usize>) {
-        let first = self.setting.body.layout().parameters.len();
-        let mut places: Vec<usize> = self.setting.shared.iter().map(|s| s.place).collect();
+        let first = self.problem.body.layout().parameters.len();
+        let mut places: Vec<usize> = self.problem.globals.iter().map(|s| s.param).collect();
         places.extend(first..first + grammar.terms.len());
         (grammar.motion(conditions, first), places)
     }
@@ -224,46 +241,46 @@ impl Bench {
     /// In words, where the flight is impossible.
     pub(crate) fn each_residual_further(
         &self,
-        setting: &Setting,
-        track: &Track,
+        problem: &FitProblem,
+        observations: &Observations,
         unknowns: (&DVector<f64>, &DVector<f64>),
-        each: impl FnMut(Residual<'_>),
+        each: impl FnMut(PointResidual<'_>),
     ) -> Result<(), String> {
-        let conditions = conditions(setting, track, unknowns.0);
+        let conditions = conditions(problem, observations, unknowns.0);
         match &self.grammar {
             Some(grammar) => {
                 let (motion, places) = self.further(&conditions, grammar);
-                each_residual(setting, track, unknowns, motion, &places, each)
+                each_residual(problem, observations, unknowns, motion, &places, each)
             }
             None => {
-                let places: Vec<usize> = self.setting.shared.iter().map(|s| s.place).collect();
+                let places: Vec<usize> = self.problem.globals.iter().map(|s| s.param).collect();
                 let motion = conditions.linear_motion();
-                each_residual(setting, track, unknowns, motion, &places, each)
+                each_residual(problem, observations, unknowns, motion, &places, each)
             }
         }
     }
 
     pub(crate) fn impossible(&self, flight: usize, reason: String) -> FitError {
         FitError::Flight {
-            file: self.tracks[flight].file.clone(),
+            file: self.observation_sets[flight].file.clone(),
             reason,
         }
     }
 
     /// The model in which these candidates may be on, the others being off: for their derivatives it is quicker than one in which
     /// all may be.
-    pub fn setting_with(&self, effects: &[usize]) -> Setting {
+    pub fn setting_with(&self, effects: &[usize]) -> FitProblem {
         let fixed = off(&self.catalogue, effects);
-        Setting {
+        FitProblem {
             body: Arc::new(Body::on_tape_at(&self.catalogue.model, &fixed)),
-            ..self.setting.clone()
+            ..self.problem.clone()
         }
     }
 
     /// The shared unknowns of the base and of some candidates, by index, in order.
     pub fn unknowns(&self, with: &[usize]) -> Vec<usize> {
         let mut unknowns = self.base.clone();
-        unknowns.extend(with.iter().flat_map(|&c| &self.candidates[c].shared));
+        unknowns.extend(with.iter().flat_map(|&c| &self.candidates[c].global));
         unknowns.sort_unstable();
         unknowns
     }
@@ -279,9 +296,10 @@ impl Bench {
     /// The directions of a flight's chart that move the states of candidates which are not among `with`, and all others.
     pub(crate) fn directions(&self, flight: usize, with: &[usize]) -> (Vec<usize>, Vec<usize>) {
         let off = self.states_but(with);
-        let chart = &self.tracks[flight].chart;
-        let is_off = |direction: &usize| chart.plain(*direction).is_some_and(|s| off.contains(&s));
-        (0..chart.dimension()).partition(is_off)
+        let manifold = &self.observation_sets[flight].manifold;
+        let is_off =
+            |direction: &usize| manifold.plain(*direction).is_some_and(|s| off.contains(&s));
+        (0..manifold.dimension()).partition(is_off)
     }
 
     /// A flight's normal equations by its own unknowns without the states of candidates that are not among `with`; and which
@@ -289,11 +307,11 @@ impl Bench {
     pub(crate) fn own_of(
         &self,
         flight: usize,
-        block: &Block,
+        block: &NormalBlock,
         with: &[usize],
-    ) -> (Block, Vec<usize>) {
-        let (_, own) = self.directions(flight, with);
-        (own_block(block, &own, &[]), own)
+    ) -> (NormalBlock, Vec<usize>) {
+        let (_, local) = self.directions(flight, with);
+        (local_block(block, &local, &[]), local)
     }
 
     /// Fits the base and some candidates from a point on, all other candidates staying as they are there; the sum of squares
@@ -303,68 +321,84 @@ impl Bench {
     /// In words, where that is impossible.
     pub fn refit(
         &self,
-        setting: &Setting,
+        problem: &FitProblem,
         with: &[usize],
-        from: &Point,
-        noise: &Noise,
-    ) -> Result<(Point, f64), String> {
+        from: &Iterate,
+        noise: &NoiseModel,
+    ) -> Result<(Iterate, f64), String> {
         let unknowns = self.unknowns(with);
-        let setting = Setting {
-            shared: unknowns
+        let problem = FitProblem {
+            globals: unknowns
                 .iter()
-                .map(|&i| setting.shared[i].clone())
+                .map(|&i| problem.globals[i].clone())
                 .collect(),
-            ..setting.clone()
+            ..problem.clone()
         };
         let held = self.states_but(with);
-        let tracks = self.tracks.iter().map(|track| {
-            let mut known: Vec<usize> = track.known.iter().map(|(state, _)| *state).collect();
+        let observation_sets = self.observation_sets.iter().map(|observations| {
+            let mut known: Vec<usize> = observations
+                .known_states
+                .iter()
+                .map(|(state, _)| *state)
+                .collect();
             known.extend(&held);
-            let mut parameters = track.parameters.clone();
-            for (unknown, value) in self.setting.shared.iter().zip(from.shared.iter()) {
-                parameters[unknown.place] = *value;
+            let mut parameters = observations.parameters.clone();
+            for (unknown, value) in self.problem.globals.iter().zip(from.global.iter()) {
+                parameters[unknown.param] = *value;
             }
-            Track {
+            Observations {
                 parameters,
-                chart: Chart::new(&self.setting.model, &known),
-                ..track.clone()
+                manifold: StateManifold::new(&self.problem.model, &known),
+                ..observations.clone()
             }
         });
-        let problem = Refit {
-            known: setting.shared.iter().map(|shared| shared.known).collect(),
-            setting,
-            tracks: tracks.collect(),
+        let objective = Refit {
+            known: problem
+                .globals
+                .iter()
+                .map(|global| global.constraint)
+                .collect(),
+            problem,
+            observation_sets: observation_sets.collect(),
             noise,
             threads: self.threads,
         };
-        let start = Point {
-            shared: DVector::from_iterator(
+        let start = Iterate {
+            global: DVector::from_iterator(
                 unknowns.len(),
-                unknowns.iter().map(|&i| from.shared[i]),
+                unknowns.iter().map(|&i| from.global[i]),
             ),
-            own: from.own.clone(),
+            local: from.local.clone(),
         };
-        let leapt = problem.stepped(&start);
-        let found = leapt.and_then(|leapt| solve(&problem, leapt, STEPS).ok());
+        let leapt = objective.stepped(&start);
+        let found = leapt.and_then(|leapt| solve(&objective, leapt, STEPS).ok());
         let found = match found {
             Some(found) => found,
-            None => solve(&problem, start, STEPS).map_err(|failure| failure.to_string())?,
+            None => solve(&objective, start, STEPS).map_err(|failure| failure.to_string())?,
         };
-        let Solution { point, squares, .. } = found;
-        let mut shared = from.shared.clone();
-        for (&i, value) in unknowns.iter().zip(point.shared.iter()) {
-            shared[i] = *value;
+        let Solution {
+            iterate: point,
+            squares,
+            ..
+        } = found;
+        let mut global = from.global.clone();
+        for (&i, value) in unknowns.iter().zip(point.global.iter()) {
+            global[i] = *value;
         }
-        let point = Point {
-            shared,
-            own: point.own,
+        let point = Iterate {
+            global,
+            local: point.local,
         };
         Ok((point, squares))
     }
 }
 
-fn conditions<'a>(setting: &'a Setting, track: &Track, shared: &DVector<f64>) -> Conditions<'a> {
-    setting.body.with(track.parameters(setting, shared))
+fn conditions<'a>(
+    problem: &'a FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+) -> Conditions<'a> {
+    problem.body.with(observations.parameters(problem, global))
 }
 
 /// Places and values of everything that is off where only these candidates are on.
@@ -384,56 +418,63 @@ fn off(catalogue: &Catalogue, on: &[usize]) -> Vec<(usize, f64)> {
 
 /// The least squares of the base with some candidates.
 struct Refit<'a> {
-    setting: Setting,
-    tracks: Vec<Track>,
-    noise: &'a Noise,
-    known: Vec<Known>,
+    problem: FitProblem,
+    observation_sets: Vec<Observations>,
+    noise: &'a NoiseModel,
+    known: Vec<Constraint>,
     threads: usize,
 }
 
 impl Refit<'_> {
     /// The point after one whole step, even where the squares are greater there: a new effect bends the valley in which the
     /// solution lies, and to follow it in small steps takes long.
-    fn stepped(&self, from: &Point) -> Option<Point> {
-        let blocks = batch::each_on(self.threads, self.tracks.len(), |flight| {
-            self.linearise(flight, &from.shared, &from.own[flight])
+    fn stepped(&self, from: &Iterate) -> Option<Iterate> {
+        let blocks = batch::each_on(self.threads, self.observation_sets.len(), |flight| {
+            self.linearise(flight, &from.global, &from.local[flight])
         });
-        let blocks: Vec<Block> = blocks.into_iter().collect::<Result<_, _>>().ok()?;
+        let blocks: Vec<NormalBlock> = blocks.into_iter().collect::<Result<_, _>>().ok()?;
         let system = eliminate(&blocks, 0.0).ok()?;
         let (matrix, gradient) = (&system.reduced, &system.gradient);
-        let (step, _) = shared_step(matrix, gradient, &from.shared, &self.known, 0.0)?;
-        let own = system.own_steps(&step);
-        let own = own.iter().zip(&from.own).enumerate();
-        let own = own.map(|(flight, (step, own))| self.moved(flight, own, step));
-        Some(Point {
-            own: own.collect(),
-            shared: &from.shared + step,
+        let (step, _) = constrained_step(matrix, gradient, &from.global, &self.known, 0.0)?;
+        let local = system.back_substitute(&step);
+        let local = local.iter().zip(&from.local).enumerate();
+        let local = local.map(|(flight, (step, local))| self.plus(flight, local, step));
+        Some(Iterate {
+            local: local.collect(),
+            global: &from.global + step,
         })
     }
 }
 
-impl Problem for Refit<'_> {
+impl LeastSquaresProblem for Refit<'_> {
     fn flights(&self) -> usize {
-        self.tracks.len()
+        self.observation_sets.len()
     }
 
     fn linearise(
         &self,
         flight: usize,
-        shared: &DVector<f64>,
-        own: &DVector<f64>,
-    ) -> Result<Block, String> {
-        let track = &self.tracks[flight];
-        let samples = track.times.len();
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, String> {
+        let observations = &self.observation_sets[flight];
+        let samples = observations.times.len();
         let loss = Loss::Whitened(self.noise);
-        linearise(&self.setting, track, (shared, own), samples, By::All, loss)
+        linearise(
+            &self.problem,
+            observations,
+            (global, local),
+            samples,
+            Unknowns::All,
+            loss,
+        )
     }
 
-    fn moved(&self, flight: usize, own: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
-        self.tracks[flight].chart.moved(own, step)
+    fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        self.observation_sets[flight].manifold.plus(local, step)
     }
 
-    fn known(&self) -> &[Known] {
+    fn constraints(&self) -> &[Constraint] {
         &self.known
     }
 

@@ -72,10 +72,10 @@ impl Catalogue {
         let on: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
         let with: Vec<&str> = with.iter().map(String::as_str).collect();
         let left_out = |name: &str| without.iter().any(|w| underscored(w) == name);
-        let own = model.offers.iter().map(|offer| offer.name.as_str());
+        let local = model.offers.iter().map(|offer| offer.name.as_str());
         let built_in = EFFECTS.iter().map(|(name, _)| *name);
         let mut wanted: Vec<&str> = Vec::new();
-        for name in own.chain(built_in) {
+        for name in local.chain(built_in) {
             if !on.contains(&name) && !wanted.contains(&name) && !left_out(name) {
                 wanted.push(name);
             }
@@ -127,25 +127,25 @@ impl Catalogue {
 }
 
 fn candidate(model: &Model, effect: &AppliedEffect) -> Candidate {
-    let coefficients = effect.coefficients.iter().map(|own| {
-        let constant = &model.coefficients[own.index];
+    let coefficients = effect.coefficients.iter().map(|local| {
+        let constant = &model.coefficients[local.index];
         Part {
             name: constant.name.clone(),
-            index: own.index,
+            index: local.index,
             unit: constant.unit_text.clone(),
-            null_value: own.null_value,
-            negligible: own.smallest_of_interest,
+            null_value: local.null_value,
+            negligible: local.smallest_of_interest,
             bounds: constant.bounds,
         }
     });
-    let states = effect.states.iter().map(|own| {
-        let state = &model.states[own.index];
+    let states = effect.states.iter().map(|local| {
+        let state = &model.states[local.index];
         Part {
             name: state.name.clone(),
-            index: own.index,
+            index: local.index,
             unit: state.unit_text.clone(),
-            null_value: own.null_value,
-            negligible: own.smallest_of_interest,
+            null_value: local.null_value,
+            negligible: local.smallest_of_interest,
             bounds: None,
         }
     });

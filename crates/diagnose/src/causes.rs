@@ -4,10 +4,7 @@
 //! than chance does. What is left is the answer: one cause, or several that these flights cannot tell apart; where no
 //! single one is left, two and three at once.
 
-use identify::fit::FitError;
-use identify::levenberg::Point;
-use identify::noise::Noise;
-use identify::setting::Setting;
+use identify::{FitError, FitProblem, Iterate, NoiseModel};
 
 use crate::bench::Bench;
 use crate::chance::thresholds;
@@ -39,7 +36,7 @@ const SEEDS: usize = 3;
 /// What was found.
 pub struct Found {
     /// The noise.
-    pub noise: Noise,
+    pub noise: NoiseModel,
     /// The scores with every candidate off, and those of terms outside the catalogue.
     pub scores: Scores,
     /// The sum of squares that the base leaves under that noise.
@@ -68,9 +65,9 @@ pub struct Cause {
     /// The candidates.
     pub effects: Vec<usize>,
     /// The model in which they may be on.
-    pub setting: Setting,
+    pub problem: FitProblem,
     /// All unknowns there.
-    pub point: Point,
+    pub point: Iterate,
     /// The sum of squares that is left.
     pub squares: f64,
     /// The scores of the others there.
@@ -84,7 +81,7 @@ impl Cause {
     /// Where it is.
     pub(crate) fn vantage(&self) -> Vantage<'_> {
         Vantage {
-            setting: &self.setting,
+            problem: &self.problem,
             point: &self.point,
             kept: &self.kept,
         }
@@ -95,11 +92,15 @@ impl Cause {
 ///
 /// # Errors
 /// Where a flight is impossible.
-pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Found, FitError> {
-    let setting = bench.setting.clone();
-    let kept = Kept::of(bench.tracks.len());
+pub fn search(
+    bench: &mut Bench,
+    base: &Iterate,
+    first_guess: &NoiseModel,
+) -> Result<Found, FitError> {
+    let problem = bench.problem.clone();
+    let kept = Kept::of(bench.observation_sets.len());
     let base = Vantage {
-        setting: &setting,
+        problem: &problem,
         point: base,
         kept: &kept,
     };
@@ -120,7 +121,11 @@ pub fn search(bench: &mut Bench, base: &Point, first_guess: &Noise) -> Result<Fo
     let mut here: Vec<Cause> = Vec::new();
     for (index, effects) in singles(&found.scores).into_iter().enumerate() {
         // The likeliest is looked at again and again.
-        let kept = Kept::of(if index == 0 { bench.tracks.len() } else { 0 });
+        let kept = Kept::of(if index == 0 {
+            bench.observation_sets.len()
+        } else {
+            0
+        });
         let Some(cause) = bench.cause_kept(&effects, base.point, &found.noise, kept) else {
             continue;
         };
@@ -218,11 +223,11 @@ impl Bench {
     pub(crate) fn scored(
         &self,
         from: Vantage<'_>,
-        noise: &Noise,
+        noise: &NoiseModel,
     ) -> Result<(Scores, Limits, f64), FitError> {
         let blocks = self.look_further(from, noise)?;
         let squares = blocks.iter().map(|block| block.squares).sum();
-        let scores = Scores::new(self, &blocks, (&[], &[]), &from.point.shared)
+        let scores = Scores::new(self, &blocks, (&[], &[]), &from.point.global)
             .map_err(FitError::Mismatch)?;
         let limits = thresholds(
             &scores.information,
@@ -239,7 +244,7 @@ impl Bench {
     }
 
     /// Fits some candidates with the base; none where that is impossible.
-    pub fn cause(&self, effects: &[usize], from: &Point, noise: &Noise) -> Option<Cause> {
+    pub fn cause(&self, effects: &[usize], from: &Iterate, noise: &NoiseModel) -> Option<Cause> {
         self.cause_kept(effects, from, noise, Kept::default())
     }
 
@@ -247,30 +252,30 @@ impl Bench {
     fn cause_kept(
         &self,
         effects: &[usize],
-        from: &Point,
-        noise: &Noise,
+        from: &Iterate,
+        noise: &NoiseModel,
         kept: Kept,
     ) -> Option<Cause> {
-        let setting = self.setting_with(effects);
-        let (point, squares) = self.refit(&setting, effects, from, noise).ok()?;
+        let problem = self.setting_with(effects);
+        let (point, squares) = self.refit(&problem, effects, from, noise).ok()?;
         let blocks = match kept.is_empty() {
-            true => self.look(&setting, &point, noise).ok()?,
+            true => self.look(&problem, &point, noise).ok()?,
             false => {
                 let from = Vantage {
-                    setting: &setting,
+                    problem: &problem,
                     point: &point,
                     kept: &kept,
                 };
                 let blocks = self.look_further(from, noise).ok()?;
-                let shared = point.shared.len();
-                let each = blocks.iter().map(|block| without_terms(block, shared));
+                let global = point.global.len();
+                let each = blocks.iter().map(|block| without_terms(block, global));
                 each.collect()
             }
         };
-        let scores = Scores::new(self, &blocks, (effects, &[]), &point.shared).ok()?;
+        let scores = Scores::new(self, &blocks, (effects, &[]), &point.global).ok()?;
         let rival = scores.best().map(|(index, score)| (index, score.ln_p));
         Some(Cause {
-            setting,
+            problem,
             effects: effects.to_vec(),
             point,
             squares,
@@ -323,16 +328,16 @@ impl Bench {
     }
 
     /// A point with one candidate off.
-    fn without(&self, point: &Point, dropped: usize) -> Point {
+    fn without(&self, point: &Iterate, dropped: usize) -> Iterate {
         let columns = &self.candidates[dropped];
         let mut point = point.clone();
         let parts = &columns.candidate.coefficients;
-        for (&unknown, part) in columns.shared.iter().zip(parts) {
-            point.shared[unknown] = part.null_value;
+        for (&unknown, part) in columns.global.iter().zip(parts) {
+            point.global[unknown] = part.null_value;
         }
         for part in &columns.candidate.states {
-            for own in &mut point.own {
-                own[part.index] = part.null_value;
+            for local in &mut point.local {
+                local[part.index] = part.null_value;
             }
         }
         point
@@ -341,7 +346,7 @@ impl Bench {
     /// How many unknowns some candidates have in all flights.
     pub fn size_of(&self, effects: &[usize]) -> usize {
         let each = effects.iter().map(|&e| &self.candidates[e]);
-        each.map(|c| c.shared.len() + c.states.len() * self.tracks.len())
+        each.map(|c| c.global.len() + c.states.len() * self.observation_sets.len())
             .sum()
     }
 
@@ -367,10 +372,14 @@ impl Bench {
     }
 
     /// The scores of everything, terms too, where a cause is allowed for.
-    pub(crate) fn scored_beside(&self, cause: &Cause, noise: &Noise) -> Result<Scores, FitError> {
+    pub(crate) fn scored_beside(
+        &self,
+        cause: &Cause,
+        noise: &NoiseModel,
+    ) -> Result<Scores, FitError> {
         let blocks = self.look_further(cause.vantage(), noise)?;
         let allowed = (cause.effects.as_slice(), &[][..]);
-        Scores::new(self, &blocks, allowed, &cause.point.shared).map_err(FitError::Mismatch)
+        Scores::new(self, &blocks, allowed, &cause.point.global).map_err(FitError::Mismatch)
     }
 
     /// Whether with a cause allowed for nothing explains more than chance, neither a candidate nor a term outside the catalogue.

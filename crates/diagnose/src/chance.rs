@@ -143,10 +143,10 @@ mod tests {
         for freedom in [1, 2, 3, 7, 40] {
             let chi = ChiSquared::new(freedom as f64).unwrap();
             for statistic in [0.1, 1.0, 3.84, 9.0, 40.0, 90.0] {
-                let (own, other) = (ln_tail(statistic, freedom), chi.sf(statistic).ln());
+                let (local, other) = (ln_tail(statistic, freedom), chi.sf(statistic).ln());
                 assert!(
-                    (own - other).abs() < 1e-8 * (1.0 + other.abs()),
-                    "{statistic} {freedom}: {own} {other}"
+                    (local - other).abs() < 1e-8 * (1.0 + other.abs()),
+                    "{statistic} {freedom}: {local} {other}"
                 );
             }
         }

@@ -1,13 +1,13 @@
 //! Whether flights agree on what they lack. Where something bends each flight in a way of its own, no law that they share leaves only
 //! noise, and chi squared refuses every one in turn; what all flights ask for alike still stands out by its sign.
 
-use identify::normal::{Block, Eliminated, eliminate};
+use identify::{NormalBlock, ReducedSystem, eliminate};
 use nalgebra::DMatrix;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
 use crate::bench::Bench;
-use crate::scores::{inverse, own_block};
+use crate::scores::{inverse, local_block};
 
 /// Draws of signs, and their seed.
 const DRAWS: usize = 10_000;
@@ -31,16 +31,16 @@ impl Common {
     ///
     /// # Errors
     /// In words, where a flight does not determine its own unknowns.
-    pub fn new(bench: &Bench, blocks: &[Block], allowed: &[usize]) -> Result<Self, String> {
-        let size = blocks.first().map_or(0, |block| block.shared.nrows());
+    pub fn new(bench: &Bench, blocks: &[NormalBlock], allowed: &[usize]) -> Result<Self, String> {
+        let size = blocks.first().map_or(0, |block| block.global.nrows());
         let free = bench.unknowns(allowed);
         // Twice over the flights, so that no flight's matrix need be kept.
-        let each_flight = |take: &mut dyn FnMut(usize, &Eliminated<'_>)| -> Result<(), String> {
+        let each_flight = |take: &mut dyn FnMut(usize, &ReducedSystem<'_>)| -> Result<(), String> {
             for (flight, block) in blocks.iter().enumerate() {
-                let (_, own) = bench.directions(flight, allowed);
-                let blocks = [own_block(block, &own, &[])];
+                let (_, local) = bench.directions(flight, allowed);
+                let blocks = [local_block(block, &local, &[])];
                 let rest = eliminate(&blocks, 0.0).map_err(|_| {
-                    let file = &bench.tracks[flight].file;
+                    let file = &bench.observation_sets[flight].file;
                     format!("{file}: its samples do not determine its initial state")
                 })?;
                 take(flight, &rest);

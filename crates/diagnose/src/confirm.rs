@@ -4,7 +4,7 @@
 //! that they were fitted to. What is so explains flights that were not fitted, too.
 
 use identify::dataset::Role;
-use identify::fit::{Fitted, fit};
+use identify::{Fit, fit};
 
 use crate::bench::Bench;
 use crate::catalogue::underscored;
@@ -23,7 +23,7 @@ pub(crate) struct Tried {
     /// The model.
     pub extension: Extension,
     /// Its fit.
-    pub fitted: Fitted,
+    pub fitted: Fit,
     /// What it gains; none where there is no flight to say.
     pub gain: Option<Gain>,
 }
@@ -74,7 +74,7 @@ impl Bench {
         &self,
         place: Place<'_>,
         cause: &Cause,
-        before: &Fitted,
+        before: &Fit,
         floor: f64,
     ) -> Result<Tried, DiagnosisError> {
         let Place {

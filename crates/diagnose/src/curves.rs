@@ -1,7 +1,6 @@
 //! Curves of the model's coefficients, before and after, over what the flights showed.
 
-use identify::noise::median;
-use identify::report::FlightEvidence;
+use identify::{FlightEvidence, median};
 use model_spec::model::{Model, Shape};
 
 use crate::report::Curve;

@@ -32,8 +32,8 @@ pub fn detectable(
         let Some(score) = score else { continue };
         let mut seen = Vec::new();
         for part in &columns.candidate.coefficients {
-            let place = bench.setting.body.layout().coefficient(part.index).index();
-            let unknown = bench.setting.shared.iter().position(|s| s.place == place);
+            let place = bench.problem.body.layout().coefficient(part.index).index();
+            let unknown = bench.problem.globals.iter().position(|s| s.param == place);
             let column = unknown.and_then(|u| scores.columns.iter().position(|&c| c == u));
             let Some(column) = column else { continue };
             let information = scores.information[(column, column)];
@@ -53,7 +53,7 @@ pub fn detectable(
         if invisible {
             hidden.push(Undetectable {
                 name: columns.candidate.name.clone(),
-                absorbed_by: absorbed_by(bench, scores, &columns.shared),
+                absorbed_by: absorbed_by(bench, scores, &columns.global),
             });
         } else {
             shown.extend(seen);
@@ -63,10 +63,10 @@ pub fn detectable(
 }
 
 /// What takes up the columns of an effect.
-fn absorbed_by(bench: &Bench, scores: &Scores, own: &[usize]) -> Vec<String> {
+fn absorbed_by(bench: &Bench, scores: &Scores, local: &[usize]) -> Vec<String> {
     let mut names: Vec<(String, f64)> = Vec::new();
     for (column, unknown) in scores.columns.iter().enumerate() {
-        if !own.contains(unknown) {
+        if !local.contains(unknown) {
             continue;
         }
         let (raw, size) = scores.sizes[column];
@@ -79,10 +79,10 @@ fn absorbed_by(bench: &Bench, scores: &Scores, own: &[usize]) -> Vec<String> {
         for (row, &base) in scores.base.0.iter().enumerate() {
             let share = scores.leaning[(row, column)].abs() * scores.base.1[(row, row)].sqrt();
             let name = bench
-                .setting
-                .shared
+                .problem
+                .globals
                 .get(base)
-                .map_or_else(String::new, |shared| shared.name.clone());
+                .map_or_else(String::new, |global| global.name.clone());
             match names.iter_mut().find(|(same, _)| *same == name) {
                 Some((_, most)) => *most = most.max(share),
                 None => names.push((name, share)),

@@ -5,10 +5,7 @@ use std::time::Instant;
 
 use flight::batch;
 use identify::dataset::{Dataset, Role};
-use identify::fit::{FitError, Fitted, fit};
-use identify::options::Options;
-use identify::report::FlightEvidence;
-use identify::track::Track;
+use identify::{Fit, FitError, FitOptions, FlightEvidence, Observations, fit};
 use model_spec::load::LoadError;
 use model_spec::model::Model;
 
@@ -36,7 +33,7 @@ pub struct Asked<'a> {
     /// Effects that are not looked for.
     pub without: &'a [String],
     /// What is asked of its fits.
-    pub fit: Options<'a>,
+    pub fit: FitOptions<'a>,
 }
 
 /// A diagnosis.
@@ -44,9 +41,9 @@ pub struct Diagnosed {
     /// What was found.
     pub report: Report,
     /// The fit of the model.
-    pub before: Fitted,
+    pub before: Fit,
     /// The extended model and its fit, where there is one.
-    pub after: Option<(Extension, Fitted)>,
+    pub after: Option<(Extension, Fit)>,
 }
 
 /// Why there is none.
@@ -165,7 +162,7 @@ fn looked<R: Send>(
             && !written.as_ref().is_some_and(|written| written.stands)
             && let Some(agreed) = agreed(&bench, &found, &base)?
         {
-            let file = |&flight: &usize| bench.tracks[flight].file.clone();
+            let file = |&flight: &usize| bench.observation_sets[flight].file.clone();
             let contradicting: Vec<String> = agreed.contradicting.iter().map(file).collect();
             if !contradicting.is_empty()
                 && may_leave_out
@@ -184,7 +181,7 @@ fn looked<R: Send>(
             if !agreed.causes.is_empty() {
                 found.causes = agreed.causes;
                 agreement = Some(Agreement {
-                    flights: bench.tracks.len(),
+                    flights: bench.observation_sets.len(),
                     part: Some(agreed.part),
                     chance: agreed.chance,
                     contradicting: Vec::new(),
@@ -215,7 +212,7 @@ fn looked<R: Send>(
     report.notes.extend(refused);
     if found.causes.len() > 1 {
         let blocks = bench.look(
-            &found.causes[0].setting,
+            &found.causes[0].problem,
             &found.causes[0].point,
             &found.noise,
         )?;
@@ -269,11 +266,11 @@ fn looked<R: Send>(
 /// makes of it.
 fn measured<R: Send>(
     place: outside::Place<'_>,
-    before: &Fitted,
+    before: &Fit,
     report: &mut Report,
-    ((extension, fitted), gained, known_gain): ((Extension, Option<Fitted>), f64, Option<Gain>),
+    ((extension, fitted), gained, known_gain): ((Extension, Option<Fit>), f64, Option<Gain>),
     beside: &(impl Fn(&Extension) -> R + Sync),
-) -> Result<((Extension, Fitted), R), DiagnosisError> {
+) -> Result<((Extension, Fit), R), DiagnosisError> {
     let outside::Place {
         model,
         dataset,
@@ -320,7 +317,7 @@ fn measured<R: Send>(
     let fits: Vec<usize> = (0..dataset.flights.len())
         .filter(|&k| dataset.flights[k].role == Role::Fit)
         .collect();
-    let evidence = |fitted: &Fitted| -> Vec<FlightEvidence> {
+    let evidence = |fitted: &Fit| -> Vec<FlightEvidence> {
         let each = batch::each_on(threads, fits.len(), |k| fitted.evidence(fits[k]));
         each.into_iter().flatten().collect()
     };
@@ -358,8 +355,8 @@ fn by_size(
     written: Option<&outside::Written>,
     free: usize,
 ) -> Vec<Cause> {
-    let seen = |track: &Track| track.seen.iter().flatten().count();
-    let residuals = 3 * bench.tracks.iter().map(seen).sum::<usize>();
+    let seen = |observations: &Observations| observations.measured.iter().flatten().count();
+    let residuals = 3 * bench.observation_sets.iter().map(seen).sum::<usize>();
     let price = (residuals.max(2) as f64).ln();
     let cost = |cause: &Cause| cause.squares + price * bench.size_of(&cause.effects) as f64;
     let of_terms = written.filter(|written| written.stands);

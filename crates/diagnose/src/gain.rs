@@ -2,9 +2,7 @@
 
 use flight::batch;
 use identify::dataset::{Dataset, Role};
-use identify::fit::{FITTED, FitError, Fitted, fit};
-use identify::options::Options;
-use identify::report;
+use identify::{CONDITIONING_FRACTION, Fit, FitError, FitOptions, FitReport, fit};
 use model_spec::model::Model;
 
 use crate::report::Gain;
@@ -34,12 +32,12 @@ pub enum Believed {
 const WORSE: f64 = 10.0;
 
 /// The gain from fits that have predicted held-out flights.
-pub fn by_held_out(before: &report::Report, after: &report::Report, floor: f64) -> Option<Gain> {
+pub fn by_held_out(before: &FitReport, after: &FitReport, floor: f64) -> Option<Gain> {
     gain(pairs(before, after, |_| false), floor, true)
 }
 
 /// The same where the extension is not believed of some flights, by index: they are predicted without.
-pub fn by_fits(before: &Fitted, after: &Fitted, without: &[usize], floor: f64) -> Option<Gain> {
+pub fn by_fits(before: &Fit, after: &Fit, without: &[usize], floor: f64) -> Option<Gain> {
     gain(pairs_of(before, after, without), floor, true)
 }
 
@@ -50,7 +48,7 @@ pub fn by_fits(before: &Fitted, after: &Fitted, without: &[usize], floor: f64) -
 pub fn by_turns(
     models: [&Model; 2],
     dataset: &Dataset,
-    options: &Options<'_>,
+    options: &FitOptions<'_>,
     believed: Believed,
     floor: f64,
 ) -> Result<Option<Gain>, FitError> {
@@ -59,7 +57,7 @@ pub fn by_turns(
     }
     let folds = FOLDS.min(dataset.flights.len());
     let threads = options.threads();
-    let alone = Options {
+    let alone = FitOptions {
         threads: Some(1.max(threads / (2 * folds))),
         profiles: &[],
         ..*options
@@ -90,17 +88,13 @@ pub fn by_turns(
     Ok(gain(all, floor, false))
 }
 
-fn pairs_of(before: &Fitted, after: &Fitted, without: &[usize]) -> Vec<Pair> {
+fn pairs_of(before: &Fit, after: &Fit, without: &[usize]) -> Vec<Pair> {
     pairs(&before.report, &after.report, |flight| {
         without.contains(&flight)
     })
 }
 
-fn pairs(
-    before: &report::Report,
-    after: &report::Report,
-    without: impl Fn(usize) -> bool,
-) -> Vec<Pair> {
+fn pairs(before: &FitReport, after: &FitReport, without: impl Fn(usize) -> bool) -> Vec<Pair> {
     let flights = before.flights.iter().zip(&after.flights).enumerate();
     flights
         .filter(|(_, (b, a))| b.role == Role::HeldOut && b.is_used() && a.is_used())
@@ -118,7 +112,7 @@ fn pairs(
 
 impl Believed {
     /// Held-out flights, by index, of which the extension is not believed.
-    pub fn without(self, before: &Fitted, after: &Fitted) -> Vec<usize> {
+    pub fn without(self, before: &Fit, after: &Fit) -> Vec<usize> {
         match self {
             Believed::Always => Vec::new(),
             Believed::UnlessContradicted => contradicting(before, after),
@@ -127,7 +121,7 @@ impl Believed {
 }
 
 /// Held-out flights whose first part is met worse with the extension.
-fn contradicting(before: &Fitted, after: &Fitted) -> Vec<usize> {
+fn contradicting(before: &Fit, after: &Fit) -> Vec<usize> {
     let flights = before.report.flights.iter().enumerate();
     let held_out = flights.filter(|(_, flight)| flight.role == Role::HeldOut);
     let firsts = held_out.filter_map(|(flight, _)| {
@@ -165,9 +159,9 @@ struct First {
     count: usize,
 }
 
-fn first_part(fitted: &Fitted, flight: usize) -> Option<First> {
+fn first_part(fitted: &Fit, flight: usize) -> Option<First> {
     let evidence = fitted.evidence(flight)?;
-    let samples = (evidence.times.len() as f64 * FITTED).ceil() as usize;
+    let samples = (evidence.times.len() as f64 * CONDITIONING_FRACTION).ceil() as usize;
     let mut first = First::default();
     for sample in 0..samples.min(evidence.times.len()) {
         for marker in 0..evidence.markers.len() {

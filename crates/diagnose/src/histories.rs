@@ -4,10 +4,7 @@
 //! at once, so that a channel that asks for nothing stays at nothing.
 
 use flight::batch;
-use identify::levenberg::Point;
-use identify::noise::Noise;
-use identify::normal::eliminate;
-use identify::predict::{Loss, linearise_by};
+use identify::{Iterate, Loss, NoiseModel, eliminate, linearise_with};
 use nalgebra::{DMatrix, DVector};
 
 use crate::bench::Bench;
@@ -31,11 +28,11 @@ const ROUNDS: usize = 40;
 const LEAST: f64 = 1e-7;
 
 /// Puts histories into the channels.
-pub fn fill(channels: &mut [Channel], bench: &Bench, at: &Point, noise: &Noise) {
+pub fn fill(channels: &mut [Channel], bench: &Bench, at: &Iterate, noise: &NoiseModel) {
     let Some(grammar) = &bench.grammar else {
         return;
     };
-    let count = bench.tracks.len().min(FLIGHTS);
+    let count = bench.observation_sets.len().min(FLIGHTS);
     let flown = batch::each_on(bench.threads, count, |flight| {
         Flown::new(bench, grammar, flight, at, noise)
     });
@@ -65,7 +62,7 @@ pub fn fill(channels: &mut [Channel], bench: &Bench, at: &Point, noise: &Noise) 
         for (index, channel) in channels.iter_mut().enumerate() {
             let at = |k: usize| index * knots + k;
             channel.histories.push(History {
-                file: bench.tracks[flown.flight].file.clone(),
+                file: bench.observation_sets[flown.flight].file.clone(),
                 t: flown.knots.clone(),
                 value: (0..knots).map(|k| mean[at(k)]).collect(),
                 std_error: (0..knots)
@@ -89,18 +86,18 @@ impl Flown {
         bench: &Bench,
         grammar: &Grammar,
         flight: usize,
-        at: &Point,
-        noise: &Noise,
+        at: &Iterate,
+        noise: &NoiseModel,
     ) -> Option<Self> {
-        let (setting, track) = (&bench.setting, &bench.tracks[flight]);
-        let end = *track.times.last()?;
+        let (problem, observations) = (&bench.problem, &bench.observation_sets[flight]);
+        let end = *observations.times.last()?;
         let count = ((end / KNOTS.0).ceil() as usize + 1).clamp(2, KNOTS.1);
         let knots: Vec<f64> = (0..count)
             .map(|k| end * k as f64 / (count - 1) as f64)
             .collect();
-        let parameters = track.parameters(setting, &at.shared);
-        let conditions = setting.body.with(parameters);
-        let first = setting.body.layout().parameters.len();
+        let parameters = observations.parameters(problem, &at.global);
+        let conditions = problem.body.with(parameters);
+        let first = problem.body.layout().parameters.len();
         let each = grammar.places.iter();
         let loads: Vec<usize> = each.flat_map(|&place| vec![place; count]).collect();
         let motion = Weighted::new(&conditions, &loads, first, |t, _, weights| {
@@ -109,12 +106,12 @@ impl Flown {
             }
         });
         let places: Vec<usize> = (first..first + count * grammar.places.len()).collect();
-        let unknowns = (&at.shared, &at.own[flight]);
-        let samples = track.times.len();
+        let unknowns = (&at.global, &at.local[flight]);
+        let samples = observations.times.len();
         let loss = Loss::Whitened(noise);
-        let block = linearise_by(
-            setting,
-            track,
+        let block = linearise_with(
+            problem,
+            observations,
             unknowns,
             samples,
             loss,

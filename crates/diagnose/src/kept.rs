@@ -2,9 +2,7 @@
 
 use std::sync::Mutex;
 
-use identify::levenberg::Point;
-use identify::normal::Block;
-use identify::setting::Setting;
+use identify::{FitProblem, Iterate, NormalBlock};
 
 /// Bytes that are kept at most; what is beyond is flown again.
 const MOST: usize = 128 << 20;
@@ -17,9 +15,9 @@ pub struct Kept(Vec<Mutex<Option<Vec<f64>>>>);
 #[derive(Clone, Copy)]
 pub struct Vantage<'p> {
     /// The setting.
-    pub setting: &'p Setting,
+    pub problem: &'p FitProblem,
     /// The point.
-    pub point: &'p Point,
+    pub point: &'p Iterate,
     /// Flights from there.
     pub kept: &'p Kept,
 }
@@ -56,22 +54,20 @@ impl Kept {
 }
 
 /// The normal equations without the terms, whose unknowns stand behind so many others.
-pub(crate) fn without_terms(block: &Block, shared: usize) -> Block {
-    Block {
-        cross: block.cross.columns(0, shared).into_owned(),
-        shared: block.shared.view((0, 0), (shared, shared)).into_owned(),
-        shared_gradient: block.shared_gradient.rows(0, shared).into_owned(),
-        own: block.own.clone(),
-        own_gradient: block.own_gradient.clone(),
+pub(crate) fn without_terms(block: &NormalBlock, global: usize) -> NormalBlock {
+    NormalBlock {
+        cross: block.cross.columns(0, global).into_owned(),
+        global: block.global.view((0, 0), (global, global)).into_owned(),
+        global_gradient: block.global_gradient.rows(0, global).into_owned(),
+        local: block.local.clone(),
+        local_gradient: block.local_gradient.clone(),
         ..*block
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use identify::fit::fit;
-    use identify::noise::Noise;
-    use identify::options::Options;
+    use identify::{FitOptions, NoiseModel, fit};
 
     use super::*;
     use crate::bench::Bench;
@@ -83,31 +79,31 @@ mod tests {
         let mut dataset = identify::dataset::load(folder.as_ref()).unwrap();
         dataset.flights.truncate(3);
         let model = model_spec::load::load("disc", &[]).unwrap();
-        let options = Options::default();
+        let options = FitOptions::default();
         let fitted = fit(&model, &dataset, &options).unwrap();
         let catalogue = Catalogue::new(&model, &[], &[]).unwrap();
         let (bench, point) = Bench::new(&catalogue, &dataset, &fitted, &options).unwrap();
-        let setting = &bench.setting;
+        let problem = &bench.problem;
         let point = &point;
-        let look = |kept: &Kept, noise: &Noise| {
+        let look = |kept: &Kept, noise: &NoiseModel| {
             let from = Vantage {
-                setting,
+                problem,
                 point,
                 kept,
             };
             bench.look_further(from, noise).unwrap()
         };
-        let (one, other) = (fitted.noise(), Noise::white(0.01, 0.01));
-        let kept = Kept::of(bench.tracks.len());
+        let (one, other) = (fitted.noise(), NoiseModel::white(0.01, 0.01));
+        let kept = Kept::of(bench.observation_sets.len());
         assert_eq!(look(&kept, one), look(&Kept::default(), one));
         assert!(kept.0.iter().all(|slot| slot.lock().unwrap().is_some()));
         assert_eq!(look(&kept, &other), look(&Kept::default(), &other));
         // The terms only come behind.
         let further = look(&kept, one);
-        let shared = point.shared.len();
-        assert!(further[0].shared.nrows() > shared);
-        let further: Vec<Block> = further.iter().map(|b| without_terms(b, shared)).collect();
-        assert_eq!(further, bench.look(setting, point, one).unwrap());
+        let global = point.global.len();
+        assert!(further[0].global.nrows() > global);
+        let further: Vec<NormalBlock> = further.iter().map(|b| without_terms(b, global)).collect();
+        assert_eq!(further, bench.look(problem, point, one).unwrap());
     }
 
     #[test]

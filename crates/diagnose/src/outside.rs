@@ -1,7 +1,7 @@
 //! What lies outside the catalogue: terms are taken one by one, each the one that explains most of what is left.
 
 use identify::dataset::Dataset;
-use identify::fit::{Fitted, fit};
+use identify::{Fit, fit};
 use model_spec::model::Model;
 use nalgebra::DVector;
 
@@ -32,7 +32,7 @@ pub struct Written {
     /// The terms with the greatest statistics, and those taken.
     pub told: Vec<report::Term>,
     /// The model with them, and its fit; none where no term explains anything.
-    pub model: Option<(Extension, Fitted)>,
+    pub model: Option<(Extension, Fit)>,
     /// The sum of squares that they leave, under the noise of the search.
     pub squares: f64,
     /// Whether nothing explains more than chance once they are in.
@@ -101,11 +101,15 @@ pub fn write(
         let all: Vec<String> = with.iter().chain(&extension.effects).cloned().collect();
         let catalogue = Catalogue::new(&extension.model, &all, place.asked.without)?;
         let (mut there, point) = Bench::new(&catalogue, place.dataset, &fitted, &place.asked.fit)?;
-        for (to, from) in there.tracks.iter_mut().zip(&bench.tracks) {
+        for (to, from) in there
+            .observation_sets
+            .iter_mut()
+            .zip(&bench.observation_sets)
+        {
             to.outlier.clone_from(&from.outlier);
         }
         let once = Vantage {
-            setting: &there.setting,
+            problem: &there.problem,
             point: &point,
             kept: &Kept::default(),
         };
@@ -177,7 +181,7 @@ pub fn channels(bench: &Bench, scores: &Scores) -> Vec<report::Channel> {
         return Vec::new();
     };
     let size = scores.information.nrows();
-    let known = bench.setting.shared.len();
+    let known = bench.problem.globals.len();
     let gain = |wanted: &dyn Fn(usize) -> bool| -> f64 {
         let at: Vec<usize> = (0..size)
             .filter(|&i| scores.columns[i].checked_sub(known).is_some_and(wanted))

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use identify::fit::Fitted;
+use identify::Fit;
 use model_spec::model::Model;
 
 use crate::bench::Bench;
@@ -22,7 +22,7 @@ use crate::scores::correlations;
 pub(crate) fn told(
     model: &Model,
     asked: &Asked<'_>,
-    before: &Fitted,
+    before: &Fit,
     bench: &Bench,
     found: &Found,
 ) -> Report {
@@ -45,15 +45,16 @@ pub(crate) fn told(
     } else {
         Verdict::Ambiguous
     };
-    let (points, outliers) = bench
-        .tracks
-        .iter()
-        .fold((0, 0), |(points, outliers), track| {
-            (
-                points + track.seen.iter().flatten().count(),
-                outliers + track.outlier.iter().filter(|o| **o).count(),
-            )
-        });
+    let (points, outliers) =
+        bench
+            .observation_sets
+            .iter()
+            .fold((0, 0), |(points, outliers), observations| {
+                (
+                    points + observations.measured.iter().flatten().count(),
+                    outliers + observations.outlier.iter().filter(|o| **o).count(),
+                )
+            });
     let (undetectable, smallest_detectable) = detectable(bench, &found.scores, found.limits.alarm);
     let flights = before.report.flights.iter().map(|flight| FlightGain {
         file: flight.file.clone(),
@@ -112,7 +113,7 @@ fn candidates(bench: &Bench, found: &Found) -> Vec<CandidateScore> {
         .filter_map(|(columns, score)| Some((columns, score.as_ref()?)))
         .map(|(columns, score)| {
             let expected = score.estimates.iter().map(|&(unknown, value, std_error)| {
-                let name = bench.setting.shared[unknown].name.clone();
+                let name = bench.problem.globals[unknown].name.clone();
                 let part = columns.candidate.coefficients.iter();
                 let part = part.clone().find(|part| part.name == name);
                 let estimate = Estimate {
@@ -143,7 +144,7 @@ fn candidates(bench: &Bench, found: &Found) -> Vec<CandidateScore> {
 
 fn alike(bench: &Bench, found: &Found) -> Alike {
     let scores = &found.scores;
-    let known = bench.setting.shared.len();
+    let known = bench.problem.globals.len();
     let at: Vec<usize> = (0..scores.columns.len())
         .filter(|&i| scores.columns[i] < known && scores.information[(i, i)] > 1e-8)
         .collect();
@@ -151,7 +152,7 @@ fn alike(bench: &Bench, found: &Found) -> Alike {
     Alike {
         names: at
             .iter()
-            .map(|&i| bench.setting.shared[scores.columns[i]].name.clone())
+            .map(|&i| bench.problem.globals[scores.columns[i]].name.clone())
             .collect(),
         matrix: at
             .iter()
@@ -172,8 +173,8 @@ fn cause_report(bench: &Bench, found: &Found, cause: &Cause) -> crate::report::C
         let columns = &bench.candidates[index];
         let mut estimates = BTreeMap::new();
         let mut immaterial = true;
-        for (part, &unknown) in columns.candidate.coefficients.iter().zip(&columns.shared) {
-            let value = cause.point.shared[unknown];
+        for (part, &unknown) in columns.candidate.coefficients.iter().zip(&columns.global) {
+            let value = cause.point.global[unknown];
             let departure = (value - part.null_value).abs();
             immaterial &= part.negligible.is_some_and(|size| departure < size);
             let estimate = Estimate {
@@ -185,13 +186,13 @@ fn cause_report(bench: &Bench, found: &Found, cause: &Cause) -> crate::report::C
             estimates.insert(part.name.clone(), estimate);
         }
         for part in &columns.candidate.states {
-            let own = cause
+            let local = cause
                 .point
-                .own
+                .local
                 .iter()
-                .map(|own| own[part.index] - part.null_value);
-            let count = cause.point.own.len().max(1) as f64;
-            let value = (own.map(|v| v * v).sum::<f64>() / count).sqrt();
+                .map(|local| local[part.index] - part.null_value);
+            let count = cause.point.local.len().max(1) as f64;
+            let value = (local.map(|v| v * v).sum::<f64>() / count).sqrt();
             immaterial &= part.negligible.is_some_and(|size| value < size);
             let estimate = Estimate {
                 value,
@@ -226,8 +227,8 @@ fn cause_report(bench: &Bench, found: &Found, cause: &Cause) -> crate::report::C
 pub(crate) fn take_over(
     report: &mut Report,
     (extension, gained): (&Extension, f64),
-    before: &Fitted,
-    after: &Fitted,
+    before: &Fit,
+    after: &Fit,
 ) {
     for (flight, after) in report.flights.iter_mut().zip(&after.report.flights) {
         flight.rms_after_m = Some(after.rms_m);
@@ -258,14 +259,14 @@ pub(crate) fn take_over(
             estimates: effect
                 .coefficients
                 .iter()
-                .filter_map(|own| {
-                    let constant = &extension.model.coefficients[own.index];
+                .filter_map(|local| {
+                    let constant = &extension.model.coefficients[local.index];
                     let found = after.report.coefficients.get(&constant.name)?;
                     let estimate = Estimate {
                         value: found.value,
                         std_error: found.std_error,
                         unit: constant.unit_text.clone(),
-                        negligible: own.smallest_of_interest,
+                        negligible: local.smallest_of_interest,
                     };
                     Some((constant.name.clone(), estimate))
                 })
@@ -284,7 +285,7 @@ pub(crate) fn take_over(
 
 /// Where causes leave more than noise, the values of the extended fit, with errors by the scatter of the flights where those are
 /// greater: what is left of one flight says nothing of another's, and by the noise alone all would seem too certain.
-pub(crate) fn by_scatter(report: &mut Report, after: &Fitted) {
+pub(crate) fn by_scatter(report: &mut Report, after: &Fit) {
     let fitted = |name: &str| {
         let found = after.report.coefficients.get(name)?;
         let clustered = found.std_error_clustered.unwrap_or(0.0);

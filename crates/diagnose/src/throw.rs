@@ -1,13 +1,10 @@
 //! The next throw: of many that could be made, the one after which the remaining causes would look least alike.
 
 use flight::batch;
-use identify::levenberg::Point;
-use identify::noise::Noise;
-use identify::normal::{Block, eliminate};
-use identify::predict::{By, Loss, linearise};
-use identify::setting::Setting;
-use identify::start::{Motion, state_of};
-use identify::track::Track;
+use identify::{
+    FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, RigidMotion, Unknowns,
+    eliminate, linearise, state_for_motion,
+};
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
@@ -58,12 +55,12 @@ impl Release {
     }
 
     /// How the body moves at it.
-    fn motion(&self, turns: bool) -> Motion {
+    fn motion(&self, turns: bool) -> RigidMotion {
         let about = UnitQuaternion::from_axis_angle;
         let path = about(&Vector3::z_axis(), self.heading) * about(&Vector3::y_axis(), -self.climb);
         let attitude =
             path * about(&Vector3::x_axis(), self.hyzer) * about(&Vector3::y_axis(), -self.nose);
-        Motion {
+        RigidMotion {
             position: Vector3::new(0.0, 0.0, HEIGHT),
             velocity: path * Vector3::new(self.speed, 0.0, 0.0),
             attitude: turns.then_some(attitude),
@@ -76,12 +73,12 @@ impl Release {
 pub fn next_throw(
     bench: &Bench,
     causes: &[Cause],
-    blocks: &[Block],
-    noise: &Noise,
+    blocks: &[NormalBlock],
+    noise: &NoiseModel,
     seed: u64,
 ) -> Option<NextThrow> {
     let best = causes.first()?;
-    if causes.len() < 2 || bench.tracks.is_empty() {
+    if causes.len() < 2 || bench.observation_sets.is_empty() {
         return None;
     }
     let known = information(bench, blocks)?;
@@ -89,7 +86,7 @@ pub fn next_throw(
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let releases: Vec<Release> = (0..TRIED).map(|_| Release::draw(&mut random)).collect();
     let tried = batch::each_on(bench.threads, releases.len(), |index| {
-        let more = flown((bench, &best.setting), &releases[index], &best.point, noise)?;
+        let more = flown((bench, &best.problem), &releases[index], &best.point, noise)?;
         let more = information_of(bench, &more)?;
         Some(separation(bench, causes, &(&known + more)))
     });
@@ -130,43 +127,48 @@ pub fn next_throw(
 
 /// The normal equations of a throw that nobody has made yet.
 fn flown(
-    (bench, setting): (&Bench, &Setting),
+    (bench, problem): (&Bench, &FitProblem),
     release: &Release,
-    at: &Point,
-    noise: &Noise,
-) -> Option<Block> {
+    at: &Iterate,
+    noise: &NoiseModel,
+) -> Option<NormalBlock> {
     let count = (WATCHED.0 * WATCHED.1) as usize;
-    let mut parameters = bench.tracks[0].parameters.clone();
-    let layout = setting.body.layout();
-    if !setting.turns && layout.parameter("omega_x").is_some() {
+    let mut parameters = bench.observation_sets[0].parameters.clone();
+    let layout = problem.body.layout();
+    if !problem.has_attitude && layout.parameter("omega_x").is_some() {
         let axis = release.motion(true).rates?;
         for (name, value) in ["omega_x", "omega_y", "omega_z"].iter().zip(axis.iter()) {
             parameters[layout.parameter(name)?.index()] = *value;
         }
     }
-    let track = Track {
+    let observations = Observations {
         times: (0..count).map(|k| k as f64 / WATCHED.1).collect(),
-        seen: vec![Some([0.0; 3]); count * setting.markers.len()],
-        outlier: vec![false; count * setting.markers.len()],
+        measured: vec![Some([0.0; 3]); count * problem.markers.len()],
+        outlier: vec![false; count * problem.markers.len()],
         parameters,
-        known: Vec::new(),
-        ..bench.tracks[0].clone()
+        known_states: Vec::new(),
+        ..bench.observation_sets[0].clone()
     };
-    let own = state_of(setting, &track, &release.motion(setting.turns)).ok()?;
-    let unknowns = (&at.shared, &own);
+    let local = state_for_motion(
+        problem,
+        &observations,
+        &release.motion(problem.has_attitude),
+    )
+    .ok()?;
+    let unknowns = (&at.global, &local);
     linearise(
-        setting,
-        &track,
+        problem,
+        &observations,
         unknowns,
         count,
-        By::All,
+        Unknowns::All,
         Loss::Whitened(noise),
     )
     .ok()
 }
 
-fn information(bench: &Bench, blocks: &[Block]) -> Option<DMatrix<f64>> {
-    let size = bench.setting.shared.len();
+fn information(bench: &Bench, blocks: &[NormalBlock]) -> Option<DMatrix<f64>> {
+    let size = bench.problem.globals.len();
     let mut sum = DMatrix::zeros(size, size);
     for block in blocks {
         sum += information_of(bench, block)?;
@@ -175,8 +177,8 @@ fn information(bench: &Bench, blocks: &[Block]) -> Option<DMatrix<f64>> {
 }
 
 /// The information of the shared unknowns once a flight's own are eliminated.
-fn information_of(bench: &Bench, block: &Block) -> Option<DMatrix<f64>> {
-    let size = bench.setting.shared.len();
+fn information_of(bench: &Bench, block: &NormalBlock) -> Option<DMatrix<f64>> {
+    let size = bench.problem.globals.len();
     let blocks = [block.clone()];
     let system = eliminate(&blocks, 1e-12).ok()?;
     Some(system.reduced.view((0, 0), (size, size)).clone_owned())
@@ -186,17 +188,17 @@ fn information_of(bench: &Bench, block: &Block) -> Option<DMatrix<f64>> {
 fn separation(bench: &Bench, causes: &[Cause], information: &DMatrix<f64>) -> f64 {
     let columns = |cause: &Cause| -> Vec<usize> {
         let each = cause.effects.iter();
-        each.flat_map(|&e| bench.candidates[e].shared.clone())
+        each.flat_map(|&e| bench.candidates[e].global.clone())
             .collect()
     };
     let mut least = f64::INFINITY;
     for truth in causes {
         for other in causes {
-            let own: Vec<usize> = columns(truth)
+            let local: Vec<usize> = columns(truth)
                 .into_iter()
                 .filter(|c| !columns(other).contains(c))
                 .collect();
-            if own.is_empty() {
+            if local.is_empty() {
                 continue;
             }
             let mut free = bench.base.clone();
@@ -209,11 +211,11 @@ fn separation(bench: &Bench, causes: &[Cause], information: &DMatrix<f64>) -> f6
             let Some(inverse) = inverse(&part(&free, &free)) else {
                 continue;
             };
-            let cross = part(&free, &own);
-            let left = part(&own, &own) - cross.tr_mul(&(inverse * &cross));
-            let size = DVector::from_fn(own.len(), |i, _| {
-                let unknown = own[i];
-                truth.point.shared[unknown] - bench.setting.shared[unknown].model_value
+            let cross = part(&free, &local);
+            let left = part(&local, &local) - cross.tr_mul(&(inverse * &cross));
+            let size = DVector::from_fn(local.len(), |i, _| {
+                let unknown = local[i];
+                truth.point.global[unknown] - bench.problem.globals[unknown].model_value
             });
             least = least.min(size.dot(&(left * &size)).max(0.0).sqrt());
         }

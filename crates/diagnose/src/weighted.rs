@@ -12,7 +12,7 @@ pub struct Weighted<'a, W> {
     pattern: Vec<(usize, usize)>,
     /// Entry of the load, and weight, of each entry behind the model's own.
     sources: Vec<(usize, usize)>,
-    own: usize,
+    local: usize,
     weigh: W,
     weights: Vec<f64>,
 }
@@ -23,10 +23,10 @@ impl<'a, W: FnMut(f64, &[f64], &mut [f64])> Weighted<'a, W> {
     pub fn new(conditions: &'a Conditions<'a>, loads: &[usize], first: usize, weigh: W) -> Self {
         let motion = conditions.linear_motion();
         let mut pattern = motion.constant_pattern().to_vec();
-        let own = pattern.len();
+        let local = pattern.len();
         let mut sources = Vec::new();
         for (index, place) in loads.iter().enumerate() {
-            for entry in 0..own {
+            for entry in 0..local {
                 let (row, column) = pattern[entry];
                 if column == *place {
                     pattern.push((row, first + index));
@@ -38,7 +38,7 @@ impl<'a, W: FnMut(f64, &[f64], &mut [f64])> Weighted<'a, W> {
             motion,
             pattern,
             sources,
-            own,
+            local,
             weigh,
             weights: vec![0.0; loads.len()],
         }
@@ -66,11 +66,11 @@ impl<W: FnMut(f64, &[f64], &mut [f64])> Linearised for Weighted<'_, W> {
         by_state: &mut [f64],
         by_constant: &mut [f64],
     ) {
-        let (own, weighed) = by_constant.split_at_mut(self.own);
-        self.motion.linearise(t, x, dx, by_state, own);
+        let (local, weighed) = by_constant.split_at_mut(self.local);
+        self.motion.linearise(t, x, dx, by_state, local);
         (self.weigh)(t, x, &mut self.weights);
         for (to, &(entry, index)) in weighed.iter_mut().zip(&self.sources) {
-            *to = own[entry] * self.weights[index];
+            *to = local[entry] * self.weights[index];
         }
     }
 

@@ -229,7 +229,7 @@ pub fn outside(terms: &Written) -> String {
 
 /// The evidence for a term, as the doc of the effect that is written for it.
 pub fn evidence(dataset: &str, bench: &Bench, term: Option<&Term>) -> String {
-    let flights = bench.tracks.len();
+    let flights = bench.observation_sets.len();
     let told = term.map_or_else(String::new, |term| {
         format!(
             " chi squared {:.0}, first estimate {} ± {}",

@@ -1,27 +1,54 @@
-//! Measured flights: datasets are read and checked, and coefficients are fitted to all flights at once.
+//! Aerodynamic coefficients from measured flights: datasets, and the output-error fit of a model to all flights at once.
 //!
-//! [`dataset`] reads the formats and refuses what is malformed. [`fit`](mod@fit) finds its starts by itself ([`start`]),
-//! minimises what is left of the observed markers once the model's prediction is taken away, weighed by a noise that
-//! it estimates ([`noise`], [`outlier`]), with the exact sensitivities of the compiled model ([`predict`]), and says
-//! what its estimates are worth ([`uncertainty`]). [`report`] is what comes out. [`synthesize`] makes datasets whose truth is known.
+//! [`dataset`] reads and checks the formats. [`fit`] finds its own initial guesses, minimises the residuals (measured −
+//! predicted marker positions), weighted by a noise model that it estimates, with the exact sensitivities of the
+//! compiled model. The resulting [`Fit`] holds a [`FitReport`] with estimates, uncertainties and residual diagnostics.
+//! [`synthesize`] makes datasets whose true coefficients are known.
 
-pub mod chart;
-mod cut;
 pub mod dataset;
-pub mod error;
-pub mod fit;
-pub mod levenberg;
-pub mod noise;
-pub mod normal;
-pub mod options;
-pub mod outlier;
-pub mod pose;
-pub mod predict;
-pub mod report;
-pub mod rows;
-pub mod setting;
-pub mod sight;
-pub mod start;
+mod fit;
+mod impact_detection;
+mod initial_state;
+mod input_error;
+mod least_squares;
+mod marker_observers;
+mod noise;
+mod observations;
+mod options;
+pub mod outliers;
+mod pose;
+mod predict;
+mod problem;
+mod report;
+mod state_manifold;
 pub mod synthesize;
-pub mod track;
-pub mod uncertainty;
+mod uncertainty;
+pub mod wording;
+
+// Fitting a dataset.
+pub use fit::{CONDITIONING_FRACTION, Fit, FitError, fit};
+pub use input_error::InputError;
+pub use options::{FitOptions, Prior, Stop, Watch};
+
+// What a fit reports.
+pub use report::{
+    AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FlightEvidence, FlightReport,
+    Iterations, NoiseReport, NonIdentifiable, Profile, Truncation,
+};
+pub use uncertainty::interval;
+
+// The estimation problem, and predictions with their derivatives.
+pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
+pub use noise::{Moments, NoiseModel, median, robust_sigma};
+pub use observations::Observations;
+pub use predict::{
+    Loss, PointResidual, Residuals, Unknowns, each_residual, linearise, linearise_with,
+};
+pub use problem::{FitProblem, GlobalParameter};
+pub use state_manifold::StateManifold;
+
+// Least squares over many flights.
+pub use least_squares::{
+    Constraint, Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, Solution, SolveError,
+    StoppingCriteria, UndeterminedFlight, constrained_step, eliminate, solve,
+};

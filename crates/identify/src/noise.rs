@@ -2,7 +2,7 @@
 
 /// The noise along each axis of the inertial frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Noise {
+pub struct NoiseModel {
     /// Standard deviation along each axis, m.
     pub sigma: [f64; 3],
     /// Correlation between samples `interval` apart, along each axis.
@@ -14,7 +14,7 @@ pub struct Noise {
 /// Greatest correlation that is believed: beyond it a residual is a misfit and no noise.
 const MOST_CORRELATION: f64 = 0.9;
 
-impl Noise {
+impl NoiseModel {
     /// White noise of this standard deviation along every axis.
     pub fn white(sigma: f64, interval: f64) -> Self {
         Self {
@@ -51,7 +51,7 @@ impl Noise {
     }
 
     /// Whether another estimate of the same noise says the same for all purposes.
-    pub fn is_close_to(&self, other: &Noise) -> bool {
+    pub fn is_close_to(&self, other: &NoiseModel) -> bool {
         let same = |a: f64, b: f64| (a / b - 1.0).abs() < 0.005;
         (0..3).all(|axis| {
             same(self.sigma[axis], other.sigma[axis])
@@ -111,7 +111,7 @@ impl Moments {
 
     /// The noise that leaves such residuals where `unknowns` were fitted to them; a standard deviation that is
     /// `given` (m) is taken as it is.
-    pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> Noise {
+    pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> NoiseModel {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;
         let sigma = [0, 1, 2].map(|axis| {
@@ -126,7 +126,7 @@ impl Moments {
             let correlation = self.products[axis] / self.neighbours[axis];
             correlation.clamp(-MOST_CORRELATION, MOST_CORRELATION)
         });
-        Noise {
+        NoiseModel {
             sigma,
             ar1,
             interval,

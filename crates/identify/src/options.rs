@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is asked of a fit beside its dataset and its model.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Options<'a> {
+pub struct FitOptions<'a> {
     /// Coefficients that are held: at a value (SI), or at that of the model's file.
-    pub hold: &'a [(String, Option<f64>)],
+    pub fixed: &'a [(String, Option<f64>)],
     /// Parameters and components of inputs (`wind_x`) that are estimated too, one value for all flights.
     pub free: &'a [String],
     /// What is known of coefficients beforehand.
@@ -43,7 +43,7 @@ pub trait Watch: std::fmt::Debug + Sync {
     fn is_stopped(&self) -> bool;
 }
 
-impl Options<'_> {
+impl FitOptions<'_> {
     pub(crate) fn begins(&self, stage: &str, parts: usize) {
         if let Some(watch) = self.watch {
             watch.begins(stage, parts);

@@ -165,8 +165,8 @@ mod tests {
                     let mut step = [0.0; 6];
                     step[axis] = size;
                     let turned = UnitQuaternion::new(Vector3::from_column_slice(&step[..3]));
-                    let moved = pose.position + Vector3::from_column_slice(&step[3..]);
-                    assert!(squares(turned * pose.attitude, moved) > pose.squares);
+                    let plus = pose.position + Vector3::from_column_slice(&step[3..]);
+                    assert!(squares(turned * pose.attitude, plus) > pose.squares);
                 }
             }
         }

@@ -1,9 +1,8 @@
 //! States that an effect adds: of each flight its own, and found with its initial state.
 
 use flight::release::{Vocabulary, built_in, read};
-use identify::fit::fit;
-use identify::options::Options;
-use identify::synthesize::{Noise, Plan, flights};
+use identify::synthesize::{Corruption, Plan, flights};
+use identify::{FitOptions, fit};
 
 const GUST: &str = "
 effect gust {
@@ -25,14 +24,14 @@ fn the_wind_of_each_flight_is_found() {
     let release = read("serve", serve, |_| Ok(Vocabulary::of(&model))).expect("a release");
     let plan = Plan {
         flights: 4,
-        noise: Noise {
+        noise: Corruption {
             sigma: 1e-5,
-            ..Noise::default()
+            ..Corruption::default()
         },
         ..Plan::default()
     };
     let made = flights(&model, &[release], &plan).expect("made");
-    let fitted = fit(&model, &made.dataset, &Options::default()).expect("a fit");
+    let fitted = fit(&model, &made.dataset, &FitOptions::default()).expect("a fit");
     let mut winds = Vec::new();
     for (flight, (_, truth)) in fitted.report.flights.iter().zip(&made.truth.initial) {
         for name in ["W_x", "W_y"] {

@@ -4,7 +4,7 @@ mod support;
 
 use std::time::{Duration, Instant};
 
-use identify::dataset::{Known, Role};
+use identify::dataset::{KnownValue, Role};
 use proptest::prelude::*;
 use support::{MANIFEST, TABLE, folder, read, read_both};
 
@@ -15,7 +15,7 @@ fn a_good_dataset_is_read_whole() {
     assert_eq!(dataset.parameters["m"], 0.0027);
     let flight = &dataset.flights[0];
     assert_eq!(flight.role, Role::HeldOut);
-    assert_eq!(flight.known["omega"], Known::Vector([1.0, 2.0, 3.0]));
+    assert_eq!(flight.known["omega"], KnownValue::Vector([1.0, 2.0, 3.0]));
     assert_eq!(flight.times, [0.0, 0.1, 0.25]);
     let seen = |x, y, z| vec![Some([x, y, z])];
     assert_eq!(
@@ -45,9 +45,9 @@ fn one_sample_integers_and_all_flights_held_out_are_ordinary() {
     let dataset = read_both(manifest.as_bytes(), table.as_bytes()).expect("it is well formed");
     assert_eq!(dataset.markers[0].position, [0.0; 3]);
     let known = &dataset.flights[0].known;
-    assert_eq!(known["omega"], Known::Vector([1.0, 2.0, 3.0]));
-    assert_eq!(known["rho"], Known::Scalar(1.19));
-    assert_eq!(known["vz"], Known::Scalar(-3.0));
+    assert_eq!(known["omega"], KnownValue::Vector([1.0, 2.0, 3.0]));
+    assert_eq!(known["rho"], KnownValue::Scalar(1.19));
+    assert_eq!(known["vz"], KnownValue::Scalar(-3.0));
 }
 
 #[test]

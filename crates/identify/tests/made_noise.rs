@@ -1,6 +1,6 @@
 //! The noise of made datasets is what was asked for, and the same seed makes the same bits.
 
-use identify::synthesize::{Noise, corrupt};
+use identify::synthesize::{Corruption, corrupt};
 
 type Positions = Vec<Vec<Option<[f64; 3]>>>;
 
@@ -10,7 +10,7 @@ fn still(markers: usize) -> Positions {
     vec![vec![Some([0.0; 3]); markers]; SAMPLES]
 }
 
-fn corrupted(noise: &Noise, markers: usize, seed: u64) -> Positions {
+fn corrupted(noise: &Corruption, markers: usize, seed: u64) -> Positions {
     let mut positions = still(markers);
     corrupt(&mut positions, noise, seed);
     positions
@@ -30,10 +30,10 @@ fn correlation(a: &[f64], b: &[f64]) -> f64 {
 #[test]
 fn noise_has_its_size_and_its_correlation() {
     for ar1 in [0.0, 0.6, -0.5, 0.95] {
-        let noise = Noise {
+        let noise = Corruption {
             sigma: 0.002,
             ar1,
-            ..Noise::default()
+            ..Corruption::default()
         };
         let positions = corrupted(&noise, 2, 3);
         for (marker, axis) in [(0, 0), (0, 1), (0, 2), (1, 0), (1, 2)] {
@@ -62,7 +62,7 @@ fn noise_has_its_size_and_its_correlation() {
 
 #[test]
 fn markers_and_axes_have_streams_of_their_own() {
-    let positions = corrupted(&Noise::default(), 3, 5);
+    let positions = corrupted(&Corruption::default(), 3, 5);
     let all: Vec<Vec<f64>> = (0..9).map(|i| along(&positions, i / 3, i % 3)).collect();
     for (i, a) in all.iter().enumerate() {
         for b in &all[..i] {
@@ -71,15 +71,18 @@ fn markers_and_axes_have_streams_of_their_own() {
         }
     }
     // One marker more does not change the others.
-    assert_eq!(along(&corrupted(&Noise::default(), 4, 5), 1, 2), all[5]);
+    assert_eq!(
+        along(&corrupted(&Corruption::default(), 4, 5), 1, 2),
+        all[5]
+    );
 }
 
 #[test]
 fn the_noise_of_the_first_sample_is_as_large_as_later() {
-    let noise = Noise {
+    let noise = Corruption {
         sigma: 1.0,
         ar1: 0.9,
-        ..Noise::default()
+        ..Corruption::default()
     };
     let squares = (0..4000).map(|seed| {
         let mut positions = vec![vec![Some([0.0; 3])]];
@@ -95,11 +98,11 @@ fn the_noise_of_the_first_sample_is_as_large_as_later() {
 
 #[test]
 fn outliers_are_as_many_and_as_large_as_asked() {
-    let noise = Noise {
+    let noise = Corruption {
         sigma: 0.0,
         outliers: 0.05,
         outlier_size: 0.3,
-        ..Noise::default()
+        ..Corruption::default()
     };
     let positions = corrupted(&noise, 1, 9);
     let jumps: Vec<[f64; 3]> = positions
@@ -118,9 +121,9 @@ fn outliers_are_as_many_and_as_large_as_asked() {
 #[test]
 fn dropouts_are_as_many_as_asked_half_singly_and_half_in_runs() {
     for fraction in [0.02, 0.2, 0.9] {
-        let noise = Noise {
+        let noise = Corruption {
             dropouts: fraction,
-            ..Noise::default()
+            ..Corruption::default()
         };
         let positions = corrupted(&noise, 4, 11);
         let hidden: Vec<Vec<bool>> = (0..4)
@@ -154,9 +157,9 @@ fn dropouts_are_as_many_as_asked_half_singly_and_half_in_runs() {
 
 #[test]
 fn the_first_samples_are_hidden_as_often_as_later_ones() {
-    let noise = Noise {
+    let noise = Corruption {
         dropouts: 0.3,
-        ..Noise::default()
+        ..Corruption::default()
     };
     let hidden = (0..4000).filter(|&seed| {
         let mut positions = vec![vec![Some([0.0; 3])]];
@@ -172,15 +175,15 @@ fn the_first_samples_are_hidden_as_often_as_later_ones() {
 
 #[test]
 fn a_seed_makes_the_same_bits_on_every_machine() {
-    let noise = Noise {
+    let noise = Corruption {
         ar1: 0.4,
         outliers: 0.1,
         dropouts: 0.3,
-        ..Noise::default()
+        ..Corruption::default()
     };
     assert_eq!(corrupted(&noise, 2, 1), corrupted(&noise, 2, 1));
     assert_ne!(corrupted(&noise, 2, 1), corrupted(&noise, 2, 2));
-    let seen = corrupted(&Noise::default(), 1, 42);
+    let seen = corrupted(&Corruption::default(), 1, 42);
     let first: Vec<String> = seen[..3]
         .iter()
         .map(|row| format!("{:.9}", row[0].expect("seen")[0]))
@@ -190,8 +193,8 @@ fn a_seed_makes_the_same_bits_on_every_machine() {
 
 #[test]
 fn noise_that_makes_no_sense_is_refused() {
-    let wrong = |change: &dyn Fn(&mut Noise)| {
-        let mut noise = Noise::default();
+    let wrong = |change: &dyn Fn(&mut Corruption)| {
+        let mut noise = Corruption::default();
         change(&mut noise);
         noise.check().expect_err("it makes no sense")
     };
@@ -201,5 +204,5 @@ fn noise_that_makes_no_sense_is_refused() {
     assert!(wrong(&|noise| noise.outliers = 1.5).starts_with("outliers"));
     assert!(wrong(&|noise| noise.outlier_size = f64::INFINITY).starts_with("outlier-size"));
     assert!(wrong(&|noise| noise.dropouts = 1.0).starts_with("dropouts"));
-    Noise::default().check().expect("the default");
+    Corruption::default().check().expect("the default");
 }

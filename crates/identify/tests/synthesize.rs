@@ -1,8 +1,8 @@
 //! Made datasets: flights are where the model puts them, around their release, and can be written and read.
 
 use flight::release::{Release, Stop, Vocabulary, built_in, read};
-use identify::dataset::{Known, Role, load, write};
-use identify::synthesize::{Made, Noise, Plan, Spread, SynthesisError, flights};
+use identify::dataset::{KnownValue, Role, load, write};
+use identify::synthesize::{Corruption, Made, Plan, Spread, SynthesisError, flights};
 use model_spec::model::Model;
 
 fn released(name: &str) -> (Model, Release) {
@@ -27,9 +27,9 @@ fn flights_are_made_written_and_read() {
         let plan = Plan {
             flights: 3,
             held_out: 1,
-            noise: Noise {
+            noise: Corruption {
                 dropouts: 0.1,
-                ..Noise::default()
+                ..Corruption::default()
             },
             ..Plan::default()
         };
@@ -51,9 +51,9 @@ fn without_noise_a_ball_is_seen_where_it_is() {
     release.parameters = vec![("rho".into(), 0.0)];
     release.known = vec![("omega".into(), [1.0, 2.0, 3.0])];
     let plan = Plan {
-        noise: Noise {
+        noise: Corruption {
             sigma: 0.0,
-            ..Noise::default()
+            ..Corruption::default()
         },
         decimals: None,
         ..Plan::default()
@@ -62,7 +62,7 @@ fn without_noise_a_ball_is_seen_where_it_is() {
     assert_eq!(made.dataset.parameters["rho"], 0.0);
     for (flight, (file, state)) in made.dataset.flights.iter().zip(&made.truth.initial) {
         assert_eq!(flight.file, *file);
-        assert_eq!(flight.known["omega"], Known::Vector([1.0, 2.0, 3.0]));
+        assert_eq!(flight.known["omega"], KnownValue::Vector([1.0, 2.0, 3.0]));
         assert_eq!(flight.times.len(), 55);
         assert_eq!(flight.times[..3], [0.0, 0.008333, 0.016667]);
         for (t, row) in flight.times.iter().zip(&flight.positions) {
@@ -78,9 +78,9 @@ fn without_noise_a_ball_is_seen_where_it_is() {
 #[test]
 fn markers_of_a_rigid_body_keep_their_distances() {
     let plan = Plan {
-        noise: Noise {
+        noise: Corruption {
             sigma: 0.0,
-            ..Noise::default()
+            ..Corruption::default()
         },
         decimals: None,
         ..Plan::default()

@@ -6,14 +6,14 @@ use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use identify::dataset::{Dataset, Flight, Known, Marker, Role, load, write, write_with};
+use identify::dataset::{Dataset, Flight, KnownValue, Marker, Role, load, write, write_with};
 use proptest::prelude::*;
 
 fn small() -> Dataset {
     let flight = |file: &str| Flight {
         file: file.into(),
         role: Role::Fit,
-        known: BTreeMap::from([("rho".into(), Known::Scalar(1.19))]),
+        known: BTreeMap::from([("rho".into(), KnownValue::Scalar(1.19))]),
         times: vec![0.0, 0.1],
         positions: vec![vec![Some([1.0, 2.0, 3.0])], vec![None]],
     };
@@ -107,7 +107,7 @@ fn what_would_not_be_read_back_is_not_written() {
     });
     refused("a known number that is none", &|d| {
         let known = &mut d.flights[0].known;
-        known.insert("rho".into(), Known::Scalar(f64::INFINITY));
+        known.insert("rho".into(), KnownValue::Scalar(f64::INFINITY));
     });
 }
 
@@ -127,8 +127,8 @@ fn flight(markers: usize) -> impl Strategy<Value = Flight> {
     let point = prop::option::weighted(0.8, [axis(), axis(), axis()]);
     let row = prop::collection::vec(point, markers);
     let known = prop_oneof![
-        (0.1..10.0).prop_map(Known::Scalar),
-        [number(1e9), number(1e9), number(1e9)].prop_map(Known::Vector)
+        (0.1..10.0).prop_map(KnownValue::Scalar),
+        [number(1e9), number(1e9), number(1e9)].prop_map(KnownValue::Vector)
     ];
     (
         prop::collection::vec((1e-6..1.0, row), 1..20),

@@ -6,8 +6,8 @@ mod found;
 mod made;
 
 use diagnose::report::{Report, Verdict};
+use identify::FlightEvidence;
 use identify::dataset::Role;
-use identify::report::FlightEvidence;
 use report::diagnosis::{DiagnosisPage, Made, make};
 
 const TWO_MEGABYTES: usize = 2_000_000;

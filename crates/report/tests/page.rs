@@ -4,7 +4,7 @@ mod made;
 
 use std::collections::BTreeMap;
 
-use identify::report::{FlightEvidence, Report};
+use identify::{FitReport, FlightEvidence};
 use model_spec::model::Model;
 use report::fit::{Figure, FitPage, html_and_figures};
 
@@ -14,7 +14,7 @@ fn disc() -> Model {
     model_spec::load::load("disc", &[]).unwrap()
 }
 
-fn made(report: &Report, evidence: &[FlightEvidence]) -> (String, Vec<Figure>) {
+fn made(report: &FitReport, evidence: &[FlightEvidence]) -> (String, Vec<Figure>) {
     let model = disc();
     let page = FitPage {
         report,

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use identify::dataset::write_with;
-use identify::synthesize::Noise;
+use identify::synthesize::Corruption;
 use model_spec::load::load;
 use serde_json::{Value, json};
 use studies::identification::coverage::TWELVE;
@@ -20,7 +20,7 @@ const TWENTY: Plan<'static> = Plan {
     ..TWELVE
 };
 /// What the cameras add: 1.5 mm on each axis, white.
-const WHITE: Noise = Noise {
+const WHITE: Corruption = Corruption {
     sigma: 0.0015,
     ar1: 0.0,
     outliers: 0.0,

@@ -1,13 +1,9 @@
 //! The gradient of the sum of squares against differences of it, for every choice of states and every loss.
 
-use identify::dataset::{Dataset, Known};
-use identify::noise::Noise;
-use identify::options::Options;
-use identify::predict::{By, Loss, linearise};
-use identify::setting::Setting;
-use identify::start;
-use identify::synthesize::{Noise as Made, corrupt};
-use identify::track::Track;
+use identify::Observations;
+use identify::dataset::{Dataset, KnownValue};
+use identify::synthesize::{Corruption as Made, corrupt};
+use identify::{FitOptions, FitProblem, Loss, NoiseModel, Unknowns, initial_guesses, linearise};
 use nalgebra::DVector;
 use studies::identification::coverage::TWELVE;
 use studies::oracle_flights::dataset::{Plan, disc, flights};
@@ -29,27 +25,35 @@ fn dataset() -> Dataset {
 
 fn check(model: &str, dataset: &Dataset, free: &[String], loss: Loss<'_>) {
     let model = model_spec::load::load(model, &[]).expect("a model");
-    let options = Options {
+    let options = FitOptions {
         free,
-        ..Options::default()
+        ..FitOptions::default()
     };
-    let setting = Setting::new(&model, dataset, &options).expect("a setting");
-    let track = Track::new(&setting, &dataset.flights[0]).expect("a track");
-    let shared = setting
-        .shared
+    let problem = FitProblem::new(&model, dataset, &options).expect("a setting");
+    let observations = Observations::new(&problem, &dataset.flights[0]).expect("a track");
+    let global = problem
+        .globals
         .iter()
-        .map(|shared| 1.1 * shared.model_value + 1e-3 * shared.usual);
-    let shared = DVector::from_iterator(setting.shared.len(), shared);
-    let own = start::starts(&setting, &track)
+        .map(|global| 1.1 * global.model_value + 1e-3 * global.x_scale);
+    let global = DVector::from_iterator(problem.globals.len(), global);
+    let local = initial_guesses(&problem, &observations)
         .expect("a start")
         .remove(0)
         .state;
-    let samples = track.times.len();
-    let at = |shared: &DVector<f64>, own: &DVector<f64>| {
-        linearise(&setting, &track, (shared, own), samples, By::All, loss).expect("a flight")
+    let samples = observations.times.len();
+    let at = |global: &DVector<f64>, local: &DVector<f64>| {
+        linearise(
+            &problem,
+            &observations,
+            (global, local),
+            samples,
+            Unknowns::All,
+            loss,
+        )
+        .expect("a flight")
     };
-    let block = at(&shared, &own);
-    let half = |shared: &DVector<f64>, own: &DVector<f64>| at(shared, own).squares / 2.0;
+    let block = at(&global, &local);
+    let half = |global: &DVector<f64>, local: &DVector<f64>| at(global, local).squares / 2.0;
     let close = |name: &str, found: f64, size: f64, differences: f64, step: f64| {
         // What the gradient is made of, residual by residual, and what differences lose by the integration.
         let scale = (size * block.squares).sqrt() + 1e-3 * block.squares / step.max(1e-6);
@@ -58,42 +62,42 @@ fn check(model: &str, dataset: &Dataset, free: &[String], loss: Loss<'_>) {
             "{name}: {found} against {differences} of {scale}"
         );
     };
-    for direction in 0..track.chart.dimension() {
-        let h = 1e-3 / (1.0 + block.own[(direction, direction)].sqrt() * 1e-3);
-        let mut step = DVector::zeros(track.chart.dimension());
+    for direction in 0..observations.manifold.dimension() {
+        let h = 1e-3 / (1.0 + block.local[(direction, direction)].sqrt() * 1e-3);
+        let mut step = DVector::zeros(observations.manifold.dimension());
         step[direction] = h;
-        let ahead = half(&shared, &track.chart.moved(&own, &step));
-        let behind = half(&shared, &track.chart.moved(&own, &-step));
+        let ahead = half(&global, &observations.manifold.plus(&local, &step));
+        let behind = half(&global, &observations.manifold.plus(&local, &-step));
         let differences = (ahead - behind) / (2.0 * h);
         close(
             &format!("direction {direction}"),
-            block.own_gradient[direction],
-            block.own[(direction, direction)],
+            block.local_gradient[direction],
+            block.local[(direction, direction)],
             differences,
             h,
         );
     }
-    for (index, unknown) in setting.shared.iter().enumerate() {
-        let h = 1e-3 * unknown.usual;
-        let mut step = DVector::zeros(setting.shared.len());
+    for (index, unknown) in problem.globals.iter().enumerate() {
+        let h = 1e-3 * unknown.x_scale;
+        let mut step = DVector::zeros(problem.globals.len());
         step[index] = h;
         let differences =
-            (half(&(&shared + &step), &own) - half(&(&shared - &step), &own)) / (2.0 * h);
+            (half(&(&global + &step), &local) - half(&(&global - &step), &local)) / (2.0 * h);
         close(
             &unknown.name,
-            block.shared_gradient[index],
-            block.shared[(index, index)],
+            block.global_gradient[index],
+            block.global[(index, index)],
             differences,
-            h / unknown.usual,
+            h / unknown.x_scale,
         );
     }
     // Each flight has unknowns that no other has: none of them may be without effect.
-    assert!(block.own.diagonal().iter().all(|value| *value > 0.0));
+    assert!(block.local.diagonal().iter().all(|value| *value > 0.0));
 }
 
 #[test]
 fn gradients_are_those_of_the_squares() {
-    let correlated = Noise {
+    let correlated = NoiseModel {
         sigma: [0.001, 0.002, 0.003],
         ar1: [0.5, 0.0, -0.3],
         interval: 1.0 / 120.0,
@@ -115,14 +119,14 @@ fn gradients_hold_where_states_are_known() {
     let mut data = dataset();
     data.flights[0]
         .known
-        .insert("x".into(), Known::Scalar(0.01));
+        .insert("x".into(), KnownValue::Scalar(0.01));
     data.flights[0]
         .known
-        .insert("thetadot".into(), Known::Scalar(0.2));
+        .insert("thetadot".into(), KnownValue::Scalar(0.2));
     check(
         "disc",
         &data,
         &[],
-        Loss::Whitened(&Noise::white(0.0015, 1.0 / 120.0)),
+        Loss::Whitened(&NoiseModel::white(0.0015, 1.0 / 120.0)),
     );
 }

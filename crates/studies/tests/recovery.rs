@@ -1,16 +1,14 @@
 //! Coefficients of flights that the oracle made, found again by the fit.
 
-use identify::dataset::{Dataset, Known, Role};
-use identify::fit::{FitError, Fitted, fit};
-use identify::options::{Options, Prior, Stop};
-use identify::report::Report;
-use identify::synthesize::{Noise, corrupt};
+use identify::dataset::{Dataset, KnownValue, Role};
+use identify::synthesize::{Corruption, corrupt};
+use identify::{Fit, FitError, FitOptions, FitReport, Prior, Stop, fit};
 use studies::identification::coverage::{TRUTH, TWELVE, conditions, coverage};
 use studies::oracle_flights::dataset::{Plan, disc, flights};
 use studies::oracle_flights::paper_flight::paper_flight;
 use studies::oracle_flights::throws::Throws;
 
-const WHITE: Noise = Noise {
+const WHITE: Corruption = Corruption {
     sigma: 0.0015,
     ar1: 0.0,
     outliers: 0.0,
@@ -18,7 +16,7 @@ const WHITE: Noise = Noise {
     dropouts: 0.0,
 };
 
-fn noisy(plan: &Plan<'_>, noise: &Noise, seed: u64) -> Dataset {
+fn noisy(plan: &Plan<'_>, noise: &Corruption, seed: u64) -> Dataset {
     let mut dataset = flights(&disc(), plan, seed);
     for (index, flight) in dataset.flights.iter_mut().enumerate() {
         corrupt(&mut flight.positions, noise, 100 * seed + index as u64);
@@ -26,12 +24,12 @@ fn noisy(plan: &Plan<'_>, noise: &Noise, seed: u64) -> Dataset {
     dataset
 }
 
-fn fitted(dataset: &Dataset) -> Fitted {
-    fit(&disc(), dataset, &Options::default()).expect("a fit")
+fn fitted(dataset: &Dataset) -> Fit {
+    fit(&disc(), dataset, &FitOptions::default()).expect("a fit")
 }
 
 /// The greatest error of a coefficient over its standard error.
-fn worst(report: &Report) -> f64 {
+fn worst(report: &FitReport) -> f64 {
     let errors = TRUTH.map(|(name, truth)| {
         let found = &report.coefficients[name];
         (found.value - truth).abs() / found.std_error
@@ -83,7 +81,7 @@ fn the_same_bits_on_any_number_of_threads() {
     };
     let dataset = noisy(
         &plan,
-        &Noise {
+        &Corruption {
             dropouts: 0.1,
             outliers: 0.01,
             ..WHITE
@@ -91,9 +89,9 @@ fn the_same_bits_on_any_number_of_threads() {
         4,
     );
     let on = |threads| {
-        let options = Options {
+        let options = FitOptions {
             threads: Some(threads),
-            ..Options::default()
+            ..FitOptions::default()
         };
         let mut report = fit(&disc(), &dataset, &options).expect("a fit").report;
         report.seconds.clear();
@@ -113,7 +111,7 @@ fn the_quaternion_disc_says_the_same() {
     let dataset = noisy(&plan, &WHITE, 5);
     let quaternion = model_spec::load::load("disc_quaternion", &[]).expect("a model");
     let angles = fitted(&dataset).report;
-    let turned = fit(&quaternion, &dataset, &Options::default())
+    let turned = fit(&quaternion, &dataset, &FitOptions::default())
         .expect("a fit")
         .report;
     for (name, found) in &angles.coefficients {
@@ -169,7 +167,7 @@ fn gaps_uneven_times_and_a_late_first_sight_are_ordinary() {
     };
     let mut dataset = noisy(
         &plan,
-        &Noise {
+        &Corruption {
             dropouts: 0.12,
             ..WHITE
         },
@@ -249,7 +247,7 @@ fn one_flight_of_the_paper_does_not_determine_them_all() {
     let mut dataset = paper_flight(&disc(), "fssh3", None);
     corrupt(
         &mut dataset.flights[0].positions,
-        &Noise {
+        &Corruption {
             sigma: 0.0014,
             ..WHITE
         },
@@ -285,33 +283,33 @@ fn coefficients_are_held_freed_bounded_and_known_beforehand() {
         value: 0.2,
         sigma: 1e-7,
     }];
-    let options = Options {
-        hold: &hold,
+    let options = FitOptions {
+        fixed: &hold,
         free: &free,
         priors: &priors,
-        ..Options::default()
+        ..FitOptions::default()
     };
     let report = fit(&disc(), &dataset, &options).expect("a fit").report;
     assert!(report.coefficients["C_Nr"].held && report.coefficients["C_Nr"].value == -5e-5);
     assert!(report.coefficients["C_Ma"].held && report.coefficients["C_Ma"].value == -0.38);
     assert!((report.coefficients["C_D0"].value - 0.2).abs() < 1e-5);
     assert_eq!(report.coefficients["wind_x"].unit, "m/s");
-    let refused = |options: Options<'_>| {
+    let refused = |options: FitOptions<'_>| {
         let error = fit(&disc(), &dataset, &options).err().expect("refused");
         error.to_string()
     };
     let unknown = ["C_X".to_owned()];
     assert!(
-        refused(Options {
+        refused(FitOptions {
             free: &unknown,
-            ..Options::default()
+            ..FitOptions::default()
         })
         .contains("C_X")
     );
     assert!(
-        refused(Options {
+        refused(FitOptions {
             profiles: &unknown,
-            ..Options::default()
+            ..FitOptions::default()
         })
         .contains("C_X")
     );
@@ -328,9 +326,9 @@ fn a_bound_that_is_hit_is_said() {
     let report = fitted(&noisy(&plan, &WHITE, 11)).report;
     let drag = &report.coefficients["C_D0"];
     assert!(drag.at_bound && drag.value == 0.0, "{drag:?}");
-    let options = Options {
+    let options = FitOptions {
         unbounded: true,
-        ..Options::default()
+        ..FitOptions::default()
     };
     let report = fit(&disc(), &noisy(&plan, &WHITE, 11), &options)
         .expect("a fit")
@@ -345,7 +343,7 @@ fn a_bound_that_is_hit_is_said() {
 #[test]
 fn an_effect_that_is_absent_is_found_to_be_nothing() {
     let model = model_spec::load::load("disc", &["zero_lift_drag_angle"]).expect("a model");
-    let report = fit(&model, &noisy(&TWELVE, &WHITE, 12), &Options::default())
+    let report = fit(&model, &noisy(&TWELVE, &WHITE, 12), &FitOptions::default())
         .expect("a fit")
         .report;
     let angle = &report.coefficients["alpha_0"];
@@ -364,9 +362,9 @@ fn a_profile_agrees_with_the_standard_error_where_the_model_is_nearly_straight()
         13,
     );
     let profiles = ["C_La".to_owned()];
-    let options = Options {
+    let options = FitOptions {
         profiles: &profiles,
-        ..Options::default()
+        ..FitOptions::default()
     };
     let report = fit(&disc(), &dataset, &options).expect("a fit").report;
     let (profile, found) = (&report.profiles[0], &report.coefficients["C_La"]);
@@ -391,17 +389,17 @@ fn what_is_known_of_a_flight_is_taken_as_given() {
     );
     dataset.flights[0]
         .known
-        .insert("z".into(), Known::Scalar(1.25));
+        .insert("z".into(), KnownValue::Scalar(1.25));
     dataset.flights[1]
         .known
-        .insert("wind".into(), Known::Vector([0.5, 0.0, 0.0]));
+        .insert("wind".into(), KnownValue::Vector([0.5, 0.0, 0.0]));
     let report = fitted(&dataset).report;
     let height = report.flights[0].initial["z"];
     assert_eq!((height.value, height.std_error), (1.25, 0.0));
     dataset.flights[2]
         .known
-        .insert("height".into(), Known::Scalar(1.0));
-    let error = fit(&disc(), &dataset, &Options::default())
+        .insert("height".into(), KnownValue::Scalar(1.0));
+    let error = fit(&disc(), &dataset, &FitOptions::default())
         .err()
         .expect("refused");
     assert!(
@@ -415,9 +413,9 @@ fn a_fit_stops_when_told() {
     let dataset = noisy(&TWELVE, &WHITE, 15);
     let stop = Stop::default();
     stop.stop();
-    let options = Options {
+    let options = FitOptions {
         watch: Some(&stop),
-        ..Options::default()
+        ..FitOptions::default()
     };
     let begun = std::time::Instant::now();
     assert_eq!(

@@ -1,9 +1,8 @@
 //! Flights with hidden effects: nothing hidden is nothing changed, every effect shows, and the fit finds it by name.
 
 use identify::dataset::{Dataset, Role};
-use identify::fit::fit;
-use identify::options::Options;
-use identify::synthesize::Noise;
+use identify::synthesize::Corruption;
+use identify::{FitOptions, fit};
 use oracle::effect;
 use oracle::reference::Law;
 use studies::identification::coverage::TWELVE;
@@ -126,7 +125,7 @@ fn what_is_outside_shows_too() {
 fn the_same_seed_gives_the_same_flights() {
     let hidden = Hidden {
         held_out: 1,
-        ..Hidden::effect("wind", &[0.3, 0.1]).with_noise(Noise::default())
+        ..Hidden::effect("wind", &[0.3, 0.1]).with_noise(Corruption::default())
     };
     let made = dataset(&FOUR, &hidden, 8);
     assert_eq!(made, dataset(&FOUR, &hidden, 8));
@@ -138,7 +137,7 @@ fn the_same_seed_gives_the_same_flights() {
 /// The model with the effect switched on finds its numbers again.
 fn found_again(model: &str, name: &str, hidden: &Dataset, truth: &[f64]) {
     let with = model_spec::load::load(model, &[name]).expect("a model");
-    let report = fit(&with, hidden, &Options::default())
+    let report = fit(&with, hidden, &FitOptions::default())
         .expect("a fit")
         .report;
     let names = effect::by_name(name).expect("by hand").coefficients;
@@ -168,7 +167,7 @@ fn the_fit_finds_what_is_hidden() {
         "mass_imbalance",
     ] {
         let strong = strength::of(name).expect("a strength").strong;
-        let hidden = Hidden::effect(name, strong).with_noise(Noise::default());
+        let hidden = Hidden::effect(name, strong).with_noise(Corruption::default());
         found_again("disc", name, &dataset(&TWELVE, &hidden, 21), strong);
     }
 }
@@ -176,10 +175,10 @@ fn the_fit_finds_what_is_hidden() {
 #[test]
 fn the_fit_finds_the_wind_of_each_flight() {
     let hidden = Hidden::effect("wind_of_each_flight", &[0.5, 0.5]);
-    let made = dataset(&TWELVE, &hidden.with_noise(Noise::default()), 23);
+    let made = dataset(&TWELVE, &hidden.with_noise(Corruption::default()), 23);
     let with = model_spec::load::load("disc", &["wind_of_each_flight"]).expect("a model");
     let fitted = |model| {
-        let fitted = fit(model, &made, &Options::default());
+        let fitted = fit(model, &made, &FitOptions::default());
         fitted.expect("a fit").report
     };
     let (plain, report) = (fitted(&disc()), fitted(&with));
@@ -199,7 +198,7 @@ fn the_fit_finds_what_is_hidden_in_flights_of_a_ball() {
         ("spin_decay", &ball::TABLE_TENNIS),
     ] {
         let strong = strength::of(name).expect("a strength").strong;
-        let hidden = Hidden::effect(name, strong).with_noise(Noise::default());
+        let hidden = Hidden::effect(name, strong).with_noise(Corruption::default());
         found_again("ball", name, &ball::dataset(plan, &hidden, 22), strong);
     }
 }

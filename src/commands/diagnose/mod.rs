@@ -9,9 +9,7 @@ use ::diagnose::catalogue::underscored;
 use ::diagnose::diagnosis::{Asked, Diagnosed, diagnose_beside};
 use ::diagnose::report::{Verdict, Verified};
 use anyhow::Context;
-use identify::dataset;
-use identify::fit::Fitted;
-use identify::options::Options;
+use identify::{Fit, FitOptions, dataset};
 use report::diagnosis::DiagnosisPage;
 
 use super::fit::{drawn, held, model_of, priors};
@@ -41,13 +39,13 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
         dataset: &name,
         with: &options.with,
         without: &options.without,
-        fit: Options {
-            hold: &hold,
+        fit: FitOptions {
+            fixed: &hold,
             free: &options.free,
             priors: &priors,
             threads: options.threads,
             watch: Some(&progress),
-            ..Options::default()
+            ..FitOptions::default()
         },
     };
     progress.working();
@@ -122,7 +120,7 @@ fn extended(text: &str) -> anyhow::Result<Extended> {
 }
 
 fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosed) -> anyhow::Result<()> {
-    let evidence = |fitted: &Fitted, flights: &[usize]| {
+    let evidence = |fitted: &Fit, flights: &[usize]| {
         let each = flights.iter().filter_map(|&flight| fitted.evidence(flight));
         each.collect::<Vec<_>>()
     };

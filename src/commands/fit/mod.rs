@@ -9,8 +9,7 @@ use std::path::Path;
 
 use anyhow::{Context, bail};
 use identify::dataset::{self, Dataset, Role};
-use identify::fit::Fitted;
-use identify::options::{Options, Prior};
+use identify::{FitOptions, Prior};
 use report::fit::FitPage;
 
 use super::number;
@@ -25,8 +24,8 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
-    let asked = Options {
-        hold: &hold,
+    let asked = FitOptions {
+        fixed: &hold,
         free: &options.free,
         priors: &priors,
         unbounded: options.unbounded,
@@ -35,7 +34,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         watch: Some(&progress),
     };
     progress.working();
-    let fitted = identify::fit::fit(&model, &dataset, &asked);
+    let fitted = identify::fit(&model, &dataset, &asked);
     progress.writing();
     let fitted = fitted.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
     output::print(summary::summary(&model, &fitted.report))?;
@@ -55,7 +54,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
 /// Flights that are drawn: some of the first, those with the greatest residuals, some that were held out.
 const DRAWN: (usize, usize, usize) = (6, 3, 3);
 
-pub(super) fn drawn(fitted: &Fitted) -> Vec<usize> {
+pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     let flights = &fitted.report.flights;
     let of_role = |role: Role| {
         (0..flights.len()).filter(move |&i| flights[i].role == role && flights[i].is_used())
@@ -74,7 +73,7 @@ fn write(
     from: &Path,
     model: &model_spec::model::Model,
     dataset: &Dataset,
-    fitted: &Fitted,
+    fitted: &identify::Fit,
 ) -> anyhow::Result<()> {
     let name = from.file_name().map_or_else(
         || from.display().to_string(),

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use identify::dataset::Role;
-use identify::report::{Coefficient, FlightReport, Report};
+use identify::{Coefficient, FitReport, FlightReport};
 use model_spec::model::Model;
 
 use super::tables::role;
@@ -14,7 +14,7 @@ use super::tables::role;
 const LISTED: usize = 20;
 
 /// The whole summary.
-pub fn summary(model: &Model, report: &Report) -> String {
+pub fn summary(model: &Model, report: &FitReport) -> String {
     let left_out = report.left_out().count();
     let mut text = format!(
         "{}{}: {} flights fitted, {} held out",
@@ -77,7 +77,7 @@ fn table(head: &[&str]) -> Table {
 }
 
 /// In the order of the model, then what was freed beside it.
-fn coefficients(model: &Model, report: &Report) -> Table {
+fn coefficients(model: &Model, report: &FitReport) -> Table {
     let mut table = table(&[
         "coefficient",
         "value",
@@ -144,7 +144,7 @@ fn written(value: f64, digits: i32) -> String {
 }
 
 /// What the scatter of the flights says against the standard errors.
-fn scatter(report: &Report) -> Option<String> {
+fn scatter(report: &FitReport) -> Option<String> {
     let worst = report
         .coefficients
         .iter()
@@ -159,7 +159,7 @@ fn scatter(report: &Report) -> Option<String> {
     })
 }
 
-fn flights(report: &Report) -> String {
+fn flights(report: &FitReport) -> String {
     let mut order: Vec<&FlightReport> = report.flights.iter().collect();
     let mut text = String::new();
     if order.len() > LISTED {

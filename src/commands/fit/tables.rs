@@ -1,11 +1,10 @@
 //! The tables of a fit, as CSV.
 
 use identify::dataset::{Dataset, Role};
-use identify::fit::Fitted;
-use identify::report::Report;
+use identify::{Fit, FitReport};
 
 /// One row per coefficient.
-pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
+pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
         "name",
@@ -36,7 +35,7 @@ pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
 }
 
 /// Every pair of coefficients.
-pub fn correlations(report: &Report) -> anyhow::Result<Vec<u8>> {
+pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_field("name")?;
     table.write_record(report.correlations.keys())?;
@@ -48,7 +47,7 @@ pub fn correlations(report: &Report) -> anyhow::Result<Vec<u8>> {
 }
 
 /// One row per flight.
-pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
+pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
         "file", "role", "samples", "rms_m", "outliers", "cut_at_s", "notes",
@@ -72,7 +71,7 @@ pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
 const MOST_ROWS: usize = 1_000_000;
 
 /// Measured less predicted, one row per marker and sample that was seen.
-pub fn residuals(dataset: &Dataset, fitted: &Fitted) -> anyhow::Result<Vec<u8>> {
+pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "marker", "x_m", "y_m", "z_m", "outlier"])?;
     let mut rows = 0;

@@ -3,7 +3,7 @@
 
 mod parts;
 
-use identify::normal::{Block, eliminate};
+use identify::{NormalBlock, eliminate};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use parts::{Eliminated, Parts, inverse_root};
@@ -78,19 +78,19 @@ impl Scores {
     /// In words, where a flight does not determine its own unknowns.
     pub fn new(
         bench: &Bench,
-        blocks: &[Block],
+        blocks: &[NormalBlock],
         (allowed, terms): (&[usize], &[usize]),
-        shared: &DVector<f64>,
+        global: &DVector<f64>,
     ) -> Result<Self, String> {
-        let size = blocks.first().map_or(0, |block| block.shared.nrows());
+        let size = blocks.first().map_or(0, |block| block.global.nrows());
         // Terms have no value of their own yet.
-        let known = shared.len();
-        let shared = &DVector::from_fn(size, |i, _| if i < known { shared[i] } else { 0.0 });
+        let known = global.len();
+        let global = &DVector::from_fn(size, |i, _| if i < known { global[i] } else { 0.0 });
         let reduced = Reduced::new(bench, blocks, allowed, size)?;
         let mut free = bench.unknowns(allowed);
         free.extend(terms.iter().map(|term| known + term));
         let columns: Vec<usize> = (0..size).filter(|i| !free.contains(i)).collect();
-        let (h, g) = prior(bench, &reduced.matrix, &reduced.gradient, shared);
+        let (h, g) = prior(bench, &reduced.matrix, &reduced.gradient, global);
         let scale: Vec<f64> = columns.iter().map(|&i| inverse_root(h[(i, i)])).collect();
         let parts = Parts::new(&h, &g, &free, &columns, &scale);
         let Eliminated {
@@ -101,7 +101,7 @@ impl Scores {
         } = parts.eliminated()?;
         let base = DMatrix::from_fn(free.len(), free.len(), |i, j| h[(free[i], free[j])]);
         let sizes = columns.iter().map(|&i| {
-            let raw: f64 = blocks.iter().map(|block| block.shared[(i, i)]).sum();
+            let raw: f64 = blocks.iter().map(|block| block.global[(i, i)]).sum();
             (raw, h[(i, i)])
         });
         let mut scores = Scores {
@@ -122,37 +122,37 @@ impl Scores {
             bench,
             &reduced.matrix,
             &reduced.gradient,
-            shared,
+            global,
             &scores.base.0,
         );
         for (index, columns) in bench.candidates.iter().enumerate() {
             let score_of = if allowed.contains(&index) {
                 None
             } else if columns.states.is_empty() {
-                Some(scores.shared(&columns.shared, &score, &scale, shared))
+                Some(scores.global(&columns.global, &score, &scale, global))
             } else {
                 scores.others += 1;
-                let own = reduced.own.iter().find(|own| own.candidate == index);
-                own.map(|own| own.score(bench, shared, &scores.base.0, base_gain))
+                let local = reduced.local.iter().find(|local| local.candidate == index);
+                local.map(|local| local.score(bench, global, &scores.base.0, base_gain))
             };
             scores.each.push(score_of);
         }
         for unknown in known..size {
-            let score = scores.shared(&[unknown], &score, &scale, shared);
+            let score = scores.global(&[unknown], &score, &scale, global);
             scores.terms.push(score);
         }
         Ok(scores)
     }
 
-    fn shared(
+    fn global(
         &mut self,
-        own: &[usize],
+        local: &[usize],
         score: &DVector<f64>,
         scale: &[f64],
-        shared: &DVector<f64>,
+        global: &DVector<f64>,
     ) -> Score {
         let at: Vec<usize> = (0..self.columns.len())
-            .filter(|&i| own.contains(&self.columns[i]))
+            .filter(|&i| local.contains(&self.columns[i]))
             .collect();
         if at.is_empty() {
             return Score::NOTHING;
@@ -182,7 +182,7 @@ impl Scores {
                 true => variance.sqrt() * scale[column],
                 false => f64::INFINITY,
             };
-            estimates.push((unknown, shared[unknown] + value * scale[column], error));
+            estimates.push((unknown, global[unknown] + value * scale[column], error));
         }
         let visible = eigen.eigenvalues.iter().copied().fold(0.0, f64::max);
         let freedom = seen.len();
@@ -270,7 +270,7 @@ pub fn correlations(information: &DMatrix<f64>) -> DMatrix<f64> {
 struct Reduced {
     matrix: DMatrix<f64>,
     gradient: DVector<f64>,
-    own: Vec<Own>,
+    local: Vec<Own>,
 }
 
 /// The same with the states of one more candidate eliminated too.
@@ -285,19 +285,19 @@ struct Own {
 impl Reduced {
     fn new(
         bench: &Bench,
-        blocks: &[Block],
+        blocks: &[NormalBlock],
         allowed: &[usize],
         size: usize,
     ) -> Result<Self, String> {
         let mut total = Reduced {
             matrix: DMatrix::zeros(size, size),
             gradient: DVector::zeros(size),
-            own: Vec::new(),
+            local: Vec::new(),
         };
         let each = bench.candidates.iter().enumerate();
         for (candidate, columns) in each {
             if !columns.states.is_empty() && !allowed.contains(&candidate) {
-                total.own.push(Own {
+                total.local.push(Own {
                     candidate,
                     matrix: DMatrix::zeros(size, size),
                     gradient: DVector::zeros(size),
@@ -316,42 +316,42 @@ impl Reduced {
         &mut self,
         bench: &Bench,
         flight: usize,
-        block: &Block,
+        block: &NormalBlock,
         allowed: &[usize],
     ) -> Result<(), String> {
-        let chart = &bench.tracks[flight].chart;
-        let (out, own) = bench.directions(flight, allowed);
+        let manifold = &bench.observation_sets[flight].manifold;
+        let (out, local) = bench.directions(flight, allowed);
         let told = |_| {
-            let file = &bench.tracks[flight].file;
+            let file = &bench.observation_sets[flight].file;
             format!("{file}: its samples do not determine its initial state")
         };
         // What is off counts among the shared unknowns, before them, while the flight's own are eliminated.
-        let rest = own_block(block, &own, &out);
+        let rest = local_block(block, &local, &out);
         let blocks = [rest];
         let rest = eliminate(&blocks, 0.0).map_err(told)?;
         let skip = out.len();
         let size = self.gradient.len();
         self.matrix += rest.reduced.view((skip, skip), (size, size));
         self.gradient += rest.gradient.rows(skip, size);
-        for total in &mut self.own {
+        for total in &mut self.local {
             let states = &bench.candidates[total.candidate].states;
             let at: Vec<usize> = (0..skip)
-                .filter(|&i| chart.plain(out[i]).is_some_and(|s| states.contains(&s)))
+                .filter(|&i| manifold.plain(out[i]).is_some_and(|s| states.contains(&s)))
                 .collect();
-            let shared: Vec<usize> = (skip..skip + size).collect();
-            let blocks = [of_shared((&rest.reduced, &rest.gradient), &at, &shared)];
+            let global: Vec<usize> = (skip..skip + size).collect();
+            let blocks = [of_shared((&rest.reduced, &rest.gradient), &at, &global)];
             match eliminate(&blocks, 0.0) {
                 Ok(next) => {
-                    let step = &next.own_steps(&DVector::zeros(size))[0];
-                    total.gain -= blocks[0].own_gradient.dot(step);
+                    let step = &next.back_substitute(&DVector::zeros(size))[0];
+                    total.gain -= blocks[0].local_gradient.dot(step);
                     total.matrix += &next.reduced;
                     total.gradient += &next.gradient;
                     total.freedom += at.len();
                 }
                 // This flight does not show it.
                 Err(_) => {
-                    total.matrix += &blocks[0].shared;
-                    total.gradient += &blocks[0].shared_gradient;
+                    total.matrix += &blocks[0].global;
+                    total.gradient += &blocks[0].global_gradient;
                 }
             }
         }
@@ -360,8 +360,8 @@ impl Reduced {
 }
 
 impl Own {
-    fn score(&self, bench: &Bench, shared: &DVector<f64>, free: &[usize], base_gain: f64) -> Score {
-        let with = gain_of(bench, &self.matrix, &self.gradient, shared, free);
+    fn score(&self, bench: &Bench, global: &DVector<f64>, free: &[usize], base_gain: f64) -> Score {
+        let with = gain_of(bench, &self.matrix, &self.gradient, global, free);
         let statistic = (self.gain + with - base_gain).max(0.0);
         Score {
             statistic,
@@ -378,10 +378,10 @@ fn gain_of(
     bench: &Bench,
     matrix: &DMatrix<f64>,
     gradient: &DVector<f64>,
-    shared: &DVector<f64>,
+    global: &DVector<f64>,
     free: &[usize],
 ) -> f64 {
-    let (h, g) = prior(bench, matrix, gradient, shared);
+    let (h, g) = prior(bench, matrix, gradient, global);
     let gradient = DVector::from_fn(free.len(), |i, _| g[free[i]]);
     let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| h[(free[i], free[j])]);
     inverse(&matrix).map_or(0.0, |inverse| gradient.dot(&(inverse * &gradient)))
@@ -392,41 +392,43 @@ fn prior(
     bench: &Bench,
     matrix: &DMatrix<f64>,
     gradient: &DVector<f64>,
-    shared: &DVector<f64>,
+    global: &DVector<f64>,
 ) -> (DMatrix<f64>, DVector<f64>) {
     let (mut matrix, mut gradient) = (matrix.clone(), gradient.clone());
-    for (i, unknown) in bench.setting.shared.iter().enumerate() {
-        if let Some((centre, sigma)) = unknown.known.prior {
+    for (i, unknown) in bench.problem.globals.iter().enumerate() {
+        if let Some((centre, sigma)) = unknown.constraint.prior {
             matrix[(i, i)] += sigma.powi(-2);
-            gradient[i] += (shared[i] - centre) / (sigma * sigma);
+            gradient[i] += (global[i] - centre) / (sigma * sigma);
         }
     }
     (matrix, gradient)
 }
 
 /// The normal equations of a flight's own unknowns `own`, with the unknowns `out` put before the shared ones.
-pub(crate) fn own_block(block: &Block, own: &[usize], out: &[usize]) -> Block {
-    let (skip, size) = (out.len(), block.shared.nrows());
-    let cross = DMatrix::from_fn(own.len(), skip + size, |i, j| match j.checked_sub(skip) {
-        None => block.own[(own[i], out[j])],
-        Some(j) => block.cross[(own[i], j)],
+pub(crate) fn local_block(block: &NormalBlock, local: &[usize], out: &[usize]) -> NormalBlock {
+    let (skip, size) = (out.len(), block.global.nrows());
+    let cross = DMatrix::from_fn(local.len(), skip + size, |i, j| match j.checked_sub(skip) {
+        None => block.local[(local[i], out[j])],
+        Some(j) => block.cross[(local[i], j)],
     });
-    let shared = DMatrix::from_fn(skip + size, skip + size, |i, j| {
+    let global = DMatrix::from_fn(skip + size, skip + size, |i, j| {
         match (i.checked_sub(skip), j.checked_sub(skip)) {
-            (None, None) => block.own[(out[i], out[j])],
+            (None, None) => block.local[(out[i], out[j])],
             (None, Some(j)) => block.cross[(out[i], j)],
             (Some(i), None) => block.cross[(out[j], i)],
-            (Some(i), Some(j)) => block.shared[(i, j)],
+            (Some(i), Some(j)) => block.global[(i, j)],
         }
     });
-    Block {
-        own: DMatrix::from_fn(own.len(), own.len(), |i, j| block.own[(own[i], own[j])]),
+    NormalBlock {
+        local: DMatrix::from_fn(local.len(), local.len(), |i, j| {
+            block.local[(local[i], local[j])]
+        }),
         cross,
-        shared,
-        own_gradient: DVector::from_fn(own.len(), |i, _| block.own_gradient[own[i]]),
-        shared_gradient: DVector::from_fn(skip + size, |i, _| match i.checked_sub(skip) {
-            None => block.own_gradient[out[i]],
-            Some(i) => block.shared_gradient[i],
+        global,
+        local_gradient: DVector::from_fn(local.len(), |i, _| block.local_gradient[local[i]]),
+        global_gradient: DVector::from_fn(skip + size, |i, _| match i.checked_sub(skip) {
+            None => block.local_gradient[out[i]],
+            Some(i) => block.global_gradient[i],
         }),
         squares: block.squares,
         count: block.count,
@@ -436,21 +438,21 @@ pub(crate) fn own_block(block: &Block, own: &[usize], out: &[usize]) -> Block {
 /// The normal equations of some unknowns, of which `own` are made own ones and `shared` shared ones.
 fn of_shared(
     (matrix, gradient): (&DMatrix<f64>, &DVector<f64>),
-    own: &[usize],
-    shared: &[usize],
-) -> Block {
+    local: &[usize],
+    global: &[usize],
+) -> NormalBlock {
     let part = |rows: &[usize], columns: &[usize]| {
         DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
             matrix[(rows[i], columns[j])]
         })
     };
     let gradient = |rows: &[usize]| DVector::from_fn(rows.len(), |i, _| gradient[rows[i]]);
-    Block {
-        own: part(own, own),
-        cross: part(own, shared),
-        shared: part(shared, shared),
-        own_gradient: gradient(own),
-        shared_gradient: gradient(shared),
+    NormalBlock {
+        local: part(local, local),
+        cross: part(local, global),
+        global: part(global, global),
+        local_gradient: gradient(local),
+        global_gradient: gradient(global),
         squares: 0.0,
         count: 0,
     }

@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::words::{listed, meant, shown};
-use crate::error::{InputError, line_and_column};
+use crate::input_error::{InputError, line_and_column};
 
 /// A value with its place.
 pub(super) type Value<'t> = Spanned<DeValue<'t>>;

@@ -3,7 +3,7 @@
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-use crate::error::{InputError, line_and_column, utf8};
+use crate::input_error::{InputError, line_and_column, utf8};
 
 /// Reads an ordinary file of at most `largest` bytes; `what` says what it should be.
 pub(super) fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, InputError> {

@@ -6,7 +6,7 @@ use csv::StringRecord;
 
 use super::table::Lines;
 use super::words::{listed, meant, shown};
-use crate::error::InputError;
+use crate::input_error::InputError;
 
 /// Where the columns of each marker are.
 pub(super) struct Header {

@@ -8,8 +8,8 @@ use toml::de::DeTable;
 
 use super::fields::{Fields, Value};
 use super::words::{meant, shown};
-use super::{Known, Marker, Role, file, names};
-use crate::error::{InputError, line_and_column};
+use super::{KnownValue, Marker, Role, file, names};
+use crate::input_error::{InputError, line_and_column};
 
 /// Largest manifest that is read, bytes.
 const LARGEST: u64 = 4 << 20;
@@ -37,7 +37,7 @@ pub(super) struct Manifest {
 pub(super) struct Entry {
     pub file: String,
     pub role: Role,
-    pub known: BTreeMap<String, Known>,
+    pub known: BTreeMap<String, KnownValue>,
 }
 
 pub(super) fn read(path: &Path) -> Result<Manifest, InputError> {
@@ -249,7 +249,7 @@ impl Checker<'_> {
         }
     }
 
-    fn known(&self, flight: &DeTable<'_>) -> Result<BTreeMap<String, Known>, InputError> {
+    fn known(&self, flight: &DeTable<'_>) -> Result<BTreeMap<String, KnownValue>, InputError> {
         let mut known = BTreeMap::new();
         let Some(table) = self.0.table(flight, "known")? else {
             return Ok(known);
@@ -257,9 +257,9 @@ impl Checker<'_> {
         for (name, value) in table.iter() {
             let name = name.get_ref().to_string();
             let found = if value.get_ref().is_array() {
-                Known::Vector(self.0.vector(value, &name)?)
+                KnownValue::Vector(self.0.vector(value, &name)?)
             } else {
-                Known::Scalar(self.constant(&name, value)?)
+                KnownValue::Scalar(self.constant(&name, value)?)
             };
             known.insert(name, found);
         }

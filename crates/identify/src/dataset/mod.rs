@@ -21,7 +21,7 @@ use std::path::Path;
 
 pub use write::{manifest_text, table_text, write, write_with};
 
-use crate::error::InputError;
+use crate::input_error::InputError;
 
 /// Largest table or C3D file that is read, bytes.
 const LARGEST: u64 = 1 << 30;
@@ -63,7 +63,7 @@ pub enum Role {
 
 /// A quantity of one flight that was measured by other means, by the model's own name.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Known {
+pub enum KnownValue {
     /// A parameter of this flight, or a state at its first sample.
     Scalar(f64),
     /// An input of the model.
@@ -78,7 +78,7 @@ pub struct Flight {
     /// Whether it is fitted or held out.
     pub role: Role,
     /// What else is known of this flight, by name.
-    pub known: BTreeMap<String, Known>,
+    pub known: BTreeMap<String, KnownValue>,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,
     /// `positions[sample][marker]`, m, in the inertial frame; `None` where the marker was not seen.

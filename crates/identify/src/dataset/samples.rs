@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::path::Path;
 
 use super::{Flight, Marker};
-use crate::error::InputError;
+use crate::input_error::InputError;
 use crate::noise::median;
 
 /// Farthest coordinate, m.

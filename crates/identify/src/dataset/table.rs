@@ -8,7 +8,7 @@ use super::header::{Header, separator};
 use super::place::Places;
 use super::words::shown;
 use super::{number::number, samples};
-use crate::error::InputError;
+use crate::input_error::InputError;
 
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Table {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::{Dataset, Flight, Known, Marker, Role, assemble, manifest, names, table};
+use super::{Dataset, Flight, KnownValue, Marker, Role, assemble, manifest, names, table};
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
 ///
@@ -133,7 +133,7 @@ fn fill(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
 
 /// Refuses what the reader would refuse, or read as something else.
 fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()> {
-    let refused = |error: crate::error::InputError| invalid(error.to_string());
+    let refused = |error: crate::input_error::InputError| invalid(error.to_string());
     let manifest = manifest::parse(Path::new(&files[0].0), &files[0].1).map_err(refused)?;
     let mut tables = files[1..].iter();
     let read = assemble(manifest, |entry, markers| {
@@ -142,7 +142,7 @@ fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()>
         let text = tables.next().map_or("", |(_, text)| text);
         if names::is_c3d(&entry.file) {
             let expected = "a table: C3D is read and not written";
-            return Err(crate::error::InputError::of_file(
+            return Err(crate::input_error::InputError::of_file(
                 &path,
                 "a C3D file",
                 expected,
@@ -188,8 +188,8 @@ pub fn manifest_text(dataset: &Dataset) -> String {
         let _ = writeln!(text, "\n[[flights]]\nfile = {file}\nrole = \"{role}\"");
         if !flight.known.is_empty() {
             let each = flight.known.iter().map(|(name, value)| match value {
-                Known::Scalar(value) => format!("{} = {value:?}", key(name)),
-                Known::Vector(value) => format!("{} = {value:?}", key(name)),
+                KnownValue::Scalar(value) => format!("{} = {value:?}", key(name)),
+                KnownValue::Vector(value) => format!("{} = {value:?}", key(name)),
             });
             let all: Vec<String> = each.collect();
             let _ = writeln!(text, "known = {{ {} }}", all.join(", "));

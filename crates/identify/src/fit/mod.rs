@@ -3,17 +3,17 @@
 //! Output error: the differences between observed and predicted markers are made as small as their noise allows,
 //! and the noise (its scale and its first-order correlation along each axis, its outliers) is estimated with them.
 
-mod alone;
-mod begin;
-mod flown;
 mod held_out;
-mod look;
+mod horizon_continuation;
+mod initial_guess;
+mod multistart;
 mod outcome;
-mod problem;
-mod recover;
-mod rounds;
-mod settle;
-mod spin;
+mod output_error;
+mod post_fit;
+mod residual_cache;
+mod reweighting;
+mod spin_aliases;
+mod warm_start;
 
 use std::borrow::Borrow;
 use std::time::Instant;
@@ -22,37 +22,37 @@ use model_spec::model::Model;
 use nalgebra::DVector;
 
 use crate::dataset::{Dataset, Role};
-use crate::levenberg::{Failure, Point, Solution};
-use crate::noise::Noise;
-use crate::options::Options;
+use crate::least_squares::{Iterate, Solution, SolveError};
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
+use crate::options::FitOptions;
 use crate::predict;
-use crate::report::{FlightEvidence, Report};
-pub use crate::setting::FitError;
-use crate::setting::Setting;
-use crate::track::Track;
-pub use held_out::FITTED;
+pub use crate::problem::FitError;
+use crate::problem::FitProblem;
+use crate::report::{FitReport, FlightEvidence};
+pub use held_out::CONDITIONING_FRACTION;
 
 /// A dataset that was fitted.
-pub struct Fitted {
+pub struct Fit {
     /// What was found.
-    pub report: Report,
-    setting: Setting,
+    pub report: FitReport,
+    problem: FitProblem,
     names: Vec<String>,
     /// Tracks of the flights by index in the dataset; none for those that were left out.
-    tracks: Vec<Option<(Track, DVector<f64>)>>,
-    shared: DVector<f64>,
-    noise: Noise,
+    observation_sets: Vec<Option<(Observations, DVector<f64>)>>,
+    global: DVector<f64>,
+    noise: NoiseModel,
 }
 
 /// What the stages of a fit work on.
 #[derive(Clone)]
 pub(crate) struct State {
     /// The flights that are fitted.
-    pub tracks: Vec<Track>,
+    pub observation_sets: Vec<Observations>,
     /// The shared unknowns.
-    pub shared: DVector<f64>,
+    pub global: DVector<f64>,
     /// Each flight's initial state.
-    pub own: Vec<DVector<f64>>,
+    pub local: Vec<DVector<f64>>,
     /// The usual time between samples, s.
     pub interval: f64,
     /// Steps tried so far.
@@ -65,9 +65,9 @@ pub(crate) struct State {
 ///
 /// # Errors
 /// See [`FitError`].
-pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fitted, FitError> {
+pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
     let clock = Instant::now();
-    let mut setting = Setting::new(model, dataset, options)?;
+    let mut problem = FitProblem::new(model, dataset, options)?;
     let of_role = |role: Role| move |flight: &usize| dataset.flights[*flight].role == role;
     let all = 0..dataset.flights.len();
     let fitted: Vec<usize> = all.clone().filter(of_role(Role::Fit)).collect();
@@ -75,40 +75,45 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
         let reason = "every flight is held out: none is left to fit".to_owned();
         return Err(FitError::Mismatch(reason));
     }
-    let (tracks, floor) = begin::tracks(&setting, dataset, &fitted, options);
-    setting.floor = floor;
-    setting.tolerance = predict::tolerance(model, fitted.len());
-    let mut begun = begin::begin(&setting, dataset, tracks, options)?;
+    let (observation_sets, sigma0) =
+        initial_guess::observation_sets(&problem, dataset, &fitted, options);
+    problem.sigma0 = sigma0;
+    problem.tolerance = predict::tolerance(model, fitted.len());
+    let mut begun = initial_guess::initial_guesses(&problem, dataset, observation_sets, options)?;
     let (used, left_out) = (
         std::mem::take(&mut begun.flights),
         std::mem::take(&mut begun.left_out),
     );
     let started = clock.elapsed().as_secs_f64();
 
-    let (mut state, flown) = spin::grow_all(&setting, begun, options)?;
-    let flown = recover::recover(&setting, &mut state, flown, options)?;
-    let (noise, solution, flown) = rounds::rounds(&setting, &mut state, flown, options)?;
+    let (mut state, cache) = spin_aliases::resolve_spin_aliases(&problem, begun, options)?;
+    let cache = multistart::multistart(&problem, &mut state, cache, options)?;
+    let (noise, solution, cache) = reweighting::reweight(&problem, &mut state, cache, options)?;
     let solved = clock.elapsed().as_secs_f64();
 
-    let outcome = outcome::Outcome::new(&setting, &state, flown, &noise, &solution, options)?;
+    let outcome = outcome::Outcome::new(&problem, &state, cache, &noise, &solution, options)?;
     let mut report = outcome.report();
     let reports: Vec<_> = (0..used.len()).map(|index| outcome.flight(index)).collect();
     drop(outcome);
     let held_out: Vec<usize> = all.clone().filter(of_role(Role::HeldOut)).collect();
-    let held = held_out::held_out(&setting, dataset, &held_out, &state, &noise, options)?;
-    let mut tracks: Vec<Option<(Track, DVector<f64>)>> = vec![None; dataset.flights.len()];
+    let held = held_out::held_out(&problem, dataset, &held_out, &state, &noise, options)?;
+    let mut observation_sets: Vec<Option<(Observations, DVector<f64>)>> =
+        vec![None; dataset.flights.len()];
     let mut flights = vec![None; dataset.flights.len()];
     for (flight, reason) in left_out {
         flights[flight] = Some(outcome::left_out(&dataset.flights[flight], reason));
     }
-    let solved_tracks = state.tracks.into_iter().zip(solution.point.own);
-    for ((flight, report), track) in used.into_iter().zip(reports).zip(solved_tracks) {
+    let solved_tracks = state
+        .observation_sets
+        .into_iter()
+        .zip(solution.iterate.local);
+    for ((flight, report), observations) in used.into_iter().zip(reports).zip(solved_tracks) {
         flights[flight] = Some(report);
-        tracks[flight] = Some(track);
+        observation_sets[flight] = Some(observations);
     }
     for (flight, held) in held_out.into_iter().zip(held) {
         flights[flight] = Some(held.report);
-        tracks[flight] = held.track;
+        observation_sets[flight] = held.observations;
     }
     report.flights = flights.into_iter().flatten().collect();
     report.seconds.insert("start".into(), started);
@@ -116,83 +121,90 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Fi
     report
         .seconds
         .insert("total".into(), clock.elapsed().as_secs_f64());
-    Ok(Fitted {
+    Ok(Fit {
         report,
-        shared: solution.point.shared,
-        setting,
+        global: solution.iterate.global,
+        problem,
         noise,
         names: dataset
             .markers
             .iter()
             .map(|marker| marker.name.clone())
             .collect(),
-        tracks,
+        observation_sets,
     })
 }
 
-impl Fitted {
+impl Fit {
     /// The model with what was estimated of it.
-    pub fn setting(&self) -> &Setting {
-        &self.setting
+    pub fn problem(&self) -> &FitProblem {
+        &self.problem
     }
 
-    /// The shared unknowns, in the order of [`Setting::shared`].
-    pub fn shared(&self) -> &DVector<f64> {
-        &self.shared
+    /// The shared unknowns, in the order of [`FitProblem::shared`].
+    pub fn global(&self) -> &DVector<f64> {
+        &self.global
     }
 
     /// The noise that residuals were weighed by.
-    pub fn noise(&self) -> &Noise {
+    pub fn noise(&self) -> &NoiseModel {
         &self.noise
     }
 
     /// Samples and initial state of a flight of the dataset, by index; none where it was left out.
-    pub fn flight(&self, flight: usize) -> Option<(&Track, &DVector<f64>)> {
-        let (track, own) = self.tracks.get(flight)?.as_ref()?;
-        Some((track, own))
+    pub fn flight(&self, flight: usize) -> Option<(&Observations, &DVector<f64>)> {
+        let (observations, local) = self.observation_sets.get(flight)?.as_ref()?;
+        Some((observations, local))
     }
 
     /// A flight of the dataset, by index, as measured and as predicted; none where it was left out.
     pub fn evidence(&self, flight: usize) -> Option<FlightEvidence> {
-        let (track, own) = self.tracks.get(flight)?.as_ref()?;
-        look::evidence(&self.setting, &self.names, track, (&self.shared, own))
+        let (observations, local) = self.observation_sets.get(flight)?.as_ref()?;
+        post_fit::evidence(
+            &self.problem,
+            &self.names,
+            observations,
+            (&self.global, local),
+        )
     }
 }
 
 /// A failure of the least squares over these tracks, for the user.
-fn told(failure: Failure, tracks: &[impl Borrow<Track>]) -> FitError {
-    let file = |flight: usize| tracks[flight].borrow().file.clone();
+fn told(failure: SolveError, observation_sets: &[impl Borrow<Observations>]) -> FitError {
+    let file = |flight: usize| observation_sets[flight].borrow().file.clone();
     match failure {
-        Failure::Start { flight, reason } => FitError::Flight {
+        SolveError::InitialGuess { flight, reason } => FitError::Flight {
             file: file(flight),
             reason,
         },
-        Failure::Undetermined(crate::normal::Undetermined(flight)) => FitError::Flight {
-            file: file(flight),
-            reason: "its samples do not determine its initial state".into(),
-        },
-        Failure::Stopped => FitError::Interrupted,
+        SolveError::UndeterminedFlight(crate::least_squares::UndeterminedFlight(flight)) => {
+            FitError::Flight {
+                file: file(flight),
+                reason: "its samples do not determine its initial state".into(),
+            }
+        }
+        SolveError::Stopped => FitError::Interrupted,
     }
 }
 
 impl State {
     /// Where the unknowns are.
-    fn point(&self) -> Point {
-        Point {
-            shared: self.shared.clone(),
-            own: self.own.clone(),
+    fn point(&self) -> Iterate {
+        Iterate {
+            global: self.global.clone(),
+            local: self.local.clone(),
         }
     }
 
     /// Takes over where an iteration ended.
     fn take(&mut self, solution: &Solution) {
-        self.shared.clone_from(&solution.point.shared);
-        self.own.clone_from(&solution.point.own);
+        self.global.clone_from(&solution.iterate.global);
+        self.local.clone_from(&solution.iterate.local);
         self.steps += solution.iterations;
     }
 }
 
 /// White noise of this size, where nothing better is known.
-fn white(setting: &Setting, state: &State) -> Noise {
-    Noise::white(setting.floor, state.interval)
+fn white(problem: &FitProblem, state: &State) -> NoiseModel {
+    NoiseModel::white(problem.sigma0, state.interval)
 }

@@ -4,37 +4,38 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::flown::Flown;
-use super::look::{Looked, NOTHING, joined, look};
-use super::problem::Squares;
+use super::output_error::OutputError;
+use super::post_fit::{NOTHING, PostFit, joined, post_fit};
+use super::residual_cache::ResidualCache;
 use super::{FitError, State, told};
 use crate::dataset::Flight;
-use crate::levenberg::Solution;
-use crate::noise::{Noise, median};
-use crate::normal::eliminate;
-use crate::options::Options;
+use crate::least_squares::Solution;
+use crate::least_squares::eliminate;
+use crate::noise::{NoiseModel, median};
+use crate::observations::Observations;
+use crate::options::FitOptions;
 use crate::predict::Loss;
+use crate::problem::FitProblem;
 use crate::report::{
-    AxisNoise, Coefficient, Estimate, FlightReport, Iterations, Profile, Report, residuals::Pool,
+    AxisNoise, Coefficient, Estimate, FitReport, FlightReport, Iterations, Profile,
+    residuals::ResidualPool,
 };
-use crate::setting::Setting;
-use crate::track::Track;
-use crate::uncertainty::{Covariance, Support, interval, profile, undetermined};
+use crate::uncertainty::{Covariance, ExcitationRange, interval, non_identifiable, profile};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A solution with what it is worth.
 pub struct Outcome<'a> {
-    setting: &'a Setting,
+    problem: &'a FitProblem,
     state: &'a State,
-    noise: &'a Noise,
+    noise: &'a NoiseModel,
     solution: &'a Solution,
     covariance: Covariance,
     flights: Vec<One>,
     /// The median of those root mean squares, m.
     usual: f64,
-    pool: Pool,
-    support: Support,
+    pool: ResidualPool,
+    support: ExcitationRange,
     profiles: Vec<Profile>,
 }
 
@@ -53,44 +54,53 @@ impl<'a> Outcome<'a> {
     /// # Errors
     /// [`FitError`] where a flight does not determine its initial state, or is impossible.
     pub fn new(
-        setting: &'a Setting,
+        problem: &'a FitProblem,
         state: &'a State,
-        flown: Flown,
-        noise: &'a Noise,
+        cache: ResidualCache,
+        noise: &'a NoiseModel,
         solution: &'a Solution,
-        options: &Options<'_>,
+        options: &FitOptions<'_>,
     ) -> Result<Self, FitError> {
         let system = eliminate(&solution.blocks, 0.0)
-            .map_err(|flight| told(flight.into(), &state.tracks))?;
-        let covariance = Covariance::new(&system, state.tracks.len(), &setting.shared);
+            .map_err(|flight| told(flight.into(), &state.observation_sets))?;
+        let covariance = Covariance::new(&system, state.observation_sets.len(), &problem.globals);
         let mut profiles = Vec::new();
         let errors = covariance.errors();
         for name in options.profiles {
-            let index = setting
-                .shared
+            let index = problem
+                .globals
                 .iter()
-                .position(|shared| shared.name == *name);
+                .position(|global| global.name == *name);
             let Some(index) = index else { continue };
-            options.begins(&format!("profile of {name}"), state.tracks.len());
+            options.begins(&format!("profile of {name}"), state.observation_sets.len());
             let loss = Loss::Whitened(noise);
-            let problem = Squares::of_all(setting, &state.tracks, loss, options);
-            let found = profile(&problem, solution, &setting.shared, index, errors[index]);
-            profiles.push(found.map_err(|failure| told(failure, &state.tracks))?);
+            let objective = OutputError::of_all(problem, &state.observation_sets, loss, options);
+            let found = profile(&objective, solution, &problem.globals, index, errors[index]);
+            profiles.push(found.map_err(|failure| told(failure, &state.observation_sets))?);
         }
-        let looked = flight::batch::each_on(options.threads(), state.tracks.len(), |index| {
-            let (track, path) = (&state.tracks[index], flown.path(&state.tracks, index)?);
-            let looked = look(setting, track, noise, &state.shared, path);
-            let covariance = system.own_covariance(index, &covariance.model);
-            let initial = initial(setting, track, &solution.point.own[index], &covariance);
-            Ok((looked, initial))
-        });
-        let mut pool = Pool::default();
-        let layout = setting.body.layout();
+        let looked =
+            flight::batch::each_on(options.threads(), state.observation_sets.len(), |index| {
+                let (observations, path) = (
+                    &state.observation_sets[index],
+                    cache.path(&state.observation_sets, index)?,
+                );
+                let looked = post_fit(problem, observations, noise, &state.global, path);
+                let covariance = system.local_covariance(index, &covariance.model);
+                let initial = initial(
+                    problem,
+                    observations,
+                    &solution.iterate.local[index],
+                    &covariance,
+                );
+                Ok((looked, initial))
+            });
+        let mut pool = ResidualPool::default();
+        let layout = problem.body.layout();
         let names = layout.quantities.iter().chain(&layout.states);
         let mut support = vec![NOTHING; layout.quantities.len() + layout.states.len()];
         let mut flights = Vec::with_capacity(looked.len());
         for looked in looked {
-            let (looked, initial): (Looked, _) = looked?;
+            let (looked, initial): (PostFit, _) = looked?;
             pool.join(looked.pool);
             for (range, seen) in support.iter_mut().zip(looked.support) {
                 *range = joined(*range, seen);
@@ -103,7 +113,7 @@ impl<'a> Outcome<'a> {
         }
         let mut sizes: Vec<f64> = flights.iter().map(|flight| flight.rms).collect();
         Ok(Self {
-            setting,
+            problem,
             state,
             noise,
             solution,
@@ -121,12 +131,12 @@ impl<'a> Outcome<'a> {
     }
 
     /// The report, without its flights.
-    pub fn report(&self) -> Report {
-        let setting = self.setting;
-        let names: Vec<&str> = setting
-            .shared
+    pub fn report(&self) -> FitReport {
+        let problem = self.problem;
+        let names: Vec<&str> = problem
+            .globals
             .iter()
-            .map(|shared| shared.name.as_str())
+            .map(|global| global.name.as_str())
             .collect();
         let matrix = self.covariance.correlations();
         let correlations = (0..names.len()).map(|i| {
@@ -138,16 +148,21 @@ impl<'a> Outcome<'a> {
         });
         let points: usize = self
             .state
-            .tracks
+            .observation_sets
             .iter()
-            .map(|track| track.seen.iter().flatten().count())
+            .map(|observations| observations.measured.iter().flatten().count())
             .sum();
-        let all: usize = self.state.tracks.iter().map(|track| track.seen.len()).sum();
+        let all: usize = self
+            .state
+            .observation_sets
+            .iter()
+            .map(|observations| observations.measured.len())
+            .sum();
         let outliers = self.flights.iter().map(|flight| flight.outliers).sum();
-        Report {
+        FitReport {
             schema: "hyzer.fit/1".into(),
-            model: setting.model.name.clone(),
-            effects: setting
+            model: problem.model.name.clone(),
+            effects: problem
                 .model
                 .effects
                 .iter()
@@ -158,9 +173,9 @@ impl<'a> Outcome<'a> {
             coefficients: self.coefficients(),
             correlations: correlations.collect(),
             flights: Vec::new(),
-            undetermined: undetermined(
-                &setting.model,
-                &setting.shared,
+            undetermined: non_identifiable(
+                &problem.model,
+                &problem.globals,
                 &self.covariance.model,
                 &self.support,
             ),
@@ -180,16 +195,16 @@ impl<'a> Outcome<'a> {
         points: usize,
         outliers: usize,
         dropouts: usize,
-    ) -> crate::report::Noise {
+    ) -> crate::report::NoiseReport {
         let noise = self.noise;
         let axis = |(k, name): (usize, &&str)| {
             let (sigma_m, ar1) = (noise.sigma[k], noise.ar1[k]);
             ((*name).to_owned(), AxisNoise { sigma_m, ar1 })
         };
-        crate::report::Noise {
+        crate::report::NoiseReport {
             sigma_m: noise.overall(),
             ar1: noise.ar1.iter().sum::<f64>() / 3.0,
-            estimated: self.setting.sigma.is_none(),
+            estimated: self.problem.sigma.is_none(),
             axes: AXES.iter().enumerate().map(axis).collect(),
             interval_s: noise.interval,
             points,
@@ -202,24 +217,24 @@ impl<'a> Outcome<'a> {
     fn coefficients(&self) -> BTreeMap<String, Coefficient> {
         let errors = self.covariance.errors();
         let clustered = self.covariance.clustered_errors();
-        let estimated = self.setting.shared.iter().enumerate().map(|(i, shared)| {
-            let value = self.solution.point.shared[i];
-            let (low, high) = shared.known.bounds;
+        let estimated = self.problem.globals.iter().enumerate().map(|(i, global)| {
+            let value = self.solution.iterate.global[i];
+            let (low, high) = global.constraint.bounds;
             let coefficient = Coefficient {
                 value,
                 std_error: errors[i],
                 std_error_clustered: clustered.as_ref().map(|errors| errors[i]),
                 interval: interval(value, errors[i]),
-                unit: shared.unit.clone(),
+                unit: global.unit.clone(),
                 at_bound: value <= low || value >= high,
                 held: false,
-                model_value: shared.model_value,
-                prior: shared.known.prior.map(|(value, sigma)| [value, sigma]),
+                model_value: global.model_value,
+                prior: global.constraint.prior.map(|(value, sigma)| [value, sigma]),
             };
-            (shared.name.clone(), coefficient)
+            (global.name.clone(), coefficient)
         });
-        let constants = &self.setting.model.coefficients;
-        let held = self.setting.held.iter().map(|(name, value)| {
+        let constants = &self.problem.model.coefficients;
+        let held = self.problem.fixed.iter().map(|(name, value)| {
             let constant = constants.iter().find(|constant| constant.name == *name);
             let coefficient = Coefficient {
                 value: *value,
@@ -239,26 +254,26 @@ impl<'a> Outcome<'a> {
 
     /// One of the fitted flights.
     pub fn flight(&self, index: usize) -> FlightReport {
-        let track = &self.state.tracks[index];
+        let observations = &self.state.observation_sets[index];
         let flight = &self.flights[index];
-        let mut notes = track.notes.clone();
-        if let Some(note) = self.stands_out(flight.rms) {
+        let mut notes = observations.notes.clone();
+        if let Some(note) = self.is_outlier(flight.rms) {
             notes.push(note);
         }
         FlightReport {
-            file: track.file.clone(),
-            role: track.role,
-            samples: track.samples,
+            file: observations.file.clone(),
+            role: observations.role,
+            samples: observations.samples,
             rms_m: flight.rms,
             outliers: flight.outliers,
             initial: flight.initial.clone(),
-            cut: track.cut.clone(),
+            cut: observations.truncation.clone(),
             notes,
         }
     }
 
     /// What is said of a flight that is fitted far worse than the others.
-    fn stands_out(&self, rms: f64) -> Option<String> {
+    fn is_outlier(&self, rms: f64) -> Option<String> {
         (rms > 4.0 * self.usual).then(|| {
             format!(
                 "its residuals are {:.0} times the usual: look at it before you rely on this fit",
@@ -270,20 +285,20 @@ impl<'a> Outcome<'a> {
 
 /// The initial state of a flight with the standard errors by its chart's directions.
 pub fn initial(
-    setting: &Setting,
-    track: &Track,
-    own: &DVector<f64>,
+    problem: &FitProblem,
+    observations: &Observations,
+    local: &DVector<f64>,
     covariance: &DMatrix<f64>,
 ) -> BTreeMap<String, Estimate> {
-    let names = &setting.body.layout().states;
-    let mut along = DMatrix::zeros(names.len(), track.chart.dimension());
-    for (state, direction, value) in track.chart.tangent(own.as_slice()) {
+    let names = &problem.body.layout().states;
+    let mut along = DMatrix::zeros(names.len(), observations.manifold.dimension());
+    for (state, direction, value) in observations.manifold.tangent(local.as_slice()) {
         along[(state, direction)] = value;
     }
     let covariance = &along * covariance * along.transpose();
     let estimate = |(i, name): (usize, &String)| {
         let std_error = covariance[(i, i)].max(0.0).sqrt();
-        let value = own[i];
+        let value = local[i];
         (name.clone(), Estimate { value, std_error })
     };
     names.iter().enumerate().map(estimate).collect()

@@ -1,8 +1,7 @@
-//! What a fit found: [`Report`] is `report.json`, [`FlightEvidence`] is what figures are drawn from.
+//! What a fit found: [`FitReport`] is `report.json`, [`FlightEvidence`] is what figures are drawn from.
 
 mod evidence;
 pub(crate) mod residuals;
-pub mod words;
 
 use std::collections::BTreeMap;
 
@@ -14,7 +13,7 @@ use crate::dataset::Role;
 
 /// `report.json` of a fit, schema `hyzer.fit/1`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Report {
+pub struct FitReport {
     /// `hyzer.fit/1`.
     pub schema: String,
     /// Name of the model.
@@ -24,7 +23,7 @@ pub struct Report {
     /// Root of the mean squared residual of one coordinate over the fitted flights, outliers left out, m.
     pub rms_m: f64,
     /// What was found of the noise.
-    pub noise: Noise,
+    pub noise: NoiseReport,
     /// What was estimated for all flights together, by name: the coefficients, and parameters that were freed.
     pub coefficients: BTreeMap<String, Coefficient>,
     /// Their correlations, by name and name.
@@ -32,7 +31,7 @@ pub struct Report {
     /// Every flight, in the dataset's order.
     pub flights: Vec<FlightReport>,
     /// Coefficients and combinations of them that the flights do not determine, the least determined first.
-    pub undetermined: Vec<Undetermined>,
+    pub undetermined: Vec<NonIdentifiable>,
     /// Profiles of the likelihood, where they were asked for.
     pub profiles: Vec<Profile>,
     /// Residuals along each axis: `x`, `y`, `z`.
@@ -45,7 +44,7 @@ pub struct Report {
 
 /// The noise of the measured coordinates: along each axis a stationary first-order process.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Noise {
+pub struct NoiseReport {
     /// Standard deviation of one coordinate, over all axes, m: given by the dataset, or estimated.
     pub sigma_m: f64,
     /// First-order correlation between neighbouring samples, over all axes.
@@ -115,12 +114,12 @@ pub struct FlightReport {
     /// Its initial state, by name.
     pub initial: BTreeMap<String, Estimate>,
     /// Where its table was cut, and why.
-    pub cut: Option<Cut>,
+    pub cut: Option<Truncation>,
     /// What else has to be said of it: why it was left out, how its fit was recovered.
     pub notes: Vec<String>,
 }
 
-impl Report {
+impl FitReport {
     /// The flights of a role that were not left out, in the dataset's order.
     pub fn used(&self, role: Role) -> impl Iterator<Item = &FlightReport> {
         let flights = self.flights.iter();
@@ -142,7 +141,7 @@ impl FlightReport {
 
 /// The end of a flight before the end of its table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cut {
+pub struct Truncation {
     /// Time of the last sample that was used, s, as in the table.
     pub t: f64,
     /// Samples that were not used.
@@ -162,7 +161,7 @@ pub struct Estimate {
 
 /// What the flights do not determine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Undetermined {
+pub struct NonIdentifiable {
     /// Which coefficients.
     pub combination: Vec<String>,
     /// Their parts in the direction that is not determined, each over the size that is usual for it.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use lanes::{Kernel, Lanes};
 
 use super::AxisResiduals;
-use crate::noise::Noise;
+use crate::noise::NoiseModel;
 
 /// Lags of the autocorrelations, in samples.
 const LAGS: usize = 25;
@@ -18,7 +18,7 @@ const QUANTILES: usize = 61;
 
 /// Sums over residuals; those of several flights are joined. Their size does not depend on the number of flights.
 #[derive(Clone, Debug)]
-pub struct Pool {
+pub struct ResidualPool {
     axes: [Axis; 3],
     points: usize,
 }
@@ -32,7 +32,7 @@ struct Axis {
     bins: Vec<u32>,
 }
 
-impl Default for Pool {
+impl Default for ResidualPool {
     fn default() -> Self {
         let axis = || Axis {
             raw: vec![(0.0, 0); LAGS],
@@ -46,9 +46,9 @@ impl Default for Pool {
     }
 }
 
-impl Pool {
+impl ResidualPool {
     /// Adds the residuals of one marker of a flight, m; `None` where there is none.
-    pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &Noise) {
+    pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &NoiseModel) {
         self.points += residuals.iter().flatten().count();
         for (k, axis) in self.axes.iter_mut().enumerate() {
             let series: Vec<Option<f64>> = residuals.iter().map(|r| r.map(|r| r[k])).collect();
@@ -77,7 +77,7 @@ impl Pool {
     }
 
     /// Adds those of other flights.
-    pub fn join(&mut self, other: Pool) {
+    pub fn join(&mut self, other: ResidualPool) {
         self.points += other.points;
         for (axis, other) in self.axes.iter_mut().zip(other.axes) {
             for (sums, others) in [
@@ -249,8 +249,8 @@ mod tests {
         let residuals: Vec<_> = (0..100)
             .map(|i| Some([if i % 2 == 0 { 1.0 } else { -1.0 }; 3]))
             .collect();
-        let mut pool = Pool::default();
-        pool.add(&times, &residuals, &Noise::white(1.0, 1.0));
+        let mut pool = ResidualPool::default();
+        pool.add(&times, &residuals, &NoiseModel::white(1.0, 1.0));
         let axes = pool.axes();
         assert!((axes["x"].autocorrelation[1] + 1.0).abs() < 1e-12);
         assert!((axes["z"].autocorrelation[2] - 1.0).abs() < 1e-12);

@@ -11,7 +11,7 @@ use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 
 use super::{MOST_POINTS, Plan, corrupt};
-use crate::dataset::{Flight, Known, Role};
+use crate::dataset::{Flight, KnownValue, Role};
 
 /// Tolerance of the integration: far below any measurement.
 const TOLERANCE: f64 = 1e-10;
@@ -44,10 +44,10 @@ impl Maker<'_> {
                 *value = rounded(*value, i32::from(decimals));
             }
         }
-        let told = |(name, value): &(String, [f64; 3])| (name.clone(), Known::Vector(*value));
-        let mut known: BTreeMap<String, Known> = release.known.iter().map(told).collect();
+        let told = |(name, value): &(String, [f64; 3])| (name.clone(), KnownValue::Vector(*value));
+        let mut known: BTreeMap<String, KnownValue> = release.known.iter().map(told).collect();
         if release.wind != [0.0; 3] {
-            known.insert("wind".into(), Known::Vector(release.wind));
+            known.insert("wind".into(), KnownValue::Vector(release.wind));
         }
         let fitted = plan.flights - plan.held_out;
         let flight = Flight {

@@ -11,7 +11,7 @@ use flight::body::Body;
 use flight::release::Release;
 use model_spec::model::Model;
 
-pub use noise::{Noise, corrupt};
+pub use noise::{Corruption, corrupt};
 pub use spread::Spread;
 pub use truth::Truth;
 
@@ -41,7 +41,7 @@ pub struct Plan {
     /// How the flights differ.
     pub spread: Spread,
     /// How they are seen.
-    pub noise: Noise,
+    pub noise: Corruption,
     /// Decimals of a metre to which positions are rounded; none for all digits.
     pub decimals: Option<u8>,
     /// Seed of everything random.
@@ -58,7 +58,7 @@ impl Default for Plan {
             rate: 120.0,
             markers: Vec::new(),
             spread: Spread::default(),
-            noise: Noise::default(),
+            noise: Corruption::default(),
             decimals: Some(5),
             seed: 1,
         }

@@ -7,7 +7,7 @@ use rand_distr::StandardNormal;
 
 /// What is done to true positions. By default white noise of 1.5 mm and nothing else.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Noise {
+pub struct Corruption {
     /// Standard deviation along each axis, m.
     pub sigma: f64,
     /// Correlation of the noise of one sample with that of the sample before, above -1 and below 1. The noise is
@@ -22,7 +22,7 @@ pub struct Noise {
     pub dropouts: f64,
 }
 
-impl Default for Noise {
+impl Default for Corruption {
     fn default() -> Self {
         Self {
             sigma: 0.0015,
@@ -43,7 +43,7 @@ const RUN: [usize; 2] = [3, 12];
 /// Samples ahead of the first: then the dropouts there are as many as later.
 const AHEAD: usize = 64;
 
-impl Noise {
+impl Corruption {
     /// Checks every number.
     ///
     /// # Errors
@@ -86,7 +86,7 @@ fn stream(seed: u64, marker: usize, purpose: Purpose) -> ChaCha12Rng {
 }
 
 /// Applies noise to `positions[sample][marker]`, m. What is not seen stays so.
-pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Noise, seed: u64) {
+pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed: u64) {
     let markers = positions.iter().map(Vec::len).max().unwrap_or(0);
     for marker in 0..markers {
         let mut points: Vec<&mut Option<[f64; 3]>> = positions

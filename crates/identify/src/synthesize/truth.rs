@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::{Noise, Spread};
+use super::{Corruption, Spread};
 
 /// What was put into a made dataset.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Truth {
     /// Every coefficient.
     pub coefficients: BTreeMap<String, f64>,
     /// The noise.
-    pub noise: Noise,
+    pub noise: Corruption,
     /// How the flights differ.
     pub spread: Spread,
     /// The seed.
@@ -36,7 +36,7 @@ impl Truth {
         for (name, value) in &self.coefficients {
             let _ = writeln!(text, "{name} = {value:?}");
         }
-        let Noise {
+        let Corruption {
             sigma,
             ar1,
             outliers,

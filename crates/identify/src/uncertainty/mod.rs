@@ -1,15 +1,15 @@
 //! What the estimates are worth.
 
+mod non_identifiability;
 mod profile;
-mod undetermined;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+pub use non_identifiability::{ExcitationRange, non_identifiable};
 pub use profile::profile;
-pub use undetermined::{Support, undetermined};
 
-use crate::normal::Eliminated;
-use crate::setting::Shared;
+use crate::least_squares::ReducedSystem;
+use crate::problem::GlobalParameter;
 
 /// Half the interval of 95 %, over the standard error.
 const WIDE: f64 = 1.959_963_984_540_054;
@@ -36,16 +36,16 @@ const ROUNDING: f64 = 1e-13;
 
 impl Covariance {
     /// The covariance by an eliminated system of whitened residuals and the priors.
-    pub fn new(system: &Eliminated<'_>, flights: usize, shared: &[Shared]) -> Self {
+    pub fn new(system: &ReducedSystem<'_>, flights: usize, global: &[GlobalParameter]) -> Self {
         let mut information = system.reduced.clone();
-        for (i, unknown) in shared.iter().enumerate() {
-            if let Some((_, sigma)) = unknown.known.prior {
+        for (i, unknown) in global.iter().enumerate() {
+            if let Some((_, sigma)) = unknown.constraint.prior {
                 information[(i, i)] += sigma.powi(-2);
             }
         }
         let model = inverse(&information);
-        let clustered = (flights >= CLUSTERS && !shared.is_empty()).then(|| {
-            let mut scatter = DMatrix::zeros(shared.len(), shared.len());
+        let clustered = (flights >= CLUSTERS && !global.is_empty()).then(|| {
+            let mut scatter = DMatrix::zeros(global.len(), global.len());
             let mean = &system.gradient / flights as f64;
             for flight in 0..flights {
                 let score = system.score(flight) - &mean;

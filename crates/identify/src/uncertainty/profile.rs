@@ -2,10 +2,12 @@
 
 use nalgebra::DVector;
 
-use crate::levenberg::{Failure, Known, Problem, Solution, Until, solve};
-use crate::normal::Block;
+use crate::least_squares::NormalBlock;
+use crate::least_squares::{
+    Constraint, LeastSquaresProblem, Solution, SolveError, StoppingCriteria, solve,
+};
+use crate::problem::GlobalParameter;
 use crate::report::Profile;
-use crate::setting::Shared;
 
 /// Deviance at the ends of the interval of 95 %.
 const LIMIT: f64 = 3.841_458_820_694_124;
@@ -16,34 +18,37 @@ const POINTS: (usize, f64) = (6, 0.5);
 /// Profiles one shared unknown around a solution.
 ///
 /// # Errors
-/// [`Failure::Stopped`]; a point that cannot be fitted is left out.
+/// [`SolveError::Stopped`]; a point that cannot be fitted is left out.
 pub fn profile(
-    problem: &impl Problem,
+    problem: &impl LeastSquaresProblem,
     solution: &Solution,
-    shared: &[Shared],
+    global: &[GlobalParameter],
     index: usize,
     error: f64,
-) -> Result<Profile, Failure> {
-    let best = solution.point.shared[index];
-    let (low, high) = shared[index].known.bounds;
+) -> Result<Profile, SolveError> {
+    let best = solution.iterate.global[index];
+    let (low, high) = global[index].constraint.bounds;
     let mut points = vec![[best, 0.0]];
     for direction in [-1.0, 1.0] {
-        let mut point = solution.point.clone();
+        let mut point = solution.iterate.clone();
         for k in 1..=POINTS.0 {
             let value = best + direction * k as f64 * POINTS.1 * error;
             if !(low..=high).contains(&value) {
                 break;
             }
-            point.shared[index] = value;
-            let mut known = problem.known().to_vec();
-            known[index].bounds = (value, value);
-            let held = Held { problem, known };
-            match solve(&held, point.clone(), Until::DONE) {
+            point.global[index] = value;
+            let mut constraints = problem.constraints().to_vec();
+            constraints[index].bounds = (value, value);
+            let held = Constrained {
+                problem,
+                constraints,
+            };
+            match solve(&held, point.clone(), StoppingCriteria::CONVERGED) {
                 Ok(found) => {
                     points.push([value, (found.squares - solution.squares).max(0.0)]);
-                    point = found.point;
+                    point = found.iterate;
                 }
-                Err(Failure::Stopped) => return Err(Failure::Stopped),
+                Err(SolveError::Stopped) => return Err(SolveError::Stopped),
                 Err(_) => break,
             }
         }
@@ -51,7 +56,7 @@ pub fn profile(
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let interval = [crossing(&points, best, -1.0), crossing(&points, best, 1.0)];
     Ok(Profile {
-        name: shared[index].name.clone(),
+        name: global[index].name.clone(),
         points,
         interval,
     })
@@ -75,28 +80,28 @@ fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
 }
 
 /// The problem with other things known.
-struct Held<'a, P> {
+struct Constrained<'a, P> {
     problem: &'a P,
-    known: Vec<Known>,
+    constraints: Vec<Constraint>,
 }
 
-impl<P: Problem> Problem for Held<'_, P> {
+impl<P: LeastSquaresProblem> LeastSquaresProblem for Constrained<'_, P> {
     fn flights(&self) -> usize {
         self.problem.flights()
     }
     fn linearise(
         &self,
         flight: usize,
-        shared: &DVector<f64>,
-        own: &DVector<f64>,
-    ) -> Result<Block, String> {
-        self.problem.linearise(flight, shared, own)
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, String> {
+        self.problem.linearise(flight, global, local)
     }
-    fn moved(&self, flight: usize, own: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
-        self.problem.moved(flight, own, step)
+    fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        self.problem.plus(flight, local, step)
     }
-    fn known(&self) -> &[Known] {
-        &self.known
+    fn constraints(&self) -> &[Constraint] {
+        &self.constraints
     }
     fn threads(&self) -> usize {
         self.problem.threads()

@@ -8,7 +8,7 @@ mod page;
 mod words;
 
 use diagnose::report::Report;
-use identify::report::FlightEvidence;
+use identify::FlightEvidence;
 
 /// What the page is made of.
 #[derive(Clone, Copy, Debug)]

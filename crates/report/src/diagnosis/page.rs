@@ -2,7 +2,7 @@
 
 use diagnose::report::{Report, Verified};
 use identify::dataset::Role;
-use identify::report::words::count;
+use identify::wording::count;
 use minijinja::context;
 use minijinja::value::Value;
 

@@ -1,7 +1,7 @@
 //! A diagnosis in plain words.
 
 use diagnose::report::{Cause, Gain, Report, Verdict};
-use identify::report::words::count;
+use identify::wording::count;
 
 use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;

@@ -1,6 +1,6 @@
 //! The table of the coefficients, and what others found for them.
 
-use identify::report::Coefficient;
+use identify::Coefficient;
 use serde::Serialize;
 
 use super::FitPage;

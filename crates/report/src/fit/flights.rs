@@ -1,7 +1,7 @@
 //! The tables of flights: those fitted, the worst first where there are many, those held out, and those left out.
 
+use identify::FlightReport;
 use identify::dataset::Role;
-use identify::report::FlightReport;
 use serde::Serialize;
 
 use super::FitPage;

@@ -9,14 +9,14 @@ pub(crate) mod page;
 pub(crate) mod thin;
 pub(crate) mod words;
 
-use identify::report::{Coefficient, FlightEvidence, Report};
+use identify::{Coefficient, FitReport, FlightEvidence};
 use model_spec::model::Model;
 
 /// What the page is made of.
 #[derive(Clone, Copy, Debug)]
 pub struct FitPage<'a> {
     /// What was found.
-    pub report: &'a Report,
+    pub report: &'a FitReport,
     /// The flights that are drawn; the first twelve of them, if there are more.
     pub evidence: &'a [FlightEvidence],
     /// The model that was fitted.

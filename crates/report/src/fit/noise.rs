@@ -1,6 +1,6 @@
 //! The table of the noise.
 
-use identify::report::Report;
+use identify::FitReport;
 use serde::Serialize;
 
 use super::numbers::{millimetres, plain};
@@ -16,7 +16,7 @@ pub(super) struct Row {
 }
 
 /// Each axis, then all of them.
-pub(super) fn rows(report: &Report) -> Vec<Row> {
+pub(super) fn rows(report: &FitReport) -> Vec<Row> {
     let noise = &report.noise;
     let row = |axis: &str, sigma: f64, ar1: f64| Row {
         axis: axis.to_owned(),

@@ -1,7 +1,7 @@
 //! From all that to HTML.
 
 use identify::dataset::Role;
-use identify::report::words::count;
+use identify::wording::count;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};

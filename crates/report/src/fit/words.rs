@@ -1,8 +1,8 @@
 //! The fit in plain words: what was done, what is known, what is not, and what is alarming.
 
 use identify::dataset::Role;
-use identify::report::words::{count, listed};
-use identify::report::{Coefficient, FlightReport, Report};
+use identify::wording::{count, listed};
+use identify::{Coefficient, FitReport, FlightReport};
 
 use super::FitPage;
 use super::flights::short;
@@ -67,7 +67,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
 }
 
 /// How well the held-out flights were predicted.
-fn held_out_words(report: &Report) -> Option<String> {
+fn held_out_words(report: &FitReport) -> Option<String> {
     let held_out = report.used(Role::HeldOut);
     let mut rms: Vec<f64> = held_out
         .map(|f| f.rms_m)

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use diagnose::report::*;
-use identify::report::FlightEvidence;
+use identify::FlightEvidence;
 
 /// Standard deviation of the noise, m.
 const SIGMA: f64 = 0.0015;

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use identify::dataset::Role;
-use identify::report::*;
+use identify::*;
 
 /// Random numbers that are the same everywhere.
 struct Random(u64);
@@ -101,7 +101,7 @@ pub fn evidence(flights: usize) -> Vec<FlightEvidence> {
 }
 
 /// A report of so many flights of a disc.
-pub fn report(flights: usize) -> Report {
+pub fn report(flights: usize) -> FitReport {
     let mut random = Random(5);
     let found = [
         ("C_L0", "1", 0.1934, 0.0041, 0.188),
@@ -166,7 +166,7 @@ pub fn report(flights: usize) -> Report {
                 std_error: 1e-3,
             },
         )]),
-        cut: (number == 3).then(|| Cut {
+        cut: (number == 3).then(|| Truncation {
             t: 1.083,
             samples: 14,
             why: "the velocity jumps by 3.1 m/s: the disc touched the ground".into(),
@@ -223,12 +223,12 @@ pub fn report(flights: usize) -> Report {
         ],
     };
     let axes = [("x", 1.48, 0.24), ("y", 1.52, 0.26), ("z", 1.55, 0.22)];
-    Report {
+    FitReport {
         schema: "hyzer.fit/1".into(),
         model: "disc".into(),
         effects: Vec::new(),
         rms_m: 0.001523,
-        noise: Noise {
+        noise: NoiseReport {
             sigma_m: 0.001517,
             ar1: 0.24,
             estimated: true,
@@ -253,7 +253,7 @@ pub fn report(flights: usize) -> Report {
         coefficients: found.iter().map(coefficient).collect(),
         correlations,
         flights,
-        undetermined: vec![Undetermined {
+        undetermined: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),
             relative_error: 1.15,

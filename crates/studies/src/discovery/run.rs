@@ -6,8 +6,7 @@ use std::sync::Mutex;
 use diagnose::diagnosis::{Asked, Diagnosed, diagnose};
 use diagnose::report::{Report, Verdict};
 use identify::dataset::{Dataset, Role};
-use identify::fit::{Fitted, fit};
-use identify::options::Options;
+use identify::{Fit, FitOptions, fit};
 use model_spec::model::Model;
 
 use super::case::Case;
@@ -72,10 +71,10 @@ impl Truths {
 }
 
 /// Runs are worked on side by side: each has one thread.
-pub fn alone() -> Options<'static> {
-    Options {
+pub fn alone() -> FitOptions<'static> {
+    FitOptions {
         threads: Some(1),
-        ..Options::default()
+        ..FitOptions::default()
     }
 }
 
@@ -280,7 +279,7 @@ fn held_out(outcome: &mut Outcome, found: &Diagnosed, dataset: &Dataset, truths:
 }
 
 /// Root mean square of the residuals of held-out flights.
-fn prediction(fitted: &Fitted) -> f64 {
+fn prediction(fitted: &Fit) -> f64 {
     let flights = fitted.report.flights.iter();
     let held_out = flights.filter(|f| f.role == Role::HeldOut && !f.initial.is_empty());
     let squares: Vec<f64> = held_out.map(|flight| flight.rms_m.powi(2)).collect();

@@ -1,10 +1,9 @@
 //! Do the stated intervals hold the true values as often as they say?
 
 use flight::batch;
-use identify::fit::fit;
-use identify::options::Options;
-use identify::synthesize::{Noise, corrupt};
-use identify::uncertainty::interval;
+use identify::interval;
+use identify::synthesize::{Corruption, corrupt};
+use identify::{FitOptions, fit};
 
 use crate::oracle_flights::dataset::{Plan, disc, flights, truth};
 use crate::oracle_flights::throws::Throws;
@@ -36,12 +35,12 @@ pub struct Condition {
     /// In words.
     pub name: &'static str,
     /// What is done to the markers.
-    pub noise: Noise,
+    pub noise: Corruption,
 }
 
 /// The noises that intervals are tried under: 1.5 mm, white; correlated; with outliers of 5 cm; with dropouts.
 pub fn conditions() -> Vec<Condition> {
-    let white = Noise {
+    let white = Corruption {
         sigma: 0.0015,
         ar1: 0.0,
         outliers: 0.0,
@@ -56,15 +55,15 @@ pub fn conditions() -> Vec<Condition> {
         },
         Condition {
             name: "AR(0.6)",
-            noise: Noise { ar1, ..white },
+            noise: Corruption { ar1, ..white },
         },
         Condition {
             name: "1 % outliers",
-            noise: Noise { outliers, ..white },
+            noise: Corruption { outliers, ..white },
         },
         Condition {
             name: "AR(0.6) and 1 % outliers",
-            noise: Noise {
+            noise: Corruption {
                 ar1,
                 outliers,
                 ..white
@@ -72,7 +71,7 @@ pub fn conditions() -> Vec<Condition> {
         },
         Condition {
             name: "12 % dropouts",
-            noise: Noise { dropouts, ..white },
+            noise: Corruption { dropouts, ..white },
         },
     ]
 }
@@ -136,9 +135,9 @@ pub fn coverage(plan: &Plan<'_>, condition: &Condition, seeds: u64) -> Coverage 
             );
         }
         // The seeds are worked on side by side already.
-        let options = Options {
+        let options = FitOptions {
             threads: Some(1),
-            ..Options::default()
+            ..FitOptions::default()
         };
         let report = fit(&model, &dataset, &options).ok()?.report;
         report.iterations.converged.then_some(report)

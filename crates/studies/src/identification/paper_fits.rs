@@ -2,9 +2,8 @@
 
 use flight::batch;
 use identify::dataset::Dataset;
-use identify::fit::fit;
-use identify::options::Options;
-use identify::synthesize::{Noise, corrupt};
+use identify::synthesize::{Corruption, corrupt};
+use identify::{FitOptions, fit};
 use model_spec::model::Model;
 
 use crate::oracle_flights::dataset::{Plan, disc, flights};
@@ -125,10 +124,10 @@ fn shortened(dataset: &Dataset, duration: f64) -> Dataset {
 
 /// Estimates from a dataset under the paper's noise, over the seeds.
 pub fn way(model: &Model, name: &'static str, clean: &Dataset, ar1: f64, seeds: u64) -> Way {
-    let noise = Noise {
+    let noise = Corruption {
         sigma: SIGMA,
         ar1,
-        ..Noise::default()
+        ..Corruption::default()
     };
     let reports = batch::each(seeds as usize, |seed| {
         let mut dataset = clean.clone();
@@ -139,11 +138,11 @@ pub fn way(model: &Model, name: &'static str, clean: &Dataset, ar1: f64, seeds: 
                 1000 * (seed as u64 + 1) + index as u64,
             );
         }
-        let options = Options {
+        let options = FitOptions {
             // As the paper did: nothing keeps the coefficients where they can be.
             unbounded: true,
             threads: Some(1),
-            ..Options::default()
+            ..FitOptions::default()
         };
         fit(model, &dataset, &options)
             .ok()
@@ -152,22 +151,22 @@ pub fn way(model: &Model, name: &'static str, clean: &Dataset, ar1: f64, seeds: 
     let failed = reports.iter().filter(|report| report.is_none()).count();
     let reports: Vec<_> = reports.into_iter().flatten().collect();
     let names: Vec<&str> = model.coefficients.iter().map(|c| c.name.as_str()).collect();
-    let impossible = |name: &str, report: &identify::report::Report| {
+    let impossible = |name: &str, report: &identify::FitReport| {
         !is_possible(name, report.coefficients[name].value)
     };
-    let named = |name: &str, report: &identify::report::Report| {
+    let named = |name: &str, report: &identify::FitReport| {
         report
             .undetermined
             .iter()
             .any(|u| u.combination.iter().any(|n| n == name))
     };
-    let over = |test: &dyn Fn(&str, &identify::report::Report) -> bool| -> Vec<usize> {
+    let over = |test: &dyn Fn(&str, &identify::FitReport) -> bool| -> Vec<usize> {
         names
             .iter()
             .map(|name| reports.iter().filter(|report| test(name, report)).count())
             .collect()
     };
-    let any = |test: &dyn Fn(&str, &identify::report::Report) -> bool| {
+    let any = |test: &dyn Fn(&str, &identify::FitReport) -> bool| {
         reports
             .iter()
             .filter(|report| names.iter().any(|name| test(name, report)))

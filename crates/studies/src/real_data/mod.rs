@@ -7,8 +7,7 @@ pub mod wind_tunnel;
 
 use std::path::Path;
 
-use identify::dataset;
-use identify::report::Report;
+use identify::{FitReport, dataset};
 use model_spec::model::Model;
 
 use crate::markdown::Text;
@@ -29,7 +28,7 @@ pub struct RealData {
 
 impl RealData {
     /// The fit of the balls.
-    pub fn ball(&self) -> &Report {
+    pub fn ball(&self) -> &FitReport {
         &self.balls.plain
     }
 
@@ -39,7 +38,7 @@ impl RealData {
     }
 
     /// The fits of the agreeing stretches: gravity and drag, with lift by spin, and with its square.
-    pub fn lift_by_spin(&self) -> &[Report; 3] {
+    pub fn lift_by_spin(&self) -> &[FitReport; 3] {
         &self.balls.steps
     }
 

@@ -1,6 +1,6 @@
 //! Flights of a ball whose spin is known, with what is hidden in them.
 
-use identify::dataset::{Dataset, Known, Marker};
+use identify::dataset::{Dataset, KnownValue, Marker};
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::effect::World;
@@ -110,7 +110,7 @@ pub fn dataset(plan: &Plan<'_>, hidden: &Hidden, seed: u64) -> Dataset {
         };
         let seen = fly(&world, hidden, start, &times, &[marker], (seed, index));
         let mut flight = flight(index, plan.flights, hidden, times, seen);
-        let known = Known::Vector(omega.into());
+        let known = KnownValue::Vector(omega.into());
         flight.known.insert("omega".to_owned(), known);
         flight
     });

@@ -1,6 +1,6 @@
 //! What is told of flights beforehand, and is not quite so: spins that were measured badly, and spins of other flights.
 
-use identify::dataset::{Dataset, Known};
+use identify::dataset::{Dataset, KnownValue};
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
@@ -29,11 +29,11 @@ impl Told {
             let from = swapped[(k + 1) % swapped.len()];
             if let Some(spin) = before[from] {
                 let told = &mut dataset.flights[flight].known;
-                told.insert("omega".to_owned(), Known::Vector(spin));
+                told.insert("omega".to_owned(), KnownValue::Vector(spin));
             }
         }
         for flight in &mut dataset.flights {
-            if let Some(Known::Vector(spin)) = flight.known.get_mut("omega") {
+            if let Some(KnownValue::Vector(spin)) = flight.known.get_mut("omega") {
                 let size = spin.iter().map(|s| s * s).sum::<f64>().sqrt();
                 for component in spin {
                     let error: f64 = random.sample(StandardNormal);
@@ -56,7 +56,7 @@ impl Told {
 
 fn spin(flight: &identify::dataset::Flight) -> Option<[f64; 3]> {
     match flight.known.get("omega") {
-        Some(Known::Vector(spin)) => Some(*spin),
+        Some(KnownValue::Vector(spin)) => Some(*spin),
         _ => None,
     }
 }

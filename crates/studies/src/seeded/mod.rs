@@ -10,7 +10,7 @@ pub mod strength;
 pub mod unlisted;
 
 use identify::dataset::{Dataset, Flight, Role};
-use identify::synthesize::{MARKERS, Noise, corrupt};
+use identify::synthesize::{Corruption, MARKERS, corrupt};
 use nalgebra::Vector3;
 use oracle::effect::{World, by_name};
 use oracle::physical::Physical;
@@ -31,7 +31,7 @@ pub struct Hidden {
     /// Effects outside the catalogue, by name, with their sizes.
     pub outside: Vec<(String, f64)>,
     /// Noise; none leaves the positions as they are.
-    pub noise: Option<Noise>,
+    pub noise: Option<Corruption>,
     /// So many flights, the last ones, are held out.
     pub held_out: usize,
 }
@@ -54,7 +54,7 @@ impl Hidden {
     }
 
     /// The same with noise.
-    pub fn with_noise(self, noise: Noise) -> Self {
+    pub fn with_noise(self, noise: Corruption) -> Self {
         Self {
             noise: Some(noise),
             ..self

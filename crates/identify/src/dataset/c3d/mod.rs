@@ -15,7 +15,7 @@ use self::parameters::Parameters;
 use super::samples;
 use super::table::Table;
 use super::words::{listed, shown};
-use crate::error::InputError;
+use crate::input_error::InputError;
 
 /// Highest rate, Hz.
 const FASTEST: f64 = 1e6;

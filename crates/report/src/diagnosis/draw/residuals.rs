@@ -1,7 +1,7 @@
 //! The residuals of all flights, end to end: as the model leaves them, and as the extended model does.
 
+use identify::FlightEvidence;
 use identify::dataset::Role;
-use identify::report::FlightEvidence;
 
 use super::super::DiagnosisPage;
 use super::drawn;

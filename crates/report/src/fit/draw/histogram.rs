@@ -1,7 +1,7 @@
 //! How well the flights fit, all of them at a glance.
 
+use identify::FitReport;
 use identify::dataset::Role;
-use identify::report::Report;
 
 use super::super::Drawn;
 use super::small;
@@ -11,7 +11,7 @@ use crate::figures::{Bar, Panel};
 const LEAST: usize = 8;
 
 /// The rms of the fitted flights, where there are enough.
-pub(in super::super) fn histogram(report: &Report) -> Option<Drawn> {
+pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
     let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms_m).collect();
     rms.retain(|v| v.is_finite());
     if rms.len() < LEAST {

@@ -16,7 +16,7 @@ pub(super) use states::states;
 pub(super) use tracks::tracks;
 pub(super) use whiteness::whiteness;
 
-use identify::report::FlightEvidence;
+use identify::FlightEvidence;
 
 use super::Drawn;
 use crate::figures::{Layout, Panel, figure_of};

@@ -1,6 +1,6 @@
 //! How the likelihood falls off as one coefficient is held and all else is fitted again.
 
-use identify::report::Report;
+use identify::FitReport;
 
 use super::super::Drawn;
 use super::super::numbers::{Digits, raised, unit};
@@ -13,7 +13,7 @@ const LEVEL: f64 = 3.84;
 const MOST_PROFILES: usize = 24;
 
 /// A figure for each profile.
-pub(in super::super) fn profiles(report: &Report) -> Vec<Drawn> {
+pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
     let wanted = report.profiles.iter().take(MOST_PROFILES).enumerate();
     wanted
         .map(|(i, profile)| {

@@ -1,7 +1,7 @@
 //! The residuals of all flights, one flight after the other, as in the paper's Figure 4.
 
 use identify::dataset::Role;
-use identify::report::{FlightEvidence, Noise};
+use identify::{FlightEvidence, NoiseReport};
 
 use super::super::Drawn;
 use super::super::thin::stride;
@@ -14,7 +14,7 @@ const MOST_DOTS: usize = 1500;
 const NARROW_DOTS: usize = 150;
 
 /// A figure of the fitted flights and one of those held out, where there are such.
-pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &Noise) -> Vec<Drawn> {
+pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Drawn> {
     let of = |role: Role| {
         let flights = evidence.iter().take(MOST_FLIGHTS);
         flights.filter(move |f| f.role == role).collect::<Vec<_>>()

@@ -1,7 +1,7 @@
 //! The states of a flight in time, as in the paper's Figures 5 and 6, with the angle of attack and the speed
 //! where the model has them.
 
-use identify::report::FlightEvidence;
+use identify::FlightEvidence;
 use model_spec::model::Model;
 
 use super::super::Drawn;

@@ -1,6 +1,6 @@
 //! Where the markers were seen and where the model puts them, as in the paper's Figure 3.
 
-use identify::report::FlightEvidence;
+use identify::FlightEvidence;
 
 use super::super::Drawn;
 use super::super::thin::{MOST, stride};

@@ -1,6 +1,6 @@
 //! Whether the residuals look like the noise that was assumed: their autocorrelation and their quantiles.
 
-use identify::report::{AxisResiduals, Report};
+use identify::{AxisResiduals, FitReport};
 
 use super::super::Drawn;
 use super::super::thin::{MOST, stride};
@@ -8,7 +8,7 @@ use super::small;
 use crate::figures::{Dots, Line, Look, Panel};
 
 /// A figure for each axis.
-pub(in super::super) fn whiteness(report: &Report) -> Vec<Drawn> {
+pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Drawn> {
     let axes = report.residuals.iter().take(3).enumerate();
     let figures = axes.filter_map(|(i, (axis, found))| figure(i, axis, found));
     figures.collect()

@@ -4,10 +4,8 @@ pub mod page;
 
 use diagnose::diagnosis::{Asked, diagnose};
 use diagnose::report::Report as Diagnosis;
-use identify::dataset::{Dataset, Flight, Known, Role};
-use identify::fit::fit;
-use identify::options::Options;
-use identify::report::{FlightEvidence, Report};
+use identify::dataset::{Dataset, Flight, KnownValue, Role};
+use identify::{FitOptions, FitReport, FlightEvidence, fit};
 use model_spec::model::Model;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rand::SeedableRng;
@@ -68,9 +66,9 @@ pub fn ball(model: &Model, with: &[&str]) -> Result<Model, String> {
 ///
 /// # Errors
 /// In words.
-pub fn fitted(model: &Model, flights: &Dataset, with: &[&str]) -> Result<Report, String> {
+pub fn fitted(model: &Model, flights: &Dataset, with: &[&str]) -> Result<FitReport, String> {
     let model = ball(model, with)?;
-    let fitted = fit(&model, flights, &Options::default()).map_err(|error| error.to_string())?;
+    let fitted = fit(&model, flights, &FitOptions::default()).map_err(|error| error.to_string())?;
     Ok(fitted.report)
 }
 
@@ -162,13 +160,13 @@ fn across(a: [f64; 3], direction: [f64; 3]) -> [f64; 3] {
 ///
 /// # Errors
 /// In words.
-pub fn lifts(model: &Model, flights: &Dataset) -> Result<(Vec<Lift>, Report), String> {
+pub fn lifts(model: &Model, flights: &Dataset) -> Result<(Vec<Lift>, FitReport), String> {
     let mut all = flights.clone();
     for flight in &mut all.flights {
         flight.role = Role::Fit;
     }
     let own = ball(model, &[OWN])?;
-    let fitted = fit(&own, &all, &Options::default()).map_err(|error| error.to_string())?;
+    let fitted = fit(&own, &all, &FitOptions::default()).map_err(|error| error.to_string())?;
     let constant = |name: &str| {
         let stated = all.parameters.get(name).copied();
         let default = model.params.iter().find(|p| p.name == name);
@@ -180,7 +178,7 @@ pub fn lifts(model: &Model, flights: &Dataset) -> Result<(Vec<Lift>, Report), St
     let area = std::f64::consts::PI * radius * radius;
     let mut found = Vec::new();
     for (index, (flight, report)) in all.flights.iter().zip(&fitted.report.flights).enumerate() {
-        let Some(Known::Vector(omega)) = flight.known.get("omega") else {
+        let Some(KnownValue::Vector(omega)) = flight.known.get("omega") else {
             continue;
         };
         let turns = ["turn_x", "turn_z"].map(|name| report.initial.get(name).map(|e| e.value));

@@ -3,7 +3,7 @@
 use diagnose::gain::by_held_out;
 use diagnose::report::{Gain, Report as Diagnosis};
 use identify::dataset::{Dataset, Role};
-use identify::report::{Coefficient, Report};
+use identify::{Coefficient, FitReport};
 use model_spec::model::Model;
 use report::figures::{Dots, Line, Look, Panel, figure};
 
@@ -38,17 +38,17 @@ const BESIDE: [&str; 6] = [
 /// What was made of the balls.
 pub struct Balls {
     /// Gravity and drag.
-    pub plain: Report,
+    pub plain: FitReport,
     /// Effects one by one, on all flights.
-    alike: Vec<(&'static [&'static str], Report)>,
+    alike: Vec<(&'static [&'static str], FitReport)>,
     lifts: Vec<Lift>,
-    own: Report,
+    own: FitReport,
     /// Of all flights, of those whose spins agree with their lifts, of the others.
     pub agreeing: [Agreement; 3],
     /// Without and with lift by spin, and with its square, on the flights whose spins agree with their lifts.
-    pub steps: [Report; 3],
+    pub steps: [FitReport; 3],
     /// What is laid upon the lift by spin there.
-    beside: Vec<(&'static str, [Report; 2])>,
+    beside: Vec<(&'static str, [FitReport; 2])>,
     said: [Result<Diagnosis, String>; 3],
 }
 
@@ -314,7 +314,7 @@ fn lift_by_spin(text: &mut Text, balls: &Balls) {
     let names = balls.steps[2].coefficients.keys();
     let own: Vec<&String> = names.collect();
     let rows = balls.beside.iter().map(|(effect, [alone, square])| {
-        let each = |report: &Report| -> Vec<String> {
+        let each = |report: &FitReport| -> Vec<String> {
             let found = report.coefficients.iter();
             let found = found.filter(|(name, _)| !own.contains(name));
             found

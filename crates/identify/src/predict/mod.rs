@@ -2,8 +2,8 @@
 //!
 //! The sensitivities obey the variational equations dS/dt = J S + [0 | Jp], flown together with the state.
 
-mod columns;
-mod sums;
+mod jacobian_columns;
+mod weighted_rows;
 
 use std::ops::Range;
 
@@ -13,13 +13,13 @@ use flight::{Method, Options, fly_at, fly_past};
 use model_spec::model::Model;
 use nalgebra::DVector;
 
-use self::columns::Columns;
-use self::sums::Sums;
-use crate::noise::Noise;
-use crate::normal::Block;
-use crate::setting::Setting;
-use crate::sight::Sight;
-use crate::track::Track;
+use self::jacobian_columns::JacobianColumns;
+use self::weighted_rows::WeightedRows;
+use crate::least_squares::NormalBlock;
+use crate::marker_observers::MarkerConditions;
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
 
 /// Tolerance of the integration over the noise's size (per metre), where there are any number of flights. A disc then stays far below a
 /// thousandth of the noise after a second, and one that spins fast and is told by a quaternion, whose errors add up, below a
@@ -53,9 +53,9 @@ const TOLERANCES: (f64, f64) = (1e-10, 1e-3);
 
 /// Which unknowns a residual is differentiated by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum By {
+pub enum Unknowns {
     /// The flight's own.
-    Own,
+    Local,
     /// And the shared ones.
     All,
 }
@@ -66,7 +66,7 @@ pub enum Loss<'a> {
     /// By Huber's loss over this scale (m): by their squares near 0, by their sizes beyond.
     Huber(f64),
     /// By their innovations over the noise's, outliers left out.
-    Whitened(&'a Noise),
+    Whitened(&'a NoiseModel),
 }
 
 /// Flies the first samples of a track and sums its residuals.
@@ -74,20 +74,28 @@ pub enum Loss<'a> {
 /// # Errors
 /// In words, where the flight is impossible.
 pub fn linearise(
-    setting: &Setting,
-    track: &Track,
-    (shared, own): (&DVector<f64>, &DVector<f64>),
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
     samples: usize,
-    by: By,
+    by: Unknowns,
     loss: Loss<'_>,
-) -> Result<Block, String> {
-    let conditions = setting.body.with(track.parameters(setting, shared));
+) -> Result<NormalBlock, String> {
+    let conditions = problem.body.with(observations.parameters(problem, global));
     let constants: Vec<usize> = match by {
-        By::Own => Vec::new(),
-        By::All => setting.shared.iter().map(|shared| shared.place).collect(),
+        Unknowns::Local => Vec::new(),
+        Unknowns::All => problem.globals.iter().map(|global| global.param).collect(),
     };
     let by = (conditions.linear_motion(), constants.as_slice());
-    linearise_by(setting, track, (shared, own), samples, loss, by, None)
+    linearise_with(
+        problem,
+        observations,
+        (global, local),
+        samples,
+        loss,
+        by,
+        None,
+    )
 }
 
 /// As [`linearise`], by equations of motion of one's own and these constants of them, which stand in the place of the shared
@@ -96,28 +104,28 @@ pub fn linearise(
 ///
 /// # Errors
 /// In words, where the flight is impossible.
-pub fn linearise_by<M: Linearised>(
-    setting: &Setting,
-    track: &Track,
-    (shared, own): (&DVector<f64>, &DVector<f64>),
+pub fn linearise_with<M: Linearised>(
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
     samples: usize,
     loss: Loss<'_>,
     (motion, constants): (M, &[usize]),
     kept: Option<&mut Option<Vec<f64>>>,
-) -> Result<Block, String> {
-    let columns = Columns::new(track, motion.state_pattern(), constants.len());
+) -> Result<NormalBlock, String> {
+    let columns = JacobianColumns::new(observations, motion.state_pattern(), constants.len());
     let tolerance = match loss {
         // Where residuals are far from noise yet, what is left of them counts.
-        Loss::Huber(scale) if scale > FAR * setting.floor => ROUGH_TOLERANCE * scale,
-        Loss::Huber(_) => ROUGH_TOLERANCE * setting.floor,
-        Loss::Whitened(_) => setting.tolerance * setting.floor,
+        Loss::Huber(scale) if scale > FAR * problem.sigma0 => ROUGH_TOLERANCE * scale,
+        Loss::Huber(_) => ROUGH_TOLERANCE * problem.sigma0,
+        Loss::Whitened(_) => problem.tolerance * problem.sigma0,
     };
-    let mut sums = Sums::new(columns.rows(), track.markers, loss);
-    let flight = Along {
-        setting,
-        track,
-        shared,
-        own,
+    let mut sums = WeightedRows::new(columns.rows(), observations.markers, loss);
+    let flight = TrajectoryPass {
+        problem,
+        observations,
+        global,
+        local,
         samples,
         tolerance,
         // Where the noise is known an outlier is left out; before, it counts for little.
@@ -135,28 +143,28 @@ pub fn linearise_by<M: Linearised>(
 /// # Errors
 /// In words, where the flight is impossible.
 pub fn each_residual<M: Linearised>(
-    setting: &Setting,
-    track: &Track,
-    (shared, own): (&DVector<f64>, &DVector<f64>),
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
     motion: M,
     constants: &[usize],
-    mut each: impl FnMut(Residual<'_>),
+    mut each: impl FnMut(PointResidual<'_>),
 ) -> Result<(), String> {
-    let columns = Columns::new(track, motion.state_pattern(), constants.len());
-    let flight = Along {
-        setting,
-        track,
-        shared,
-        own,
-        samples: track.times.len(),
-        tolerance: LOOSE_TOLERANCE * setting.floor,
+    let columns = JacobianColumns::new(observations, motion.state_pattern(), constants.len());
+    let flight = TrajectoryPass {
+        problem,
+        observations,
+        global,
+        local,
+        samples: observations.times.len(),
+        tolerance: LOOSE_TOLERANCE * problem.sigma0,
         outliers: true,
     };
     let places: Vec<usize> = columns
-        .own
+        .local
         .iter()
         .copied()
-        .chain(columns.moving..columns.moving + columns.shared)
+        .chain(columns.moving..columns.moving + columns.global)
         .collect();
     let mut rows = [0; 3].map(|_| vec![0.0; places.len()]);
     flight.each((motion, constants), &columns, None, |seen| {
@@ -165,7 +173,7 @@ pub fn each_residual<M: Linearised>(
                 *to = from[place];
             }
         }
-        each(Residual {
+        each(PointResidual {
             marker: seen.marker,
             sample: seen.sample,
             residual: seen.residual,
@@ -176,7 +184,7 @@ pub fn each_residual<M: Linearised>(
 
 /// The residual of one marker at one sample, with its derivatives.
 #[derive(Clone, Copy, Debug)]
-pub struct Residual<'r> {
+pub struct PointResidual<'r> {
     /// Which marker.
     pub marker: usize,
     /// Which sample.
@@ -188,11 +196,11 @@ pub struct Residual<'r> {
 }
 
 /// A flight along which residuals are differentiated.
-struct Along<'a> {
-    setting: &'a Setting,
-    track: &'a Track,
-    shared: &'a DVector<f64>,
-    own: &'a DVector<f64>,
+struct TrajectoryPass<'a> {
+    problem: &'a FitProblem,
+    observations: &'a Observations,
+    global: &'a DVector<f64>,
+    local: &'a DVector<f64>,
     samples: usize,
     /// Of the integration, m.
     tolerance: f64,
@@ -200,7 +208,7 @@ struct Along<'a> {
 }
 
 /// A residual on its way to the sums.
-struct Seen<'r> {
+struct ObservedPoint<'r> {
     marker: usize,
     sample: usize,
     time: f64,
@@ -208,36 +216,36 @@ struct Seen<'r> {
     rows: &'r mut [Vec<f64>; 3],
 }
 
-impl Along<'_> {
+impl TrajectoryPass<'_> {
     fn each<M: Linearised>(
         &self,
         (motion, constants): (M, &[usize]),
-        columns: &Columns,
+        columns: &JacobianColumns,
         kept: Option<&mut Option<Vec<f64>>>,
-        mut each: impl FnMut(Seen<'_>),
+        mut each: impl FnMut(ObservedPoint<'_>),
     ) -> Result<(), String> {
-        let (setting, track) = (self.setting, self.track);
+        let (problem, observations) = (self.problem, self.observations);
         // Only how many columns there are counts here; they are filled along the chart.
         let moving: Vec<usize> = (0..columns.moving).collect();
         let mut variations = Sensitivities::new(motion, &moving, constants);
         let places = variations.places();
-        let parameters = track.parameters(setting, self.shared);
-        let sight = Sight::new(&setting.body, &parameters, track.markers);
+        let parameters = observations.parameters(problem, self.global);
+        let sight = MarkerConditions::new(&problem.body, &parameters, observations.markers);
         let mut observers = sight.observers();
         let mut rows = columns.empty_rows();
-        let times = &track.times[..self.samples];
-        let mut look = |sample: usize, both: &[f64]| {
+        let times = &observations.times[..self.samples];
+        let mut visit = |sample: usize, both: &[f64]| {
             let (time, state) = (times[sample], places.state(both));
-            for (marker, position) in setting.markers.iter().enumerate() {
+            for (marker, position) in problem.markers.iter().enumerate() {
                 let seen = match self.outliers {
-                    true => track.row(sample)[marker],
-                    false => track.good(sample, marker),
+                    true => observations.points(sample)[marker],
+                    false => observations.inlier(sample, marker),
                 };
                 let Some(seen) = seen else { continue };
                 let (y, derivatives) = observers.linearise(time, state, (marker, position));
                 let row_of = |state: usize| places.padded_row(both, state);
                 columns.derive(&derivatives, row_of, constants, &mut rows);
-                each(Seen {
+                each(ObservedPoint {
                     marker,
                     sample,
                     time,
@@ -247,32 +255,32 @@ impl Along<'_> {
             }
         };
         let length = variations.len();
-        if let Some(Some(flown)) = kept {
-            for (sample, both) in flown.chunks(length).enumerate() {
-                look(sample, both);
+        if let Some(Some(cache)) = kept {
+            for (sample, both) in cache.chunks(length).enumerate() {
+                visit(sample, both);
             }
             return Ok(());
         }
-        let tangent = columns.tangent(&track.chart.tangent(self.own.as_slice()));
-        let start = variations.start_along(self.own.as_slice(), &tangent);
+        let tangent = columns.tangent(&observations.manifold.tangent(self.local.as_slice()));
+        let start = variations.start_along(self.local.as_slice(), &tangent);
         let (from, options) = ((times[0], &start), options(self.tolerance));
-        let flown = match kept {
+        let cache = match kept {
             Some(kept) => {
-                let mut flown = vec![0.0; length * times.len()];
-                fly_at(&mut variations, from, times, &options, &mut [], &mut flown).map(|_| {
-                    for (sample, both) in kept.insert(flown).chunks(length).enumerate() {
-                        look(sample, both);
+                let mut cache = vec![0.0; length * times.len()];
+                fly_at(&mut variations, from, times, &options, &mut [], &mut cache).map(|_| {
+                    for (sample, both) in kept.insert(cache).chunks(length).enumerate() {
+                        visit(sample, both);
                     }
                 })
             }
             None => {
-                let observed = setting.body.observed_states();
+                let observed = problem.body.observed_states();
                 let observed = observed.into_iter().map(|state| places.of_row(state));
                 let shown = joined(std::iter::once(places.of_state()).chain(observed));
-                fly_past(&mut variations, from, times, &options, &shown, look)
+                fly_past(&mut variations, from, times, &options, &shown, visit)
             }
         };
-        flown.map_err(|error| error.to_string())
+        cache.map_err(|error| error.to_string())
     }
 }
 
@@ -293,16 +301,19 @@ fn joined(places: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
 /// # Errors
 /// In words, where the flight is impossible.
 pub fn states(
-    setting: &Setting,
-    track: &Track,
-    (shared, own): (&DVector<f64>, &DVector<f64>),
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
     samples: usize,
 ) -> Result<Vec<f64>, String> {
-    let conditions = setting.body.with(track.parameters(setting, shared));
-    let start: States = own.as_slice().into();
-    let times = &track.times[..samples];
+    let conditions = problem.body.with(observations.parameters(problem, global));
+    let start: States = local.as_slice().into();
+    let times = &observations.times[..samples];
     let mut states = vec![0.0; start.len() * times.len()];
-    let (from, options) = ((times[0], &start), options(LOOSE_TOLERANCE * setting.floor));
+    let (from, options) = (
+        (times[0], &start),
+        options(LOOSE_TOLERANCE * problem.sigma0),
+    );
     let mut motion = conditions.motion();
     fly_at(&mut motion, from, times, &options, &mut [], &mut states)
         .map_err(|error| error.to_string())?;
@@ -317,31 +328,31 @@ pub type Residuals = Vec<Vec<Option<[f64; 3]>>>;
 /// # Errors
 /// In words, where the flight is impossible.
 pub fn residuals(
-    setting: &Setting,
-    track: &Track,
+    problem: &FitProblem,
+    observations: &Observations,
     unknowns: (&DVector<f64>, &DVector<f64>),
     samples: usize,
 ) -> Result<Residuals, String> {
-    let flown = states(setting, track, unknowns, samples)?;
-    Ok(residuals_of(setting, track, unknowns.0, &flown))
+    let cache = states(problem, observations, unknowns, samples)?;
+    Ok(residuals_of(problem, observations, unknowns.0, &cache))
 }
 
 /// The residuals at states that were flown, sample after sample.
 pub fn residuals_of(
-    setting: &Setting,
-    track: &Track,
-    shared: &DVector<f64>,
-    flown: &[f64],
+    problem: &FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+    cache: &[f64],
 ) -> Residuals {
-    let parameters = track.parameters(setting, shared);
-    let sight = Sight::new(&setting.body, &parameters, track.markers);
+    let parameters = observations.parameters(problem, global);
+    let sight = MarkerConditions::new(&problem.body, &parameters, observations.markers);
     let mut observers = sight.observers();
-    let states = track.chart.states();
-    let mut residuals = vec![Vec::with_capacity(flown.len() / states); track.markers];
-    for (sample, state) in flown.chunks(states).enumerate() {
-        for (marker, position) in setting.markers.iter().enumerate() {
-            let residual = track.row(sample)[marker].map(|seen| {
-                let y = observers.position(track.times[sample], state, (marker, position));
+    let states = observations.manifold.states();
+    let mut residuals = vec![Vec::with_capacity(cache.len() / states); observations.markers];
+    for (sample, state) in cache.chunks(states).enumerate() {
+        for (marker, position) in problem.markers.iter().enumerate() {
+            let residual = observations.points(sample)[marker].map(|seen| {
+                let y = observers.position(observations.times[sample], state, (marker, position));
                 [0, 1, 2].map(|axis| y[axis] - seen[axis])
             });
             residuals[marker].push(residual);

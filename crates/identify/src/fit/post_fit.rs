@@ -2,22 +2,22 @@
 
 use nalgebra::DVector;
 
-use super::flown::Path;
-use crate::noise::Noise;
+use super::residual_cache::Path;
+use crate::marker_observers::MarkerConditions;
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
 use crate::predict::states;
-use crate::report::{FlightEvidence, residuals::Pool};
-use crate::setting::Setting;
-use crate::sight::Sight;
-use crate::track::Track;
+use crate::problem::FitProblem;
+use crate::report::{FlightEvidence, residuals::ResidualPool};
 
 /// What one flight shows.
-pub struct Looked {
+pub struct PostFit {
     /// Root mean square of its residuals, m.
     pub rms: f64,
     /// Points that were left out of it.
     pub outliers: usize,
     /// Its residuals.
-    pub pool: Pool,
+    pub pool: ResidualPool,
     /// The least and the greatest of each of the model's quantities, and then of its states.
     pub support: Vec<(f64, f64)>,
 }
@@ -34,30 +34,30 @@ pub fn joined(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
 }
 
 /// Looks at a flight by its states, sample after sample.
-pub fn look(
-    setting: &Setting,
-    track: &Track,
-    noise: &Noise,
-    shared: &DVector<f64>,
+pub fn post_fit(
+    problem: &FitProblem,
+    observations: &Observations,
+    noise: &NoiseModel,
+    global: &DVector<f64>,
     path: &Path,
-) -> Looked {
-    let mut pool = Pool::default();
+) -> PostFit {
+    let mut pool = ResidualPool::default();
     for (marker, series) in path.residuals.iter().enumerate() {
-        let outlier = |sample: usize| track.outlier[sample * track.markers + marker];
+        let outlier = |sample: usize| observations.outlier[sample * observations.markers + marker];
         let good = series.iter().enumerate();
         let good: Vec<_> = good
             .map(|(sample, r)| r.filter(|_| !outlier(sample)))
             .collect();
-        pool.add(&track.times, &good, noise);
+        pool.add(&observations.times, &good, noise);
     }
-    let conditions = setting.body.with(track.parameters(setting, shared));
+    let conditions = problem.body.with(observations.parameters(problem, global));
     let mut observer = conditions.observer();
-    let layout = setting.body.layout();
+    let layout = problem.body.layout();
     let mut support = vec![NOTHING; layout.quantities.len() + layout.states.len()];
-    let width = track.chart.states();
-    let every = (track.times.len() / LOOKS).max(1);
+    let width = observations.manifold.states();
+    let every = (observations.times.len() / LOOKS).max(1);
     for (sample, state) in path.states.chunks(width).enumerate().step_by(every) {
-        let quantities = observer.quantities(track.times[sample], state);
+        let quantities = observer.quantities(observations.times[sample], state);
         let values = quantities.iter().chain(state);
         for (range, &value) in support.iter_mut().zip(values) {
             if value.is_finite() {
@@ -65,9 +65,13 @@ pub fn look(
             }
         }
     }
-    Looked {
+    PostFit {
         rms: pool.rms(),
-        outliers: track.outlier.iter().filter(|outlier| **outlier).count(),
+        outliers: observations
+            .outlier
+            .iter()
+            .filter(|outlier| **outlier)
+            .count(),
         pool,
         support,
     }
@@ -75,29 +79,29 @@ pub fn look(
 
 /// A flight as measured and as predicted; none where it cannot be flown.
 pub fn evidence(
-    setting: &Setting,
+    problem: &FitProblem,
     names: &[String],
-    track: &Track,
+    observations: &Observations,
     unknowns: (&DVector<f64>, &DVector<f64>),
 ) -> Option<FlightEvidence> {
-    let flown = states(setting, track, unknowns, track.times.len()).ok()?;
-    let parameters = track.parameters(setting, unknowns.0);
-    let sight = Sight::new(&setting.body, &parameters, track.markers);
+    let cache = states(problem, observations, unknowns, observations.times.len()).ok()?;
+    let parameters = observations.parameters(problem, unknowns.0);
+    let sight = MarkerConditions::new(&problem.body, &parameters, observations.markers);
     let mut observers = sight.observers();
-    let layout = setting.body.layout();
+    let layout = problem.body.layout();
     let mut evidence = FlightEvidence {
-        file: track.file.clone(),
-        role: track.role,
+        file: observations.file.clone(),
+        role: observations.role,
         markers: names.to_vec(),
-        times: track.times.clone(),
-        measured: track
-            .seen
-            .chunks(track.markers)
+        times: observations.times.clone(),
+        measured: observations
+            .measured
+            .chunks(observations.markers)
             .map(<[_]>::to_vec)
             .collect(),
-        outlier: track
+        outlier: observations
             .outlier
-            .chunks(track.markers)
+            .chunks(observations.markers)
             .map(<[_]>::to_vec)
             .collect(),
         predicted: Vec::new(),
@@ -106,8 +110,12 @@ pub fn evidence(
         quantity_names: layout.quantities.clone(),
         quantities: Vec::new(),
     };
-    for (&time, state) in track.times.iter().zip(flown.chunks(track.chart.states())) {
-        let markers = setting.markers.iter().enumerate();
+    for (&time, state) in observations
+        .times
+        .iter()
+        .zip(cache.chunks(observations.manifold.states()))
+    {
+        let markers = problem.markers.iter().enumerate();
         let predicted = markers.map(|marker| observers.position(time, state, marker));
         evidence.predicted.push(predicted.collect());
         evidence.quantities.push(observers.quantities(time, state));

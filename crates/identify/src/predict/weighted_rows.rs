@@ -1,13 +1,13 @@
 //! Rows of residuals, weighed by the noise, on their way to the sums.
 
 use super::Loss;
-use crate::noise::{HUBER, Noise};
-use crate::rows::Rows;
+use crate::least_squares::GramAccumulator;
+use crate::noise::{HUBER, NoiseModel};
 
 /// Rows being summed, with the last row of each marker.
-pub(super) struct Sums<'a> {
+pub(super) struct WeightedRows<'a> {
     /// What was summed.
-    pub rows: Rows,
+    pub rows: GramAccumulator,
     loss: Loss<'a>,
     /// What a residual keeps along each axis of one that is an interval earlier, and how its rest is weighed, 1/m.
     usual: [(f64, f64); 3],
@@ -15,8 +15,8 @@ pub(super) struct Sums<'a> {
     before: Vec<Option<(f64, [Vec<f64>; 3])>>,
 }
 
-impl<'a> Sums<'a> {
-    pub fn new(rows: Rows, markers: usize, loss: Loss<'a>) -> Self {
+impl<'a> WeightedRows<'a> {
+    pub fn new(rows: GramAccumulator, markers: usize, loss: Loss<'a>) -> Self {
         let usual = match loss {
             Loss::Huber(_) => [(0.0, 0.0); 3],
             Loss::Whitened(noise) => innovations(noise, noise.interval),
@@ -75,7 +75,7 @@ impl<'a> Sums<'a> {
 }
 
 /// What a residual keeps along each axis of one that is so much earlier (s), and how its rest is weighed, 1/m.
-fn innovations(noise: &Noise, gap: f64) -> [(f64, f64); 3] {
+fn innovations(noise: &NoiseModel, gap: f64) -> [(f64, f64); 3] {
     [0, 1, 2].map(|axis| {
         let (kept, fresh) = noise.innovation(axis, gap);
         (kept, 1.0 / fresh)

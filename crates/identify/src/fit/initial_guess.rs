@@ -3,16 +3,16 @@
 use flight::batch;
 use nalgebra::DVector;
 
-use super::settle::own_only;
+use super::horizon_continuation::fit_initial_state;
 use super::{FitError, State};
-use crate::cut;
 use crate::dataset::{Dataset, Flight};
+use crate::impact_detection;
+use crate::initial_state::{self, InitialGuess};
 use crate::noise::median;
-use crate::options::Options;
+use crate::observations::Observations;
+use crate::options::FitOptions;
 use crate::pose::Pose;
-use crate::setting::Setting;
-use crate::start::{self, Start};
-use crate::track::Track;
+use crate::problem::FitProblem;
 
 /// The first part of a flight that its start is judged on, s and samples.
 pub const FIRST: (f64, usize) = (0.15, 12);
@@ -21,74 +21,74 @@ pub const FIRST: (f64, usize) = (0.15, 12);
 const LEAST_FLOOR: f64 = 1e-7;
 
 /// What the flights begin with.
-pub struct Begun {
+pub struct InitialGuesses {
     /// The flights that can be fitted, with their starts.
     pub state: State,
     /// Their indices in the dataset.
     pub flights: Vec<usize>,
     /// Every start of each: more than one where the samples are too far apart to tell its spin.
-    pub alternatives: Vec<Vec<Start>>,
+    pub alternatives: Vec<Vec<InitialGuess>>,
     /// Flights that cannot, and why.
     pub left_out: Vec<(usize, String)>,
 }
 
 /// Tracks of flights by index, and the flights that have none, with why.
-pub type Tracks = (Vec<(usize, Track)>, Vec<(usize, String)>);
+pub type Tracks = (Vec<(usize, Observations)>, Vec<(usize, String)>);
 
 /// Makes tracks of these flights, and a first estimate of their noise, m.
-pub fn tracks(
-    setting: &Setting,
+pub fn observation_sets(
+    problem: &FitProblem,
     dataset: &Dataset,
     flights: &[usize],
-    options: &Options<'_>,
+    options: &FitOptions<'_>,
 ) -> (Tracks, f64) {
     let made = batch::each_on(options.threads(), flights.len(), |index| {
-        let (track, poses) = track_and_poses(setting, &dataset.flights[flights[index]])?;
-        let floor = start::floor(setting, &track, &poses);
-        Ok((track, floor))
+        let (observations, poses) = track_and_poses(problem, &dataset.flights[flights[index]])?;
+        let sigma0 = initial_state::sigma0(problem, &observations, &poses);
+        Ok((observations, sigma0))
     });
-    let (mut tracks, mut left_out) = (Vec::with_capacity(flights.len()), Vec::new());
+    let (mut observation_sets, mut left_out) = (Vec::with_capacity(flights.len()), Vec::new());
     let mut floors = Vec::with_capacity(flights.len());
     for (&flight, made) in flights.iter().zip(made) {
         match made {
-            Ok((track, floor)) => {
-                tracks.push((flight, track));
-                floors.extend(floor);
+            Ok((observations, sigma0)) => {
+                observation_sets.push((flight, observations));
+                floors.extend(sigma0);
             }
             Err(reason) => left_out.push((flight, reason)),
         }
     }
-    let floor = match floors.is_empty() {
-        true => setting.floor,
+    let sigma0 = match floors.is_empty() {
+        true => problem.sigma0,
         false => median(&mut floors).max(LEAST_FLOOR),
     };
-    ((tracks, left_out), floor)
+    ((observation_sets, left_out), sigma0)
 }
 
 /// Finds starts of these flights.
 ///
 /// # Errors
 /// Where none of them can be fitted.
-pub fn begin(
-    setting: &Setting,
+pub fn initial_guesses(
+    problem: &FitProblem,
     dataset: &Dataset,
-    (tracks, mut left_out): Tracks,
-    options: &Options<'_>,
-) -> Result<Begun, FitError> {
-    options.begins("starts", tracks.len());
-    let mut intervals: Vec<f64> = tracks
+    (observation_sets, mut left_out): Tracks,
+    options: &FitOptions<'_>,
+) -> Result<InitialGuesses, FitError> {
+    options.begins("starts", observation_sets.len());
+    let mut intervals: Vec<f64> = observation_sets
         .iter()
-        .filter_map(|(_, track)| track.interval())
+        .filter_map(|(_, observations)| observations.interval())
         .collect();
-    let shared = DVector::from_iterator(
-        setting.shared.len(),
-        setting.shared.iter().map(|shared| shared.model_value),
+    let global = DVector::from_iterator(
+        problem.globals.len(),
+        problem.globals.iter().map(|global| global.model_value),
     );
-    let found = batch::each_on(options.threads(), tracks.len(), |index| {
+    let found = batch::each_on(options.threads(), observation_sets.len(), |index| {
         if options.is_stopped() {
             return Err("interrupted".to_owned());
         }
-        let found = fitted_starts(setting, &tracks[index].1, &shared, options);
+        let found = fitted_guesses(problem, &observation_sets[index].1, &global, options);
         options.part_done();
         found
     });
@@ -96,9 +96,9 @@ pub fn begin(
         return Err(FitError::Interrupted);
     }
     let mut state = State {
-        tracks: Vec::with_capacity(tracks.len()),
-        shared,
-        own: Vec::with_capacity(tracks.len()),
+        observation_sets: Vec::with_capacity(observation_sets.len()),
+        global,
+        local: Vec::with_capacity(observation_sets.len()),
         interval: if intervals.is_empty() {
             1.0
         } else {
@@ -107,15 +107,16 @@ pub fn begin(
         steps: 0,
         rounds: 0,
     };
-    let mut usable = Vec::with_capacity(tracks.len());
-    let mut alternatives = Vec::with_capacity(tracks.len());
-    for ((flight, track), found) in tracks.into_iter().zip(found) {
+    let mut usable = Vec::with_capacity(observation_sets.len());
+    let mut alternatives = Vec::with_capacity(observation_sets.len());
+    for ((flight, observations), found) in observation_sets.into_iter().zip(found) {
         match found {
             Ok(starts) => {
-                let starts: Vec<Start> = starts.into_iter().map(|(_, start)| start).collect();
+                let starts: Vec<InitialGuess> =
+                    starts.into_iter().map(|(_, start)| start).collect();
                 usable.push(flight);
-                state.own.push(starts[0].state.clone());
-                state.tracks.push(track);
+                state.local.push(starts[0].state.clone());
+                state.observation_sets.push(observations);
                 alternatives.push(starts);
             }
             Err(reason) => left_out.push((flight, reason)),
@@ -129,7 +130,7 @@ pub fn begin(
             .collect();
         return Err(FitError::NoFlight(reasons.join("\n")));
     }
-    Ok(Begun {
+    Ok(InitialGuesses {
         state,
         alternatives,
         flights: usable,
@@ -145,42 +146,45 @@ pub fn spin_note(turns: i32) -> String {
 }
 
 /// A track of a flight, cut at the ground.
-pub fn track(setting: &Setting, flight: &Flight) -> Result<Track, String> {
-    Ok(track_and_poses(setting, flight)?.0)
+pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observations, String> {
+    Ok(track_and_poses(problem, flight)?.0)
 }
 
 /// The same with the poses in its samples, of a body that turns.
 fn track_and_poses(
-    setting: &Setting,
+    problem: &FitProblem,
     flight: &Flight,
-) -> Result<(Track, Vec<Option<Pose>>), String> {
-    let mut track = Track::new(setting, flight)?;
-    let poses = cut::at_the_ground(setting, &mut track);
-    let points = track.seen.iter().flatten().count();
-    let unknowns = track.chart.dimension();
+) -> Result<(Observations, Vec<Option<Pose>>), String> {
+    let mut observations = Observations::new(problem, flight)?;
+    let poses = impact_detection::truncate_at_impact(problem, &mut observations);
+    let points = observations.measured.iter().flatten().count();
+    let unknowns = observations.manifold.dimension();
     if 3 * points < unknowns {
         let measured = 3 * points;
         return Err(format!(
             "{measured} measured coordinates do not determine the {unknowns} unknowns of its initial state"
         ));
     }
-    Ok((track, poses))
+    Ok((observations, poses))
 }
 
 /// Starts whose first samples were fitted with the shared unknowns held, the one of least spin first; and how well each
 /// met them.
-pub fn fitted_starts(
-    setting: &Setting,
-    track: &Track,
-    shared: &DVector<f64>,
-    options: &Options<'_>,
-) -> Result<Vec<(f64, Start)>, String> {
-    let samples = track.until(FIRST.0).max(FIRST.1).min(track.times.len());
+pub fn fitted_guesses(
+    problem: &FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+    options: &FitOptions<'_>,
+) -> Result<Vec<(f64, InitialGuess)>, String> {
+    let samples = observations
+        .samples_until(FIRST.0)
+        .max(FIRST.1)
+        .min(observations.times.len());
     let mut fitted = Vec::new();
     let mut refused = String::new();
-    for Start { state, turns } in start::starts(setting, track)? {
-        match own_only(setting, track, samples, shared, state, options) {
-            Ok((squares, state)) => fitted.push((squares, Start { state, turns })),
+    for InitialGuess { state, turns } in initial_state::initial_guesses(problem, observations)? {
+        match fit_initial_state(problem, observations, samples, global, state, options) {
+            Ok((squares, state)) => fitted.push((squares, InitialGuess { state, turns })),
             Err(reason) => refused = reason,
         }
     }

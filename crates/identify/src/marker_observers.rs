@@ -7,9 +7,9 @@ use model_spec::layout::ParamId;
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
 /// The conditions of a flight under which each marker is observed.
-pub struct Sight<'a>(Vec<Conditions<'a>>);
+pub struct MarkerConditions<'a>(Vec<Conditions<'a>>);
 
-impl<'a> Sight<'a> {
+impl<'a> MarkerConditions<'a> {
     /// One for all of `markers`, unless the model has the input `marker_is`.
     pub fn new(body: &'a Body, parameters: &[f64], markers: usize) -> Self {
         let places = MARKER_IS.map(|name| body.layout().parameter(name).map(ParamId::index));
@@ -29,15 +29,15 @@ impl<'a> Sight<'a> {
     }
 
     /// What is seen under them.
-    pub fn observers(&self) -> Observers<'_> {
-        Observers(self.0.iter().map(Conditions::observer).collect())
+    pub fn observers(&self) -> MarkerObservers<'_> {
+        MarkerObservers(self.0.iter().map(Conditions::observer).collect())
     }
 }
 
 /// Observers, of which each marker has its own.
-pub struct Observers<'a>(Vec<Observer<'a>>);
+pub struct MarkerObservers<'a>(Vec<Observer<'a>>);
 
-impl<'a> Observers<'a> {
+impl<'a> MarkerObservers<'a> {
     fn of(&mut self, marker: usize) -> &mut Observer<'a> {
         let last = self.0.len() - 1;
         &mut self.0[marker.min(last)]

@@ -3,32 +3,32 @@
 use flight::body::Derivatives;
 use lanes::{Kernel, Lanes};
 
-use crate::rows::Rows;
-use crate::track::Track;
+use crate::least_squares::GramAccumulator;
+use crate::observations::Observations;
 
 /// Where the derivatives by each unknown stand in a row. A state that no rate depends on keeps its derivative of 1, and
 /// need not be flown: its column stands behind those that are.
-pub(super) struct Columns {
+pub(super) struct JacobianColumns {
     /// Directions of the chart that are flown, which come first; the shared unknowns follow.
     pub moving: usize,
     /// Place of each direction.
-    pub own: Vec<usize>,
+    pub local: Vec<usize>,
     /// Of each state the place of the direction that is it and is not flown.
     still: Vec<Option<usize>>,
     /// How many shared unknowns.
-    pub shared: usize,
+    pub global: usize,
 }
 
-impl Columns {
-    pub fn new(track: &Track, pattern: &[(usize, usize)], shared: usize) -> Self {
-        let dimension = track.chart.dimension();
+impl JacobianColumns {
+    pub fn new(observations: &Observations, pattern: &[(usize, usize)], global: usize) -> Self {
+        let dimension = observations.manifold.dimension();
         let still: Vec<(usize, usize)> = (0..dimension)
-            .filter_map(|direction| Some((direction, track.chart.plain(direction)?)))
+            .filter_map(|direction| Some((direction, observations.manifold.plain(direction)?)))
             .filter(|(_, state)| pattern.iter().all(|(_, column)| column != state))
             .collect();
         let moving = dimension - still.len();
-        let (mut next, mut behind) = (0, moving + shared);
-        let own = (0..dimension).map(|direction| {
+        let (mut next, mut behind) = (0, moving + global);
+        let local = (0..dimension).map(|direction| {
             let place = if still.iter().any(|(d, _)| *d == direction) {
                 &mut behind
             } else {
@@ -37,29 +37,29 @@ impl Columns {
             *place += 1;
             *place - 1
         });
-        let own: Vec<usize> = own.collect();
-        let mut place_of = vec![None; track.chart.states()];
+        let local: Vec<usize> = local.collect();
+        let mut place_of = vec![None; observations.manifold.states()];
         for (direction, state) in still {
-            place_of[state] = Some(own[direction]);
+            place_of[state] = Some(local[direction]);
         }
         Self {
             moving,
-            own,
+            local,
             still: place_of,
-            shared,
+            global,
         }
     }
 
-    pub fn rows(&self) -> Rows {
-        let shared = self.moving..self.moving + self.shared;
-        Rows::new(self.own.clone(), shared.collect())
+    pub fn rows(&self) -> GramAccumulator {
+        let global = self.moving..self.moving + self.global;
+        GramAccumulator::new(self.local.clone(), global.collect())
     }
 
     /// The entries of the chart's tangent in the columns that are flown.
     pub fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
         let placed = entries
             .iter()
-            .map(|&(state, direction, value)| (state, self.own[direction], value));
+            .map(|&(state, direction, value)| (state, self.local[direction], value));
         placed
             .filter(|(_, place, _)| *place < self.moving)
             .collect()

@@ -16,31 +16,31 @@ pub type Residuals = [Vec<Option<[f64; 3]>>];
 
 /// How far each point's residual lies from where its neighbours would have it, by marker and sample, m. Where they
 /// lie to one side, and say less, the distance counts for less.
-pub fn departures(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
+pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
     let seen: Vec<Series> = residuals
         .iter()
         .map(|series| Series::of(times, series))
         .collect();
-    let mut departures: Vec<Vec<Option<[f64; 3]>>> = seen
+    let mut local_residuals: Vec<Vec<Option<[f64; 3]>>> = seen
         .iter()
-        .map(|series| series.departures(residuals[0].len()))
+        .map(|series| series.local_residuals(residuals[0].len()))
         .collect();
     // Only what may be an outlier deserves the line that outliers do not move.
-    let limit = scale(&departures).map(|scale| SUSPECT * scale);
+    let limit = scale(&local_residuals).map(|scale| SUSPECT * scale);
     let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
-    for (series, departures) in seen.iter().zip(&mut departures) {
+    for (series, local_residuals) in seen.iter().zip(&mut local_residuals) {
         for (index, &(_, sample, _)) in series.0.iter().enumerate() {
-            let Some(departure) = &mut departures[sample] else {
+            let Some(local_residual) = &mut local_residuals[sample] else {
                 continue;
             };
             for axis in 0..3 {
-                if departure[axis].abs() > limit[axis] {
-                    departure[axis] = series.departure(index, axis, &mut space);
+                if local_residual[axis].abs() > limit[axis] {
+                    local_residual[axis] = series.local_residual(index, axis, &mut space);
                 }
             }
         }
     }
-    departures
+    local_residuals
 }
 
 /// A departure by least squares beyond this many times the usual one is looked at again.
@@ -58,10 +58,10 @@ impl Series {
     }
 
     /// By lines of least squares.
-    fn departures(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
-        let mut departures = vec![None; samples];
+    fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
+        let mut local_residuals = vec![None; samples];
         if self.0.len() < LEAST {
-            return departures;
+            return local_residuals;
         }
         let mut line = Line::default();
         for (index, &(time, sample, value)) in self.0.iter().enumerate() {
@@ -70,9 +70,9 @@ impl Series {
             for (weight, (.., value)) in line.weights().iter().zip(self.neighbours(index)) {
                 beyond = [0, 1, 2].map(|axis| beyond[axis] - weight * value[axis]);
             }
-            departures[sample] = Some(beyond.map(|beyond| beyond / line.spread));
+            local_residuals[sample] = Some(beyond.map(|beyond| beyond / line.spread));
         }
-        departures
+        local_residuals
     }
 
     /// The neighbours that a point is held against.
@@ -87,7 +87,7 @@ impl Series {
     }
 
     /// How far a point lies along an axis from the line that outliers do not move.
-    fn departure(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
+    fn local_residual(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
         let (time, _, value) = self.0[index];
         let mut points = [(0.0, 0.0); 2 * SIDE];
         let mut count = 0;
@@ -158,12 +158,12 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
 }
 
 /// The usual size of departures along each axis, m.
-pub fn scale(departures: &Residuals) -> [f64; 3] {
-    let mut sizes = Vec::with_capacity(departures.iter().map(Vec::len).sum());
+pub fn scale(local_residuals: &Residuals) -> [f64; 3] {
+    let mut sizes = Vec::with_capacity(local_residuals.iter().map(Vec::len).sum());
     [0, 1, 2].map(|axis| {
-        let all = departures.iter().flatten().flatten();
+        let all = local_residuals.iter().flatten().flatten();
         sizes.clear();
-        sizes.extend(all.map(|departure| departure[axis].abs()));
+        sizes.extend(all.map(|local_residual| local_residual[axis].abs()));
         robust_sigma(&mut sizes)
     })
 }
@@ -176,32 +176,34 @@ pub fn usual(scales: &[[f64; 3]]) -> [f64; 3] {
     })
 }
 
-/// Points that stand out at a scale: places as [`Track::outlier`](crate::track::Track::outlier) has them, and departures.
-pub fn suspects(departures: &Residuals, scale: [f64; 3]) -> Vec<(usize, [f64; 3])> {
-    let markers = departures.len();
-    let mut suspects = Vec::new();
-    for (marker, series) in departures.iter().enumerate() {
-        for (sample, departure) in series.iter().enumerate() {
-            if let Some(departure) = departure.filter(|departure| stands_out(departure, scale)) {
-                suspects.push((sample * markers + marker, departure));
+/// Points that stand out at a scale: places as [`Observations::outlier`](crate::track::Track::outlier) has them, and departures.
+pub fn outlier_candidates(local_residuals: &Residuals, scale: [f64; 3]) -> Vec<(usize, [f64; 3])> {
+    let markers = local_residuals.len();
+    let mut outlier_candidates = Vec::new();
+    for (marker, series) in local_residuals.iter().enumerate() {
+        for (sample, local_residual) in series.iter().enumerate() {
+            if let Some(local_residual) =
+                local_residual.filter(|local_residual| is_outlier(local_residual, scale))
+            {
+                outlier_candidates.push((sample * markers + marker, local_residual));
             }
         }
     }
-    suspects
+    outlier_candidates
 }
 
 /// Whether a departure is an outlier's.
-pub fn stands_out(departure: &[f64; 3], scale: [f64; 3]) -> bool {
-    (0..3).any(|axis| departure[axis].abs() > OUTLIER * scale[axis])
+pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
+    (0..3).any(|axis| local_residual[axis].abs() > OUTLIER * scale[axis])
 }
 
-/// Which points stand out, by sample and marker as [`Track::outlier`](crate::track::Track::outlier) has them.
-pub fn marks(departures: &Residuals, scale: [f64; 3]) -> Vec<bool> {
-    let mut marks = vec![false; departures.iter().map(Vec::len).sum()];
-    for (place, _) in suspects(departures, scale) {
-        marks[place] = true;
+/// Which points stand out, by sample and marker as [`Observations::outlier`](crate::track::Track::outlier) has them.
+pub fn outlier_mask(local_residuals: &Residuals, scale: [f64; 3]) -> Vec<bool> {
+    let mut outlier_mask = vec![false; local_residuals.iter().map(Vec::len).sum()];
+    for (place, _) in outlier_candidates(local_residuals, scale) {
+        outlier_mask[place] = true;
     }
-    marks
+    outlier_mask
 }
 
 #[cfg(test)]
@@ -221,10 +223,10 @@ mod tests {
         series[0].as_mut().unwrap()[2] += 0.05;
         series[79].as_mut().unwrap()[0] -= 0.05;
         let times: Vec<f64> = (0..80).map(f64::from).collect();
-        let departures = departures(&times, &[series]);
-        let scale = scale(&departures);
-        let marks = marks(&departures, scale);
-        let found: Vec<usize> = (0..80).filter(|&i| marks[i]).collect();
+        let local_residuals = local_residuals(&times, &[series]);
+        let scale = scale(&local_residuals);
+        let outlier_mask = outlier_mask(&local_residuals, scale);
+        let found: Vec<usize> = (0..80).filter(|&i| outlier_mask[i]).collect();
         assert_eq!(found, [0, 20, 22, 79]);
     }
 }

@@ -6,12 +6,12 @@ use flight::body::Body;
 use model_spec::layout::ParamId;
 use model_spec::model::{Model, Parameter};
 
-use crate::dataset::{Dataset, Known as Value};
-use crate::levenberg::Known;
-use crate::options::Options;
+use crate::dataset::{Dataset, KnownValue};
+use crate::least_squares::Constraint;
+use crate::options::FitOptions;
 use crate::pose;
 use crate::predict::FINE;
-use crate::report::words::count;
+use crate::wording::count;
 
 /// Why a dataset cannot be fitted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -37,19 +37,19 @@ pub enum FitError {
 
 /// An unknown that all flights share.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shared {
+pub struct GlobalParameter {
     /// Its name.
     pub name: String,
     /// Its place among the parameters of the layout.
-    pub place: usize,
+    pub param: usize,
     /// Its unit.
     pub unit: String,
     /// What is known of it beforehand.
-    pub known: Known,
+    pub constraint: Constraint,
     /// What the model's file, or the dataset, says: where the fit starts.
     pub model_value: f64,
     /// A size that is usual for it.
-    pub usual: f64,
+    pub x_scale: f64,
 }
 
 /// Noise that is assumed where the data say nothing of it, m.
@@ -57,7 +57,7 @@ const NO_FLOOR: f64 = 1e-3;
 
 /// The model with what is known and what is estimated.
 #[derive(Clone)]
-pub struct Setting {
+pub struct FitProblem {
     /// The model.
     pub model: Arc<Model>,
     /// The model, ready to fly.
@@ -65,27 +65,31 @@ pub struct Setting {
     /// Positions of the markers in the frame that they are fixed in, m.
     pub markers: Vec<[f64; 3]>,
     /// Whether the body turns and its markers show how.
-    pub turns: bool,
+    pub has_attitude: bool,
     /// Parameters in the order of the layout, before a flight's own known ones.
     pub parameters: Vec<f64>,
     /// What is estimated.
-    pub shared: Vec<Shared>,
+    pub globals: Vec<GlobalParameter>,
     /// Coefficients that are held: name, value.
-    pub held: Vec<(String, f64)>,
+    pub fixed: Vec<(String, f64)>,
     /// Standard deviation of one measured coordinate where the dataset says it, m.
     pub sigma: Option<f64>,
     /// A first estimate of it from the tracks alone, m; the integration is far more exact than that.
-    pub floor: f64,
+    pub sigma0: f64,
     /// Tolerance of the integration over that size, per metre, where residuals are weighed by the noise.
     pub tolerance: f64,
 }
 
-impl Setting {
+impl FitProblem {
     /// Puts a dataset and options to a model.
     ///
     /// # Errors
     /// [`FitError::Mismatch`], [`FitError::Flight`].
-    pub fn new(model: &Model, dataset: &Dataset, options: &Options<'_>) -> Result<Self, FitError> {
+    pub fn new(
+        model: &Model,
+        dataset: &Dataset,
+        options: &FitOptions<'_>,
+    ) -> Result<Self, FitError> {
         Self::with_body(model, Body::new(model), dataset, options)
     }
 
@@ -97,7 +101,7 @@ impl Setting {
         model: &Model,
         body: Body,
         dataset: &Dataset,
-        options: &Options<'_>,
+        options: &FitOptions<'_>,
     ) -> Result<Self, FitError> {
         let layout = body.layout();
         let mut parameters = layout.default_parameters();
@@ -111,7 +115,7 @@ impl Setting {
         }
         let markers: Vec<[f64; 3]> = dataset.markers.iter().map(|m| m.position).collect();
         // Markers that move with the body as it turns; those of a point mass stand in the inertial frame.
-        let turns = model
+        let has_attitude = model
             .marker
             .as_ref()
             .is_some_and(|marker| marker.frame != 0);
@@ -122,7 +126,7 @@ impl Setting {
             );
             return Err(FitError::Mismatch(reason));
         }
-        if turns && !pose::fix_attitude(&markers) {
+        if has_attitude && !pose::fix_attitude(&markers) {
             let reason = format!(
                 "the model {} turns, and {} do not show how: three are needed that are not in line",
                 model.name,
@@ -130,59 +134,59 @@ impl Setting {
             );
             return Err(FitError::Mismatch(reason));
         }
-        let (shared, held) = unknowns(model, &body, &mut parameters, options)?;
-        let setting = Self {
+        let (global, held) = unknowns(model, &body, &mut parameters, options)?;
+        let problem = Self {
             model: Arc::new(model.clone()),
             body: Arc::new(body),
             markers,
-            turns,
+            has_attitude,
             parameters,
-            shared,
-            held,
+            globals: global,
+            fixed: held,
             sigma: dataset.sigma,
-            floor: NO_FLOOR,
+            sigma0: NO_FLOOR,
             tolerance: FINE,
         };
         for flight in &dataset.flights {
-            setting
+            problem
                 .known(&flight.known)
                 .map_err(|reason| FitError::Flight {
                     file: flight.file.clone(),
                     reason,
                 })?;
         }
-        Ok(setting)
+        Ok(problem)
     }
 
     /// What is known of a flight: places and values of parameters, then of states.
     pub fn known(
         &self,
-        known: &std::collections::BTreeMap<String, Value>,
+        known: &std::collections::BTreeMap<String, KnownValue>,
     ) -> Result<[Vec<(usize, f64)>; 2], String> {
         let layout = self.body.layout();
         let (mut parameters, mut states) = (Vec::new(), Vec::new());
         for (name, value) in known {
             match value {
-                Value::Vector(vector) => {
+                KnownValue::Vector(vector) => {
                     let places = layout.components(name);
                     let places = places.ok_or_else(|| self.not_known(name))?;
                     parameters.extend(places.map(ParamId::index).into_iter().zip(*vector));
                 }
-                Value::Scalar(value) => match (layout.parameter(name), layout.state(name)) {
+                KnownValue::Scalar(value) => match (layout.parameter(name), layout.state(name)) {
                     (Some(place), _) => parameters.push((place.index(), *value)),
                     (None, Some(state)) => states.push((state.index(), *value)),
                     (None, None) => return Err(self.not_known(name)),
                 },
             }
         }
-        if let Some(shared) = self
-            .shared
+        if let Some(global) = self
+            .globals
             .iter()
-            .find(|shared| parameters.iter().any(|(place, _)| *place == shared.place))
+            .find(|global| parameters.iter().any(|(place, _)| *place == global.param))
         {
             return Err(format!(
                 "{} is known of it, and it is to be estimated for all flights",
-                shared.name
+                global.name
             ));
         }
         Ok([parameters, states])
@@ -204,27 +208,27 @@ impl Setting {
 }
 
 /// What is estimated, and what is held: name and value.
-type Unknowns = (Vec<Shared>, Vec<(String, f64)>);
+type Unknowns = (Vec<GlobalParameter>, Vec<(String, f64)>);
 
 /// Sorts the coefficients, and what is freed beside them, into those.
 fn unknowns(
     model: &Model,
     body: &Body,
     parameters: &mut [f64],
-    options: &Options<'_>,
+    options: &FitOptions<'_>,
 ) -> Result<Unknowns, FitError> {
     let layout = body.layout();
     let coefficients = || model.coefficients.iter().map(|c| c.name.as_str());
     let named = |name: &str| model.coefficients.iter().position(|c| c.name == name);
-    for (name, _) in options.hold {
+    for (name, _) in options.fixed {
         named(name).ok_or_else(|| mismatch("to be held is", name, &model.name, coefficients()))?;
     }
-    let (mut shared, mut held) = (Vec::new(), Vec::new());
+    let (mut global, mut held) = (Vec::new(), Vec::new());
     for (index, constant) in model.coefficients.iter().enumerate() {
         let place = layout.coefficient(index).index();
         // The last word counts.
         match options
-            .hold
+            .fixed
             .iter()
             .rev()
             .find(|(name, _)| *name == constant.name)
@@ -233,14 +237,17 @@ fn unknowns(
                 parameters[place] = value.unwrap_or(constant.value);
                 held.push((constant.name.clone(), parameters[place]));
             }
-            None => shared.push(unknown(constant, place, constant.value, options)),
+            None => global.push(unknown(constant, place, constant.value, options)),
         }
     }
     for name in options.free {
         let place = layout.parameter(name).map(ParamId::index);
         let all = || layout.parameters.iter().map(String::as_str);
         let place = place.ok_or_else(|| mismatch("to be freed is", name, &model.name, all()))?;
-        if shared.iter().any(|shared: &Shared| shared.place == place) {
+        if global
+            .iter()
+            .any(|global: &GlobalParameter| global.param == place)
+        {
             continue;
         }
         held.retain(|(held, _)| held != name);
@@ -249,31 +256,36 @@ fn unknowns(
             .iter()
             .chain(&model.coefficients)
             .find(|c| c.name == *name);
-        shared.push(match constant {
+        global.push(match constant {
             Some(constant) => unknown(constant, place, parameters[place], options),
             None => of_input(model, name, place, parameters[place]),
         });
     }
     for prior in options.priors {
-        let unknown = shared.iter_mut().find(|shared| shared.name == prior.name);
+        let unknown = global.iter_mut().find(|global| global.name == prior.name);
         let unknown = unknown.ok_or_else(|| {
             let reason = format!("a prior for {}, which is not estimated", prior.name);
             FitError::Mismatch(reason)
         })?;
-        unknown.known.prior = Some((prior.value, prior.sigma));
-        let (low, high) = unknown.known.bounds;
+        unknown.constraint.prior = Some((prior.value, prior.sigma));
+        let (low, high) = unknown.constraint.bounds;
         unknown.model_value = prior.value.clamp(low, high);
     }
     for name in options.profiles {
-        if !shared.iter().any(|shared| shared.name == *name) {
+        if !global.iter().any(|global| global.name == *name) {
             let reason = format!("a profile of {name}, which is not estimated");
             return Err(FitError::Mismatch(reason));
         }
     }
-    Ok((shared, held))
+    Ok((global, held))
 }
 
-fn unknown(constant: &Parameter, place: usize, value: f64, options: &Options<'_>) -> Shared {
+fn unknown(
+    constant: &Parameter,
+    place: usize,
+    value: f64,
+    options: &FitOptions<'_>,
+) -> GlobalParameter {
     let bounds = constant.bounds.filter(|_| !options.unbounded);
     // A coefficient that vanishes by default says nothing of its size; a tenth of its range does.
     let usual = match constant.bounds {
@@ -281,33 +293,33 @@ fn unknown(constant: &Parameter, place: usize, value: f64, options: &Options<'_>
         Some((low, high)) if (high - low).is_finite() => (high - low) / 10.0,
         _ => 1.0,
     };
-    Shared {
+    GlobalParameter {
         name: constant.name.clone(),
-        place,
+        param: place,
         unit: constant.unit_text.clone(),
-        known: Known {
-            bounds: bounds.unwrap_or(Known::NOTHING.bounds),
+        constraint: Constraint {
+            bounds: bounds.unwrap_or(Constraint::NONE.bounds),
             prior: None,
         },
         model_value: value,
-        usual,
+        x_scale: usual,
     }
 }
 
-fn of_input(model: &Model, name: &str, place: usize, value: f64) -> Shared {
+fn of_input(model: &Model, name: &str, place: usize, value: f64) -> GlobalParameter {
     let input = model.inputs.iter().find(|input| {
         let rest = name.strip_prefix(input.name.as_str());
         rest.is_some_and(|rest| ["_x", "_y", "_z"].contains(&rest))
     });
-    Shared {
+    GlobalParameter {
         name: name.to_owned(),
-        place,
+        param: place,
         unit: input
             .map(|input| input.unit_text.clone())
             .unwrap_or_default(),
-        known: Known::NOTHING,
+        constraint: Constraint::NONE,
         model_value: value,
-        usual: 1.0,
+        x_scale: 1.0,
     }
 }
 

@@ -2,15 +2,15 @@
 
 use nalgebra::DVector;
 
-use crate::chart::Chart;
 use crate::dataset::{Flight, Role};
 use crate::noise::median;
-use crate::report::Cut;
-use crate::setting::Setting;
+use crate::problem::FitProblem;
+use crate::report::Truncation;
+use crate::state_manifold::StateManifold;
 
 /// One flight's samples.
 #[derive(Clone, Debug)]
-pub struct Track {
+pub struct Observations {
     /// Its file.
     pub file: String,
     /// What it is for.
@@ -20,7 +20,7 @@ pub struct Track {
     /// Times since then, s.
     pub times: Vec<f64>,
     /// `seen[sample * markers + marker]`, m.
-    pub seen: Vec<Option<[f64; 3]>>,
+    pub measured: Vec<Option<[f64; 3]>>,
     /// Whether the point is left out as an outlier.
     pub outlier: Vec<bool>,
     /// How many markers there are.
@@ -28,30 +28,30 @@ pub struct Track {
     /// Parameters before the shared unknowns are put in.
     pub parameters: Vec<f64>,
     /// States that are known, and their values.
-    pub known: Vec<(usize, f64)>,
+    pub known_states: Vec<(usize, f64)>,
     /// How its initial state may be varied.
-    pub chart: Chart,
+    pub manifold: StateManifold,
     /// Samples in its table.
     pub samples: usize,
     /// Where the table was cut.
-    pub cut: Option<Cut>,
+    pub truncation: Option<Truncation>,
     /// What has to be said of it.
     pub notes: Vec<String>,
 }
 
-impl Track {
+impl Observations {
     /// Takes a flight's samples, from the first in which a marker was seen to the last.
     ///
     /// # Errors
     /// In words, where nothing was seen.
-    pub fn new(setting: &Setting, flight: &Flight) -> Result<Self, String> {
+    pub fn new(problem: &FitProblem, flight: &Flight) -> Result<Self, String> {
         let shows = |row: &Vec<Option<[f64; 3]>>| row.iter().any(Option::is_some);
         let first = flight.positions.iter().position(shows);
         let first = first.ok_or("no marker was seen in it")?;
         let last = flight.positions.iter().rposition(shows).unwrap_or(first);
         let origin = flight.times[first];
-        let [places, states] = setting.known(&flight.known)?;
-        let mut parameters = setting.parameters.clone();
+        let [places, states] = problem.known(&flight.known)?;
+        let mut parameters = problem.parameters.clone();
         for (place, value) in places {
             parameters[place] = value;
         }
@@ -74,30 +74,30 @@ impl Track {
                 .map(|t| t - origin)
                 .collect(),
             outlier: vec![false; seen.len()],
-            seen,
-            markers: setting.markers.len(),
+            measured: seen,
+            markers: problem.markers.len(),
             parameters,
-            chart: Chart::new(&setting.model, &known),
-            known: states,
+            manifold: StateManifold::new(&problem.model, &known),
+            known_states: states,
             samples: flight.times.len(),
-            cut: None,
+            truncation: None,
             notes,
         })
     }
 
     /// The points of one sample.
-    pub fn row(&self, sample: usize) -> &[Option<[f64; 3]>] {
-        &self.seen[sample * self.markers..][..self.markers]
+    pub fn points(&self, sample: usize) -> &[Option<[f64; 3]>] {
+        &self.measured[sample * self.markers..][..self.markers]
     }
 
     /// A point that was seen and is no outlier.
-    pub fn good(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
+    pub fn inlier(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
         let index = sample * self.markers + marker;
-        self.seen[index].filter(|_| !self.outlier[index])
+        self.measured[index].filter(|_| !self.outlier[index])
     }
 
     /// How many samples begin the flight, up to a time (s).
-    pub fn until(&self, time: f64) -> usize {
+    pub fn samples_until(&self, time: f64) -> usize {
         self.times.partition_point(|t| *t <= time)
     }
 
@@ -112,12 +112,12 @@ impl Track {
     }
 
     /// Drops the samples from this one on.
-    pub fn cut(&mut self, samples: usize, why: String) {
+    pub fn truncate(&mut self, samples: usize, why: String) {
         let left_out = self.times.len() - samples;
         self.times.truncate(samples);
-        self.seen.truncate(samples * self.markers);
+        self.measured.truncate(samples * self.markers);
         self.outlier.truncate(samples * self.markers);
-        self.cut = Some(Cut {
+        self.truncation = Some(Truncation {
             t: self.origin + self.times.last().copied().unwrap_or(0.0),
             samples: left_out,
             why,
@@ -125,27 +125,27 @@ impl Track {
     }
 
     /// The first samples of it as a flight of their own.
-    pub fn head(&self, samples: usize) -> Track {
+    pub fn first_samples(&self, samples: usize) -> Observations {
         let mut head = self.clone();
         head.times.truncate(samples);
-        head.seen.truncate(samples * self.markers);
+        head.measured.truncate(samples * self.markers);
         head.outlier.truncate(samples * self.markers);
         head
     }
 
     /// Puts what is known of the initial state into it.
-    pub fn with_known(&self, mut state: DVector<f64>) -> DVector<f64> {
-        for &(place, value) in &self.known {
+    pub fn with_known_states(&self, mut state: DVector<f64>) -> DVector<f64> {
+        for &(place, value) in &self.known_states {
             state[place] = value;
         }
         state
     }
 
     /// The parameters of the flight with these values of the shared unknowns.
-    pub fn parameters(&self, setting: &Setting, shared: &DVector<f64>) -> Vec<f64> {
+    pub fn parameters(&self, problem: &FitProblem, global: &DVector<f64>) -> Vec<f64> {
         let mut parameters = self.parameters.clone();
-        for (unknown, &value) in setting.shared.iter().zip(shared.iter()) {
-            parameters[unknown.place] = value;
+        for (unknown, &value) in problem.globals.iter().zip(global.iter()) {
+            parameters[unknown.param] = value;
         }
         parameters
     }

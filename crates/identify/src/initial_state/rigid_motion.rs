@@ -3,13 +3,13 @@
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
 use crate::noise::median;
+use crate::observations::Observations;
 use crate::pose::{Pose, pose};
-use crate::setting::Setting;
-use crate::track::Track;
+use crate::problem::FitProblem;
 
 /// How a body moves at one instant, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct RigidMotion {
     /// Where its origin is, m.
     pub position: Vector3<f64>,
     /// Its velocity, m/s.
@@ -20,9 +20,9 @@ pub struct Motion {
     pub rates: Option<Vector3<f64>>,
 }
 
-impl Motion {
+impl RigidMotion {
     /// The same with so many whole turns more between samples; `whole` is the rate of one, rad/s.
-    pub fn with_turns(&self, turns: i32, whole: f64) -> Motion {
+    pub fn with_turns(&self, turns: i32, whole: f64) -> RigidMotion {
         let rates = self.rates.map(|rates| {
             let axis = rates.try_normalize(1e-9).unwrap_or_else(Vector3::z);
             if turns == 0 {
@@ -31,7 +31,7 @@ impl Motion {
                 rates + axis * (f64::from(turns) * whole)
             }
         });
-        Motion { rates, ..*self }
+        RigidMotion { rates, ..*self }
     }
 }
 
@@ -42,7 +42,7 @@ const SAMPLES: usize = 16;
 const GAP: f64 = 3.5;
 
 /// What was seen of a body in one sample.
-struct Seen {
+struct SeenFrame {
     time: f64,
     position: Vector3<f64>,
     attitude: Option<UnitQuaternion<f64>>,
@@ -50,24 +50,24 @@ struct Seen {
 }
 
 /// The first samples that show the body's pose, or the point's position.
-fn seen(setting: &Setting, track: &Track, most: usize) -> Vec<Seen> {
-    let rows = (0..track.times.len()).filter_map(|sample| {
-        let (time, row) = (track.times[sample], track.row(sample));
-        if setting.turns {
-            let pose = pose(&setting.markers, row)?;
-            return Some(Seen {
+fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<SeenFrame> {
+    let rows = (0..observations.times.len()).filter_map(|sample| {
+        let (time, row) = (observations.times[sample], observations.points(sample));
+        if problem.has_attitude {
+            let pose = pose(&problem.markers, row)?;
+            return Some(SeenFrame {
                 time,
                 position: pose.position,
                 attitude: Some(pose.attitude),
                 squares: pose.variance(),
             });
         }
-        let points = row.iter().zip(&setting.markers);
+        let points = row.iter().zip(&problem.markers);
         let points = points
             .filter_map(|(seen, marker)| Some(Vector3::from((*seen)?) - Vector3::from(*marker)));
         let points: Vec<Vector3<f64>> = points.collect();
         let position = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
-        (!points.is_empty()).then_some(Seen {
+        (!points.is_empty()).then_some(SeenFrame {
             time,
             position,
             attitude: None,
@@ -82,14 +82,18 @@ const FLOOR_SAMPLES: usize = 400;
 
 /// A first estimate of the noise of one coordinate, m: by how far the markers are from a rigid body in these poses, or for a
 /// point by how rough its path is. None where too little was seen.
-pub fn floor(setting: &Setting, track: &Track, poses: &[Option<Pose>]) -> Option<f64> {
-    if setting.turns && setting.markers.len() >= 3 {
+pub fn sigma0(
+    problem: &FitProblem,
+    observations: &Observations,
+    poses: &[Option<Pose>],
+) -> Option<f64> {
+    if problem.has_attitude && problem.markers.len() >= 3 {
         let poses = poses.iter().flatten().take(FLOOR_SAMPLES);
         let mut squares: Vec<f64> = poses.map(Pose::variance).collect();
         // Of three squares of normal numbers the median sum is 2.366.
         return (squares.len() >= 3).then(|| (median(&mut squares) * 3.0 / 2.366).sqrt());
     }
-    let seen = seen(setting, track, FLOOR_SAMPLES);
+    let seen = seen(problem, observations, FLOOR_SAMPLES);
     // Third differences: what is left of a smooth path is far below the noise, whose variance they multiply by 20.
     let mut rough: Vec<f64> = seen
         .windows(4)
@@ -105,11 +109,11 @@ pub fn floor(setting: &Setting, track: &Track, poses: &[Option<Pose>]) -> Option
 ///
 /// # Errors
 /// In words, where too few samples show it.
-pub fn of(setting: &Setting, track: &Track) -> Result<Motion, String> {
-    let mut seen = seen(setting, track, SAMPLES);
-    let least = if setting.turns { 3 } else { 4 };
+pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMotion, String> {
+    let mut seen = seen(problem, observations, SAMPLES);
+    let least = if problem.has_attitude { 3 } else { 4 };
     if seen.len() < least {
-        let what = if setting.turns {
+        let what = if problem.has_attitude {
             "show three markers that are not in line"
         } else {
             "show it"
@@ -131,14 +135,14 @@ pub fn of(setting: &Setting, track: &Track) -> Result<Motion, String> {
         seen.retain(|seen| seen.squares <= 25.0 * usual);
     }
     let (position, velocity) = path(&seen)?;
-    let mut motion = Motion {
+    let mut motion = RigidMotion {
         position,
         velocity,
         attitude: None,
         rates: None,
     };
-    if setting.turns {
-        let rates = rates(&seen, track)?;
+    if problem.has_attitude {
+        let rates = rates(&seen, observations)?;
         motion.attitude = attitude(&seen, rates);
         motion.rates = Some(rates);
     }
@@ -147,8 +151,8 @@ pub fn of(setting: &Setting, track: &Track) -> Result<Motion, String> {
 
 /// Position and velocity at time 0 by a parabola through the positions; points far from it are left out and it is
 /// drawn again.
-fn path(seen: &[Seen]) -> Result<(Vector3<f64>, Vector3<f64>), String> {
-    let mut kept: Vec<&Seen> = seen.iter().collect();
+fn path(seen: &[SeenFrame]) -> Result<(Vector3<f64>, Vector3<f64>), String> {
+    let mut kept: Vec<&SeenFrame> = seen.iter().collect();
     for last in [false, false, true] {
         let powers = kept.len().min(3);
         let design = DMatrix::from_fn(kept.len(), powers, |row, power| {
@@ -168,7 +172,7 @@ fn path(seen: &[Seen]) -> Result<(Vector3<f64>, Vector3<f64>), String> {
             velocity[axis] = if powers > 1 { parabola[1] } else { 0.0 };
         }
         let usual = median(&mut distances.clone());
-        let near: Vec<&Seen> = kept
+        let near: Vec<&SeenFrame> = kept
             .iter()
             .zip(&distances)
             .filter(|(_, distance)| **distance <= 16.0 * usual)
@@ -183,8 +187,8 @@ fn path(seen: &[Seen]) -> Result<(Vector3<f64>, Vector3<f64>), String> {
 }
 
 /// The angular velocity: the median over neighbouring poses, which a nutation and an outlier leave alone.
-fn rates(seen: &[Seen], track: &Track) -> Result<Vector3<f64>, String> {
-    let usual = track.interval().unwrap_or(f64::INFINITY);
+fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>, String> {
+    let usual = observations.interval().unwrap_or(f64::INFINITY);
     let pairs: Vec<Vector3<f64>> = seen
         .windows(2)
         .filter_map(|pair| {
@@ -205,9 +209,9 @@ fn rates(seen: &[Seen], track: &Track) -> Result<Vector3<f64>, String> {
 }
 
 /// The attitude at time 0: of those that the first poses say, turned back, the one that is nearest to the others.
-fn attitude(seen: &[Seen], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
+fn attitude(seen: &[SeenFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
-    let back = |seen: &Seen| {
+    let back = |seen: &SeenFrame| {
         let turned = UnitQuaternion::from_scaled_axis(-rates * seen.time);
         seen.attitude.map(|attitude| turned * attitude)
     };

@@ -4,9 +4,9 @@ use flight::Dynamics;
 use flight::body::{Conditions, States};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::Motion;
-use crate::setting::Setting;
-use crate::track::Track;
+use super::RigidMotion;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
 
 /// Points that show where a body is, how it is turned and how it moves: beside its origin one on each axis, m.
 const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
@@ -27,25 +27,34 @@ const WEIGHT: f64 = 0.02;
 ///
 /// # Errors
 /// In words, where there is none within the model's limits.
-pub fn state(setting: &Setting, track: &Track, motion: &Motion) -> Result<DVector<f64>, String> {
-    let shared = DVector::from_iterator(
-        setting.shared.len(),
-        setting.shared.iter().map(|shared| shared.model_value),
+pub fn state(
+    problem: &FitProblem,
+    observations: &Observations,
+    motion: &RigidMotion,
+) -> Result<DVector<f64>, String> {
+    let global = DVector::from_iterator(
+        problem.globals.len(),
+        problem.globals.iter().map(|global| global.model_value),
     );
-    let conditions = setting.body.with(track.parameters(setting, &shared));
-    let probes: &[[f64; 3]] = if setting.turns { &PROBES } else { &PROBES[..1] };
+    let conditions = problem.body.with(observations.parameters(problem, &global));
+    let probes: &[[f64; 3]] = if problem.has_attitude {
+        &PROBES
+    } else {
+        &PROBES[..1]
+    };
     let target = target(motion, probes);
-    let states = setting.body.layout().states.len();
+    let states = problem.body.layout().states.len();
     let mut shown = Shown::new(&conditions, states, probes);
     // The nearest first, by where the probes are; ties stay in order.
-    let mut guesses: Vec<(f64, DVector<f64>)> = guesses(setting, track)
+    let mut guesses: Vec<(f64, DVector<f64>)> = guesses(problem, observations)
         .into_iter()
         .map(|guess| (shown.distance(&guess, &target), guess))
         .collect();
     guesses.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut best: Option<(f64, DVector<f64>)> = None;
     for (_, guess) in guesses.into_iter().take(TRIED) {
-        let Some((distance, state)) = descend(setting, track, &conditions, probes, &target, guess)
+        let Some((distance, state)) =
+            descend(problem, observations, &conditions, probes, &target, guess)
         else {
             continue;
         };
@@ -69,7 +78,7 @@ pub fn state(setting: &Setting, track: &Track, motion: &Motion) -> Result<DVecto
 }
 
 /// Positions of the probes, then their velocities by the weight.
-fn target(motion: &Motion, probes: &[[f64; 3]]) -> DVector<f64> {
+fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     let arm = |probe: &[f64; 3]| {
         let probe = Vector3::from(*probe);
         motion.attitude.map_or(probe, |attitude| attitude * probe)
@@ -87,11 +96,12 @@ fn target(motion: &Motion, probes: &[[f64; 3]]) -> DVector<f64> {
 }
 
 /// Where the descent may start: the model's own initial state, turned every way that its states allow.
-fn guesses(setting: &Setting, track: &Track) -> Vec<DVector<f64>> {
+fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64>> {
     use model_spec::model::FrameKind;
-    let plain = track.with_known(DVector::from_vec(setting.body.layout().default_states()));
+    let plain =
+        observations.with_known_states(DVector::from_vec(problem.body.layout().default_states()));
     let mut guesses = vec![plain];
-    for frame in &setting.model.frames {
+    for frame in &problem.model.frames {
         let turned: Vec<Vec<(usize, f64)>> = match frame.kind {
             FrameKind::Inertial => continue,
             FrameKind::Turned { angle, .. } => (-1..=2)
@@ -110,7 +120,7 @@ fn guesses(setting: &Setting, track: &Track) -> Vec<DVector<f64>> {
                     for &(place, value) in places {
                         guess[place] = value;
                     }
-                    track.with_known(guess)
+                    observations.with_known_states(guess)
                 })
             })
             .collect();
@@ -150,16 +160,16 @@ fn quarter_turns() -> Vec<[f64; 4]> {
 
 /// Descends from a guess; the distance that is left, and the state. None where it does not descend.
 fn descend(
-    setting: &Setting,
-    track: &Track,
+    problem: &FitProblem,
+    observations: &Observations,
     conditions: &Conditions<'_>,
     probes: &[[f64; 3]],
     target: &DVector<f64>,
     mut state: DVector<f64>,
 ) -> Option<(f64, DVector<f64>)> {
-    let mut shown = Shown::new(conditions, setting.body.layout().states.len(), probes);
+    let mut shown = Shown::new(conditions, problem.body.layout().states.len(), probes);
     // What the motion does not say stays as it is.
-    let added = setting.model.added_states();
+    let added = problem.model.added_states();
     let mut residual = shown.at(&state) - target;
     let mut damping = 1e-6;
     for _ in 0..60 {
@@ -170,16 +180,16 @@ fn descend(
         if before < NEAR * 1e-3 {
             break;
         }
-        let dimension = track.chart.dimension();
+        let dimension = observations.manifold.dimension();
         let mut jacobian = DMatrix::zeros(target.len(), dimension);
         let mut step = DVector::zeros(dimension);
         for column in 0..dimension {
-            let moves = track.chart.plain(column);
+            let moves = observations.manifold.plain(column);
             if moves.is_some_and(|state| added.contains(&state)) {
                 continue;
             }
             step[column] = STEP;
-            let ahead = shown.at(&track.chart.moved(&state, &step)) - target;
+            let ahead = shown.at(&observations.manifold.plus(&state, &step)) - target;
             step[column] = 0.0;
             jacobian.set_column(column, &((ahead - &residual) / STEP));
         }
@@ -188,7 +198,7 @@ fn descend(
             normal[(i, i)] += damping * normal[(i, i)].max(1e-9);
         }
         let step = -normal.cholesky()?.solve(&jacobian.tr_mul(&residual));
-        let candidate = track.chart.moved(&state, &step);
+        let candidate = observations.manifold.plus(&state, &step);
         let there = shown.at(&candidate) - target;
         if there.norm() < before {
             let gained = before - there.norm();

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 
 use crate::noise::median;
+use crate::observations::Observations;
 use crate::pose::{Pose, pose};
-use crate::setting::Setting;
-use crate::track::Track;
+use crate::problem::FitProblem;
 
 /// Samples on either side of a jump that its velocities are taken from.
 const SIDE: usize = 5;
@@ -18,26 +18,29 @@ const CLEAR: f64 = 10.0;
 
 /// Cuts a track before its first jump of velocity with a rise: nothing but the ground throws a body up at once. Gives the
 /// poses in the samples that are left, of a body that turns.
-pub fn at_the_ground(setting: &Setting, track: &mut Track) -> Vec<Option<Pose>> {
-    let samples = 0..track.times.len();
-    let mut poses: Vec<Option<Pose>> = match setting.turns {
+pub fn truncate_at_impact(
+    problem: &FitProblem,
+    observations: &mut Observations,
+) -> Vec<Option<Pose>> {
+    let samples = 0..observations.times.len();
+    let mut poses: Vec<Option<Pose>> = match problem.has_attitude {
         true => samples
             .clone()
-            .map(|sample| pose(&setting.markers, track.row(sample)))
+            .map(|sample| pose(&problem.markers, observations.points(sample)))
             .collect(),
         false => Vec::new(),
     };
-    let place = |sample: usize| match setting.turns {
+    let place = |sample: usize| match problem.has_attitude {
         true => poses[sample].map(|pose| pose.position),
-        false => track
-            .row(sample)
+        false => observations
+            .points(sample)
             .iter()
             .flatten()
             .next()
             .map(|&seen| seen.into()),
     };
     let path: Vec<(usize, f64, Vector3<f64>)> = samples
-        .filter_map(|sample| Some((sample, track.times[sample], place(sample)?)))
+        .filter_map(|sample| Some((sample, observations.times[sample], place(sample)?)))
         .collect();
     if let Some((index, jump)) = jump(&path) {
         let (sample, time, _) = path[index];
@@ -46,9 +49,9 @@ pub fn at_the_ground(setting: &Setting, track: &mut Track) -> Vec<Option<Pose>> 
             jump.x,
             jump.y,
             jump.z,
-            track.origin + time
+            observations.origin + time
         );
-        track.cut(sample, why);
+        observations.truncate(sample, why);
         poses.truncate(sample);
     }
     poses

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use model_spec::model::{Expr, ExprKind, Model};
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::report::Undetermined;
-use crate::report::words::listed;
-use crate::setting::Shared;
+use crate::problem::GlobalParameter;
+use crate::report::NonIdentifiable;
+use crate::wording::listed;
 
 /// A direction whose standard error is more than this part of the usual size is not determined.
 const LOOSE: f64 = 0.5;
@@ -16,17 +16,17 @@ const LOOSE: f64 = 0.5;
 const PART: f64 = 0.3;
 
 /// The least and the greatest that a named quantity was in the flights.
-pub type Support = BTreeMap<String, (f64, f64)>;
+pub type ExcitationRange = BTreeMap<String, (f64, f64)>;
 
 /// The directions that are not determined, the least determined first.
-pub fn undetermined(
+pub fn non_identifiable(
     model: &Model,
-    shared: &[Shared],
+    global: &[GlobalParameter],
     covariance: &DMatrix<f64>,
-    support: &Support,
-) -> Vec<Undetermined> {
-    let usual = |i: usize| shared[i].usual;
-    let size = shared.len();
+    support: &ExcitationRange,
+) -> Vec<NonIdentifiable> {
+    let usual = |i: usize| global[i].x_scale;
+    let size = global.len();
     // Where everything is held nothing is open.
     if size == 0 {
         return Vec::new();
@@ -56,13 +56,13 @@ pub fn undetermined(
             let sign = direction[members[0]].signum();
             let weights = members
                 .iter()
-                .map(|&i| (shared[i].name.clone(), sign * direction[i]))
+                .map(|&i| (global[i].name.clone(), sign * direction[i]))
                 .collect();
-            Undetermined {
-                combination: members.iter().map(|&i| shared[i].name.clone()).collect(),
+            NonIdentifiable {
+                combination: members.iter().map(|&i| global[i].name.clone()).collect(),
                 weights,
                 relative_error: error,
-                why: why(model, shared, &members, error, support),
+                why: why(model, global, &members, error, support),
             }
         })
         .collect()
@@ -70,12 +70,12 @@ pub fn undetermined(
 
 fn why(
     model: &Model,
-    shared: &[Shared],
+    global: &[GlobalParameter],
     members: &[usize],
     error: f64,
-    support: &Support,
+    support: &ExcitationRange,
 ) -> String {
-    let names: Vec<&str> = members.iter().map(|&i| shared[i].name.as_str()).collect();
+    let names: Vec<&str> = members.iter().map(|&i| global[i].name.as_str()).collect();
     let much = if error > 1e3 {
         "any amount".to_owned()
     } else {
@@ -97,7 +97,7 @@ fn why(
 }
 
 /// Ranges of the quantities that the coefficients are multiplied by where the model uses them.
-fn seen_through(model: &Model, names: &[&str], support: &Support) -> Option<String> {
+fn seen_through(model: &Model, names: &[&str], support: &ExcitationRange) -> Option<String> {
     let mut met: Vec<&str> = Vec::new();
     let expressions = model.aux_variables.iter().map(|quantity| &quantity.value);
     let loads = model

@@ -3,19 +3,19 @@
 //! The markers' poses, frame by frame, give where the body is and how it moves at its first sample; the state that
 //! shows its markers so is found by the model's own observation, whatever its states are.
 
-mod invert;
-mod motion;
+mod observation_inverse;
+mod rigid_motion;
 
 use nalgebra::DVector;
 
-pub use motion::{Motion, floor};
+pub use rigid_motion::{RigidMotion, sigma0};
 
-use crate::setting::Setting;
-use crate::track::Track;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
 
 /// A start with how it was made.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Start {
+pub struct InitialGuess {
     /// The state at the first sample.
     pub state: DVector<f64>,
     /// Whole turns between samples that were added to the least spin.
@@ -29,8 +29,12 @@ const FASTEST: f64 = 400.0;
 ///
 /// # Errors
 /// In words, where the model has no such state.
-pub fn state_of(setting: &Setting, track: &Track, motion: &Motion) -> Result<DVector<f64>, String> {
-    invert::state(setting, track, motion)
+pub fn state_for_motion(
+    problem: &FitProblem,
+    observations: &Observations,
+    motion: &RigidMotion,
+) -> Result<DVector<f64>, String> {
+    observation_inverse::state(problem, observations, motion)
 }
 
 /// Starts for a track, the likeliest first: more than one where the samples are too far apart to tell by how many
@@ -38,9 +42,12 @@ pub fn state_of(setting: &Setting, track: &Track, motion: &Motion) -> Result<DVe
 ///
 /// # Errors
 /// In words, where the samples do not show how the body moves, or the model cannot move so.
-pub fn starts(setting: &Setting, track: &Track) -> Result<Vec<Start>, String> {
-    let motion = motion::of(setting, track)?;
-    let whole = track
+pub fn initial_guesses(
+    problem: &FitProblem,
+    observations: &Observations,
+) -> Result<Vec<InitialGuess>, String> {
+    let motion = rigid_motion::of(problem, observations)?;
+    let whole = observations
         .interval()
         .map_or(f64::INFINITY, |dt| std::f64::consts::TAU / dt);
     let spin = motion.rates.map_or(0.0, |rates| rates.norm());
@@ -56,8 +63,8 @@ pub fn starts(setting: &Setting, track: &Track) -> Result<Vec<Start>, String> {
         if turns != 0 && motion.rates.is_none_or(|rates| rates.norm() > FASTEST) {
             continue;
         }
-        match invert::state(setting, track, &motion) {
-            Ok(state) => starts.push(Start { state, turns }),
+        match observation_inverse::state(problem, observations, &motion) {
+            Ok(state) => starts.push(InitialGuess { state, turns }),
             Err(reason) => refused = reason,
         }
     }

@@ -1,15 +1,12 @@
 //! Levenberg–Marquardt over all flights at once, within bounds.
 
-mod step;
-
 use flight::batch;
 use nalgebra::DVector;
 
-use crate::normal::{Block, Eliminated, Rest, Undetermined};
-pub use step::shared_step;
+use super::{NormalBlock, ReducedSystem, SchurComplement, UndeterminedFlight, constrained_step};
 
 /// A sum of squares with unknowns shared by all flights and unknowns of each flight.
-pub trait Problem: Sync {
+pub trait LeastSquaresProblem: Sync {
     /// How many flights there are.
     fn flights(&self) -> usize;
 
@@ -20,15 +17,15 @@ pub trait Problem: Sync {
     fn linearise(
         &self,
         flight: usize,
-        shared: &DVector<f64>,
-        own: &DVector<f64>,
-    ) -> Result<Block, String>;
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, String>;
 
     /// A flight's own unknowns after a step.
-    fn moved(&self, flight: usize, own: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
+    fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
 
     /// What is known of each shared unknown beforehand.
-    fn known(&self) -> &[Known];
+    fn constraints(&self) -> &[Constraint];
 
     /// How many flights may be worked on at once.
     fn threads(&self) -> usize {
@@ -43,22 +40,22 @@ pub trait Problem: Sync {
 
 /// What is known of a shared unknown beforehand.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Known {
+pub struct Constraint {
     /// Least and greatest value.
     pub bounds: (f64, f64),
     /// Value and standard deviation of a normal prior.
     pub prior: Option<(f64, f64)>,
 }
 
-impl Known {
+impl Constraint {
     /// Nothing.
-    pub const NOTHING: Known = Known {
+    pub const NONE: Constraint = Constraint {
         bounds: (f64::NEG_INFINITY, f64::INFINITY),
         prior: None,
     };
 
     /// What the prior adds to the sum of squares.
-    fn squares(&self, value: f64) -> f64 {
+    pub(super) fn squares(&self, value: f64) -> f64 {
         self.prior
             .map_or(0.0, |(centre, sigma)| ((value - centre) / sigma).powi(2))
     }
@@ -66,20 +63,20 @@ impl Known {
 
 /// Values of all unknowns.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub struct Iterate {
     /// Shared by all flights.
-    pub shared: DVector<f64>,
+    pub global: DVector<f64>,
     /// Each flight's own.
-    pub own: Vec<DVector<f64>>,
+    pub local: Vec<DVector<f64>>,
 }
 
 /// Where the iteration ended.
 #[derive(Clone, Debug)]
 pub struct Solution {
     /// The unknowns.
-    pub point: Point,
+    pub iterate: Iterate,
     /// Normal equations there, but for a negligible last step.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<NormalBlock>,
     /// The sum of squares with that of the priors; of a last step that nobody saw, as it promised.
     pub squares: f64,
     /// Steps that were tried.
@@ -87,23 +84,24 @@ pub struct Solution {
     /// Whether the steps had become negligible.
     pub converged: bool,
     /// By how much the last step that was not held back was to decrease the sum of squares.
-    pub promised: Option<f64>,
+    pub predicted_reduction: Option<f64>,
 }
 
 impl Solution {
     /// Whether the last step, which nobody saw, was negligible in itself.
-    pub fn is_there(&self, until: Until) -> bool {
-        let negligible = |promised| until.is_negligible(promised, self.squares);
-        self.converged && self.promised.is_some_and(negligible)
+    pub fn is_there(&self, criteria: StoppingCriteria) -> bool {
+        let negligible =
+            |predicted_reduction| criteria.is_negligible(predicted_reduction, self.squares);
+        self.converged && self.predicted_reduction.is_some_and(negligible)
     }
 }
 
 /// Why there is no solution.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Failure {
+pub enum SolveError {
     /// A flight cannot be predicted from its starting values.
     #[error("flight {flight} cannot be predicted from its starting values: {reason}")]
-    Start {
+    InitialGuess {
         /// Index of the flight.
         flight: usize,
         /// In words.
@@ -111,7 +109,7 @@ pub enum Failure {
     },
     /// A flight's own unknowns are not determined.
     #[error(transparent)]
-    Undetermined(#[from] Undetermined),
+    UndeterminedFlight(#[from] UndeterminedFlight),
     /// It was told to stop.
     #[error("interrupted")]
     Stopped,
@@ -119,55 +117,57 @@ pub enum Failure {
 
 /// When the iteration ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Until {
+pub struct StoppingCriteria {
     /// A step that promises no more of the sum of squares is negligible.
-    pub gain: f64,
+    pub ftol_abs: f64,
     /// A step that promises no more than this part of it is negligible.
-    pub part: f64,
+    pub ftol_rel: f64,
     /// A step that promises up to so many times more is taken unseen where the next would be negligible.
-    pub unseen: f64,
+    pub accept_unevaluated: f64,
     /// Steps after which the iteration is given up.
-    pub steps: usize,
+    pub max_steps: usize,
 }
 
-impl Until {
+impl StoppingCriteria {
     /// Whitened residuals: the step that is then taken unseen is a standard error at most, and what it leaves a thirtieth.
-    pub const DONE: Until = Until {
-        gain: 1e-3,
-        part: 1e-11,
-        unseen: 1e3,
-        steps: 100,
+    pub const CONVERGED: StoppingCriteria = StoppingCriteria {
+        ftol_abs: 1e-3,
+        ftol_rel: 1e-11,
+        accept_unevaluated: 1e3,
+        max_steps: 100,
     };
     /// On the way, where the weights will change anyway.
-    pub const ROUGHLY: Until = Until {
-        gain: 1e-2,
-        part: 1e-3,
-        unseen: 1e3,
-        steps: 30,
+    pub const COARSE: StoppingCriteria = StoppingCriteria {
+        ftol_abs: 1e-2,
+        ftol_rel: 1e-3,
+        accept_unevaluated: 1e3,
+        max_steps: 30,
     };
     /// On the way to longer flights, which will tell more than is left here.
-    pub const NEAR: Until = Until {
-        part: 1e-2,
-        unseen: f64::INFINITY,
-        ..Until::ROUGHLY
+    pub const HORIZON: StoppingCriteria = StoppingCriteria {
+        ftol_rel: 1e-2,
+        accept_unevaluated: f64::INFINITY,
+        ..StoppingCriteria::COARSE
     };
     /// After one step, unseen.
-    pub const ONCE: Until = Until {
-        gain: f64::INFINITY,
-        steps: 1,
-        ..Until::ROUGHLY
+    pub const SINGLE_STEP: StoppingCriteria = StoppingCriteria {
+        ftol_abs: f64::INFINITY,
+        max_steps: 1,
+        ..StoppingCriteria::COARSE
     };
 
     /// Whether a step promises so little of what is left that it is negligible.
-    fn is_negligible(&self, promised: f64, squares: f64) -> bool {
-        promised <= self.gain.max(self.part * squares)
+    fn is_negligible(&self, predicted_reduction: f64, squares: f64) -> bool {
+        predicted_reduction <= self.ftol_abs.max(self.ftol_rel * squares)
     }
 
     /// Whether a step need not be seen: it is negligible, or the next will be, as the promises shrink from the one `before`.
-    fn is_reached(&self, promised: f64, before: Option<f64>, squares: f64) -> bool {
-        let next = before.map_or(f64::INFINITY, |before| promised * (promised / before));
-        self.is_negligible(promised, squares)
-            || self.is_negligible(promised / self.unseen, squares)
+    fn is_reached(&self, predicted_reduction: f64, before: Option<f64>, squares: f64) -> bool {
+        let next = before.map_or(f64::INFINITY, |before| {
+            predicted_reduction * (predicted_reduction / before)
+        });
+        self.is_negligible(predicted_reduction, squares)
+            || self.is_negligible(predicted_reduction / self.accept_unevaluated, squares)
                 && self.is_negligible(next, squares)
     }
 }
@@ -184,30 +184,36 @@ const LEAST_DAMPING: f64 = 1e-12;
 /// Minimises the sum of squares from a starting point.
 ///
 /// # Errors
-/// See [`Failure`].
-pub fn solve(problem: &impl Problem, start: Point, until: Until) -> Result<Solution, Failure> {
-    solve_after(problem, start, until, None)
+/// See [`SolveError`].
+pub fn solve(
+    problem: &impl LeastSquaresProblem,
+    start: Iterate,
+    criteria: StoppingCriteria,
+) -> Result<Solution, SolveError> {
+    solve_after(problem, start, criteria, None)
 }
 
 /// The same from where another iteration ended, by what its last step had promised of nearly the same sum of squares.
 ///
 /// # Errors
-/// See [`Failure`].
+/// See [`SolveError`].
 pub fn solve_after(
-    problem: &impl Problem,
-    start: Point,
-    until: Until,
+    problem: &impl LeastSquaresProblem,
+    start: Iterate,
+    criteria: StoppingCriteria,
     mut last_promised: Option<f64>,
-) -> Result<Solution, Failure> {
+) -> Result<Solution, SolveError> {
     let mut point = start;
     let mut damping = 1e-9;
-    let mut look = look_at(problem, &point, damping)?;
-    let mut before = squares(problem, &point, &look.blocks);
+    let mut linearization = linearise_all(problem, &point, damping)?;
+    let mut before = squares(problem, &point, &linearization.blocks);
     let mut iterations = 0;
     let mut converged = false;
-    while iterations < until.steps {
+    while iterations < criteria.max_steps {
         iterations += 1;
-        let Some((candidate, promised)) = stepped(problem, &point, &mut look, damping) else {
+        let Some((candidate, predicted_reduction)) =
+            stepped(problem, &point, &mut linearization, damping)
+        else {
             if damping >= MOST_DAMPING {
                 break;
             }
@@ -215,17 +221,17 @@ pub fn solve_after(
             continue;
         };
         // A negligible step is taken, and is not worth the look that it would cost.
-        if until.is_reached(promised, last_promised, before) {
+        if criteria.is_reached(predicted_reduction, last_promised, before) {
             point = candidate;
-            before -= promised;
-            last_promised = Some(promised);
+            before -= predicted_reduction;
+            last_promised = Some(predicted_reduction);
             converged = true;
             break;
         }
         let less = (damping * 0.1).max(LEAST_DAMPING);
-        let there = match look_at(problem, &candidate, less) {
+        let there = match linearise_all(problem, &candidate, less) {
             Ok(there) => Some(there),
-            Err(Failure::Stopped) => return Err(Failure::Stopped),
+            Err(SolveError::Stopped) => return Err(SolveError::Stopped),
             Err(_) => None,
         };
         let after = there.as_ref().map_or(f64::INFINITY, |there| {
@@ -233,9 +239,9 @@ pub fn solve_after(
         });
         match there {
             Some(there) if after < before => {
-                (point, look, before) = (candidate, there, after);
+                (point, linearization, before) = (candidate, there, after);
                 // Where steps are held back, how they shrink says nothing of what is left.
-                last_promised = Some(promised).filter(|_| damping <= FREE_DAMPING);
+                last_promised = Some(predicted_reduction).filter(|_| damping <= FREE_DAMPING);
                 damping = less;
             }
             _ if damping < MOST_DAMPING => damping = (damping * 10.0).max(1e-6),
@@ -243,42 +249,48 @@ pub fn solve_after(
         }
     }
     Ok(Solution {
-        point,
-        blocks: look.blocks,
+        iterate: point,
+        blocks: linearization.blocks,
         squares: before,
         iterations,
         converged,
-        promised: last_promised,
+        predicted_reduction: last_promised,
     })
 }
 
 /// The flights at a point.
-struct Look {
-    blocks: Vec<Block>,
+struct Linearization {
+    blocks: Vec<NormalBlock>,
     /// What is left of each once its own unknowns are eliminated, by this damping; taken by the first who steps.
-    rests: (f64, Option<Vec<Option<Rest>>>),
+    complements: (f64, Option<Vec<Option<SchurComplement>>>),
 }
 
-fn look_at(problem: &impl Problem, point: &Point, damping: f64) -> Result<Look, Failure> {
+fn linearise_all(
+    problem: &impl LeastSquaresProblem,
+    point: &Iterate,
+    damping: f64,
+) -> Result<Linearization, SolveError> {
     let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
         if problem.is_stopped() {
-            return Err(Failure::Stopped);
+            return Err(SolveError::Stopped);
         }
-        let block = problem.linearise(flight, &point.shared, &point.own[flight]);
-        let block = block.map_err(|reason| Failure::Start { flight, reason })?;
-        let rest = Rest::new(&block, damping);
-        Ok((block, rest))
+        let block = problem.linearise(flight, &point.global, &point.local[flight]);
+        let block = block.map_err(|reason| SolveError::InitialGuess { flight, reason })?;
+        let complement = SchurComplement::new(&block, damping);
+        Ok((block, complement))
     });
-    let (blocks, rests) = each.into_iter().collect::<Result<_, _>>()?;
-    Ok(Look {
+    let (blocks, complements) = each.into_iter().collect::<Result<_, _>>()?;
+    Ok(Linearization {
         blocks,
-        rests: (damping, Some(rests)),
+        complements: (damping, Some(complements)),
     })
 }
 
-fn squares(problem: &impl Problem, point: &Point, blocks: &[Block]) -> f64 {
-    let known = problem.known().iter().zip(point.shared.iter());
-    let priors: f64 = known.map(|(known, &value)| known.squares(value)).sum();
+fn squares(problem: &impl LeastSquaresProblem, point: &Iterate, blocks: &[NormalBlock]) -> f64 {
+    let constraints = problem.constraints().iter().zip(point.global.iter());
+    let priors: f64 = constraints
+        .map(|(constraint, &value)| constraint.squares(value))
+        .sum();
     let sum = blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
     if sum.is_nan() { f64::INFINITY } else { sum }
 }
@@ -286,33 +298,34 @@ fn squares(problem: &impl Problem, point: &Point, blocks: &[Block]) -> f64 {
 /// The point after a step, and the decrease of the squares that the step promises; none where the damping is too
 /// small for there to be a step.
 fn stepped(
-    problem: &impl Problem,
-    point: &Point,
-    look: &mut Look,
+    problem: &impl LeastSquaresProblem,
+    point: &Iterate,
+    linearization: &mut Linearization,
     damping: f64,
-) -> Option<(Point, f64)> {
-    let made = look.rests.1.take_if(|_| look.rests.0 == damping);
+) -> Option<(Iterate, f64)> {
+    let made = linearization
+        .complements
+        .1
+        .take_if(|_| linearization.complements.0 == damping);
     let anew = || {
-        let each = look.blocks.iter();
-        each.map(|block| Rest::new(block, damping)).collect()
+        let each = linearization.blocks.iter();
+        each.map(|block| SchurComplement::new(block, damping))
+            .collect()
     };
-    let system = Eliminated::new(&look.blocks, made.unwrap_or_else(anew)).ok()?;
-    let (step, prior_gain) = shared_step(
+    let system = ReducedSystem::new(&linearization.blocks, made.unwrap_or_else(anew)).ok()?;
+    let (step, prior_gain) = constrained_step(
         &system.reduced,
         &system.gradient,
-        &point.shared,
-        problem.known(),
+        &point.global,
+        problem.constraints(),
         damping,
     )?;
-    let own_steps = system.own_steps(&step);
-    let promised = system.promised(&step, &own_steps) + prior_gain;
-    let steps = own_steps.iter().zip(&point.own).enumerate();
-    let own = steps
-        .map(|(flight, (step, own))| problem.moved(flight, own, step))
+    let back_substitute = system.back_substitute(&step);
+    let predicted_reduction = system.predicted_reduction(&step, &back_substitute) + prior_gain;
+    let steps = back_substitute.iter().zip(&point.local).enumerate();
+    let local = steps
+        .map(|(flight, (step, local))| problem.plus(flight, local, step))
         .collect();
-    let shared = &point.shared + step;
-    Some((Point { shared, own }, promised))
+    let global = &point.global + step;
+    Some((Iterate { global, local }, predicted_reduction))
 }
-
-#[cfg(test)]
-mod tests;

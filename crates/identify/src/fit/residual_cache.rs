@@ -5,13 +5,13 @@ use nalgebra::DVector;
 
 use super::{FitError, State};
 use crate::noise::{median, robust_sigma};
-use crate::options::Options;
+use crate::observations::Observations;
+use crate::options::FitOptions;
 use crate::predict::{Residuals, residuals, residuals_of, states};
-use crate::setting::Setting;
-use crate::track::Track;
+use crate::problem::FitProblem;
 
 /// Every flight, flown.
-pub struct Flown(Vec<One>);
+pub struct ResidualCache(Vec<One>);
 
 /// One flight, flown.
 struct One {
@@ -29,17 +29,23 @@ pub struct Path {
     pub residuals: Residuals,
 }
 
-impl Flown {
+impl ResidualCache {
     /// Flies the first samples of all flights.
-    pub fn new(setting: &Setting, state: &State, samples: &[usize], options: &Options<'_>) -> Self {
-        let count = state.tracks.len();
+    pub fn new(
+        problem: &FitProblem,
+        state: &State,
+        samples: &[usize],
+        options: &FitOptions<'_>,
+    ) -> Self {
+        let count = state.observation_sets.len();
         Self(batch::each_on(options.threads(), count, |flight| {
-            let (track, shared) = (&state.tracks[flight], &state.shared);
-            let unknowns = (shared, &state.own[flight]);
-            let path = states(setting, track, unknowns, samples[flight]).map(|states| Path {
-                residuals: residuals_of(setting, track, shared, &states),
-                states,
-            });
+            let (observations, global) = (&state.observation_sets[flight], &state.global);
+            let unknowns = (global, &state.local[flight]);
+            let path =
+                states(problem, observations, unknowns, samples[flight]).map(|states| Path {
+                    residuals: residuals_of(problem, observations, global, &states),
+                    states,
+                });
             let size = path.as_ref().ok().and_then(|path| usual(&path.residuals));
             One { path, size }
         }))
@@ -60,10 +66,14 @@ impl Flown {
     ///
     /// # Errors
     /// Where it is impossible.
-    pub fn path(&self, tracks: &[Track], flight: usize) -> Result<&Path, FitError> {
+    pub fn path(
+        &self,
+        observation_sets: &[Observations],
+        flight: usize,
+    ) -> Result<&Path, FitError> {
         let path = self.0[flight].path.as_ref();
         path.map_err(|reason| FitError::Flight {
-            file: tracks[flight].file.clone(),
+            file: observation_sets[flight].file.clone(),
             reason: reason.clone(),
         })
     }
@@ -71,12 +81,12 @@ impl Flown {
 
 /// The usual size of one flight's residuals, m; none where it cannot be flown.
 pub fn size(
-    setting: &Setting,
-    track: &Track,
+    problem: &FitProblem,
+    observations: &Observations,
     unknowns: (&DVector<f64>, &DVector<f64>),
     samples: usize,
 ) -> Option<f64> {
-    usual(&residuals(setting, track, unknowns, samples).ok()?)
+    usual(&residuals(problem, observations, unknowns, samples).ok()?)
 }
 
 /// The usual size of residuals, m; none where there are none.

@@ -2,22 +2,22 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Known;
+use super::Constraint;
 
 /// The step of the shared unknowns that minimises the quadratic left after the elimination, with priors added and
 /// without leaving the bounds; and by how much it decreases the priors' part of the sum of squares. An unknown that
 /// wants to leave its bound is held there, and the others step for themselves. None where the matrix is singular.
-pub fn shared_step(
+pub fn constrained_step(
     reduced: &DMatrix<f64>,
     gradient: &DVector<f64>,
     values: &DVector<f64>,
-    known: &[Known],
+    constraints: &[Constraint],
     damping: f64,
 ) -> Option<(DVector<f64>, f64)> {
     let size = values.len();
     let (mut matrix, mut gradient) = (reduced.clone(), gradient.clone());
-    for (i, known) in known.iter().enumerate() {
-        if let Some((centre, sigma)) = known.prior {
+    for (i, constraint) in constraints.iter().enumerate() {
+        if let Some((centre, sigma)) = constraint.prior {
             matrix[(i, i)] += sigma.powi(-2);
             gradient[i] += (values[i] - centre) / (sigma * sigma);
         }
@@ -25,7 +25,7 @@ pub fn shared_step(
     let mut step = DVector::zeros(size);
     let mut held: Vec<bool> = (0..size)
         .map(|i| {
-            let (low, high) = known[i].bounds;
+            let (low, high) = constraints[i].bounds;
             (values[i] <= low && gradient[i] > 0.0) || (values[i] >= high && gradient[i] < 0.0)
         })
         .collect();
@@ -37,7 +37,7 @@ pub fn shared_step(
             step[i] = value;
         }
         let beyond = free.iter().filter_map(|&i| {
-            let (low, high) = known[i].bounds;
+            let (low, high) = constraints[i].bounds;
             let target = values[i] + step[i];
             let bound = if target < low {
                 low
@@ -56,8 +56,10 @@ pub fn shared_step(
         held[i] = true;
         step[i] = bound - values[i];
     }
-    let gain = known.iter().enumerate();
-    let gain = gain.map(|(i, known)| known.squares(values[i]) - known.squares(values[i] + step[i]));
+    let gain = constraints.iter().enumerate();
+    let gain = gain.map(|(i, constraint)| {
+        constraint.squares(values[i]) - constraint.squares(values[i] + step[i])
+    });
     Some((step.clone(), gain.sum()))
 }
 
@@ -82,9 +84,9 @@ fn solve(
         left[(i, i)] += damping;
     }
     let right = DVector::from_fn(size, |i, _| {
-        let moved = (0..held.len()).filter(|&j| held[j]);
-        let moved: f64 = moved.map(|j| matrix[(free[i], j)] * step[j]).sum();
-        -(gradient[free[i]] + moved) * scale(free[i])
+        let plus = (0..held.len()).filter(|&j| held[j]);
+        let plus: f64 = plus.map(|j| matrix[(free[i], j)] * step[j]).sum();
+        -(gradient[free[i]] + plus) * scale(free[i])
     });
     let solved = left.cholesky()?.solve(&right);
     let solved = DVector::from_fn(size, |i, _| solved[i] * scale(free[i]));
@@ -98,8 +100,8 @@ fn solve(
 mod tests {
     use super::*;
 
-    fn bounded(low: f64, high: f64) -> Known {
-        Known {
+    fn bounded(low: f64, high: f64) -> Constraint {
+        Constraint {
             bounds: (low, high),
             prior: None,
         }
@@ -111,36 +113,36 @@ mod tests {
         let matrix = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
         let gradient = DVector::from_vec(vec![-5.0, -4.0]);
         let values = DVector::zeros(2);
-        let free = [Known::NOTHING; 2];
-        let (step, _) = shared_step(&matrix, &gradient, &values, &free, 0.0).unwrap();
+        let free = [Constraint::NONE; 2];
+        let (step, _) = constrained_step(&matrix, &gradient, &values, &free, 0.0).unwrap();
         assert!((step - DVector::from_vec(vec![2.0, 1.0])).norm() < 1e-14);
-        let known = [bounded(-1.0, 1.0), Known::NOTHING];
-        let (step, _) = shared_step(&matrix, &gradient, &values, &known, 0.0).unwrap();
+        let constraints = [bounded(-1.0, 1.0), Constraint::NONE];
+        let (step, _) = constrained_step(&matrix, &gradient, &values, &constraints, 0.0).unwrap();
         assert!((step - DVector::from_vec(vec![1.0, 1.5])).norm() < 1e-14);
     }
 
     #[test]
     fn an_unknown_leaves_its_bound_again() {
         let matrix = DMatrix::identity(1, 1);
-        let known = [bounded(0.0, 1.0)];
+        let constraints = [bounded(0.0, 1.0)];
         let values = DVector::from_element(1, 1.0);
         let inward = DVector::from_element(1, 0.5);
-        let (step, _) = shared_step(&matrix, &inward, &values, &known, 0.0).unwrap();
+        let (step, _) = constrained_step(&matrix, &inward, &values, &constraints, 0.0).unwrap();
         assert_eq!(step[0], -0.5);
         let outward = DVector::from_element(1, -0.5);
-        let (step, _) = shared_step(&matrix, &outward, &values, &known, 0.0).unwrap();
+        let (step, _) = constrained_step(&matrix, &outward, &values, &constraints, 0.0).unwrap();
         assert_eq!(step[0], 0.0);
     }
 
     #[test]
     fn a_prior_draws() {
-        let known = [Known {
+        let constraints = [Constraint {
             prior: Some((3.0, 1.0)),
-            ..Known::NOTHING
+            ..Constraint::NONE
         }];
         let (matrix, gradient) = (DMatrix::identity(1, 1), DVector::from_element(1, -1.0));
         let (step, gain) =
-            shared_step(&matrix, &gradient, &DVector::zeros(1), &known, 0.0).unwrap();
+            constrained_step(&matrix, &gradient, &DVector::zeros(1), &constraints, 0.0).unwrap();
         assert!((step[0] - 2.0).abs() < 1e-14 && (gain - (9.0 - 1.0)).abs() < 1e-13);
     }
 }

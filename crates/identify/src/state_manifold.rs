@@ -5,7 +5,7 @@ use nalgebra::DVector;
 
 /// The directions in which an initial state may be moved.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chart {
+pub struct StateManifold {
     /// States that stand for themselves.
     plain: Vec<usize>,
     /// Groups of four that are unit quaternions, moved by three angles each.
@@ -13,7 +13,7 @@ pub struct Chart {
     states: usize,
 }
 
-impl Chart {
+impl StateManifold {
     /// The chart of a model's state, with some states known.
     pub fn new(model: &Model, known: &[usize]) -> Self {
         // A quaternion is known as a whole or not at all.
@@ -72,21 +72,21 @@ impl Chart {
     }
 
     /// The state after a step along the directions.
-    pub fn moved(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
-        let mut moved = state.clone();
+    pub fn plus(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        let mut plus = state.clone();
         for (&row, step) in self.plain.iter().zip(step.iter()) {
-            moved[row] += step;
+            plus[row] += step;
         }
         for (row, column, value) in self.turning(state.as_slice()) {
-            moved[row] += value * step[column];
+            plus[row] += value * step[column];
         }
         for places in &self.quaternions {
-            let length = places.map(|place| moved[place].powi(2)).iter().sum::<f64>();
+            let length = places.map(|place| plus[place].powi(2)).iter().sum::<f64>();
             for &place in places {
-                moved[place] /= length.sqrt();
+                plus[place] /= length.sqrt();
             }
         }
-        moved
+        plus
     }
 }
 
@@ -97,31 +97,31 @@ mod tests {
     #[test]
     fn a_quaternion_moves_on_its_sphere_and_along_its_tangent() {
         let model = model_spec::load::load("disc_quaternion", &[]).unwrap();
-        let chart = Chart::new(&model, &[]);
-        assert_eq!((chart.states(), chart.dimension()), (13, 12));
+        let manifold = StateManifold::new(&model, &[]);
+        assert_eq!((manifold.states(), manifold.dimension()), (13, 12));
         let mut state = DVector::zeros(13);
-        let places = chart.quaternions[0];
+        let places = manifold.quaternions[0];
         for (place, value) in places.iter().zip([0.5, -0.5, 0.1, 0.7]) {
             state[*place] = value;
         }
-        let state = chart.moved(&state, &DVector::zeros(12));
+        let state = manifold.plus(&state, &DVector::zeros(12));
         let step = DVector::from_fn(12, |i, _| 1e-6 * (i as f64 - 5.0));
-        let moved = chart.moved(&state, &step);
-        let length: f64 = places.iter().map(|&place| moved[place].powi(2)).sum();
+        let plus = manifold.plus(&state, &step);
+        let length: f64 = places.iter().map(|&place| plus[place].powi(2)).sum();
         assert!((length - 1.0).abs() < 1e-14);
         let mut linear = state.clone();
-        for (row, column, value) in chart.tangent(state.as_slice()) {
+        for (row, column, value) in manifold.tangent(state.as_slice()) {
             linear[row] += value * step[column];
         }
-        assert!((moved - linear).norm() < 1e-10);
+        assert!((plus - linear).norm() < 1e-10);
     }
 
     #[test]
     fn known_states_stay() {
         let model = model_spec::load::load("disc", &[]).unwrap();
-        let chart = Chart::new(&model, &[11]);
-        assert_eq!(chart.dimension(), 11);
-        let moved = chart.moved(&DVector::zeros(12), &DVector::from_element(11, 1.0));
-        assert_eq!(moved[11], 0.0);
+        let manifold = StateManifold::new(&model, &[11]);
+        assert_eq!(manifold.dimension(), 11);
+        let plus = manifold.plus(&DVector::zeros(12), &DVector::from_element(11, 1.0));
+        assert_eq!(plus[11], 0.0);
     }
 }

@@ -3,7 +3,7 @@
 use lanes::{Kernel, Lanes};
 use nalgebra::{DMatrix, DVector};
 
-use crate::normal::Block;
+use crate::least_squares::NormalBlock;
 
 /// Rows are summed this many at a time, which stay in the nearest memory.
 const BATCH: usize = 64;
@@ -13,11 +13,11 @@ const PADDING: usize = 8;
 
 /// Rows of one flight being summed. A row holds the derivatives by the flight's own unknowns and by the shared ones, each
 /// in its place, then the residual, and zeros up to [`width`](Rows::width).
-pub struct Rows {
+pub struct GramAccumulator {
     /// Where the derivatives by the own unknowns stand.
-    own: Vec<usize>,
+    local: Vec<usize>,
     /// Where those by the shared ones do.
-    shared: Vec<usize>,
+    global: Vec<usize>,
     width: usize,
     /// Rows that wait to be summed, and how long they are together.
     batch: Vec<f64>,
@@ -28,13 +28,13 @@ pub struct Rows {
     count: usize,
 }
 
-impl Rows {
+impl GramAccumulator {
     /// No rows yet, with each unknown's place in a row; the places are those from 0 on.
-    pub fn new(own: Vec<usize>, shared: Vec<usize>) -> Self {
-        let width = (own.len() + shared.len() + 1).next_multiple_of(PADDING);
+    pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
+        let width = (local.len() + global.len() + 1).next_multiple_of(PADDING);
         Self {
-            own,
-            shared,
+            local,
+            global,
             width,
             batch: vec![0.0; BATCH * width],
             filled: 0,
@@ -51,7 +51,7 @@ impl Rows {
 
     /// Where the residual stands in a row.
     pub fn residual(&self) -> usize {
-        self.own.len() + self.shared.len()
+        self.local.len() + self.global.len()
     }
 
     /// Adds `scale * (row - kept * before)`; and `extra` to the sum of squares.
@@ -59,7 +59,7 @@ impl Rows {
         let to = &mut self.batch[self.filled..][..self.width];
         let row = &row[..self.width];
         let (kept, before) = before.unwrap_or((0.0, row));
-        lanes::dispatch(Innovation {
+        lanes::dispatch(AddInnovation {
             to,
             row,
             kept,
@@ -84,17 +84,17 @@ impl Rows {
     }
 
     /// The normal equations of all rows.
-    pub fn block(mut self) -> Block {
+    pub fn block(mut self) -> NormalBlock {
         self.sum();
-        let (own, shared, last) = (&self.own, &self.shared, self.residual());
+        let (local, global, last) = (&self.local, &self.global, self.residual());
         let at =
             |row: usize, column: usize| self.sums[row.min(column) * self.width + row.max(column)];
-        Block {
-            own: DMatrix::from_fn(own.len(), own.len(), |i, j| at(own[i], own[j])),
-            cross: DMatrix::from_fn(own.len(), shared.len(), |i, j| at(own[i], shared[j])),
-            shared: DMatrix::from_fn(shared.len(), shared.len(), |i, j| at(shared[i], shared[j])),
-            own_gradient: DVector::from_fn(own.len(), |i, _| at(own[i], last)),
-            shared_gradient: DVector::from_fn(shared.len(), |i, _| at(shared[i], last)),
+        NormalBlock {
+            local: DMatrix::from_fn(local.len(), local.len(), |i, j| at(local[i], local[j])),
+            cross: DMatrix::from_fn(local.len(), global.len(), |i, j| at(local[i], global[j])),
+            global: DMatrix::from_fn(global.len(), global.len(), |i, j| at(global[i], global[j])),
+            local_gradient: DVector::from_fn(local.len(), |i, _| at(local[i], last)),
+            global_gradient: DVector::from_fn(global.len(), |i, _| at(global[i], last)),
             squares: at(last, last) + self.extra,
             count: self.count,
         }
@@ -102,7 +102,7 @@ impl Rows {
 }
 
 /// `to = scale (row - kept before)`
-struct Innovation<'a> {
+struct AddInnovation<'a> {
     to: &'a mut [f64],
     row: &'a [f64],
     kept: f64,
@@ -110,7 +110,7 @@ struct Innovation<'a> {
     scale: f64,
 }
 
-impl Kernel for Innovation<'_> {
+impl Kernel for AddInnovation<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -190,35 +190,35 @@ mod tests {
 
     #[test]
     fn sums_are_those_of_plain_loops() {
-        let (own, shared) = (5, 4);
+        let (local, global) = (5, 4);
         // The own ones from place 4 on, the shared ones first.
-        let mut rows = Rows::new((4..9).collect(), (0..4).collect());
-        let mut plain = Block::zero(own, shared);
+        let mut rows = GramAccumulator::new((4..9).collect(), (0..4).collect());
+        let mut plain = NormalBlock::zero(local, global);
         for k in 0..150 {
             let value = |i: usize| ((k * 31 + i * 17) as f64 * 0.37).sin();
             let mut row = vec![0.0; rows.width()];
-            for (i, place) in row[..own + shared + 1].iter_mut().enumerate() {
+            for (i, place) in row[..local + global + 1].iter_mut().enumerate() {
                 *place = value(i);
             }
             rows.add(&row, None, 2.0, 0.25);
             plain.add(
-                2.0 * value(own + shared),
-                &DVector::from_fn(own, |i, _| 2.0 * value(4 + i)),
-                &DVector::from_fn(shared, |i, _| 2.0 * value(i)),
+                2.0 * value(local + global),
+                &DVector::from_fn(local, |i, _| 2.0 * value(4 + i)),
+                &DVector::from_fn(global, |i, _| 2.0 * value(i)),
             );
         }
         let block = rows.block();
-        assert!((&block.own - &plain.own).amax() < 1e-11);
+        assert!((&block.local - &plain.local).amax() < 1e-11);
         assert!((&block.cross - &plain.cross).amax() < 1e-11);
-        assert!((&block.shared - &plain.shared).amax() < 1e-11);
-        assert!((&block.own_gradient - &plain.own_gradient).amax() < 1e-11);
-        assert!((&block.shared_gradient - &plain.shared_gradient).amax() < 1e-11);
+        assert!((&block.global - &plain.global).amax() < 1e-11);
+        assert!((&block.local_gradient - &plain.local_gradient).amax() < 1e-11);
+        assert!((&block.global_gradient - &plain.global_gradient).amax() < 1e-11);
         assert!((block.squares - plain.squares - 150.0 * 0.25).abs() < 1e-10);
     }
 
     #[test]
     fn a_row_less_a_part_of_the_one_before() {
-        let mut rows = Rows::new(vec![0], Vec::new());
+        let mut rows = GramAccumulator::new(vec![0], Vec::new());
         let width = rows.width();
         let row = |a: f64, r: f64| {
             let mut row = vec![0.0; width];
@@ -227,8 +227,8 @@ mod tests {
         };
         rows.add(&row(3.0, 5.0), Some((0.5, &row(2.0, 4.0))), 10.0, 0.0);
         let block = rows.block();
-        assert_eq!(block.own[(0, 0)], 400.0);
-        assert_eq!(block.own_gradient[0], 600.0);
+        assert_eq!(block.local[(0, 0)], 400.0);
+        assert_eq!(block.local_gradient[0], 600.0);
         assert_eq!(block.squares, 900.0);
     }
 }

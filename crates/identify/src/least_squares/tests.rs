@@ -1,0 +1,91 @@
+use nalgebra::DVector;
+
+use super::*;
+
+/// Flights `y = own * exp(-shared t)`.
+struct Decay {
+    data: Vec<Vec<(f64, f64)>>,
+    constraints: [Constraint; 1],
+}
+
+impl LeastSquaresProblem for Decay {
+    fn flights(&self) -> usize {
+        self.data.len()
+    }
+
+    fn linearise(
+        &self,
+        flight: usize,
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, String> {
+        let mut block = NormalBlock::zero(1, 1);
+        for &(t, y) in &self.data[flight] {
+            let e = (-global[0] * t).exp();
+            let by_global = DVector::from_element(1, -t * local[0] * e);
+            block.add(local[0] * e - y, &DVector::from_element(1, e), &by_global);
+        }
+        Ok(block)
+    }
+
+    fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        local + step
+    }
+
+    fn constraints(&self) -> &[Constraint] {
+        &self.constraints
+    }
+}
+
+fn decay(bounds: (f64, f64)) -> Decay {
+    let flight = |amplitude: f64| {
+        (0..20)
+            .map(|i| f64::from(i) * 0.1)
+            .map(|t| (t, amplitude * (-1.3 * t).exp()))
+            .collect()
+    };
+    Decay {
+        data: vec![flight(2.0), flight(-5.0)],
+        constraints: [Constraint {
+            bounds,
+            prior: None,
+        }],
+    }
+}
+
+fn start() -> Iterate {
+    Iterate {
+        global: DVector::from_element(1, 0.0),
+        local: vec![DVector::from_element(1, 1.0); 2],
+    }
+}
+
+const EXACT: StoppingCriteria = StoppingCriteria {
+    ftol_abs: 1e-16,
+    ftol_rel: 0.0,
+    accept_unevaluated: 1.0,
+    max_steps: 100,
+};
+
+#[test]
+fn exact_data_give_the_exact_unknowns() {
+    let solution = solve(&decay((-10.0, 10.0)), start(), EXACT).unwrap();
+    assert!(solution.converged);
+    assert!((solution.iterate.global[0] - 1.3).abs() < 1e-8);
+    assert!((solution.iterate.local[1][0] + 5.0).abs() < 1e-8);
+}
+
+#[test]
+fn bounds_hold() {
+    let solution = solve(&decay((-10.0, 1.0)), start(), EXACT).unwrap();
+    assert!(solution.converged);
+    assert_eq!(solution.iterate.global[0], 1.0);
+}
+
+#[test]
+fn a_strong_prior_wins() {
+    let mut problem = decay((-10.0, 10.0));
+    problem.constraints[0].prior = Some((0.7, 1e-9));
+    let solution = solve(&problem, start(), StoppingCriteria::CONVERGED).unwrap();
+    assert!((solution.iterate.global[0] - 0.7).abs() < 1e-6);
+}
