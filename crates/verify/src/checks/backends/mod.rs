@@ -1,0 +1,177 @@
+//! Every backend against every other: the tape and the generated code, for `f64` and for the lanes of every
+//! instruction set of this machine. Backends that fuse multiply and add must agree to the bit, and so must those that
+//! do not; the two groups differ by rounding. Generated code runs on lanes as recorded programs, see [`record`].
+
+mod evaluate;
+mod record;
+
+use crate::report::{Measure, Row, Verdict, Worst};
+use codegen::compile::Compiled;
+use codegen::rust::source_hash;
+use evaluate::{Numbers, Tapes, generated_results};
+use lanes::Isa;
+use model_spec::model::Model;
+use oracle::point::Point;
+
+/// Name of the check.
+pub const BACKENDS: &str = "backends";
+
+/// Name of the check of those that fuse against those that do not.
+pub const FUSED: &str = "fused and not";
+
+/// How far these may be apart, of the greatest result of a function: 1e4 roundings, for what cancels.
+const FUSED_TOLERANCE: f64 = 1e-12;
+
+/// What one backend gives at a list of points: for each the results of every function, end to end.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The backend.
+    pub backend: String,
+    /// Whether it fuses a product and a sum.
+    pub fuses: bool,
+    /// Results at each point.
+    pub results: Vec<Vec<f64>>,
+}
+
+/// Functions in the order of the results, each with its length.
+pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
+    compiled
+        .functions()
+        .map(|f| (f.name, f.program.outputs.len()))
+        .into()
+}
+
+/// Runs every backend. Generated code takes part if it was generated from the same model text.
+pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
+    let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
+    let mut runs = vec![Run {
+        backend: "tape".into(),
+        fuses: false,
+        results: points
+            .iter()
+            .map(|p| tapes.results(&Numbers::of(p)))
+            .collect(),
+    }];
+    runs.extend(on_lanes("tape", &tapes, points));
+    let same_text = |code: &&generated::Model| code.source_hash == source_hash(model);
+    if let Some(code) = generated::model(&model.name).filter(same_text) {
+        let results = points
+            .iter()
+            .map(|p| generated_results(code, &Numbers::of(p)));
+        runs.push(Run {
+            backend: "generated".into(),
+            fuses: Isa::best().fuses(),
+            results: results.collect(),
+        });
+        if let Some(programs) = record::programs(code.name) {
+            runs.extend(on_lanes("generated", &Tapes::new(&programs), points));
+        }
+    }
+    runs
+}
+
+fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
+    let run = |isa: Isa| {
+        Some(Run {
+            backend: format!("{name} on {}", isa.name()),
+            fuses: isa.fuses(),
+            results: tapes.on_lanes(isa, points)?,
+        })
+    };
+    Isa::ALL.into_iter().filter_map(run).collect()
+}
+
+/// The first run that fuses, or the first that does not.
+fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
+    runs.iter().find(|run| run.fuses == fuses)
+}
+
+/// Every run against the first of its kind, bit for bit.
+pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
+    let mut worst = Worst::default();
+    for run in runs {
+        let Some(first) = first(runs, run.fuses) else {
+            continue;
+        };
+        for (expected, got) in first.results.iter().zip(&run.results) {
+            for (index, (a, b)) in expected.iter().zip(got).enumerate() {
+                worst.see(ulps(*a, *b), || {
+                    format!("{} in {}", function_at(compiled, index), run.backend)
+                });
+            }
+            if expected.len() != got.len() {
+                worst.see(f64::INFINITY, || {
+                    format!("another number of results in {}", run.backend)
+                });
+            }
+        }
+    }
+    let names: Vec<&str> = runs.iter().map(|run| run.backend.as_str()).collect();
+    let holds = worst.error == 0.0;
+    Row {
+        check: BACKENDS,
+        cases: runs.iter().map(|run| run.results.len()).sum(),
+        worst: worst.error,
+        measure: Measure::Ulp,
+        tolerance: 0.0,
+        verdict: if holds {
+            Verdict::Holds
+        } else {
+            Verdict::Refuted
+        },
+        detail: if holds { names.join(", ") } else { worst.place },
+    }
+}
+
+/// A run that fuses against one that does not, each result by the greatest of its function.
+pub fn check_fused(compiled: &Compiled, runs: &[Run]) -> Row {
+    let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
+        return Row::skipped(FUSED, "nothing fuses here");
+    };
+    let mut worst = Worst::default();
+    for (plain, fused) in plain.results.iter().zip(&fused.results) {
+        let mut start = 0;
+        for (function, len) in functions(compiled) {
+            let range = start..start + len;
+            start += len;
+            let size = plain[range.clone()]
+                .iter()
+                .fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
+            for (a, b) in plain[range.clone()].iter().zip(&fused[range]) {
+                worst.see((a - b).abs() / size, || function.to_string());
+            }
+        }
+    }
+    Row::judged(FUSED, plain.results.len(), &worst, FUSED_TOLERANCE)
+}
+
+/// The function that a result belongs to.
+pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
+    let mut end = 0;
+    let found = functions(compiled).into_iter().find(|(_, len)| {
+        end += len;
+        index < end
+    });
+    found.map_or("nothing", |(name, _)| name)
+}
+
+/// Steps between two numbers; 0 for two that are none.
+fn ulps(a: f64, b: f64) -> f64 {
+    if a == b || (a.is_nan() && b.is_nan()) {
+        return 0.0;
+    }
+    // Bits in the order of the numbers, on both sides of 0.
+    let place = |v: f64| {
+        let bits = v.to_bits() as i64;
+        if bits < 0 {
+            i64::MIN.wrapping_sub(bits)
+        } else {
+            bits
+        }
+    };
+    if a.is_nan() || b.is_nan() {
+        f64::INFINITY
+    } else {
+        place(a).abs_diff(place(b)) as f64
+    }
+}
