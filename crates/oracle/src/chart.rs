@@ -198,21 +198,21 @@ impl Chart {
 
     /// How the physical state changes when the states change at these rates.
     pub fn change(&self, states: &[f64], rates: &[f64]) -> Change {
-        let moving: Vec<Dual<f64>> = states
+        let along: Vec<Dual<f64>> = states
             .iter()
             .zip(rates)
-            .map(|(&value, &slope)| Dual { value, slope })
+            .map(|(&value, &rate)| Dual::new(value, rate))
             .collect();
-        let p = self.physical(&moving);
-        let slope = |v: Vector3<Dual<f64>>| v.map(|d| d.slope);
+        let p = self.physical(&along);
+        let rate = |v: Vector3<Dual<f64>>| v.map(|d| d.derivative);
         let q = Quaternion::from_parts(p.attitude.parts().map(|d| d.value));
-        let q_rate = Quaternion::from_parts(p.attitude.parts().map(|d| d.slope));
+        let q_rate = Quaternion::from_parts(p.attitude.parts().map(|d| d.derivative));
         Change {
-            velocity: slope(p.position),
-            acceleration: slope(p.velocity),
+            velocity: rate(p.position),
+            acceleration: rate(p.velocity),
             // ω = 2 dq/dt q*
             angular_velocity: q_rate.times(q.conjugate()).v * 2.0,
-            angular_acceleration: slope(p.angular_velocity),
+            angular_acceleration: rate(p.angular_velocity),
         }
     }
 

@@ -155,7 +155,7 @@ pub fn state_derivatives<T: Field>(
         }
         .times(attitude);
         for (i, part) in q.into_iter().zip(rate.parts()) {
-            out[i] = part / T::whole(2);
+            out[i] = part / T::integer(2);
         }
         return Ok(out);
     }

@@ -5,8 +5,8 @@
 
 use crate::frames::{Placed, place_real};
 use crate::point::Point;
-use crate::scalar::Real;
-use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Shape};
+use crate::scalar::{Real, call};
+use model_spec::model::{Body, Expr, ExprKind, Load, Model, Shape};
 use nalgebra::Vector3;
 
 /// A number, or a vector in inertial components.
@@ -236,22 +236,4 @@ impl<'a, T: Real> Tree<'a, T> {
 /// Length; 0 with derivative 0 at the zero vector.
 pub fn norm<T: Real>(v: &Vector3<T>) -> T {
     v.dot(v).sqrt()
-}
-
-fn call<T: Real>(function: Function, a: T) -> T {
-    match function {
-        Function::Sin => a.sin(),
-        Function::Cos => a.cos(),
-        Function::Tan => a.sin() / a.cos(),
-        Function::Asin => a.asin(),
-        Function::Acos => T::lit(std::f64::consts::FRAC_PI_2) - a.asin(),
-        Function::Atan => a.atan(),
-        Function::Sqrt => a.sqrt(),
-        Function::Exp => a.exp(),
-        Function::Log => a.ln(),
-        Function::Abs => a.abs(),
-        Function::Sign => T::lit(if a.re() == 0.0 { 0.0 } else { a.re().signum() }),
-        Function::Step => T::lit(if a.re() > 0.0 { 1.0 } else { 0.0 }),
-        Function::Tanh => a.tanh(),
-    }
 }

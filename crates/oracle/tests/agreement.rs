@@ -6,7 +6,7 @@ use oracle::chart::Chart;
 use oracle::dynamics::derivatives;
 use oracle::point::Point;
 use oracle::reference::Reference;
-use oracle::scalar::{ComplexStep, NumDual, Real, Tracked};
+use oracle::scalar::{ComplexStep, ErrorBound, NumDual, Real};
 use oracle::tree::Tree;
 use proptest::prelude::*;
 
@@ -62,10 +62,10 @@ proptest! {
             let model = model(name);
             let point = point(&model, &draws);
             let reference = Reference::bind(&model).unwrap().unwrap();
-            let by_hand = reference.derivatives(&point.lift::<Tracked>());
+            let by_hand = reference.derivatives(&point.lift::<ErrorBound>());
             for (i, expected) in by_hand.iter().enumerate() {
                 let got = derivatives(&model, &point).unwrap()[i];
-                prop_assert!(expected.error_of(got) < 1e-14, "{name} der({})", model.states[i].name);
+                prop_assert!(expected.relative_error(got) < 1e-14, "{name} der({})", model.states[i].name);
             }
             let seen = Tree::new(&model, &point).vector(&model.observation.as_ref().unwrap().value);
             prop_assert!((seen - reference.observation(&point)).norm() < 1e-13);
@@ -92,12 +92,12 @@ proptest! {
         let point = point(&model, &draws);
         for j in 0..model.states.len() {
             let mut dual = point.lift::<NumDual>();
-            dual.states[j] = NumDual::moving(point.states[j], 1.0);
+            dual.states[j] = NumDual::new(point.states[j], 1.0);
             let mut step = point.lift::<ComplexStep>();
-            step.states[j] = ComplexStep::moving(point.states[j], 1.0);
+            step.states[j] = ComplexStep::new(point.states[j], 1.0);
             let pairs = derivatives(&model, &dual).unwrap().into_iter().zip(derivatives(&model, &step).unwrap());
             for (a, b) in pairs {
-                prop_assert!((a.slope() - b.slope()).abs() <= 1e-9 * (1.0 + a.slope().abs()));
+                prop_assert!((a.derivative() - b.derivative()).abs() <= 1e-9 * (1.0 + a.derivative().abs()));
                 prop_assert!((a.re() - b.re()).abs() <= 1e-9 * (1.0 + a.re().abs()));
             }
         }
@@ -114,7 +114,7 @@ fn at_rest_nothing_is_lost() {
         .into_iter()
         .chain(reference.derivatives(&point))
     {
-        assert!(rate.re().is_finite() && rate.slope().is_finite());
+        assert!(rate.re().is_finite() && rate.derivative().is_finite());
     }
 }
 

@@ -150,7 +150,10 @@ impl<'a> Machine<'a> {
 /// (sine, cosine) of a parameter of the circle: every point but one is (2t, 1 − t²)/(1 + t²).
 pub fn on_circle(t: Prime) -> (Prime, Prime) {
     let scale = (Prime::one() + t * t).inverse();
-    (Prime::whole(2) * t * scale, (Prime::one() - t * t) * scale)
+    (
+        Prime::integer(2) * t * scale,
+        (Prime::one() - t * t) * scale,
+    )
 }
 
 /// The fraction with a small denominator, or the decimal, that a constant was rounded from.
@@ -158,7 +161,7 @@ fn constant(c: f64) -> Option<Prime> {
     let decimals = (4..=15).map(|k| 10_i64.pow(k));
     (1..=1000).chain(decimals).find_map(|d| {
         let n = (c * d as f64).round();
-        (n.abs() < 1e15 && n / d as f64 == c).then(|| Prime::whole(n as i64) / Prime::whole(d))
+        (n.abs() < 1e15 && n / d as f64 == c).then(|| Prime::integer(n as i64) / Prime::integer(d))
     })
 }
 

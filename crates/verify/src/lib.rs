@@ -8,7 +8,7 @@
 //! ```
 //!
 //! An error is measured against the sum of the magnitudes of the terms that make up a value (see
-//! [`oracle::scalar::Tracked`]): cancellation neither hides a fault nor looks like one.
+//! [`oracle::scalar::ErrorBound`]): cancellation neither hides a fault nor looks like one.
 
 pub mod checks;
 pub mod engine;

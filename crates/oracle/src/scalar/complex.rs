@@ -1,30 +1,26 @@
-//! Complex step: a derivative is the imaginary part that a tiny imaginary step leaves.
+//! Complex-step differentiation: f'(x) = Im f(x + ih) / h without cancellation.
 
-use super::{Field, Real};
+use super::{Elementary, Field, Real};
 use nalgebra::Complex;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// The imaginary step: its square vanishes beside any number of ours.
+/// Imaginary step h; its square underflows against every value of a model.
 pub const STEP: f64 = 1e-120;
 
-/// A complex number; decisions are made by the real part alone.
+/// A complex number whose imaginary part is [`STEP`] times a derivative; comparisons use the real part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComplexStep(pub Complex<f64>);
 
 impl ComplexStep {
-    /// A value that moves at `slope`, a step away from the real line.
-    pub fn moving(value: f64, slope: f64) -> Self {
-        Self(Complex::new(value, slope * STEP))
+    /// A value with the given derivative.
+    pub fn new(value: f64, derivative: f64) -> Self {
+        Self(Complex::new(value, derivative * STEP))
     }
 
-    /// The derivative that the step has left.
-    pub fn slope(self) -> f64 {
+    /// Derivative: imaginary part over the step.
+    pub fn derivative(self) -> f64 {
         self.0.im / STEP
-    }
-
-    fn first_order(self, value: f64, slope: f64) -> Self {
-        Self(Complex::new(value, slope * self.0.im))
     }
 }
 
@@ -48,7 +44,7 @@ impl One for ComplexStep {
 }
 
 impl Field for ComplexStep {
-    fn whole(value: i64) -> Self {
+    fn integer(value: i64) -> Self {
         Self::lit(value as f64)
     }
 
@@ -66,51 +62,23 @@ impl Real for ComplexStep {
         self.0.re
     }
 
-    fn sqrt(self) -> Self {
-        if self.0.re <= 0.0 {
-            Self::zero()
-        } else {
-            Self(self.0.sqrt())
-        }
-    }
-
-    fn sin(self) -> Self {
-        Self(self.0.sin())
-    }
-
-    fn cos(self) -> Self {
-        Self(self.0.cos())
-    }
-
-    // The inverse functions of complex numbers go through logarithms, in which a step of 1e-120 is lost.
-    fn asin(self) -> Self {
+    fn elementary(self, function: Elementary) -> Self {
         let x = self.0.re;
-        if x.abs() >= 1.0 {
-            return Self::lit(Real::asin(x));
+        if function.is_constant_at(x) {
+            return Self::lit(function.value(x));
         }
-        self.first_order(x.asin(), 1.0 / (1.0 - x * x).sqrt())
-    }
-
-    fn atan(self) -> Self {
-        let x = self.0.re;
-        self.first_order(x.atan(), 1.0 / (1.0 + x * x))
-    }
-
-    fn exp(self) -> Self {
-        Self(self.0.exp())
-    }
-
-    fn ln(self) -> Self {
-        if self.0.re <= 0.0 {
-            Self::zero()
-        } else {
-            Self(self.0.ln())
-        }
-    }
-
-    fn tanh(self) -> Self {
-        let t = self.0.re.tanh();
-        self.first_order(t, 1.0 - t * t)
+        Self(match function {
+            Elementary::Sqrt => self.0.sqrt(),
+            Elementary::Sin => self.0.sin(),
+            Elementary::Cos => self.0.cos(),
+            Elementary::Exp => self.0.exp(),
+            Elementary::Log => self.0.ln(),
+            // The complex versions of the others go through logarithms or quotients that lose a step of 1e-120.
+            _ => {
+                let value = function.value(x);
+                Complex::new(value, function.derivative(x, value) * self.0.im)
+            }
+        })
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -118,7 +86,7 @@ impl Real for ComplexStep {
         if y.re == 0.0 && x.re == 0.0 {
             return Self::zero();
         }
-        let turn = (x.re * y.im - y.re * x.im) / (x.re * x.re + y.re * y.re);
-        Self(Complex::new(y.re.atan2(x.re), turn))
+        let derivative = (x.re * y.im - y.re * x.im) / (x.re * x.re + y.re * y.re);
+        Self(Complex::new(y.re.atan2(x.re), derivative))
     }
 }

@@ -1,38 +1,30 @@
-//! Our own dual numbers over any scalar: over [`Tracked`](super::Tracked) they give a derivative
-//! together with the magnitude of the terms that make it up.
+//! Dual numbers over any scalar; over [`ErrorBound`](super::ErrorBound) they give a derivative with its error bound.
 
-use super::{Field, Real};
+use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A value and its derivative.
+/// A value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<T> {
     /// Value.
     pub value: T,
     /// Derivative.
-    pub slope: T,
+    pub derivative: T,
 }
 
 impl<T: Field> Dual<T> {
-    /// A value that does not vary.
+    /// A value with derivative 0.
     pub fn constant(value: T) -> Self {
         Self {
             value,
-            slope: T::zero(),
+            derivative: T::zero(),
         }
     }
 
-    /// A value that moves at `slope`.
-    pub fn moving(value: T, slope: T) -> Self {
-        Self { value, slope }
-    }
-
-    fn chain(self, value: T, slope: T) -> Self {
-        Self {
-            value,
-            slope: slope * self.slope,
-        }
+    /// A value with the given derivative.
+    pub fn new(value: T, derivative: T) -> Self {
+        Self { value, derivative }
     }
 }
 
@@ -41,7 +33,7 @@ impl<T: Field> Add for Dual<T> {
     fn add(self, o: Self) -> Self {
         Self {
             value: self.value + o.value,
-            slope: self.slope + o.slope,
+            derivative: self.derivative + o.derivative,
         }
     }
 }
@@ -51,7 +43,7 @@ impl<T: Field> Sub for Dual<T> {
     fn sub(self, o: Self) -> Self {
         Self {
             value: self.value - o.value,
-            slope: self.slope - o.slope,
+            derivative: self.derivative - o.derivative,
         }
     }
 }
@@ -61,7 +53,7 @@ impl<T: Field> Mul for Dual<T> {
     fn mul(self, o: Self) -> Self {
         Self {
             value: self.value * o.value,
-            slope: self.slope * o.value + self.value * o.slope,
+            derivative: self.derivative * o.value + self.value * o.derivative,
         }
     }
 }
@@ -72,7 +64,7 @@ impl<T: Field> Div for Dual<T> {
         let value = self.value / o.value;
         Self {
             value,
-            slope: (self.slope - value * o.slope) / o.value,
+            derivative: (self.derivative - value * o.derivative) / o.value,
         }
     }
 }
@@ -82,7 +74,7 @@ impl<T: Field> Neg for Dual<T> {
     fn neg(self) -> Self {
         Self {
             value: -self.value,
-            slope: -self.slope,
+            derivative: -self.derivative,
         }
     }
 }
@@ -95,7 +87,7 @@ impl<T: Field> Zero for Dual<T> {
     }
 
     fn is_zero(&self) -> bool {
-        self.value.is_zero() && self.slope.is_zero()
+        self.value.is_zero() && self.derivative.is_zero()
     }
 }
 
@@ -106,8 +98,8 @@ impl<T: Field> One for Dual<T> {
 }
 
 impl<T: Field> Field for Dual<T> {
-    fn whole(value: i64) -> Self {
-        Self::constant(T::whole(value))
+    fn integer(value: i64) -> Self {
+        Self::constant(T::integer(value))
     }
 
     fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
@@ -124,55 +116,15 @@ impl<T: Real> Real for Dual<T> {
         self.value.re()
     }
 
-    fn sqrt(self) -> Self {
-        if self.re() <= 0.0 {
-            return Self::zero();
+    fn elementary(self, function: Elementary) -> Self {
+        let value = self.value.elementary(function);
+        if function.is_constant_at(self.re()) {
+            return Self::constant(value);
         }
-        let root = self.value.sqrt();
-        self.chain(root, T::one() / (root + root))
-    }
-
-    fn sin(self) -> Self {
-        self.chain(self.value.sin(), self.value.cos())
-    }
-
-    fn cos(self) -> Self {
-        self.chain(self.value.cos(), -self.value.sin())
-    }
-
-    fn asin(self) -> Self {
-        let v = self.value;
-        if v.re().abs() >= 1.0 {
-            return Self::constant(v.asin());
+        Self {
+            value,
+            derivative: function.derivative(self.value, value) * self.derivative,
         }
-        self.chain(
-            v.asin(),
-            T::one() / ((T::one() - v) * (T::one() + v)).sqrt(),
-        )
-    }
-
-    fn atan(self) -> Self {
-        self.chain(
-            self.value.atan(),
-            T::one() / (T::one() + self.value * self.value),
-        )
-    }
-
-    fn exp(self) -> Self {
-        let e = self.value.exp();
-        self.chain(e, e)
-    }
-
-    fn ln(self) -> Self {
-        if self.re() <= 0.0 {
-            return Self::zero();
-        }
-        self.chain(self.value.ln(), T::one() / self.value)
-    }
-
-    fn tanh(self) -> Self {
-        let t = self.value.tanh();
-        self.chain(t, (T::one() - t) * (T::one() + t))
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -182,7 +134,7 @@ impl<T: Real> Real for Dual<T> {
         let square = self.value * self.value + x.value * x.value;
         Self {
             value: self.value.atan2(x.value),
-            slope: (x.value * self.slope - self.value * x.slope) / square,
+            derivative: (x.value * self.derivative - self.value * x.derivative) / square,
         }
     }
 }

@@ -1,24 +1,29 @@
-//! The numbers that an oracle is evaluated in.
+//! Scalar types of the oracle: real numbers, derivatives, error bounds, and a prime field.
 
 mod complex;
 mod dual;
+mod error_bound;
+mod function;
+mod lockstep;
 mod num_dual;
 mod ops;
 mod prime;
 mod real;
-mod tracked;
 
 pub use complex::{ComplexStep, STEP};
 pub use dual::Dual;
+pub use error_bound::ErrorBound;
+pub use function::Elementary;
+pub(crate) use function::call;
+pub use lockstep::Lockstep;
 pub use num_dual::NumDual;
 pub use prime::{PRIME, Prime};
-pub use tracked::Tracked;
 
 use ::num_traits::{One, Zero};
 use ops::{assign_ops, wrapped_ops};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// What sums, products and quotients need: a field.
+/// A field: sums, differences, products and quotients.
 pub trait Field:
     nalgebra::Scalar
     + Copy
@@ -34,37 +39,48 @@ pub trait Field:
     + MulAssign
     + DivAssign
 {
-    /// A whole number.
-    fn whole(value: i64) -> Self;
+    /// The image of an integer in the field.
+    fn integer(value: i64) -> Self;
 
-    /// A number of the model: exact where it is written exactly.
+    /// A number of the model text, from numerator and denominator if `exact`; `None` if the field has no exact image.
     fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self>;
 }
 
-/// A field with the functions of the language, at their stated behaviour in singular points.
+/// A field with the functions of the model language and their defined values at singular points.
 pub trait Real: Field {
-    /// A number.
+    /// The constant `value`, with derivative 0.
     fn lit(value: f64) -> Self;
-    /// Its value, whatever else it carries.
+    /// The real value, without derivatives or error bounds.
     fn re(self) -> f64;
-    /// Square root; 0 with derivative 0 where the argument is 0 or less.
-    fn sqrt(self) -> Self;
-    /// Sine.
-    fn sin(self) -> Self;
-    /// Cosine.
-    fn cos(self) -> Self;
-    /// Arcsine of the argument held within -1 .. 1; derivative 0 beyond.
-    fn asin(self) -> Self;
-    /// Arctangent.
-    fn atan(self) -> Self;
-    /// Exponential.
-    fn exp(self) -> Self;
-    /// Natural logarithm; 0 with derivative 0 where the argument is 0 or less.
-    fn ln(self) -> Self;
-    /// Hyperbolic tangent.
-    fn tanh(self) -> Self;
-    /// Angle of the point (`x`, `self`); 0 with derivative 0 at the origin.
+    /// An elementary function; see [`Elementary`] for its values at singular points.
+    fn elementary(self, function: Elementary) -> Self;
+    /// Polar angle of the point (`x`, `self`), rad; 0 with derivative 0 at the origin.
     fn atan2(self, x: Self) -> Self;
+
+    /// Square root; 0 with derivative 0 for arguments ≤ 0.
+    fn sqrt(self) -> Self {
+        self.elementary(Elementary::Sqrt)
+    }
+
+    /// Sine.
+    fn sin(self) -> Self {
+        self.elementary(Elementary::Sin)
+    }
+
+    /// Cosine.
+    fn cos(self) -> Self {
+        self.elementary(Elementary::Cos)
+    }
+
+    /// Exponential function.
+    fn exp(self) -> Self {
+        self.elementary(Elementary::Exp)
+    }
+
+    /// Natural logarithm; 0 with derivative 0 for arguments ≤ 0.
+    fn ln(self) -> Self {
+        self.elementary(Elementary::Log)
+    }
 
     /// Absolute value; derivative 0 at 0.
     fn abs(self) -> Self {
@@ -75,7 +91,7 @@ pub trait Real: Field {
         }
     }
 
-    /// Whole power.
+    /// Integer power.
     fn powi(self, n: i32) -> Self {
         let mut product = Self::one();
         for _ in 0..n.unsigned_abs() {

@@ -1,23 +1,23 @@
-//! The dual numbers of the crate num-dual, which are not of our making.
+//! The dual numbers of the crate `num-dual`: an independent implementation of forward differentiation.
 
-use super::{Field, Real};
+use super::{Elementary, Field, Real};
 use num_dual::{Dual64, DualNum};
 use num_traits::{One, Zero};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A dual number of num-dual.
+/// A dual number of `num-dual`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NumDual(pub Dual64);
 
 impl NumDual {
-    /// A value that moves at `slope`.
-    pub fn moving(value: f64, slope: f64) -> Self {
-        Self(Dual64::new(value, slope))
+    /// A value with the given derivative.
+    pub fn new(value: f64, derivative: f64) -> Self {
+        Self(Dual64::new(value, derivative))
     }
 
-    /// Its derivative.
-    pub fn slope(self) -> f64 {
+    /// Derivative.
+    pub fn derivative(self) -> f64 {
         self.0.eps
     }
 }
@@ -42,7 +42,7 @@ impl One for NumDual {
 }
 
 impl Field for NumDual {
-    fn whole(value: i64) -> Self {
+    fn integer(value: i64) -> Self {
         Self::lit(value as f64)
     }
 
@@ -60,48 +60,20 @@ impl Real for NumDual {
         self.0.re
     }
 
-    fn sqrt(self) -> Self {
-        if self.0.re <= 0.0 {
-            Self::zero()
-        } else {
-            Self(self.0.sqrt())
+    fn elementary(self, function: Elementary) -> Self {
+        if function.is_constant_at(self.0.re) {
+            return Self::lit(function.value(self.0.re));
         }
-    }
-
-    fn sin(self) -> Self {
-        Self(self.0.sin())
-    }
-
-    fn cos(self) -> Self {
-        Self(self.0.cos())
-    }
-
-    fn asin(self) -> Self {
-        if self.0.re.abs() >= 1.0 {
-            Self::lit(self.0.re.asin())
-        } else {
-            Self(self.0.asin())
-        }
-    }
-
-    fn atan(self) -> Self {
-        Self(self.0.atan())
-    }
-
-    fn exp(self) -> Self {
-        Self(self.0.exp())
-    }
-
-    fn ln(self) -> Self {
-        if self.0.re <= 0.0 {
-            Self::zero()
-        } else {
-            Self(self.0.ln())
-        }
-    }
-
-    fn tanh(self) -> Self {
-        Self(self.0.tanh())
+        Self(match function {
+            Elementary::Sqrt => self.0.sqrt(),
+            Elementary::Sin => self.0.sin(),
+            Elementary::Cos => self.0.cos(),
+            Elementary::Asin => self.0.asin(),
+            Elementary::Atan => self.0.atan(),
+            Elementary::Exp => self.0.exp(),
+            Elementary::Log => self.0.ln(),
+            Elementary::Tanh => self.0.tanh(),
+        })
     }
 
     fn atan2(self, x: Self) -> Self {

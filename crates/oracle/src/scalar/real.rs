@@ -1,9 +1,9 @@
-//! Plain numbers.
+//! `f64` as a scalar of the oracle.
 
-use super::{Field, Real};
+use super::{Elementary, Field, Real};
 
 impl Field for f64 {
-    fn whole(value: i64) -> Self {
+    fn integer(value: i64) -> Self {
         value as f64
     }
 
@@ -21,36 +21,8 @@ impl Real for f64 {
         self
     }
 
-    fn sqrt(self) -> Self {
-        if self > 0.0 { f64::sqrt(self) } else { 0.0 }
-    }
-
-    fn sin(self) -> Self {
-        f64::sin(self)
-    }
-
-    fn cos(self) -> Self {
-        f64::cos(self)
-    }
-
-    fn asin(self) -> Self {
-        f64::asin(self.clamp(-1.0, 1.0))
-    }
-
-    fn atan(self) -> Self {
-        f64::atan(self)
-    }
-
-    fn exp(self) -> Self {
-        f64::exp(self)
-    }
-
-    fn ln(self) -> Self {
-        if self > 0.0 { f64::ln(self) } else { 0.0 }
-    }
-
-    fn tanh(self) -> Self {
-        f64::tanh(self)
+    fn elementary(self, function: Elementary) -> Self {
+        function.value(self)
     }
 
     fn atan2(self, x: Self) -> Self {

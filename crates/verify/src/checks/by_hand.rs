@@ -12,7 +12,7 @@ use model_spec::load;
 use model_spec::model::Model;
 use oracle::effect::Bound;
 use oracle::point::Point;
-use oracle::scalar::Tracked;
+use oracle::scalar::ErrorBound;
 
 /// Name of the check.
 pub const BY_HAND: &str = "effects by hand";
@@ -67,13 +67,15 @@ pub fn compare(
             point.states[state] = model.states[state].value;
         }
         let point = at_work(model, point, &mut random);
-        let lifted = point.lift::<Tracked>();
+        let lifted = point.lift::<ErrorBound>();
         let got = equations.rates(&point);
         for (i, expected) in by_hand.derivatives(&lifted).into_iter().enumerate() {
             if own.contains(&i) {
                 continue;
             }
-            let error = got.get(i).map_or(f64::INFINITY, |&v| expected.error_of(v));
+            let error = got
+                .get(i)
+                .map_or(f64::INFINITY, |&v| expected.relative_error(v));
             worst.see(error, || {
                 format!("der({}) with {names}", model.states[i].name)
             });
@@ -82,7 +84,7 @@ pub fn compare(
             continue;
         };
         for (expected, got) in by_hand.observation(&lifted).iter().zip(seen.iter()) {
-            let error = expected.error_of(*got);
+            let error = expected.relative_error(*got);
             worst.see(error, || format!("the observation with {names}"));
         }
     }

@@ -1,9 +1,8 @@
-//! Jacobians by states and parameters, of the derivatives and of the observation, against three ways of
-//! differentiating the vector tree that know nothing of the compiler's rules: the dual numbers of
-//! num-dual, complex steps, and dual numbers of our own that also give the size of the terms; and, where
-//! there is a reference, against dual numbers through the law written by hand.
+//! Jacobians with respect to states and parameters, of the state derivatives and of the observation, against three
+//! differentiations of the vector tree that share nothing with the compiler's rules (dual numbers of `num-dual`,
+//! complex steps, dual numbers with error bounds), and against dual numbers through the reference implementation.
 //!
-//! A quaternion is varied along the unit sphere alone: off it, it stands for no attitude.
+//! Quaternions are varied along the unit sphere only: off it they represent no attitude.
 
 use crate::random::Random;
 use crate::report::{Row, Worst};
@@ -14,7 +13,7 @@ use model_spec::model::{FrameKind, Model};
 use oracle::dynamics::derivatives_of;
 use oracle::point::Point;
 use oracle::reference::Reference;
-use oracle::scalar::{ComplexStep, Dual, NumDual, Real, Tracked};
+use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::tree::Tree;
 
 /// Names of the checks, one row each.
@@ -25,104 +24,129 @@ pub const CHECKS: [&str; 4] = [
     "derivatives: reference",
 ];
 
-/// A number that carries a derivative.
-trait Slope: Real {
-    fn moving(value: f64, slope: f64) -> Self;
-    fn slope(self) -> f64;
+type Bounded = Dual<ErrorBound>;
+
+/// A derivative in three ways at once.
+type ThreeWays = Lockstep<Bounded, Lockstep<NumDual, ComplexStep>>;
+
+fn bounded(value: f64, derivative: f64) -> Bounded {
+    Dual::new(ErrorBound::lit(value), ErrorBound::lit(derivative))
 }
 
-impl Slope for NumDual {
-    fn moving(value: f64, slope: f64) -> Self {
-        NumDual::moving(value, slope)
+fn three_ways(value: f64, derivative: f64) -> ThreeWays {
+    Lockstep {
+        first: bounded(value, derivative),
+        second: Lockstep {
+            first: NumDual::new(value, derivative),
+            second: ComplexStep::new(value, derivative),
+        },
     }
-
-    fn slope(self) -> f64 {
-        NumDual::slope(self)
-    }
-}
-
-impl Slope for ComplexStep {
-    fn moving(value: f64, slope: f64) -> Self {
-        ComplexStep::moving(value, slope)
-    }
-
-    fn slope(self) -> f64 {
-        ComplexStep::slope(self)
-    }
-}
-
-type Sized = Dual<Tracked>;
-
-fn sized(value: f64, slope: f64) -> Sized {
-    Dual::moving(Tracked::lit(value), Tracked::lit(slope))
 }
 
 /// Every entry of every Jacobian, structural zeros included.
 pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Options) -> Vec<Row> {
-    let model = subject.model;
-    let added = model.added_states();
     let cases = options.cases.div_ceil(4);
     let mut random = Random::new(options.seed, "derivatives");
-    let mut worst: [Worst; 4] = Default::default();
+    let mut comparison = Comparison {
+        subject,
+        variables: variables(subject.model),
+        worst: Default::default(),
+    };
     for _ in 0..cases {
-        let point = sample::point(model, &mut random);
-        let core = subject.without_extras(point.clone());
-        let got = equations.derivatives(&point);
-        let by_state = equations.by_state(&point);
-        let got_core = equations.derivatives(&core);
-        for (j, name) in variables(model).iter().enumerate() {
-            let column = along(&got, model, &point, j);
-            let shorter = (j < model.states.len()).then(|| along(&by_state, model, &point, j));
-            let Some(sized) = column_of(model, &seed(model, &point, j, self::sized)) else {
-                return CHECKS
-                    .map(|name| Row::skipped(name, "the tree oracle cannot derive it"))
-                    .into();
-            };
-            let dual: Vec<f64> = slopes::<NumDual>(model, &point, j);
-            let step: Vec<f64> = slopes::<ComplexStep>(model, &point, j);
-            for (i, sized) in sized.iter().enumerate() {
-                let Tracked { value, size } = sized.slope;
-                let place = || format!("d {} / d {name}", row_name(model, i));
-                worst[0].see(error(dual[i], size, column[i]), place);
-                worst[1].see(error(step[i], size, column[i]), place);
-                worst[2].see(error(value, size, column[i]), place);
-                if let Some(shorter) = shorter.as_ref().and_then(|shorter| shorter.get(i)) {
-                    worst[2].see(error(value, size, *shorter), || place() + " in f_jac");
-                }
-                for values in [&got.values, &by_state.values] {
-                    let value = values.get(i).map_or(0.0, |&v| sized.value.error_of(v));
-                    worst[2].see(value, || row_name(model, i) + " beside its derivatives");
-                }
-            }
-            if let Some(reference) = &subject.reference {
-                let column = along(&got_core, model, &core, j);
-                let known = known(model, reference, j);
-                let by_hand = by_hand(reference, model, &seed(model, &core, j, self::sized));
-                let of_law = |i: usize| known && !added.contains(&i);
-                for (i, expected) in by_hand.iter().enumerate().filter(|(i, _)| of_law(*i)) {
-                    let place = || format!("d {} / d {name}", row_name(model, i));
-                    let Tracked { value, size } = expected.slope;
-                    worst[3].see(error(value, size, column[i]), place);
-                }
-            }
+        let point = sample::point(subject.model, &mut random);
+        if comparison.with_tree(equations, &point).is_none() {
+            return CHECKS
+                .map(|name| Row::skipped(name, "the vector tree has no equations of motion"))
+                .into();
         }
+        comparison.with_reference(equations, &subject.without_extras(point));
     }
-    let rows = CHECKS
-        .iter()
-        .zip(&worst)
-        .enumerate()
-        .map(|(k, (name, worst))| {
-            if k == 3 && subject.reference.is_none() {
-                Row::skipped(name, "the model claims no reference")
-            } else {
-                Row::judged(name, cases, worst, TOLERANCE)
-            }
-        });
+    let rows = CHECKS.iter().zip(&comparison.worst).enumerate();
+    let rows = rows.map(|(k, (name, worst))| {
+        if k == 3 && subject.reference.is_none() {
+            Row::skipped(name, "the model claims no reference")
+        } else {
+            Row::judged(name, cases, worst, TOLERANCE)
+        }
+    });
     rows.collect()
 }
 
-/// A coefficient that the law does not know has no derivative there, nor has a state that was added.
-fn known(model: &Model, reference: &Reference, variable: usize) -> bool {
+struct Comparison<'a> {
+    subject: &'a Subject<'a>,
+    variables: Vec<String>,
+    /// Largest error of each of [`CHECKS`].
+    worst: [Worst; 4],
+}
+
+impl Comparison<'_> {
+    /// Compares with the vector tree at a point; `None` if the tree cannot be evaluated.
+    fn with_tree(&mut self, equations: &dyn Differentiable, point: &Point<f64>) -> Option<()> {
+        let model = self.subject.model;
+        let got = equations.derivatives(point);
+        let by_state = equations.by_state(point);
+        for (j, name) in self.variables.iter().enumerate() {
+            let column = along(&got, model, point, j);
+            let short = (j < model.states.len()).then(|| along(&by_state, model, point, j));
+            let expected = tree_column(model, &seed(model, point, j, three_ways))?;
+            for (i, expected) in expected.into_iter().enumerate() {
+                let ErrorBound { value, magnitude } = expected.first.derivative;
+                let [num_dual, complex_step, dual] = [
+                    expected.second.first.derivative(),
+                    expected.second.second.derivative(),
+                    value,
+                ];
+                let entry = || format!("d {} / d {name}", row_name(model, i));
+                for (k, expected) in [num_dual, complex_step, dual].into_iter().enumerate() {
+                    self.worst[k].see(error(expected, magnitude, column[i]), entry);
+                }
+                if let Some(short) = short.as_ref().and_then(|short| short.get(i)) {
+                    self.worst[2].see(error(dual, magnitude, *short), || entry() + " in f_jac");
+                }
+                for values in [&got.values, &by_state.values] {
+                    let error = |&v: &f64| expected.first.value.relative_error(v);
+                    self.worst[2].see(values.get(i).map_or(0.0, error), || {
+                        row_name(model, i) + " beside its derivatives"
+                    });
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// Compares with the reference implementation at a point where the extra coefficients vanish.
+    fn with_reference(&mut self, equations: &dyn Differentiable, point: &Point<f64>) {
+        let Some(reference) = &self.subject.reference else {
+            return;
+        };
+        let model = self.subject.model;
+        let added = model.added_states();
+        let got = equations.derivatives(point);
+        for (j, name) in self.variables.iter().enumerate() {
+            if !has_reference(model, reference, j) {
+                continue;
+            }
+            let column = along(&got, model, point, j);
+            // The tree is already instantiated for this scalar, which carries the bounded dual number first.
+            let clocked = seed(model, point, j, three_ways);
+            let clock_rate = Tree::new(model, &clocked).clock().first;
+            let point = seed(model, point, j, bounded);
+            let expected = reference_column(reference, model, &point, clock_rate);
+            for (i, expected) in expected.iter().enumerate() {
+                if added.contains(&i) {
+                    continue;
+                }
+                let ErrorBound { value, magnitude } = expected.derivative;
+                self.worst[3].see(error(value, magnitude, column[i]), || {
+                    format!("d {} / d {name}", row_name(model, i))
+                });
+            }
+        }
+    }
+}
+
+/// Whether the reference implementation depends on a variable: not on added states, nor on coefficients unknown to it.
+fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool {
     if model.added_states().contains(&variable) {
         return false;
     }
@@ -132,13 +156,9 @@ fn known(model: &Model, reference: &Reference, variable: usize) -> bool {
         .is_none_or(|index| !reference.unknown.contains(&index))
 }
 
-/// Names of what is differentiated by: states, then parameters, coefficients and inputs.
-pub fn variables(model: &Model) -> Vec<String> {
-    let constants = model
-        .params
-        .iter()
-        .chain(&model.coefficients)
-        .map(|c| c.name.clone());
+/// Names of the independent variables: states, then parameters, coefficients and components of inputs.
+fn variables(model: &Model) -> Vec<String> {
+    let constants = model.params.iter().chain(&model.coefficients);
     let inputs = model
         .inputs
         .iter()
@@ -147,7 +167,7 @@ pub fn variables(model: &Model) -> Vec<String> {
         .states
         .iter()
         .map(|s| s.name.clone())
-        .chain(constants)
+        .chain(constants.map(|c| c.name.clone()))
         .chain(inputs)
         .collect()
 }
@@ -159,34 +179,35 @@ fn row_name(model: &Model, row: usize) -> String {
     }
 }
 
-/// How fast each state moves when variable `j` does: it alone, but a quaternion along the unit sphere.
+/// Direction of differentiation in state space for variable `j`: a unit vector, projected onto the tangent space of
+/// the unit sphere for components of a quaternion, 0 if `j` is no state.
 fn direction(model: &Model, point: &Point<f64>, j: usize) -> Vec<f64> {
-    let mut slopes = vec![0.0; point.states.len()];
-    if let Some(own) = slopes.get_mut(j) {
-        *own = 1.0;
+    let mut direction = vec![0.0; point.states.len()];
+    if let Some(component) = direction.get_mut(j) {
+        *component = 1.0;
     }
     for frame in &model.frames {
         if let FrameKind::Quaternion { states: q, .. } = frame.kind
             && q.contains(&j)
         {
             q.into_iter()
-                .for_each(|k| slopes[k] -= point.states[j] * point.states[k]);
+                .for_each(|k| direction[k] -= point.states[j] * point.states[k]);
         }
     }
-    slopes
+    direction
 }
 
-/// The point in other numbers, moving in that direction.
+/// The point in scalars that carry derivatives with respect to variable `j`, made by `variable(value, derivative)`.
 fn seed<T: Real>(
     model: &Model,
     point: &Point<f64>,
     j: usize,
-    moving: impl Fn(f64, f64) -> T,
+    variable: fn(f64, f64) -> T,
 ) -> Point<T> {
     let mut out = point.lift::<T>();
-    for (state, slope) in out.states.iter_mut().zip(direction(model, point, j)) {
-        if slope != 0.0 {
-            *state = moving(state.re(), slope);
+    for (state, derivative) in out.states.iter_mut().zip(direction(model, point, j)) {
+        if derivative != 0.0 {
+            *state = variable(state.re(), derivative);
         }
     }
     let Some(k) = j.checked_sub(out.states.len()) else {
@@ -194,62 +215,58 @@ fn seed<T: Real>(
     };
     let constants = out.params.iter_mut().chain(&mut out.coefficients);
     let inputs = out.inputs.iter_mut().flat_map(|v| v.iter_mut());
-    if let Some(place) = constants.chain(inputs).nth(k) {
-        *place = moving(place.re(), 1.0);
+    if let Some(value) = constants.chain(inputs).nth(k) {
+        *value = variable(value.re(), 1.0);
     }
     out
 }
 
-/// What the Jacobians say of that direction, row by row, with the size of the entries that take part: a
-/// direction along the unit sphere is so only up to rounding, and entries off it say nothing.
-fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<Tracked> {
-    let mut slopes = direction(model, point, j);
-    slopes.resize(got.entries.first().map_or(0, Vec::len), 0.0);
+/// Directional derivative of each row for variable `j` from the Jacobians, with the magnitude of the entries in the sum:
+/// the direction is tangent to the unit sphere only to rounding.
+fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<ErrorBound> {
+    let mut direction = direction(model, point, j);
+    direction.resize(got.entries.first().map_or(0, Vec::len), 0.0);
     if j >= point.states.len() {
-        slopes[j] = 1.0;
+        direction[j] = 1.0;
     }
     let sum = |row: &Vec<f64>| {
-        let taking_part = slopes.iter().zip(row).filter(|(slope, _)| **slope != 0.0);
-        Tracked {
-            value: taking_part
-                .clone()
-                .map(|(slope, entry)| slope * entry)
-                .sum(),
-            size: taking_part.map(|(_, entry)| entry.abs()).sum(),
+        let nonzero = direction.iter().zip(row).filter(|(d, _)| **d != 0.0);
+        ErrorBound {
+            value: nonzero.clone().map(|(d, entry)| d * entry).sum(),
+            magnitude: nonzero.map(|(_, entry)| entry.abs()).sum(),
         }
     };
     got.entries.iter().map(sum).collect()
 }
 
-/// The difference of two derivatives against the size of the terms of either.
-fn error(expected: f64, size: f64, got: Tracked) -> f64 {
-    Tracked {
+/// Difference of two derivatives relative to the larger magnitude.
+fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
+    ErrorBound {
         value: expected,
-        size: size.max(got.size),
+        magnitude: magnitude.max(got.magnitude),
     }
-    .error_of(got.value)
+    .relative_error(got.value)
 }
 
-/// Derivatives of the states, then the observation.
-fn column_of<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
+/// State derivatives and observation by the vector tree.
+fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     let tree = Tree::new(model, point);
     let mut out = derivatives_of(&tree).ok()?;
-    if let Some(seen) = &model.observation {
-        out.extend(tree.vector(&seen.value).iter());
+    if let Some(observed) = &model.observation {
+        out.extend(tree.vector(&observed.value).iter());
     }
     Some(out)
 }
 
-fn slopes<T: Slope>(model: &Model, point: &Point<f64>, j: usize) -> Vec<f64> {
-    let column = column_of(model, &seed(model, point, j, T::moving)).unwrap_or_default();
-    column.into_iter().map(T::slope).collect()
-}
-
-fn by_hand(reference: &Reference, model: &Model, point: &Point<Sized>) -> Vec<Sized> {
-    // The law speaks of the flight's own time.
-    let pace = Tree::new(model, point).clock();
+/// State derivatives by the time of the clock, and observation, by the reference implementation.
+fn reference_column(
+    reference: &Reference,
+    model: &Model,
+    point: &Point<Bounded>,
+    clock_rate: Bounded,
+) -> Vec<Bounded> {
     let rates = reference.derivatives(point).into_iter();
-    let mut out: Vec<Sized> = rates.map(|rate| rate * pace).collect();
+    let mut out: Vec<Bounded> = rates.map(|rate| rate * clock_rate).collect();
     if model.observation.is_some() {
         out.extend(reference.observation(point).iter());
     }

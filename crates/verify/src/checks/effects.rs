@@ -14,7 +14,7 @@ use model_spec::model::Model;
 use model_spec::syntax::ast::ItemKind;
 use oracle::dynamics::derivatives;
 use oracle::point::Point;
-use oracle::scalar::Tracked;
+use oracle::scalar::ErrorBound;
 
 /// Name of the check.
 pub const EFFECTS: &str = "effects off";
@@ -76,15 +76,15 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
                 faults.push(format!("{names}: the model without it has other names"));
                 break;
             };
-            let sizes = derivatives(model, &point.lift::<Tracked>()).unwrap_or_default();
+            let sizes = derivatives(model, &point.lift::<ErrorBound>()).unwrap_or_default();
             let rates = engine.rates(&point);
             let expected = plain.rates(&bare);
             for ((rate, expected), size) in rates.iter().zip(&expected).zip(sizes) {
-                let error = Tracked {
+                let error = ErrorBound {
                     value: *expected,
                     ..size
                 }
-                .error_of(*rate);
+                .relative_error(*rate);
                 worst.see(error, || format!("with {names}"));
             }
         }

@@ -146,6 +146,6 @@ fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
     let v = [random.prime(), random.prime(), random.prime()];
     let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);
     let scale = (Prime::one() + square).inverse();
-    let [x, y, z] = v.map(|t| Prime::whole(2) * t * scale);
+    let [x, y, z] = v.map(|t| Prime::integer(2) * t * scale);
     [(Prime::one() - square) * scale, x, y, z]
 }

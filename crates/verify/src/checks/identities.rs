@@ -12,13 +12,13 @@ use oracle::frames::Placed;
 use oracle::physical::Motion;
 use oracle::point::Point;
 use oracle::rigid::inertia_in_n;
-use oracle::scalar::{Dual, Real, Tracked};
+use oracle::scalar::{Dual, ErrorBound, Real};
 use oracle::tree::Tree;
 
 /// Name of the check.
 pub const IDENTITIES: &str = "momentum and energy";
 
-type Moving = Dual<Tracked>;
+type Bounded = Dual<ErrorBound>;
 
 /// dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, dr/dt = v.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
@@ -38,47 +38,47 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             return Row::skipped(IDENTITIES, "there are no equations to evaluate");
         }
         // Along the motion every state moves at its rate.
-        let moving: Vec<Moving> = point
+        let along: Vec<Bounded> = point
             .states
             .iter()
             .zip(&rates)
-            .map(|(&value, &slope)| Dual {
-                value: Tracked::lit(value),
-                slope: Tracked::lit(slope),
+            .map(|(&value, &rate)| Dual {
+                value: ErrorBound::lit(value),
+                derivative: ErrorBound::lit(rate),
             })
             .collect();
-        let body = chart.physical(&moving);
-        let lift = |v: Tracked| Dual::constant(v);
+        let body = chart.physical(&along);
+        let lift = |v: ErrorBound| Dual::constant(v);
         let mass = lift(properties.mass);
         let momentum = body.velocity * mass;
-        let mut energy = momentum.dot(&body.velocity) / Moving::lit(2.0);
+        let mut energy = momentum.dot(&body.velocity) / Bounded::lit(2.0);
         let mut power = motion.force.dot(&value(&body.velocity));
         if let Some(inertia) = &properties.inertia {
             let axes = body.attitude.matrix();
             let spatial = inertia_in_n(&axes, &inertia.map(lift));
             let angular_momentum = spatial * body.angular_velocity;
-            energy += angular_momentum.dot(&body.angular_velocity) / Moving::lit(2.0);
+            energy += angular_momentum.dot(&body.angular_velocity) / Bounded::lit(2.0);
             power += motion.moment.dot(&value(&body.angular_velocity));
             see(
                 &mut worst,
-                &slope(&angular_momentum),
+                &derivative(&angular_momentum),
                 &motion.moment,
                 "dH/dt against M",
             );
         }
         see(
             &mut worst,
-            &slope(&momentum),
+            &derivative(&momentum),
             &motion.force,
             "dp/dt against F",
         );
         see(
             &mut worst,
-            &slope(&body.position),
+            &derivative(&body.position),
             &value(&body.velocity),
             "dr/dt against v",
         );
-        let (energy, power) = (Vector3::repeat(energy.slope), Vector3::repeat(power));
+        let (energy, power) = (Vector3::repeat(energy.derivative), Vector3::repeat(power));
         see(&mut worst, &energy, &power, "dE/dt against F·v + M·ω");
     }
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
@@ -88,8 +88,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
 /// reference's where there is one, so that a body that answers with another mass is noticed.
 fn loads(
     subject: &Subject<'_>,
-    point: &Point<Tracked>,
-) -> Option<(Motion<Tracked>, MassProperties<Tracked>)> {
+    point: &Point<ErrorBound>,
+) -> Option<(Motion<ErrorBound>, MassProperties<ErrorBound>)> {
     let reference = subject.reference.as_ref();
     let by_hand = || Some((reference?.motion(point), reference?.mass_properties(point)));
     let Some(body) = &subject.model.body else {
@@ -111,32 +111,32 @@ fn loads(
 
 /// The inertia in the body's own frame; the frame it is given in differs from it by a turn.
 fn in_body_frame(
-    tree: &Tree<'_, Tracked>,
-    given: MassProperties<Tracked>,
-) -> MassProperties<Tracked> {
+    tree: &Tree<'_, ErrorBound>,
+    given: MassProperties<ErrorBound>,
+) -> MassProperties<ErrorBound> {
     let rotation = tree.model.body.as_ref().and_then(|b| b.rotation.as_ref());
     let inertia = rotation.zip(given.inertia).map(|(rotation, inertia)| {
-        let frame = |i: usize| -> &Placed<Tracked> { &tree.frames[i] };
-        let turn: Matrix3<Tracked> =
+        let frame = |i: usize| -> &Placed<ErrorBound> { &tree.frames[i] };
+        let turn: Matrix3<ErrorBound> =
             frame(rotation.body_frame).axes.transpose() * frame(rotation.inertia_frame).axes;
         inertia_in_n(&turn, &inertia)
     });
     MassProperties { inertia, ..given }
 }
 
-fn value(v: &Vector3<Moving>) -> Vector3<Tracked> {
+fn value(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {
     v.map(|d| d.value)
 }
 
-fn slope(v: &Vector3<Moving>) -> Vector3<Tracked> {
-    v.map(|d| d.slope)
+fn derivative(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {
+    v.map(|d| d.derivative)
 }
 
-fn see(worst: &mut Worst, change: &Vector3<Tracked>, cause: &Vector3<Tracked>, what: &str) {
+fn see(worst: &mut Worst, change: &Vector3<ErrorBound>, cause: &Vector3<ErrorBound>, what: &str) {
     for (change, cause) in change.iter().zip(cause.iter()) {
         let difference = *change - *cause;
         worst.see(
-            difference.value.abs() / difference.size.max(f64::MIN_POSITIVE),
+            difference.value.abs() / difference.magnitude.max(f64::MIN_POSITIVE),
             || what.to_owned(),
         );
     }

@@ -6,7 +6,7 @@ use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
 use oracle::dynamics::derivatives_of;
-use oracle::scalar::Tracked;
+use oracle::scalar::ErrorBound;
 use oracle::tree::Tree;
 
 /// Name of the check against the law written by hand.
@@ -31,13 +31,15 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     let mut refused: Vec<String> = Vec::new();
     for _ in 0..options.cases {
         let point = subject.without_extras(sample::point(model, &mut random));
-        let lifted = point.lift::<Tracked>();
+        let lifted = point.lift::<ErrorBound>();
         let got = subject.flight_rates(&point);
         for (i, expected) in reference.derivatives(&lifted).into_iter().enumerate() {
             if added.contains(&i) {
                 continue;
             }
-            let error = got.get(i).map_or(f64::INFINITY, |&v| expected.error_of(v));
+            let error = got
+                .get(i)
+                .map_or(f64::INFINITY, |&v| expected.relative_error(v));
             let name = format!("der({})", model.states[i].name);
             note(&mut worst, &mut refused, error, name);
         }
@@ -46,7 +48,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
                 note(
                     &mut worst,
                     &mut refused,
-                    expected.error_of(*got),
+                    expected.relative_error(*got),
                     String::from("the observation"),
                 );
             }
@@ -76,7 +78,7 @@ pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let mut worst = Worst::default();
     for _ in 0..options.cases {
         let point = sample::point(model, &mut random);
-        let lifted = point.lift::<Tracked>();
+        let lifted = point.lift::<ErrorBound>();
         let tree = Tree::new(model, &lifted);
         let expected = match derivatives_of(&tree) {
             Ok(expected) => expected,
@@ -84,7 +86,9 @@ pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
         };
         let got = subject.equations.rates(&point);
         for (i, expected) in expected.into_iter().enumerate() {
-            let error = got.get(i).map_or(f64::INFINITY, |&v| expected.error_of(v));
+            let error = got
+                .get(i)
+                .map_or(f64::INFINITY, |&v| expected.relative_error(v));
             worst.see(error, || format!("der({})", model.states[i].name));
         }
         let seen = subject
@@ -93,7 +97,9 @@ pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
             .zip(model.observation.as_ref());
         if let Some((got, expression)) = seen {
             for (expected, got) in tree.vector(&expression.value).iter().zip(got.iter()) {
-                worst.see(expected.error_of(*got), || String::from("the observation"));
+                worst.see(expected.relative_error(*got), || {
+                    String::from("the observation")
+                });
             }
         }
     }

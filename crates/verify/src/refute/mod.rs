@@ -14,7 +14,7 @@ use edit::{Edit, Editor, snippet};
 use model_spec::model::{Equation, Expr, ExprKind, FrameKind, Function, Model, Shape};
 use model_spec::unit::Unit;
 use oracle::point::Point;
-use oracle::scalar::Tracked;
+use oracle::scalar::ErrorBound;
 use oracle::tree::{Tree, Value};
 use serde::Serialize;
 
@@ -63,15 +63,15 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
     };
     let model = subject.model;
     let mut random = Random::new(options.seed, "refute");
-    let points: Vec<Point<Tracked>> = (0..POINTS)
+    let points: Vec<Point<ErrorBound>> = (0..POINTS)
         .map(|_| {
             subject
                 .without_extras(sample::point(model, &mut random))
                 .lift()
         })
         .collect();
-    let truths: Vec<Vec<Tracked>> = points.iter().map(|p| reference.derivatives(p)).collect();
-    let trees: Vec<Tree<'_, Tracked>> = points
+    let truths: Vec<Vec<ErrorBound>> = points.iter().map(|p| reference.derivatives(p)).collect();
+    let trees: Vec<Tree<'_, ErrorBound>> = points
         .iter()
         .zip(&truths)
         .map(|(point, truth)| Tree::overriding(model, point, &used_derivatives(model, truth)))
@@ -90,7 +90,7 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
 }
 
 /// Derivatives that other equations use: named quantities whose expression is an equation's own.
-fn used_derivatives(model: &Model, truth: &[Tracked]) -> Vec<(usize, Value<Tracked>)> {
+fn used_derivatives(model: &Model, truth: &[ErrorBound]) -> Vec<(usize, Value<ErrorBound>)> {
     let mut out = Vec::new();
     for (index, named) in model.aux_variables.iter().enumerate() {
         let own = model
@@ -104,8 +104,8 @@ fn used_derivatives(model: &Model, truth: &[Tracked]) -> Vec<(usize, Value<Track
 
 struct Bench<'a> {
     model: &'a Model,
-    trees: Vec<Tree<'a, Tracked>>,
-    truths: Vec<Vec<Tracked>>,
+    trees: Vec<Tree<'a, ErrorBound>>,
+    truths: Vec<Vec<ErrorBound>>,
 }
 
 impl Bench<'_> {
@@ -115,8 +115,8 @@ impl Bench<'_> {
         for (tree, truth) in self.trees.iter().zip(&self.truths) {
             let got = tree.scalar(e);
             let truth = truth[state];
-            let size = truth.size.max(got.size).max(f64::MIN_POSITIVE);
-            let error = (got.value - truth.value).abs() / size;
+            let magnitude = truth.magnitude.max(got.magnitude).max(f64::MIN_POSITIVE);
+            let error = (got.value - truth.value).abs() / magnitude;
             worst = if error.is_finite() {
                 worst.max(error)
             } else {

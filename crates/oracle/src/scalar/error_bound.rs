@@ -1,0 +1,156 @@
+//! Numbers with a running error bound.
+//!
+//! `magnitude` is the sum of the absolute values of all summed terms, propagated to first order through every
+//! operation. Without cancellation it is |value|; where terms of size 1 cancel to 1e-9 it stays 2. Errors relative to
+//! it are therefore comparable with the rounding unit, whether or not terms cancel.
+
+use super::{Elementary, Field, Real};
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A value and the magnitude of the terms that sum to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorBound {
+    /// Value.
+    pub value: f64,
+    /// Sum of the absolute values of the terms; at least |value|.
+    pub magnitude: f64,
+}
+
+impl ErrorBound {
+    /// Error of `other` relative to the magnitude: |`other` − value| / magnitude; infinite if either is NaN.
+    pub fn relative_error(self, other: f64) -> f64 {
+        let difference = (other - self.value).abs();
+        if difference == 0.0 {
+            0.0
+        } else if difference.is_finite() {
+            difference / self.magnitude.max(f64::MIN_POSITIVE)
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+impl Add for ErrorBound {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self {
+            value: self.value + o.value,
+            magnitude: self.magnitude + o.magnitude,
+        }
+    }
+}
+
+impl Sub for ErrorBound {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        Self {
+            value: self.value - o.value,
+            magnitude: self.magnitude + o.magnitude,
+        }
+    }
+}
+
+impl Mul for ErrorBound {
+    type Output = Self;
+    fn mul(self, o: Self) -> Self {
+        let value = self.value * o.value;
+        let magnitude =
+            self.value.abs() * o.magnitude + o.value.abs() * self.magnitude - value.abs();
+        Self {
+            value,
+            magnitude: magnitude.max(value.abs()),
+        }
+    }
+}
+
+impl Div for ErrorBound {
+    type Output = Self;
+    fn div(self, o: Self) -> Self {
+        let value = self.value / o.value;
+        let magnitude = (self.magnitude + value.abs() * o.magnitude) / o.value.abs() - value.abs();
+        Self {
+            value,
+            magnitude: magnitude.max(value.abs()),
+        }
+    }
+}
+
+impl Neg for ErrorBound {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            magnitude: self.magnitude,
+        }
+    }
+}
+
+super::assign_ops!([] ErrorBound);
+
+impl Zero for ErrorBound {
+    fn zero() -> Self {
+        Self {
+            value: 0.0,
+            magnitude: 0.0,
+        }
+    }
+
+    fn is_zero(&self) -> bool {
+        self.value == 0.0
+    }
+}
+
+impl One for ErrorBound {
+    fn one() -> Self {
+        Self::lit(1.0)
+    }
+}
+
+impl Field for ErrorBound {
+    fn integer(value: i64) -> Self {
+        Self::lit(value as f64)
+    }
+
+    fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
+        Some(Self::lit(value))
+    }
+}
+
+impl Real for ErrorBound {
+    fn lit(value: f64) -> Self {
+        Self {
+            value,
+            magnitude: value.abs(),
+        }
+    }
+
+    fn re(self) -> f64 {
+        self.value
+    }
+
+    fn elementary(self, function: Elementary) -> Self {
+        let value = function.value(self.value);
+        if function.is_constant_at(self.value) {
+            return Self::lit(value);
+        }
+        let derivative: f64 = function.derivative(self.value, value);
+        Self {
+            value,
+            magnitude: value.abs() + derivative.abs() * self.magnitude,
+        }
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let value = Real::atan2(self.value, x.value);
+        let square = self.value * self.value + x.value * x.value;
+        if square == 0.0 {
+            return Self::zero();
+        }
+        let angle = (x.value.abs() * self.magnitude + self.value.abs() * x.magnitude) / square;
+        Self {
+            value,
+            magnitude: value.abs() + angle,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! The functions of the model language: value, derivative, and behaviour at singular points.
+//!
+//! A new function is added to this file; the scalars that bring implementations of their own ([`NumDual`] and
+//! [`ComplexStep`]) may add one.
+//!
+//! [`NumDual`]: super::NumDual
+//! [`ComplexStep`]: super::ComplexStep
+
+use super::Real;
+use model_spec::model::Function;
+use std::f64::consts::FRAC_PI_2;
+
+/// A function of one argument that each scalar type implements; the other functions of the language are composed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Elementary {
+    /// Square root; 0 with derivative 0 for arguments ≤ 0.
+    Sqrt,
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Arcsine of the argument clamped to [-1, 1]; derivative 0 from there on.
+    Asin,
+    /// Arctangent.
+    Atan,
+    /// Exponential function.
+    Exp,
+    /// Natural logarithm; 0 with derivative 0 for arguments ≤ 0.
+    Log,
+    /// Hyperbolic tangent.
+    Tanh,
+}
+
+impl Elementary {
+    /// Value at a real number.
+    pub fn value(self, x: f64) -> f64 {
+        match self {
+            Self::Sqrt if x > 0.0 => x.sqrt(),
+            Self::Log if x > 0.0 => x.ln(),
+            Self::Sqrt | Self::Log => 0.0,
+            Self::Sin => x.sin(),
+            Self::Cos => x.cos(),
+            Self::Asin => x.clamp(-1.0, 1.0).asin(),
+            Self::Atan => x.atan(),
+            Self::Exp => x.exp(),
+            Self::Tanh => x.tanh(),
+        }
+    }
+
+    /// Derivative at `x`, where the value is `y` and the function is not [constant](Self::is_constant_at).
+    pub fn derivative<T: Real>(self, x: T, y: T) -> T {
+        let one = T::one();
+        match self {
+            Self::Sqrt => one / (y + y),
+            Self::Sin => x.cos(),
+            Self::Cos => -x.sin(),
+            Self::Asin => one / ((one - x) * (one + x)).sqrt(),
+            Self::Atan => one / (one + x * x),
+            Self::Exp => y,
+            Self::Log => one / x,
+            Self::Tanh => (one - y) * (one + y),
+        }
+    }
+
+    /// Whether the language defines the derivative at `x` as 0: outside the domain, and at its ends.
+    pub fn is_constant_at(self, x: f64) -> bool {
+        match self {
+            Self::Sqrt | Self::Log => x <= 0.0,
+            Self::Asin => x.abs() >= 1.0,
+            Self::Sin | Self::Cos | Self::Atan | Self::Exp | Self::Tanh => false,
+        }
+    }
+}
+
+/// Value of a function of the language.
+pub(crate) fn call<T: Real>(function: Function, x: T) -> T {
+    let elementary = |function| x.elementary(function);
+    match function {
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Tan => x.sin() / x.cos(),
+        Function::Asin => elementary(Elementary::Asin),
+        Function::Acos => T::lit(FRAC_PI_2) - elementary(Elementary::Asin),
+        Function::Atan => elementary(Elementary::Atan),
+        Function::Sqrt => x.sqrt(),
+        Function::Exp => x.exp(),
+        Function::Log => x.ln(),
+        Function::Abs => x.abs(),
+        Function::Sign => T::lit(if x.re() == 0.0 { 0.0 } else { x.re().signum() }),
+        Function::Step => T::lit(if x.re() > 0.0 { 1.0 } else { 0.0 }),
+        Function::Tanh => elementary(Elementary::Tanh),
+    }
+}

@@ -1,0 +1,109 @@
+//! Two scalars evaluated side by side.
+
+use super::{Elementary, Field, Real};
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A pair of scalars on which every operation acts separately; comparisons use `first`.
+///
+/// Several kinds of derivatives cost one evaluation of a model, and one instantiation of the code that evaluates it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lockstep<A, B> {
+    /// First scalar, whose real value decides comparisons.
+    pub first: A,
+    /// Second scalar.
+    pub second: B,
+}
+
+impl<A, B> Lockstep<A, B> {
+    fn map<C, D>(self, first: impl FnOnce(A) -> C, second: impl FnOnce(B) -> D) -> Lockstep<C, D> {
+        Lockstep {
+            first: first(self.first),
+            second: second(self.second),
+        }
+    }
+}
+
+macro_rules! binary {
+    ($($trait:ident $method:ident)*) => {$(
+        impl<A: Field, B: Field> $trait for Lockstep<A, B> {
+            type Output = Self;
+            // A call keeps the code of an instantiation small; the operations themselves are long.
+            #[inline(never)]
+            fn $method(self, o: Self) -> Self {
+                self.map(|a| a.$method(o.first), |b| b.$method(o.second))
+            }
+        }
+    )*};
+}
+binary!(Add add Sub sub Mul mul Div div);
+
+impl<A: Field, B: Field> Neg for Lockstep<A, B> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.map(|a| -a, |b| -b)
+    }
+}
+
+super::assign_ops!([A: Field, B: Field] Lockstep<A, B>);
+
+impl<A: Field, B: Field> Zero for Lockstep<A, B> {
+    fn zero() -> Self {
+        Self {
+            first: A::zero(),
+            second: B::zero(),
+        }
+    }
+
+    fn is_zero(&self) -> bool {
+        self.first.is_zero() && self.second.is_zero()
+    }
+}
+
+impl<A: Field, B: Field> One for Lockstep<A, B> {
+    fn one() -> Self {
+        Self {
+            first: A::one(),
+            second: B::one(),
+        }
+    }
+}
+
+impl<A: Field, B: Field> Field for Lockstep<A, B> {
+    fn integer(value: i64) -> Self {
+        Self {
+            first: A::integer(value),
+            second: B::integer(value),
+        }
+    }
+
+    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
+        Some(Self {
+            first: A::literal(value, exact)?,
+            second: B::literal(value, exact)?,
+        })
+    }
+}
+
+impl<A: Real, B: Real> Real for Lockstep<A, B> {
+    fn lit(value: f64) -> Self {
+        Self {
+            first: A::lit(value),
+            second: B::lit(value),
+        }
+    }
+
+    fn re(self) -> f64 {
+        self.first.re()
+    }
+
+    #[inline(never)]
+    fn elementary(self, function: Elementary) -> Self {
+        self.map(|a| a.elementary(function), |b| b.elementary(function))
+    }
+
+    #[inline(never)]
+    fn atan2(self, x: Self) -> Self {
+        self.map(|a| a.atan2(x.first), |b| b.atan2(x.second))
+    }
+}
