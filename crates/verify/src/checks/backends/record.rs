@@ -6,6 +6,7 @@
 //! itself gives on any lanes. One instantiation per model replaces one per model and instruction set; a test compares
 //! the replay with the native instantiations.
 
+use codegen::functions::MathFunction;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Statement, Unary};
 use lanes::Real;
 use std::cell::RefCell;
@@ -34,6 +35,10 @@ fn push(op: Op) -> Recorded {
 
 fn unary(op: Unary, a: Recorded) -> Recorded {
     push(Op::Unary(op, a.0))
+}
+
+fn call(function: MathFunction, a: Recorded) -> Recorded {
+    unary(Unary::Call(function), a)
 }
 
 fn binary(op: Binary, a: Recorded, b: Recorded) -> Recorded {
@@ -97,7 +102,7 @@ impl Real for Recorded {
     }
 
     fn sqrt(self) -> Self {
-        unary(Unary::Sqrt, self)
+        call(MathFunction::Sqrt, self)
     }
 
     fn recip_or_zero(self) -> Self {
@@ -105,7 +110,7 @@ impl Real for Recorded {
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        (unary(Unary::Sin, self), unary(Unary::Cos, self))
+        (call(MathFunction::Sin, self), call(MathFunction::Cos, self))
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -113,23 +118,23 @@ impl Real for Recorded {
     }
 
     fn exp(self) -> Self {
-        unary(Unary::Exp, self)
+        call(MathFunction::Exp, self)
     }
 
     fn log(self) -> Self {
-        unary(Unary::Log, self)
+        call(MathFunction::Log, self)
     }
 
     fn tanh(self) -> Self {
-        unary(Unary::Tanh, self)
+        call(MathFunction::Tanh, self)
     }
 
     fn asin(self) -> Self {
-        unary(Unary::Asin, self)
+        call(MathFunction::Asin, self)
     }
 
     fn abs(self) -> Self {
-        unary(Unary::Abs, self)
+        call(MathFunction::Abs, self)
     }
 
     fn min(self, other: Self) -> Self {
@@ -141,11 +146,11 @@ impl Real for Recorded {
     }
 
     fn sign(self) -> Self {
-        unary(Unary::Sign, self)
+        call(MathFunction::Sign, self)
     }
 
     fn heaviside(self) -> Self {
-        unary(Unary::Step, self)
+        call(MathFunction::Heaviside, self)
     }
 
     fn if_zero(self, then: Self, otherwise: Self) -> Self {
