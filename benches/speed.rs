@@ -2,9 +2,9 @@
 
 use codegen::tape::{Inputs, Tape};
 use criterion::{Criterion, criterion_group, criterion_main};
-use flight::{Event, Options, equations, fly_to_end};
 use generated::disc;
 use lanes::{Isa, Kernel, Lanes, dispatch};
+use ode::{Event, IntegrationOptions, integrate_to_end, rhs_from_fn};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -116,15 +116,15 @@ fn in_lanes(c: &mut Criterion) {
 
 fn flight(c: &mut Criterion) {
     let (p, k) = (disc::DEFAULTS, prepared());
-    let mut thrown = equations(&disc::STATES, |t, x: &[f64; 12], dx: &mut [f64; 12]| {
+    let mut thrown = rhs_from_fn(&disc::STATES, |t, x: &[f64; 12], dx: &mut [f64; 12]| {
         disc::f(t, x, &p, &k, dx)
     });
-    let options = Options::tolerance(1e-6);
+    let options = IntegrationOptions::with_tolerance(1e-6);
     c.bench_function("backhand to the ground at 1e-6", |b| {
         b.iter(|| {
-            let ground = Event::falls_to("ground", 2, 0.0).ends_flight();
+            let ground = Event::falls_to("ground", 2, 0.0).terminal();
             let start = (0.0, black_box(&THROW));
-            fly_to_end(&mut thrown, start, 60.0, &options, &mut [ground]).map(|end| end.time)
+            integrate_to_end(&mut thrown, start, 60.0, &options, &mut [ground]).map(|end| end.time)
         })
     });
 }

@@ -1,8 +1,8 @@
 //! Whole flights: FrisPy's own, against FrisPy, and the backhand of our disc.
 
-use flight::{Event, Method, Options, equations, fly, fly_to_end};
 use generated::disc;
 use libloading::Library;
+use ode::{Event, IntegrationOptions, Method, integrate, integrate_to_end, rhs_from_fn};
 use serde_json::Value;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -94,16 +94,16 @@ fn fly_frispy(
     reference: &[f64],
     mut rate: impl FnMut(f64, &[f64; 12], &mut [f64; 12]),
 ) -> Timed {
-    let options = Options {
+    let options = IntegrationOptions {
         method,
-        relative: 1e-6,
-        absolute: 1e-9,
-        ..Options::default()
+        rtol: 1e-6,
+        atol: 1e-9,
+        ..IntegrationOptions::default()
     };
-    let mut frispy = equations(&[], |t, x: &[f64; 12], dx: &mut [f64; 12]| rate(t, x, dx));
+    let mut frispy = rhs_from_fn(&[], |t, x: &[f64; 12], dx: &mut [f64; 12]| rate(t, x, dx));
     let mut once = || {
-        let ground = Event::falls_to("ground", 2, 0.0).ends_flight();
-        fly_to_end(
+        let ground = Event::falls_to("ground", 2, 0.0).terminal();
+        integrate_to_end(
             &mut frispy,
             (0.0, black_box(start)),
             10.0,
@@ -123,7 +123,7 @@ fn fly_frispy(
         error: Some(error.fold(0.0, f64::max)),
         work: format!(
             "{} steps, {} evaluations",
-            end.work.steps, end.work.evaluations
+            end.stats.steps, end.stats.evaluations
         ),
     }
 }
@@ -140,13 +140,13 @@ fn backhand() -> Timed {
     let mut k = [0.0; disc::PREPARED.len()];
     let p: [f64; disc::PARAMETERS.len()] = p.try_into().expect("all parameters");
     (disc::MODEL.prepare)(&p, &mut k);
-    let mut disc = equations(&disc::STATES, |t, x: &[f64; 12], dx: &mut [f64; 12]| {
+    let mut disc = rhs_from_fn(&disc::STATES, |t, x: &[f64; 12], dx: &mut [f64; 12]| {
         (disc::MODEL.f)(t, x, &p, &k, dx);
     });
-    let options = Options::tolerance(1e-6);
+    let options = IntegrationOptions::with_tolerance(1e-6);
     let mut once = || {
-        let ground = Event::falls_to("ground", 2, 0.0).ends_flight();
-        fly(
+        let ground = Event::falls_to("ground", 2, 0.0).terminal();
+        integrate(
             &mut disc,
             (0.0, black_box(&x)),
             600.0,
@@ -165,7 +165,7 @@ fn backhand() -> Timed {
         error: None,
         work: format!(
             "{} steps, {} evaluations",
-            end.work.steps, end.work.evaluations
+            end.stats.steps, end.stats.evaluations
         ),
     }
 }

@@ -4,10 +4,11 @@ use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, anyhow, bail};
-use flight::body::Body;
+use flight::CompiledModel;
 use flight::release::{BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_file};
-use flight::{Event, Flight, Options, fly, fly_to_event, trajectory_csv};
+use flight::trajectory_csv;
 use model_spec::model::Model;
+use ode::{Event, IntegrationOptions, Trajectory, integrate, integrate_to_event};
 use report::figures::{StateLabel, flight as picture};
 
 use super::number;
@@ -29,7 +30,7 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     }
     check_numbers(options)?;
     let (model, release) = prepare(options)?;
-    let body = Body::new(&model);
+    let body = CompiledModel::new(&model);
     let flight = flown(&body, &release, options)?;
     output::print(summary(&model, &body, &flight))?;
     if let Some(folder) = &options.out {
@@ -154,22 +155,26 @@ pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::
     Ok(())
 }
 
-fn flown(body: &Body, release: &Release, options: &Simulate) -> anyhow::Result<Flight> {
+fn flown(
+    body: &CompiledModel,
+    release: &Release,
+    options: &Simulate,
+) -> anyhow::Result<Trajectory> {
     let layout = body.layout();
-    let conditions = body.with(body.parameters(release));
+    let conditions = body.bind(body.release_parameters(release));
     let start: Box<[f64]> = release.state().into();
     let mut events = conditions.limits();
     if let Some(z) = layout.state("z").map(|z| z.index()) {
         events.push(Event::peak_of("apex", z));
         if release.stop == Stop::Ground {
-            events.push(Event::falls_to("ground", z, 0.0).ends_flight());
+            events.push(Event::falls_to("ground", z, 0.0).terminal());
         }
     }
-    let settings = Options::tolerance(options.tolerance);
-    let mut motion = conditions.motion();
+    let settings = IntegrationOptions::with_tolerance(options.tolerance);
+    let mut motion = conditions.rhs();
     let flight = match release.stop {
-        Stop::Duration(end) => fly(&mut motion, (0.0, &start), end, &settings, &mut events),
-        Stop::Ground => fly_to_event(
+        Stop::Duration(end) => integrate(&mut motion, (0.0, &start), end, &settings, &mut events),
+        Stop::Ground => integrate_to_event(
             &mut motion,
             (0.0, &start),
             Release::LONGEST,
@@ -180,13 +185,13 @@ fn flown(body: &Body, release: &Release, options: &Simulate) -> anyhow::Result<F
     Ok(flight?)
 }
 
-fn summary(model: &Model, body: &Body, flight: &Flight) -> String {
+fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
     let end = |name: &str| {
         body.layout()
             .state(name)
             .map(|state| flight.end_state[state.index()])
     };
-    let why = flight.ended_by.as_deref().unwrap_or("time");
+    let why = flight.terminal_event.as_deref().unwrap_or("time");
     let mut text = format!("{}: {:.4} s, ended by {why}\n", model.name, flight.end);
     for state in &model.states {
         let value = end(&state.name).unwrap_or(f64::NAN);
@@ -210,7 +215,7 @@ fn summary(model: &Model, body: &Body, flight: &Flight) -> String {
     let _ = writeln!(
         text,
         "  {} steps, {} evaluations of {by}",
-        flight.work.steps, flight.work.evaluations
+        flight.stats.steps, flight.stats.evaluations
     );
     text
 }
@@ -219,7 +224,7 @@ fn write(
     folder: &Path,
     model: &Model,
     release: &Release,
-    flight: &Flight,
+    flight: &Trajectory,
     options: &Simulate,
 ) -> anyhow::Result<()> {
     let names: Vec<&str> = model

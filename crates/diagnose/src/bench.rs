@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use codegen::Layout;
 use flight::batch;
-use flight::body::{Body, Conditions};
-use flight::sensitivity::Linearised;
+use flight::{BoundModel, CompiledModel};
 use identify::StateManifold;
 use identify::dataset::{Dataset, Role};
 use identify::{
@@ -16,6 +15,7 @@ use identify::{
 };
 use model_spec::layout::StateId;
 use nalgebra::DVector;
+use ode::DifferentiableRhs;
 
 use crate::catalogue::{Candidate, Catalogue};
 use crate::kept::{Kept, Vantage};
@@ -77,7 +77,7 @@ impl Bench {
             ..*options
         };
         let fixed = off(catalogue, &[]);
-        let body = Body::on_tape_at(&catalogue.model, &fixed);
+        let body = CompiledModel::specialized(&catalogue.model, &fixed);
         let mut problem = FitProblem::with_body(&catalogue.model, body, dataset, &all)?;
         problem.sigma0 = fitted.problem().sigma0;
         let layout = problem.body.layout();
@@ -226,9 +226,9 @@ impl Bench {
     /// Equations of motion with the terms of a grammar, and the places of all constants.
     fn further<'c>(
         &self,
-        conditions: &'c Conditions<'c>,
+        conditions: &'c BoundModel<'c>,
         grammar: &'c Grammar,
-    ) -> (impl Linearised + use<'c>, Vec<usize>) {
+    ) -> (impl DifferentiableRhs + use<'c>, Vec<usize>) {
         let first = self.problem.body.layout().parameters.len();
         let mut places: Vec<usize> = self.problem.globals.iter().map(|s| s.param).collect();
         places.extend(first..first + grammar.terms.len());
@@ -254,7 +254,7 @@ impl Bench {
             }
             None => {
                 let places: Vec<usize> = self.problem.globals.iter().map(|s| s.param).collect();
-                let motion = conditions.linear_motion();
+                let motion = conditions.differentiable_rhs();
                 each_residual(problem, observations, unknowns, motion, &places, each)
             }
         }
@@ -272,7 +272,7 @@ impl Bench {
     pub fn setting_with(&self, effects: &[usize]) -> FitProblem {
         let fixed = off(&self.catalogue, effects);
         FitProblem {
-            body: Arc::new(Body::on_tape_at(&self.catalogue.model, &fixed)),
+            body: Arc::new(CompiledModel::specialized(&self.catalogue.model, &fixed)),
             ..self.problem.clone()
         }
     }
@@ -397,8 +397,8 @@ fn conditions<'a>(
     problem: &'a FitProblem,
     observations: &Observations,
     global: &DVector<f64>,
-) -> Conditions<'a> {
-    problem.body.with(observations.parameters(problem, global))
+) -> BoundModel<'a> {
+    problem.body.bind(observations.parameters(problem, global))
 }
 
 /// Places and values of everything that is off where only these candidates are on.

@@ -96,7 +96,7 @@ impl Flown {
             .map(|k| end * k as f64 / (count - 1) as f64)
             .collect();
         let parameters = observations.parameters(problem, &at.global);
-        let conditions = problem.body.with(parameters);
+        let conditions = problem.body.bind(parameters);
         let first = problem.body.layout().parameters.len();
         let each = grammar.places.iter();
         let loads: Vec<usize> = each.flat_map(|&place| vec![place; count]).collect();

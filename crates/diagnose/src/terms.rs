@@ -3,7 +3,7 @@
 //! A term is tried without a model of its own: where it vanishes, its effect on a flight is that of its channel's load, weighed by the
 //! term along the flight.
 
-use flight::body::Conditions;
+use flight::BoundModel;
 use model_spec::layout::{ParamId, QuantityId};
 use model_spec::model::Model;
 
@@ -206,7 +206,7 @@ impl Grammar {
     /// The equations of motion of a body in the conditions of one flight, with the terms' constants from `first` on.
     pub fn motion<'a>(
         &'a self,
-        conditions: &'a Conditions<'a>,
+        conditions: &'a BoundModel<'a>,
         first: usize,
     ) -> Weighted<'a, impl FnMut(f64, &[f64], &mut [f64])> {
         let loads: Vec<usize> = self.terms.iter().map(|t| self.places[t.load]).collect();

@@ -3,12 +3,12 @@
 
 use std::borrow::Cow;
 
-use flight::body::{Conditions, LinearMotion};
-use flight::sensitivity::Linearised;
+use flight::{BoundModel, DifferentiableModelRhs};
+use ode::DifferentiableRhs;
 
 /// Equations of motion whose constants are those of a model, and behind them weighed ones.
 pub struct Weighted<'a, W> {
-    motion: LinearMotion<'a>,
+    motion: DifferentiableModelRhs<'a>,
     pattern: Vec<(usize, usize)>,
     /// Entry of the load, and weight, of each entry behind the model's own.
     sources: Vec<(usize, usize)>,
@@ -20,9 +20,9 @@ pub struct Weighted<'a, W> {
 impl<'a, W: FnMut(f64, &[f64], &mut [f64])> Weighted<'a, W> {
     /// The equations of motion of a body in the conditions of one flight. From `first` on its constants are those that `loads` names by
     /// their place in the layout, each weighed by what `weigh` writes for it at a time (s) and a state.
-    pub fn new(conditions: &'a Conditions<'a>, loads: &[usize], first: usize, weigh: W) -> Self {
-        let motion = conditions.linear_motion();
-        let mut pattern = motion.constant_pattern().to_vec();
+    pub fn new(conditions: &'a BoundModel<'a>, loads: &[usize], first: usize, weigh: W) -> Self {
+        let motion = conditions.differentiable_rhs();
+        let mut pattern = motion.parameter_jacobian_pattern().to_vec();
         let local = pattern.len();
         let mut sources = Vec::new();
         for (index, place) in loads.iter().enumerate() {
@@ -45,20 +45,20 @@ impl<'a, W: FnMut(f64, &[f64], &mut [f64])> Weighted<'a, W> {
     }
 }
 
-impl<W: FnMut(f64, &[f64], &mut [f64])> Linearised for Weighted<'_, W> {
+impl<W: FnMut(f64, &[f64], &mut [f64])> DifferentiableRhs for Weighted<'_, W> {
     fn states(&self) -> usize {
         self.motion.states()
     }
 
-    fn state_pattern(&self) -> &[(usize, usize)] {
-        self.motion.state_pattern()
+    fn jacobian_pattern(&self) -> &[(usize, usize)] {
+        self.motion.jacobian_pattern()
     }
 
-    fn constant_pattern(&self) -> &[(usize, usize)] {
+    fn parameter_jacobian_pattern(&self) -> &[(usize, usize)] {
         &self.pattern
     }
 
-    fn linearise(
+    fn derivative_with_jacobians(
         &mut self,
         t: f64,
         x: &[f64],
@@ -67,7 +67,8 @@ impl<W: FnMut(f64, &[f64], &mut [f64])> Linearised for Weighted<'_, W> {
         by_constant: &mut [f64],
     ) {
         let (local, weighed) = by_constant.split_at_mut(self.local);
-        self.motion.linearise(t, x, dx, by_state, local);
+        self.motion
+            .derivative_with_jacobians(t, x, dx, by_state, local);
         (self.weigh)(t, x, &mut self.weights);
         for (to, &(entry, index)) in weighed.iter_mut().zip(&self.sources) {
             *to = local[entry] * self.weights[index];

@@ -8,13 +8,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// order. Each flight is computed alone, so that the results do not depend on how many threads there are.
 ///
 /// ```
-/// use flight::{Event, Options, batch, equations, fly_to_event};
+/// use flight::batch;
+/// use ode::{Event, IntegrationOptions, integrate_to_event, rhs_from_fn};
 ///
 /// let heights = [1.0, 5.0, 20.0];
 /// let times = batch::each(heights.len(), |i| {
-///     let mut stone = equations(&["z", "vz"], |_, x: &[f64; 2], dx: &mut [f64; 2]| *dx = [x[1], -9.81]);
-///     let ground = Event::falls_to("ground", 0, 0.0).ends_flight();
-///     fly_to_event(&mut stone, (0.0, &[heights[i], 0.0]), 60.0, &Options::default(), &mut [ground]).map(|f| f.end)
+///     let mut stone = rhs_from_fn(&["z", "vz"], |_, x: &[f64; 2], dx: &mut [f64; 2]| *dx = [x[1], -9.81]);
+///     let ground = Event::falls_to("ground", 0, 0.0).terminal();
+///     integrate_to_event(&mut stone, (0.0, &[heights[i], 0.0]), 60.0, &IntegrationOptions::default(), &mut [ground]).map(|f| f.end)
 /// });
 /// assert!(times[2].as_ref().unwrap() > times[1].as_ref().unwrap());
 /// ```

@@ -1,27 +1,19 @@
-//! Flying a model: integration with dense output, events, wind and batches.
+//! Runtime of a flight model: the compiled model with its parameters, its measurement equation, releases.
 
 #![forbid(unsafe_code)]
 
-pub mod aligned;
 pub mod batch;
-pub mod body;
-mod control;
-mod dynamics;
-mod error;
-mod event;
-mod flight;
-mod integrate;
-mod method;
+mod bound_model;
+mod compiled_model;
+mod functions;
+mod observer;
 pub mod release;
-mod root;
-pub mod sensitivity;
-mod table;
-pub mod wind;
+mod rhs;
+mod trajectory_csv;
 
-pub use dynamics::{Dynamics, Equations, Storage, equations};
-pub use error::{Cause, FlightError};
-pub use event::{Event, Occurrence};
-pub use flight::{Flight, fly, fly_at, fly_past, fly_to_end, fly_to_event};
-pub use integrate::{End, Options, Work};
-pub use method::Method;
-pub use table::{trajectory_csv, write_whole};
+pub use bound_model::BoundModel;
+pub use compiled_model::{CompiledModel, ModelState};
+pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace};
+pub use observer::{ModelObserver, ObservationJacobians};
+pub use rhs::{DifferentiableModelRhs, ModelRhs};
+pub use trajectory_csv::{trajectory_csv, write_atomic};

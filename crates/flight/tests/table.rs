@@ -1,8 +1,7 @@
-//! The table of a flight, and files written whole.
+//! The trajectory table, and atomic writes.
 
-mod disc;
-
-use flight::{Event, Options, equations, fly, fly_to_event, trajectory_csv, write_whole};
+use flight::{trajectory_csv, write_atomic};
+use ode::{Event, IntegrationOptions, integrate, integrate_to_event, rhs_from_fn};
 
 fn stone(_: f64, x: &[f64; 2], dx: &mut [f64; 2]) {
     *dx = [x[1], -10.0];
@@ -10,12 +9,12 @@ fn stone(_: f64, x: &[f64; 2], dx: &mut [f64; 2]) {
 
 #[test]
 fn a_trajectory_has_the_rate_and_the_end() {
-    let mut ground = [Event::falls_to("ground", 0, 0.0).ends_flight()];
-    let flight = fly_to_event(
-        &mut equations(&[], stone),
+    let mut ground = [Event::falls_to("ground", 0, 0.0).terminal()];
+    let flight = integrate_to_event(
+        &mut rhs_from_fn(&[], stone),
         (0.0, &[0.45, 1e-9]),
         9.0,
-        &Options::default(),
+        &IntegrationOptions::default(),
         &mut ground,
     )
     .unwrap();
@@ -41,28 +40,28 @@ fn a_trajectory_has_the_rate_and_the_end() {
 
 #[test]
 fn an_end_on_the_rate_is_one_row() {
-    let flight = fly(
-        &mut disc::disc(),
-        (0.0, &disc::THROW),
+    let flight = integrate(
+        &mut rhs_from_fn(&[], stone),
+        (0.0, &[9.0, 1.0]),
         1.0,
-        &Options::default(),
+        &IntegrationOptions::default(),
         &mut [],
     )
     .unwrap();
-    let csv = trajectory_csv(&flight, &disc::NAMES, 120.0);
+    let csv = trajectory_csv(&flight, &["z", "vz"], 120.0);
     assert_eq!(csv.lines().count(), 1 + 121);
     assert!(csv.lines().last().unwrap().starts_with("1.0,"));
     // 0.07 s at 100/s: 0.07 * 100 is a little more than 7.
-    let flight = fly(
-        &mut disc::disc(),
-        (0.0, &disc::THROW),
+    let flight = integrate(
+        &mut rhs_from_fn(&[], stone),
+        (0.0, &[9.0, 1.0]),
         0.07,
-        &Options::default(),
+        &IntegrationOptions::default(),
         &mut [],
     )
     .unwrap();
     assert_eq!(
-        trajectory_csv(&flight, &disc::NAMES, 100.0).lines().count(),
+        trajectory_csv(&flight, &["z", "vz"], 100.0).lines().count(),
         1 + 8
     );
 }
@@ -72,13 +71,13 @@ fn a_file_is_whole_or_as_it_was() {
     let folder = std::env::temp_dir().join(format!("hyzer-table-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let path = folder.join("trajectory.csv");
-    write_whole(&path, "old").unwrap();
-    write_whole(&path, "new").unwrap();
+    write_atomic(&path, "old").unwrap();
+    write_atomic(&path, "new").unwrap();
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
-    assert!(write_whole(&folder.join("absent/trajectory.csv"), "x").is_err());
+    assert!(write_atomic(&folder.join("absent/trajectory.csv"), "x").is_err());
     // A folder of that name cannot be replaced, and nothing else is left.
     std::fs::create_dir(folder.join("taken")).unwrap();
-    assert!(write_whole(&folder.join("taken"), "x").is_err());
+    assert!(write_atomic(&folder.join("taken"), "x").is_err());
     let mut names: Vec<_> = std::fs::read_dir(&folder)
         .unwrap()
         .map(|e| e.unwrap().file_name())

@@ -1,20 +1,20 @@
 //! How each marker is seen: by one observer for all, or by one each where the model asks which marker it is.
 
-use flight::body::{Body, Conditions, Derivatives, Observer};
+use flight::{BoundModel, CompiledModel, ModelObserver, ObservationJacobians};
 use model_spec::layout::ParamId;
 
 /// The input that says which marker is observed, `marker_is`: 1 in the place of the first, second or third.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
 /// The conditions of a flight under which each marker is observed.
-pub struct MarkerConditions<'a>(Vec<Conditions<'a>>);
+pub struct MarkerConditions<'a>(Vec<BoundModel<'a>>);
 
 impl<'a> MarkerConditions<'a> {
     /// One for all of `markers`, unless the model has the input `marker_is`.
-    pub fn new(body: &'a Body, parameters: &[f64], markers: usize) -> Self {
+    pub fn new(body: &'a CompiledModel, parameters: &[f64], markers: usize) -> Self {
         let places = MARKER_IS.map(|name| body.layout().parameter(name).map(ParamId::index));
         if places.iter().all(Option::is_none) {
-            return Self(vec![body.with(parameters.to_vec())]);
+            return Self(vec![body.bind(parameters.to_vec())]);
         }
         let each = (0..markers).map(|marker| {
             let mut parameters = parameters.to_vec();
@@ -23,22 +23,22 @@ impl<'a> MarkerConditions<'a> {
                     parameters[place] = f64::from(u8::from(axis == marker));
                 }
             }
-            body.with(parameters)
+            body.bind(parameters)
         });
         Self(each.collect())
     }
 
     /// What is seen under them.
     pub fn observers(&self) -> MarkerObservers<'_> {
-        MarkerObservers(self.0.iter().map(Conditions::observer).collect())
+        MarkerObservers(self.0.iter().map(BoundModel::observer).collect())
     }
 }
 
 /// Observers, of which each marker has its own.
-pub struct MarkerObservers<'a>(Vec<Observer<'a>>);
+pub struct MarkerObservers<'a>(Vec<ModelObserver<'a>>);
 
 impl<'a> MarkerObservers<'a> {
-    fn of(&mut self, marker: usize) -> &mut Observer<'a> {
+    fn of(&mut self, marker: usize) -> &mut ModelObserver<'a> {
         let last = self.0.len() - 1;
         &mut self.0[marker.min(last)]
     }
@@ -59,8 +59,8 @@ impl<'a> MarkerObservers<'a> {
         t: f64,
         x: &[f64],
         (marker, position): (usize, &[f64; 3]),
-    ) -> ([f64; 3], Derivatives<'_>) {
-        self.of(marker).linearise(t, x, position)
+    ) -> ([f64; 3], ObservationJacobians<'_>) {
+        self.of(marker).position_with_jacobians(t, x, position)
     }
 
     /// The model's named quantities, in the order of the layout.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use flight::body::Body;
+use flight::CompiledModel;
 use model_spec::layout::ParamId;
 use model_spec::model::{Model, Parameter};
 
@@ -61,7 +61,7 @@ pub struct FitProblem {
     /// The model.
     pub model: Arc<Model>,
     /// The model, ready to fly.
-    pub body: Arc<Body>,
+    pub body: Arc<CompiledModel>,
     /// Positions of the markers in the frame that they are fixed in, m.
     pub markers: Vec<[f64; 3]>,
     /// Whether the body turns and its markers show how.
@@ -90,7 +90,7 @@ impl FitProblem {
         dataset: &Dataset,
         options: &FitOptions<'_>,
     ) -> Result<Self, FitError> {
-        Self::with_body(model, Body::new(model), dataset, options)
+        Self::with_body(model, CompiledModel::new(model), dataset, options)
     }
 
     /// The same with the model made ready already.
@@ -99,7 +99,7 @@ impl FitProblem {
     /// As [`new`](Self::new).
     pub fn with_body(
         model: &Model,
-        body: Body,
+        body: CompiledModel,
         dataset: &Dataset,
         options: &FitOptions<'_>,
     ) -> Result<Self, FitError> {
@@ -213,7 +213,7 @@ type Unknowns = (Vec<GlobalParameter>, Vec<(String, f64)>);
 /// Sorts the coefficients, and what is freed beside them, into those.
 fn unknowns(
     model: &Model,
-    body: &Body,
+    body: &CompiledModel,
     parameters: &mut [f64],
     options: &FitOptions<'_>,
 ) -> Result<Unknowns, FitError> {

@@ -1,21 +1,21 @@
 //! A figure of the backhand by the hand-written disc: `cargo run -p report --example figure > flight.svg`.
 
-#[path = "../../flight/tests/disc/mod.rs"]
+#[path = "../../ode/tests/disc/mod.rs"]
 mod disc;
 
-use flight::{Event, Options, fly_to_event};
+use ode::{Event, IntegrationOptions, integrate_to_event};
 use report::figures::{StateLabel, flight};
 
 fn main() {
     let mut events = [
         Event::peak_of("apex", 2),
-        Event::falls_to("ground", 2, 0.0).ends_flight(),
+        Event::falls_to("ground", 2, 0.0).terminal(),
     ];
-    let flown = fly_to_event(
+    let flown = integrate_to_event(
         &mut disc::disc(),
         (0.0, &disc::THROW),
         20.0,
-        &Options::default(),
+        &IntegrationOptions::default(),
         &mut events,
     );
     let units = [

@@ -6,8 +6,8 @@ use crate::random::Random;
 use crate::report::{Row, Worst};
 use crate::same_motion::carry;
 use crate::subject::Subject;
-use flight::Method;
 use nalgebra::{Matrix3, Vector3};
+use ode::Method;
 use oracle::attitude::Quaternion;
 use oracle::dynamics::{MassProperties, mass_properties};
 use oracle::physical::Physical;
@@ -166,7 +166,7 @@ fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
 /// Flies the model's equations; the point at the end.
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
     let mut at = from.clone();
-    let mut moving = flight::equations(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
+    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
         at.time = t;
         at.states.copy_from_slice(x);
         dx.copy_from_slice(&subject.equations.rates(&at));
@@ -207,7 +207,7 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
     start.extend((at.velocity * properties.mass).iter());
     start.extend(at.attitude.parts());
     start.extend(angular_momentum.iter());
-    let mut moving = flight::equations(&[], |_, y: &Vec<f64>, dy: &mut Vec<f64>| {
+    let mut moving = ode::rhs_from_fn(&[], |_, y: &Vec<f64>, dy: &mut Vec<f64>| {
         let body = read(y);
         let motion = reference.motion_at(&body, point);
         let rate = Quaternion {
@@ -223,15 +223,15 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
     integrate(&mut moving, &start).map(|end| read(&end))
 }
 
-fn integrate<D: flight::Dynamics<State = Vec<f64>>>(
+fn integrate<D: ode::OdeRhs<State = Vec<f64>>>(
     d: &mut D,
     start: &Vec<f64>,
 ) -> Result<Vec<f64>, String> {
-    let options = flight::Options {
+    let options = ode::IntegrationOptions {
         method: Method::Dop853,
-        ..flight::Options::tolerance(1e-11)
+        ..ode::IntegrationOptions::with_tolerance(1e-11)
     };
-    flight::fly_to_end(d, (0.0, start), DURATION, &options, &mut [])
+    ode::integrate_to_end(d, (0.0, start), DURATION, &options, &mut [])
         .map(|end| end.state)
         .map_err(|fault| fault.to_string())
 }

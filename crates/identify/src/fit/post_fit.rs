@@ -50,7 +50,7 @@ pub fn post_fit(
             .collect();
         pool.add(&observations.times, &good, noise);
     }
-    let conditions = problem.body.with(observations.parameters(problem, global));
+    let conditions = problem.body.bind(observations.parameters(problem, global));
     let mut observer = conditions.observer();
     let layout = problem.body.layout();
     let mut support = vec![NOTHING; layout.quantities.len() + layout.states.len()];

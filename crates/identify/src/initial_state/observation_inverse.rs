@@ -1,8 +1,8 @@
 //! The state that moves in a given way: Gauss–Newton on the model's own observation.
 
-use flight::Dynamics;
-use flight::body::{Conditions, States};
+use flight::{BoundModel, ModelState};
 use nalgebra::{DMatrix, DVector, Vector3};
+use ode::OdeRhs;
 
 use super::RigidMotion;
 use crate::observations::Observations;
@@ -36,7 +36,7 @@ pub fn state(
         problem.globals.len(),
         problem.globals.iter().map(|global| global.model_value),
     );
-    let conditions = problem.body.with(observations.parameters(problem, &global));
+    let conditions = problem.body.bind(observations.parameters(problem, &global));
     let probes: &[[f64; 3]] = if problem.has_attitude {
         &PROBES
     } else {
@@ -162,7 +162,7 @@ fn quarter_turns() -> Vec<[f64; 4]> {
 fn descend(
     problem: &FitProblem,
     observations: &Observations,
-    conditions: &Conditions<'_>,
+    conditions: &BoundModel<'_>,
     probes: &[[f64; 3]],
     target: &DVector<f64>,
     mut state: DVector<f64>,
@@ -219,18 +219,18 @@ fn descend(
 
 /// Where the model shows the probes, and how they move.
 struct Shown<'a> {
-    observer: flight::body::Observer<'a>,
-    motion: flight::body::Motion<'a>,
-    state: States,
-    rates: States,
+    observer: flight::ModelObserver<'a>,
+    motion: flight::ModelRhs<'a>,
+    state: ModelState,
+    rates: ModelState,
     probes: &'a [[f64; 3]],
 }
 
 impl<'a> Shown<'a> {
-    fn new(conditions: &'a Conditions<'a>, states: usize, probes: &'a [[f64; 3]]) -> Self {
+    fn new(conditions: &'a BoundModel<'a>, states: usize, probes: &'a [[f64; 3]]) -> Self {
         Self {
             observer: conditions.observer(),
-            motion: conditions.motion(),
+            motion: conditions.rhs(),
             state: vec![0.0; states].into(),
             rates: vec![0.0; states].into(),
             probes,
@@ -257,11 +257,16 @@ impl<'a> Shown<'a> {
         let count = 3 * self.probes.len();
         let mut shown = DVector::zeros(2 * count);
         for (probe, position) in self.probes.iter().enumerate() {
-            let (y, derivatives) = self.observer.linearise(0.0, &self.state, position);
+            let (y, derivatives) =
+                self.observer
+                    .position_with_jacobians(0.0, &self.state, position);
             for axis in 0..3 {
                 shown[3 * probe + axis] = y[axis];
             }
-            let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
+            let entries = derivatives
+                .by_state_pattern
+                .iter()
+                .zip(derivatives.by_state);
             for (&(axis, state), value) in entries {
                 shown[count + 3 * probe + axis] += value * self.rates[state] * WEIGHT;
             }

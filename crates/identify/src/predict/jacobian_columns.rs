@@ -1,6 +1,6 @@
 //! Where each unknown stands in a row.
 
-use flight::body::Derivatives;
+use flight::ObservationJacobians;
 use lanes::{Kernel, Lanes};
 
 use crate::least_squares::GramAccumulator;
@@ -74,7 +74,7 @@ impl JacobianColumns {
     /// Puts the derivatives of a marker's position by the unknowns into the rows of its axes.
     pub fn derive<'s>(
         &self,
-        derivatives: &Derivatives<'_>,
+        derivatives: &ObservationJacobians<'_>,
         row_of: impl Fn(usize) -> &'s [f64],
         constants: &[usize],
         rows: &mut [Vec<f64>; 3],
@@ -84,14 +84,17 @@ impl JacobianColumns {
             row_of,
             rows,
         });
-        let entries = derivatives.by_state_at.iter().zip(derivatives.by_state);
+        let entries = derivatives
+            .by_state_pattern
+            .iter()
+            .zip(derivatives.by_state);
         for (&(axis, state), &value) in entries {
             if let Some(place) = self.still[state] {
                 rows[axis][place] += value;
             }
         }
         let entries = derivatives
-            .by_parameter_at
+            .by_parameter_pattern
             .iter()
             .zip(derivatives.by_parameter);
         for (&(axis, place), &value) in entries {
@@ -104,7 +107,7 @@ impl JacobianColumns {
 
 /// Rows of a marker by what is flown: its derivatives by the states, times how those change.
 struct Chain<'a, R> {
-    derivatives: &'a Derivatives<'a>,
+    derivatives: &'a ObservationJacobians<'a>,
     /// How a state changes, padded with zeros to whole lanes.
     row_of: R,
     rows: &'a mut [Vec<f64>; 3],
@@ -115,14 +118,14 @@ impl<'s, R: Fn(usize) -> &'s [f64]> Kernel for Chain<'_, R> {
 
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        let Derivatives {
-            by_state_at,
+        let ObservationJacobians {
+            by_state_pattern,
             by_state,
             ..
         } = self.derivatives;
         for (axis, row) in self.rows.iter_mut().enumerate() {
             row.fill(0.0);
-            let all = by_state_at.iter().zip(*by_state);
+            let all = by_state_pattern.iter().zip(*by_state);
             let mut entries = all.filter(|((at, _), _)| *at == axis);
             // Two at a time, so that the row is read and written half as often.
             while let Some((&(_, state), &value)) = entries.next() {

@@ -7,11 +7,11 @@ mod weighted_rows;
 
 use std::ops::Range;
 
-use flight::body::States;
-use flight::sensitivity::{Linearised, Sensitivities};
-use flight::{Method, Options, fly_at, fly_past};
+use flight::ModelState;
 use model_spec::model::Model;
 use nalgebra::DVector;
+use ode::{DifferentiableRhs, Sensitivities};
+use ode::{IntegrationOptions, Method, integrate_at, integrate_with_callback};
 
 use self::jacobian_columns::JacobianColumns;
 use self::weighted_rows::WeightedRows;
@@ -81,12 +81,12 @@ pub fn linearise(
     by: Unknowns,
     loss: Loss<'_>,
 ) -> Result<NormalBlock, String> {
-    let conditions = problem.body.with(observations.parameters(problem, global));
+    let conditions = problem.body.bind(observations.parameters(problem, global));
     let constants: Vec<usize> = match by {
         Unknowns::Local => Vec::new(),
         Unknowns::All => problem.globals.iter().map(|global| global.param).collect(),
     };
-    let by = (conditions.linear_motion(), constants.as_slice());
+    let by = (conditions.differentiable_rhs(), constants.as_slice());
     linearise_with(
         problem,
         observations,
@@ -104,7 +104,7 @@ pub fn linearise(
 ///
 /// # Errors
 /// In words, where the flight is impossible.
-pub fn linearise_with<M: Linearised>(
+pub fn linearise_with<M: DifferentiableRhs>(
     problem: &FitProblem,
     observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
@@ -113,7 +113,7 @@ pub fn linearise_with<M: Linearised>(
     (motion, constants): (M, &[usize]),
     kept: Option<&mut Option<Vec<f64>>>,
 ) -> Result<NormalBlock, String> {
-    let columns = JacobianColumns::new(observations, motion.state_pattern(), constants.len());
+    let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), constants.len());
     let tolerance = match loss {
         // Where residuals are far from noise yet, what is left of them counts.
         Loss::Huber(scale) if scale > FAR * problem.sigma0 => ROUGH_TOLERANCE * scale,
@@ -142,7 +142,7 @@ pub fn linearise_with<M: Linearised>(
 ///
 /// # Errors
 /// In words, where the flight is impossible.
-pub fn each_residual<M: Linearised>(
+pub fn each_residual<M: DifferentiableRhs>(
     problem: &FitProblem,
     observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
@@ -150,7 +150,7 @@ pub fn each_residual<M: Linearised>(
     constants: &[usize],
     mut each: impl FnMut(PointResidual<'_>),
 ) -> Result<(), String> {
-    let columns = JacobianColumns::new(observations, motion.state_pattern(), constants.len());
+    let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), constants.len());
     let flight = TrajectoryPass {
         problem,
         observations,
@@ -217,7 +217,7 @@ struct ObservedPoint<'r> {
 }
 
 impl TrajectoryPass<'_> {
-    fn each<M: Linearised>(
+    fn each<M: DifferentiableRhs>(
         &self,
         (motion, constants): (M, &[usize]),
         columns: &JacobianColumns,
@@ -228,7 +228,7 @@ impl TrajectoryPass<'_> {
         // Only how many columns there are counts here; they are filled along the chart.
         let moving: Vec<usize> = (0..columns.moving).collect();
         let mut variations = Sensitivities::new(motion, &moving, constants);
-        let places = variations.places();
+        let places = variations.layout();
         let parameters = observations.parameters(problem, self.global);
         let sight = MarkerConditions::new(&problem.body, &parameters, observations.markers);
         let mut observers = sight.observers();
@@ -262,22 +262,24 @@ impl TrajectoryPass<'_> {
             return Ok(());
         }
         let tangent = columns.tangent(&observations.manifold.tangent(self.local.as_slice()));
-        let start = variations.start_along(self.local.as_slice(), &tangent);
+        let start = variations.initial_state_with(self.local.as_slice(), &tangent);
         let (from, options) = ((times[0], &start), options(self.tolerance));
         let cache = match kept {
             Some(kept) => {
                 let mut cache = vec![0.0; length * times.len()];
-                fly_at(&mut variations, from, times, &options, &mut [], &mut cache).map(|_| {
-                    for (sample, both) in kept.insert(cache).chunks(length).enumerate() {
-                        visit(sample, both);
-                    }
-                })
+                integrate_at(&mut variations, from, times, &options, &mut [], &mut cache).map(
+                    |_| {
+                        for (sample, both) in kept.insert(cache).chunks(length).enumerate() {
+                            visit(sample, both);
+                        }
+                    },
+                )
             }
             None => {
                 let observed = problem.body.observed_states();
-                let observed = observed.into_iter().map(|state| places.of_row(state));
-                let shown = joined(std::iter::once(places.of_state()).chain(observed));
-                fly_past(&mut variations, from, times, &options, &shown, visit)
+                let observed = observed.into_iter().map(|state| places.row_range(state));
+                let shown = joined(std::iter::once(places.state_range()).chain(observed));
+                integrate_with_callback(&mut variations, from, times, &options, &shown, visit)
             }
         };
         cache.map_err(|error| error.to_string())
@@ -306,16 +308,16 @@ pub fn states(
     (global, local): (&DVector<f64>, &DVector<f64>),
     samples: usize,
 ) -> Result<Vec<f64>, String> {
-    let conditions = problem.body.with(observations.parameters(problem, global));
-    let start: States = local.as_slice().into();
+    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let start: ModelState = local.as_slice().into();
     let times = &observations.times[..samples];
     let mut states = vec![0.0; start.len() * times.len()];
     let (from, options) = (
         (times[0], &start),
         options(LOOSE_TOLERANCE * problem.sigma0),
     );
-    let mut motion = conditions.motion();
-    fly_at(&mut motion, from, times, &options, &mut [], &mut states)
+    let mut motion = conditions.rhs();
+    integrate_at(&mut motion, from, times, &options, &mut [], &mut states)
         .map_err(|error| error.to_string())?;
     Ok(states)
 }
@@ -361,10 +363,10 @@ pub fn residuals_of(
     residuals
 }
 
-/// Options of an integration of this tolerance, m, within its bounds.
-fn options(tolerance: f64) -> Options {
-    Options {
+/// IntegrationOptions of an integration of this tolerance, m, within its bounds.
+fn options(tolerance: f64) -> IntegrationOptions {
+    IntegrationOptions {
         method: Method::Tsit5,
-        ..Options::tolerance(tolerance.clamp(TOLERANCES.0, TOLERANCES.1))
+        ..IntegrationOptions::with_tolerance(tolerance.clamp(TOLERANCES.0, TOLERANCES.1))
     }
 }

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use flight::body::Body;
+use flight::CompiledModel;
 use flight::release::{Release, Stop};
-use flight::{Event, Options, fly_at, fly_to_end};
 use model_spec::model::Model;
+use ode::{Event, IntegrationOptions, integrate_at, integrate_to_end};
 use rand::Rng;
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -22,7 +22,7 @@ const TIME_DECIMALS: i32 = 6;
 pub(super) struct Maker<'a> {
     pub model: &'a Model,
     pub plan: &'a Plan,
-    pub body: Body,
+    pub body: CompiledModel,
     /// The markers.
     pub positions: Vec<[f64; 3]>,
 }
@@ -35,7 +35,7 @@ impl Maker<'_> {
         let mut random = ChaCha12Rng::seed_from_u64(plan.seed);
         random.set_stream(index as u64);
         let state = plan.spread.draw(self.model, &release.state(), &mut random);
-        let parameters = self.body.parameters(release);
+        let parameters = self.body.release_parameters(release);
         let times = self.times(release, &parameters, &state)?;
         let mut positions = self.seen(&parameters, &state, &times)?;
         corrupt(&mut positions, &plan.noise, random.next_u64());
@@ -94,16 +94,16 @@ impl Maker<'_> {
         state: &[f64],
         watched: Option<f64>,
     ) -> Result<f64, String> {
-        let conditions = self.body.with(parameters.to_vec());
+        let conditions = self.body.bind(parameters.to_vec());
         let z = self.body.layout().state("z");
         let z = z.ok_or("the model has no z")?.index();
         let mut events = conditions.limits();
-        events.push(Event::falls_to("ground", z, 0.0).ends_flight());
-        let landed = fly_to_end(
-            &mut conditions.motion(),
+        events.push(Event::falls_to("ground", z, 0.0).terminal());
+        let landed = integrate_to_end(
+            &mut conditions.rhs(),
             (0.0, &state.into()),
             watched.unwrap_or(Release::LONGEST),
-            &Options::tolerance(TOLERANCE),
+            &IntegrationOptions::with_tolerance(TOLERANCE),
             &mut events,
         );
         let landed = landed.map_err(|error| error.to_string())?;
@@ -121,14 +121,14 @@ impl Maker<'_> {
         state: &[f64],
         times: &[f64],
     ) -> Result<Vec<Vec<Option<[f64; 3]>>>, String> {
-        let conditions = self.body.with(parameters.to_vec());
+        let conditions = self.body.bind(parameters.to_vec());
         let mut samples = vec![0.0; times.len() * state.len()];
         // Where the model ends, so does the flight, with an error.
-        fly_at(
-            &mut conditions.motion(),
+        integrate_at(
+            &mut conditions.rhs(),
             (0.0, &state.into()),
             times,
-            &Options::tolerance(TOLERANCE),
+            &IntegrationOptions::with_tolerance(TOLERANCE),
             &mut conditions.limits(),
             &mut samples,
         )

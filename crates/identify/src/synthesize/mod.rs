@@ -7,7 +7,7 @@ mod noise;
 mod spread;
 mod truth;
 
-use flight::body::Body;
+use flight::CompiledModel;
 use flight::release::Release;
 use model_spec::model::Model;
 
@@ -131,7 +131,7 @@ pub fn flights(model: &Model, releases: &[Release], plan: &Plan) -> Result<Made,
     let maker = Maker {
         model,
         plan,
-        body: Body::new(model),
+        body: CompiledModel::new(model),
         positions: markers.iter().map(|marker| marker.position).collect(),
     };
     let mut flights = Vec::with_capacity(plan.flights);

@@ -2,7 +2,7 @@
 
 use super::panel::{Line, Mark, Panel, figure};
 use super::states::{StateLabel, groups, symbol, what};
-use flight::Flight;
+use ode::Trajectory;
 
 /// Points of a line.
 const SAMPLES: usize = 400;
@@ -14,7 +14,7 @@ const APART: f64 = 8.0;
 ///
 /// # Panics
 /// Where there are not as many labels as states.
-pub fn flight(title: &str, flight: &Flight, states: &[StateLabel<'_>]) -> String {
+pub fn flight(title: &str, flight: &Trajectory, states: &[StateLabel<'_>]) -> String {
     assert_eq!(states.len(), flight.states(), "a label for each state");
     let (rows, times) = sampled(flight);
     let place = |name: &str| states.iter().position(|s| s.name == name);
@@ -82,7 +82,7 @@ pub fn flight(title: &str, flight: &Flight, states: &[StateLabel<'_>]) -> String
     figure(title, &panels)
 }
 
-fn sampled(flight: &Flight) -> (Vec<Vec<f64>>, Vec<f64>) {
+fn sampled(flight: &Trajectory) -> (Vec<Vec<f64>>, Vec<f64>) {
     let rate = SAMPLES as f64 / (flight.end - flight.start);
     let (times, rows) = flight.at_rate(rate).unzip();
     (rows, times)
@@ -91,18 +91,18 @@ fn sampled(flight: &Flight) -> (Vec<Vec<f64>>, Vec<f64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ::flight::{Event, Options, equations, fly_to_event};
+    use ode::{Event, IntegrationOptions, integrate_to_event, rhs_from_fn};
 
     fn stone(names: &[StateLabel<'_>]) -> String {
-        let mut d = equations(&[], |_, x: &[f64; 4], dx: &mut [f64; 4]| {
+        let mut d = rhs_from_fn(&[], |_, x: &[f64; 4], dx: &mut [f64; 4]| {
             *dx = [x[3], 0.0, x[2] * 0.0 - 1.0, 0.0]
         });
-        let ground = Event::falls_to("ground <1>", 2, 0.0).ends_flight();
-        let flown = fly_to_event(
+        let ground = Event::falls_to("ground <1>", 2, 0.0).terminal();
+        let flown = integrate_to_event(
             &mut d,
             (0.0, &[0.0, 0.5, 2.0, 3.0]),
             9.0,
-            &Options::default(),
+            &IntegrationOptions::default(),
             &mut [ground],
         );
         flight("A stone & more", &flown.unwrap(), names)

@@ -1,9 +1,9 @@
 //! One of the paper's flights under a reading.
 
-use flight::body::Body;
+use flight::CompiledModel;
 use flight::release::{Vocabulary, built_in, read};
-use flight::{Event, Options, fly};
 use model_spec::model::Model;
+use ode::{Event, IntegrationOptions, integrate};
 
 use crate::paper::claims::Outcome;
 use crate::paper::reading::{Coefficients, Common, RollSpin, SpinDown};
@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 1e-7;
 
 /// Flies one release under many readings.
 pub struct Flyer {
-    body: Body,
+    body: CompiledModel,
     parameters: Vec<f64>,
     initial: Box<[f64]>,
     duration: f64,
@@ -29,11 +29,11 @@ impl Flyer {
     /// In words, where the built-in model, effect or release cannot be used.
     pub fn new(name: &str, duration: f64) -> Result<Self, String> {
         let model = model()?;
-        let body = Body::new(&model);
+        let body = CompiledModel::new(&model);
         let text = built_in(name).ok_or_else(|| format!("no release {name} is built in"))?;
         let release =
             read(name, text, |_| Ok(Vocabulary::of(&model))).map_err(|e| e.to_string())?;
-        let parameters = body.parameters(&release);
+        let parameters = body.release_parameters(&release);
         Ok(Self {
             parameters,
             initial: release.state().into(),
@@ -94,15 +94,15 @@ impl Flyer {
 
     fn outcome(&self, p: Vec<f64>) -> Option<Outcome> {
         let layout = self.body.layout();
-        let conditions = self.body.with(p);
-        let options = Options {
-            most_steps: 5_000,
-            ..Options::tolerance(TOLERANCE)
+        let conditions = self.body.bind(p);
+        let options = IntegrationOptions {
+            max_steps: 5_000,
+            ..IntegrationOptions::with_tolerance(TOLERANCE)
         };
         let z = layout.state("z")?.index();
         let peak = Event::peak_of("apex", z);
-        let flight = fly(
-            &mut conditions.motion(),
+        let flight = integrate(
+            &mut conditions.rhs(),
             (0.0, &self.initial),
             self.duration,
             &options,

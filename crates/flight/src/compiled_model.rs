@@ -1,0 +1,203 @@
+//! A model compiled for evaluation: by generated code where it was generated from this very model, else by the tape.
+
+use crate::bound_model::BoundModel;
+use crate::functions::{ModelFunctions, SparsityPatterns};
+use crate::release::Release;
+use codegen::Layout;
+use codegen::compile::{Effort, Selection, compile, compile_at};
+use codegen::rust::source_hash;
+use codegen::tape_model::TapeModel;
+use model_spec::model::Model;
+use std::borrow::Cow;
+
+/// State vector of a model.
+pub type ModelState = Box<[f64]>;
+
+/// Compiled model: layout, functions with derivatives, and limits of validity. [`bind`](Self::bind) gives it
+/// parameters.
+pub struct CompiledModel {
+    pub(crate) layout: Layout,
+    /// Bound and reason of each limit of validity.
+    pub(crate) limits: Vec<(f64, String)>,
+    pub(crate) functions: Box<dyn ModelFunctions>,
+    pub(crate) patterns: Patterns,
+    is_generated: bool,
+}
+
+/// Sparsity patterns with the index type of the solver.
+#[derive(Clone, Debug)]
+pub(crate) struct Patterns {
+    pub jacobian: Vec<(usize, usize)>,
+    pub parameter_jacobian: Vec<(usize, usize)>,
+    pub observation_by_state: Vec<(usize, usize)>,
+    pub observation_by_parameter: Vec<(usize, usize)>,
+    pub observation_by_marker_len: usize,
+}
+
+impl Patterns {
+    fn new(patterns: &SparsityPatterns<'_>) -> Patterns {
+        let widened = |pattern: &[(u32, u32)]| {
+            let entries = pattern.iter();
+            entries.map(|&(r, c)| (r as usize, c as usize)).collect()
+        };
+        Patterns {
+            jacobian: widened(patterns.jacobian),
+            parameter_jacobian: widened(patterns.parameter_jacobian),
+            observation_by_state: widened(patterns.observation_by_state),
+            observation_by_parameter: widened(patterns.observation_by_parameter),
+            observation_by_marker_len: patterns.observation_by_marker.len(),
+        }
+    }
+}
+
+impl CompiledModel {
+    /// Uses the generated code whose source hash is that of the model; otherwise compiles the model to a tape.
+    pub fn new(model: &Model) -> CompiledModel {
+        let is_same = |code: &&generated::Model| code.source_hash == source_hash(model);
+        match generated::model(&model.name).filter(is_same) {
+            Some(code) => CompiledModel {
+                is_generated: true,
+                ..CompiledModel::with_functions(model, Box::new(*code))
+            },
+            None => CompiledModel::interpreted(model),
+        }
+    }
+
+    /// Compiles the model to a tape, generated code or not.
+    pub fn interpreted(model: &Model) -> CompiledModel {
+        // With all derivatives, as in generated code, so that `prepare` hoists the same invariants and results agree
+        // to the bit.
+        let tape = TapeModel::new(&compile(model));
+        CompiledModel::with_functions(model, Box::new(tape))
+    }
+
+    /// Compiles the model to a tape specialized to the given values of some parameters (by their index in the layout):
+    /// terms that vanish at these values are removed, derivatives by these parameters are kept. Bound values of these
+    /// parameters are ignored.
+    pub fn specialized(model: &Model, fixed: &[(usize, f64)]) -> CompiledModel {
+        let compiled = compile_at(model, &Selection::All, fixed, Effort::Quick);
+        CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
+    }
+
+    /// Uses the given functions, which must be those of the model.
+    pub fn with_functions(model: &Model, functions: Box<dyn ModelFunctions>) -> CompiledModel {
+        let limits = model.limits.iter();
+        CompiledModel {
+            layout: Layout::new(model),
+            limits: limits.map(|l| (l.bound, l.reason.clone())).collect(),
+            patterns: Patterns::new(&functions.patterns()),
+            functions,
+            is_generated: false,
+        }
+    }
+
+    pub(crate) fn state_name(&self, state: usize) -> Cow<'_, str> {
+        match self.layout.states.get(state) {
+            Some(name) => name.as_str().into(),
+            None => format!("state {state}").into(),
+        }
+    }
+
+    /// Whether the functions are generated code.
+    pub fn is_generated(&self) -> bool {
+        self.is_generated
+    }
+
+    /// Names and indices of states, parameters and quantities.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// Indices of the states that the observed position of a marker depends on, in increasing order.
+    pub fn observed_states(&self) -> Vec<usize> {
+        let entries = self.patterns.observation_by_state.iter();
+        let mut states: Vec<usize> = entries.map(|(_, state)| *state).collect();
+        states.sort_unstable();
+        states.dedup();
+        states
+    }
+
+    /// Parameter vector of a release, in the order of the layout: the model's defaults, replaced by the release's
+    /// parameters, coefficients, wind and known inputs. Inputs that the model does not have are ignored.
+    pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
+        let names = self.layout.parameters.iter().map(String::as_str);
+        let mut parameters = release.constants(names.zip(self.layout.default_parameters()));
+        let known = release.known.iter();
+        let inputs = known.map(|(name, value)| (name.as_str(), value));
+        for (name, vector) in inputs.chain([("wind", &release.wind)]) {
+            let components = self.layout.components(name).into_iter().flatten();
+            for (index, value) in components.zip(vector) {
+                parameters[index.index()] = *value;
+            }
+        }
+        parameters
+    }
+
+    /// The model with these parameters, in the order of the layout.
+    pub fn bind(&self, parameters: Vec<f64>) -> BoundModel<'_> {
+        BoundModel::new(self, parameters)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ode::{IntegrationOptions, integrate};
+
+    #[test]
+    fn the_tape_flies_as_the_generated_code_does() {
+        let model = model_spec::load::load("disc", &[]).expect("the disc");
+        let (code, tape) = (
+            CompiledModel::new(&model),
+            CompiledModel::interpreted(&model),
+        );
+        assert!(code.is_generated() && !tape.is_generated());
+        let flown = |compiled: &CompiledModel| {
+            let bound = compiled.bind(compiled.layout().default_parameters());
+            let start = [
+                0.0, 0.0, 1.0, 14.0, 0.0, -1.0, 0.1, -0.2, 0.0, 0.5, 0.0, -50.0,
+            ];
+            let start: Box<[f64]> = Box::new(start);
+            let options = IntegrationOptions::default();
+            let flight = integrate(&mut bound.rhs(), (0.0, &start), 1.0, &options, &mut []);
+            flight.expect("it flies").end_state
+        };
+        assert_eq!(flown(&code), flown(&tape));
+    }
+
+    #[test]
+    fn a_tape_at_given_values_flies_as_the_whole_one_at_these_values() {
+        let names = model_spec::load::EFFECTS.iter().map(|(name, _)| *name);
+        let fits = |name: &&str| model_spec::load::load("disc", &[name]).is_ok();
+        let names: Vec<&str> = names.filter(fits).collect();
+        let model = model_spec::load::load("disc", &names).expect("the disc with all effects");
+        let layout = Layout::new(&model);
+        let own = model.effects.iter().flat_map(|effect| &effect.coefficients);
+        let place = |index| layout.coefficient(index).index();
+        let fixed: Vec<(usize, f64)> = own.map(|c| (place(c.index), c.null_value)).collect();
+        let flown = |compiled: &CompiledModel, unread: f64| {
+            let mut parameters = layout.default_parameters();
+            for &(place, value) in &fixed {
+                parameters[place] = value + unread;
+            }
+            let bound = compiled.bind(parameters);
+            let mut start: ModelState = layout.default_states().into();
+            start[2..12].copy_from_slice(&[1.0, 14.0, 0.0, -1.0, 0.1, -0.2, 0.0, 0.5, 0.0, -50.0]);
+            let (mut rhs, options) = (bound.rhs(), IntegrationOptions::default());
+            let flight = integrate(&mut rhs, (0.0, &start), 1.0, &options, &mut []);
+            flight.expect("it flies").end_state
+        };
+        let whole = flown(&CompiledModel::interpreted(&model), 0.0);
+        let at = flown(&CompiledModel::specialized(&model, &fixed), f64::NAN);
+        for (a, b) in whole.iter().zip(&at) {
+            assert!((a - b).abs() <= 1e-9 * a.abs().max(1.0), "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_changed_model_flies_by_the_tape() {
+        let (_, text) = model_spec::load::MODELS[0];
+        let model = model_spec::load::from_text("changed", &format!("{text}\n"), &[]);
+        assert!(!CompiledModel::new(&model.expect("still a model")).is_generated());
+    }
+}

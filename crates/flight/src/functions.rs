@@ -1,0 +1,239 @@
+//! Functions of a model in `f64`: one trait for all backends of the compiler.
+
+use codegen::tape_model::{At, Scratch, TapeModel};
+
+/// Scratch memory of an evaluation, reused from call to call.
+pub type Workspace = Scratch;
+
+/// Arguments of a model's functions.
+#[derive(Clone, Copy, Debug)]
+pub struct EvaluationPoint<'a> {
+    /// Time since release, s.
+    pub t: f64,
+    /// State vector.
+    pub x: &'a [f64],
+    /// Parameters, coefficients and input components, in the order of the layout.
+    pub p: &'a [f64],
+    /// Values that [`ModelFunctions::prepare`] computed from `p`.
+    pub prepared: &'a [f64],
+}
+
+/// Sparsity patterns of a model's Jacobians: (row, column) of each stored entry, ordered by row.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SparsityPatterns<'a> {
+    /// ∂f/∂x.
+    pub jacobian: &'a [(u32, u32)],
+    /// ∂f/∂p.
+    pub parameter_jacobian: &'a [(u32, u32)],
+    /// ∂y/∂x of the observed position y.
+    pub observation_by_state: &'a [(u32, u32)],
+    /// ∂y/∂p of the observed position y.
+    pub observation_by_parameter: &'a [(u32, u32)],
+    /// Derivative of the observed position by the marker's position in its body frame.
+    pub observation_by_marker: &'a [(u32, u32)],
+}
+
+/// Functions of a compiled model: dx/dt = f(t, x, p), its Jacobians, the observed position y of a marker, named
+/// quantities and limits of validity.
+///
+/// Results are written to slices of at least the model's sizes; shorter ones panic. Entries of Jacobians follow
+/// [`SparsityPatterns`].
+pub trait ModelFunctions: Send + Sync {
+    /// Number of values that [`prepare`](Self::prepare) computes.
+    fn prepared_len(&self) -> usize;
+    /// Sparsity patterns of the Jacobians.
+    fn patterns(&self) -> SparsityPatterns<'_>;
+    /// Computes what depends on the parameters `p` alone.
+    fn prepare(&self, p: &[f64], prepared: &mut [f64]);
+    /// State derivative f.
+    fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]);
+    /// f and ∂f/∂x.
+    fn f_jac(
+        &self,
+        at: EvaluationPoint<'_>,
+        workspace: &mut Workspace,
+        dx: &mut [f64],
+        jacobian: &mut [f64],
+    );
+    /// f, ∂f/∂x and ∂f/∂p.
+    fn f_jac_par(
+        &self,
+        at: EvaluationPoint<'_>,
+        workspace: &mut Workspace,
+        dx: &mut [f64],
+        jacobian: &mut [f64],
+        parameter_jacobian: &mut [f64],
+    );
+    /// Position of a marker in the inertial frame, m, from its position in its body frame, m.
+    fn observe(
+        &self,
+        at: EvaluationPoint<'_>,
+        marker: &[f64; 3],
+        workspace: &mut Workspace,
+        y: &mut [f64; 3],
+    );
+    /// Position of a marker, and its Jacobians by state, parameters and marker: `[by_state, by_parameter,
+    /// by_marker]`.
+    fn observe_jac(
+        &self,
+        at: EvaluationPoint<'_>,
+        marker: &[f64; 3],
+        workspace: &mut Workspace,
+        y: &mut [f64; 3],
+        jacobians: [&mut [f64]; 3],
+    );
+    /// Named quantities, in the order of the layout.
+    fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]);
+    /// Left-hand sides of the limits of validity; the model holds where each is above its bound.
+    fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]);
+}
+
+impl ModelFunctions for generated::Model {
+    fn prepared_len(&self) -> usize {
+        self.prepared.len()
+    }
+
+    fn patterns(&self) -> SparsityPatterns<'_> {
+        SparsityPatterns {
+            jacobian: self.j_pattern,
+            parameter_jacobian: self.jp_pattern,
+            observation_by_state: self.dy_dx_pattern,
+            observation_by_parameter: self.dy_dp_pattern,
+            observation_by_marker: self.dy_dmarker_pattern,
+        }
+    }
+
+    fn prepare(&self, p: &[f64], prepared: &mut [f64]) {
+        (self.prepare)(p, prepared);
+    }
+
+    fn f(&self, at: EvaluationPoint<'_>, _: &mut Workspace, dx: &mut [f64]) {
+        (self.f)(at.t, at.x, at.p, at.prepared, dx);
+    }
+
+    fn f_jac(&self, at: EvaluationPoint<'_>, _: &mut Workspace, dx: &mut [f64], j: &mut [f64]) {
+        (self.f_jac)(at.t, at.x, at.p, at.prepared, dx, j);
+    }
+
+    fn f_jac_par(
+        &self,
+        at: EvaluationPoint<'_>,
+        _: &mut Workspace,
+        dx: &mut [f64],
+        j: &mut [f64],
+        jp: &mut [f64],
+    ) {
+        (self.f_jac_par)(at.t, at.x, at.p, at.prepared, dx, j, jp);
+    }
+
+    fn observe(
+        &self,
+        at: EvaluationPoint<'_>,
+        marker: &[f64; 3],
+        _: &mut Workspace,
+        y: &mut [f64; 3],
+    ) {
+        (self.observe)(at.t, at.x, at.p, at.prepared, marker, y);
+    }
+
+    fn observe_jac(
+        &self,
+        at: EvaluationPoint<'_>,
+        marker: &[f64; 3],
+        _: &mut Workspace,
+        y: &mut [f64; 3],
+        [dy_dx, dy_dp, dy_dmarker]: [&mut [f64]; 3],
+    ) {
+        let EvaluationPoint { t, x, p, prepared } = at;
+        (self.observe_jac)(t, x, p, prepared, marker, y, dy_dx, dy_dp, dy_dmarker);
+    }
+
+    fn quantities(&self, at: EvaluationPoint<'_>, _: &mut Workspace, q: &mut [f64]) {
+        (self.quantities)(at.t, at.x, at.p, at.prepared, q);
+    }
+
+    fn limits(&self, at: EvaluationPoint<'_>, _: &mut Workspace, l: &mut [f64]) {
+        (self.limits)(at.t, at.x, at.p, at.prepared, l);
+    }
+}
+
+/// Arguments of a tape.
+fn tape_arguments(at: EvaluationPoint<'_>) -> At<'_> {
+    let EvaluationPoint { t, x, p, prepared } = at;
+    At { t, x, p, prepared }
+}
+
+impl ModelFunctions for TapeModel {
+    fn prepared_len(&self) -> usize {
+        self.prepared
+    }
+
+    fn patterns(&self) -> SparsityPatterns<'_> {
+        SparsityPatterns {
+            jacobian: self.j_pattern(),
+            parameter_jacobian: self.jp_pattern(),
+            observation_by_state: self.dy_dx_pattern(),
+            observation_by_parameter: self.dy_dp_pattern(),
+            observation_by_marker: self.dy_dmarker_pattern(),
+        }
+    }
+
+    fn prepare(&self, p: &[f64], prepared: &mut [f64]) {
+        prepared.copy_from_slice(&TapeModel::prepare(self, p));
+    }
+
+    fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]) {
+        TapeModel::f(self, tape_arguments(at), workspace, dx);
+    }
+
+    fn f_jac(
+        &self,
+        at: EvaluationPoint<'_>,
+        workspace: &mut Workspace,
+        dx: &mut [f64],
+        j: &mut [f64],
+    ) {
+        TapeModel::f_jac(self, tape_arguments(at), workspace, dx, j);
+    }
+
+    fn f_jac_par(
+        &self,
+        at: EvaluationPoint<'_>,
+        workspace: &mut Workspace,
+        dx: &mut [f64],
+        j: &mut [f64],
+        jp: &mut [f64],
+    ) {
+        TapeModel::f_jac_par(self, tape_arguments(at), workspace, dx, j, jp);
+    }
+
+    fn observe(
+        &self,
+        at: EvaluationPoint<'_>,
+        marker: &[f64; 3],
+        workspace: &mut Workspace,
+        y: &mut [f64; 3],
+    ) {
+        TapeModel::observe(self, tape_arguments(at), marker, workspace, y);
+    }
+
+    fn observe_jac(
+        &self,
+        at: EvaluationPoint<'_>,
+        marker: &[f64; 3],
+        workspace: &mut Workspace,
+        y: &mut [f64; 3],
+        [dy_dx, dy_dp, dy_dmarker]: [&mut [f64]; 3],
+    ) {
+        let results = [y, dy_dx, dy_dp, dy_dmarker];
+        TapeModel::observe_jac(self, tape_arguments(at), marker, workspace, results);
+    }
+
+    fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]) {
+        TapeModel::quantities(self, tape_arguments(at), workspace, q);
+    }
+
+    fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]) {
+        TapeModel::limits(self, tape_arguments(at), workspace, l);
+    }
+}

@@ -1,0 +1,100 @@
+//! Measurement equation of a model: marker positions with their Jacobians, named quantities, limits of validity.
+
+use crate::bound_model::BoundModel;
+use crate::functions::Workspace;
+
+/// Measurement equation of a bound model.
+pub struct ModelObserver<'a> {
+    model: &'a BoundModel<'a>,
+    workspace: Workspace,
+    by_state: Vec<f64>,
+    by_parameter: Vec<f64>,
+    by_marker: Vec<f64>,
+}
+
+/// Sparse Jacobians of a marker's position (three rows: x, y, z of the inertial frame).
+pub struct ObservationJacobians<'o> {
+    /// (row, state) of each entry of the Jacobian by the states.
+    pub by_state_pattern: &'o [(usize, usize)],
+    /// Entries of the Jacobian by the states, m per state unit.
+    pub by_state: &'o [f64],
+    /// (row, parameter) of each entry of the Jacobian by the parameters of the layout.
+    pub by_parameter_pattern: &'o [(usize, usize)],
+    /// Entries of the Jacobian by the parameters, m per parameter unit.
+    pub by_parameter: &'o [f64],
+}
+
+impl<'a> ModelObserver<'a> {
+    pub(crate) fn new(model: &'a BoundModel<'a>) -> Self {
+        let patterns = &model.model.patterns;
+        ModelObserver {
+            model,
+            workspace: Workspace::default(),
+            by_state: vec![0.0; patterns.observation_by_state.len()],
+            by_parameter: vec![0.0; patterns.observation_by_parameter.len()],
+            by_marker: vec![0.0; patterns.observation_by_marker_len],
+        }
+    }
+
+    /// Position of a marker in the inertial frame, m; `marker` is its position in the frame it is fixed in, m.
+    pub fn position(&mut self, t: f64, x: &[f64], marker: &[f64; 3]) -> [f64; 3] {
+        let at = self.model.at(t, x);
+        let mut y = [0.0; 3];
+        self.model
+            .functions()
+            .observe(at, marker, &mut self.workspace, &mut y);
+        y
+    }
+
+    /// Position of a marker as by [`position`](Self::position), with its Jacobians.
+    pub fn position_with_jacobians(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        marker: &[f64; 3],
+    ) -> ([f64; 3], ObservationJacobians<'_>) {
+        let at = self.model.at(t, x);
+        let mut y = [0.0; 3];
+        let jacobians = [
+            &mut self.by_state[..],
+            &mut self.by_parameter,
+            &mut self.by_marker,
+        ];
+        self.model
+            .functions()
+            .observe_jac(at, marker, &mut self.workspace, &mut y, jacobians);
+        let patterns = &self.model.model.patterns;
+        let jacobians = ObservationJacobians {
+            by_state_pattern: &patterns.observation_by_state,
+            by_state: &self.by_state,
+            by_parameter_pattern: &patterns.observation_by_parameter,
+            by_parameter: &self.by_parameter,
+        };
+        (y, jacobians)
+    }
+
+    /// Named quantities of the model, in the order of [`Layout::quantities`](codegen::Layout).
+    pub fn quantities(&mut self, t: f64, x: &[f64]) -> Vec<f64> {
+        let at = self.model.at(t, x);
+        let mut q = vec![0.0; self.model.model.layout.quantities.len()];
+        self.model
+            .functions()
+            .quantities(at, &mut self.workspace, &mut q);
+        q
+    }
+
+    /// Whether the state is within the model's domain of validity: every limit above its bound.
+    pub fn is_within_limits(&mut self, t: f64, x: &[f64]) -> bool {
+        let at = self.model.at(t, x);
+        let limits = &self.model.model.limits;
+        let mut values = vec![0.0; limits.len()];
+        self.model
+            .functions()
+            .limits(at, &mut self.workspace, &mut values);
+        let bounds = limits.iter().map(|(bound, _)| bound);
+        values
+            .iter()
+            .zip(bounds)
+            .all(|(value, bound)| value > bound)
+    }
+}

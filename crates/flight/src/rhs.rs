@@ -1,0 +1,82 @@
+//! A bound model as right-hand side of the solver.
+
+use crate::bound_model::BoundModel;
+use crate::compiled_model::ModelState;
+use crate::functions::Workspace;
+use ode::{DifferentiableRhs, OdeRhs};
+use std::borrow::Cow;
+
+/// Right-hand side dx/dt = f(t, x) of a bound model.
+pub struct ModelRhs<'a> {
+    model: &'a BoundModel<'a>,
+    workspace: Workspace,
+}
+
+impl<'a> ModelRhs<'a> {
+    pub(crate) fn new(model: &'a BoundModel<'a>) -> Self {
+        ModelRhs {
+            model,
+            workspace: Workspace::default(),
+        }
+    }
+}
+
+impl OdeRhs for ModelRhs<'_> {
+    type State = ModelState;
+
+    fn derivative(&mut self, t: f64, x: &ModelState, dx: &mut ModelState) {
+        let functions = self.model.functions();
+        functions.f(self.model.at(t, x), &mut self.workspace, dx);
+    }
+
+    fn state_name(&self, component: usize) -> Cow<'_, str> {
+        self.model.model.state_name(component)
+    }
+}
+
+/// Right-hand side of a bound model with its Jacobians by the states and by all parameters of the layout.
+pub struct DifferentiableModelRhs<'a> {
+    model: &'a BoundModel<'a>,
+    workspace: Workspace,
+}
+
+impl<'a> DifferentiableModelRhs<'a> {
+    pub(crate) fn new(model: &'a BoundModel<'a>) -> Self {
+        DifferentiableModelRhs {
+            model,
+            workspace: Workspace::default(),
+        }
+    }
+}
+
+impl DifferentiableRhs for DifferentiableModelRhs<'_> {
+    fn states(&self) -> usize {
+        self.model.model.layout.states.len()
+    }
+
+    fn jacobian_pattern(&self) -> &[(usize, usize)] {
+        &self.model.model.patterns.jacobian
+    }
+
+    fn parameter_jacobian_pattern(&self) -> &[(usize, usize)] {
+        &self.model.model.patterns.parameter_jacobian
+    }
+
+    fn derivative_with_jacobians(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        dx: &mut [f64],
+        jacobian: &mut [f64],
+        parameter_jacobian: &mut [f64],
+    ) {
+        let (at, workspace) = (self.model.at(t, x), &mut self.workspace);
+        self.model
+            .functions()
+            .f_jac_par(at, workspace, dx, jacobian, parameter_jacobian);
+    }
+
+    fn state_name(&self, state: usize) -> Cow<'_, str> {
+        self.model.model.state_name(state)
+    }
+}

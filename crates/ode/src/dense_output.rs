@@ -1,0 +1,99 @@
+//! State within an accepted step: the method's interpolant, and a cheaper Hermite cubic.
+
+use crate::method::simd::{MIN_SIMD_LEN, WeightedRows};
+use crate::method::{Method, ROWS};
+use crate::rhs::StateVector;
+use std::ops::Range;
+
+/// Dense output of one step: x(t + s h) = Σ weight(s) · row, with s from 0 to 1.
+#[derive(Clone, Copy)]
+pub(crate) struct DenseOutput<'a> {
+    pub method: Method,
+    /// Start of the step.
+    pub t: f64,
+    /// Step size.
+    pub h: f64,
+    /// Coefficient vectors, each as long as the state.
+    pub rows: [&'a [f64]; ROWS],
+}
+
+impl DenseOutput<'_> {
+    /// Writes the state at the fraction `s` of the step to `to`.
+    #[inline]
+    pub(crate) fn state(&self, s: f64, to: &mut [f64]) {
+        let n = to.len();
+        let weights = self.method.weights(s, self.h);
+        if n >= MIN_SIMD_LEN {
+            let rows = self.rows;
+            return lanes::dispatch(WeightedRows { rows, weights, to });
+        }
+        to.copy_from_slice(self.rows[0]);
+        for (row, weight) in self.rows.iter().zip(weights).skip(1) {
+            for (to, value) in to.iter_mut().zip(*row) {
+                *to += weight * value;
+            }
+        }
+    }
+
+    /// Writes the components in `ranges` of the state at the fraction `s` of the step; the others keep their value.
+    pub(crate) fn components(&self, s: f64, ranges: &[Range<usize>], to: &mut [f64]) {
+        let weights = self.method.weights(s, self.h);
+        for range in ranges {
+            let rows = self.rows.map(|row| &row[range.clone()]);
+            let to = &mut to[range.clone()];
+            lanes::dispatch(WeightedRows { rows, weights, to });
+        }
+    }
+
+    /// Component `i` of the state at the fraction `s` of the step; equal in its bits to [`state`](Self::state) of a
+    /// state shorter than [`MIN_SIMD_LEN`].
+    pub(crate) fn component(&self, s: f64, i: usize) -> f64 {
+        let weights = self.method.weights(s, self.h);
+        let mut sum = self.rows[0][i];
+        for (row, weight) in self.rows.iter().zip(weights).skip(1) {
+            sum += weight * row[i];
+        }
+        sum
+    }
+}
+
+/// State and derivative at both ends of an accepted step, interpolated by Hermite's cubic.
+pub(crate) struct HermiteStep<'a, X> {
+    /// Start of the step.
+    pub t: f64,
+    /// Step size.
+    pub h: f64,
+    pub x: &'a X,
+    pub dx: &'a X,
+    pub x_end: &'a X,
+    pub dx_end: &'a X,
+}
+
+impl<X: StateVector> HermiteStep<'_, X> {
+    /// Component `i` at the start and at the end, then h times its derivative at the start and at the end.
+    #[inline(always)]
+    pub(crate) fn ends(&self, i: usize) -> (f64, f64, f64, f64) {
+        (
+            self.x.as_ref()[i],
+            self.x_end.as_ref()[i],
+            self.h * self.dx.as_ref()[i],
+            self.h * self.dx_end.as_ref()[i],
+        )
+    }
+
+    /// Cubic interpolant of component `i` at the fraction `s` of the step.
+    #[inline(always)]
+    pub(crate) fn component(&self, i: usize, s: f64) -> f64 {
+        let (a, b, da, db) = self.ends(i);
+        let r = 1.0 - s;
+        a * r + b * s + s * r * ((da - (b - a)) * r - (db - (b - a)) * s)
+    }
+
+    /// h times the derivative of the cubic interpolant of component `i` at the fraction `s` of the step.
+    #[inline(always)]
+    pub(crate) fn scaled_derivative(&self, i: usize, s: f64) -> f64 {
+        let (a, b, da, db) = self.ends(i);
+        let r = 1.0 - s;
+        da * r + db * s + 3.0 * s * r * (2.0 * (b - a) - da - db)
+    }
+}

@@ -1,0 +1,113 @@
+//! Failure of an integration: return code, time and last state.
+
+use std::fmt;
+
+/// Failed integration: the return code, with the time of failure and the last accepted state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IntegrationError {
+    /// Time of failure, in the time unit of the right-hand side.
+    pub time: f64,
+    /// Name and value of each error-controlled component of the last accepted state; empty where the input was
+    /// invalid.
+    pub states: Vec<(String, f64)>,
+    /// Return code.
+    pub cause: IntegrationFailure,
+}
+
+/// Return code of a failed integration.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum IntegrationFailure {
+    /// An initial state, time, tolerance or step bound is NaN, infinite or not positive.
+    #[error("invalid integration input: {what} is {value}")]
+    InvalidInput {
+        /// The quantity: a state by name, or an option.
+        what: String,
+        /// Its value.
+        value: f64,
+    },
+    /// At the initial state the event function of a terminal event is past its zero already.
+    #[error("invalid initial state: it is already past the terminal event ({event})")]
+    StartsPastEvent {
+        /// Name of the event.
+        event: String,
+    },
+    /// The right-hand side gives NaN or an infinity, however short the step.
+    #[error("the derivative of {state} is {rate}")]
+    NonFiniteDerivative {
+        /// Name of the state component.
+        state: String,
+        /// The non-finite derivative.
+        rate: f64,
+    },
+    /// The error test fails at the minimum step size.
+    #[error("step size below minimum ({} s): d({})/dt is {}", Short(*.step), .state.0, Short(.state.1))]
+    StepTooSmall {
+        /// Size of the last rejected step.
+        step: f64,
+        /// Name and derivative of the state component that changes fastest relative to its value.
+        state: (String, f64),
+    },
+    /// The maximum number of accepted and rejected steps was reached.
+    #[error("the end was not reached in {steps} steps")]
+    TooManySteps {
+        /// The maximum.
+        steps: usize,
+    },
+    /// A limit of the model's domain of validity was crossed; see [`Event::limit`](crate::Event::limit).
+    #[error("limit of validity of the model: {reason}")]
+    Limit {
+        /// Name of the limit.
+        reason: String,
+    },
+    /// No terminal event occurred before the final time of
+    /// [`integrate_to_event`](crate::integrate_to_event).
+    #[error("no terminal event occurred (expected: {event})")]
+    NoTerminalEvent {
+        /// Names of the terminal events, joined by commas.
+        event: String,
+    },
+}
+
+impl fmt::Display for IntegrationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let cause = &self.cause;
+        match cause {
+            IntegrationFailure::InvalidInput { .. }
+            | IntegrationFailure::StartsPastEvent { .. } => write!(f, "{cause}")?,
+            _ => write!(
+                f,
+                "integration failed at t = {} s: {cause}",
+                Short(self.time)
+            )?,
+        }
+        for (i, (name, value)) in self.states.iter().enumerate() {
+            let lead = if i == 0 { "\n  last state: " } else { ", " };
+            write!(f, "{lead}{name} = {}", Short(*value))?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for IntegrationError {}
+
+/// A number in at most seven significant digits.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let magnitude = self.0.abs();
+        if magnitude != 0.0 && !(1e-4..1e7).contains(&magnitude) {
+            return write!(f, "{:.3e}", self.0);
+        }
+        let decimals = if magnitude == 0.0 {
+            0
+        } else {
+            (6 - magnitude.log10().floor() as i32).clamp(0, 9) as usize
+        };
+        let text = format!("{:.decimals$}", self.0);
+        f.write_str(match text.contains('.') {
+            true => text.trim_end_matches('0').trim_end_matches('.'),
+            false => &text,
+        })
+    }
+}

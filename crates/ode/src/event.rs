@@ -1,0 +1,239 @@
+//! Events: zeros of a function g(t, x), located on the dense output of each step.
+
+use crate::dense_output::{DenseOutput, HermiteStep};
+use crate::rhs::{OdeRhs, StateVector};
+use crate::root::first_past_root;
+use std::borrow::Cow;
+
+/// Number of equal parts of a step that are searched for a sign change of an event function on the dense output.
+const SEARCH_INTERVALS: u32 = 8;
+
+/// Event: a zero of a function g(t, x), passed in one direction.
+///
+/// By default an event is recorded where g falls from positive to zero or below; [`rising`](Self::rising) and
+/// [`terminal`](Self::terminal) change that.
+pub struct Event<'a, X> {
+    pub(crate) name: Cow<'a, str>,
+    function: EventFunction<'a, X>,
+    direction: Direction,
+    pub(crate) action: EventAction,
+}
+
+/// Event function g(t, x).
+enum EventFunction<'a, X> {
+    /// A component of the state, less a level.
+    Component(usize, f64),
+    /// The time derivative of a component of the state.
+    Derivative(usize),
+    /// A function of time and state.
+    Function(Box<dyn FnMut(f64, &X) -> f64 + 'a>),
+}
+
+/// Sign change of g that is an event.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Direction {
+    Falling,
+    Rising,
+}
+
+impl Direction {
+    /// g, negated where rising zeros are events, so that events are always falling zeros.
+    #[inline(always)]
+    fn as_falling(self, value: f64) -> f64 {
+        match self {
+            Direction::Falling => value,
+            Direction::Rising => -value,
+        }
+    }
+}
+
+/// What the integration does at an event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum EventAction {
+    Record,
+    Stop,
+    Fail,
+}
+
+/// Time and state at which an event occurred.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Occurrence {
+    /// Name of the event.
+    pub event: String,
+    /// Time of the zero.
+    pub time: f64,
+    /// State at that time.
+    pub state: Vec<f64>,
+}
+
+impl<'a, X: StateVector> Event<'a, X> {
+    /// Event where a state component falls to `level`, in the unit of the component.
+    pub fn falls_to(name: impl Into<Cow<'a, str>>, component: usize, level: f64) -> Self {
+        Self::recorded(name, EventFunction::Component(component, level))
+    }
+
+    /// Event where a state component has a maximum: its derivative falls to 0.
+    pub fn peak_of(name: impl Into<Cow<'a, str>>, component: usize) -> Self {
+        Self::recorded(name, EventFunction::Derivative(component))
+    }
+
+    /// Event where `g(t, x)` falls to 0.
+    pub fn falling(name: impl Into<Cow<'a, str>>, g: impl FnMut(f64, &X) -> f64 + 'a) -> Self {
+        Self::recorded(name, EventFunction::Function(Box::new(g)))
+    }
+
+    /// Limit of validity of a model: where `g(t, x)` falls to 0 the integration fails with
+    /// [`IntegrationFailure::Limit`](crate::IntegrationFailure::Limit) and this reason.
+    pub fn limit(reason: impl Into<Cow<'a, str>>, g: impl FnMut(f64, &X) -> f64 + 'a) -> Self {
+        Event {
+            action: EventAction::Fail,
+            ..Self::falling(reason, g)
+        }
+    }
+
+    /// This event where the event function rises to 0 instead of falling to it.
+    pub fn rising(self) -> Self {
+        Event {
+            direction: Direction::Rising,
+            ..self
+        }
+    }
+
+    /// This event as a terminal one: the integration stops at its first occurrence.
+    pub fn terminal(self) -> Self {
+        Event {
+            action: EventAction::Stop,
+            ..self
+        }
+    }
+
+    fn recorded(name: impl Into<Cow<'a, str>>, function: EventFunction<'a, X>) -> Self {
+        Event {
+            name: name.into(),
+            function,
+            direction: Direction::Falling,
+            action: EventAction::Record,
+        }
+    }
+
+    /// Event function with the sign for which events are falling zeros; `dx` is scratch space.
+    #[inline(always)]
+    fn value<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t: f64, x: &X, dx: &mut X) -> f64 {
+        let value = match &mut self.function {
+            EventFunction::Component(i, level) => x.as_ref()[*i] - *level,
+            EventFunction::Derivative(i) => {
+                rhs.derivative(t, x, dx);
+                dx.as_ref()[*i]
+            }
+            EventFunction::Function(g) => g(t, x),
+        };
+        self.direction.as_falling(value)
+    }
+
+    /// Whether the initial state is past the zero already, or at it and moving past it.
+    pub(crate) fn is_past<D: OdeRhs<State = X>>(
+        &mut self,
+        rhs: &mut D,
+        t: f64,
+        x: &X,
+        dx: &X,
+    ) -> bool {
+        let value = self.value(rhs, t, x, &mut dx.clone());
+        let is_falling = if let EventFunction::Component(i, _) = self.function {
+            self.direction.as_falling(dx.as_ref()[i]) < 0.0
+        } else {
+            self.action == EventAction::Fail
+        };
+        value < 0.0 || value == 0.0 && is_falling
+    }
+
+    /// Whether the Hermite cubic through the ends of a step has a zero of the event; cheaper than dense output.
+    #[inline(always)]
+    pub(crate) fn may_occur(&mut self, step: &HermiteStep<'_, X>, scratch: &mut X) -> bool {
+        let sign = self.direction.as_falling(1.0);
+        match &mut self.function {
+            EventFunction::Component(i, level) => {
+                // The cubic is within 1/4 (|h x'(0)| + |h x'(1)| + |x(1) - x(0)|) of its chord.
+                let (a, b, da, db) = step.ends(*i);
+                let (a, b) = (sign * (a - *level), sign * (b - *level));
+                let chord_distance = 0.25 * ((da.abs() + db.abs()) + (b - a).abs());
+                if a.min(b) > chord_distance || a.max(b) < -chord_distance {
+                    return false;
+                }
+                has_falling_zero(4, |s| sign * (step.component(*i, s) - *level))
+            }
+            EventFunction::Derivative(i) => {
+                // The derivative of the cubic is a parabola within this distance of its chord.
+                let (a, b, da, db) = step.ends(*i);
+                let chord_distance = 0.75 * (2.0 * (b - a) - da - db).abs();
+                let (low, high) = ((sign * da).min(sign * db), (sign * da).max(sign * db));
+                if low > chord_distance || high < -chord_distance {
+                    return false;
+                }
+                has_falling_zero(2, |s| sign * step.scaled_derivative(*i, s))
+            }
+            EventFunction::Function(g) => {
+                let first = sign * g(step.t, step.x);
+                for (i, x) in scratch.as_mut().iter_mut().enumerate() {
+                    *x = step.component(i, 0.5);
+                }
+                let middle = sign * g(step.t + 0.5 * step.h, scratch);
+                let last = sign * g(step.t + step.h, step.x_end);
+                first > 0.0 && middle <= 0.0 || middle > 0.0 && last <= 0.0
+            }
+        }
+    }
+
+    /// Appends to `found` every occurrence in a step, as fractions of the step.
+    pub(crate) fn locate<D: OdeRhs<State = X>>(
+        &mut self,
+        rhs: &mut D,
+        step: &DenseOutput<'_>,
+        scratch: [&mut X; 2],
+        found: &mut Vec<f64>,
+    ) {
+        if let EventFunction::Component(i, level) = self.function {
+            let sign = self.direction.as_falling(1.0);
+            return falling_zeros(step, |s| sign * (step.component(s, i) - level), found);
+        }
+        let [x, dx] = scratch;
+        let value = |s: f64| {
+            step.state(s, x.as_mut());
+            self.value(rhs, step.t + s * step.h, x, dx)
+        };
+        falling_zeros(step, value, found);
+    }
+}
+
+/// Appends to `found` the fractions of a step at which `value` falls to 0.
+fn falling_zeros(step: &DenseOutput<'_>, mut value: impl FnMut(f64) -> f64, found: &mut Vec<f64>) {
+    let mut before = (0.0, value(0.0));
+    for k in 1..=SEARCH_INTERVALS {
+        let s = f64::from(k) / f64::from(SEARCH_INTERVALS);
+        let after = (s, value(s));
+        if before.1 > 0.0 && after.1 <= 0.0 {
+            let width = (1e-13 * step.t.abs().max(1.0) / step.h).min(1e-3);
+            found.push(first_past_root(
+                &mut value,
+                (before.0, after.0),
+                (before.1, after.1),
+                width,
+            ));
+        }
+        before = after;
+    }
+}
+
+/// Whether `value` falls from positive to 0 or below between neighbouring points of an even subdivision of a step
+/// into `intervals`; more than one interval finds pairs of zeros within the step.
+fn has_falling_zero(intervals: u32, value: impl Fn(f64) -> f64) -> bool {
+    let mut before = value(0.0);
+    for k in 1..=intervals {
+        let after = value(f64::from(k) / f64::from(intervals));
+        if before > 0.0 && after <= 0.0 {
+            return true;
+        }
+        before = after;
+    }
+    false
+}

@@ -1,0 +1,126 @@
+//! Validation of the input of an integration, and construction of its errors.
+
+use crate::error::{IntegrationError, IntegrationFailure};
+use crate::method::combine;
+use crate::method::simd::{AllFinite, MIN_SIMD_LEN};
+use crate::options::IntegrationOptions;
+use crate::rhs::{OdeRhs, StateVector};
+
+/// Index of the first component that is NaN or infinite.
+pub(crate) fn first_non_finite<X: StateVector>(x: &X) -> Option<usize> {
+    let x = x.as_ref();
+    // Without branches first, since it runs for every step.
+    let is_finite = match x.len() < MIN_SIMD_LEN {
+        true => x.iter().fold(true, |all, v| all & v.is_finite()),
+        false => lanes::dispatch(AllFinite(x)),
+    };
+    if is_finite {
+        return None;
+    }
+    x.iter().position(|v| !v.is_finite())
+}
+
+/// Checks that the initial state and both times are finite, that time runs forward, and that tolerances and step
+/// bounds are positive.
+#[cold]
+pub(crate) fn check_input<D: OdeRhs>(
+    rhs: &D,
+    t: f64,
+    x: &D::State,
+    t_end: f64,
+    options: &IntegrationOptions,
+) -> Result<(), IntegrationError> {
+    let invalid = |what: String, value: f64| {
+        Err(IntegrationError {
+            time: t,
+            states: Vec::new(),
+            cause: IntegrationFailure::InvalidInput { what, value },
+        })
+    };
+    if let Some(i) = first_non_finite(x) {
+        return invalid(format!("the initial {}", rhs.state_name(i)), x.as_ref()[i]);
+    }
+    for (what, value) in [("the initial time (s)", t), ("the final time (s)", t_end)] {
+        if !value.is_finite() {
+            return invalid(what.into(), value);
+        }
+    }
+    let positive = [
+        ("the time from start to end (s)", t_end - t),
+        ("rtol", options.rtol),
+        ("atol", options.atol),
+        ("max_step (s)", options.max_step),
+        ("first_step (s)", options.first_step.unwrap_or(1.0)),
+    ];
+    match positive.into_iter().find(|(_, v)| v.is_nan() || *v <= 0.0) {
+        Some((what, value)) => invalid(what.into(), value),
+        None => Ok(()),
+    }
+}
+
+/// Error with the error-controlled components of a state.
+#[cold]
+pub(crate) fn failure<D: OdeRhs>(
+    rhs: &D,
+    time: f64,
+    x: &[f64],
+    cause: IntegrationFailure,
+) -> IntegrationError {
+    let components = x.iter().enumerate().take(rhs.error_controlled_len());
+    IntegrationError {
+        time,
+        states: components
+            .map(|(i, v)| (rhs.state_name(i).into_owned(), *v))
+            .collect(),
+        cause,
+    }
+}
+
+/// Error for the non-finite derivative `rate` of component `i`.
+#[cold]
+pub(crate) fn non_finite_derivative<D: OdeRhs>(
+    rhs: &D,
+    t: f64,
+    x: &D::State,
+    i: usize,
+    rate: f64,
+) -> IntegrationError {
+    let state = rhs.state_name(i).into_owned();
+    failure(
+        rhs,
+        t,
+        x.as_ref(),
+        IntegrationFailure::NonFiniteDerivative { state, rate },
+    )
+}
+
+/// Error where the error test fails at the minimum step size `h`: a non-finite derivative just ahead, or a state
+/// that changes too fast.
+#[cold]
+pub(crate) fn step_too_small<D: OdeRhs>(
+    rhs: &mut D,
+    t: f64,
+    x: &D::State,
+    dx: &D::State,
+    h: f64,
+) -> IntegrationError {
+    let (mut ahead, mut rate) = (x.clone(), dx.clone());
+    for step in [h, 1e3 * h] {
+        combine(&mut ahead, x, step, [1.0], [dx]);
+        rhs.derivative(t + step, &ahead, &mut rate);
+        if let Some(i) = first_non_finite(&rate) {
+            return non_finite_derivative(rhs, t, x, i, rate.as_ref()[i]);
+        }
+    }
+    let speed = |i: &usize| dx.as_ref()[*i].abs() / (x.as_ref()[*i].abs() + 1.0);
+    let fastest = (0..dx.as_ref().len())
+        .max_by(|a, b| speed(a).total_cmp(&speed(b)))
+        .unwrap_or(0);
+    let state = (rhs.state_name(fastest).into_owned(), dx.as_ref()[fastest]);
+    failure(
+        rhs,
+        t,
+        x.as_ref(),
+        IntegrationFailure::StepTooSmall { step: h, state },
+    )
+}

@@ -1,0 +1,113 @@
+//! SIMD kernels for long states, equal in their bits to the scalar loops for short ones.
+
+use super::ROWS;
+use lanes::{Kernel, Lanes};
+
+/// Minimum state length for SIMD kernels; below it the scalar loops are faster.
+pub(crate) const MIN_SIMD_LEN: usize = 64;
+
+/// `to = from + h Σ weight · k`
+pub(crate) struct Combine<'a, const M: usize> {
+    pub to: &'a mut [f64],
+    pub from: &'a [f64],
+    pub h: f64,
+    pub weights: [f64; M],
+    pub k: [&'a [f64]; M],
+}
+
+impl<const M: usize> Kernel for Combine<'_, M> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let Combine { to, h, weights, .. } = self;
+        let n = to.len();
+        // Equal lengths, visible to the compiler, remove the bounds checks from the loop.
+        let from = &self.from[..n];
+        let mut k = self.k;
+        for k in &mut k {
+            *k = &k[..n];
+        }
+        let mut i = 0;
+        while i + T::WIDTH <= n {
+            let mut sum = T::splat(weights[0]) * T::load(&k[0][i..]);
+            for m in 1..M {
+                sum = sum + T::splat(weights[m]) * T::load(&k[m][i..]);
+            }
+            (T::load(&from[i..]) + T::splat(h) * sum).store(&mut to[i..]);
+            i += T::WIDTH;
+        }
+        for i in i..n {
+            let mut sum = weights[0] * k[0][i];
+            for m in 1..M {
+                sum += weights[m] * k[m][i];
+            }
+            to[i] = from[i] + h * sum;
+        }
+    }
+}
+
+/// `to = Σ weight · row`, where the first weight is 1.
+pub(crate) struct WeightedRows<'a> {
+    pub rows: [&'a [f64]; ROWS],
+    pub weights: [f64; ROWS],
+    pub to: &'a mut [f64],
+}
+
+impl Kernel for WeightedRows<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let WeightedRows { weights, to, .. } = self;
+        let n = to.len();
+        let mut rows = self.rows;
+        for row in &mut rows {
+            *row = &row[..n];
+        }
+        let mut i = 0;
+        while i + T::WIDTH <= n {
+            let mut sum = T::load(&rows[0][i..]);
+            for row in 1..ROWS {
+                sum = sum + T::splat(weights[row]) * T::load(&rows[row][i..]);
+            }
+            sum.store(&mut to[i..]);
+            i += T::WIDTH;
+        }
+        for i in i..n {
+            let mut sum = rows[0][i];
+            for row in 1..ROWS {
+                sum += weights[row] * rows[row][i];
+            }
+            to[i] = sum;
+        }
+    }
+}
+
+/// Whether all elements are finite.
+pub(crate) struct AllFinite<'a>(pub &'a [f64]);
+
+impl Kernel for AllFinite<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) -> bool {
+        // 0 times a finite number is 0; 0 times an infinity or NaN is NaN.
+        let zero = T::splat(0.0);
+        let mut sum = zero;
+        let n = self.0.len();
+        let mut i = 0;
+        while i + T::WIDTH <= n {
+            sum = sum + zero * T::load(&self.0[i..]);
+            i += T::WIDTH;
+        }
+        let mut rest = 0.0;
+        for value in &self.0[i..] {
+            rest += 0.0 * value;
+        }
+        for lane in 0..T::WIDTH {
+            rest += sum.lane(lane);
+        }
+        rest == 0.0
+    }
+}

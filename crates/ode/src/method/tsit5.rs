@@ -1,0 +1,209 @@
+//! Ch. Tsitouras, "Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying assumption",
+//! Computers & Mathematics with Applications 62 (2011).
+
+use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, combine, slices};
+use crate::rhs::{OdeRhs, StateVector};
+
+/// Nodes.
+pub(crate) const C: [f64; 7] = [0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0];
+/// Row of the Runge–Kutta matrix for stage 2; A2 to A5 are those for stages 3 to 6.
+const A1: [f64; 1] = [0.161];
+const A2: [f64; 2] = [-0.008480655492356989, 0.335480655492357];
+const A3: [f64; 3] = [2.8971530571054935, -6.359448489975075, 4.3622954328695815];
+const A4: [f64; 4] = [
+    5.325864828439257,
+    -11.748883564062828,
+    7.4955393428898365,
+    -0.09249506636175525,
+];
+const A5: [f64; 5] = [
+    5.86145544294642,
+    -12.92096931784711,
+    8.159367898576159,
+    -0.071584973281401,
+    -0.028269050394068383,
+];
+/// Weights of the step of order 5. The stage at its end is the first stage of the next step (FSAL).
+pub(crate) const B: [f64; 6] = [
+    0.09646076681806523,
+    0.01,
+    0.4798896504144996,
+    1.379008574103742,
+    -3.290069515436081,
+    2.324710524099774,
+];
+/// Weights of the error estimate: those of the step minus those of the embedded method of order 4.
+pub(crate) const E: [f64; 7] = [
+    -0.001_780_011_052_225_777,
+    -0.0008164344596567469,
+    0.007880878010261995,
+    -0.1447110071732629,
+    0.5823571654525552,
+    -0.45808210592918697,
+    0.015151515151515152,
+];
+
+/// Stages k2 to k7 of a step; k1 is the derivative at its start.
+pub(crate) struct Tsit5<X> {
+    k2: X,
+    k3: X,
+    k4: X,
+    k5: X,
+    k6: X,
+    k7: X,
+    stage: X,
+    end: X,
+}
+
+impl<X: StateVector> Stepper<X> for Tsit5<X> {
+    const METHOD: Method = Method::Tsit5;
+    const EVALUATIONS: usize = 6;
+    const ERROR_ORDER: i32 = 5;
+    const PI_BETA: f64 = 0.04;
+    const STEP_FACTOR_BOUNDS: (f64, f64) = (0.2, 10.0);
+
+    fn new(like: &X) -> Self {
+        let [k2, k3, k4, k5, k6, k7, stage, end] = std::array::from_fn(|_| like.clone());
+        Tsit5 {
+            k2,
+            k3,
+            k4,
+            k5,
+            k6,
+            k7,
+            stage,
+            end,
+        }
+    }
+
+    #[inline(always)]
+    fn try_step<D: OdeRhs<State = X>>(
+        &mut self,
+        rhs: &mut D,
+        start: &StepStart<'_, X>,
+        h: f64,
+        tolerance: &ErrorTolerance,
+    ) -> f64 {
+        let StepStart { t, x, dx: k1 } = *start;
+        let Tsit5 {
+            k2,
+            k3,
+            k4,
+            k5,
+            k6,
+            k7,
+            stage,
+            end,
+        } = self;
+        combine(stage, x, h, A1, [k1]);
+        rhs.derivative(t + C[1] * h, stage, k2);
+        combine(stage, x, h, A2, [k1, k2]);
+        rhs.derivative(t + C[2] * h, stage, k3);
+        combine(stage, x, h, A3, [k1, k2, k3]);
+        rhs.derivative(t + C[3] * h, stage, k4);
+        combine(stage, x, h, A4, [k1, k2, k3, k4]);
+        rhs.derivative(t + C[4] * h, stage, k5);
+        combine(stage, x, h, A5, [k1, k2, k3, k4, k5]);
+        rhs.derivative(t + h, stage, k6);
+        combine(end, x, h, B, [k1, k2, k3, k4, k5, k6]);
+        rhs.derivative(t + h, end, k7);
+
+        let n = x.as_ref().len().min(tolerance.controlled_len);
+        let k = slices([k1, k2, k3, k4, k5, k6, k7], n);
+        let (x, end) = (&x.as_ref()[..n], &end.as_ref()[..n]);
+        // Four independent partial sums, for instruction-level parallelism.
+        let mut sums = [0.0; 4];
+        for i in 0..n {
+            let mut error = E[0] * k[0][i];
+            for m in 1..7 {
+                error += E[m] * k[m][i];
+            }
+            let scaled = error / tolerance.scale(x[i], end[i]);
+            sums[i % 4] += scaled * scaled;
+        }
+        h * (((sums[0] + sums[1]) + (sums[2] + sums[3])) / n as f64).sqrt()
+    }
+
+    #[inline(always)]
+    fn accept<D: OdeRhs<State = X>>(&mut self, _: &mut D, _: f64) {}
+
+    #[inline(always)]
+    fn x_end(&self) -> &X {
+        &self.end
+    }
+
+    #[inline(always)]
+    fn dx_end(&self) -> &X {
+        &self.k7
+    }
+
+    #[inline(always)]
+    fn dense_rows<'s, D: OdeRhs<State = X>>(
+        &'s mut self,
+        _: &mut D,
+        start: &StepStart<'s, X>,
+        _: f64,
+        _: &'s mut Vec<f64>,
+    ) -> ([&'s [f64]; ROWS], usize) {
+        let [k2, k3, k4, k5, k6, k7] =
+            [&self.k2, &self.k3, &self.k4, &self.k5, &self.k6, &self.k7].map(|k| k.as_ref());
+        let rows = [start.x.as_ref(), start.dx.as_ref(), k2, k3, k4, k5, k6, k7];
+        (rows, 0)
+    }
+}
+
+/// Weights of the interpolant of order 4 at the fraction `s` of the step, all but the first to be multiplied by the step
+/// size; needs no further stages.
+pub(crate) fn weights(s: f64) -> [f64; ROWS] {
+    let s2 = s * s;
+    [
+        1.0,
+        -1.0530884977290216
+            * s
+            * (s - 1.329_989_018_975_141)
+            * (s2 - 1.4364028541716351 * s + 0.7139816917074209),
+        0.1017 * s2 * (s2 - 2.1966568338249754 * s + 1.294_985_250_737_463),
+        2.490_627_285_651_253 * s2 * (s2 - 2.385_356_454_720_616_5 * s + 1.578_034_682_080_924_8),
+        -16.548_102_889_244_902
+            * (s - 1.217_129_272_955_332_5)
+            * (s - 0.616_204_060_378_000_9)
+            * s2,
+        47.379_521_962_819_28 * (s - 1.203_071_208_372_362_7) * (s - 0.658_047_292_653_547_3) * s2,
+        -34.870_657_861_496_61 * (s - 1.2) * (s - 2.0 / 3.0) * s2,
+        2.5 * (s - 1.0) * (s - 0.6) * s2,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coefficients_satisfy_the_order_conditions_up_to_5() {
+        let a: [&[f64]; 7] = [&[], &A1, &A2, &A3, &A4, &A5, &B];
+        for (row, c) in a.iter().zip(C) {
+            assert!((row.iter().sum::<f64>() - c).abs() < 1e-14);
+        }
+        let close = |value: f64, expected: f64| {
+            assert!((value - expected).abs() < 3e-15, "{value}, not {expected}")
+        };
+        let sum = |f: &dyn Fn(usize) -> f64| (0..6).map(|i| B[i] * f(i)).sum::<f64>();
+        let below = |i: usize, f: &dyn Fn(usize) -> f64| {
+            a[i].iter().enumerate().map(|(j, a)| a * f(j)).sum::<f64>()
+        };
+        for power in 0..5 {
+            close(sum(&|i| C[i].powi(power)), 1.0 / f64::from(power + 1));
+        }
+        close(sum(&|i| below(i, &|j| C[j])), 1.0 / 6.0);
+        close(sum(&|i| C[i] * below(i, &|j| C[j])), 1.0 / 8.0);
+        close(sum(&|i| below(i, &|j| C[j] * C[j])), 1.0 / 12.0);
+        close(sum(&|i| below(i, &|j| below(j, &|k| C[k]))), 1.0 / 24.0);
+        close(E.iter().sum(), 0.0);
+        close(E.iter().zip(C).map(|(e, c)| e * c.powi(3)).sum(), 0.0);
+        // The interpolant meets the ends of the step.
+        for (weight, b) in weights(1.0)[1..].iter().zip(B.into_iter().chain([0.0])) {
+            assert!((weight - b).abs() < 3e-14);
+        }
+        assert_eq!(weights(0.0)[1..], [0.0; 7]);
+    }
+}

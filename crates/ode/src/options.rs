@@ -1,0 +1,66 @@
+//! Options of an integration and the statistics of its result.
+
+use crate::method::Method;
+
+/// Method, error tolerances and step bounds of an integration.
+///
+/// A step is accepted where the root mean square over the state components of error / (`atol` + `rtol` · |x|)
+/// is at most 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IntegrationOptions {
+    /// Runge–Kutta method; default [`Method::Tsit5`].
+    pub method: Method,
+    /// Relative error tolerance per step; default 1e-6.
+    pub rtol: f64,
+    /// Absolute error tolerance per step, in the unit of each state component; default 1e-6.
+    pub atol: f64,
+    /// Maximum step size, in units of time; default infinity.
+    pub max_step: f64,
+    /// Initial step size, in units of time; by default estimated from f and its change (Hairer, Nørsett & Wanner,
+    /// II.4).
+    pub first_step: Option<f64>,
+    /// Maximum number of accepted and rejected steps together; default 100,000.
+    pub max_steps: usize,
+}
+
+impl Default for IntegrationOptions {
+    fn default() -> Self {
+        IntegrationOptions {
+            method: Method::Tsit5,
+            rtol: 1e-6,
+            atol: 1e-6,
+            max_step: f64::INFINITY,
+            first_step: None,
+            max_steps: 100_000,
+        }
+    }
+}
+
+impl IntegrationOptions {
+    /// Sets `rtol` and `atol` to `tolerance` and picks the method that is cheaper at it: Tsit5, or DOP853 below
+    /// 1e-8.
+    pub fn with_tolerance(tolerance: f64) -> IntegrationOptions {
+        let method = if tolerance < 1e-8 {
+            Method::Dop853
+        } else {
+            Method::Tsit5
+        };
+        IntegrationOptions {
+            method,
+            rtol: tolerance,
+            atol: tolerance,
+            ..IntegrationOptions::default()
+        }
+    }
+}
+
+/// Solver statistics: counts of steps and right-hand side evaluations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SolverStats {
+    /// Accepted steps.
+    pub steps: usize,
+    /// Steps rejected by the error test or by a non-finite derivative.
+    pub rejected: usize,
+    /// Evaluations of the right-hand side by steps and dense output; those of event location are not counted.
+    pub evaluations: usize,
+}

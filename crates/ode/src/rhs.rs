@@ -1,0 +1,87 @@
+//! Right-hand side of an ordinary differential equation dx/dt = f(t, x).
+
+use std::borrow::Cow;
+
+/// State vector of an initial value problem: `[f64; N]` for a length known at compile time, `Box<[f64]>` or
+/// `Vec<f64>` otherwise.
+pub trait StateVector: Clone + AsRef<[f64]> + AsMut<[f64]> {}
+
+impl<X: Clone + AsRef<[f64]> + AsMut<[f64]>> StateVector for X {}
+
+/// Right-hand side f of dx/dt = f(t, x); [`rhs_from_fn`] makes one from a closure.
+pub trait OdeRhs {
+    /// Type of the state vector x.
+    type State: StateVector;
+
+    /// Writes f(t, x) to every component of `dx`, in state units per unit of time.
+    ///
+    /// Outside the domain of f, write NaN or an infinity: the step is rejected, and where no shorter step
+    /// succeeds the integration fails with
+    /// [`NonFiniteDerivative`](crate::IntegrationFailure::NonFiniteDerivative).
+    fn derivative(&mut self, t: f64, x: &Self::State, dx: &mut Self::State);
+
+    /// Number of leading state components in the error norm of the step-size control; all by default.
+    fn error_controlled_len(&self) -> usize {
+        usize::MAX
+    }
+
+    /// Name of a state component, used in error messages only.
+    fn state_name(&self, component: usize) -> Cow<'_, str> {
+        format!("state {component}").into()
+    }
+}
+
+impl<D: OdeRhs> OdeRhs for &mut D {
+    type State = D::State;
+
+    #[inline(always)]
+    fn derivative(&mut self, t: f64, x: &Self::State, dx: &mut Self::State) {
+        (**self).derivative(t, x, dx);
+    }
+
+    fn error_controlled_len(&self) -> usize {
+        (**self).error_controlled_len()
+    }
+
+    fn state_name(&self, component: usize) -> Cow<'_, str> {
+        (**self).state_name(component)
+    }
+}
+
+/// Right-hand side from a closure `f(t, x, dx)` that writes dx/dt to `dx`.
+///
+/// `names` are the state names used in error messages; components beyond its end are numbered.
+pub fn rhs_from_fn<'n, X, F>(names: &'n [&'n str], f: F) -> FnRhs<'n, X, F>
+where
+    X: StateVector,
+    F: FnMut(f64, &X, &mut X),
+{
+    FnRhs {
+        names,
+        f,
+        state: std::marker::PhantomData,
+    }
+}
+
+/// Right-hand side made by [`rhs_from_fn`].
+pub struct FnRhs<'n, X, F> {
+    names: &'n [&'n str],
+    f: F,
+    state: std::marker::PhantomData<fn(X)>,
+}
+
+impl<X: StateVector, F: FnMut(f64, &X, &mut X)> OdeRhs for FnRhs<'_, X, F> {
+    type State = X;
+
+    #[inline(always)]
+    fn derivative(&mut self, t: f64, x: &X, dx: &mut X) {
+        (self.f)(t, x, dx);
+    }
+
+    fn state_name(&self, component: usize) -> Cow<'_, str> {
+        match self.names.get(component) {
+            Some(name) => (*name).into(),
+            None => format!("state {component}").into(),
+        }
+    }
+}

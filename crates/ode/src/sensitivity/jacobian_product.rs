@@ -1,0 +1,159 @@
+//! Product J S of a sparse Jacobian with the dense, row-major sensitivity matrix.
+
+use super::PADDING;
+use lanes::{Kernel, Lanes};
+use std::ops::Range;
+
+/// Maximum number of rows of J in a block: their sums stay in registers.
+const MAX_BLOCK_ROWS: usize = 3;
+
+/// Blocked sparsity pattern of J, for sensitivity matrices of one row length.
+///
+/// A row of S is a number of groups, a group is a number of lines, and a line is `PADDING` numbers.
+pub(super) struct JacobianProduct {
+    /// Blocks, the one with the fewest columns first: branches of loops as long as the previous one are predicted.
+    blocks: Vec<Block>,
+    /// Index of the first group of the row of S for each column of each block, block by block.
+    columns: Vec<usize>,
+    /// Lines per group: summed together.
+    lines_per_group: usize,
+    /// Groups per row of S.
+    groups_per_row: usize,
+}
+
+/// Rows of J with the same sparsity pattern: each row of S is read once for all of them.
+struct Block {
+    count: usize,
+    /// Index of the first group of each row of dS/dt.
+    rows: [usize; MAX_BLOCK_ROWS],
+    /// Index of the first entry of each row in J; the others follow it.
+    entries: [usize; MAX_BLOCK_ROWS],
+    /// Range of the block in `JacobianProduct::columns`.
+    columns: Range<usize>,
+}
+
+impl JacobianProduct {
+    /// Blocks of a sparsity pattern ordered by row, for rows of S of `stride` numbers, a multiple of `PADDING`.
+    pub fn new(pattern: &[(usize, usize)], states: usize, stride: usize) -> Self {
+        let lines_per_row = stride / PADDING;
+        let lines = [4, 3, 2]
+            .into_iter()
+            .find(|n| lines_per_row.is_multiple_of(*n));
+        let lines_per_group = lines.unwrap_or(1);
+        let groups_per_row = lines_per_row / lines_per_group;
+        let mut blocks: Vec<Block> = Vec::with_capacity(states);
+        let mut columns = Vec::with_capacity(pattern.len());
+        for row in 0..states {
+            let first = pattern.partition_point(|(at, _)| *at < row);
+            let row_columns = pattern[first..].iter().take_while(|(at, _)| *at == row);
+            let row_columns = row_columns.map(|(_, column)| column * groups_per_row);
+            let has_same_columns = |block: &&mut Block| {
+                let others: &[usize] = &columns[block.columns.clone()];
+                block.count < MAX_BLOCK_ROWS && others.iter().copied().eq(row_columns.clone())
+            };
+            if let Some(block) = blocks.iter_mut().find(has_same_columns) {
+                block.rows[block.count] = row * groups_per_row;
+                block.entries[block.count] = first;
+                block.count += 1;
+            } else {
+                let begin = columns.len();
+                columns.extend(row_columns);
+                blocks.push(Block {
+                    count: 1,
+                    rows: [row * groups_per_row; MAX_BLOCK_ROWS],
+                    entries: [first; MAX_BLOCK_ROWS],
+                    columns: begin..columns.len(),
+                });
+            }
+        }
+        blocks.sort_by_key(|block| block.columns.len());
+        JacobianProduct {
+            blocks,
+            columns,
+            lines_per_group,
+            groups_per_row,
+        }
+    }
+
+    /// `ds = J s` for a J with these entries, in the order of the pattern.
+    pub fn write(&self, values: &[f64], s: &[f64], ds: &mut [f64]) {
+        match self.lines_per_group {
+            4 => self.write_in::<4>(values, s, ds),
+            3 => self.write_in::<3>(values, s, ds),
+            2 => self.write_in::<2>(values, s, ds),
+            _ => self.write_in::<1>(values, s, ds),
+        }
+    }
+
+    fn write_in<const LINES: usize>(&self, values: &[f64], s: &[f64], ds: &mut [f64]) {
+        lanes::dispatch(Sums::<LINES> {
+            blocks: &self.blocks,
+            columns: &self.columns,
+            groups_per_row: self.groups_per_row,
+            values,
+            s: s.as_chunks().0.as_chunks().0,
+            ds: ds.as_chunks_mut().0.as_chunks_mut().0,
+        });
+    }
+}
+
+/// Lines of S that are summed together.
+type Group<const LINES: usize> = [[f64; PADDING]; LINES];
+
+/// SIMD kernel for all blocks, generic in the lines per group so that the sums stay in registers.
+struct Sums<'a, const LINES: usize> {
+    blocks: &'a [Block],
+    columns: &'a [usize],
+    groups_per_row: usize,
+    values: &'a [f64],
+    s: &'a [Group<LINES>],
+    ds: &'a mut [Group<LINES>],
+}
+
+impl<const LINES: usize> Sums<'_, LINES> {
+    /// Computes one group of dS/dt for each of the `ROWS` rows of a block.
+    #[inline(always)]
+    fn sum<T: Lanes, const ROWS: usize>(&mut self, block: &Block, group: usize) {
+        let columns = &self.columns[block.columns.clone()];
+        let values: [&[f64]; ROWS] =
+            std::array::from_fn(|row| &self.values[block.entries[row]..][..columns.len()]);
+        for part in (0..PADDING).step_by(T::WIDTH) {
+            let mut sums = [[T::splat(0.0); LINES]; ROWS];
+            // Indexed rather than zipped: the equal lengths are then checked only once.
+            for entry in 0..columns.len() {
+                let from = &self.s[columns[entry] + group];
+                let from: [T; LINES] = std::array::from_fn(|line| T::load(&from[line][part..]));
+                for row in 0..ROWS {
+                    let value = T::splat(values[row][entry]);
+                    for line in 0..LINES {
+                        sums[row][line] = value.mul_add(from[line], sums[row][line]);
+                    }
+                }
+            }
+            for (row, sums) in block.rows.iter().zip(sums) {
+                let to = &mut self.ds[row + group];
+                for (to, sum) in to.iter_mut().zip(sums) {
+                    sum.store(&mut to[part..]);
+                }
+            }
+        }
+    }
+}
+
+impl<const LINES: usize> Kernel for Sums<'_, LINES> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(mut self) {
+        const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
+        for group in 0..self.groups_per_row {
+            for block in self.blocks {
+                match block.count {
+                    1 => self.sum::<T, 1>(block, group),
+                    2 => self.sum::<T, 2>(block, group),
+                    _ => self.sum::<T, MAX_BLOCK_ROWS>(block, group),
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! Forward sensitivities: the variational equations dS/dt = J S + [0 | Jp], integrated together with the state.
+
+mod jacobian_product;
+
+use self::jacobian_product::JacobianProduct;
+use crate::aligned::AlignedVec;
+use crate::rhs::OdeRhs;
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// Right-hand side f(t, x, p) with its sparse Jacobians J = ∂f/∂x and Jp = ∂f/∂p.
+pub trait DifferentiableRhs {
+    /// Number of states.
+    fn states(&self) -> usize;
+    /// Sparsity pattern of J: (row, column) of each entry, ordered by row.
+    fn jacobian_pattern(&self) -> &[(usize, usize)];
+    /// Sparsity pattern of Jp: (row, parameter) of each entry, in any order.
+    fn parameter_jacobian_pattern(&self) -> &[(usize, usize)];
+    /// Writes f(t, x) to `dx` and the entries of J and Jp, in the order of their patterns, to `jacobian` and
+    /// `parameter_jacobian`.
+    fn derivative_with_jacobians(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        dx: &mut [f64],
+        jacobian: &mut [f64],
+        parameter_jacobian: &mut [f64],
+    );
+    /// Name of a state, used in error messages only.
+    fn state_name(&self, state: usize) -> Cow<'_, str> {
+        format!("state {state}").into()
+    }
+}
+
+/// Multiple to which rows of S are padded, so that they are whole SIMD vectors on every machine.
+const PADDING: usize = 8;
+
+/// Augmented right-hand side for the state x and its sensitivities S = ∂x/∂(initial states, parameters).
+///
+/// Its state vector holds x, then S row by row, both padded with zeros; see [`SensitivityLayout`].
+/// [`initial_state`](Self::initial_state) makes the initial one. Only x is in the error norm of the step-size
+/// control, so that the steps are those of x alone, unless
+/// [`with_sensitivity_error_control`](Self::with_sensitivity_error_control) is called.
+pub struct Sensitivities<M> {
+    rhs: M,
+    layout: SensitivityLayout,
+    /// Initial states that S is taken by: the state of each of the first columns.
+    initial: Vec<usize>,
+    product: JacobianProduct,
+    /// For each term that Jp adds to dS/dt: its entry in Jp, and its index in S.
+    parameter_terms: Vec<(usize, usize)>,
+    jacobian: Vec<f64>,
+    parameter_jacobian: Vec<f64>,
+    error_control_includes_s: bool,
+}
+
+impl<M: DifferentiableRhs> Sensitivities<M> {
+    /// Sensitivities with respect to the initial values of the states `initial` (first columns of S), and to
+    /// `parameters`, by their index in Jp (following columns).
+    ///
+    /// # Panics
+    /// Where an initial state does not exist, or the entries of J are not ordered by row.
+    pub fn new(rhs: M, initial: &[usize], parameters: &[usize]) -> Self {
+        let states = rhs.states();
+        assert!(initial.iter().all(|i| *i < states), "states of the model");
+        let columns = initial.len() + parameters.len();
+        let stride = columns.next_multiple_of(PADDING);
+        let entries = rhs.parameter_jacobian_pattern().iter().enumerate();
+        let parameter_terms = entries.flat_map(|(entry, (row, parameter))| {
+            let columns = parameters.iter().enumerate();
+            let columns = columns.filter(move |(_, p)| *p == parameter);
+            columns.map(move |(column, _)| (entry, row * stride + initial.len() + column))
+        });
+        let parameter_terms = parameter_terms.collect();
+        let jacobian = vec![0.0; rhs.jacobian_pattern().len()];
+        let parameter_jacobian = vec![0.0; rhs.parameter_jacobian_pattern().len()];
+        let pattern = rhs.jacobian_pattern();
+        assert!(pattern.is_sorted_by_key(|(row, _)| row), "ordered by row");
+        let product = JacobianProduct::new(pattern, states, stride);
+        Sensitivities {
+            rhs,
+            layout: SensitivityLayout {
+                states,
+                columns,
+                first: states.next_multiple_of(PADDING),
+                stride,
+            },
+            initial: initial.to_vec(),
+            product,
+            parameter_terms,
+            jacobian,
+            parameter_jacobian,
+            error_control_includes_s: false,
+        }
+    }
+
+    /// Includes S in the error norm of the step-size control, with the same tolerances as the state.
+    pub fn with_sensitivity_error_control(self) -> Self {
+        Sensitivities {
+            error_control_includes_s: true,
+            ..self
+        }
+    }
+
+    /// Number of columns of S.
+    pub fn columns(&self) -> usize {
+        self.layout.columns
+    }
+
+    /// Initial state vector: x, and S with an entry of 1 for each initial state it is taken by.
+    ///
+    /// # Panics
+    /// Where `x` is not as long as the number of states.
+    pub fn initial_state(&self, x: &[f64]) -> AlignedVec {
+        let columns = self.initial.iter().enumerate();
+        let entries: Vec<_> = columns
+            .map(|(column, state)| (*state, column, 1.0))
+            .collect();
+        self.initial_state_with(x, &entries)
+    }
+
+    /// Initial state vector with an S of the given entries (state, column, value), all others 0: for sensitivities
+    /// along directions in the space of initial states.
+    ///
+    /// # Panics
+    /// Where `x` is not as long as the number of states, or a state or column does not exist.
+    pub fn initial_state_with(&self, x: &[f64], entries: &[(usize, usize, f64)]) -> AlignedVec {
+        let layout = self.layout;
+        assert_eq!(x.len(), layout.states, "one value per state");
+        let mut augmented = AlignedVec::zeros(self.len());
+        let values = augmented.as_mut();
+        values[..layout.states].copy_from_slice(x);
+        for &(state, column, value) in entries {
+            assert!(column < layout.columns, "a column of S");
+            values[layout.row_range(state)][column] = value;
+        }
+        augmented
+    }
+
+    /// Layout of the augmented state vector.
+    pub fn layout(&self) -> SensitivityLayout {
+        self.layout
+    }
+
+    /// Length of the augmented state vector, padding included.
+    #[allow(clippy::len_without_is_empty)] // never empty
+    pub fn len(&self) -> usize {
+        self.layout.first + self.layout.states * self.layout.stride
+    }
+
+    /// The state x within an augmented state vector.
+    pub fn state<'x>(&self, augmented: &'x [f64]) -> &'x [f64] {
+        self.layout.state(augmented)
+    }
+
+    /// Row of S within an augmented state vector: derivatives of one state by each column.
+    pub fn row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
+        &self.layout.padded_row(augmented, state)[..self.layout.columns]
+    }
+
+    /// The right-hand side without sensitivities.
+    pub fn rhs(&mut self) -> &mut M {
+        &mut self.rhs
+    }
+}
+
+/// Layout of the augmented state vector of [`Sensitivities`]: x, then S row by row, each padded with zeros.
+#[derive(Clone, Copy, Debug)]
+pub struct SensitivityLayout {
+    states: usize,
+    columns: usize,
+    /// Index of the first element of S.
+    first: usize,
+    /// Distance between the first elements of successive rows of S.
+    stride: usize,
+}
+
+impl SensitivityLayout {
+    /// Indices of the state x.
+    pub fn state_range(&self) -> Range<usize> {
+        0..self.states
+    }
+
+    /// Indices of the row of S that belongs to one state, padding included.
+    pub fn row_range(&self, state: usize) -> Range<usize> {
+        let first = self.first + state * self.stride;
+        first..first + self.stride
+    }
+
+    /// The state x within an augmented state vector.
+    pub fn state<'x>(&self, augmented: &'x [f64]) -> &'x [f64] {
+        &augmented[self.state_range()]
+    }
+
+    /// Row of S that belongs to one state, with its padding of zeros.
+    pub fn padded_row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
+        &augmented[self.row_range(state)]
+    }
+}
+
+impl<M: DifferentiableRhs> OdeRhs for Sensitivities<M> {
+    type State = AlignedVec;
+
+    fn derivative(&mut self, t: f64, augmented: &AlignedVec, rates: &mut AlignedVec) {
+        let SensitivityLayout { states, first, .. } = self.layout;
+        let (x, s) = augmented.as_ref().split_at(first);
+        let (dx, ds) = rates.as_mut().split_at_mut(first);
+        let (x, dx) = (&x[..states], &mut dx[..states]);
+        let (jacobian, parameter_jacobian) = (&mut self.jacobian, &mut self.parameter_jacobian);
+        self.rhs
+            .derivative_with_jacobians(t, x, dx, jacobian, parameter_jacobian);
+        self.product.write(jacobian, s, ds);
+        let parameter_jacobian = &parameter_jacobian[..];
+        for &(entry, index) in &self.parameter_terms[..] {
+            ds[index] += parameter_jacobian[entry];
+        }
+    }
+
+    fn error_controlled_len(&self) -> usize {
+        if self.error_control_includes_s {
+            usize::MAX
+        } else {
+            self.layout.states
+        }
+    }
+
+    fn state_name(&self, component: usize) -> Cow<'_, str> {
+        let SensitivityLayout { first, stride, .. } = self.layout;
+        match component.checked_sub(first) {
+            None => self.rhs.state_name(component),
+            Some(i) => {
+                let state = self.rhs.state_name(i / stride);
+                format!("∂{state}/∂column {}", i % stride).into()
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Right-hand side of four states whose Jacobian has the entries 1, 2, … in the order of its pattern.
+    struct Numbered(Vec<(usize, usize)>);
+
+    impl DifferentiableRhs for Numbered {
+        fn states(&self) -> usize {
+            4
+        }
+        fn jacobian_pattern(&self) -> &[(usize, usize)] {
+            &self.0
+        }
+        fn parameter_jacobian_pattern(&self) -> &[(usize, usize)] {
+            &[(2, 0)]
+        }
+        fn derivative_with_jacobians(
+            &mut self,
+            _: f64,
+            _: &[f64],
+            dx: &mut [f64],
+            j: &mut [f64],
+            jp: &mut [f64],
+        ) {
+            dx.fill(0.0);
+            jp.fill(100.0);
+            for (i, value) in j.iter_mut().enumerate() {
+                *value = (i + 1) as f64;
+            }
+        }
+    }
+
+    #[test]
+    fn derivative_equals_plain_loops_for_any_number_of_columns() {
+        let distinct_rows = [(0, 1), (0, 3), (2, 0), (2, 1), (2, 2), (2, 3), (3, 1)];
+        let two_equal_rows = [(0, 1), (0, 3), (1, 2), (3, 1), (3, 3)];
+        let all_equal_rows = [0, 1, 2, 3].map(|row| [(row, 0), (row, 2), (row, 3)]);
+        for columns in 1..100 {
+            check_against_plain_loops(&distinct_rows, columns);
+            check_against_plain_loops(&two_equal_rows, columns);
+            check_against_plain_loops(&all_equal_rows.concat(), columns);
+        }
+    }
+
+    fn check_against_plain_loops(pattern: &[(usize, usize)], columns: usize) {
+        let parameters = vec![0; columns];
+        let mut augmented = Sensitivities::new(Numbered(pattern.to_vec()), &[], &parameters);
+        let value = |state: usize, column: usize| (state * 7 + column * 3) as f64;
+        let entries = (0..4).flat_map(|s| (0..columns).map(move |c| (s, c, value(s, c))));
+        let at = augmented.initial_state_with(&[0.0; 4], &entries.collect::<Vec<_>>());
+        let mut rates = at.clone();
+        augmented.derivative(0.0, &at, &mut rates);
+        for state in 0..4 {
+            for column in 0..columns {
+                let entries = pattern
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, (row, _))| *row == state);
+                let terms = entries.map(|(i, (_, other))| (i + 1) as f64 * value(*other, column));
+                let expected = terms.sum::<f64>() + if state == 2 { 100.0 } else { 0.0 };
+                let found = augmented.row(rates.as_ref(), state)[column];
+                assert_eq!(found, expected, "{state}, {column} of {columns}");
+            }
+        }
+    }
+}

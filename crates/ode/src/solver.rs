@@ -1,0 +1,371 @@
+//! Step loop of an integration: error test, events, observer.
+
+use crate::dense_output::{DenseOutput, HermiteStep};
+use crate::error::{IntegrationError, IntegrationFailure};
+use crate::event::{Event, EventAction, Occurrence};
+use crate::input::{check_input, failure, first_non_finite, non_finite_derivative, step_too_small};
+use crate::method::dop853::Dop853;
+use crate::method::tsit5::Tsit5;
+use crate::method::{ErrorTolerance, Method, StepStart, Stepper};
+use crate::options::{IntegrationOptions, SolverStats};
+use crate::rhs::OdeRhs;
+use crate::step_control::{PiController, initial_step};
+
+/// Minimum step size as a fraction of the largest time involved.
+const MIN_RELATIVE_STEP: f64 = 1e-14;
+
+/// Fraction of the remaining time by which a step may fall short and still be taken to the final time; without it
+/// the remainder could be too short for a step of its own.
+const FINAL_STEP_SLACK: f64 = 1e-10;
+
+/// Final time and state of an integration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Endpoint<X> {
+    /// Final time: the requested one, or that of the terminal event.
+    pub time: f64,
+    /// State at the final time.
+    pub state: X,
+    /// Name of the terminal event; `None` where the requested final time was reached.
+    pub event: Option<String>,
+    /// Recorded events, in order of time; the terminal one is the last.
+    pub occurrences: Vec<Occurrence>,
+    /// Solver statistics.
+    pub stats: SolverStats,
+}
+
+/// Receives the dense output of accepted steps.
+pub(crate) trait StepObserver {
+    /// Whether dense output is needed for the step from `t` to `t_end`.
+    fn needs_dense_output(&self, t: f64, t_end: f64) -> bool;
+    /// Receives a step; times beyond `until` are past a terminal event.
+    fn on_step(&mut self, step: DenseOutput<'_>, until: f64);
+}
+
+/// Integrates from (t0, x0) to the time `t_end` or to a terminal event.
+pub(crate) fn solve<D: OdeRhs, O: StepObserver>(
+    rhs: &mut D,
+    start: (f64, &D::State),
+    t_end: f64,
+    options: &IntegrationOptions,
+    events: &mut [Event<'_, D::State>],
+    observer: &mut O,
+) -> Result<Endpoint<D::State>, IntegrationError> {
+    match options.method {
+        Method::Tsit5 => {
+            Solver::<D, O, Tsit5<_>>::new(rhs, start, t_end, options, events, observer)?.run()
+        }
+        Method::Dop853 => {
+            Solver::<D, O, Dop853<_>>::new(rhs, start, t_end, options, events, observer)?.run()
+        }
+    }
+}
+
+/// State of an integration between steps.
+struct Solver<'s, 'e, D: OdeRhs, O, S> {
+    rhs: &'s mut D,
+    events: &'s mut [Event<'e, D::State>],
+    observer: &'s mut O,
+    t: f64,
+    x: D::State,
+    dx: D::State,
+    t_end: f64,
+    /// Size of the next step before it is limited by `max_step` and `t_end`.
+    h: f64,
+    min_step: f64,
+    max_step: f64,
+    max_steps: usize,
+    tolerance: ErrorTolerance,
+    controller: PiController,
+    stepper: S,
+    dense_buffer: Vec<f64>,
+    scratch: D::State,
+    log: EventLog,
+    stats: SolverStats,
+}
+
+/// Events of an integration.
+#[derive(Default)]
+struct EventLog {
+    occurrences: Vec<Occurrence>,
+    /// Events of the current step: fraction of the step, index of the event.
+    in_step: Vec<(f64, usize)>,
+}
+
+/// Size and end of a step.
+#[derive(Clone, Copy)]
+struct StepEnd {
+    h: f64,
+    t: f64,
+    is_last: bool,
+}
+
+impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D, O, S> {
+    fn new(
+        rhs: &'s mut D,
+        (t, x): (f64, &D::State),
+        t_end: f64,
+        options: &IntegrationOptions,
+        events: &'s mut [Event<'e, D::State>],
+        observer: &'s mut O,
+    ) -> Result<Self, IntegrationError> {
+        let (x, mut dx) = (x.clone(), x.clone());
+        check_input(rhs, t, &x, t_end, options)?;
+        rhs.derivative(t, &x, &mut dx);
+        if let Some(i) = first_non_finite(&dx) {
+            return Err(non_finite_derivative(rhs, t, &x, i, dx.as_ref()[i]));
+        }
+        check_initial_events(rhs, t, (&x, &dx), events)?;
+        let tolerance = ErrorTolerance {
+            rtol: options.rtol,
+            atol: options.atol,
+            controlled_len: rhs.error_controlled_len(),
+        };
+        let mut evaluations = 1;
+        let h = options.first_step.unwrap_or_else(|| {
+            evaluations += 1;
+            let start = StepStart { t, x: &x, dx: &dx };
+            let max_step = options.max_step.min(t_end - t);
+            initial_step(rhs, &start, S::ERROR_ORDER, &tolerance, max_step)
+        });
+        Ok(Solver {
+            t,
+            t_end,
+            h,
+            min_step: MIN_RELATIVE_STEP * t.abs().max(t_end.abs()).max(t_end - t),
+            max_step: options.max_step,
+            max_steps: options.max_steps,
+            tolerance,
+            controller: PiController::new(S::ERROR_ORDER, S::PI_BETA, S::STEP_FACTOR_BOUNDS),
+            stepper: S::new(&x),
+            dense_buffer: Vec::new(),
+            scratch: x.clone(),
+            log: EventLog::default(),
+            stats: SolverStats {
+                evaluations,
+                ..SolverStats::default()
+            },
+            rhs,
+            events,
+            observer,
+            x,
+            dx,
+        })
+    }
+
+    fn run(mut self) -> Result<Endpoint<D::State>, IntegrationError> {
+        loop {
+            let end = self.step()?;
+            if let Some((time, event)) = self.handle_step(end)? {
+                let event = Some(self.events[event].name.to_string());
+                return Ok(self.endpoint(time, event));
+            }
+            self.x.clone_from(self.stepper.x_end());
+            self.dx.clone_from(self.stepper.dx_end());
+            self.t = end.t;
+            if end.is_last {
+                self.scratch.clone_from(&self.x);
+                return Ok(self.endpoint(end.t, None));
+            }
+        }
+    }
+
+    /// Result with the final state in `scratch`.
+    fn endpoint(self, time: f64, event: Option<String>) -> Endpoint<D::State> {
+        Endpoint {
+            time,
+            state: self.scratch,
+            event,
+            occurrences: self.log.occurrences,
+            stats: self.stats,
+        }
+    }
+
+    /// Tries steps until one passes the error test, and sets the size of the next one.
+    #[inline]
+    fn step(&mut self) -> Result<StepEnd, IntegrationError> {
+        loop {
+            let end = self.next_end();
+            if self.stats.steps + self.stats.rejected >= self.max_steps {
+                return Err(self.too_many_steps());
+            }
+            let error = self.try_step(end);
+            if error <= 1.0 {
+                self.stats.steps += 1;
+                self.h = end.h * self.controller.factor_after_accepted(error);
+                return Ok(end);
+            }
+            self.stats.rejected += 1;
+            self.h = end.h * self.controller.factor_after_rejected(error);
+            if self.h <= self.min_step {
+                return Err(step_too_small(self.rhs, self.t, &self.x, &self.dx, self.h));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn next_end(&self) -> StepEnd {
+        let h = self.h.min(self.max_step);
+        let remaining = self.t_end - self.t;
+        if h >= remaining * (1.0 - FINAL_STEP_SLACK) {
+            StepEnd {
+                h: remaining,
+                t: self.t_end,
+                is_last: true,
+            }
+        } else {
+            StepEnd {
+                h,
+                t: self.t + h,
+                is_last: false,
+            }
+        }
+    }
+
+    /// Error norm of a step, and NaN where its end is not finite.
+    #[inline(always)]
+    fn try_step(&mut self, end: StepEnd) -> f64 {
+        let start = StepStart {
+            t: self.t,
+            x: &self.x,
+            dx: &self.dx,
+        };
+        let error = self
+            .stepper
+            .try_step(self.rhs, &start, end.h, &self.tolerance);
+        self.stats.evaluations += S::EVALUATIONS;
+        if error <= 1.0 {
+            self.stepper.accept(self.rhs, end.t);
+            let is_finite = first_non_finite(self.stepper.x_end()).is_none()
+                && first_non_finite(self.stepper.dx_end()).is_none();
+            if !is_finite {
+                return f64::NAN;
+            }
+        }
+        error
+    }
+
+    /// Passes an accepted step to the events and the observer; returns time and index of a terminal event, whose
+    /// state is then in `scratch`.
+    #[inline]
+    fn handle_step(&mut self, end: StepEnd) -> Result<Option<(f64, usize)>, IntegrationError> {
+        let (t, h) = (self.t, end.h);
+        let step = HermiteStep {
+            t,
+            h,
+            x: &self.x,
+            dx: &self.dx,
+            x_end: self.stepper.x_end(),
+            dx_end: self.stepper.dx_end(),
+        };
+        let mut may_occur = false;
+        for event in self.events.iter_mut() {
+            may_occur |= event.may_occur(&step, &mut self.scratch);
+        }
+        if !may_occur && !self.observer.needs_dense_output(t, end.t) {
+            return Ok(None);
+        }
+        let start = StepStart {
+            t,
+            x: &self.x,
+            dx: &self.dx,
+        };
+        let (rows, evaluations) =
+            self.stepper
+                .dense_rows(self.rhs, &start, h, &mut self.dense_buffer);
+        self.stats.evaluations += evaluations;
+        let step = DenseOutput {
+            method: S::METHOD,
+            t,
+            h,
+            rows,
+        };
+        let stop = match may_occur {
+            true => self
+                .log
+                .record(self.rhs, &step, self.events, &mut self.scratch)?,
+            false => None,
+        };
+        self.observer
+            .on_step(step, stop.map_or(end.t, |(time, _)| time));
+        Ok(stop)
+    }
+
+    #[cold]
+    fn too_many_steps(&self) -> IntegrationError {
+        let steps = self.stats.steps + self.stats.rejected;
+        let cause = IntegrationFailure::TooManySteps { steps };
+        failure(self.rhs, self.t, self.x.as_ref(), cause)
+    }
+}
+
+impl EventLog {
+    /// Records the events of a step up to a terminal one, whose time and index it returns; `state` is the state at
+    /// the last event.
+    #[cold]
+    fn record<D: OdeRhs>(
+        &mut self,
+        rhs: &mut D,
+        step: &DenseOutput<'_>,
+        events: &mut [Event<'_, D::State>],
+        state: &mut D::State,
+    ) -> Result<Option<(f64, usize)>, IntegrationError> {
+        self.locate(rhs, step, events, state);
+        for &(s, index) in &self.in_step {
+            step.state(s, state.as_mut());
+            let (time, event) = (step.t + s * step.h, &events[index]);
+            if event.action == EventAction::Fail {
+                let reason = event.name.to_string();
+                let cause = IntegrationFailure::Limit { reason };
+                return Err(failure(rhs, time, state.as_ref(), cause));
+            }
+            self.occurrences.push(Occurrence {
+                event: event.name.to_string(),
+                time,
+                state: state.as_ref().to_vec(),
+            });
+            if event.action == EventAction::Stop {
+                return Ok(Some((time, index)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Finds all events of a step, in order of time.
+    fn locate<D: OdeRhs>(
+        &mut self,
+        rhs: &mut D,
+        step: &DenseOutput<'_>,
+        events: &mut [Event<'_, D::State>],
+        like: &D::State,
+    ) {
+        self.in_step.clear();
+        let (mut x, mut dx, mut fractions) = (like.clone(), like.clone(), Vec::new());
+        for (index, event) in events.iter_mut().enumerate() {
+            fractions.clear();
+            event.locate(rhs, step, [&mut x, &mut dx], &mut fractions);
+            self.in_step.extend(fractions.iter().map(|s| (*s, index)));
+        }
+        self.in_step.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
+}
+
+/// Refuses an initial state that is past a terminal event or a limit of validity.
+fn check_initial_events<D: OdeRhs>(
+    rhs: &mut D,
+    t: f64,
+    (x, dx): (&D::State, &D::State),
+    events: &mut [Event<'_, D::State>],
+) -> Result<(), IntegrationError> {
+    for event in events {
+        if event.action == EventAction::Record || !event.is_past(rhs, t, x, dx) {
+            continue;
+        }
+        let name = event.name.to_string();
+        let cause = match event.action {
+            EventAction::Fail => IntegrationFailure::Limit { reason: name },
+            _ => IntegrationFailure::StartsPastEvent { event: name },
+        };
+        return Err(failure(rhs, t, x.as_ref(), cause));
+    }
+    Ok(())
+}

@@ -1,0 +1,137 @@
+//! Step-size control: the PI controller and the initial step size.
+
+use crate::method::{ErrorTolerance, StepStart, combine};
+use crate::rhs::OdeRhs;
+
+/// Factor by which a predicted step size is reduced, so that the next step rarely fails the error test.
+const SAFETY: f64 = 0.9;
+
+/// Error of an accepted step below which the controller treats it as this, so that one nearly exact step does not
+/// inflate the next ones.
+const MIN_REMEMBERED_ERROR: f64 = 1e-4;
+
+/// Proportional-integral step-size controller (Hairer & Wanner, IV.2): the next step from the last two errors.
+pub(crate) struct PiController {
+    proportional_exponent: f64,
+    integral_exponent: f64,
+    factor_bounds: (f64, f64),
+    log2_last_error: f64,
+    last_was_rejected: bool,
+}
+
+impl PiController {
+    /// Controller of a method whose error estimate is of order `order`; `beta` is the exponent of the previous
+    /// error, `factor_bounds` limit the ratio of successive step sizes.
+    pub(crate) fn new(order: i32, beta: f64, factor_bounds: (f64, f64)) -> PiController {
+        PiController {
+            proportional_exponent: 1.0 / f64::from(order) - 0.75 * beta,
+            integral_exponent: beta,
+            factor_bounds,
+            log2_last_error: approx_log2(MIN_REMEMBERED_ERROR),
+            last_was_rejected: false,
+        }
+    }
+
+    /// Ratio of the next step size to this one after a step accepted with error norm `error` (at most 1).
+    #[inline(always)]
+    pub(crate) fn factor_after_accepted(&mut self, error: f64) -> f64 {
+        let log2_error = approx_log2(error.max(1e-10));
+        let exponent =
+            self.integral_exponent * self.log2_last_error - self.proportional_exponent * log2_error;
+        let factor = SAFETY * approx_exp2(exponent);
+        self.log2_last_error = log2_error.max(approx_log2(MIN_REMEMBERED_ERROR));
+        let max_factor = if std::mem::take(&mut self.last_was_rejected) {
+            1.0
+        } else {
+            self.factor_bounds.1
+        };
+        factor.clamp(self.factor_bounds.0, max_factor)
+    }
+
+    /// Ratio of the retried step size to the rejected one, whose error norm is above 1 or not finite.
+    #[cold]
+    pub(crate) fn factor_after_rejected(&mut self, error: f64) -> f64 {
+        self.last_was_rejected = true;
+        if error.is_finite() {
+            (SAFETY * error.powf(-self.proportional_exponent)).max(self.factor_bounds.0)
+        } else {
+            0.1
+        }
+    }
+}
+
+/// Initial step size from the first and second derivatives (Hairer, Nørsett & Wanner, II.4), at most `max_step`.
+pub(crate) fn initial_step<D: OdeRhs>(
+    rhs: &mut D,
+    start: &StepStart<'_, D::State>,
+    order: i32,
+    tolerance: &ErrorTolerance,
+    max_step: f64,
+) -> f64 {
+    let (x, dx) = (start.x.as_ref(), start.dx.as_ref());
+    let n = x.len().min(tolerance.controlled_len);
+    let norm = |of: &dyn Fn(usize) -> f64| {
+        let square = |i: usize| (of(i) / tolerance.scale(x[i], x[i])).powi(2);
+        ((0..n).map(square).sum::<f64>() / n as f64).sqrt()
+    };
+    let state_norm = norm(&|i| x[i]);
+    let rate_norm = norm(&|i| dx[i]);
+    let euler_step = if state_norm < 1e-5 || rate_norm < 1e-5 {
+        1e-6
+    } else {
+        0.01 * state_norm / rate_norm
+    }
+    .min(max_step);
+
+    let (mut euler_state, mut euler_rate) = (start.x.clone(), start.dx.clone());
+    combine(&mut euler_state, start.x, euler_step, [1.0], [start.dx]);
+    rhs.derivative(start.t + euler_step, &euler_state, &mut euler_rate);
+    let euler_rate = euler_rate.as_ref();
+    let second_derivative_norm = norm(&|i| euler_rate[i] - dx[i]) / euler_step;
+    let derivative_norm = rate_norm.max(second_derivative_norm);
+    let step = if derivative_norm <= 1e-15 {
+        (euler_step * 1e-3).max(1e-6)
+    } else {
+        (0.01 / derivative_norm).powf(1.0 / f64::from(order))
+    };
+    // A derivative that is not finite one Euler step ahead gives no information on the second derivative.
+    if step.is_finite() {
+        step.min(100.0 * euler_step).min(max_step)
+    } else {
+        euler_step
+    }
+}
+
+/// log2 of a positive number with an absolute error below 0.01, which suffices for a step size.
+#[inline(always)]
+fn approx_log2(x: f64) -> f64 {
+    let bits = x.to_bits();
+    let exponent = (bits >> 52) as i32 - 1023;
+    let m = f64::from_bits(bits & ((1 << 52) - 1) | 1023 << 52) - 1.0;
+    f64::from(exponent) + m * (1.0 + (1.0 - m) * 0.3431)
+}
+
+/// 2^y with a relative error below 1 %; y is clamped to ±1000.
+#[inline(always)]
+fn approx_exp2(y: f64) -> f64 {
+    let y = y.clamp(-1000.0, 1000.0);
+    let whole = (y + 1000.0) as i64 - 1000;
+    let part = y - whole as f64;
+    let power = f64::from_bits(((whole + 1023) as u64) << 52);
+    power * (1.0 + part * (1.0 - 0.3431 * (1.0 - part)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn approximate_powers_are_within_their_bounds() {
+        for i in 1..2000 {
+            let x = 1.013_f64.powi(i - 1000);
+            assert!((approx_log2(x) - x.log2()).abs() < 0.01, "{x}");
+            let y = f64::from(i - 1000) * 0.01;
+            assert!((approx_exp2(y) / y.exp2() - 1.0).abs() < 0.01, "{y}");
+        }
+    }
+}

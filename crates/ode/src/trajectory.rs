@@ -1,0 +1,97 @@
+//! Solution of an initial value problem, with dense output.
+
+use crate::dense_output::DenseOutput;
+use crate::event::Occurrence;
+use crate::method::{Method, ROWS};
+use crate::options::SolverStats;
+
+/// A sample closer to the end of a trajectory than this fraction of the sampling interval is the end.
+const END_SLACK: f64 = 1e-6;
+
+/// Solution x(t) from its initial time to its end, at any time by dense output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trajectory {
+    pub(crate) method: Method,
+    pub(crate) states: usize,
+    pub(crate) steps: Vec<(f64, f64)>,
+    /// Dense-output coefficients, step by step.
+    pub(crate) rows: Vec<f64>,
+    /// Initial time.
+    pub start: f64,
+    /// Final time: the requested one, or that of the terminal event.
+    pub end: f64,
+    /// State at the final time.
+    pub end_state: Vec<f64>,
+    /// Name of the terminal event; `None` where the requested final time was reached.
+    pub terminal_event: Option<String>,
+    /// Recorded events, in order of time.
+    pub events: Vec<Occurrence>,
+    /// Solver statistics.
+    pub stats: SolverStats,
+}
+
+impl Trajectory {
+    /// Length of the state vector.
+    pub fn states(&self) -> usize {
+        self.states
+    }
+
+    /// State at the time `t`; `None` outside the trajectory.
+    pub fn sample(&self, t: f64) -> Option<Vec<f64>> {
+        let mut state = vec![0.0; self.states];
+        self.sample_into(t, &mut state).then_some(state)
+    }
+
+    /// Writes the state at the time `t` to `state` and returns true; outside the trajectory returns false and writes
+    /// nothing.
+    ///
+    /// # Panics
+    /// Where `state` is not as long as the state vector.
+    pub fn sample_into(&self, t: f64, state: &mut [f64]) -> bool {
+        assert_eq!(state.len(), self.states);
+        if !(self.start <= t && t <= self.end) {
+            return false;
+        }
+        if t == self.end {
+            state.copy_from_slice(&self.end_state);
+            return true;
+        }
+        let following = self.steps.partition_point(|(start, _)| *start <= t);
+        let step = self.step(following.saturating_sub(1));
+        step.state((t - step.t) / step.h, state);
+        true
+    }
+
+    /// Dense output of a step by its index.
+    fn step(&self, index: usize) -> DenseOutput<'_> {
+        let (t, h) = self.steps[index];
+        let rows = &self.rows[index * ROWS * self.states..];
+        DenseOutput {
+            method: self.method,
+            t,
+            h,
+            rows: std::array::from_fn(|row| &rows[row * self.states..][..self.states]),
+        }
+    }
+
+    /// Times and states at an even rate (samples per unit of time) from the initial time on, and at the end.
+    ///
+    /// # Panics
+    /// Where the rate is not positive.
+    pub fn at_rate(&self, rate: f64) -> impl Iterator<Item = (f64, Vec<f64>)> {
+        assert!(rate > 0.0, "a positive rate");
+        let duration = self.end - self.start;
+        let count = (duration * rate - END_SLACK).ceil().max(0.0) as usize;
+        let sample = move |i: usize| {
+            let t = self.start + i as f64 / rate;
+            (t, self.sample(t).unwrap_or_else(|| self.end_state.clone()))
+        };
+        let end = std::iter::once_with(|| (self.end, self.end_state.clone()));
+        (0..count).map(sample).chain(end)
+    }
+
+    /// Start time and size of each accepted step.
+    pub fn steps(&self) -> &[(f64, f64)] {
+        &self.steps
+    }
+}
