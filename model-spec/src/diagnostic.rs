@@ -1,35 +1,9 @@
 //! Faults of a model file, each with its place and one message.
 
-use std::ops::Range;
+pub use crate::source::{Source, Span};
 
-pub use crate::render::{SHOWN, render};
-
-/// A place in the source: bytes from `start` up to, not including, `end`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Span {
-    /// First byte.
-    pub start: u32,
-    /// One past the last byte.
-    pub end: u32,
-    /// Which text: 0 is the model file; effects that are applied to it count on from 1.
-    pub source: u16,
-}
-
-impl Span {
-    /// The byte range inside its source.
-    pub fn range(self) -> Range<usize> {
-        self.start as usize..self.end as usize
-    }
-
-    /// The place from the start of this one to the end of another.
-    #[must_use]
-    pub fn to(self, end: Span) -> Span {
-        Span {
-            end: end.end.max(self.start),
-            ..self
-        }
-    }
-}
+/// Number of faults that are shown, and for which suggestions are looked up; the others are counted.
+pub(crate) const MAX_SHOWN: usize = 50;
 
 /// What kind of fault it is; the slug is stable and shown in brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

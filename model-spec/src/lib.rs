@@ -8,14 +8,23 @@
 //! ```
 
 pub mod check;
+pub mod compose;
 pub mod diagnostic;
 pub mod effect;
+mod error;
 pub mod index;
 pub mod layout;
+mod library;
 pub mod load;
 pub mod model;
+mod read;
 mod render;
+mod source;
 pub mod suggest;
 pub mod summary;
 pub mod syntax;
+pub mod term_library;
 pub mod unit;
+
+pub use error::LoadError;
+pub use render::render;

@@ -5,9 +5,13 @@
 mod effect;
 mod walk;
 
-use crate::diagnostic::Span;
+use std::sync::Arc;
+
+use crate::source::Span;
+use crate::syntax::ast;
 use crate::unit::Unit;
 
+pub use crate::source::Source;
 pub use effect::{AppliedEffect, EffectUnknown, OfferedEffect};
 
 /// A model of a flying body, checked.
@@ -57,15 +61,8 @@ pub struct Model {
     pub effects: Vec<AppliedEffect>,
     /// Effects that the model's own file offers, switched on or not.
     pub offers: Vec<OfferedEffect>,
-}
-
-/// A text that a model was made from.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Source {
-    /// File name or built-in name, for messages.
-    pub name: String,
-    /// The text.
-    pub text: String,
+    /// The syntax tree that was checked, with the effects applied to it.
+    pub tree: Arc<ast::File>,
 }
 
 /// A parameter or coefficient: a number that does not change during a flight.

@@ -2,14 +2,11 @@
 
 use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
 
-use crate::diagnostic::{Diagnostic, Span};
-use crate::model::Source;
+use crate::diagnostic::{self, Diagnostic, MAX_SHOWN};
+use crate::source::{Source, Span};
 
-/// At most this many faults are shown; the rest is counted.
-pub const SHOWN: usize = 50;
-
-/// Lines longer than this are not drawn.
-const LONGEST_LINE: usize = 300;
+/// Length of a source line, in bytes, up to which it is drawn with its faults.
+const MAX_LINE_BYTES: usize = 300;
 
 /// All faults, each with its place, in the order of their places.
 pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> String {
@@ -20,17 +17,17 @@ pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> St
         .map(|s| (s.name.clone(), ariadne::Source::from(s.text.as_str())))
         .collect();
     let mut out = String::new();
-    for diagnostic in ordered.iter().take(SHOWN) {
+    for diagnostic in ordered.iter().take(MAX_SHOWN) {
         if !out.is_empty() {
             out.push('\n');
         }
         if drawable(diagnostic, sources) {
             draw(diagnostic, &texts, color, &mut out);
         } else {
-            tell(diagnostic, sources, &mut out);
+            write_plain(diagnostic, sources, &mut out);
         }
     }
-    if let Some(more) = ordered.len().checked_sub(SHOWN).filter(|&n| n > 0) {
+    if let Some(more) = ordered.len().checked_sub(MAX_SHOWN).filter(|&n| n > 0) {
         let noun = if more == 1 { "fault" } else { "faults" };
         out.push_str(&format!("\n… and {more} more {noun}\n"));
     }
@@ -67,7 +64,7 @@ fn drawable(diagnostic: &Diagnostic, sources: &[Source]) -> bool {
         let end = text[range.end..]
             .find('\n')
             .map_or(text.len(), |i| range.end + i);
-        end - start <= LONGEST_LINE || text[start..end].lines().all(|l| l.len() <= LONGEST_LINE)
+        end - start <= MAX_LINE_BYTES || text[start..end].lines().all(|l| l.len() <= MAX_LINE_BYTES)
     };
     fits(diagnostic.span) && diagnostic.labels.iter().all(|l| fits(l.span))
 }
@@ -104,7 +101,7 @@ fn draw(
         let text = texts[usize::from(span.source)].1.text();
         text[..span.range().start].matches('\n').count()
     };
-    let own = |l: &crate::diagnostic::Label| {
+    let own = |l: &diagnostic::Label| {
         l.span.source == diagnostic.span.source && line(l.span) == line(diagnostic.span)
     };
     if !diagnostic.labels.iter().any(own) {
@@ -116,7 +113,7 @@ fn draw(
         );
     }
     // First what stands at the place itself, then the declarations that explain it, as they are written.
-    let mut labels: Vec<&crate::diagnostic::Label> = diagnostic.labels.iter().collect();
+    let mut labels: Vec<&diagnostic::Label> = diagnostic.labels.iter().collect();
     labels.sort_by_key(|l| (!within(l.span, diagnostic.span) && !own(l), l.span));
     for (i, label) in labels.into_iter().enumerate() {
         let color = if label.span == diagnostic.span {
@@ -179,8 +176,8 @@ impl<'a> ariadne::Cache<u16> for Texts<'a> {
     }
 }
 
-/// A fault without a drawing.
-fn tell(diagnostic: &Diagnostic, sources: &[Source], out: &mut String) {
+/// Appends a fault without a drawing of its source lines.
+fn write_plain(diagnostic: &Diagnostic, sources: &[Source], out: &mut String) {
     let at = |span: Span| match sources.get(usize::from(span.source)) {
         Some(source) if source.text.is_empty() => source.name.clone(),
         Some(source) => {

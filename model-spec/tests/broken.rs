@@ -18,7 +18,7 @@ fn said(path: &str) -> String {
             for fault in &loaded.diagnostics {
                 assert!(fault.message.len() < 600, "{path}: {}", fault.message);
             }
-            model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false)
+            model_spec::render(&loaded.diagnostics, &loaded.sources, false)
         }
         Err(error) => format!("{error}\n"),
     }
@@ -85,7 +85,7 @@ fn a_file_just_short_enough_does_not_take_long() {
         let text = line.repeat(model_spec::syntax::MAX_SOURCE_BYTES / line.len());
         let start = std::time::Instant::now();
         let loaded = load::inspect_text("long.hyz", &text, &[]).unwrap();
-        let shown = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+        let shown = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
         assert!(shown.len() < 200_000, "{line:?}: {} bytes", shown.len());
         assert!(
             start.elapsed().as_secs() < 20,

@@ -54,7 +54,7 @@ fn effects_share_an_input_that_they_declare_alike() {
         let both = on_marker("first", 1, input) + &on_marker("second", 2, other);
         let error = with(&both, &["first", "second"]).unwrap_err();
         assert!(
-            error.message.contains("`marker_is` is declared twice"),
+            error.to_string().contains("`marker_is` is declared twice"),
             "{error}"
         );
     }
@@ -148,7 +148,7 @@ fn an_effect_adds_states_with_their_equations() {
         ),
     ] {
         let error = with(&GUST.replacen(from, to, 1), &["gust"]).unwrap_err();
-        assert!(error.message.contains(why), "{from}: {error}");
+        assert!(error.to_string().contains(why), "{from}: {error}");
     }
 }
 
@@ -211,7 +211,7 @@ fn a_clock_is_stated_or_replaced() {
         ),
     ] {
         let error = with(text, names).unwrap_err();
-        assert!(error.message.contains(why), "{text}: {error}");
+        assert!(error.to_string().contains(why), "{text}: {error}");
     }
 }
 
@@ -238,7 +238,7 @@ fn bounds_keep_a_divisor_away_from_zero() {
         (" in -0.5 .. 2", "c - 1"),
     ] {
         let error = divided(bounds, by).unwrap_err();
-        assert!(error.message.contains("which may be zero"), "{error}");
+        assert!(error.to_string().contains("which may be zero"), "{error}");
     }
 }
 
@@ -280,11 +280,14 @@ fn the_angular_velocity_stays_where_it_was_seen() {
     let error = from_text("disc.hyz", &twice, &[]).unwrap_err();
     assert!(
         error
-            .message
+            .to_string()
             .contains("`angular velocity in` is stated twice"),
         "{error}"
     );
     let nowhere = text.replace("fixed in C;", "fixed in C; angular velocity in D;");
     let error = from_text("disc.hyz", &nowhere, &[]).unwrap_err();
-    assert!(error.message.contains("there is no frame `D`"), "{error}");
+    assert!(
+        error.to_string().contains("there is no frame `D`"),
+        "{error}"
+    );
 }

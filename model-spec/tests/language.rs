@@ -86,7 +86,7 @@ fn every_example_of_the_page_does_what_it_says() {
                     block.quoted.as_deref(),
                     "line {line}"
                 );
-                assert_eq!(error.diagnostics.len(), 1, "line {line}");
+                assert_eq!(error.diagnostics().len(), 1, "line {line}");
             }
             other => panic!("line {line}: a block of kind `{other}`"),
         }

@@ -285,14 +285,14 @@ fn effects_add_up_and_do_not_undo_one_another() {
     let undone = with(&["more", "fresh"]).unwrap_err();
     assert!(
         undone
-            .message
+            .to_string()
             .contains("`fresh` would undo the effect `more`"),
         "{undone}"
     );
     assert!(
         with(&["more", "more"])
             .unwrap_err()
-            .message
+            .to_string()
             .contains("switched on twice")
     );
     // Switched off they change nothing.
@@ -324,8 +324,8 @@ fn a_path_wins_over_a_name_and_effects_may_be_paths() {
     std::fs::write(&effect, "effect more {\n  site drag;\n  coefficient k = 0;\n  replace drag = previous*(1 + k);\n}\n")
         .unwrap();
     let model = load::load(path.to_str().unwrap(), &[effect.to_str().unwrap()]).unwrap();
-    let missing = load::load("dsic", &[]).unwrap_err().message;
-    let unknown = load::load("disc", &["side_force"]).unwrap_err().message;
+    let missing = load::load("dsic", &[]).unwrap_err().to_string();
+    let unknown = load::load("disc", &["side_force"]).unwrap_err().to_string();
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!((model.name.as_str(), model.effects.len()), ("probe", 1));
     assert!(missing.contains("did you mean `disc`?"), "{missing}");

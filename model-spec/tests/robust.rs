@@ -10,7 +10,7 @@ use proptest::sample::{Index, select};
 fn digest(text: String) {
     let work = move || {
         let loaded = load::inspect_text("random.hyz", &text, &[]).unwrap();
-        let shown = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+        let shown = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
         assert_eq!(shown.is_empty(), loaded.diagnostics.is_empty());
         if let Some(model) = loaded.model {
             let summary = model_spec::summary::summary(&model);

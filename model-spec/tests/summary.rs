@@ -23,8 +23,8 @@ fn summaries() {
 #[test]
 fn faults_in_colour_have_the_same_words() {
     let loaded = load::inspect("disc_appendix_printed", &[]).unwrap();
-    let colored = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, true);
-    let plain = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+    let colored = model_spec::render(&loaded.diagnostics, &loaded.sources, true);
+    let plain = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
     assert!(colored.contains("\u{1b}["));
     assert!(!plain.contains('\u{1b}'));
     assert!(colored.contains("a force (N = kg·m/s²)"));

@@ -2,8 +2,8 @@
 
 use std::io::IsTerminal;
 
-use model_spec::diagnostic::render;
 use model_spec::load::inspect;
+use model_spec::render;
 use model_spec::summary::summary;
 
 use crate::cli::Check;

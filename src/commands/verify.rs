@@ -63,6 +63,6 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
 }
 
 fn refuse(loaded: &Loaded) {
-    let text = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+    let text = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
     eprint!("{text}");
 }

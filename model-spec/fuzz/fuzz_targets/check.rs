@@ -7,7 +7,7 @@ use model_spec::load;
 fuzz_target!(|bytes: &[u8]| {
     let Ok(text) = load::decode("fuzz.hyz", bytes.to_vec()) else { return };
     let Ok(loaded) = load::inspect_text("fuzz.hyz", &text, &[]) else { return };
-    let _ = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+    let _ = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
     if let Some(model) = &loaded.model {
         let _ = model_spec::summary::summary(model);
         // What was read can be written, and reads the same.

@@ -26,7 +26,8 @@ impl Checker<'_> {
                     ItemKind::Parameter(constant) => {
                         let place = constant.name.span;
                         let all = &self.model.coefficients;
-                        let Some(index) = all.iter().position(|c| c.span == place) else {
+                        let Some(index) = all.iter().position(|c| c.name == constant.name.text)
+                        else {
                             continue;
                         };
                         let (null_value, unit) = (all[index].value, all[index].unit);
@@ -40,7 +41,7 @@ impl Checker<'_> {
                     ItemKind::State(state) => {
                         let place = state.name.span;
                         let all = &self.model.states;
-                        let Some(index) = all.iter().position(|s| s.span == place) else {
+                        let Some(index) = all.iter().position(|s| s.name == state.name.text) else {
                             continue;
                         };
                         let (null_value, unit) = (all[index].value, all[index].unit);

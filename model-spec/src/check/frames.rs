@@ -2,7 +2,7 @@
 
 use super::Checker;
 use super::scope::Symbol;
-use crate::diagnostic::{Diagnostic, Kind, SHOWN};
+use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN};
 use crate::model::{self, FrameKind};
 use crate::suggest;
 use crate::syntax::ast::{self, ItemKind, Name};
@@ -167,7 +167,7 @@ impl<'a> Checker<'a> {
     /// Reports a name that should be that of a state.
     pub fn no_state(&mut self, name: &Name) {
         // Faults that are not shown need no suggestion.
-        let told = if self.diagnostics.len() < SHOWN {
+        let told = if self.diagnostics.len() < MAX_SHOWN {
             &self.model.states[..]
         } else {
             &[]

@@ -23,6 +23,7 @@ mod sum;
 mod term;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{self, Model, Source};
@@ -235,6 +236,7 @@ fn empty_model(file: &ast::File, sources: &[Source]) -> Model {
         limits: Vec::new(),
         checks: Vec::new(),
         effects: Vec::new(),
+        tree: Arc::new(file.clone()),
         offers: file
             .items
             .iter()

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Checker;
-use crate::diagnostic::{Diagnostic, Kind, SHOWN, Span};
+use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 use crate::syntax::ast::Name;
 
@@ -145,7 +145,7 @@ impl Checker<'_> {
 
     /// The known name that was probably meant. Looked for only while faults are still shown.
     pub fn nearest(&self, wrong: &str) -> Option<String> {
-        if self.diagnostics.len() >= SHOWN {
+        if self.diagnostics.len() >= MAX_SHOWN {
             return None;
         }
         let body = if self.declared_body.is_some() {

@@ -1,15 +1,15 @@
 //! What an effect replaces: the old definition put in where the new one says `previous`.
 
 use super::Change;
-use crate::diagnostic::{Diagnostic, Kind, SHOWN, Span};
+use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 use crate::syntax;
 use crate::syntax::ast::{
-    Body, BodyPart, BodyPartKind, Expr, ExprKind, Item, ItemKind, Let, LoadClass, Number, Quantity,
+    Body, BodyPart, BodyPartKind, Expr, ExprKind, Item, ItemKind, LoadClass, Number, Quantity,
 };
 
-/// An expression does not grow beyond this when a definition is put into its replacement.
-const MOST_NODES: usize = 20_000;
+/// Number of nodes up to which an expression may grow when the old definition is put into its replacement.
+const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
     pub(super) fn replace(&mut self, item: &Item) {
@@ -29,7 +29,7 @@ impl Change<'_> {
                 _ => None,
             });
             let near = match &item.kind {
-                ItemKind::Let(l) if self.diagnostics.len() < SHOWN => {
+                ItemKind::Let(l) if self.diagnostics.len() < MAX_SHOWN => {
                     suggest::nearest(&l.name.text, names)
                 }
                 _ => None,
@@ -63,10 +63,10 @@ impl Change<'_> {
         }
         let old = &self.file.items[at];
         let mut uses_old = false;
-        if let (Some(before), Some(expr)) = (value(&old.kind), value_mut(&mut new.kind)) {
+        if let (Some(before), Some(expr)) = (old.kind.value(), new.kind.value_mut()) {
             let mut nodes = 0;
             put_in(expr, before, &mut nodes, &mut uses_old);
-            if nodes > MOST_NODES || (uses_old && height(expr) > syntax::HIGHEST) {
+            if nodes > MAX_NODES || (uses_old && height(expr) > syntax::HIGHEST) {
                 let message = format!("this replacement makes {key} too long");
                 self.diagnostics
                     .push(Diagnostic::new(Kind::Limit, span, message));
@@ -170,54 +170,34 @@ impl Change<'_> {
 /// The name that stands for the definition that is replaced.
 pub(crate) const PREVIOUS: &str = "previous";
 
-/// Puts the old definition in wherever the new one says `previous`.
+/// Replaces the name `previous` in an expression by the old definition; stops at [`MAX_NODES`] nodes.
 fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
     *nodes += 1;
-    if *nodes > MOST_NODES {
+    if *nodes > MAX_NODES {
         return;
     }
-    match &mut e.kind {
-        ExprKind::Name(n) if n == PREVIOUS => {
-            *found = true;
-            *nodes += size(old);
-            e.kind = old.kind.clone();
-            e.span = old.span;
-        }
-        ExprKind::Name(_) | ExprKind::Number(Quantity { .. }) | ExprKind::Derivative(_) => {}
-        ExprKind::Part(of, _) | ExprKind::Neg(of) => put_in(of, old, nodes, found),
-        ExprKind::Components(parts, _) => {
-            parts.iter_mut().for_each(|p| put_in(p, old, nodes, found));
-        }
-        ExprKind::Binary(_, a, b) => {
-            put_in(a, old, nodes, found);
-            put_in(b, old, nodes, found);
-        }
-        ExprKind::Call(_, arguments) => {
-            arguments
-                .iter_mut()
-                .for_each(|a| put_in(a, old, nodes, found));
-        }
+    if matches!(&e.kind, ExprKind::Name(name) if name == PREVIOUS) {
+        *found = true;
+        *nodes += size(old);
+        e.kind = old.kind.clone();
+        e.span = old.span;
+        return;
     }
+    e.children_mut(&mut |child| put_in(child, old, nodes, found));
 }
 
+/// Number of nodes of an expression.
 fn size(e: &Expr) -> usize {
-    1 + match &e.kind {
-        ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Derivative(_) => 0,
-        ExprKind::Part(of, _) | ExprKind::Neg(of) => size(of),
-        ExprKind::Components(parts, _) => parts.iter().map(size).sum(),
-        ExprKind::Binary(_, a, b) => size(a) + size(b),
-        ExprKind::Call(_, arguments) => arguments.iter().map(size).sum(),
-    }
+    let mut nodes = 1;
+    e.children(&mut |child| nodes += size(child));
+    nodes
 }
 
+/// Number of nodes on the longest way from an expression to a leaf.
 fn height(e: &Expr) -> u32 {
-    1 + match &e.kind {
-        ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Derivative(_) => 0,
-        ExprKind::Part(of, _) | ExprKind::Neg(of) => height(of),
-        ExprKind::Components(parts, _) => parts.iter().map(height).max().unwrap_or(0),
-        ExprKind::Binary(_, a, b) => height(a).max(height(b)),
-        ExprKind::Call(_, arguments) => arguments.iter().map(height).max().unwrap_or(0),
-    }
+    let mut highest = 0;
+    e.children(&mut |child| highest = highest.max(height(child)));
+    1 + highest
 }
 
 /// What a replacement is called in a message.
@@ -246,26 +226,6 @@ fn name_span(kind: &ItemKind) -> Option<Span> {
         ItemKind::Let(l) => Some(l.name.span),
         ItemKind::Load(l) => Some(l.name.span),
         ItemKind::Observe(o) => Some(o.name.span),
-        _ => None,
-    }
-}
-
-fn value(kind: &ItemKind) -> Option<&Expr> {
-    match kind {
-        ItemKind::Let(Let { value, .. }) => Some(value),
-        ItemKind::Load(l) => Some(&l.value),
-        ItemKind::Observe(o) => Some(&o.value),
-        ItemKind::Clock(value) => Some(value),
-        _ => None,
-    }
-}
-
-fn value_mut(kind: &mut ItemKind) -> Option<&mut Expr> {
-    match kind {
-        ItemKind::Let(Let { value, .. }) => Some(value),
-        ItemKind::Load(l) => Some(&mut l.value),
-        ItemKind::Observe(o) => Some(&mut o.value),
-        ItemKind::Clock(value) => Some(value),
         _ => None,
     }
 }

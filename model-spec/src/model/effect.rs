@@ -1,8 +1,8 @@
 //! Effects of a checked model: those that are switched on, and those that could be.
 
-use crate::diagnostic::Span;
 #[cfg(doc)]
 use crate::model::Model;
+use crate::source::Span;
 
 /// An effect that has been switched on.
 #[derive(Clone, Debug)]

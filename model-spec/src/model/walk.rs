@@ -1,7 +1,7 @@
 //! Walking over expressions, and the places of a model in its texts.
 
 use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
-use crate::diagnostic::Span;
+use crate::source::Span;
 
 impl Expr {
     /// Hands each expression directly under this one to `visit`, from left to right.

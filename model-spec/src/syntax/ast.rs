@@ -3,7 +3,7 @@
 //! Fields are public so that other programs can change a model (make mutants of it, apply effects to it)
 //! and have the result checked like any other.
 
-use crate::diagnostic::Span;
+use crate::source::Span;
 
 /// A file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -11,14 +11,16 @@ mod parser;
 mod print;
 mod print_file;
 mod quantity;
+mod spans;
 pub mod spelling;
 mod statement;
 pub(crate) mod token;
+mod walk;
 
 pub(crate) use expr::HIGHEST;
 
-use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::Source;
+use crate::diagnostic::{Diagnostic, Kind};
+use crate::source::{Source, Span};
 
 /// The longest text that is read, in bytes.
 pub const MAX_SOURCE_BYTES: usize = 1_000_000;

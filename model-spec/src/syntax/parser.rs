@@ -2,7 +2,7 @@
 
 use super::ast::{File, Name};
 use super::token::{self, Lexed, Lexeme, Token};
-use crate::diagnostic::{Diagnostic, Kind, SHOWN, Span};
+use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
 /// How deep brackets, calls, signs and powers may nest.
@@ -209,7 +209,7 @@ impl<'a> Parser<'a> {
 
     /// The nearest of some words; looked for only while faults are still shown.
     pub fn nearest<'w>(&self, wrong: &str, words: &[&'w str]) -> Option<&'w str> {
-        if self.lexed.diagnostics.len() >= SHOWN {
+        if self.lexed.diagnostics.len() >= MAX_SHOWN {
             return None;
         }
         suggest::nearest(wrong, words.iter().copied())

@@ -91,7 +91,7 @@ fn extended(text: &str) -> anyhow::Result<Extended> {
     let model = match &loaded.model {
         Some(model) if loaded.diagnostics.is_empty() => model,
         _ => {
-            let told = model_spec::diagnostic::render(&loaded.diagnostics, &loaded.sources, false);
+            let told = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
             anyhow::bail!("the extended model is faulty:\n{told}");
         }
     };

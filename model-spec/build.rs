@@ -1,0 +1,56 @@
+//! Lists the built-in models, effects and term libraries: every file of their folders, in the order of their names.
+
+use std::env;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Constant, its doc comment, folder and file extension.
+const TABLES: [(&str, &str, &str, &str); 4] = [
+    ("MODELS", "Built-in models: name and text.", "models", "hyz"),
+    (
+        "EFFECTS",
+        "Built-in effects: name and text.",
+        "effects",
+        "hyz",
+    ),
+    (
+        "REFUTED",
+        "Models that are wrong on purpose, for tests of the verification: name and text.",
+        "refuted",
+        "hyz",
+    ),
+    (
+        "TERM_LIBRARIES",
+        "Built-in term libraries: name and text, in TOML.",
+        "term_libraries",
+        "toml",
+    ),
+];
+
+fn main() {
+    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
+    let mut code = String::new();
+    for (table, doc, folder, extension) in TABLES {
+        println!("cargo::rerun-if-changed={folder}");
+        let _ = writeln!(code, "/// {doc}\npub const {table}: &[(&str, &str)] = &[");
+        for path in files(&root.join(folder), extension) {
+            let name = path.file_stem().expect("a file name").to_string_lossy();
+            let _ = writeln!(code, "    ({name:?}, include_str!({path:?})),");
+        }
+        code.push_str("];\n");
+    }
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("set by cargo"));
+    fs::write(out.join("library.rs"), code).expect("the list of built-in files is written");
+}
+
+/// Files of a folder with an extension, sorted by name.
+fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+    let paths = entries.map(|entry| entry.expect("a folder entry").path());
+    let mut files: Vec<PathBuf> = paths
+        .filter(|path| path.extension().is_some_and(|e| e == extension))
+        .collect();
+    files.sort();
+    files
+}

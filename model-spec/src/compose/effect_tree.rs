@@ -1,0 +1,150 @@
+//! An effect as a syntax tree, parsed once or built from parts.
+
+use std::fmt;
+use std::path::Path;
+
+use crate::diagnostic::{Diagnostic, Kind, Source};
+use crate::error::LoadError;
+use crate::library::{self, EFFECTS};
+use crate::read::read;
+use crate::source::Span;
+use crate::syntax::ast::{Effect, ItemKind};
+use crate::syntax::{self, Parsed};
+
+/// An effect that can be applied to any [`ModelTree`](super::ModelTree).
+#[derive(Clone, Debug)]
+pub struct EffectTree {
+    tree: Effect,
+    /// Text that the spans refer to; none for an effect of the model's own file.
+    source: Option<Source>,
+}
+
+impl EffectTree {
+    /// An effect of a model's own file.
+    pub(super) fn of_model(tree: Effect) -> EffectTree {
+        EffectTree { tree, source: None }
+    }
+
+    /// An effect that was built from parts, as the tree of its statements; its printed text becomes its source.
+    ///
+    /// ```
+    /// use model_spec::compose::{EffectTree, ModelTree};
+    /// # let parsed = EffectTree::parse("lift.hyz",
+    /// #     "effect more_lift { site lift; coefficient k = 0 [1]; replace C_L = previous + k; }")?;
+    /// let mut tree = parsed.tree().clone();
+    /// tree.name.text = "other_lift".to_owned();
+    /// let effect = EffectTree::new(tree);
+    /// let model = ModelTree::load("disc")?.with(&effect)?.check()?;
+    /// assert_eq!(model.effects[0].name, "other_lift");
+    /// # Ok::<(), model_spec::LoadError>(())
+    /// ```
+    pub fn new(mut tree: Effect) -> EffectTree {
+        let text = tree.to_string();
+        let whole = Span {
+            start: 0,
+            end: u32::try_from(text.len()).unwrap_or(u32::MAX),
+            source: 0,
+        };
+        tree.change_spans(&mut |span| *span = whole);
+        let source = Source {
+            name: format!("{}.hyz", tree.name.text),
+            text,
+        };
+        EffectTree {
+            tree,
+            source: Some(source),
+        }
+    }
+
+    /// The effect of a file: its only one, or the one that has the file's name.
+    ///
+    /// # Errors
+    /// [`LoadError::Unreadable`], or [`LoadError::Faults`] of the syntax or if there is no effect.
+    pub fn load(path: &str) -> Result<EffectTree, LoadError> {
+        EffectTree::parse(path, &read(path)?)
+    }
+
+    /// A built-in effect, if there is one of this name.
+    pub(super) fn built_in(name: &str) -> Option<Result<EffectTree, LoadError>> {
+        let text = library::find(EFFECTS, name)?;
+        Some(EffectTree::parse(&format!("{name}.hyz"), text))
+    }
+
+    /// The effect of a text: its only one, or the one that has the name of the file `name`.
+    ///
+    /// # Errors
+    /// [`LoadError::Faults`] of the syntax or if there is no effect.
+    pub fn parse(name: &str, text: &str) -> Result<EffectTree, LoadError> {
+        let Parsed {
+            file,
+            source,
+            mut diagnostics,
+        } = syntax::parse(name, text);
+        let mut effects: Vec<Effect> = file.items.into_iter().filter_map(effect).collect();
+        if effects.len() > 1 {
+            let wanted = Path::new(name).file_stem().unwrap_or_default();
+            let wanted = wanted.to_string_lossy().replace('-', "_");
+            effects.retain(|effect| effect.name.text == wanted);
+        }
+        if diagnostics.is_empty() && effects.is_empty() {
+            let fault = Diagnostic::new(Kind::Missing, file.end, "the file has no effect");
+            diagnostics.push(fault.help("write `effect NAME { … }`"));
+        }
+        match effects.into_iter().next() {
+            Some(tree) if diagnostics.is_empty() => Ok(EffectTree {
+                tree,
+                source: Some(source),
+            }),
+            _ => Err(LoadError::Faults {
+                diagnostics,
+                sources: vec![source],
+            }),
+        }
+    }
+
+    /// Its name, with underscores.
+    pub fn name(&self) -> &str {
+        &self.tree.name.text
+    }
+
+    /// Its statements.
+    pub fn tree(&self) -> &Effect {
+        &self.tree
+    }
+
+    /// Text of a span of the tree; empty for an effect of a model's own file.
+    pub(crate) fn text(&self, span: Span) -> &str {
+        let source = self.source.as_ref();
+        source
+            .and_then(|source| source.text.get(span.range()))
+            .unwrap_or_default()
+    }
+
+    /// The tree with spans into `sources`, to which the effect's text is added unless it is there.
+    pub(super) fn in_sources(&self, sources: &mut Vec<Source>) -> Effect {
+        let mut tree = self.tree.clone();
+        if let Some(own) = &self.source {
+            let place = sources.iter().position(|source| source == own);
+            let place = place.unwrap_or_else(|| {
+                sources.push(own.clone());
+                sources.len() - 1
+            });
+            let place = u16::try_from(place).unwrap_or(u16::MAX);
+            tree.change_spans(&mut |span| span.source = place);
+        }
+        tree
+    }
+}
+
+impl fmt::Display for EffectTree {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.tree.fmt(f)
+    }
+}
+
+fn effect(item: syntax::ast::Item) -> Option<Effect> {
+    match item.kind {
+        ItemKind::Effect(effect) => Some(effect),
+        _ => None,
+    }
+}

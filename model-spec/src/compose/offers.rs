@@ -1,0 +1,43 @@
+//! Faults of the effects that a model's own file offers.
+
+use std::collections::HashSet;
+
+use super::effects_of;
+use crate::check;
+use crate::diagnostic::{Diagnostic, Kind, Source};
+use crate::effect;
+use crate::syntax::ast::{File, ItemKind};
+
+/// Number of offered effects that are checked; each costs a check of the whole model.
+const MAX_CHECKED_OFFERS: usize = 50;
+
+/// Faults of the offered effects, each applied alone.
+pub(super) fn faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
+    let model = file.items.iter().find_map(|item| match &item.kind {
+        ItemKind::Model(name) => Some(name.text.as_str()),
+        _ => None,
+    });
+    let mut diagnostics = Vec::new();
+    let mut names: HashSet<&str> = HashSet::new();
+    for offered in effects_of(file) {
+        let name = &offered.name;
+        if !names.insert(&name.text) {
+            let message = format!("there are two effects `{}`", name.text);
+            let fault = Diagnostic::new(Kind::Duplicate, name.span, message);
+            diagnostics.push(fault.help("rename one of them"));
+            continue;
+        }
+        let is_applied = file.applied.iter().any(|a| a.name.text == name.text);
+        let is_for_other_models =
+            !offered.on.is_empty() && offered.on.iter().all(|on| Some(on.text.as_str()) != model);
+        if is_applied || is_for_other_models || names.len() > MAX_CHECKED_OFFERS {
+            continue;
+        }
+        match effect::apply(file, offered) {
+            Ok(changed) => diagnostics.extend(check::check(&changed, sources).diagnostics),
+            Err(faults) => diagnostics.extend(faults),
+        }
+    }
+    diagnostics.sort_by_key(|d| d.span);
+    diagnostics
+}

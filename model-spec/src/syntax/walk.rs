@@ -1,0 +1,59 @@
+//! Walking over the syntax tree.
+
+use super::ast::{Expr, ExprKind, ItemKind};
+
+impl Expr {
+    /// Calls `visit` on each direct subexpression, from left to right.
+    pub fn children<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
+        match &self.kind {
+            ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Derivative(_) => {}
+            ExprKind::Part(of, _) | ExprKind::Neg(of) => visit(of),
+            ExprKind::Components(parts, _) => parts.iter().for_each(visit),
+            ExprKind::Binary(_, a, b) => {
+                visit(a);
+                visit(b);
+            }
+            ExprKind::Call(_, arguments) => arguments.iter().for_each(visit),
+        }
+    }
+
+    /// Calls `visit` on each direct subexpression, from left to right, for modification.
+    pub fn children_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
+        match &mut self.kind {
+            ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Derivative(_) => {}
+            ExprKind::Part(of, _) | ExprKind::Neg(of) => visit(of),
+            ExprKind::Components(parts, _) => parts.iter_mut().for_each(visit),
+            ExprKind::Binary(_, a, b) => {
+                visit(a);
+                visit(b);
+            }
+            ExprKind::Call(_, arguments) => arguments.iter_mut().for_each(visit),
+        }
+    }
+}
+
+impl ItemKind {
+    /// The expression that a statement defines something by; none for declarations.
+    pub(crate) fn value(&self) -> Option<&Expr> {
+        match self {
+            ItemKind::Let(binding) => Some(&binding.value),
+            ItemKind::Load(load) => Some(&load.value),
+            ItemKind::Equation(equation) => Some(&equation.value),
+            ItemKind::Observe(observe) => Some(&observe.value),
+            ItemKind::Clock(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// As [`ItemKind::value`], for modification.
+    pub(crate) fn value_mut(&mut self) -> Option<&mut Expr> {
+        match self {
+            ItemKind::Let(binding) => Some(&mut binding.value),
+            ItemKind::Load(load) => Some(&mut load.value),
+            ItemKind::Equation(equation) => Some(&mut equation.value),
+            ItemKind::Observe(observe) => Some(&mut observe.value),
+            ItemKind::Clock(value) => Some(value),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,550 @@
+//! Term libraries (as in SINDy): products of variables of a flight, each on each channel of the loads, by which a model
+//! error is described that no known effect explains.
+//!
+//! A library is a TOML file of `model-spec/term_libraries`:
+//! - `loads`: an effect with one dimensionless coefficient per channel, and a quantity per variable;
+//! - `variables`: the quantity of each, its `name` in names of terms, and what an effect with it `depends_on`;
+//! - `products`: the names of their factors, a power as a repeated name, the constant 1 as an empty list;
+//! - `channels`: the coefficient of each, its `name` in names of terms, and the effect of a `term`, in which `NAME` and
+//!   `TERM` are replaced.
+//!
+//! ```
+//! use model_spec::compose::ModelTree;
+//! use model_spec::term_library::TermLibrary;
+//!
+//! let disc = ModelTree::load("disc")?;
+//! let (library, with_loads) = TermLibrary::for_model(&disc).expect("the disc has one");
+//! assert_eq!(with_loads.check()?.effects[0].name, library.loads.name());
+//!
+//! let term = library.terms().find(|&term| library.name(term) == "drag-by-alpha").expect("a term");
+//! let effect = library.effect(term, "Found.");
+//! assert_eq!(disc.with(&effect)?.check()?.effects[0].site, "drag");
+//! # Ok::<(), model_spec::LoadError>(())
+//! ```
+
+use std::sync::LazyLock;
+
+use serde::Deserialize;
+use thiserror::Error;
+
+use crate::compose::{EffectTree, ModelTree};
+use crate::error::LoadError;
+use crate::index::IndexVec;
+use crate::index_type;
+use crate::library::TERM_LIBRARIES;
+use crate::source::Span;
+use crate::syntax::ast::{
+    BinaryOp, Effect, EffectPart, Expr, ExprKind, Item, ItemKind, Name, Number, Parameter,
+    ParameterClass, Quantity, UnitExpr,
+};
+
+/// Citation of an effect that is written for a term, and the doc comment of its coefficient.
+const FOUND: &str = "found in measured flights";
+
+index_type!(
+    /// Index of a channel of a library.
+    pub struct ChannelId;
+);
+
+index_type!(
+    /// Index of a variable of a library.
+    pub struct VariableId;
+);
+
+index_type!(
+    /// Index of a product of a library.
+    pub struct ProductId;
+);
+
+/// Channels, variables and products for a family of models.
+#[derive(Clone, Debug)]
+pub struct TermLibrary {
+    /// Effect with one coefficient per channel and the variables' quantities.
+    pub loads: EffectTree,
+    /// Components of the loads that a term can act on.
+    pub channels: IndexVec<ChannelId, Channel>,
+    /// Variables of the products.
+    pub variables: IndexVec<VariableId, Variable>,
+    /// Products of powers of variables.
+    pub products: IndexVec<ProductId, Vec<Factor>>,
+}
+
+/// A component of the loads.
+#[derive(Clone, Debug)]
+pub struct Channel {
+    /// Name of its coefficient in the effect of the loads.
+    pub coefficient: String,
+    /// Name in names of terms.
+    pub name: String,
+    /// Where it acts: one of [`SITES`](crate::effect::SITES).
+    pub site: String,
+    /// The effect of a term, with placeholders `NAME` and `TERM`.
+    template: Effect,
+}
+
+/// A variable of the products.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// Quantity of the model, or of the effect of the loads, that holds its value.
+    pub quantity: String,
+    /// Name in names of terms.
+    pub name: String,
+    /// What an effect with it depends on: one of [`VARIABLES`](crate::effect::VARIABLES).
+    pub depends_on: String,
+    /// Its definition, as text.
+    pub formula: String,
+    /// Its definition.
+    value: Expr,
+}
+
+/// A power of a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Factor {
+    /// The variable.
+    pub variable: VariableId,
+    /// Its exponent, at least 1.
+    pub power: i32,
+}
+
+/// A product on a channel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// The channel.
+    pub channel: ChannelId,
+    /// The product.
+    pub product: ProductId,
+}
+
+/// Why a term library cannot be loaded.
+#[derive(Clone, Debug, Error)]
+pub enum TermLibraryError {
+    /// The file is not of the form of a library.
+    #[error("{name}: {error}")]
+    Form {
+        /// Name of the library.
+        name: String,
+        /// Error of the TOML reader.
+        error: toml::de::Error,
+    },
+    /// An effect in it has faults.
+    #[error(transparent)]
+    Effect(#[from] LoadError),
+    /// A product names a variable that is not declared.
+    #[error("{name}: a product has the factor `{factor}`, which is not the name of a variable")]
+    UnknownVariable {
+        /// Name of the library.
+        name: String,
+        /// Name of the factor.
+        factor: String,
+    },
+}
+
+/// The file of a library.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LibraryFile {
+    loads: String,
+    variables: Vec<VariableEntry>,
+    products: Vec<Vec<String>>,
+    channels: Vec<ChannelEntry>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct VariableEntry {
+    quantity: String,
+    name: String,
+    depends_on: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ChannelEntry {
+    coefficient: String,
+    name: String,
+    term: String,
+}
+
+impl TermLibrary {
+    /// The built-in libraries.
+    pub fn built_in() -> &'static [TermLibrary] {
+        static BUILT_IN: LazyLock<Vec<TermLibrary>> = LazyLock::new(|| {
+            let parse = |(name, text): &(&str, &str)| TermLibrary::parse(name, text);
+            let libraries: Result<_, _> = TERM_LIBRARIES.iter().map(parse).collect();
+            libraries.expect("the built-in libraries are tested")
+        });
+        &BUILT_IN
+    }
+
+    /// The first built-in library whose loads a model can have, and the model with them.
+    pub fn for_model(model: &ModelTree) -> Option<(&'static TermLibrary, ModelTree)> {
+        TermLibrary::built_in().iter().find_map(|library| {
+            let with_loads = model.with(&library.loads).ok()?;
+            with_loads.check().ok()?;
+            Some((library, with_loads))
+        })
+    }
+
+    /// Reads a library from its text; `name` is shown in messages.
+    ///
+    /// # Errors
+    /// [`TermLibraryError`]; whether the effects fit a model is found when they are applied.
+    pub fn parse(name: &str, text: &str) -> Result<TermLibrary, TermLibraryError> {
+        let file: LibraryFile = toml::from_str(text).map_err(|error| TermLibraryError::Form {
+            name: name.to_owned(),
+            error,
+        })?;
+        let loads = EffectTree::parse(name, &file.loads)?;
+        let variables = file.variables.into_iter();
+        let variables: IndexVec<VariableId, Variable> = variables
+            .map(|entry| Variable::new(entry, &loads))
+            .collect();
+        let products = file.products.iter().map(|names| {
+            factors(names, &variables).map_err(|factor| TermLibraryError::UnknownVariable {
+                name: name.to_owned(),
+                factor,
+            })
+        });
+        let channels = file
+            .channels
+            .into_iter()
+            .map(|entry| Channel::new(name, entry));
+        Ok(TermLibrary {
+            products: products.collect::<Result<Vec<_>, _>>()?.into(),
+            channels: channels.collect::<Result<Vec<_>, _>>()?.into(),
+            loads,
+            variables,
+        })
+    }
+
+    /// Every product on every channel, channel by channel.
+    pub fn terms(&self) -> impl Iterator<Item = Term> + '_ {
+        self.channels.indices().flat_map(|channel| {
+            let products = self.products.indices();
+            products.map(move |product| Term { channel, product })
+        })
+    }
+
+    /// Factors of a term.
+    pub fn factors(&self, term: Term) -> &[Factor] {
+        &self.products[term.product]
+    }
+
+    /// A term without its coefficient, in the notation of the models.
+    pub fn formula(&self, term: Term) -> String {
+        let factor = |factor: &Factor| {
+            let formula = &self.variables[factor.variable].formula;
+            match factor.power {
+                1 => formula.clone(),
+                power => format!("({formula})^{power}"),
+            }
+        };
+        let factors: Vec<String> = self.factors(term).iter().map(factor).collect();
+        if factors.is_empty() {
+            "1".to_owned()
+        } else {
+            factors.join("*")
+        }
+    }
+
+    /// A short name of a term for reports, such as `drag-by-alpha-squared`.
+    pub fn name(&self, term: Term) -> String {
+        let channel = &self.channels[term.channel].name;
+        let factor = |factor: &Factor| {
+            let variable = &self.variables[factor.variable].name;
+            match factor.power {
+                1 => variable.clone(),
+                2 => format!("{variable}-squared"),
+                _ => format!("{variable}-cubed"),
+            }
+        };
+        let factors: Vec<String> = self.factors(term).iter().map(factor).collect();
+        if factors.is_empty() {
+            format!("constant-{channel}")
+        } else {
+            format!("{channel}-by-{}", factors.join("-and-"))
+        }
+    }
+
+    /// What a term depends on, each word once; empty for a constant.
+    pub fn depends_on(&self, term: Term) -> Vec<&str> {
+        let mut words: Vec<&str> = Vec::new();
+        for factor in self.factors(term) {
+            let word = self.variables[factor.variable].depends_on.as_str();
+            if !words.contains(&word) {
+                words.push(word);
+            }
+        }
+        words
+    }
+
+    /// The effect that adds a term to a model, with a coefficient `k_…` of its own; `doc` is its documentation.
+    pub fn effect(&self, term: Term, doc: &str) -> EffectTree {
+        let name = self.name(term).replace('-', "_");
+        let coefficient = format!("k_{name}");
+        let mut value = expression(ExprKind::Name(coefficient.clone()));
+        for factor in self.factors(term) {
+            let variable = &self.variables[factor.variable].value;
+            value = match factor.power {
+                1 => times(value, variable),
+                power => times(value, &raised(variable, power)),
+            };
+        }
+        let mut words = self.depends_on(term);
+        if words.is_empty() {
+            words.push("none");
+        }
+        let words = words.into_iter().map(name_of).collect();
+        let template = &self.channels[term.channel].template;
+        let mut parts = vec![
+            EffectPart::Citation(FOUND.to_owned(), Span::default()),
+            EffectPart::Variables(words, Span::default()),
+            EffectPart::Add(Box::new(declaration(&coefficient))),
+        ];
+        parts.extend(
+            template
+                .parts
+                .iter()
+                .map(|part| filled(part, &name, &value)),
+        );
+        EffectTree::new(Effect {
+            name: name_of(&name),
+            doc: doc.to_owned(),
+            on: Vec::new(),
+            parts,
+        })
+    }
+}
+
+impl Variable {
+    /// A variable that the effect of the loads defines, or else one of the model, which is its own definition.
+    fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
+        let defined = loads.tree().parts.iter().find_map(|part| match part {
+            EffectPart::Add(item) => match &item.kind {
+                ItemKind::Let(binding) if binding.name.text == entry.quantity => {
+                    Some(&binding.value)
+                }
+                _ => None,
+            },
+            _ => None,
+        });
+        let (formula, value) = match defined {
+            Some(value) => (loads.text(value.span), value.clone()),
+            None => {
+                let name = ExprKind::Name(entry.quantity.clone());
+                (entry.quantity.as_str(), expression(name))
+            }
+        };
+        Variable {
+            formula: formula.to_owned(),
+            value,
+            quantity: entry.quantity,
+            name: entry.name,
+            depends_on: entry.depends_on,
+        }
+    }
+}
+
+impl Channel {
+    fn new(library: &str, entry: ChannelEntry) -> Result<Channel, LoadError> {
+        let template = EffectTree::parse(library, &entry.term)?.tree().clone();
+        let site = template.parts.iter().find_map(|part| match part {
+            EffectPart::Site(name) => Some(name.text.clone()),
+            _ => None,
+        });
+        Ok(Channel {
+            coefficient: entry.coefficient,
+            name: entry.name,
+            site: site.unwrap_or_default(),
+            template,
+        })
+    }
+}
+
+/// Factors of a product by the names of its variables; equal neighbours make a power. The name that is not known, as error.
+fn factors(
+    names: &[String],
+    variables: &IndexVec<VariableId, Variable>,
+) -> Result<Vec<Factor>, String> {
+    let mut factors: Vec<Factor> = Vec::new();
+    for name in names {
+        let variable = variables.position(|variable| variable.name == *name);
+        let variable = variable.ok_or_else(|| name.clone())?;
+        match factors.last_mut() {
+            Some(last) if last.variable == variable => last.power += 1,
+            _ => factors.push(Factor { variable, power: 1 }),
+        }
+    }
+    Ok(factors)
+}
+
+/// A statement of a template with the placeholders replaced.
+fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
+    let mut part = part.clone();
+    if let EffectPart::Replace(item) | EffectPart::Add(item) = &mut part {
+        if let ItemKind::Load(load) = &mut item.kind {
+            name.clone_into(&mut load.name.text);
+        }
+        if let Some(value) = item.kind.value_mut() {
+            substitute(value, term);
+        }
+    }
+    part
+}
+
+/// Replaces the name `TERM` by an expression.
+fn substitute(e: &mut Expr, term: &Expr) {
+    if matches!(&e.kind, ExprKind::Name(name) if name == "TERM") {
+        e.clone_from(term);
+    } else {
+        e.children_mut(&mut |child| substitute(child, term));
+    }
+}
+
+/// `a * b`, grouped to the left as `a*b` is read where `b` is a product or a quotient.
+fn times(a: Expr, b: &Expr) -> Expr {
+    match &b.kind {
+        ExprKind::Binary(op @ (BinaryOp::Mul | BinaryOp::Div), left, right) => expression(
+            ExprKind::Binary(*op, Box::new(times(a, left)), right.clone()),
+        ),
+        _ => binary(BinaryOp::Mul, a, b.clone()),
+    }
+}
+
+fn raised(base: &Expr, power: i32) -> Expr {
+    let exponent = expression(ExprKind::Number(number(&power.to_string(), None)));
+    binary(BinaryOp::Pow, base.clone(), exponent)
+}
+
+fn binary(op: BinaryOp, a: Expr, b: Expr) -> Expr {
+    expression(ExprKind::Binary(op, Box::new(a), Box::new(b)))
+}
+
+/// An expression without a source; [`EffectTree::new`] gives it one.
+fn expression(kind: ExprKind) -> Expr {
+    let span = Span::default();
+    Expr { kind, span }
+}
+
+fn name_of(text: &str) -> Name {
+    Name {
+        text: text.to_owned(),
+        span: Span::default(),
+    }
+}
+
+fn number(text: &str, unit: Option<UnitExpr>) -> Quantity {
+    let span = Span::default();
+    let number = Number {
+        text: text.to_owned(),
+        span,
+    };
+    Quantity { number, unit, span }
+}
+
+/// `coefficient NAME = 0 [1];`
+fn declaration(name: &str) -> Item {
+    let one = UnitExpr {
+        factors: Vec::new(),
+        span: Span::default(),
+    };
+    Item {
+        kind: ItemKind::Parameter(Parameter {
+            class: ParameterClass::Coefficient,
+            name: name_of(name),
+            value: number("0", Some(one)),
+            bounds: None,
+        }),
+        doc: FOUND.to_owned(),
+        span: Span::default(),
+        effect: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::Layout;
+    use crate::load::from_text;
+
+    #[test]
+    fn every_term_can_be_written_into_its_model() {
+        for (name, terms) in [("disc", 132), ("ball", 40)] {
+            let model = ModelTree::load(name).unwrap();
+            let coefficients = model.check().unwrap().coefficients.len();
+            let (library, with_loads) = TermLibrary::for_model(&model).expect("a library");
+            let layout = Layout::new(&with_loads.check().unwrap());
+            for channel in library.channels.iter() {
+                assert!(
+                    layout.parameter(&channel.coefficient).is_some(),
+                    "{channel:?}"
+                );
+            }
+            for variable in library.variables.iter() {
+                assert!(
+                    layout.quantity(&variable.quantity).is_some(),
+                    "{variable:?}"
+                );
+            }
+            assert_eq!(library.terms().count(), terms);
+            for term in library.terms() {
+                let effect = library.effect(term, "Found.");
+                let extended = model.with(&effect).unwrap_or_else(|e| panic!("{e}"));
+                let checked = extended.check().unwrap_or_else(|e| panic!("{e}"));
+                let applied = &checked.effects[0];
+                let coefficient = applied.coefficients[0];
+                assert_eq!(coefficient.index, coefficients);
+                assert_eq!(applied.site, library.channels[term.channel].site);
+                let text = extended.to_text("Extended.");
+                let again = from_text("extended.hyz", &text, &[]);
+                assert_eq!(again.unwrap().coefficients.len(), coefficients + 1);
+            }
+        }
+    }
+
+    #[test]
+    fn a_term_is_written_as_its_formula_is_read() {
+        let model = ModelTree::load("disc").unwrap();
+        let (library, _) = TermLibrary::for_model(&model).expect("a library");
+        for term in library.terms() {
+            let effect = library.effect(term, "One line.\nAnother.");
+            let coefficient = format!("k_{}", effect.name());
+            let value = match library.formula(term).as_str() {
+                "1" => coefficient,
+                formula => format!("{coefficient}*{formula}"),
+            };
+            let text = effect.to_string();
+            let read = EffectTree::parse("term.hyz", &text).unwrap_or_else(|e| panic!("{e}"));
+            assert_eq!(read.to_string(), text);
+            let channel = &library.channels[term.channel];
+            let statement = channel
+                .template
+                .to_string()
+                .replace("TERM", &format!("({value})"));
+            let statement = statement.replace("NAME", effect.name());
+            let by_text = EffectTree::parse("term.hyz", &statement).unwrap();
+            let last = |effect: &EffectTree| {
+                let text = effect.to_string();
+                text.lines().rev().nth(1).map(str::to_owned)
+            };
+            assert_eq!(last(&by_text), last(&effect));
+        }
+    }
+
+    #[test]
+    fn each_fault_of_a_library_has_its_error() {
+        let (name, text) = TERM_LIBRARIES[0];
+        let faulty = |from: &str, to: &str| {
+            assert!(text.contains(from), "{from}");
+            TermLibrary::parse(name, &text.replacen(from, to, 1)).unwrap_err()
+        };
+        let error = faulty("[\"spin\"]", "[\"spni\"]");
+        assert!(
+            matches!(error, TermLibraryError::UnknownVariable { factor, .. } if factor == "spni")
+        );
+        let error = faulty("site unknown;", "site unknown");
+        assert!(matches!(error, TermLibraryError::Effect(_)));
+        let error = faulty("products =", "product =");
+        assert!(matches!(error, TermLibraryError::Form { .. }));
+    }
+}
