@@ -212,15 +212,18 @@ fn compile(root: &Path, model: &model_spec::model::Model) -> Result<Library, Str
     let folder: PathBuf = root.join("target/peers/frispy");
     let lanes = root.join("crates/lanes");
     let mut files = codegen::generate::generate(std::slice::from_ref(model));
-    for (path, text) in &mut files {
-        if path == "lib.rs" {
-            text.push_str(EXPORTS);
+    for file in &mut files {
+        if file.path == "lib.rs" {
+            file.text.push_str(EXPORTS);
         }
-        *path = format!("src/{path}");
+        file.path = format!("src/{}", file.path);
     }
     let manifest = MANIFEST.replace("LANES", &lanes.to_string_lossy());
-    files.push(("Cargo.toml".to_string(), manifest));
-    for (path, text) in files {
+    files.push(codegen::backend::SourceFile {
+        path: "Cargo.toml".to_string(),
+        text: manifest,
+    });
+    for codegen::backend::SourceFile { path, text } in files {
         let path = folder.join(path);
         std::fs::create_dir_all(path.parent().unwrap_or(&folder)).map_err(|e| e.to_string())?;
         std::fs::write(path, text).map_err(|e| e.to_string())?;

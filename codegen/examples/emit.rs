@@ -6,7 +6,7 @@ fn main() {
     let wanted = arguments.next().unwrap_or_else(|| "f".into());
     let model = model_spec::load::load(&name, &[]).expect("a model");
     let compiled = codegen::compile(&model);
-    for (path, text) in codegen::rust::emit(&compiled, &model) {
+    for codegen::backend::SourceFile { path, text } in codegen::rust::emit(&compiled, &model) {
         if path.ends_with(&format!("/{wanted}.rs")) {
             println!("{text}");
         }

@@ -1,5 +1,6 @@
-//! The whole of `crates/generated/src`: written, or compared with what is there.
+//! Generated files on disk: written, or compared with what is there.
 
+use crate::backend::{Backend, SourceFile};
 use crate::compile::compile;
 use crate::rust;
 use model_spec::model::Model;
@@ -9,22 +10,12 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Every file, by its path below `src`, in order of path.
-pub fn generate(models: &[Model]) -> Vec<(String, String)> {
+/// The files of the crate `generated`, below its `src`, sorted by path.
+pub fn generate(models: &[Model]) -> Vec<SourceFile> {
     let mut ordered: Vec<&Model> = models.iter().collect();
     ordered.sort_by(|a, b| a.name.cmp(&b.name));
     let names: Vec<String> = ordered.iter().map(|model| model.name.clone()).collect();
-    let mut files = vec![
-        ("lib.rs".to_string(), rust::library(&names)),
-        (
-            "plain.rs".to_string(),
-            include_str!("rust/plain.txt").to_string(),
-        ),
-        (
-            "table.rs".to_string(),
-            include_str!("rust/table.txt").to_string(),
-        ),
-    ];
+    let mut files = rust::library(&names);
     for model in ordered {
         files.extend(rust::emit(&compile(model), model));
     }
@@ -32,12 +23,22 @@ pub fn generate(models: &[Model]) -> Vec<(String, String)> {
     files
 }
 
-/// A file that is not as it would be generated.
+/// The files of some models in the language of a backend, sorted by path.
+pub fn generate_with(backend: &dyn Backend, models: &[Model]) -> Vec<SourceFile> {
+    let each = models.iter();
+    let mut files: Vec<SourceFile> = each
+        .flat_map(|model| backend.emit(model, &compile(model)))
+        .collect();
+    files.sort();
+    files
+}
+
+/// A file whose text differs from the generated text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
-    /// Path below `src`.
+    /// Path below the compared directory.
     pub path: String,
-    /// A unified difference from what is there to what belongs there.
+    /// Unified difference from the file to the generated text.
     pub text: String,
 }
 
@@ -47,34 +48,45 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Compares `directory` (the crate's `src`) with what the models give; empty if nothing differs.
+/// Compares `directory`, the `src` of the crate `generated`, with the generated files; files of no model count as
+/// differences. Empty if nothing differs.
 ///
 /// # Errors
 /// If the directory cannot be read.
 pub fn check(directory: &Path, models: &[Model]) -> io::Result<Vec<Difference>> {
     let files = generate(models);
-    let mut differences = Vec::new();
-    for (path, text) in &files {
-        let there = match fs::read_to_string(directory.join(path)) {
-            Ok(there) => there,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(error),
-        };
-        differences.extend(difference(path, &there, text));
-    }
+    let mut differences = check_files(directory, &files)?;
     for path in stale(directory, &files)? {
-        let there = fs::read_to_string(directory.join(&path))?;
-        differences.extend(difference(&path, &there, ""));
+        let found = fs::read_to_string(directory.join(&path))?;
+        differences.extend(difference(&path, &found, ""));
     }
     differences.sort_by(|a, b| a.path.cmp(&b.path));
     Ok(differences)
 }
 
-fn difference(path: &str, there: &str, wanted: &str) -> Option<Difference> {
-    if there == wanted {
+/// Compares files with those of the same paths below a directory; other files there are ignored. A missing file counts
+/// as empty.
+///
+/// # Errors
+/// If a file cannot be read.
+pub fn check_files(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<Difference>> {
+    let mut differences = Vec::new();
+    for SourceFile { path, text } in files {
+        let found = match fs::read_to_string(directory.join(path)) {
+            Ok(found) => found,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
+            Err(error) => return Err(error),
+        };
+        differences.extend(difference(path, &found, text));
+    }
+    Ok(differences)
+}
+
+fn difference(path: &str, found: &str, expected: &str) -> Option<Difference> {
+    if found == expected {
         return None;
     }
-    let text = TextDiff::from_lines(there, wanted)
+    let text = TextDiff::from_lines(found, expected)
         .unified_diff()
         .context_radius(2)
         .header(&format!("committed/{path}"), &format!("generated/{path}"))
@@ -85,31 +97,18 @@ fn difference(path: &str, there: &str, wanted: &str) -> Option<Difference> {
     })
 }
 
-/// Writes what differs, each file whole or not at all, and removes what no model gives any more.
-/// Gives the paths that changed.
+/// Writes the files of the crate `generated` that differ, and removes the Rust files of no model. Returns the paths
+/// that changed.
 ///
 /// # Errors
 /// If a file cannot be written.
 pub fn write(directory: &Path, models: &[Model]) -> io::Result<Vec<String>> {
     let files = generate(models);
-    let mut changed = Vec::new();
-    for (path, text) in &files {
-        let target = directory.join(path);
-        if fs::read_to_string(&target).is_ok_and(|there| there == *text) {
-            continue;
-        }
-        if let Some(folder) = target.parent() {
-            fs::create_dir_all(folder)?;
-        }
-        let temporary = target.with_extension("rs.new");
-        fs::write(&temporary, text)?;
-        fs::rename(&temporary, &target)?;
-        changed.push(path.clone());
-    }
+    let mut changed = write_files(directory, &files)?;
     for path in stale(directory, &files)? {
         fs::remove_file(directory.join(&path))?;
         if let Some(folder) = directory.join(&path).parent() {
-            // only goes if it is empty
+            // Fails, as intended, unless the folder is empty.
             let _ = fs::remove_dir(folder);
         }
         changed.push(path);
@@ -117,8 +116,31 @@ pub fn write(directory: &Path, models: &[Model]) -> io::Result<Vec<String>> {
     Ok(changed)
 }
 
-/// Rust files that are there and belong to no model.
-fn stale(directory: &Path, files: &[(String, String)]) -> io::Result<Vec<String>> {
+/// Writes the files that differ below a directory, each atomically: a file is replaced as a whole or not at all.
+/// Returns the paths that changed.
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn write_files(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<String>> {
+    let mut changed = Vec::new();
+    for SourceFile { path, text } in files {
+        let target = directory.join(path);
+        if fs::read_to_string(&target).is_ok_and(|found| found == *text) {
+            continue;
+        }
+        if let Some(folder) = target.parent() {
+            fs::create_dir_all(folder)?;
+        }
+        let temporary = target.with_extension(format!("{}.tmp", std::process::id()));
+        fs::write(&temporary, text)?;
+        fs::rename(&temporary, &target)?;
+        changed.push(path.clone());
+    }
+    Ok(changed)
+}
+
+/// Rust files below a directory that are not among the generated ones.
+fn stale(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<String>> {
     let mut found = Vec::new();
     let mut folders = vec![PathBuf::new()];
     while let Some(folder) = folders.pop() {
@@ -134,7 +156,7 @@ fn stale(directory: &Path, files: &[(String, String)]) -> io::Result<Vec<String>
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let name = path.to_string_lossy().replace('\\', "/");
-                if !files.iter().any(|(known, _)| *known == name) {
+                if !files.iter().any(|known| known.path == name) {
                     found.push(name);
                 }
             }

@@ -3,6 +3,7 @@
 //! Stages, each in its own module: [`derive`](mod@derive) (vectors to scalar nodes of a [`graph`]), [`optimise`]
 //! (fewer operations), [`differentiate`] (exact, sparse), [`schedule`] (one order for all backends).
 
+pub mod backend;
 pub mod compile;
 pub mod count;
 pub mod derive;

@@ -3,6 +3,7 @@
 
 mod support;
 
+use codegen::backend::SourceFile;
 use codegen::tape::{Inputs, Tape};
 use codegen::tape_model::{At, Scratch};
 use codegen::{Compiled, TapeModel, compile};
@@ -10,9 +11,11 @@ use lanes::{Kernel, Lanes, ScalarKernel, ScalarLane, dispatch, dispatch_scalar};
 use support::{Random, model, point};
 
 #[allow(non_snake_case, clippy::all)]
+#[rustfmt::skip]
 #[path = "zoo/f_jac_par.rs"]
 mod zoo_f_jac_par;
 #[allow(non_snake_case, clippy::all)]
+#[rustfmt::skip]
 #[path = "zoo/prepare.rs"]
 mod zoo_prepare;
 
@@ -81,7 +84,7 @@ fn committed_code_agrees_with_the_tape() {
 fn every_function_agrees_as_rust_and_on_the_tape() {
     let zoo = support::zoo();
     let compiled = compile(&zoo);
-    for (path, text) in codegen::rust::emit(&compiled, &zoo) {
+    for SourceFile { path, text } in codegen::rust::emit(&compiled, &zoo) {
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("tests")
             .join(&path);

@@ -2,6 +2,7 @@
 
 mod support;
 
+use codegen::backend::SourceFile;
 use codegen::count::count;
 use codegen::{Selection, compile, compile_for, generate};
 use model_spec::model::Model;
@@ -105,7 +106,9 @@ fn stale_code_is_shown_as_a_difference() {
 
 #[test]
 fn no_name_is_a_number_and_no_line_is_too_long() {
-    for (path, text) in generate::generate(&all()) {
+    for SourceFile { path, text } in generate::generate(&all()) {
+        syn::parse_file(&text).unwrap_or_else(|error| panic!("{path}: {error}"));
+        assert!(!text.contains("//@"), "{path}: a marker is left");
         for line in text.lines() {
             let skipped = path.ends_with("mod.rs") || line.contains("//") || line.contains("fn ");
             let skipped = skipped || line.contains("pub observe_jac");
@@ -145,10 +148,10 @@ fn ball_reads_like_its_model() {
     let files = codegen::rust::emit(&compile(&ball), &ball);
     let text: Vec<String> = files
         .into_iter()
-        .filter(|(path, _)| {
-            ["ball/f.rs", "ball/f_jac.rs", "ball/prepare.rs"].contains(&path.as_str())
+        .filter(|file| {
+            ["ball/f.rs", "ball/f_jac.rs", "ball/prepare.rs"].contains(&file.path.as_str())
         })
-        .map(|(path, text)| format!("// {path}\n{text}"))
+        .map(|SourceFile { path, text }| format!("// {path}\n{text}"))
         .collect();
     insta::assert_snapshot!(text.join("\n"));
 }

@@ -95,8 +95,8 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     let files = rust::emit(&compiled, &found.model);
     let body = |function: &str, array: &str, outputs: &[String]| {
         let file = format!("/{function}.rs");
-        let text = files.iter().find(|(path, _)| path.ends_with(&file));
-        text.map_or_else(String::new, |(_, text)| statements(text, array, outputs))
+        let found = files.iter().find(|found| found.path.ends_with(&file));
+        found.map_or_else(String::new, |found| statements(&found.text, array, outputs))
     };
     Made {
         once: body("prepare", "prepared", &compiled.prepared),

@@ -1,217 +1,222 @@
-//! One statement as an infix expression, in exactly the order of the schedule.
+//! Expressions as tokens, with parentheses where the order of evaluation needs them.
 
-use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
-use std::f64::consts::{FRAC_PI_2, PI};
+use super::names::ident;
+use super::scalar::Scalar;
+use crate::backend::body::{Body, Input};
+use crate::program::{Binary, Op, Operand, Unary};
+use proc_macro2::TokenStream;
+use quote::quote;
 
-/// How tightly an expression binds.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Bind {
+/// Binding strength of an expression, weakest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Binding {
     Sum,
     Product,
-    Minus,
+    Negation,
     Atom,
 }
 
-/// Writes expressions; statements without a name are written inside those that use them.
+/// Tokens of an expression and how strongly its outermost operator binds.
+#[derive(Clone, Debug)]
+pub(super) struct Expr {
+    pub tokens: TokenStream,
+    pub binding: Binding,
+}
+
+impl Expr {
+    /// A name, literal or call.
+    pub fn atom(tokens: TokenStream) -> Expr {
+        Expr {
+            tokens,
+            binding: Binding::Atom,
+        }
+    }
+
+    /// `-self`.
+    pub fn negated(self) -> Expr {
+        let operand = self.bound(Binding::Atom);
+        Expr {
+            tokens: quote!(-#operand),
+            binding: Binding::Negation,
+        }
+    }
+
+    /// `self.method(arguments)`.
+    pub fn method(self, name: &str, arguments: &[Expr]) -> Expr {
+        let method = ident(name);
+        let receiver = self.bound(Binding::Atom);
+        let arguments = arguments.iter().map(|e| &e.tokens);
+        Expr::atom(quote!(#receiver.#method(#(#arguments),*)))
+    }
+
+    /// `self + other` and the other operators.
+    ///
+    /// # Panics
+    /// If `binary` is not an operator of Rust.
+    pub fn infix(self, binary: Binary, other: Expr) -> Expr {
+        // Operators associate to the left: the right operand must bind more strongly.
+        let (operator, binding, right) = match binary {
+            Binary::Add => (quote!(+), Binding::Sum, Binding::Product),
+            Binary::Sub => (quote!(-), Binding::Sum, Binding::Product),
+            Binary::Mul => (quote!(*), Binding::Product, Binding::Negation),
+            Binary::Div => (quote!(/), Binding::Product, Binding::Negation),
+            Binary::Atan2 | Binary::Min | Binary::Max => {
+                unreachable!("a function, not an operator")
+            }
+        };
+        let (a, b) = (self.bound(binding), other.bound(right));
+        Expr {
+            tokens: quote!(#a #operator #b),
+            binding,
+        }
+    }
+
+    /// The tokens, in parentheses if the expression binds less strongly than `least`.
+    fn bound(self, least: Binding) -> TokenStream {
+        let tokens = self.tokens;
+        if self.binding < least {
+            quote!((#tokens))
+        } else {
+            tokens
+        }
+    }
+}
+
+/// Writes the operations of a function body for a number type.
+#[derive(Clone, Copy)]
 pub(super) struct Writer<'a> {
-    pub program: &'a Program,
-    /// Name of each statement that has one.
-    pub names: Vec<Option<String>>,
-    pub states: &'a [String],
-    pub parameters: &'a [String],
-    pub prepared: &'a [String],
-    pub marker: &'a [String],
+    pub body: &'a Body<'a>,
+    pub scalar: Scalar,
 }
 
 impl Writer<'_> {
-    /// The right side of a statement.
-    pub fn statement(&self, k: usize) -> String {
-        self.op(&self.program.statements[k].op).0
+    /// The right-hand side of a statement.
+    pub fn statement(&self, k: usize) -> TokenStream {
+        self.op(self.body.op(k)).tokens
     }
 
-    /// An operand, as a value of its own.
-    pub fn operand(&self, operand: Operand) -> String {
-        self.value(operand).0
+    /// An operand as a value.
+    pub fn value(&self, operand: Operand) -> TokenStream {
+        self.operand(operand, false).tokens
     }
 
-    fn value(&self, operand: Operand) -> (String, Bind) {
-        let name = match operand {
-            Operand::Time => "time".to_string(),
-            Operand::State(k) => local(&self.states[k as usize]),
-            Operand::Parameter(k) => local(&self.parameters[k as usize]),
-            Operand::Prepared(k) => local(&self.prepared[k as usize]),
-            Operand::Marker(k) => local(&self.marker[k as usize]),
-            Operand::Constant(c) => constant(c),
-            Operand::Temp(k) => match &self.names[k as usize] {
-                Some(name) => name.clone(),
-                None => return self.op(&self.program.statements[k as usize].op),
-            },
-        };
-        (name, Bind::Atom)
+    /// An operand as the receiver of a method.
+    pub fn receiver(&self, operand: Operand) -> TokenStream {
+        self.operand(operand, true).bound(Binding::Atom)
     }
 
-    fn op(&self, op: &Op) -> (String, Bind) {
-        match op {
-            Op::IfZero(c, a, b) => {
-                let (a, b) = (self.operand(*a), self.operand(*b));
-                (
-                    format!("{}.if_zero({a}, {b})", self.tight(*c, Bind::Atom)),
-                    Bind::Atom,
-                )
+    fn operand(&self, operand: Operand, typed: bool) -> Expr {
+        match (self.body.variables.of(operand), operand) {
+            (Some(name), _) => {
+                let name = ident(name);
+                Expr::atom(quote!(#name))
             }
-            Op::Fused(fused, a, b, c) => {
-                let method = match fused {
-                    Fused::MulAdd => "mul_add",
-                    Fused::MulSub => "mul_sub",
-                    Fused::NegMulAdd => "neg_mul_add",
-                };
-                let (b, c) = (self.operand(*b), self.operand(*c));
-                (
-                    format!("{}.{method}({b}, {c})", self.tight(*a, Bind::Atom)),
-                    Bind::Atom,
-                )
+            (None, Operand::Constant(value)) => self.scalar.constant(value, typed),
+            (None, Operand::Temp(t)) => self.op(self.body.op(t as usize)),
+            (None, _) => {
+                let time = ident(Input::Time.name());
+                Expr::atom(quote!(#time))
             }
-            Op::Binary(binary, a, b) => self.binary(*binary, *a, *b),
-            Op::Unary(Unary::Neg, a) => (format!("-{}", self.tight(*a, Bind::Atom)), Bind::Minus),
-            Op::Unary(Unary::Recip, a) => (
-                format!("T::splat(1.0) / {}", self.tight(*a, Bind::Minus)),
-                Bind::Product,
-            ),
-            Op::Unary(Unary::RecipOrZero, a) => self.method(*a, "recip_or_zero()"),
-            Op::Unary(Unary::Call(function), a) => self.method(*a, function.rust_method()),
         }
     }
 
-    fn method(&self, receiver: Operand, call: &str) -> (String, Bind) {
-        let receiver = self.tight(receiver, Bind::Atom);
-        (format!("{receiver}.{call}"), Bind::Atom)
-    }
-
-    fn binary(&self, binary: Binary, a: Operand, b: Operand) -> (String, Bind) {
-        // operators group to the left: the right side needs parentheses where it binds no tighter
-        let infix = |sign: &str, bind: Bind, above: Bind| {
-            (
-                format!("{} {sign} {}", self.tight(a, bind), self.tight(b, above)),
-                bind,
-            )
-        };
-        let method = |name: &str| {
-            (
-                format!("{}.{name}({})", self.tight(a, Bind::Atom), self.operand(b)),
-                Bind::Atom,
-            )
-        };
-        match binary {
-            Binary::Add => infix("+", Bind::Sum, Bind::Product),
-            Binary::Sub => infix("-", Bind::Sum, Bind::Product),
-            Binary::Mul => infix("*", Bind::Product, Bind::Minus),
-            Binary::Div => infix("/", Bind::Product, Bind::Minus),
-            Binary::Atan2 => method("atan2"),
-            Binary::Min => method("min"),
-            Binary::Max => method("max"),
+    fn op(&self, op: &Op) -> Expr {
+        // A literal whose type nothing else determines carries it.
+        let all_constant = op
+            .operands()
+            .iter()
+            .all(|operand| matches!(operand, Operand::Constant(_)));
+        let is_receiver = !matches!(
+            op,
+            Op::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, ..)
+                | Op::Unary(Unary::Recip, _)
+                | Op::Fused(..)
+        );
+        let first = |a: Operand| self.operand(a, all_constant || is_receiver);
+        let rest = |a: Operand| self.operand(a, false);
+        match *op {
+            Op::Unary(unary, a) => self.scalar.unary(unary, first(a)),
+            Op::Fused(fused, a, b, c) => self.scalar.fused(fused, first(a), rest(b), rest(c)),
+            Op::IfZero(condition, then, otherwise) => {
+                self.scalar
+                    .if_zero(first(condition), rest(then), rest(otherwise))
+            }
+            Op::Binary(Binary::Atan2, a, b) => self.scalar.call("atan2", first(a), &[rest(b)]),
+            Op::Binary(Binary::Min, a, b) => self.scalar.call("min", first(a), &[rest(b)]),
+            Op::Binary(Binary::Max, a, b) => self.scalar.call("max", first(a), &[rest(b)]),
+            Op::Binary(binary, a, b) => first(a).infix(binary, rest(b)),
         }
-    }
-
-    fn tight(&self, operand: Operand, least: Bind) -> String {
-        let (text, bind) = self.value(operand);
-        if bind < least {
-            format!("({text})")
-        } else {
-            text
-        }
-    }
-}
-
-/// A constant in every lane.
-pub(super) fn constant(c: f64) -> String {
-    if c == PI {
-        "T::splat(PI)".into()
-    } else if c == FRAC_PI_2 {
-        "T::splat(FRAC_PI_2)".into()
-    } else {
-        format!("T::splat({c:?})")
-    }
-}
-
-/// The local variable for a name of the model: arguments of the functions and words of Rust are avoided.
-pub(super) fn local(name: &str) -> String {
-    if crate::schedule::is_reserved(name) {
-        format!("{name}_")
-    } else {
-        name.to_string()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::MathFunction;
-    use crate::program::Statement;
 
-    /// The text of `op` over a = temp 0 = `inner` of states b, c.
-    fn nested(inner: Op, outer: impl Fn(Operand) -> Op) -> String {
-        let unnamed = |op| Statement {
-            op,
-            name: None,
-            about: None,
-        };
-        let program = Program {
-            statements: vec![unnamed(inner), unnamed(outer(Operand::Temp(0)))],
-            outputs: Vec::new(),
-        };
-        let states = ["a", "b", "c"].map(String::from);
-        let writer = Writer {
-            program: &program,
-            names: vec![None; 2],
-            states: &states,
-            parameters: &[],
-            prepared: &[],
-            marker: &[],
-        };
-        writer.statement(1)
+    fn name(of: &str) -> Expr {
+        let name = ident(of);
+        Expr::atom(quote!(#name))
+    }
+
+    fn text(expr: &Expr) -> String {
+        expr.tokens.to_string().replace(' ', "")
     }
 
     #[test]
-    fn parentheses_stand_where_the_order_needs_them() {
-        use Binary::{Add, Atan2, Div, Mul, Sub};
-        let [a, b, c] = [0, 1, 2].map(Operand::State);
-        let inner = |binary| Op::Binary(binary, b, c);
+    fn parentheses_follow_the_order_of_evaluation() {
+        use Binary::{Add, Div, Mul, Sub};
+        let inner = |binary| name("b").infix(binary, name("c"));
         let table = [
-            (inner(Add), Sub, "a - (b + c)", "b + c - a"),
-            (inner(Sub), Add, "a + (b - c)", "b - c + a"),
-            (inner(Mul), Sub, "a - b * c", "b * c - a"),
-            (inner(Add), Mul, "a * (b + c)", "(b + c) * a"),
-            (inner(Mul), Div, "a / (b * c)", "b * c / a"),
-            (inner(Div), Mul, "a * (b / c)", "b / c * a"),
-            (inner(Add), Atan2, "a.atan2(b + c)", "(b + c).atan2(a)"),
-            (Op::Unary(Unary::Neg, b), Mul, "a * -b", "-b * a"),
+            (inner(Add), Sub, "a-(b+c)", "b+c-a"),
+            (inner(Sub), Add, "a+(b-c)", "b-c+a"),
+            (inner(Mul), Sub, "a-b*c", "b*c-a"),
+            (inner(Add), Mul, "a*(b+c)", "(b+c)*a"),
+            (inner(Mul), Div, "a/(b*c)", "b*c/a"),
+            (inner(Div), Mul, "a*(b/c)", "b/c*a"),
+            (name("b").negated(), Mul, "a*-b", "-b*a"),
             (
-                Op::Unary(Unary::Recip, b),
-                Mul,
-                "a * (T::splat(1.0) / b)",
-                "T::splat(1.0) / b * a",
+                name("b").method("sqrt", &[]),
+                Div,
+                "a/b.sqrt()",
+                "b.sqrt()/a",
             ),
             (
-                Op::Unary(Unary::Call(MathFunction::Sqrt), b),
-                Div,
-                "a / b.sqrt()",
-                "b.sqrt() / a",
+                Scalar::Lanes.unary(Unary::Recip, name("b")),
+                Mul,
+                "a*(T::splat(1.0)/b)",
+                "T::splat(1.0)/b*a",
             ),
         ];
         for (inner, outer, right, left) in table {
-            assert_eq!(nested(inner, |t| Op::Binary(outer, a, t)), right);
-            assert_eq!(nested(inner, |t| Op::Binary(outer, t, a)), left);
+            assert_eq!(text(&name("a").infix(outer, inner.clone())), right);
+            assert_eq!(text(&inner.infix(outer, name("a"))), left);
         }
-        let product = Op::Binary(Mul, b, c);
-        assert_eq!(nested(product, |t| Op::Unary(Unary::Neg, t)), "-(b * c)");
+        let product = inner(Mul);
+        assert_eq!(text(&product.clone().negated()), "-(b*c)");
+        assert_eq!(text(&product.method("sqrt", &[])), "(b*c).sqrt()");
+        assert_eq!(text(&name("b").negated().method("abs", &[])), "(-b).abs()");
+        let sum = inner(Add).method("atan2", &[name("a")]);
+        assert_eq!(text(&sum), "(b+c).atan2(a)");
+    }
+
+    #[test]
+    fn plain_numbers_keep_sign_and_type() {
+        use crate::functions::MathFunction;
+        use crate::program::Fused;
+        let minus_two = || Scalar::F64.constant(-2.0, true);
         assert_eq!(
-            nested(product, |t| Op::Unary(Unary::Call(MathFunction::Sqrt), t)),
-            "(b * c).sqrt()"
+            text(&Scalar::F64.unary(Unary::Call(MathFunction::Abs), minus_two())),
+            "(-2.0_f64).abs()"
         );
-        let negative = Op::Unary(Unary::Neg, b);
+        let a = || name("a");
+        let difference = a().infix(Binary::Sub, Scalar::F64.constant(-2.0, false));
+        assert_eq!(text(&difference), "a--2.0");
+        let sum = || name("b").infix(Binary::Add, name("c"));
         assert_eq!(
-            nested(negative, |t| Op::Unary(Unary::Call(MathFunction::Abs), t)),
-            "(-b).abs()"
+            text(&Scalar::F64.fused(Fused::NegMulAdd, sum(), a(), sum())),
+            "b+c-(b+c)*a"
         );
+        assert_eq!(text(&Scalar::F64.constant(3.4e-5, false)), "3.4e-5");
+        assert_eq!(text(&Scalar::Lanes.constant(-0.5, false)), "T::splat(-0.5)");
     }
 }

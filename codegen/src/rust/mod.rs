@@ -1,34 +1,87 @@
-//! Rust source from the schedule, for reading as much as for running.
+//! Rust source text: token trees by `quote`, printed by `prettyplease`.
 //!
-//! The text is put together here, not printed from syntax trees, because those lose comments, and the
-//! model's line stands beside what came of it. Every line fits the width of rustfmt, so that
-//! formatting changes nothing.
+//! [`PlainRust`] writes a model as one module of plain `f64` without dependencies, for any crate. [`LanesRust`] writes
+//! the same module generic over [`lanes::Real`]. [`emit`] and [`library`] write the crate `generated` of this
+//! repository, whose models are also values of one type and can be selected at run time.
 
+mod body;
+mod constants;
 mod expression;
 mod function;
-mod table;
-mod width;
+mod helpers;
+mod library;
+mod module;
+mod names;
+mod print;
+mod scalar;
+mod signature;
 
-pub use table::{library, source_hash};
+pub use library::library;
 
+use crate::backend::{Backend, SourceFile};
 use crate::compile::Compiled;
 use model_spec::model::Model;
+use scalar::Scalar;
 
-/// Widest line.
-pub(crate) const WIDTH: usize = 100;
+/// One module per model, over `f64`, with neither dependencies nor `unsafe`.
+#[derive(Clone, Copy, Debug)]
+pub struct PlainRust;
 
-/// The files of one model, relative to `src`: `disc/mod.rs`, `disc/f.rs`, …
-pub fn emit(compiled: &Compiled, model: &Model) -> Vec<(String, String)> {
-    let folder = &compiled.name;
-    let mut files = vec![(format!("{folder}/mod.rs"), table::module(compiled, model))];
+/// One module per model, generic over [`lanes::Real`]: `f64` or SIMD vectors.
+#[derive(Clone, Copy, Debug)]
+pub struct LanesRust;
+
+impl Backend for PlainRust {
+    fn name(&self) -> &'static str {
+        "rust"
+    }
+
+    fn description(&self) -> &'static str {
+        "Rust module over f64, without dependencies"
+    }
+
+    fn emit(&self, model: &Model, compiled: &Compiled) -> Vec<SourceFile> {
+        vec![module::file(model, compiled, Scalar::F64)]
+    }
+}
+
+impl Backend for LanesRust {
+    fn name(&self) -> &'static str {
+        "rust-lanes"
+    }
+
+    fn description(&self) -> &'static str {
+        "Rust module generic over lanes::Real, for SIMD; needs the crate lanes"
+    }
+
+    fn emit(&self, model: &Model, compiled: &Compiled) -> Vec<SourceFile> {
+        vec![module::file(model, compiled, Scalar::Lanes)]
+    }
+}
+
+/// The files of one model in the crate `generated`, below its `src`: `disc/mod.rs`, `disc/f.rs`, …
+pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
+    let folder = names::file_stem(&compiled.name);
+    let mut files = vec![SourceFile {
+        path: format!("{folder}/mod.rs"),
+        text: library::model_module(compiled, model),
+    }];
     for function in compiled.functions() {
-        let text = function::emit(compiled, function);
-        files.push((format!("{folder}/{}.rs", function.name), text));
+        files.push(SourceFile {
+            path: format!("{folder}/{}.rs", function.name),
+            text: function::file(compiled, function),
+        });
     }
     files
 }
 
-/// A string as a Rust literal.
-pub(crate) fn quoted(text: &str) -> String {
-    format!("{text:?}")
+/// Hash of all source texts of a model (64-bit FNV-1a): generated code carries that of the model it was made from.
+pub fn source_hash(model: &Model) -> u64 {
+    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
+    for source in &model.sources {
+        for byte in source.text.bytes().chain([0xff]) {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+    hash
 }

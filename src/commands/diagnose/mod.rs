@@ -9,6 +9,7 @@ use ::diagnose::catalogue::underscored;
 use ::diagnose::diagnosis::{Asked, Diagnosed, diagnose_beside};
 use ::diagnose::report::{Verdict, Verified};
 use anyhow::Context;
+use codegen::backend::SourceFile;
 use identify::{Fit, FitOptions, dataset};
 use report::diagnosis::DiagnosisPage;
 
@@ -82,7 +83,7 @@ struct Extended {
     /// What the independent checks say of it.
     verified: Verified,
     /// Its code, file by file.
-    code: Vec<(String, String)>,
+    code: Vec<SourceFile>,
 }
 
 /// Checks an extended model and writes its code.
@@ -139,8 +140,8 @@ fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosed) -> anyho
                 output::write(&folder.join(format!("{name}.hyz")), effect)?;
             }
         }
-        for (file, code) in &extended.code {
-            output::write(&folder.join("extended").join(file), code)?;
+        for file in &extended.code {
+            output::write(&folder.join("extended").join(&file.path), &file.text)?;
         }
     }
     let json = serde_json::to_string_pretty(&found.report)?;

@@ -1,0 +1,272 @@
+//! The body of a generated function, independent of the language: variables, loads, statements, stores, comments.
+
+mod variables;
+mod width;
+
+use super::pairs::sin_cos_pairs;
+use crate::compile::Compiled;
+use crate::program::{Function, Op, Operand, Program};
+use std::collections::{HashMap, HashSet};
+pub(crate) use variables::Variables;
+
+/// One line of a function body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Step {
+    /// A line of the model, as a comment on the statements that follow: an index into the model's origins.
+    Source(usize),
+    /// Loads an element of an input array into its variable.
+    Load(Operand),
+    /// Computes a statement into its variable.
+    Let(usize),
+    /// Computes sine and cosine of one angle into their variables.
+    SinCos {
+        /// Statement of the sine.
+        sin: usize,
+        /// Statement of the cosine.
+        cos: usize,
+        /// Their common argument.
+        angle: Operand,
+    },
+    /// Stores an output of the program into an element of an output array.
+    Store {
+        /// Index of the output among all outputs of the function.
+        output: usize,
+        /// Index of the section, hence of the array.
+        section: usize,
+        /// Index in that array.
+        element: usize,
+    },
+    /// Separates the stores that need no computation from the rest.
+    Gap,
+}
+
+/// A function as a list of lines over named variables.
+///
+/// Inputs are loaded where they are first used and results stored as soon as they are known, which keeps the live
+/// ranges of variables short.
+pub(crate) struct Body<'a> {
+    pub compiled: &'a Compiled,
+    pub function: &'a Function,
+    pub variables: Variables,
+    pub steps: Vec<Step>,
+}
+
+impl<'a> Body<'a> {
+    /// Plans a function for a language in which `is_reserved` names cannot be local variables.
+    pub fn new(
+        compiled: &'a Compiled,
+        function: &'a Function,
+        is_reserved: impl Fn(&str) -> bool,
+    ) -> Body<'a> {
+        let variables = Variables::new(compiled, function, is_reserved);
+        let steps = Planner::new(compiled, function, &variables).run();
+        Body {
+            compiled,
+            function,
+            variables,
+            steps,
+        }
+    }
+
+    /// The operation of a statement.
+    pub fn op(&self, statement: usize) -> &'a Op {
+        &self.function.program.statements[statement].op
+    }
+
+    /// The source line of an origin as `file:line  text`, cut to a line's length.
+    pub fn source_line(&self, origin: usize) -> String {
+        const MAX_CHARS: usize = 94;
+        let origin = &self.compiled.derived.origins[origin];
+        let file = origin.source.rsplit('/').next().unwrap_or(&origin.source);
+        let line = format!("{file}:{}  {}", origin.line, origin.text);
+        let mut line: String = line
+            .chars()
+            .map(|c| if c.is_control() { ' ' } else { c })
+            .collect();
+        if line.chars().count() > MAX_CHARS {
+            line = line.chars().take(MAX_CHARS - 2).collect::<String>() + " …";
+        }
+        line
+    }
+
+    /// Input arrays that the function reads.
+    pub fn reads(&self, input: Input) -> bool {
+        operands(&self.function.program).any(|operand| Input::of(operand) == Some(input))
+    }
+}
+
+/// An argument of a generated function that is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Input {
+    Time,
+    State,
+    Parameters,
+    Prepared,
+    Marker,
+}
+
+impl Input {
+    /// The argument that holds an operand; `None` for constants and results.
+    pub fn of(operand: Operand) -> Option<Input> {
+        match operand {
+            Operand::Time => Some(Input::Time),
+            Operand::State(_) => Some(Input::State),
+            Operand::Parameter(_) => Some(Input::Parameters),
+            Operand::Prepared(_) => Some(Input::Prepared),
+            Operand::Marker(_) => Some(Input::Marker),
+            Operand::Constant(_) | Operand::Temp(_) => None,
+        }
+    }
+
+    /// Name of the argument in every language.
+    pub fn name(self) -> &'static str {
+        match self {
+            Input::Time => "time",
+            Input::State => "state",
+            Input::Parameters => "parameters",
+            Input::Prepared => "prepared",
+            Input::Marker => "marker",
+        }
+    }
+}
+
+/// Array and index of an operand that is an element of an input array.
+pub(crate) fn input_element(operand: Operand) -> Option<(Input, u32)> {
+    match operand {
+        Operand::State(k) | Operand::Parameter(k) | Operand::Prepared(k) | Operand::Marker(k) => {
+            Some((Input::of(operand)?, k))
+        }
+        Operand::Time | Operand::Constant(_) | Operand::Temp(_) => None,
+    }
+}
+
+/// All operands of a program, results included.
+fn operands(program: &Program) -> impl Iterator<Item = Operand> + '_ {
+    let inside = program.statements.iter().flat_map(|s| s.op.operands());
+    inside.chain(program.outputs.iter().copied())
+}
+
+struct Planner<'a> {
+    compiled: &'a Compiled,
+    function: &'a Function,
+    variables: &'a Variables,
+    /// Outputs of each statement.
+    outputs: Vec<Vec<usize>>,
+    /// Statements of (sine, cosine) of one angle, by either of the two.
+    pairs: HashMap<usize, (usize, usize)>,
+    loaded: HashSet<(Input, u32)>,
+    /// Source lines that have been printed.
+    quoted: HashSet<(&'a str, usize)>,
+    steps: Vec<Step>,
+}
+
+impl<'a> Planner<'a> {
+    fn new(compiled: &'a Compiled, function: &'a Function, variables: &'a Variables) -> Self {
+        let program = &function.program;
+        let mut outputs = vec![Vec::new(); program.statements.len()];
+        for (at, output) in program.outputs.iter().enumerate() {
+            if let Operand::Temp(t) = output {
+                outputs[*t as usize].push(at);
+            }
+        }
+        Planner {
+            compiled,
+            function,
+            variables,
+            outputs,
+            pairs: sin_cos_pairs(program),
+            loaded: HashSet::new(),
+            quoted: HashSet::new(),
+            steps: Vec::new(),
+        }
+    }
+
+    fn run(mut self) -> Vec<Step> {
+        let mut computed = vec![false; self.function.program.statements.len()];
+        for k in 0..computed.len() {
+            self.statement(k, &mut computed);
+        }
+        let outputs = &self.function.program.outputs;
+        let direct: Vec<usize> = (0..outputs.len())
+            .filter(|&at| !matches!(outputs[at], Operand::Temp(_)))
+            .collect();
+        if !direct.is_empty() && !self.steps.is_empty() {
+            self.steps.push(Step::Gap);
+        }
+        for at in direct {
+            self.load(outputs[at]);
+            self.store(at);
+        }
+        self.steps
+    }
+
+    fn statement(&mut self, k: usize, computed: &mut [bool]) {
+        let statement = &self.function.program.statements[k];
+        let stored = std::mem::take(&mut self.outputs[k]);
+        if self.variables.of_statement(k).is_none() {
+            if !stored.is_empty() {
+                self.load_operands(k);
+            }
+        } else if !computed[k] {
+            self.load_operands(k);
+            if let Some(about) = &statement.about {
+                self.quote(about.origin);
+            }
+            match (self.pairs.get(&k).copied(), statement.op) {
+                (Some((sin, cos)), Op::Unary(_, angle))
+                    if self.variables.of_statement(sin).is_some()
+                        && self.variables.of_statement(cos).is_some() =>
+                {
+                    computed[sin] = true;
+                    computed[cos] = true;
+                    self.steps.push(Step::SinCos { sin, cos, angle });
+                }
+                _ => self.steps.push(Step::Let(k)),
+            }
+        }
+        for at in stored {
+            self.store(at);
+        }
+    }
+
+    fn quote(&mut self, index: usize) {
+        let origin = &self.compiled.derived.origins[index];
+        if origin.line > 0 && self.quoted.insert((&origin.source, origin.line)) {
+            self.steps.push(Step::Source(index));
+        }
+    }
+
+    fn load(&mut self, operand: Operand) {
+        if let Operand::Temp(t) = operand
+            && self.variables.of_statement(t as usize).is_none()
+        {
+            self.load_operands(t as usize);
+        } else if let Some(element) = input_element(operand)
+            && self.loaded.insert(element)
+        {
+            self.steps.push(Step::Load(operand));
+        }
+    }
+
+    fn load_operands(&mut self, k: usize) {
+        for operand in self.function.program.statements[k].op.operands() {
+            self.load(operand);
+        }
+    }
+
+    fn store(&mut self, output: usize) {
+        let mut start = 0;
+        for (section, of) in self.function.sections.iter().enumerate() {
+            if output < start + of.len {
+                let element = output - start;
+                self.steps.push(Step::Store {
+                    output,
+                    section,
+                    element,
+                });
+                return;
+            }
+            start += of.len;
+        }
+    }
+}

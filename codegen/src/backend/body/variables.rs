@@ -1,0 +1,158 @@
+//! Names of the local variables of a generated function.
+
+use super::{input_element, operands, width};
+use crate::compile::Compiled;
+use crate::program::{Function, Operand};
+use std::collections::{HashMap, HashSet};
+
+/// Most characters of a name from which the name of a subexpression is formed.
+const MAX_STEM: usize = 24;
+
+/// The variable of each input element and of each statement that is not written inside another.
+pub(crate) struct Variables {
+    inputs: HashMap<(super::Input, u32), String>,
+    statements: Vec<Option<String>>,
+}
+
+impl Variables {
+    pub(super) fn new(
+        compiled: &Compiled,
+        function: &Function,
+        is_reserved: impl Fn(&str) -> bool,
+    ) -> Variables {
+        let mut names = UniqueNames {
+            taken: HashSet::new(),
+            is_reserved,
+        };
+        let mut inputs = HashMap::new();
+        for operand in operands(&function.program) {
+            if let Some(element) = input_element(operand)
+                && !inputs.contains_key(&element)
+            {
+                inputs.insert(element, names.take(&input_name(compiled, operand)));
+            }
+        }
+        let statements = &function.program.statements;
+        let mut variables = Variables {
+            inputs,
+            statements: statements
+                .iter()
+                .map(|statement| statement.name.as_deref().map(|name| names.take(name)))
+                .collect(),
+        };
+        variables.split_long_expressions(function, &mut names);
+        variables
+    }
+
+    /// The variable of a statement; `None` if the statement is written inside those that use it.
+    pub fn of_statement(&self, k: usize) -> Option<&str> {
+        self.statements[k].as_deref()
+    }
+
+    /// The variable that holds an operand; `None` for time, constants and statements without a variable.
+    pub fn of(&self, operand: Operand) -> Option<&str> {
+        match operand {
+            Operand::Temp(t) => self.of_statement(t as usize),
+            other => self.inputs.get(&input_element(other)?).map(String::as_str),
+        }
+    }
+
+    /// Gives variables to subexpressions that would make a line too long.
+    fn split_long_expressions(
+        &mut self,
+        function: &Function,
+        names: &mut UniqueNames<impl Fn(&str) -> bool>,
+    ) {
+        let program = &function.program;
+        let owners = self.owners(function);
+        let widths = width::Widths::new(program);
+        for k in 0..program.statements.len() {
+            while widths.statement(self, k) > width::MAX_STATEMENT {
+                let Some(part) = widths.widest_part(self, k) else {
+                    break;
+                };
+                self.statements[part] = Some(part_name(owners[part].as_deref(), names));
+            }
+            if self.statements[k].is_none() && widths.statement(self, k) > width::MAX_INLINE {
+                self.statements[k] = Some(part_name(owners[k].as_deref(), names));
+            }
+        }
+    }
+
+    /// For each statement without a variable, the name of the statement or result that it becomes a part of.
+    fn owners(&self, function: &Function) -> Vec<Option<String>> {
+        let program = &function.program;
+        let mut owners: Vec<Option<String>> = vec![None; program.statements.len()];
+        for (output, name) in program.outputs.iter().zip(&function.results) {
+            if let Operand::Temp(t) = output {
+                owners[*t as usize].get_or_insert_with(|| name.clone());
+            }
+        }
+        for k in (0..program.statements.len()).rev() {
+            let owner = self.statements[k].clone().or_else(|| owners[k].clone());
+            for operand in program.statements[k].op.operands() {
+                if let Operand::Temp(t) = operand
+                    && self.statements[t as usize].is_none()
+                {
+                    owners[t as usize].clone_from(&owner);
+                }
+            }
+        }
+        owners
+    }
+}
+
+fn input_name(compiled: &Compiled, operand: Operand) -> String {
+    let layout = &compiled.layout;
+    let (names, k) = match operand {
+        Operand::State(k) => (&layout.states[..], k),
+        Operand::Parameter(k) => (&layout.parameters[..], k),
+        Operand::Prepared(k) => (&compiled.prepared[..], k),
+        Operand::Marker(k) => (&layout.marker[..], k),
+        Operand::Time | Operand::Constant(_) | Operand::Temp(_) => return "value".into(),
+    };
+    names[k as usize].clone()
+}
+
+/// `part_of_` and the start of the name of what it is a part of.
+fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>) -> String {
+    let owner = owner.unwrap_or("result");
+    let stem = match owner.char_indices().nth(MAX_STEM) {
+        None => owner,
+        Some((end, _)) => {
+            let cut = owner[..end].rfind('_').unwrap_or(end);
+            &owner[..cut]
+        }
+    };
+    let base = format!("part_of_{stem}");
+    if names.is_free(&base) {
+        return names.take(&base);
+    }
+    let mut n = 2;
+    while !names.is_free(&format!("{base}_{n}")) {
+        n += 1;
+    }
+    names.take(&format!("{base}_{n}"))
+}
+
+/// Hands out identifiers, each once.
+struct UniqueNames<F> {
+    taken: HashSet<String>,
+    is_reserved: F,
+}
+
+impl<F: Fn(&str) -> bool> UniqueNames<F> {
+    fn is_free(&self, name: &str) -> bool {
+        !self.taken.contains(name) && !(self.is_reserved)(name)
+    }
+
+    /// The name itself, or with underscores appended until it is free.
+    fn take(&mut self, name: &str) -> String {
+        let mut name = name.to_string();
+        while !self.is_free(&name) {
+            name.push('_');
+        }
+        self.taken.insert(name.clone());
+        name
+    }
+}

@@ -1,0 +1,150 @@
+//! The constants of a model: names, default values, sparsity patterns.
+
+use super::names::ident;
+use super::{print, source_hash};
+use crate::compile::Compiled;
+use model_spec::model::Model;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// Names of all constants.
+pub(super) const NAMES: [&str; 16] = [
+    "STATES",
+    "INITIAL",
+    "PARAMETERS",
+    "DEFAULTS",
+    "PARAMS",
+    "COEFFICIENTS",
+    "PREPARED",
+    "QUANTITIES",
+    "LIMITS",
+    "LIMIT_REASONS",
+    "J_PATTERN",
+    "JP_PATTERN",
+    "DY_DX_PATTERN",
+    "DY_DP_PATTERN",
+    "DY_DMARKER_PATTERN",
+    "SOURCE_HASH",
+];
+
+/// The constants of a model, each with its documentation and the given attributes.
+pub(super) fn items(model: &Model, compiled: &Compiled, attributes: &TokenStream) -> TokenStream {
+    let layout = &compiled.layout;
+    let bounds: Vec<f64> = model.limits.iter().map(|limit| limit.bound).collect();
+    let reasons: Vec<String> = model.limits.iter().map(|l| l.reason.clone()).collect();
+    let observe = &compiled.observe_jac;
+    let values = [
+        ("Names of the states, in order.", strings(&layout.states)),
+        ("Default initial state.", numbers(&layout.initial)),
+        (
+            "Names of the parameters: constants, then coefficients, then components of the inputs.",
+            strings(&layout.parameters),
+        ),
+        (
+            "Default values of the parameters.",
+            numbers(&layout.defaults),
+        ),
+        (
+            "Number of constants; they come first among the parameters.",
+            number(layout.params),
+        ),
+        (
+            "Number of coefficients; they follow the constants.",
+            number(layout.coefficients),
+        ),
+        (
+            "Names of the invariants that `prepare` computes.",
+            strings(&compiled.prepared),
+        ),
+        (
+            "Names of the auxiliary variables that `quantities` computes.",
+            strings(&layout.quantities),
+        ),
+        (
+            "Lower bounds of the domain of validity, one per result of `limits`.",
+            numbers(&bounds),
+        ),
+        (
+            "Why the model does not hold beyond each limit.",
+            strings(&reasons),
+        ),
+        (
+            "(row, column) of each entry of `j` = ∂dx/∂state.",
+            pairs(compiled.f_jac.pattern("j")),
+        ),
+        (
+            "(row, column) of each entry of `jp` = ∂dx/∂parameters.",
+            pairs(compiled.f_jac_par.pattern("jp")),
+        ),
+        (
+            "(row, column) of each entry of `dy_dx` = ∂observed/∂state.",
+            pairs(observe.pattern("dy_dx")),
+        ),
+        (
+            "(row, column) of each entry of `dy_dp` = ∂observed/∂parameters.",
+            pairs(observe.pattern("dy_dp")),
+        ),
+        (
+            "(row, column) of each entry of `dy_dmarker` = ∂observed/∂marker.",
+            pairs(observe.pattern("dy_dmarker")),
+        ),
+        (
+            "Hash of the model's source texts (64-bit FNV-1a).",
+            hash(model),
+        ),
+    ];
+    let items = NAMES.iter().zip(values).map(|(name, (doc, value))| {
+        let (name, doc, fill) = (ident(name), print::doc(doc), print::fill());
+        let Value { kind, value } = value;
+        quote!(#fill #doc #attributes pub const #name: #kind = #value;)
+    });
+    items.collect()
+}
+
+/// Type and value of a constant.
+struct Value {
+    kind: TokenStream,
+    value: TokenStream,
+}
+
+fn array(element: TokenStream, values: Vec<TokenStream>) -> Value {
+    let len = Literal::usize_unsuffixed(values.len());
+    Value {
+        kind: quote!([#element; #len]),
+        value: quote!([#(#values),*]),
+    }
+}
+
+fn strings(values: &[String]) -> Value {
+    array(quote!(&str), values.iter().map(|v| quote!(#v)).collect())
+}
+
+fn numbers(values: &[f64]) -> Value {
+    let one = |&value: &f64| super::scalar::Scalar::F64.constant(value, false).tokens;
+    array(quote!(f64), values.iter().map(one).collect())
+}
+
+fn pairs(values: &[(u32, u32)]) -> Value {
+    let one = |&(row, column): &(u32, u32)| {
+        let [row, column] = [row, column].map(Literal::u32_unsuffixed);
+        quote!((#row, #column))
+    };
+    array(quote!((u32, u32)), values.iter().map(one).collect())
+}
+
+fn number(value: usize) -> Value {
+    let value = Literal::usize_unsuffixed(value);
+    Value {
+        kind: quote!(usize),
+        value: quote!(#value),
+    }
+}
+
+fn hash(model: &Model) -> Value {
+    let digits = format!("{:#x}", source_hash(model)).parse();
+    let value = digits.unwrap_or_else(|_| Literal::u64_unsuffixed(source_hash(model)));
+    Value {
+        kind: quote!(u64),
+        value: quote!(#value),
+    }
+}

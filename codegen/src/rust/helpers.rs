@@ -1,0 +1,115 @@
+//! Functions that `f64` lacks, with the values at singular points that the model language defines.
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::quote;
+use std::collections::BTreeSet;
+
+/// Helper functions by the method of `lanes::Real` that they stand for.
+const HELPERS: [(&str, &str); 10] = [
+    ("sqrt", "sqrt_or_zero"),
+    ("recip_or_zero", "recip_or_zero"),
+    ("log", "log_or_zero"),
+    ("asin", "asin_clamped"),
+    ("atan2", "atan2_or_zero"),
+    ("min", "minimum"),
+    ("max", "maximum"),
+    ("sign", "sign"),
+    ("heaviside", "heaviside"),
+    ("if_zero", "if_zero"),
+];
+
+/// The helper for a method of `lanes::Real`; `None` if `f64` has a method of this name and meaning.
+pub(super) fn for_method(method: &str) -> Option<&'static str> {
+    let found = HELPERS.iter().find(|(known, _)| *known == method);
+    found.map(|(_, helper)| *helper)
+}
+
+/// Whether a name is that of a helper.
+pub(super) fn is_helper(name: &str) -> bool {
+    HELPERS.iter().any(|(_, helper)| *helper == name)
+}
+
+/// Definitions of the helpers that occur in some tokens.
+pub(super) fn used_in(tokens: &TokenStream) -> TokenStream {
+    let mut used = BTreeSet::new();
+    collect(tokens.clone(), &mut used);
+    used.into_iter().map(definition).collect()
+}
+
+fn collect(tokens: TokenStream, used: &mut BTreeSet<&'static str>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Group(group) => collect(group.stream(), used),
+            TokenTree::Ident(ident) => {
+                let found = HELPERS.iter().find(|(_, helper)| ident == helper);
+                used.extend(found.map(|(_, helper)| *helper));
+            }
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
+
+fn definition(helper: &str) -> TokenStream {
+    match helper {
+        "sqrt_or_zero" => quote! {
+            /// Square root; 0 for arguments of 0 or less.
+            fn sqrt_or_zero(x: f64) -> f64 {
+                if x <= 0.0 { 0.0 } else { x.sqrt() }
+            }
+        },
+        "recip_or_zero" => quote! {
+            /// Reciprocal; 0 where `|x| < 1e-75`.
+            fn recip_or_zero(x: f64) -> f64 {
+                if x.abs() < 1e-75 { 0.0 } else { 1.0 / x }
+            }
+        },
+        "log_or_zero" => quote! {
+            /// Natural logarithm; 0 for arguments of 0 or less.
+            fn log_or_zero(x: f64) -> f64 {
+                if x <= 0.0 { 0.0 } else { x.ln() }
+            }
+        },
+        "asin_clamped" => quote! {
+            /// Arcsine of the argument clamped to [-1, 1].
+            fn asin_clamped(x: f64) -> f64 {
+                x.clamp(-1.0, 1.0).asin()
+            }
+        },
+        "atan2_or_zero" => quote! {
+            /// Polar angle of the point (x, y); 0 at the origin.
+            fn atan2_or_zero(y: f64, x: f64) -> f64 {
+                if x == 0.0 && y == 0.0 { 0.0 } else { y.atan2(x) }
+            }
+        },
+        "minimum" => quote! {
+            /// Minimum of two numbers; the second if either is NaN.
+            fn minimum(a: f64, b: f64) -> f64 {
+                if a < b { a } else { b }
+            }
+        },
+        "maximum" => quote! {
+            /// Maximum of two numbers; the second if either is NaN.
+            fn maximum(a: f64, b: f64) -> f64 {
+                if b < a { a } else { b }
+            }
+        },
+        "sign" => quote! {
+            /// Sign: -1, 0 or 1.
+            fn sign(x: f64) -> f64 {
+                if x > 0.0 { 1.0 } else if x < 0.0 { -1.0 } else { 0.0 }
+            }
+        },
+        "heaviside" => quote! {
+            /// Heaviside step: 1 where `x > 0`, else 0.
+            fn heaviside(x: f64) -> f64 {
+                if x > 0.0 { 1.0 } else { 0.0 }
+            }
+        },
+        _ => quote! {
+            /// `then` where `|x| < 1e-75`, else `otherwise`.
+            fn if_zero(x: f64, then: f64, otherwise: f64) -> f64 {
+                if x.abs() < 1e-75 { then } else { otherwise }
+            }
+        },
+    }
+}

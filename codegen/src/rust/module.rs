@@ -1,0 +1,52 @@
+//! A model as one file, for use as a module of any crate.
+//!
+//! The file has no inner attributes or inner documentation, so that it works with `mod` and with `include!`.
+
+use super::function::{self, HEADER};
+use super::scalar::Scalar;
+use super::{constants, helpers, names, print};
+use crate::backend::SourceFile;
+use crate::compile::Compiled;
+use model_spec::model::Model;
+use quote::quote;
+
+/// The file `NAME.rs`.
+pub(super) fn file(model: &Model, compiled: &Compiled, scalar: Scalar) -> SourceFile {
+    let attributes = quote! {
+        #[allow(dead_code, non_snake_case, uncommon_codepoints, confusable_idents, clippy::all, clippy::pedantic)]
+    };
+    let constants = constants::items(model, compiled, &quote!(#[allow(dead_code)]));
+    let functions = compiled
+        .functions()
+        .map(|function| function::item(compiled, function, scalar, attributes.clone()));
+    let functions = quote!(#(#functions)*);
+    let (import, helpers) = match scalar {
+        Scalar::F64 => (quote!(), helpers::used_in(&functions)),
+        Scalar::Lanes => (
+            quote!(
+                use lanes::Real;
+            ),
+            quote!(),
+        ),
+    };
+    let text = print::file(
+        &header(model),
+        quote!(#import #constants #functions #helpers),
+    );
+    SourceFile {
+        path: format!("{}.rs", names::file_stem(&compiled.name)),
+        text,
+    }
+}
+
+fn header(model: &Model) -> Vec<String> {
+    let mut lines = vec![HEADER.to_string(), String::new()];
+    let doc = model.doc.trim();
+    if doc.is_empty() {
+        lines.push(format!("Model `{}`.", model.name));
+    }
+    lines.extend(doc.lines().map(str::to_string));
+    lines.push(String::new());
+    lines.push("Call `prepare` once per flight, then any other function with its result.".into());
+    lines
+}

@@ -1,0 +1,93 @@
+//! Identifiers that Rust accepts.
+
+use super::{constants, helpers, signature};
+use proc_macro2::{Ident, Span};
+
+/// Whether a name cannot be a local variable of a generated function: not an identifier of Rust, an argument, or an
+/// item in scope whose name a `let` would match as a pattern or shadow.
+pub(super) fn is_reserved(name: &str) -> bool {
+    syn::parse_str::<Ident>(name).is_err()
+        || signature::is_argument(name)
+        || constants::NAMES.contains(&name)
+        || helpers::is_helper(name)
+}
+
+/// An identifier; a keyword is given an underscore.
+pub(super) fn ident(name: &str) -> Ident {
+    syn::parse_str(name).unwrap_or_else(|_| Ident::new(&format!("{name}_"), Span::call_site()))
+}
+
+/// The name of a module for a model: a raw identifier where the name is a keyword.
+pub(super) fn module_ident(model: &str) -> Ident {
+    let stem = file_stem(model);
+    syn::parse_str::<Ident>(&stem)
+        .or_else(|_| syn::parse_str::<Ident>(&format!("r#{stem}")))
+        .unwrap_or_else(|_| ident(&format!("{stem}_")))
+}
+
+/// The name of a model as the stem of a file that Rust takes as a module: letters, digits and underscores.
+pub(super) fn file_stem(model: &str) -> String {
+    let letters = model.chars();
+    let mut stem: String = letters
+        .map(|c| if c.is_alphanumeric() { c } else { '_' })
+        .collect();
+    let starts_well = stem.starts_with(|c: char| c.is_alphabetic() || c == '_');
+    let unraw = ["", "_", "self", "Self", "super", "crate"];
+    if !starts_well {
+        stem.insert(0, '_');
+    }
+    if unraw.contains(&stem.as_str()) {
+        stem.push_str("_model");
+    }
+    stem
+}
+
+/// `disc_quaternion` as `DiscQuaternion`.
+pub(super) fn type_ident(model: &str) -> Ident {
+    let words = model.split(|c: char| !c.is_alphanumeric());
+    let camel: String = words
+        .filter_map(|word| {
+            let mut letters = word.chars();
+            let first = letters.next()?;
+            Some(first.to_uppercase().chain(letters).collect::<String>())
+        })
+        .collect();
+    ident(&file_stem(&camel))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_models_become_modules_and_types() {
+        let table = [
+            ("disc_quaternion", "disc_quaternion", "DiscQuaternion"),
+            ("match", "r#match", "Match"),
+            ("self", "self_model", "Self_model"),
+            ("2d-kite", "_2d_kite", "_2dKite"),
+        ];
+        for (model, module, kind) in table {
+            assert_eq!(module_ident(model).to_string(), module);
+            assert_eq!(type_ident(model).to_string(), kind);
+        }
+    }
+
+    #[test]
+    fn keywords_arguments_constants_and_helpers_are_reserved() {
+        for name in [
+            "yield",
+            "Self",
+            "_",
+            "state",
+            "dx",
+            "STATES",
+            "sqrt_or_zero",
+        ] {
+            assert!(is_reserved(name), "{name}");
+        }
+        for name in ["alpha", "C_La", "T", "f", "π"] {
+            assert!(!is_reserved(name), "{name}");
+        }
+    }
+}

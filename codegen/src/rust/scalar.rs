@@ -1,0 +1,148 @@
+//! The number type of generated code, and how each operation is written for it.
+
+use super::expression::{Binding, Expr};
+use super::helpers;
+use super::names::ident;
+use crate::functions::MathFunction;
+use crate::program::{Binary, Fused, Unary};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The number type of generated code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scalar {
+    /// `f64`, with functions of the standard library and of [`helpers`].
+    F64,
+    /// A type parameter `T: Real` of the crate `lanes`.
+    Lanes,
+}
+
+impl Scalar {
+    /// The type in signatures.
+    pub fn kind(self) -> TokenStream {
+        match self {
+            Scalar::F64 => quote!(f64),
+            Scalar::Lanes => quote!(T),
+        }
+    }
+
+    /// The generic parameters of a function.
+    pub fn generics(self) -> TokenStream {
+        match self {
+            Scalar::F64 => TokenStream::new(),
+            Scalar::Lanes => quote!(<T: Real>),
+        }
+    }
+
+    /// A constant. `typed` asks for a literal whose type is known without context.
+    pub fn constant(self, value: f64, typed: bool) -> Expr {
+        let path = match value {
+            _ if value == PI => Some(quote!(std::f64::consts::PI)),
+            _ if value == FRAC_PI_2 => Some(quote!(std::f64::consts::FRAC_PI_2)),
+            _ if value.is_nan() => Some(quote!(f64::NAN)),
+            _ if value == f64::INFINITY => Some(quote!(f64::INFINITY)),
+            _ if value == f64::NEG_INFINITY => Some(quote!(f64::NEG_INFINITY)),
+            _ => None,
+        };
+        let is_literal = path.is_none();
+        let tokens = path.unwrap_or_else(|| {
+            let suffix = if typed && self == Scalar::F64 {
+                "_f64"
+            } else {
+                ""
+            };
+            literal(value, suffix)
+        });
+        match self {
+            Scalar::Lanes => Expr::atom(quote!(T::splat(#tokens))),
+            Scalar::F64 if is_literal && value.is_sign_negative() => Expr {
+                tokens,
+                binding: Binding::Negation,
+            },
+            Scalar::F64 => Expr::atom(tokens),
+        }
+    }
+
+    /// `a * b + c` and its variants.
+    pub fn fused(self, fused: Fused, a: Expr, b: Expr, c: Expr) -> Expr {
+        if self == Scalar::Lanes {
+            let method = match fused {
+                Fused::MulAdd => "mul_add",
+                Fused::MulSub => "mul_sub",
+                Fused::NegMulAdd => "neg_mul_add",
+            };
+            return a.method(method, &[b, c]);
+        }
+        let product = a.infix(Binary::Mul, b);
+        match fused {
+            Fused::MulAdd => product.infix(Binary::Add, c),
+            Fused::MulSub => product.infix(Binary::Sub, c),
+            Fused::NegMulAdd => c.infix(Binary::Sub, product),
+        }
+    }
+
+    /// A function of one argument.
+    pub fn unary(self, unary: Unary, a: Expr) -> Expr {
+        let name = match unary {
+            Unary::Neg => return a.negated(),
+            Unary::Recip => return self.constant(1.0, false).infix(Binary::Div, a),
+            Unary::RecipOrZero => "recip_or_zero",
+            Unary::Call(MathFunction::NonZero) => {
+                let [zero, one] = [0.0, 1.0].map(|value| self.constant(value, false));
+                return self.if_zero(a, zero, one);
+            }
+            Unary::Call(function @ (MathFunction::Sin | MathFunction::Cos)) => {
+                return self.sin_or_cos(function, a);
+            }
+            Unary::Call(function) => function.rust_method().trim_end_matches("()"),
+        };
+        self.call(name, a, &[])
+    }
+
+    /// A sine or cosine whose other half is not computed.
+    fn sin_or_cos(self, function: MathFunction, angle: Expr) -> Expr {
+        let element = match function {
+            MathFunction::Sin => Literal::usize_unsuffixed(0),
+            _ => Literal::usize_unsuffixed(1),
+        };
+        match self {
+            Scalar::F64 => angle.method(function.name(), &[]),
+            Scalar::Lanes => {
+                let pair = angle.method("sin_cos", &[]).tokens;
+                Expr::atom(quote!(#pair.#element))
+            }
+        }
+    }
+
+    /// `then` where `condition` is 0, else `otherwise`.
+    pub fn if_zero(self, condition: Expr, then: Expr, otherwise: Expr) -> Expr {
+        self.call("if_zero", condition, &[then, otherwise])
+    }
+
+    /// A function by the name of its method of `lanes::Real`.
+    pub fn call(self, name: &str, first: Expr, rest: &[Expr]) -> Expr {
+        let helper = match self {
+            Scalar::F64 => helpers::for_method(name),
+            Scalar::Lanes => None,
+        };
+        let Some(helper) = helper else {
+            return first.method(name, rest);
+        };
+        let helper = ident(helper);
+        let arguments = std::iter::once(&first).chain(rest).map(|e| &e.tokens);
+        Expr::atom(quote!(#helper(#(#arguments),*)))
+    }
+}
+
+/// A finite number in its shortest form that reads back the same.
+fn literal(value: f64, suffix: &str) -> TokenStream {
+    let digits = format!("{:?}{suffix}", value.abs());
+    let literal: Option<Literal> = digits.parse().ok();
+    let literal = literal.unwrap_or_else(|| Literal::f64_suffixed(value.abs()));
+    if value.is_sign_negative() {
+        quote!(-#literal)
+    } else {
+        quote!(#literal)
+    }
+}
