@@ -38,7 +38,7 @@ impl TapeFunction {
 /// Space that evaluations use again and again.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
-    slots: Vec<f64>,
+    registers: Vec<f64>,
     out: Vec<f64>,
 }
 
@@ -204,19 +204,19 @@ fn run(
     scratch: &mut Scratch,
     results: &mut [&mut [f64]],
 ) {
-    let Scratch { slots, out } = scratch;
+    let Scratch { registers, out } = scratch;
     let wanted = function.tape.outputs();
     if out.len() < wanted {
         out.resize(wanted, 0.0);
     }
-    if slots.len() < function.tape.slots() {
-        slots.resize(function.tape.slots(), 0.0);
+    if registers.len() < function.tape.registers() {
+        registers.resize(function.tape.registers(), 0.0);
     }
     dispatch_scalar(Run {
         tape: &function.tape,
         at,
         marker,
-        slots,
+        registers,
         out,
     });
     let mut start = 0;
@@ -231,7 +231,7 @@ struct Run<'a> {
     tape: &'a Tape,
     at: At<'a>,
     marker: &'a [f64],
-    slots: &'a mut [f64],
+    registers: &'a mut [f64],
     out: &'a mut [f64],
 }
 
@@ -245,7 +245,7 @@ impl ScalarKernel for Run<'_> {
             prepared: T::slice(self.at.prepared),
             marker: T::slice(self.marker),
         };
-        let (slots, out) = (T::slice_mut(self.slots), T::slice_mut(self.out));
-        self.tape.eval_in(inputs, slots, out);
+        let (registers, out) = (T::slice_mut(self.registers), T::slice_mut(self.out));
+        self.tape.eval_in(inputs, registers, out);
     }
 }
