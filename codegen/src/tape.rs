@@ -32,33 +32,55 @@ enum Opcode {
 }
 
 /// Index of a value in the scratch space of an evaluation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Register(u32);
+trait Register: Copy {
+    fn index(self) -> usize;
+}
 
-impl Register {
+impl Register for u16 {
+    #[inline(always)]
     fn index(self) -> usize {
-        self.0 as usize
+        self.into()
+    }
+}
+
+impl Register for u32 {
+    #[inline(always)]
+    fn index(self) -> usize {
+        self as usize
     }
 }
 
 /// An operation on registers. Operands that the operation lacks repeat `a`.
 #[derive(Clone, Copy, Debug)]
-struct Instruction {
+struct Instruction<R> {
     opcode: Opcode,
-    target: Register,
-    a: Register,
-    b: Register,
-    c: Register,
+    target: R,
+    a: R,
+    b: R,
+    c: R,
+}
+
+/// Instructions with registers of one width.
+#[derive(Clone, Debug)]
+struct Bytecode<R> {
+    instructions: Vec<Instruction<R>>,
+    /// Inputs and constants that are read, with their registers.
+    loads: Vec<(Operand, R)>,
+    outputs: Vec<R>,
 }
 
 /// A program as instructions over as few registers as its live ranges allow.
 #[derive(Clone, Debug)]
 pub struct Tape {
-    instructions: Vec<Instruction>,
-    /// Inputs and constants that are read, with their registers.
-    loads: Vec<(Operand, Register)>,
-    outputs: Vec<Register>,
+    code: Width,
     registers: usize,
+}
+
+/// Bytecode with the narrowest registers that suffice: half the memory is read per evaluation if they are narrow.
+#[derive(Clone, Debug)]
+enum Width {
+    Narrow(Bytecode<u16>),
+    Wide(Bytecode<u32>),
 }
 
 /// Inputs of a program, for one flight or one flight per lane.
@@ -82,17 +104,25 @@ impl Tape {
     /// # Panics
     /// If a statement or output refers to a statement that does not precede it. Compiled models never do.
     pub fn new(program: &Program) -> Tape {
-        allocate::tape(program)
+        let (wide, registers) = allocate::bytecode(program);
+        let code = match u16::try_from(registers) {
+            Ok(_) => Width::Narrow(wide.map(|register| register as u16)),
+            Err(_) => Width::Wide(wide),
+        };
+        Tape { code, registers }
     }
 
     /// Number of instructions.
     pub fn len(&self) -> usize {
-        self.instructions.len()
+        match &self.code {
+            Width::Narrow(code) => code.instructions.len(),
+            Width::Wide(code) => code.instructions.len(),
+        }
     }
 
     /// Whether the tape has no instructions.
     pub fn is_empty(&self) -> bool {
-        self.instructions.is_empty()
+        self.len() == 0
     }
 
     /// Length of the scratch space of an evaluation.
@@ -102,7 +132,10 @@ impl Tape {
 
     /// Number of results.
     pub fn outputs(&self) -> usize {
-        self.outputs.len()
+        match &self.code {
+            Width::Narrow(code) => code.outputs.len(),
+            Width::Wide(code) => code.outputs.len(),
+        }
     }
 
     /// Evaluates the program. `scratch` grows to [`registers`](Tape::registers) elements and can be reused.
@@ -123,7 +156,17 @@ impl Tape {
     /// As [`eval`](Tape::eval), and if the scratch space is too short.
     #[inline(always)]
     pub fn eval_in<T: Real>(&self, inputs: Inputs<'_, T>, scratch: &mut [T], out: &mut [T]) {
-        let s = &mut scratch[..self.registers];
+        let scratch = &mut scratch[..self.registers];
+        match &self.code {
+            Width::Narrow(code) => code.run(inputs, scratch, out),
+            Width::Wide(code) => code.run(inputs, scratch, out),
+        }
+    }
+}
+
+impl<R: Register> Bytecode<R> {
+    #[inline(always)]
+    fn run<T: Real>(&self, inputs: Inputs<'_, T>, s: &mut [T], out: &mut [T]) {
         for &(operand, register) in &self.loads {
             s[register.index()] = match operand {
                 Operand::Time => inputs.t,
@@ -163,6 +206,23 @@ impl Tape {
         }
         for (result, &register) in out[..self.outputs.len()].iter_mut().zip(&self.outputs) {
             *result = s[register.index()];
+        }
+    }
+}
+
+impl<R: Copy> Bytecode<R> {
+    fn map<S>(&self, register: impl Fn(R) -> S) -> Bytecode<S> {
+        let instruction = |i: &Instruction<R>| Instruction {
+            opcode: i.opcode,
+            target: register(i.target),
+            a: register(i.a),
+            b: register(i.b),
+            c: register(i.c),
+        };
+        Bytecode {
+            instructions: self.instructions.iter().map(instruction).collect(),
+            loads: self.loads.iter().map(|&(o, r)| (o, register(r))).collect(),
+            outputs: self.outputs.iter().map(|&r| register(r)).collect(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Register allocation: a linear scan over the live ranges of a program.
 
-use super::{Instruction, Opcode, Register, Tape};
+use super::{Bytecode, Instruction, Opcode};
 use crate::backend::pairs::{OperandKey, sin_cos_pairs};
 use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
@@ -9,11 +9,11 @@ use std::collections::HashMap;
 /// Position after the last instruction: results are live until there.
 const END: usize = usize::MAX;
 
-/// The tape of a program.
+/// The instructions of a program, and the number of registers.
 ///
 /// # Panics
 /// If an operand refers to a statement that does not precede its use.
-pub(super) fn tape(program: &Program) -> Tape {
+pub(super) fn bytecode(program: &Program) -> (Bytecode<u32>, usize) {
     let pairs = sin_cos_pairs(program);
     let mut allocator = Allocator {
         last_use: last_uses(program, &pairs),
@@ -34,12 +34,12 @@ pub(super) fn tape(program: &Program) -> Tape {
         }
     }
     let outputs = program.outputs.iter();
-    Tape {
+    let code = Bytecode {
         outputs: outputs.map(|&output| allocator.register(output)).collect(),
         instructions,
         loads,
-        registers: allocator.count as usize,
-    }
+    };
+    (code, allocator.count as usize)
 }
 
 /// For each statement, the position of the last instruction that reads its result. The second half of a pair reads the
@@ -69,14 +69,14 @@ fn last_uses(program: &Program, pairs: &HashMap<usize, (usize, usize)>) -> Vec<u
 struct Allocator {
     last_use: Vec<usize>,
     /// Registers of inputs, constants, and results that are live.
-    registers: HashMap<OperandKey, Register>,
-    free: Vec<Register>,
+    registers: HashMap<OperandKey, u32>,
+    free: Vec<u32>,
     count: u32,
 }
 
 impl Allocator {
     /// Gives every input and constant a register of its own for the whole evaluation.
-    fn loads(&mut self, program: &Program) -> Vec<(Operand, Register)> {
+    fn loads(&mut self, program: &Program) -> Vec<(Operand, u32)> {
         let inside = program.statements.iter().flat_map(|s| s.op.operands());
         let mut loads = Vec::new();
         for operand in inside.chain(program.outputs.iter().copied()) {
@@ -89,17 +89,17 @@ impl Allocator {
     }
 
     /// A register for a new value.
-    fn define(&mut self, operand: Operand) -> Register {
+    fn define(&mut self, operand: Operand) -> u32 {
         let register = self.free.pop().unwrap_or_else(|| {
             self.count += 1;
-            Register(self.count - 1)
+            self.count - 1
         });
         self.registers.insert(operand.into(), register);
         register
     }
 
     /// The register of a live value.
-    fn register(&self, operand: Operand) -> Register {
+    fn register(&self, operand: Operand) -> u32 {
         *self
             .registers
             .get(&operand.into())
@@ -118,9 +118,9 @@ impl Allocator {
         }
     }
 
-    fn instruction(&mut self, op: Op, k: usize) -> Instruction {
+    fn instruction(&mut self, op: Op, k: usize) -> Instruction<u32> {
         let operands = op.operands();
-        let registers: Vec<Register> = operands.iter().map(|&o| self.register(o)).collect();
+        let registers: Vec<u32> = operands.iter().map(|&o| self.register(o)).collect();
         self.release(&operands, k);
         let operand = |n: usize| registers.get(n).copied().unwrap_or(registers[0]);
         Instruction {
@@ -133,7 +133,7 @@ impl Allocator {
     }
 
     /// Sine and cosine of one angle, at the position `k` of the first of them.
-    fn pair(&mut self, op: Op, (sin, cos): (usize, usize), k: usize) -> Instruction {
+    fn pair(&mut self, op: Op, (sin, cos): (usize, usize), k: usize) -> Instruction<u32> {
         debug_assert!(matches!(
             op,
             Op::Unary(Unary::Call(MathFunction::Sin | MathFunction::Cos), _)
@@ -155,7 +155,7 @@ impl Allocator {
 mod tests {
     use super::*;
     use crate::program::{Binary, Statement};
-    use crate::tape::Inputs;
+    use crate::tape::{Inputs, Tape};
 
     fn program(ops: &[Op], outputs: &[u32]) -> Program {
         let statements = ops.iter().map(|&op| Statement {
