@@ -1,4 +1,4 @@
-//! Prints the generated code of a model: `cargo run -p codegen --example emit -- disc f`.
+//! Prints the generated code of a model: `cargo run -p hyzer-codegen --example emit -- disc f`.
 
 fn main() {
     let mut arguments = std::env::args().skip(1);

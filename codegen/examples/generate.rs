@@ -1,4 +1,4 @@
-//! Writes `crates/generated/src` of this repository: `cargo run -p codegen --example generate`.
+//! Writes `crates/generated/src` of this repository: `cargo run -p hyzer-codegen --example generate`.
 //! The program's own command is `hyzer generate`.
 
 use std::path::Path;

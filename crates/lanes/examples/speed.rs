@@ -1,4 +1,4 @@
-//! Nanoseconds for each function on each kind of lanes: `cargo run --release -p lanes --example speed`.
+//! Nanoseconds for each function on each kind of lanes: `cargo run --release -p hyzer-lanes --example speed`.
 
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
 use std::hint::black_box;

@@ -1,4 +1,4 @@
-//! How long a flight takes: `cargo run --release -p flight --example flight_speed`.
+//! Time per integration: `cargo run --release -p hyzer-ode --example integration_speed`.
 
 #[path = "../tests/disc/mod.rs"]
 mod disc;

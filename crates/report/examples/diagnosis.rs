@@ -1,5 +1,5 @@
 //! The page of a diagnosis that never was, to look at:
-//! `cargo run -p report --example diagnosis -- FOLDER [VERDICT [FLIGHTS]]`.
+//! `cargo run -p hyzer-report --example diagnosis -- FOLDER [VERDICT [FLIGHTS]]`.
 
 #[path = "../tests/found/mod.rs"]
 mod found;

@@ -1,4 +1,4 @@
-//! A figure of the backhand by the hand-written disc: `cargo run -p report --example figure > flight.svg`.
+//! A figure of the backhand by the hand-written disc: `cargo run -p hyzer-report --example figure > flight.svg`.
 
 #[path = "../../ode/tests/disc/mod.rs"]
 mod disc;

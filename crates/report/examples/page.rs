@@ -1,4 +1,4 @@
-//! The page of a fit that never was, to look at: `cargo run -p report --example page -- FOLDER [FLIGHTS]`.
+//! The page of a fit that never was, to look at: `cargo run -p hyzer-report --example page -- FOLDER [FLIGHTS]`.
 
 #[path = "../tests/made/mod.rs"]
 mod made;

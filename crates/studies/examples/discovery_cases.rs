@@ -1,7 +1,7 @@
 //! Writes the cases of benches/discovery as folders: flights of the disc with one aerodynamic effect of the catalogue hidden in
 //! them, weak and strong, and flights with none; beside each dataset a `truth.json`. The same bytes on every run.
 //!
-//! `cargo run --release -p studies --example discovery_cases -- FOLDER`
+//! `cargo run --release -p hyzer-studies --example discovery_cases -- FOLDER`
 
 use std::fs;
 use std::path::Path;
