@@ -165,9 +165,9 @@ def text(results):
         stepwise=f"every {stride}th sample, F of {least:g}" if stride > 1 else f"every sample, F of {least:g}",
     )
     for size in ("strong", "weak"):
-        page += f"## A {size} effect is hidden\n\n" + hidden(results, size) + "\n"
+        page += f"## A {size} effect is seeded\n\n" + hidden(results, size) + "\n"
     page += "## The sets of `hyzer diagnose`\n\n" + sets(results)
-    page += "\n## Nothing is hidden\n\n" + nulls(results)
+    page += "\n## No effect is seeded\n\n" + nulls(results)
     page += "\n## The peers on tracks without noise\n\nOne dataset of each effect and strength, next to no smoothing: what the peers can do where their left sides are right.\n\n" + clean(results)
     page += f"\n## By effect\n\nOf {seeds} each: right + among others.\n\n" + effects(results)
     load = ", ".join(f"{value:.1f}" for value in results["load"])

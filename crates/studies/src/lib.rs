@@ -5,10 +5,15 @@
 //! own and writes one page of `docs/`; the program `hyzer-studies` has a command for each.
 
 pub mod discovery;
+mod error;
 pub mod identification;
-pub mod markdown;
+mod markdown;
 pub mod oracle_flights;
-pub mod page;
+mod page;
 pub mod paper;
 pub mod real_data;
 pub mod seeded;
+mod statistics;
+
+pub use error::StudyError;
+pub use page::Page;

@@ -7,10 +7,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
-use studies::discovery::{self, peers, plan};
-use studies::identification::{self, coverage, paper_fits};
-use studies::page::Page;
-use studies::{paper, real_data};
+use studies::discovery::{
+    details, discovery_page, peer_section, plan, rejections, run_rows, with_peer_section,
+};
+use studies::identification::{coverage, identification_page, paper_fits};
+use studies::oracle_flights::{TWELVE, noise_conditions};
+use studies::paper::{Study, paper_page};
+use studies::{Page, real_data};
 
 fn main() -> ExitCode {
     match run(cli::Cli::parse().study) {
@@ -27,7 +30,7 @@ fn main() -> ExitCode {
 fn run(study: cli::Study) -> anyhow::Result<()> {
     let (page, out) = match study {
         cli::Study::Paper(options) => (paper()?, options.out),
-        cli::Study::Identification(options) => (identification(options.seeds), options.out),
+        cli::Study::Identification(options) => (identification(options.seeds)?, options.out),
         cli::Study::RealData(options) => {
             let data = real_data::RealData::of(&options.data).map_err(anyhow::Error::msg)?;
             (real_data::real_data(&data), options.out)
@@ -41,45 +44,42 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
 }
 
 fn paper() -> anyhow::Result<Page> {
-    let study = paper::study::Study::run().map_err(anyhow::Error::msg)?;
+    let study = Study::run()?;
     eprintln!("{} readings flown", study.ranking.len());
-    Ok(Page {
-        text: paper::page::page(&study),
-        figures: Vec::new(),
-    })
+    Ok(paper_page(&study)?)
 }
 
-fn identification(seeds: u64) -> Page {
-    let coverages = coverage::conditions().into_iter().map(|condition| {
+fn identification(seeds: u64) -> anyhow::Result<Page> {
+    let coverages = noise_conditions().into_iter().map(|condition| {
         eprintln!("{seeds} seeds under {} noise", condition.name);
-        coverage::coverage(&coverage::TWELVE, &condition, seeds)
+        coverage(&TWELVE, &condition, seeds)
     });
     let coverages: Vec<_> = coverages.collect();
     eprintln!("the paper's flights, {seeds} seeds");
-    identification::page::identification(&coverages, &paper_fits::replay(seeds))
+    Ok(identification_page(&coverages, &paper_fits(seeds))?)
 }
 
 /// Runs the plan, with a line for each run where `--details` asks for it.
 fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
-    let mut rows = plan::plan(options.seeds as usize);
+    let mut rows = plan(options.seeds as usize);
     if let Some(words) = &options.only {
         rows.retain(|row| row.has(words));
         anyhow::ensure!(!rows.is_empty(), "no row has the words `{words}`");
     }
     let runs: usize = rows.iter().map(|row| row.runs).sum();
     eprintln!("{} rows, {runs} runs", rows.len());
-    let tried = discovery::discovery(&rows, &|done, of| {
+    let results = run_rows(&rows, &|done, of| {
         if done % (of / 20).max(1) == 0 {
             eprintln!("{done} of {of} runs");
         }
     });
     if options.details {
-        for (tried, rejections) in tried.iter().zip(discovery::rejections(&tried)) {
-            let lines = discovery::page::details(tried, &rejections);
+        for (result, rejections) in results.iter().zip(rejections(&results)) {
+            let lines = details(result, &rejections);
             output::print(lines.join("\n") + "\n")?;
         }
     }
-    let page = discovery::page::discovery(&tried);
+    let page = discovery_page(&results)?;
     let page = with_peer_tables(page, options.out.as_deref());
     Ok((page, options.out))
 }
@@ -88,9 +88,9 @@ fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)>
 fn with_peer_tables(page: Page, out: Option<&Path>) -> Page {
     let peers = out.map(|file| file.with_file_name("discovery-peers.md"));
     let peers = peers.and_then(|file| std::fs::read_to_string(file).ok());
-    match peers.and_then(|text| peers::section(&text)) {
+    match peers.and_then(|text| peer_section(&text)) {
         Some(section) => Page {
-            text: peers::beside(&page.text, &section),
+            text: with_peer_section(&page.text, &section),
             ..page
         },
         None => page,

@@ -55,11 +55,3 @@ pub fn three(value: f64) -> String {
 pub fn percent(part: f64) -> String {
     format!("{:.1} %", 100.0 * part)
 }
-
-/// Mean and standard deviation.
-pub fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
-    let count = values.len().max(1) as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-    (mean, (squares / (count - 1.0).max(1.0)).sqrt())
-}

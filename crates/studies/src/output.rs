@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use anyhow::Context;
-use studies::page::Page;
+use studies::Page;
 
 /// Writes a page, its figures in the same folder.
 pub fn write_page(file: &Path, page: &Page) -> anyhow::Result<()> {

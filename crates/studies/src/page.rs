@@ -1,4 +1,11 @@
-//! A page of `docs/`, as a study returns it.
+//! Pages of `docs/`: Markdown templates filled with the typed results of a study.
+
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::{Serde, Value};
+use minijinja::{AutoEscape, Environment, UndefinedBehavior};
+use serde::Serialize;
+
+use crate::error::StudyError;
 
 /// A page and its figures.
 #[derive(Clone, Debug, PartialEq)]
@@ -7,4 +14,71 @@ pub struct Page {
     pub text: String,
     /// File name, relative to the page, and SVG text of each figure.
     pub figures: Vec<(String, String)>,
+}
+
+/// Printed where a result does not exist.
+const NONE: &str = "–";
+
+/// Fills a template with results; the text ends in one line feed.
+///
+/// Filters: `three` (three significant digits), `percent` (a fraction, one decimal), `fixed(n)` and `signed(n)` (`n` decimals),
+/// `plain` (shortest decimal). Each prints an en dash for `none`.
+pub(crate) fn render(template: &str, results: impl Serialize) -> Result<String, StudyError> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::None);
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    let syntax = SyntaxConfig::builder()
+        .trim_blocks(true)
+        .lstrip_blocks(true)
+        .build()?;
+    environment.set_syntax(syntax);
+    let or_dash =
+        |number: Option<f64>, text: &dyn Fn(f64) -> String| number.map_or(NONE.to_owned(), text);
+    environment.add_filter("three", move |number: Option<f64>| or_dash(number, &three));
+    environment.add_filter("percent", move |number: Option<f64>| {
+        or_dash(number, &|fraction| format!("{:.1} %", 100.0 * fraction))
+    });
+    environment.add_filter("fixed", move |number: Option<f64>, decimals: usize| {
+        or_dash(number, &|number| format!("{number:.decimals$}"))
+    });
+    environment.add_filter("signed", move |number: Option<f64>, decimals: usize| {
+        or_dash(number, &|number| format!("{number:+.decimals$}"))
+    });
+    environment.add_filter("plain", move |number: Option<f64>| {
+        or_dash(number, &|number| number.to_string())
+    });
+    let text = environment.render_str(template, Value::from(Serde(results)))?;
+    Ok(text.trim_end().to_owned() + "\n")
+}
+
+/// A number with three significant digits.
+fn three(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    let exponent = value.abs().log10().floor() as i32;
+    if !(-3..5).contains(&exponent) {
+        return format!("{value:.2e}");
+    }
+    format!("{value:.*}", (2 - exponent).max(0) as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use minijinja::context;
+
+    use super::*;
+
+    #[test]
+    fn numbers_are_printed_with_the_digits_that_a_filter_states() {
+        let text = "{{ a|three }} {{ b|three }} {{ c|percent }} {{ a|fixed(1) }} {{ a|signed(2) }} {{ d|plain }} {{ none|three }}";
+        let results = context! { a => 12.345, b => 1.5e-7, c => 0.9512, d => -0.00005 };
+        let page = render(text, results).expect("a page");
+        assert_eq!(page, "12.3 1.50e-7 95.1 % 12.3 +12.35 -0.00005 –\n");
+    }
+
+    #[test]
+    fn a_result_that_is_missing_is_an_error() {
+        assert!(render("{{ absent|three }}", context! {}).is_err());
+    }
 }

@@ -5,8 +5,7 @@ use identify::dataset::{Dataset, KnownValue};
 use identify::synthesize::{Corruption as Made, corrupt};
 use identify::{FitOptions, FitProblem, Loss, NoiseModel, Unknowns, initial_guesses, linearise};
 use nalgebra::DVector;
-use studies::identification::coverage::TWELVE;
-use studies::oracle_flights::dataset::{Plan, disc, flights};
+use studies::oracle_flights::{Plan, TWELVE, disc, flights};
 
 fn dataset() -> Dataset {
     let plan = Plan {

@@ -1,10 +1,9 @@
 //! Discovery end to end, a small fixed part of it: quiet where nothing is hidden, right where something strong is.
 
-use studies::discovery::plan::{Row, plan};
-use studies::discovery::{Tried, discovery};
+use studies::discovery::{Row, RowResult, plan, run_rows};
 
 /// Rows by their words, so many runs each.
-fn tried(words: &[&str], runs: usize) -> Vec<Tried> {
+fn tried(words: &[&str], runs: usize) -> Vec<RowResult> {
     let all = plan(100);
     let rows = words.iter().map(|words| {
         let mut found = all.iter().filter(|row| row.has(words));
@@ -15,7 +14,7 @@ fn tried(words: &[&str], runs: usize) -> Vec<Tried> {
             ..row.clone()
         }
     });
-    discovery(&rows.collect::<Vec<Row>>(), &|_, _| {})
+    run_rows(&rows.collect::<Vec<Row>>(), &|_, _| {})
 }
 
 #[test]
@@ -24,12 +23,12 @@ fn nothing_is_found_where_nothing_is_hidden() {
     let words = noises.map(|noise| format!("null {noise}"));
     for tried in tried(&words.each_ref().map(String::as_str), 1) {
         for outcome in &tried.outcomes {
-            assert!(outcome.failed.is_none(), "{outcome:?}");
+            assert!(outcome.failure.is_none(), "{outcome:?}");
             assert!(
-                !outcome.alarmed(),
+                !outcome.is_detected(),
                 "{}: {}",
                 tried.row.key(),
-                outcome.said()
+                outcome.answer()
             );
             assert_eq!(outcome.held_out_ratio(), Some(1.0));
         }
@@ -52,14 +51,19 @@ fn what_is_strong_is_found_and_no_wrong_cause_stands_alone() {
     let mut strong = 0;
     for tried in tried(&words, 1) {
         for outcome in &tried.outcomes {
-            assert!(outcome.failed.is_none(), "{outcome:?}");
-            assert!(!outcome.wrong, "{}: {}", tried.row.key(), outcome.said());
-            let outside = tried.row.outside.is_some();
-            if outside || outcome.has(3.0) {
+            assert!(outcome.failure.is_none(), "{outcome:?}");
+            assert!(
+                !outcome.uniquely_wrong,
+                "{}: {}",
+                tried.row.key(),
+                outcome.answer()
+            );
+            let outside = tried.row.unlisted.is_some();
+            if outside || outcome.is_detectable(3.0) {
                 strong += 1;
-                assert!(outcome.in_set, "{}: {}", tried.row.key(), outcome.said());
+                assert!(outcome.in_set, "{}: {}", tried.row.key(), outcome.answer());
                 assert!(
-                    outcome.held_out_after < outcome.held_out_before,
+                    outcome.held_out.after < outcome.held_out.before,
                     "{outcome:?}"
                 );
             }
@@ -81,14 +85,19 @@ fn what_flights_agree_on_is_named_and_those_that_contradict_are_listed() {
     };
     for tried in [off, some] {
         let outcome = &tried.outcomes[0];
-        assert!(outcome.in_set, "{}: {}", tried.row.key(), outcome.said());
-        assert!(outcome.held_out_after < outcome.held_out_before);
+        assert!(outcome.in_set, "{}: {}", tried.row.key(), outcome.answer());
+        assert!(outcome.held_out.after < outcome.held_out.before);
     }
-    let (listed, right) = some.outcomes[0].contradicting;
+    let discordant = some.outcomes[0].discordant;
+    let (listed, right) = (discordant.listed, discordant.exchanged);
     assert!(listed >= 4 && right == listed, "{right} of {listed}");
     // Where every flight was told another's spin nothing is said of spin.
     let outcome = &every.outcomes[0];
-    assert!(!outcome.wrong && !outcome.in_set, "{}", outcome.said());
+    assert!(
+        !outcome.uniquely_wrong && !outcome.in_set,
+        "{}",
+        outcome.answer()
+    );
 }
 
 #[test]
@@ -101,7 +110,15 @@ fn what_each_flight_has_for_itself_is_named_only_where_it_predicts() {
         panic!("two rows");
     };
     let outcome = &swerve.outcomes[0];
-    assert!(outcome.alarmed() && !outcome.wrong, "{}", outcome.said());
+    assert!(
+        outcome.is_detected() && !outcome.uniquely_wrong,
+        "{}",
+        outcome.answer()
+    );
     let outcome = &wind.outcomes[0];
-    assert!(outcome.in_set && !outcome.wrong, "{}", outcome.said());
+    assert!(
+        outcome.in_set && !outcome.uniquely_wrong,
+        "{}",
+        outcome.answer()
+    );
 }

@@ -3,10 +3,10 @@
 use identify::dataset::{Dataset, KnownValue, Role};
 use identify::synthesize::{Corruption, corrupt};
 use identify::{Fit, FitError, FitOptions, FitReport, Prior, Stop, fit};
-use studies::identification::coverage::{TRUTH, TWELVE, conditions, coverage};
-use studies::oracle_flights::dataset::{Plan, disc, flights};
-use studies::oracle_flights::paper_flight::paper_flight;
-use studies::oracle_flights::throws::Throws;
+use studies::identification::coverage;
+use studies::oracle_flights::{
+    Plan, TRUTH, TWELVE, Throws, disc, flights, noise_conditions, paper_flight,
+};
 
 const WHITE: Corruption = Corruption {
     sigma: 0.0015,
@@ -57,14 +57,14 @@ fn twelve_flights_give_every_coefficient() {
 
 #[test]
 fn the_intervals_hold_the_truth_under_every_noise() {
-    for condition in conditions() {
+    for condition in noise_conditions() {
         let found = coverage(&TWELVE, &condition, 8);
         assert_eq!(found.failed, 0, "{}", condition.name);
         // Of 64 intervals 61 should hold; fewer than 55 would be one in a thousand.
         assert!(found.covered() >= 55.0 / 64.0, "{found:#?}");
-        for row in &found.rows {
+        for row in &found.coefficients {
             assert!(
-                row.worst < 5.0,
+                row.max_z < 5.0,
                 "{} under {}: {row:?}",
                 row.name,
                 condition.name

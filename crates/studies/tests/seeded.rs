@@ -5,9 +5,8 @@ use identify::synthesize::Corruption;
 use identify::{FitOptions, fit};
 use oracle::effect;
 use oracle::reference::Law;
-use studies::identification::coverage::TWELVE;
-use studies::oracle_flights::dataset::{Plan, disc, flights};
-use studies::seeded::{Hidden, ball, dataset, strength, unlisted};
+use studies::oracle_flights::{Plan, TWELVE, disc, flights};
+use studies::seeded::{STRENGTHS, SeededEffects, UNLISTED, ball, dataset, strength};
 
 const FOUR: Plan<'static> = Plan {
     flights: 4,
@@ -26,7 +25,7 @@ fn apart(a: &Dataset, b: &Dataset) -> f64 {
     each.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-fn of_law(law: Law, plan: &Hidden, seed: u64) -> Dataset {
+fn of_law(law: Law, plan: &SeededEffects, seed: u64) -> Dataset {
     match law {
         Law::Ball => {
             let plan_of = ball::Plan {
@@ -42,29 +41,33 @@ fn of_law(law: Law, plan: &Hidden, seed: u64) -> Dataset {
 #[test]
 fn nothing_hidden_is_what_is_made_without() {
     let made = flights(&disc(), &FOUR, 5);
-    assert_eq!(made, dataset(&FOUR, &Hidden::default(), 5));
+    assert_eq!(made, dataset(&FOUR, &SeededEffects::default(), 5));
 }
 
 #[test]
 fn every_effect_shows_more_when_it_is_strong() {
     for found in effect::ALL {
         let name = found.name;
-        let strength = strength::of(name).unwrap_or_else(|| panic!("no strength of {name}"));
+        let strength = strength(name).unwrap_or_else(|| panic!("no strength of {name}"));
         assert_eq!(strength.weak.len(), found.values(), "{name}");
         assert_eq!(strength.strong.len(), found.values(), "{name}");
         for law in [Law::Disc, Law::Ball] {
             if !found.laws.contains(&law) {
                 continue;
             }
-            let plain = of_law(law, &Hidden::default(), 3);
-            let shown = [strength.weak, strength.strong]
-                .map(|values| apart(&plain, &of_law(law, &Hidden::effect(name, values), 3)));
+            let plain = of_law(law, &SeededEffects::default(), 3);
+            let shown = [strength.weak, strength.strong].map(|values| {
+                apart(
+                    &plain,
+                    &of_law(law, &SeededEffects::listed(name, values), 3),
+                )
+            });
             assert!(shown[0] > 1e-5, "{name} of {law:?}: {shown:?}");
             assert!(shown[1] > 1.5 * shown[0], "{name} of {law:?}: {shown:?}");
             assert!(shown[1] < 10.0, "{name} of {law:?}: {shown:?}");
         }
     }
-    assert_eq!(strength::ALL.len(), effect::ALL.len());
+    assert_eq!(STRENGTHS.len(), effect::ALL.len());
 }
 
 #[test]
@@ -78,7 +81,7 @@ fn what_is_negligible_moves_a_throw_by_millimetres_at_most() {
     });
     for (found, law, model) in each {
         let name = found.name;
-        let plain = of_law(law, &Hidden::default(), 3);
+        let plain = of_law(law, &SeededEffects::default(), 3);
         let model = model_spec::load::load(model, &[name]).expect("a model");
         let [applied] = &model.effects[..] else {
             panic!("one effect")
@@ -87,7 +90,7 @@ fn what_is_negligible_moves_a_throw_by_millimetres_at_most() {
         for (k, unknown) in unknowns.enumerate() {
             let mut values = vec![0.0; found.values()];
             values[k] = unknown.smallest_of_interest.expect("a size");
-            let with = of_law(law, &Hidden::effect(name, &values), 3);
+            let with = of_law(law, &SeededEffects::listed(name, &values), 3);
             let moved = apart(&plain, &with);
             assert!(
                 (1e-6..3e-3).contains(&moved),
@@ -99,17 +102,20 @@ fn what_is_negligible_moves_a_throw_by_millimetres_at_most() {
 
 #[test]
 fn what_is_outside_shows_too() {
-    assert!(unlisted::ALL.len() >= 6);
-    for found in unlisted::ALL {
+    assert!(UNLISTED.len() >= 6);
+    for found in UNLISTED {
         assert!(effect::by_name(found.name).is_none(), "{}", found.name);
         for law in [Law::Disc, Law::Ball] {
             if !found.laws.contains(&law) {
                 continue;
             }
-            let plain = of_law(law, &Hidden::default(), 3);
-            let shown = found
-                .strength
-                .map(|size| apart(&plain, &of_law(law, &Hidden::outside(found.name, size), 3)));
+            let plain = of_law(law, &SeededEffects::default(), 3);
+            let shown = found.strength.map(|size| {
+                apart(
+                    &plain,
+                    &of_law(law, &SeededEffects::unlisted(found.name, size), 3),
+                )
+            });
             assert!(shown[0] > 1e-3, "{} of {law:?}: {shown:?}", found.name);
             assert!(
                 shown[1] > 1.5 * shown[0],
@@ -123,9 +129,9 @@ fn what_is_outside_shows_too() {
 
 #[test]
 fn the_same_seed_gives_the_same_flights() {
-    let hidden = Hidden {
+    let hidden = SeededEffects {
         held_out: 1,
-        ..Hidden::effect("wind", &[0.3, 0.1]).with_noise(Corruption::default())
+        ..SeededEffects::listed("wind", &[0.3, 0.1]).with_noise(Corruption::default())
     };
     let made = dataset(&FOUR, &hidden, 8);
     assert_eq!(made, dataset(&FOUR, &hidden, 8));
@@ -166,15 +172,15 @@ fn the_fit_finds_what_is_hidden() {
         "clock_rate",
         "mass_imbalance",
     ] {
-        let strong = strength::of(name).expect("a strength").strong;
-        let hidden = Hidden::effect(name, strong).with_noise(Corruption::default());
+        let strong = strength(name).expect("a strength").strong;
+        let hidden = SeededEffects::listed(name, strong).with_noise(Corruption::default());
         found_again("disc", name, &dataset(&TWELVE, &hidden, 21), strong);
     }
 }
 
 #[test]
 fn the_fit_finds_the_wind_of_each_flight() {
-    let hidden = Hidden::effect("wind_of_each_flight", &[0.5, 0.5]);
+    let hidden = SeededEffects::listed("wind_of_each_flight", &[0.5, 0.5]);
     let made = dataset(&TWELVE, &hidden.with_noise(Corruption::default()), 23);
     let with = model_spec::load::load("disc", &["wind_of_each_flight"]).expect("a model");
     let fitted = |model| {
@@ -197,8 +203,8 @@ fn the_fit_finds_what_is_hidden_in_flights_of_a_ball() {
         ("drag_crisis", &ball::FOOTBALL),
         ("spin_decay", &ball::TABLE_TENNIS),
     ] {
-        let strong = strength::of(name).expect("a strength").strong;
-        let hidden = Hidden::effect(name, strong).with_noise(Corruption::default());
+        let strong = strength(name).expect("a strength").strong;
+        let hidden = SeededEffects::listed(name, strong).with_noise(Corruption::default());
         found_again("ball", name, &ball::dataset(plan, &hidden, 22), strong);
     }
 }

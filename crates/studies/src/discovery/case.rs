@@ -1,125 +1,149 @@
-//! One run's flights: throws, sizes, signs and noise, all from its own seed.
+//! One run of a row: throws, sizes, signs and noise, all from its own seed.
 
 use identify::dataset::Dataset;
 use model_spec::load::load;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
-use super::plan::{Body, Row, Size, numbers};
-use crate::identification::coverage::TWELVE;
-use crate::oracle_flights::dataset::Plan;
-use crate::seeded::input_errors::Told;
-use crate::seeded::{Hidden, ball, dataset, unlisted};
+use super::row::{Body, Row, Size};
+use crate::oracle_flights::{Plan, TWELVE};
+use crate::seeded::{self, InputErrors, SeededEffects, ball};
 
-/// Flights of a disc, and those of them that are held out.
-const DISC: (usize, usize) = (20, 4);
+/// Number of flights of a disc, and of held-out ones among them.
+const DISC_FLIGHTS: (usize, usize) = (20, 4);
 
-/// The same of a ball.
-const BALL: (usize, usize) = (12, 3);
+/// Number of flights of a ball, and of held-out ones among them.
+const BALL_FLIGHTS: (usize, usize) = (12, 3);
 
-/// Sizes lie between this and twice this part of what the row says.
-const LEAST: f64 = 0.7;
+/// Least ratio of a size to the row's; the greatest is twice it.
+const MIN_SIZE: f64 = 0.7;
 
-/// A stream of random numbers that no flight takes.
-const SIZES: u64 = u64::MAX;
+/// Random stream of sizes and signs; streams of flights are numbered from 1.
+const SIZE_STREAM: u64 = u64::MAX;
 
-/// A run before it is run.
+/// One run of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
-    /// What is thrown.
+    /// Body that is thrown.
     pub body: Body,
-    /// What is hidden, with its numbers.
-    pub hidden: Hidden,
-    /// How many flights.
+    /// Seeded effects, noise, held-out flights.
+    pub seeded: SeededEffects,
+    /// Number of flights.
     pub flights: usize,
-    /// How what is told of them departs from the truth.
-    pub told: Option<Told>,
-    /// The seed of all of it.
+    /// Errors in the stated spins.
+    pub input_errors: Option<InputErrors>,
+    /// Seed of the run.
     pub seed: u64,
 }
 
 impl Case {
-    /// A run of a row; it depends on nothing but the row's key and the run's number.
+    /// A run of a row; it depends on the row's key and the number of the run alone.
     ///
     /// # Panics
-    /// Where a built-in effect cannot be switched on.
+    /// If a built-in effect does not load.
     pub fn of(row: &Row, run: usize) -> Self {
         let seed = seed(&row.key(), run);
         let mut random = ChaCha12Rng::seed_from_u64(seed);
-        random.set_stream(SIZES);
-        let mut around = |value: f64| {
-            let size = LEAST * 2.0_f64.powf(random.random::<f64>());
+        random.set_stream(SIZE_STREAM);
+        let mut draw = |value: f64| {
+            let ratio = MIN_SIZE * 2.0_f64.powf(random.random::<f64>());
             let sign = if random.random::<bool>() { 1.0 } else { -1.0 };
-            (value * size, sign)
+            (value * ratio, sign)
         };
         let size = row.size.unwrap_or(Size::Weak);
-        let effects = row.effects.iter().map(|&name| {
-            let model = load(row.body.model(), &[name]).expect("a built-in effect");
-            let own = &model.effects[0].coefficients;
-            let values = numbers(name, size).iter().enumerate().map(|(k, &value)| {
-                let (value, sign) = around(value);
-                let turned = sign * value;
-                // What differs from flight to flight has no sign; others keep theirs where the turned one is impossible.
-                let Some(coefficient) = own.get(k) else {
-                    return value;
-                };
-                let bounds = model.coefficients[coefficient.index].bounds;
-                match bounds.is_none_or(|(low, high)| (low..=high).contains(&turned)) {
-                    true => turned,
-                    false => value,
-                }
-            });
-            (name.to_owned(), values.collect())
+        let listed = row.effects.iter().map(|&name| {
+            let values = listed_values(row.body, name, size, &mut draw);
+            (name.to_owned(), values)
         });
-        let effects = effects.collect();
-        let outside = row.outside.iter().map(|&name| {
-            let found = unlisted::by_name(name).expect("one from outside");
-            let (value, sign) = around(found.strength[size as usize]);
+        let listed = listed.collect();
+        let unlisted = row.unlisted.iter().map(|&name| {
+            let effect = seeded::unlisted(name).expect("an unlisted effect");
+            let (value, sign) = draw(effect.strength[size as usize]);
             (name.to_owned(), sign * value)
         });
-        let (usual, held_out) = flights(row.body);
-        let flights = row.flights.unwrap_or(usual);
+        let (default, held_out) = default_flights(row.body);
+        let flights = row.flights.unwrap_or(default);
         Self {
             body: row.body,
             flights,
-            told: row.told,
-            hidden: Hidden {
-                effects,
-                outside: outside.collect(),
+            input_errors: row.input_errors,
+            seeded: SeededEffects {
+                listed,
+                unlisted: unlisted.collect(),
                 noise: Some(row.noise.noise),
-                held_out: held_out * flights / usual,
+                held_out: held_out * flights / default,
             },
             seed,
         }
     }
 
-    /// Its flights.
+    /// The flights of the run.
     pub fn dataset(&self) -> Dataset {
         let flights = self.flights;
-        let of_ball = |plan| {
+        let ball = |plan| {
             let plan = ball::Plan { flights, ..plan };
-            ball::dataset(&plan, &self.hidden, self.seed)
+            ball::dataset(&plan, &self.seeded, self.seed)
         };
         let mut dataset = match self.body {
-            Body::Disc => dataset(&Plan { flights, ..TWELVE }, &self.hidden, self.seed),
-            Body::TableTennis => of_ball(ball::TABLE_TENNIS),
-            Body::Football => of_ball(ball::FOOTBALL),
+            Body::Disc => {
+                let plan = Plan { flights, ..TWELVE };
+                seeded::dataset(&plan, &self.seeded, self.seed)
+            }
+            Body::TableTennis => ball(ball::TABLE_TENNIS),
+            Body::Football => ball(ball::FOOTBALL),
         };
-        if let Some(told) = self.told {
-            told.spoil(&mut dataset, self.seed);
+        if let Some(errors) = self.input_errors {
+            errors.apply(&mut dataset, self.seed);
         }
         dataset
     }
-}
 
-fn flights(body: Body) -> (usize, usize) {
-    match body {
-        Body::Disc => DISC,
-        Body::TableTennis | Body::Football => BALL,
+    /// Names of the seeded effects of the catalogue, sorted.
+    pub(super) fn truth(&self) -> Vec<String> {
+        let names = self.seeded.listed.iter().map(|(name, _)| name.clone());
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        names
     }
 }
 
-/// FNV-1a of a row's key and the number of a run, short enough to be multiplied by a thousand.
+/// Values of an effect of the catalogue with drawn ratios and signs. A sign is kept where the opposite value is out of
+/// bounds; standard deviations of states have none.
+fn listed_values(
+    body: Body,
+    name: &str,
+    size: Size,
+    draw: &mut impl FnMut(f64) -> (f64, f64),
+) -> Vec<f64> {
+    let model = load(body.model(), &[name]).expect("a built-in effect");
+    let coefficients = &model.effects[0].coefficients;
+    let strength = seeded::strength(name).expect("a strength of every effect");
+    let values = match size {
+        Size::Weak => strength.weak,
+        Size::Strong => strength.strong,
+    };
+    let each = values.iter().enumerate().map(|(k, &value)| {
+        let (value, sign) = draw(value);
+        let Some(coefficient) = coefficients.get(k) else {
+            return value;
+        };
+        let bounds = model.coefficients[coefficient.index].bounds;
+        match bounds.is_none_or(|(low, high)| (low..=high).contains(&(sign * value))) {
+            true => sign * value,
+            false => value,
+        }
+    });
+    each.collect()
+}
+
+fn default_flights(body: Body) -> (usize, usize) {
+    match body {
+        Body::Disc => DISC_FLIGHTS,
+        Body::TableTennis | Body::Football => BALL_FLIGHTS,
+    }
+}
+
+/// FNV-1a hash of a row's key and the number of a run, of 40 bits: seeds are multiplied by 1000 elsewhere.
 fn seed(key: &str, run: usize) -> u64 {
     let bytes = key.bytes().chain((run as u64).to_le_bytes());
     let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
@@ -137,7 +161,7 @@ mod tests {
     fn sizes_stay_around_the_row_s_and_signs_change_where_they_may() {
         let rows = plan(100);
         let row = |words: &str| rows.iter().find(|row| row.has(words)).expect("a row");
-        let value = |words: &str, run| Case::of(row(words), run).hidden.effects[0].1[0];
+        let value = |words: &str, run| Case::of(row(words), run).seeded.listed[0].1[0];
         let stall: Vec<f64> = (0..20)
             .map(|k| value("effects stall strong white", k))
             .collect();

@@ -1,24 +1,21 @@
-//! The tables of the peers, from the page that benches/discovery makes, for that of the discoveries.
+//! Tables of docs/discovery-peers.md, which benches/discovery writes, as a section of docs/discovery.md.
 
-/// Where the section goes: before this one.
+/// Heading before which the section stands.
 const BEFORE: &str = "## Every row";
 
 /// Headings of the tables that are taken over.
 const TABLES: [&str; 3] = [
-    "## A strong effect is hidden",
-    "## A weak effect is hidden",
-    "## Nothing is hidden",
+    "## A strong effect is seeded",
+    "## A weak effect is seeded",
+    "## No effect is seeded",
 ];
 
-/// The section that the peers' page gives; none where it has not all of its tables.
-pub fn section(peers: &str) -> Option<String> {
-    let mut text = String::from(
-        "## Beside pysindy and stepwise regression\n\nThe same hidden effects, asked of pysindy (at the thresholds that are best for it) and of stepwise regression with predicted squared \
-         error: from [discovery-peers.md](discovery-peers.md), which says what each was given and how it is judged.\n",
-    );
+/// The section made from the page of the peers; `None` if a table is missing there.
+pub fn peer_section(peers: &str) -> Option<String> {
+    let mut text = include_str!("peers.md").to_owned();
     for heading in TABLES {
-        let from = peers.split_once(&format!("{heading}\n"))?.1;
-        let lines = from.lines().skip_while(|line| line.is_empty());
+        let after = peers.split_once(&format!("{heading}\n"))?.1;
+        let lines = after.lines().skip_while(|line| line.is_empty());
         let table: Vec<&str> = lines.take_while(|line| line.starts_with('|')).collect();
         if table.len() < 3 {
             return None;
@@ -28,19 +25,19 @@ pub fn section(peers: &str) -> Option<String> {
     Some(text)
 }
 
-/// The page of the discoveries with that section, in the place of the one that it has.
-pub fn beside(page: &str, section: &str) -> String {
+/// A page with the section, in the place of an earlier one if it has one.
+pub fn with_peer_section(page: &str, section: &str) -> String {
     let title = section.lines().next().unwrap_or_default();
-    let rest = match page.split_once(title) {
+    let without = match page.split_once(title) {
         Some((before, after)) => match after.split_once(BEFORE) {
             Some((_, after)) => format!("{before}{BEFORE}{after}"),
             None => before.to_owned(),
         },
         None => page.to_owned(),
     };
-    match rest.split_once(BEFORE) {
+    match without.split_once(BEFORE) {
         Some((before, after)) => format!("{before}{section}\n{BEFORE}{after}"),
-        None => format!("{rest}\n{section}"),
+        None => format!("{without}\n{section}"),
     }
 }
 
@@ -55,19 +52,22 @@ mod tests {
 
     #[test]
     fn the_page_of_the_discoveries_has_the_peers_tables_as_they_are() {
-        let section = section(&page("discovery-peers.md")).expect("its tables");
+        let section = peer_section(&page("discovery-peers.md")).expect("its tables");
         assert_eq!(section.matches("**hyzer diagnose**").count(), 3);
         let discoveries = page("discovery.md");
-        assert_eq!(beside(&discoveries, &section), discoveries);
+        assert_eq!(with_peer_section(&discoveries, &section), discoveries);
         assert!(discoveries.contains(&section));
     }
 
     #[test]
     fn a_section_goes_before_the_rows_and_takes_the_place_of_an_old_one() {
         let (old, new) = ("## Peers\n\nold\n", "## Peers\n\nnew\n");
-        let with = beside("# Page\n\n## Every row\n\n| a |\n", old);
+        let with = with_peer_section("# Page\n\n## Every row\n\n| a |\n", old);
         assert_eq!(with, "# Page\n\n## Peers\n\nold\n\n## Every row\n\n| a |\n");
-        assert_eq!(beside(&with, new), with.replace("old", "new"));
-        assert_eq!(section("## A strong effect is hidden\n\nno table\n"), None);
+        assert_eq!(with_peer_section(&with, new), with.replace("old", "new"));
+        assert_eq!(
+            peer_section("## A strong effect is seeded\n\nno table\n"),
+            None
+        );
     }
 }

@@ -1,184 +1,46 @@
-//! What is tried: rows of runs that differ in nothing but their seeds.
+//! The plan: all rows of the study.
 
 use oracle::effect;
 use oracle::reference::Law;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
-use crate::identification::coverage::{Condition, conditions};
-use crate::seeded::input_errors::Told;
-use crate::seeded::{strength, unlisted};
+use super::row::{Body, Group, Row, Size};
+use crate::oracle_flights::{NoiseCondition, noise_conditions};
+use crate::seeded::{InputErrors, UNLISTED};
 
-/// Kinds of rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Group {
-    /// Nothing is hidden.
-    Null,
-    /// One effect of the catalogue.
-    Effects,
-    /// Two at once.
-    Pairs,
-    /// Effects that another one imitates.
-    Equivalents,
-    /// What is in no catalogue.
-    Outside,
-    /// A ball's.
-    Ball,
-    /// What is in no catalogue, in many flights.
-    Many,
-    /// What is told of flights beforehand is not quite so.
-    Told,
-}
-
-impl Group {
-    /// In a word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Group::Null => "null",
-            Group::Effects => "effects",
-            Group::Pairs => "pairs",
-            Group::Equivalents => "equivalents",
-            Group::Outside => "outside",
-            Group::Ball => "ball",
-            Group::Many => "many",
-            Group::Told => "told",
-        }
-    }
-}
-
-/// How strong what is hidden is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Size {
-    /// As little as one meets in practice.
-    Weak,
-    /// As much.
-    Strong,
-}
-
-impl Size {
-    /// In a word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Size::Weak => "weak",
-            Size::Strong => "strong",
-        }
-    }
-}
-
-/// What is thrown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Body {
-    /// The disc.
-    Disc,
-    /// A table-tennis ball.
-    TableTennis,
-    /// A football.
-    Football,
-}
-
-impl Body {
-    /// The model's name.
-    pub fn model(self) -> &'static str {
-        match self {
-            Body::Disc => "disc",
-            Body::TableTennis | Body::Football => "ball",
-        }
-    }
-}
-
-/// Runs that differ in nothing but their seeds.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Its kind.
-    pub group: Group,
-    /// What is thrown.
-    pub body: Body,
-    /// Effects of the catalogue that are hidden.
-    pub effects: Vec<&'static str>,
-    /// What is hidden from outside it.
-    pub outside: Option<&'static str>,
-    /// What could be taken for it, in an equivalent.
-    pub alike: Option<&'static str>,
-    /// How strong it is; none where nothing is hidden.
-    pub size: Option<Size>,
-    /// The noise.
-    pub noise: Condition,
-    /// How many flights, where it is not as many as usual.
-    pub flights: Option<usize>,
-    /// How what is told of the flights departs from the truth.
-    pub told: Option<Told>,
-    /// How many runs.
-    pub runs: usize,
-}
-
-impl Row {
-    /// What is hidden, in words.
-    pub fn hidden(&self) -> String {
-        let mut names: Vec<&str> = self.effects.clone();
-        names.extend(self.outside);
-        if names.is_empty() {
-            return "nothing".to_owned();
-        }
-        names.join(" with ")
-    }
-
-    /// All that tells it from other rows; the seeds come from it, and `--only` looks in it.
-    pub fn key(&self) -> String {
-        let size = self.size.map_or("", Size::word);
-        let (group, hidden, noise) = (self.group.word(), self.hidden(), self.noise.name);
-        let mut key = format!("{group} {:?} {hidden} {size} {noise}", self.body);
-        if let Some(flights) = self.flights {
-            key += &format!(" {flights} flights");
-        }
-        if let Some(told) = self.told {
-            let [off, swapped] = [told.off, told.swapped].map(|part| (100.0 * part).round());
-            key += &format!(" off{off}% swapped{swapped}%");
-        }
-        key.to_lowercase()
-    }
-
-    /// Whether all words stand in its key; hyphens are as good as underscores.
-    pub fn has(&self, words: &str) -> bool {
-        let key = self.key();
-        words
-            .to_lowercase()
-            .replace('-', "_")
-            .split_whitespace()
-            .all(|word| key.contains(word))
-    }
-}
-
-/// Runs of each row for every hundred of a null row.
+/// Runs of a row of each group, for every 100 of a row without a seeded effect.
 struct Share {
-    effects: usize,
-    noisy: usize,
-    pairs: usize,
-    equivalents: usize,
-    outside: usize,
+    single: usize,
+    /// One effect under noise that is not white.
+    single_noisy: usize,
+    pair: usize,
+    confounded: usize,
+    unlisted: usize,
     ball: usize,
-    many: usize,
-    told: usize,
+    unlisted_many_flights: usize,
+    input_errors: usize,
 }
 
 const SHARE: Share = Share {
-    effects: 5,
-    noisy: 2,
-    pairs: 2,
-    equivalents: 5,
-    outside: 4,
+    single: 5,
+    single_noisy: 2,
+    pair: 2,
+    confounded: 5,
+    unlisted: 4,
     ball: 4,
-    many: 3,
-    told: 10,
+    unlisted_many_flights: 3,
+    input_errors: 10,
 };
 
-/// Pairs that are drawn.
+/// Number of pairs that are drawn.
 const PAIRS: usize = 12;
 
-/// The seed that draws them.
-const PAIRED: u64 = 12;
+/// Seed of the draw of pairs.
+const PAIR_SEED: u64 = 12;
 
-/// An effect, and what imitates it.
-const EQUIVALENTS: [(&str, &str); 7] = [
+/// Effects, and what imitates each.
+const CONFOUNDED: [(&str, &str); 7] = [
     ("gravity", "clock_rate"),
     ("clock_rate", "gravity"),
     ("air_density", "the coefficients"),
@@ -188,8 +50,8 @@ const EQUIVALENTS: [(&str, &str); 7] = [
     ("wind", "tilted_vertical"),
 ];
 
-/// What is hidden in flights of a ball.
-const BALLS: [(&[&str], Body); 5] = [
+/// Effects seeded into flights of a ball.
+const BALL_EFFECTS: [(&[&str], Body); 5] = [
     (&["magnus"], Body::TableTennis),
     (&["drag_crisis"], Body::Football),
     (&["wind"], Body::TableTennis),
@@ -197,132 +59,145 @@ const BALLS: [(&[&str], Body); 5] = [
     (&["buoyancy"], Body::TableTennis),
 ];
 
-/// Flights of rows that have many.
-const MANY: usize = 48;
+/// Number of flights in rows with many.
+const MANY_FLIGHTS: usize = 48;
 
-/// How what is told of flights departs from the truth.
-const TOLD: [Told; 4] = [
-    told(0.2, 0.0),
-    told(0.0, 0.33),
-    told(0.2, 0.33),
-    told(0.0, 1.0),
-];
+/// Errors in the stated spins: relative error, fraction exchanged.
+const INPUT_ERRORS: [(f64, f64); 4] = [(0.2, 0.0), (0.0, 0.33), (0.2, 0.33), (0.0, 1.0)];
 
-const fn told(off: f64, swapped: f64) -> Told {
-    Told { off, swapped }
+const BOTH_SIZES: [Size; 2] = [Size::Weak, Size::Strong];
+
+/// Makes rows; `seeds` is the number of runs of a row without a seeded effect.
+struct Planner {
+    seeds: usize,
+    noises: Vec<NoiseCondition>,
 }
 
-/// The whole plan, with so many seeds of each null row and fewer of the others.
-///
-/// # Panics
-/// Where a built-in effect cannot be switched on.
-pub fn plan(seeds: usize) -> Vec<Row> {
-    let share = |part: usize| (seeds * part).div_ceil(100).max(1);
-    let noises = conditions();
-    let noise = |name: &str| {
-        let found = noises.iter().find(|noise| noise.name == name);
+impl Planner {
+    fn noise(&self, name: &str) -> NoiseCondition {
+        let mut noises = self.noises.iter();
+        let found = noises.find(|noise| noise.name == name);
         found.expect("a noise of that name").clone()
-    };
-    let row = |group, body, effects: &[&'static str], size, noise, runs| Row {
-        group,
-        body,
-        effects: effects.to_vec(),
-        outside: None,
-        alike: None,
-        size,
-        noise,
-        flights: None,
-        told: None,
-        runs,
-    };
-    let (white, disc) = (noise("white"), Body::Disc);
-    let both = [Size::Weak, Size::Strong];
-    let mut rows = Vec::new();
-    for name in ["white", "AR(0.6)", "1 % outliers", "12 % dropouts"] {
-        rows.push(row(Group::Null, disc, &[], None, noise(name), seeds));
     }
-    let of_disc = || effect::ALL.iter().filter(|e| e.laws.contains(&Law::Disc));
-    for found in of_disc() {
-        for size in both {
-            let runs = share(SHARE.effects);
-            let noise = white.clone();
-            rows.push(row(
-                Group::Effects,
-                disc,
-                &[found.name],
-                Some(size),
-                noise,
-                runs,
-            ));
-        }
-        for name in ["AR(0.6)", "1 % outliers"] {
-            let (runs, noise) = (share(SHARE.noisy), noise(name));
-            let size = Some(Size::Strong);
-            rows.push(row(Group::Effects, disc, &[found.name], size, noise, runs));
+
+    /// A row with `share` runs for every 100 seeds, under white noise, with strong effects.
+    fn row(&self, group: Group, body: Body, effects: &[&'static str], share: usize) -> Row {
+        Row {
+            group,
+            body,
+            effects: effects.to_vec(),
+            unlisted: None,
+            confounded_with: None,
+            size: Some(Size::Strong),
+            noise: self.noise("white"),
+            flights: None,
+            input_errors: None,
+            runs: (self.seeds * share).div_ceil(100).max(1),
         }
     }
-    let names: Vec<&'static str> = of_disc().map(|e| e.name).collect();
-    for pair in pairs(&names) {
-        let (runs, noise) = (share(SHARE.pairs), white.clone());
-        let size = Some(Size::Strong);
-        rows.push(row(Group::Pairs, disc, &pair, size, noise, runs));
-    }
-    for (name, alike) in EQUIVALENTS {
-        let (runs, noise) = (share(SHARE.equivalents), white.clone());
-        let size = Some(Size::Strong);
-        rows.push(Row {
-            alike: Some(alike),
-            ..row(Group::Equivalents, disc, &[name], size, noise, runs)
+
+    fn null_rows(&self) -> Vec<Row> {
+        let names = ["white", "AR(0.6)", "1 % outliers", "12 % dropouts"];
+        let rows = names.map(|name| Row {
+            size: None,
+            noise: self.noise(name),
+            runs: self.seeds,
+            ..self.row(Group::Null, Body::Disc, &[], 100)
         });
+        rows.into()
     }
-    let of_outside = [
-        (Group::Outside, None, SHARE.outside),
-        (Group::Many, Some(MANY), SHARE.many),
-    ];
-    for (group, flights, part) in of_outside {
-        for found in unlisted::ALL {
-            let body = match found.laws.contains(&Law::Disc) {
-                true => disc,
+
+    fn single_rows(&self, effect: &'static str) -> Vec<Row> {
+        let row = |share| self.row(Group::Single, Body::Disc, &[effect], share);
+        let sizes = BOTH_SIZES.map(|size| Row {
+            size: Some(size),
+            ..row(SHARE.single)
+        });
+        let noisy = ["AR(0.6)", "1 % outliers"].map(|name| Row {
+            noise: self.noise(name),
+            ..row(SHARE.single_noisy)
+        });
+        [sizes, noisy].concat()
+    }
+
+    fn unlisted_rows(&self, group: Group, flights: Option<usize>, share: usize) -> Vec<Row> {
+        let rows = UNLISTED.iter().flat_map(|effect| {
+            let body = match effect.laws.contains(&Law::Disc) {
+                true => Body::Disc,
                 false => Body::TableTennis,
             };
-            for size in both {
-                let (runs, noise) = (share(part), white.clone());
-                rows.push(Row {
-                    outside: Some(found.name),
-                    flights,
-                    ..row(group, body, &[], Some(size), noise, runs)
-                });
-            }
-        }
+            BOTH_SIZES.map(|size| Row {
+                unlisted: Some(effect.name),
+                flights,
+                size: Some(size),
+                ..self.row(group, body, &[], share)
+            })
+        });
+        rows.collect()
     }
-    for told in TOLD {
-        let (runs, noise) = (share(SHARE.told), white.clone());
-        let size = Some(Size::Strong);
+
+    fn input_error_rows(&self) -> Vec<Row> {
+        let rows = INPUT_ERRORS.map(|(relative_error, exchanged)| {
+            let (body, share) = (Body::TableTennis, SHARE.input_errors);
+            Row {
+                flights: Some(MANY_FLIGHTS),
+                input_errors: Some(InputErrors {
+                    relative_error,
+                    exchanged,
+                }),
+                ..self.row(Group::InputErrors, body, &["magnus"], share)
+            }
+        });
+        rows.into()
+    }
+
+    fn ball_rows(&self) -> Vec<Row> {
+        let rows = BALL_EFFECTS.iter().flat_map(|(effects, body)| {
+            BOTH_SIZES.map(|size| Row {
+                size: Some(size),
+                ..self.row(Group::Ball, *body, effects, SHARE.ball)
+            })
+        });
+        rows.collect()
+    }
+}
+
+/// All rows: `seeds` runs of each row without a seeded effect, fewer of the others.
+///
+/// # Panics
+/// If a built-in effect does not load.
+pub fn plan(seeds: usize) -> Vec<Row> {
+    let planner = Planner {
+        seeds,
+        noises: noise_conditions(),
+    };
+    let disc_effects = effect::ALL.iter().filter(|e| e.laws.contains(&Law::Disc));
+    let names: Vec<&'static str> = disc_effects.map(|effect| effect.name).collect();
+    let mut rows = planner.null_rows();
+    rows.extend(names.iter().flat_map(|name| planner.single_rows(name)));
+    for pair in pairs(&names) {
+        rows.push(planner.row(Group::Pair, Body::Disc, &pair, SHARE.pair));
+    }
+    for (name, confounded_with) in CONFOUNDED {
         rows.push(Row {
-            flights: Some(MANY),
-            told: Some(told),
-            ..row(
-                Group::Told,
-                Body::TableTennis,
-                &["magnus"],
-                size,
-                noise,
-                runs,
-            )
+            confounded_with: Some(confounded_with),
+            ..planner.row(Group::Confounded, Body::Disc, &[name], SHARE.confounded)
         });
     }
-    for (effects, body) in BALLS {
-        for size in both {
-            let (runs, noise) = (share(SHARE.ball), white.clone());
-            rows.push(row(Group::Ball, body, effects, Some(size), noise, runs));
-        }
-    }
+    rows.extend(planner.unlisted_rows(Group::Unlisted, None, SHARE.unlisted));
+    rows.extend(planner.unlisted_rows(
+        Group::UnlistedManyFlights,
+        Some(MANY_FLIGHTS),
+        SHARE.unlisted_many_flights,
+    ));
+    rows.extend(planner.input_error_rows());
+    rows.extend(planner.ball_rows());
     rows
 }
 
-/// Pairs of effects that act at different sites, none twice.
+/// Random pairs of effects that act at different sites, without repetition.
 fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
-    let mut random = ChaCha12Rng::seed_from_u64(PAIRED);
+    let mut random = ChaCha12Rng::seed_from_u64(PAIR_SEED);
     let mut pairs: Vec<[&'static str; 2]> = Vec::new();
     while pairs.len() < PAIRS {
         let mut draw = || names[random.random_range(0..names.len())];
@@ -339,21 +214,12 @@ fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
     pairs
 }
 
-/// The numbers of an effect at a size.
-pub(super) fn numbers(effect: &str, size: Size) -> &'static [f64] {
-    let found = strength::of(effect).expect("a strength of every effect");
-    match size {
-        Size::Weak => found.weak,
-        Size::Strong => found.strong,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn rows_are_told_apart_and_found_by_words() {
+    fn keys_are_unique_and_rows_are_found_by_words() {
         let rows = plan(100);
         let mut keys: Vec<String> = rows.iter().map(Row::key).collect();
         keys.sort();
@@ -363,6 +229,7 @@ mod tests {
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].effects, ["stall"]);
         assert!(rows.iter().any(|r| r.has("marker-radius equivalents")));
+        assert!(rows.iter().any(|r| r.has("marker-radius confounded")));
         assert!(!rows.iter().any(|r| r.has("stall ball")));
     }
 }

@@ -1,5 +1,11 @@
-//! Study of the fit: coverage of its intervals, and fits of the paper's flights one by one. Writes docs/identification.md.
+//! Study of the fit: coverage of its intervals, and fits of the paper's two flights one by one. Writes
+//! docs/identification.md.
 
-pub mod coverage;
-pub mod page;
-pub mod paper_fits;
+mod coverage;
+mod page;
+pub(crate) mod paper_fits;
+mod scatter;
+
+pub use coverage::{CoefficientCoverage, Coverage, coverage};
+pub use page::identification_page;
+pub use paper_fits::{PaperFits, Scenario, paper_fits};

@@ -1,64 +1,63 @@
-//! The paper's situation replayed: its two flights, fitted one by one, and what a spread of throws makes of it.
+//! Fits of the paper's two flights, one by one and together, and of twelve different throws, under the paper's noise.
 
 use flight::batch;
 use identify::dataset::Dataset;
 use identify::synthesize::{Corruption, corrupt};
-use identify::{FitOptions, fit};
+use identify::{FitOptions, FitReport, fit};
 use model_spec::model::Model;
 
-use crate::oracle_flights::dataset::{Plan, disc, flights};
-use crate::oracle_flights::paper_flight::{RATE, paper_flight};
-use crate::oracle_flights::throws::Throws;
+use crate::oracle_flights::{Plan, SAMPLE_RATE, Throws, disc, flights, paper_flight};
+use crate::statistics::mean_and_deviation;
 
-/// Best fit of the paper's marker positions, m.
+/// Standard deviation of the paper's marker positions about its best fit, m.
 const SIGMA: f64 = 0.0014;
 
-/// A way to estimate the coefficients.
+/// Estimates from one set of flights under one noise, over seeds of the noise.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Way {
-    /// In words.
+pub struct Scenario {
+    /// Flights and noise, in words.
     pub name: &'static str,
-    /// Estimates by coefficient (in the model's order) and seed.
+    /// Estimates (SI) by coefficient, in the model's order, and seed.
     pub estimates: Vec<Vec<f64>>,
-    /// Seeds whose estimate of a coefficient cannot be: by coefficient.
-    pub impossible: Vec<usize>,
-    /// Seeds with any impossible coefficient.
-    pub any_impossible: usize,
-    /// Seeds whose report names the coefficient among those that are not determined: by coefficient.
-    pub undetermined: Vec<usize>,
-    /// Seeds whose report names any.
-    pub any_undetermined: usize,
-    /// Seeds whose fit failed.
+    /// Number of seeds with a physically implausible estimate; see [`is_plausible`].
+    pub implausible: usize,
+    /// Number of seeds whose report names the coefficient as practically non-identifiable, by coefficient.
+    pub non_identifiable: Vec<usize>,
+    /// Number of seeds whose report names any coefficient so.
+    pub any_non_identifiable: usize,
+    /// Number of seeds whose fit failed.
     pub failed: usize,
-    /// What the report of the first seed says is not determined.
-    pub told: Vec<String>,
+    /// What the report of the first seed says of each non-identifiable combination.
+    pub messages: Vec<String>,
 }
 
-/// The replay.
+impl Scenario {
+    /// Mean and standard deviation of a coefficient's estimates, SI.
+    pub(crate) fn mean_and_deviation(&self, coefficient: usize) -> (f64, f64) {
+        mean_and_deviation(&self.estimates[coefficient])
+    }
+}
+
+/// Scenarios on the paper's flights.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Replay {
-    /// Names of the coefficients and their true values.
+pub struct PaperFits {
+    /// Name and true value (SI) of each coefficient.
     pub truth: Vec<(String, f64)>,
-    /// Seeds that were tried.
+    /// Number of seeds of each scenario.
     pub seeds: usize,
-    /// The paper's flights one by one, both together, and a spread of throws.
-    pub ways: Vec<Way>,
+    /// Each flight alone, both together, and twelve different throws, which is last.
+    pub scenarios: Vec<Scenario>,
 }
 
-/// The paper's Table 1 with the signs of this project's disc: coefficient, fssh3, bffl8.
-pub const TABLE_1: [(&str, f64, f64); 8] = [
-    ("C_L0", -0.40, 1.17),
-    ("C_La", 1.89, 0.28),
-    ("C_D0", 0.83, 5.07),
-    ("C_Da", 0.83, 0.077),
-    ("C_Ma", -0.16, 0.22),
-    ("C_Mq", -0.029, -0.025),
-    ("C_Rr", 0.012, -0.0030),
-    ("C_Nr", -0.000074, 0.00000025),
-];
+/// The scenario of fssh3 that [`PaperFits::scenarios`] has under this name.
+pub(super) const FSSH3_HALF: &str = "fssh3 alone, 0.5 s, AR(0.6)";
 
-/// Whether a coefficient can have a value: drag does not push, lift grows with the angle of attack, dampings damp.
-pub fn is_possible(name: &str, value: f64) -> bool {
+/// The scenario of bffl8 that [`PaperFits::scenarios`] has under this name.
+pub(super) const BFFL8_HALF: &str = "bffl8 alone, its first 0.5 s, AR(0.6)";
+
+/// Whether an estimate is physically plausible: drag is not negative, lift does not fall with the angle of attack, damping
+/// moments damp.
+fn is_plausible(name: &str, value: f64) -> bool {
     match name {
         "C_D0" | "C_Da" | "C_La" => value >= 0.0,
         "C_Mq" | "C_Nr" => value <= 0.0,
@@ -66,131 +65,108 @@ pub fn is_possible(name: &str, value: f64) -> bool {
     }
 }
 
-/// Replays the paper's situation with the model's own coefficients as the truth.
+/// Fits the paper's flights, made with the model's own coefficients as the truth.
 ///
 /// # Panics
-/// Where a built-in model or release is broken.
-pub fn replay(seeds: u64) -> Replay {
+/// If a built-in model or release does not load.
+pub fn paper_fits(seeds: u64) -> PaperFits {
     let model = disc();
     let [fssh3, bffl8] = ["fssh3", "bffl8"].map(|name| paper_flight(&model, name, None));
     let both = Dataset {
         flights: [fssh3.flights.clone(), bffl8.flights.clone()].concat(),
         ..fssh3.clone()
     };
-    let spread = Plan {
+    let twelve = Plan {
         truth: &[],
         throws: Throws::SPREAD,
         flights: 12,
         duration: (0.5, 1.0),
-        rate: RATE,
+        rate: SAMPLE_RATE,
     };
-    let spread = flights(&model, &spread, 1);
-    let half = shortened(&bffl8, 0.5);
-    let ways = [
+    let twelve = flights(&model, &twelve, 1);
+    let half = truncated(&bffl8, 0.5);
+    let scenarios = [
         ("fssh3 alone, 0.5 s", &fssh3, 0.0),
-        ("fssh3 alone, 0.5 s, AR(0.6)", &fssh3, 0.6),
+        (FSSH3_HALF, &fssh3, 0.6),
         ("bffl8 alone, 1 s", &bffl8, 0.0),
         ("bffl8 alone, its first 0.5 s", &half, 0.0),
-        ("bffl8 alone, its first 0.5 s, AR(0.6)", &half, 0.6),
+        (BFFL8_HALF, &half, 0.6),
         ("both together", &both, 0.0),
         ("both together, AR(0.6)", &both, 0.6),
-        ("twelve throws, AR(0.6)", &spread, 0.6),
+        ("twelve throws, AR(0.6)", &twelve, 0.6),
     ];
-    Replay {
-        truth: model
-            .coefficients
-            .iter()
-            .map(|c| (c.name.clone(), c.value))
-            .collect(),
+    let truth = model.coefficients.iter();
+    PaperFits {
+        truth: truth.map(|c| (c.name.clone(), c.value)).collect(),
         seeds: seeds as usize,
-        ways: ways
-            .map(|(name, dataset, ar1)| way(&model, name, dataset, ar1, seeds))
+        scenarios: scenarios
+            .map(|(name, dataset, ar1)| scenario(&model, name, dataset, ar1, seeds))
             .into(),
     }
 }
 
-/// The first part of every flight, s.
-fn shortened(dataset: &Dataset, duration: f64) -> Dataset {
-    let mut short = dataset.clone();
-    for flight in &mut short.flights {
-        let count = flight
-            .times
-            .partition_point(|time| *time <= duration + 1e-9);
+/// The first `duration` seconds of every flight.
+fn truncated(dataset: &Dataset, duration: f64) -> Dataset {
+    let mut dataset = dataset.clone();
+    for flight in &mut dataset.flights {
+        let times = &flight.times;
+        let count = times.partition_point(|time| *time <= duration + 1e-9);
         flight.times.truncate(count);
         flight.positions.truncate(count);
     }
-    short
+    dataset
 }
 
-/// Estimates from a dataset under the paper's noise, over the seeds.
-pub fn way(model: &Model, name: &'static str, clean: &Dataset, ar1: f64, seeds: u64) -> Way {
+/// Fits exact flights under the paper's noise with a lag-1 correlation `ar1`, without the bounds of the coefficients (the
+/// paper had none), over `seeds` seeds of the noise.
+pub(crate) fn scenario(
+    model: &Model,
+    name: &'static str,
+    exact: &Dataset,
+    ar1: f64,
+    seeds: u64,
+) -> Scenario {
     let noise = Corruption {
         sigma: SIGMA,
         ar1,
         ..Corruption::default()
     };
     let reports = batch::each(seeds as usize, |seed| {
-        let mut dataset = clean.clone();
+        let mut dataset = exact.clone();
         for (index, flight) in dataset.flights.iter_mut().enumerate() {
-            corrupt(
-                &mut flight.positions,
-                &noise,
-                1000 * (seed as u64 + 1) + index as u64,
-            );
+            let noise_seed = 1000 * (seed as u64 + 1) + index as u64;
+            corrupt(&mut flight.positions, &noise, noise_seed);
         }
         let options = FitOptions {
-            // As the paper did: nothing keeps the coefficients where they can be.
             unbounded: true,
             threads: Some(1),
             ..FitOptions::default()
         };
-        fit(model, &dataset, &options)
-            .ok()
-            .map(|fitted| fitted.report)
+        let fitted = fit(model, &dataset, &options).ok()?;
+        Some(fitted.report)
     });
     let failed = reports.iter().filter(|report| report.is_none()).count();
-    let reports: Vec<_> = reports.into_iter().flatten().collect();
-    let names: Vec<&str> = model.coefficients.iter().map(|c| c.name.as_str()).collect();
-    let impossible = |name: &str, report: &identify::FitReport| {
-        !is_possible(name, report.coefficients[name].value)
+    let reports: Vec<FitReport> = reports.into_iter().flatten().collect();
+    let names = || model.coefficients.iter().map(|c| c.name.as_str());
+    let count =
+        |is: &dyn Fn(&FitReport) -> bool| reports.iter().filter(|report| is(report)).count();
+    let value = |name: &str, report: &FitReport| report.coefficients[name].value;
+    let is_named = |name: &str, report: &FitReport| {
+        let mut combinations = report.undetermined.iter().flat_map(|u| &u.combination);
+        combinations.any(|named| named == name)
     };
-    let named = |name: &str, report: &identify::FitReport| {
-        report
-            .undetermined
-            .iter()
-            .any(|u| u.combination.iter().any(|n| n == name))
-    };
-    let over = |test: &dyn Fn(&str, &identify::FitReport) -> bool| -> Vec<usize> {
-        names
-            .iter()
-            .map(|name| reports.iter().filter(|report| test(name, report)).count())
-            .collect()
-    };
-    let any = |test: &dyn Fn(&str, &identify::FitReport) -> bool| {
-        reports
-            .iter()
-            .filter(|report| names.iter().any(|name| test(name, report)))
-            .count()
-    };
-    let told = reports
-        .first()
-        .map(|report| report.undetermined.iter().map(|u| u.why.clone()).collect());
-    Way {
+    let first = reports.first().map(|report| &report.undetermined);
+    Scenario {
         name,
-        estimates: names
-            .iter()
-            .map(|name| {
-                reports
-                    .iter()
-                    .map(|report| report.coefficients[*name].value)
-                    .collect()
-            })
+        estimates: names()
+            .map(|name| reports.iter().map(|report| value(name, report)).collect())
             .collect(),
-        impossible: over(&impossible),
-        any_impossible: any(&impossible),
-        undetermined: over(&named),
-        any_undetermined: any(&named),
+        implausible: count(&|report| names().any(|name| !is_plausible(name, value(name, report)))),
+        non_identifiable: names()
+            .map(|name| count(&|report| is_named(name, report)))
+            .collect(),
+        any_non_identifiable: count(&|report| names().any(|name| is_named(name, report))),
         failed,
-        told: told.unwrap_or_default(),
+        messages: first.map_or(Vec::new(), |u| u.iter().map(|u| u.why.clone()).collect()),
     }
 }

@@ -1,80 +1,80 @@
-//! Datasets of a disc that the oracle made.
+//! Datasets of a disc whose flights the oracle computed.
 
 use identify::dataset::{Dataset, Flight, Role};
 use identify::synthesize::{MARKERS, default_markers};
 use model_spec::model::Model;
 use oracle::point::Point;
-use oracle::reference::Reference;
-use rand::SeedableRng;
+use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
-use crate::oracle_flights::integrate::{fly, markers};
-use crate::oracle_flights::throws::Throws;
+use super::constants::reference_of;
+use super::integrate::{integrate, marker_positions};
+use super::throws::Throws;
 
-/// What is thrown, and how it is watched.
+/// A set of throws of a disc, and how they are observed.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
-    /// Coefficients by name; the rest as the model's file has them.
+    /// True coefficients by name, SI; any other has the value of the model's file.
     pub truth: &'a [(&'a str, f64)],
-    /// How it is thrown.
+    /// Distribution of the throws.
     pub throws: Throws,
-    /// How often.
+    /// Number of flights.
     pub flights: usize,
-    /// For how long, s: drawn evenly.
+    /// Least and greatest duration of a flight, s; drawn uniformly.
     pub duration: (f64, f64),
-    /// Samples each second.
+    /// Sample rate, Hz.
     pub rate: f64,
 }
 
-/// The model that the oracle's flights are made with and fitted by.
+/// The built-in model `disc`, by which the flights are made and fitted.
 ///
 /// # Panics
-/// Where the built-in disc is broken.
+/// If the built-in model does not load.
 pub fn disc() -> Model {
     model_spec::load::load("disc", &[]).expect("the built-in disc")
 }
 
-/// The true value of each coefficient of the disc, in the model's order.
+/// Name and true value (SI) of each coefficient under a plan, in the model's order.
 pub fn truth(model: &Model, plan: &Plan<'_>) -> Vec<(String, f64)> {
     let stated = |name: &str| {
-        plan.truth
-            .iter()
-            .find(|(n, _)| *n == name)
-            .map(|(_, value)| *value)
+        let mut truth = plan.truth.iter();
+        truth.find(|(n, _)| *n == name).map(|(_, value)| *value)
     };
     let each = model.coefficients.iter();
     each.map(|c| (c.name.clone(), stated(&c.name).unwrap_or(c.value)))
         .collect()
 }
 
-/// Flights without noise.
-///
-/// # Panics
-/// Where the model is not one of the oracle's.
-pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
-    let reference = Reference::bind(model)
-        .expect("a reference")
-        .expect("its names");
+/// The disc's parameters and the true coefficients of a plan.
+pub(crate) fn disc_constants(model: &Model, plan: &Plan<'_>) -> Point<f64> {
     let mut constants = Point::defaults(model);
     for ((_, value), place) in truth(model, plan).iter().zip(&mut constants.coefficients) {
         *place = *value;
     }
+    constants
+}
+
+/// Flights of a plan without noise; the same seed gives the same flights.
+///
+/// # Panics
+/// If the oracle has no law for the model.
+pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
+    let reference = reference_of(model);
+    let constants = disc_constants(model, plan);
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let flights = (0..plan.flights).map(|index| {
         let start = plan.throws.draw(&mut random);
-        let part: f64 = rand::RngExt::random(&mut random);
-        let duration = plan.duration.0 + part * (plan.duration.1 - plan.duration.0);
-        let count = (duration * plan.rate).round() as usize;
-        let times: Vec<f64> = (0..=count).map(|k| k as f64 / plan.rate).collect();
-        let flown = fly(&reference, &constants, start, &times);
-        let seen = flown
-            .iter()
-            .map(|body| markers(body, &MARKERS).into_iter().map(Some).collect());
+        let times = sample_times(plan.duration, plan.rate, &mut random);
+        let states = integrate(&reference, &constants, start, &times);
+        let positions = states.iter().map(|body| {
+            let positions = marker_positions(body, &MARKERS);
+            positions.into_iter().map(Some).collect()
+        });
         Flight {
-            file: format!("flight{:03}.csv", index + 1),
+            file: file_name(index),
             role: Role::Fit,
             known: Default::default(),
-            positions: seen.collect(),
+            positions: positions.collect(),
             times,
         }
     });
@@ -84,8 +84,8 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
     }
 }
 
-/// A dataset of no flights yet, with [`MARKERS`].
-pub fn empty(model: &Model) -> Dataset {
+/// A dataset without flights, with [`MARKERS`].
+pub(crate) fn empty(model: &Model) -> Dataset {
     Dataset {
         model: model.name.clone(),
         parameters: Default::default(),
@@ -93,4 +93,17 @@ pub fn empty(model: &Model) -> Dataset {
         sigma: None,
         flights: Vec::new(),
     }
+}
+
+/// File name of the flight with this index, which counts from 0.
+pub(crate) fn file_name(index: usize) -> String {
+    format!("flight{:03}.csv", index + 1)
+}
+
+/// Sample times (s, from 0) of a flight whose duration (s) is drawn uniformly from a range.
+pub(crate) fn sample_times(duration: (f64, f64), rate: f64, random: &mut impl Rng) -> Vec<f64> {
+    let fraction: f64 = random.random();
+    let duration = duration.0 + fraction * (duration.1 - duration.0);
+    let count = (duration * rate).round() as usize;
+    (0..=count).map(|k| k as f64 / rate).collect()
 }

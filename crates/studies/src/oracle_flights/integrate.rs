@@ -1,4 +1,4 @@
-//! Flights by the oracle: its forces and moments, and the classic Runge–Kutta method at a fixed small step.
+//! Integration of the oracle's equations of motion by the classic Runge–Kutta method with a fixed small step.
 
 use nalgebra::Vector3;
 use oracle::attitude::Quaternion;
@@ -6,165 +6,162 @@ use oracle::physical::{Motion, Physical};
 use oracle::point::Point;
 use oracle::reference::Reference;
 
-/// Longest step, s: a nutation of 100 rad/s is followed to 1e-9 of its size over a second.
-const STEP: f64 = 4e-4;
+/// Longest step, s: the relative error of a nutation of 100 rad/s stays below 1e-9 for a second.
+const MAX_STEP: f64 = 4e-4;
 
-/// Where a body is, by the oracle, at each of the times (s, increasing); it starts at time 0.
+/// Body states at `times` (s, increasing) of a motion that starts at time 0, with constant parameters and coefficients.
 ///
 /// # Panics
-/// Where times run back.
-pub fn fly(
+/// If `times` decrease.
+pub fn integrate(
     reference: &Reference,
     constants: &Point<f64>,
     start: Physical<f64>,
     times: &[f64],
 ) -> Vec<Physical<f64>> {
-    fly_with(reference, &|_| constants.clone(), start, times)
+    integrate_with_constants(reference, &|_| constants.clone(), start, times)
 }
 
-/// As [`fly`], with constants that follow the state: so that curves of any form take the place of the model's.
+/// Body states at `times` (s, increasing), with parameters and coefficients that are functions of the body state:
+/// tabulated aerodynamic curves can take the place of the model's polynomials.
 ///
 /// # Panics
-/// Where times run back.
-pub fn fly_with(
+/// If `times` decrease.
+pub fn integrate_with_constants(
     reference: &Reference,
-    constants: Constants<'_>,
+    constants: &dyn Fn(&Physical<f64>) -> Point<f64>,
     start: Physical<f64>,
     times: &[f64],
 ) -> Vec<Physical<f64>> {
-    let answer = |at: &Physical<f64>, _: f64, _: f64| Answer {
-        motion: reference.motion_at(at, &constants(at)),
-        memory: 0.0,
+    let law = |body: &Physical<f64>, _: f64, _: f64| Derivatives {
+        motion: reference.motion_at(body, &constants(body)),
+        internal_rate: 0.0,
     };
-    fly_by(&answer, start, 0.0, times)
+    integrate_law(&law, start, 0.0, times)
 }
 
-/// How a body answers at a time, and how what it remembers changes.
+/// Value of a law of motion at one time.
 #[derive(Clone, Copy, Debug)]
-pub struct Answer {
-    /// Forces, moments, accelerations.
+pub struct Derivatives {
+    /// Linear and angular acceleration.
     pub motion: Motion<f64>,
-    /// Rate of change of what it remembers.
-    pub memory: f64,
+    /// Rate of change of the law's internal state, in its unit per second.
+    pub internal_rate: f64,
 }
 
-/// As [`fly`], by any law: of the body, the time and one number that the body remembers.
+/// A law of motion: a function of the body state, the time (s) and one scalar internal state (a lagged angle of attack,
+/// say).
+type Law<'l> = &'l dyn Fn(&Physical<f64>, f64, f64) -> Derivatives;
+
+/// Body states at `times` (s, increasing) under any law of motion, which has one scalar internal state.
 ///
 /// # Panics
-/// Where times run back.
-pub fn fly_by(
-    answer: &dyn Fn(&Physical<f64>, f64, f64) -> Answer,
+/// If `times` decrease.
+pub fn integrate_law(
+    law: Law<'_>,
     start: Physical<f64>,
-    memory: f64,
+    internal: f64,
     times: &[f64],
 ) -> Vec<Physical<f64>> {
-    let mut now = Moment {
+    let mut now = State {
         time: 0.0,
         body: start,
-        memory,
+        internal,
     };
-    times
-        .iter()
-        .map(|&time| {
-            assert!(time >= now.time, "times run on");
-            let steps = ((time - now.time) / STEP).ceil().max(1.0);
-            let h = (time - now.time) / steps;
-            for _ in 0..steps as usize {
-                now = step(answer, &now, h);
-            }
-            now.time = time;
-            now.body
-        })
-        .collect()
+    let states = times.iter().map(|&time| {
+        assert!(time >= now.time, "times increase");
+        let steps = ((time - now.time) / MAX_STEP).ceil().max(1.0);
+        let h = (time - now.time) / steps;
+        for _ in 0..steps as usize {
+            now = step(law, &now, h);
+        }
+        now.time = time;
+        now.body
+    });
+    states.collect()
 }
 
-/// Where markers fixed in the body are.
-pub fn markers(physical: &Physical<f64>, markers: &[[f64; 3]]) -> Vec<[f64; 3]> {
-    let place = |marker: &[f64; 3]| physical.position + physical.attitude.carry((*marker).into());
-    markers.iter().map(|marker| place(marker).into()).collect()
+/// Positions (m, inertial) of markers that are fixed in the body (m, body frame).
+pub fn marker_positions(body: &Physical<f64>, markers: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let position = |marker: &[f64; 3]| body.position + body.attitude.carry((*marker).into());
+    let each = markers.iter().map(|marker| position(marker).into());
+    each.collect()
 }
 
-/// A body at a time, and what it remembers.
 #[derive(Clone, Copy)]
-struct Moment {
+struct State {
     time: f64,
     body: Physical<f64>,
-    memory: f64,
+    internal: f64,
 }
 
-/// How all of it changes.
+/// Time derivative of a [`State`].
 struct Rate {
     velocity: Vector3<f64>,
     acceleration: Vector3<f64>,
-    turn: Quaternion<f64>,
+    attitude: Quaternion<f64>,
     angular_acceleration: Vector3<f64>,
-    memory: f64,
+    internal: f64,
 }
 
-type Constants<'c> = &'c dyn Fn(&Physical<f64>) -> Point<f64>;
-type Law<'l> = &'l dyn Fn(&Physical<f64>, f64, f64) -> Answer;
-
-fn rate(law: Law<'_>, at: &Moment) -> Rate {
-    let answer = law(&at.body, at.time, at.memory);
-    let spin = Quaternion {
+fn rate(law: Law<'_>, at: &State) -> Rate {
+    let derivatives = law(&at.body, at.time, at.internal);
+    let half_spin = Quaternion {
         w: 0.0,
         v: at.body.angular_velocity * 0.5,
     };
     Rate {
         velocity: at.body.velocity,
-        acceleration: answer.motion.acceleration,
-        turn: spin.times(at.body.attitude),
-        angular_acceleration: answer.motion.angular_acceleration,
-        memory: answer.memory,
+        acceleration: derivatives.motion.acceleration,
+        attitude: half_spin.times(at.body.attitude),
+        angular_acceleration: derivatives.motion.angular_acceleration,
+        internal: derivatives.internal_rate,
     }
 }
 
-fn moved(from: &Moment, h: f64, rate: &Rate) -> Moment {
+/// The state after a step of `h` seconds at a constant rate; the quaternion is not normalised.
+fn advanced(from: &State, h: f64, rate: &Rate) -> State {
     let body = &from.body;
-    Moment {
+    State {
         time: from.time + h,
         body: Physical {
             position: body.position + rate.velocity * h,
             velocity: body.velocity + rate.acceleration * h,
             attitude: Quaternion {
-                w: body.attitude.w + h * rate.turn.w,
-                v: body.attitude.v + rate.turn.v * h,
+                w: body.attitude.w + h * rate.attitude.w,
+                v: body.attitude.v + rate.attitude.v * h,
             },
             angular_velocity: body.angular_velocity + rate.angular_acceleration * h,
         },
-        memory: from.memory + h * rate.memory,
+        internal: from.internal + h * rate.internal,
     }
 }
 
-fn step(law: Law<'_>, x: &Moment, h: f64) -> Moment {
+/// One Runge–Kutta step of `h` seconds; normalises the quaternion.
+fn step(law: Law<'_>, x: &State, h: f64) -> State {
     let k1 = rate(law, x);
-    let k2 = rate(law, &moved(x, h / 2.0, &k1));
-    let k3 = rate(law, &moved(x, h / 2.0, &k2));
-    let k4 = rate(law, &moved(x, h, &k3));
-    let mean = |part: fn(&Rate) -> Vector3<f64>| {
-        (part(&k1) + (part(&k2) + part(&k3)) * 2.0 + part(&k4)) / 6.0
-    };
-    let number =
-        |part: fn(&Rate) -> f64| (part(&k1) + 2.0 * (part(&k2) + part(&k3)) + part(&k4)) / 6.0;
-    let mut next = moved(
-        x,
-        h,
-        &Rate {
-            velocity: mean(|k| k.velocity),
-            acceleration: mean(|k| k.acceleration),
-            turn: Quaternion {
-                w: number(|k| k.turn.w),
-                v: mean(|k| k.turn.v),
-            },
-            angular_acceleration: mean(|k| k.angular_acceleration),
-            memory: number(|k| k.memory),
+    let k2 = rate(law, &advanced(x, h / 2.0, &k1));
+    let k3 = rate(law, &advanced(x, h / 2.0, &k2));
+    let k4 = rate(law, &advanced(x, h, &k3));
+    let vector =
+        |of: fn(&Rate) -> Vector3<f64>| (of(&k1) + (of(&k2) + of(&k3)) * 2.0 + of(&k4)) / 6.0;
+    let scalar = |of: fn(&Rate) -> f64| (of(&k1) + 2.0 * (of(&k2) + of(&k3)) + of(&k4)) / 6.0;
+    let mean = Rate {
+        velocity: vector(|k| k.velocity),
+        acceleration: vector(|k| k.acceleration),
+        attitude: Quaternion {
+            w: scalar(|k| k.attitude.w),
+            v: vector(|k| k.attitude.v),
         },
-    );
+        angular_acceleration: vector(|k| k.angular_acceleration),
+        internal: scalar(|k| k.internal),
+    };
+    let mut next = advanced(x, h, &mean);
     let attitude = next.body.attitude;
-    let length = (attitude.w * attitude.w + attitude.v.norm_squared()).sqrt();
+    let norm = (attitude.w * attitude.w + attitude.v.norm_squared()).sqrt();
     next.body.attitude = Quaternion {
-        w: attitude.w / length,
-        v: attitude.v / length,
+        w: attitude.w / norm,
+        v: attitude.v / norm,
     };
     next
 }

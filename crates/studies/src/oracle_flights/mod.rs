@@ -1,6 +1,17 @@
 //! Flights computed by the oracle, with an integrator and throws of this crate.
 
-pub mod dataset;
-pub mod integrate;
-pub mod paper_flight;
-pub mod throws;
+mod conditions;
+mod constants;
+mod dataset;
+mod integrate;
+mod paper_flight;
+mod throws;
+
+pub use conditions::{NoiseCondition, TRUTH, TWELVE, noise_conditions};
+pub(crate) use constants::{angle_of_attack, reference_of, set_curves};
+pub use dataset::{Plan, disc, flights, truth};
+pub(crate) use dataset::{disc_constants, empty, file_name, sample_times};
+pub(crate) use integrate::{Derivatives, integrate_law, integrate_with_constants};
+pub use paper_flight::paper_flight;
+pub(crate) use paper_flight::{SAMPLE_RATE, release_angle_of_attack};
+pub use throws::Throws;

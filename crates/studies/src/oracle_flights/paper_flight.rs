@@ -1,110 +1,83 @@
-//! The paper's two flights, flown by the oracle.
+//! The paper's two flights, computed by the oracle.
 
 use flight::release;
 use identify::dataset::{Dataset, Flight, Role};
 use identify::synthesize::MARKERS;
 use model_spec::model::Model;
+use nalgebra::Vector3;
 use oracle::physical::Physical;
 use oracle::point::Point;
-use oracle::reference::Reference;
 
-use crate::oracle_flights::dataset::empty;
-use crate::oracle_flights::integrate::{fly_with, markers};
-use crate::real_data::wind_tunnel::{Measured, interpolated};
+use super::constants::{angle_of_attack, reference_of, set_curves};
+use super::dataset::empty;
+use super::integrate::{integrate_with_constants, marker_positions};
 
-/// Samples each second.
-pub const RATE: f64 = 120.0;
+/// Sample rate of the paper's flights, Hz.
+pub(crate) const SAMPLE_RATE: f64 = 120.0;
 
-/// A flight of the paper's Table 3 by the disc of its Table 2: with the model's own coefficients, or with lift, drag and
-/// pitching moment as a wind tunnel measured them.
+/// Below this angle of attack (rad) a tabulated pitching moment is taken as 0.
+const MIN_ALPHA: f64 = 1e-3;
+
+/// Coefficients of lift, drag and pitching moment (nose-down positive as in the model) by angle of attack, rad.
+pub type Curves<'c> = &'c dyn Fn(f64) -> [f64; 3];
+
+/// A flight of the paper's Table 3 (`fssh3` or `bffl8`) with the disc of its Table 2, without noise: with the model's own
+/// coefficients, or with the given curves of lift, drag and pitching moment.
 ///
 /// # Panics
-/// Where a built-in model or release is broken.
-pub fn paper_flight(model: &Model, name: &str, tunnel: Option<&[Measured]>) -> Dataset {
-    let read = released(model, name);
-    let reference = Reference::bind(model)
-        .expect("a reference")
-        .expect("its names");
+/// If the built-in release or the model's law in the oracle is missing.
+pub fn paper_flight(model: &Model, name: &str, curves: Option<Curves<'_>>) -> Dataset {
+    let release = built_in_release(model, name);
+    let reference = reference_of(model);
     let mut constants = Point::defaults(model);
-    for (constant, place) in model.params.iter().zip(&mut constants.params) {
-        let mut set = read.parameters.iter();
-        let set = set.find(|(name, _)| *name == constant.name);
-        *place = set.map_or(constant.value, |(_, value)| *value);
+    for (parameter, place) in model.params.iter().zip(&mut constants.params) {
+        let mut set = release.parameters.iter();
+        let set = set.find(|(name, _)| *name == parameter.name);
+        *place = set.map_or(parameter.value, |(_, value)| *value);
     }
-    let release::Stop::Duration(duration) = read.stop else {
+    let release::Stop::Duration(duration) = release.stop else {
         panic!("the paper's flights last a stated time");
     };
-    let start = reference.chart.physical(&read.state());
-    let samples = (duration * RATE).round() as usize;
-    let times: Vec<f64> = (0..=samples).map(|k| k as f64 / RATE).collect();
-    let follow = |body: &Physical<f64>| match tunnel {
-        Some(rows) => measured_at(model, &constants, rows, body),
-        None => constants.clone(),
+    let start = reference.chart.physical(&release.state());
+    let samples = (duration * SAMPLE_RATE).round() as usize;
+    let times: Vec<f64> = (0..=samples).map(|k| k as f64 / SAMPLE_RATE).collect();
+    let constants_at = |body: &Physical<f64>| {
+        let mut constants = constants.clone();
+        if let Some(curves) = curves {
+            let alpha = angle_of_attack(body, Vector3::zeros());
+            set_curves(model, &mut constants, alpha, curves(alpha), MIN_ALPHA);
+        }
+        constants
     };
-    let flown = fly_with(&reference, &follow, start, &times);
+    let states = integrate_with_constants(&reference, &constants_at, start, &times);
+    let positions = states.iter().map(|body| {
+        let positions = marker_positions(body, &MARKERS);
+        positions.into_iter().map(Some).collect()
+    });
     let mut dataset = empty(model);
-    dataset.parameters = read.parameters.iter().cloned().collect();
+    dataset.parameters = release.parameters.iter().cloned().collect();
     dataset.flights = vec![Flight {
         file: format!("{name}.csv"),
         role: Role::Fit,
         known: Default::default(),
-        positions: flown
-            .iter()
-            .map(|body| markers(body, &MARKERS).into_iter().map(Some).collect())
-            .collect(),
+        positions: positions.collect(),
         times,
     }];
     dataset
 }
 
-fn released(model: &Model, name: &str) -> release::Release {
+fn built_in_release(model: &Model, name: &str) -> release::Release {
     let text = release::built_in(name).expect("a built-in release");
     let vocabulary = release::Vocabulary::of(model);
-    release::read(name, text, |_| Ok(vocabulary)).expect("a good release")
+    release::read(name, text, |_| Ok(vocabulary)).expect("a valid release")
 }
 
-/// The angle of attack that a flight of the paper is released at, rad.
+/// Angle of attack (rad) at which a flight of the paper is released.
 ///
 /// # Panics
-/// Where a built-in model or release is broken.
-pub fn released_at(model: &Model, name: &str) -> f64 {
-    let reference = Reference::bind(model)
-        .expect("a reference")
-        .expect("its names");
-    angle_of_attack(&reference.chart.physical(&released(model, name).state()))
-}
-
-/// The angle of attack in still air, rad.
-fn angle_of_attack(body: &Physical<f64>) -> f64 {
-    let through = body.attitude.bring_back(body.velocity);
-    (-through.z).atan2(through.x.hypot(through.y))
-}
-
-/// The constants with which the model's curves pass through the tunnel's at the body's angle of attack.
-fn measured_at(
-    model: &Model,
-    constants: &Point<f64>,
-    rows: &[Measured],
-    body: &Physical<f64>,
-) -> Point<f64> {
-    let alpha = angle_of_attack(body);
-    let [lift, drag, moment] = interpolated(rows, alpha);
-    let mut here = constants.clone();
-    let mut set = |name: &str, value: f64| {
-        if let Some(place) = model.coefficients.iter().position(|c| c.name == name) {
-            here.coefficients[place] = value;
-        }
-    };
-    set("C_L0", lift);
-    set("C_La", 0.0);
-    set("C_D0", drag);
-    set("C_Da", 0.0);
-    // The model's moment is a multiple of the angle, which near 0 no multiple can lift off 0.
-    let slope = if alpha.abs() > 1e-3 {
-        moment / alpha
-    } else {
-        0.0
-    };
-    set("C_Ma", slope);
-    here
+/// If the built-in release or the model's law in the oracle is missing.
+pub(crate) fn release_angle_of_attack(model: &Model, name: &str) -> f64 {
+    let state = built_in_release(model, name).state();
+    let body = reference_of(model).chart.physical(&state);
+    angle_of_attack(&body, Vector3::zeros())
 }

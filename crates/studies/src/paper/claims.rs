@@ -1,21 +1,21 @@
-//! What the paper says came out of its two flights.
+//! Outcomes that the paper states for its two flights.
 
 use serde::Deserialize;
 
-/// One stated outcome.
+/// One stated outcome of a flight.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Claim {
     /// `fssh3` or `bffl8`.
     pub flight: String,
-    /// When, s; absent where the quantity is itself a time.
+    /// Time of the flight, s; absent if the quantity is itself a time.
     pub at: Option<f64>,
-    /// Which quantity; see [`Outcome`].
+    /// Name of a field of [`Outcome`].
     pub quantity: String,
-    /// Its value in `unit`.
+    /// Stated value, in `unit`.
     pub value: f64,
-    /// How far the wording lets a faithful reproduction be.
+    /// Greatest departure of a faithful reproduction that the paper's wording admits, in `unit`.
     pub tolerance: f64,
-    /// Unit of value and tolerance.
+    /// Unit of value and tolerance; `1` if dimensionless.
     pub unit: String,
 }
 
@@ -24,19 +24,19 @@ struct File {
     claim: Vec<Claim>,
 }
 
-/// All claims, in the order of the file.
-pub fn all() -> Vec<Claim> {
-    let file: File = toml::from_str(include_str!("data/claims.toml"))
-        .expect("the built-in claims are well formed");
+/// All claims, in the order of data/claims.toml.
+pub(super) fn all() -> Vec<Claim> {
+    let file: File =
+        toml::from_str(include_str!("data/claims.toml")).expect("the built-in claims are valid");
     file.claim
 }
 
-/// What came out of one simulated flight.
+/// Outcome of one simulated flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Distance gone along x, m.
+    /// Displacement along x, m.
     pub delta_x: f64,
-    /// Height gained, m.
+    /// Height gained, m; negative if the flight ends lower.
     pub delta_z: f64,
     /// phi at the end, rad.
     pub phi: f64,
@@ -51,11 +51,11 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The quantity that a claim is about.
+    /// The field of this name, in its unit.
     ///
     /// # Panics
-    /// For a name that is not a field: the claims are built in and a test reads them all.
-    pub fn quantity(&self, name: &str) -> f64 {
+    /// If there is no such field: the names are those of the built-in claims.
+    pub(super) fn quantity(&self, name: &str) -> f64 {
         match name {
             "delta_x" => self.delta_x,
             "delta_z" => self.delta_z,
@@ -68,8 +68,8 @@ impl Outcome {
         }
     }
 
-    /// How far this outcome is from a claim, in tolerances, with sign.
-    pub fn departure(&self, claim: &Claim) -> f64 {
+    /// Departure (simulated − stated) from a claim, in units of its tolerance.
+    pub(super) fn departure(&self, claim: &Claim) -> f64 {
         (self.quantity(&claim.quantity) - claim.value) / claim.tolerance
     }
 }

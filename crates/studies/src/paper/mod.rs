@@ -1,12 +1,23 @@
-//! Hubbard & Hummel (2000) reproduced and questioned.
+//! Study of the paper: Hubbard & Hummel (2000) against hypotheses on what its tables mean. Writes docs/paper.md.
 //!
-//! Flown with its tables as printed, the paper's own account of its two flights does not come out. This
-//! study declares hypotheses on what the tables mean ([`reading`]), flies both flights under every
-//! combination ([`study`]), holds the outcomes against what the paper says ([`claims`]) and writes
-//! the page that tells which readings survive ([`page`]).
+//! With its tables as printed, the paper's own account of its two flights does not come out. The study flies both flights
+//! under every combination of declared hypotheses ([`Reading`]), compares the outcomes with the paper's claims
+//! ([`Claim`]) and ranks the readings ([`Study`]).
 
-pub mod claims;
-pub mod fly;
-pub mod page;
-pub mod reading;
-pub mod study;
+mod claims;
+mod coefficients;
+mod columns;
+mod conventions;
+mod fly;
+mod page;
+mod reading;
+mod study;
+mod table;
+
+pub use claims::{Claim, Outcome};
+pub use columns::Columns;
+pub use conventions::{Conventions, RollSpin, SpinDown};
+pub use page::paper_page;
+pub use reading::Reading;
+pub use study::{Scored, Study};
+pub(crate) use table::printed_coefficient;

@@ -1,42 +1,47 @@
-//! Both flights under every reading, ranked.
+//! Both flights under every reading, ranked by how well the outcomes agree with the paper's claims.
 
-use crate::paper::claims::{self, Claim, Outcome};
-use crate::paper::fly::Flyer;
-use crate::paper::reading::{Columns, Common, Reading, Table1, coefficients, orders};
+use super::claims::{self, Claim, Outcome};
+use super::coefficients::coefficients;
+use super::columns::{Columns, orders};
+use super::conventions::Conventions;
+use super::fly::Flyer;
+use super::reading::Reading;
+use super::table::Table1;
+use crate::error::StudyError;
 
-/// A departure of more tolerances than this counts as this: wrong is wrong.
-const WORST: f64 = 10.0;
+/// Greatest departure from a claim that is counted, in tolerances.
+const MAX_DEPARTURE: f64 = 10.0;
 
-/// What each hypothesis must gain to be worth it, in squared tolerances: Akaike's price of one more parameter.
-pub const PRICE: f64 = 2.0;
+/// Cost of a hypothesis in squared tolerances: Akaike's penalty of one more parameter.
+pub(super) const PENALTY: f64 = 2.0;
 
-/// How well a reading does.
+/// A reading and how well it agrees with the claims.
 #[derive(Clone, Debug)]
 pub struct Scored {
     /// The reading.
     pub reading: Reading,
-    /// Squared departures from the claims in tolerances, summed, each at most 100.
+    /// Sum of squared departures from the claims in tolerances, each at most 100.
     pub misfit: f64,
-    /// How many claims come out within their tolerance.
+    /// Number of claims within their tolerance.
     pub held: usize,
 }
 
 impl Scored {
-    /// Misfit with the price of the hypotheses used.
+    /// Misfit plus the penalty of the hypotheses; the best reading has the least.
     pub fn score(&self) -> f64 {
-        self.misfit + PRICE * self.reading.hypotheses() as f64
+        self.misfit + PENALTY * self.reading.hypotheses() as f64
     }
 }
 
-/// All readings, flown.
+/// Outcomes of both flights under all readings.
 pub struct Study {
     /// The claims.
     pub claims: Vec<Claim>,
     /// Every reading, best first.
     pub ranking: Vec<Scored>,
     orders: Vec<Columns>,
-    commons: Vec<Common>,
-    /// `[common][order]` for each flight.
+    conventions: Vec<Conventions>,
+    /// Outcomes `[convention][order]` of each flight; `None` if the integration fails.
     fssh3: Vec<Vec<Option<Outcome>>>,
     bffl8: Vec<Vec<Option<Outcome>>>,
 }
@@ -45,18 +50,19 @@ impl Study {
     /// Flies both flights under every reading.
     ///
     /// # Errors
-    /// In words, where the built-in model or releases cannot be used.
-    pub fn run() -> Result<Self, String> {
+    /// [`StudyError`] if the built-in model or a release does not load.
+    pub fn run() -> Result<Self, StudyError> {
         let claims = claims::all();
         let table = Table1::printed();
-        let (orders, commons) = (orders(), Common::all());
-        let flown = |name: &str, row: &[f64; 8]| -> Result<Vec<Vec<Option<Outcome>>>, String> {
+        let (orders, conventions) = (orders(), Conventions::all());
+        let flown = |name: &str, row: &[f64; 8]| -> Result<Vec<Vec<Option<Outcome>>>, StudyError> {
             let flyer = Flyer::new(name, duration(&claims, name))?;
             let (d, g) = flyer.scales();
-            Ok(flight::batch::each(commons.len(), |index| {
-                let common = &commons[index];
-                let fly =
-                    |&order: &Columns| flyer.fly(&coefficients(row, order, common, d, g), common);
+            Ok(flight::batch::each(conventions.len(), |index| {
+                let conventions = &conventions[index];
+                let fly = |&order: &Columns| {
+                    flyer.fly(&coefficients(row, order, conventions, d, g), conventions)
+                };
                 orders.iter().map(fly).collect()
             }))
         };
@@ -65,7 +71,7 @@ impl Study {
             claims,
             ranking: Vec::new(),
             orders,
-            commons,
+            conventions,
             fssh3,
             bffl8,
         };
@@ -75,7 +81,7 @@ impl Study {
 
     fn rank(&mut self) {
         let mut ranking = Vec::new();
-        for (c, common) in self.commons.iter().enumerate() {
+        for (c, conventions) in self.conventions.iter().enumerate() {
             let score = |flight: &str, outcomes: &[Option<Outcome>]| -> Vec<(f64, usize)> {
                 outcomes
                     .iter()
@@ -90,7 +96,7 @@ impl Study {
                 for (j, &bffl8) in self.orders.iter().enumerate() {
                     ranking.push(Scored {
                         reading: Reading {
-                            common: *common,
+                            conventions: *conventions,
                             fssh3,
                             bffl8,
                         },
@@ -108,7 +114,7 @@ impl Study {
         self.ranking = ranking;
     }
 
-    /// Misfit and number of claims held by one flight.
+    /// Misfit and number of claims within their tolerance, of one flight.
     fn judge(&self, flight: &str, outcome: Option<&Outcome>) -> (f64, usize) {
         let claims = self.claims.iter().filter(|claim| claim.flight == flight);
         claims.fold((0.0, 0), |(misfit, held), claim| {
@@ -116,45 +122,45 @@ impl Study {
             let departure = if departure.is_finite() {
                 departure
             } else {
-                WORST
+                MAX_DEPARTURE
             };
             (
-                misfit + departure.min(WORST).powi(2),
+                misfit + departure.min(MAX_DEPARTURE).powi(2),
                 held + usize::from(departure <= 1.0),
             )
         })
     }
 
-    /// What came out of a flight under a reading; `None` where it could not be flown to its end.
-    pub fn outcome(&self, reading: &Reading, flight: &str) -> Option<Outcome> {
-        let common = self
-            .commons
+    /// Outcome of a flight under a reading; `None` if the integration fails.
+    pub(super) fn outcome(&self, reading: &Reading, flight: &str) -> Option<Outcome> {
+        let convention = self
+            .conventions
             .iter()
-            .position(|common| *common == reading.common)?;
+            .position(|conventions| *conventions == reading.conventions)?;
         let (outcomes, order) = match flight {
             "fssh3" => (&self.fssh3, reading.fssh3),
             _ => (&self.bffl8, reading.bffl8),
         };
-        outcomes[common][self.orders.iter().position(|&known| known == order)?]
+        outcomes[convention][self.orders.iter().position(|&known| known == order)?]
     }
 
-    /// The scored entry of a reading.
-    pub fn of(&self, reading: &Reading) -> Option<&Scored> {
+    /// The score of a reading.
+    pub(super) fn score_of(&self, reading: &Reading) -> Option<&Scored> {
         self.ranking
             .iter()
             .find(|scored| scored.reading == *reading)
     }
 
-    /// The best reading and all that hold as many claims with a misfit less than one squared tolerance worse:
-    /// the claims cannot tell them apart.
-    pub fn indistinguishable(&self) -> Vec<&Scored> {
+    /// The best reading, then all with as many claims within tolerance and a misfit less than one squared tolerance
+    /// above its: the claims do not tell them apart.
+    pub(super) fn indistinguishable(&self) -> Vec<&Scored> {
         let best = &self.ranking[0];
         let near = |scored: &&Scored| scored.held == best.held && scored.misfit < best.misfit + 1.0;
         self.ranking.iter().filter(near).collect()
     }
 }
 
-/// When the last claim about a flight is made, s.
+/// Time of the last claim about a flight, s.
 fn duration(claims: &[Claim], flight: &str) -> f64 {
     claims
         .iter()

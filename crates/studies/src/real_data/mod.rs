@@ -58,7 +58,7 @@ impl RealData {
     /// In words, where a file is missing or malformed, or a fit fails.
     pub fn of(folder: &Path) -> Result<Self, String> {
         let flights = dataset::load(&folder.join("spindoe")).map_err(|error| error.to_string())?;
-        let disc = crate::oracle_flights::dataset::disc();
+        let disc = crate::oracle_flights::disc();
         Ok(Self {
             balls: balls::page::Balls::of(&flights)?,
             spin: spin_decay::page::Spindown::of(&folder.join("spindown/flight.csv"), &disc)?,

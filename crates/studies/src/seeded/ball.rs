@@ -1,4 +1,4 @@
-//! Flights of a ball whose spin is known, with what is hidden in them.
+//! Datasets of a ball of known spin, with seeded effects.
 
 use identify::dataset::{Dataset, KnownValue, Marker};
 use model_spec::model::Model;
@@ -6,47 +6,48 @@ use nalgebra::Vector3;
 use oracle::effect::World;
 use oracle::physical::Physical;
 use oracle::point::Point;
-use oracle::reference::Reference;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
-use super::{Hidden, flight, fly, times};
+use super::effects::SeededEffects;
+use super::flight::{FlightPlace, seeded_flight};
+use crate::oracle_flights::{reference_of, sample_times};
 
-/// How a ball is thrown, each quantity drawn evenly.
+/// Distribution of a ball's throw: each quantity is uniform over a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throws {
     /// Speed, m/s.
     pub speed: (f64, f64),
-    /// Climb at the release, rad.
-    pub climb: (f64, f64),
-    /// Size of the spin, rad/s; its direction is anywhere.
+    /// Launch angle: of the velocity above the horizontal, rad.
+    pub launch: (f64, f64),
+    /// Magnitude of the spin, rad/s; its direction is uniform over the sphere.
     pub spin: (f64, f64),
 }
 
-/// What is thrown, and how it is watched.
+/// A set of throws of a ball, and how they are observed.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
-    /// Parameters of the ball by name; the rest as the model's file has them.
+    /// Parameters of the ball by name, SI; any other has the value of the model's file.
     pub parameters: &'a [(&'a str, f64)],
-    /// Coefficients by name; the rest as the model's file has them.
+    /// True coefficients by name, SI; any other has the value of the model's file.
     pub truth: &'a [(&'a str, f64)],
-    /// How it is thrown.
+    /// Distribution of the throws.
     pub throws: Throws,
-    /// How often.
+    /// Number of flights.
     pub flights: usize,
-    /// For how long, s: drawn evenly.
+    /// Least and greatest duration of a flight, s; drawn uniformly.
     pub duration: (f64, f64),
-    /// Samples each second.
+    /// Sample rate, Hz.
     pub rate: f64,
 }
 
-/// Twelve throws of a table-tennis ball, of a second each.
+/// Twelve throws of a table-tennis ball, of up to a second each.
 pub const TABLE_TENNIS: Plan<'static> = Plan {
     parameters: &[],
     truth: &[("C_D", 0.5)],
     throws: Throws {
         speed: (5.0, 15.0),
-        climb: (0.1, 0.7),
+        launch: (0.1, 0.7),
         spin: (20.0, 200.0),
     },
     flights: 12,
@@ -54,13 +55,13 @@ pub const TABLE_TENNIS: Plan<'static> = Plan {
     rate: 120.0,
 };
 
-/// Twelve kicks of a football, through its drag crisis.
+/// Twelve kicks of a football at speeds on both sides of its drag crisis.
 pub const FOOTBALL: Plan<'static> = Plan {
     parameters: &[("m", 0.43), ("radius", 0.11)],
     truth: &[("C_D", 0.45)],
     throws: Throws {
         speed: (5.0, 22.0),
-        climb: (0.1, 0.7),
+        launch: (0.1, 0.7),
         spin: (0.0, 60.0),
     },
     flights: 12,
@@ -68,23 +69,17 @@ pub const FOOTBALL: Plan<'static> = Plan {
     rate: 120.0,
 };
 
-/// The model of the ball.
-///
-/// # Panics
-/// Where the built-in ball is broken.
-pub fn model() -> Model {
+fn model() -> Model {
     model_spec::load::load("ball", &[]).expect("the built-in ball")
 }
 
-/// Flights of a ball, each with its spin known.
+/// Flights of a ball with seeded effects; the dataset states the spin of each.
 ///
 /// # Panics
-/// Where an effect is not one of the ball's, or not given as many numbers as it takes.
-pub fn dataset(plan: &Plan<'_>, hidden: &Hidden, seed: u64) -> Dataset {
+/// If an effect does not act on a ball, or has another number of values.
+pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
     let model = model();
-    let reference = Reference::bind(&model)
-        .expect("a reference")
-        .expect("its names");
+    let reference = reference_of(&model);
     let mut constants = Point::defaults(&model);
     let set = |names: &[(&str, f64)], name: &str| {
         let mut names = names.iter();
@@ -100,7 +95,7 @@ pub fn dataset(plan: &Plan<'_>, hidden: &Hidden, seed: u64) -> Dataset {
     let marker = [0.0; 3];
     let flights = (0..plan.flights).map(|index| {
         let (start, omega) = plan.throws.draw(&mut random);
-        let times = times(plan.duration, plan.rate, &mut random);
+        let times = sample_times(plan.duration, plan.rate, &mut random);
         let world = World {
             law: reference.law,
             constants: reference.values(&constants),
@@ -108,8 +103,12 @@ pub fn dataset(plan: &Plan<'_>, hidden: &Hidden, seed: u64) -> Dataset {
             omega,
             effects: Vec::new(),
         };
-        let seen = fly(&world, hidden, start, &times, &[marker], (seed, index));
-        let mut flight = flight(index, plan.flights, hidden, times, seen);
+        let place = FlightPlace {
+            seed,
+            index,
+            flights: plan.flights,
+        };
+        let mut flight = seeded_flight(&world, seeded, place, start, times, &[marker]);
         let known = KnownValue::Vector(omega.into());
         flight.known.insert("omega".to_owned(), known);
         flight
@@ -128,22 +127,26 @@ pub fn dataset(plan: &Plan<'_>, hidden: &Hidden, seed: u64) -> Dataset {
 }
 
 impl Throws {
-    /// Draws a throw and its spin.
+    /// Draws a throw and its spin vector, rad/s; the order of the draws fixes the flights of each seed.
     fn draw(&self, random: &mut impl Rng) -> (Physical<f64>, Vector3<f64>) {
-        let mut even = |(low, high): (f64, f64)| low + (high - low) * random.random::<f64>();
-        let (speed, climb, spin) = (even(self.speed), even(self.climb), even(self.spin));
-        let heading = even((-0.3, 0.3));
-        // Evenly over the sphere: the third coordinate of its points is spread evenly.
-        let (up, around) = (
-            even((-1.0, 1.0)),
-            even((-std::f64::consts::PI, std::f64::consts::PI)),
+        let mut uniform = |(low, high): (f64, f64)| low + (high - low) * random.random::<f64>();
+        let (speed, launch, spin) = (
+            uniform(self.speed),
+            uniform(self.launch),
+            uniform(self.spin),
+        );
+        let heading = uniform((-0.3, 0.3));
+        // The third coordinate of a uniform point on the sphere is uniform.
+        let (up, azimuth) = (
+            uniform((-1.0, 1.0)),
+            uniform((-std::f64::consts::PI, std::f64::consts::PI)),
         );
         let flat = (1.0 - up * up).max(0.0).sqrt();
-        let axis = Vector3::new(flat * around.cos(), flat * around.sin(), up);
-        let (sine, cosine) = (climb.sin(), climb.cos());
+        let axis = Vector3::new(flat * azimuth.cos(), flat * azimuth.sin(), up);
+        let (sine, cosine) = (launch.sin(), launch.cos());
         let path = Vector3::new(cosine * heading.cos(), cosine * heading.sin(), sine);
         let start = Physical {
-            position: Vector3::new(0.0, 0.0, even((1.0, 1.8))),
+            position: Vector3::new(0.0, 0.0, uniform((1.0, 1.8))),
             velocity: path * speed,
             ..Physical::rest()
         };

@@ -1,13 +1,13 @@
-//! How strong each effect of the catalogue is: weakly at work, and strongly.
+//! Values of each effect of the catalogue in the discovery study: a weak and a strong one.
 
-/// Numbers of an effect: its coefficients, then the spread of its states.
+/// Weak and strong values of an effect, SI: its coefficients, then the standard deviations of its states over flights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strength {
     /// Name of the effect.
     pub effect: &'static str,
-    /// As little as one meets in practice.
+    /// Values near the least that is met in practice.
     pub weak: &'static [f64],
-    /// As much.
+    /// Values near the greatest that is met in practice.
     pub strong: &'static [f64],
 }
 
@@ -19,9 +19,9 @@ const fn row(effect: &'static str, weak: &'static [f64], strong: &'static [f64])
     }
 }
 
-/// Every effect of the catalogue.
+/// A strength for every effect of the catalogue.
 #[rustfmt::skip]
-pub const ALL: &[Strength] = &[
+pub const STRENGTHS: &[Strength] = &[
     row("zero_lift_drag_angle", &[-0.02], &[-0.07]),
     row("drag_by_spin", &[0.01], &[0.05]),
     row("drag_by_reynolds", &[-0.01], &[-0.05]),
@@ -63,7 +63,7 @@ pub const ALL: &[Strength] = &[
     row("buoyancy", &[0.3], &[1.0]),
 ];
 
-/// The strength of an effect.
-pub fn of(effect: &str) -> Option<&'static Strength> {
-    ALL.iter().find(|row| row.effect == effect)
+/// The strength of an effect, by its name in the catalogue.
+pub fn strength(effect: &str) -> Option<&'static Strength> {
+    STRENGTHS.iter().find(|row| row.effect == effect)
 }

@@ -16,7 +16,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 pub use read::{disc, throws};
 
-use crate::oracle_flights::integrate::fly_with;
+use crate::oracle_flights::{angle_of_attack, integrate_with_constants, set_curves};
 use crate::real_data::wind_tunnel::{Measured, interpolated};
 
 /// A disc: what it weighs and measures, and its table.
@@ -79,6 +79,9 @@ pub struct Throw {
     /// Times from the first, s, and places on the ground, m.
     pub track: Vec<(f64, [f64; 2])>,
 }
+
+/// Below this angle of attack (rad) the tabulated pitching moment is taken as 0.
+const MIN_ALPHA: f64 = 1e-4;
 
 /// Flies discs of one table.
 pub struct Flyer<'a> {
@@ -164,7 +167,7 @@ impl<'a> Flyer<'a> {
         let fine: Vec<f64> = (0..=pieces as usize)
             .map(|k| k as f64 * last / pieces)
             .collect();
-        let flown = fly_with(&self.reference, &follow, start, &fine);
+        let flown = integrate_with_constants(&self.reference, &follow, start, &fine);
         let path: Vec<Vector3<f64>> = flown.iter().map(|body| body.position).collect();
         let at = |time: f64| {
             let place = (time / last * pieces).clamp(0.0, pieces);
@@ -192,29 +195,14 @@ impl<'a> Flyer<'a> {
         wind: Vector3<f64>,
         factors: &Factors,
     ) -> Point<f64> {
-        let through = body.attitude.bring_back(body.velocity - wind);
-        let alpha = (-through.z).atan2(through.x.hypot(through.y));
+        let alpha = angle_of_attack(body, wind);
         let found = interpolated(self.table, alpha);
         let mut here = self.constants.clone();
         if let Some(place) = here.inputs.first_mut() {
             *place = wind;
         }
-        let slope = match alpha.abs() > 1e-4 {
-            true => factors[2] * found[2] / alpha,
-            false => 0.0,
-        };
-        let set = [
-            ("C_L0", factors[0] * found[0]),
-            ("C_La", 0.0),
-            ("C_D0", factors[1] * found[1]),
-            ("C_Da", 0.0),
-            ("C_Ma", slope),
-        ];
-        for (place, coefficient) in here.coefficients.iter_mut().zip(&self.model.coefficients) {
-            if let Some((_, value)) = set.iter().find(|(name, _)| *name == coefficient.name) {
-                *place = *value;
-            }
-        }
+        let curves = [0, 1, 2].map(|k| factors[k] * found[k]);
+        set_curves(self.model, &mut here, alpha, curves, MIN_ALPHA);
         here
     }
 }
@@ -391,7 +379,7 @@ mod tests {
 
     #[test]
     fn a_launch_is_fitted_to_the_track_of_another() {
-        let (disc, model) = (made(), crate::oracle_flights::dataset::disc());
+        let (disc, model) = (made(), crate::oracle_flights::disc());
         let flyer = Flyer::new(&model, &disc).unwrap();
         let launch = [22.0, 0.15, 0.1, 0.0, 0.1, 2.0, 0.0];
         let mut throw = Throw {
@@ -413,7 +401,7 @@ mod tests {
 
     #[test]
     fn what_has_landed_stays() {
-        let (disc, model) = (made(), crate::oracle_flights::dataset::disc());
+        let (disc, model) = (made(), crate::oracle_flights::disc());
         let flyer = Flyer::new(&model, &disc).unwrap();
         let throw = Throw {
             number: 1,

@@ -2,10 +2,13 @@
 
 use model_spec::model::Model;
 
-use crate::identification::paper_fits::{TABLE_1, way};
-use crate::markdown::{Text, mean_and_deviation, three};
-use crate::oracle_flights::paper_flight::{paper_flight, released_at};
+use crate::identification::paper_fits::scenario;
+use crate::markdown::{Text, three};
+use crate::oracle_flights::{paper_flight, release_angle_of_attack};
+use crate::paper::printed_coefficient;
 use crate::real_data::wind_tunnel::Measured;
+use crate::real_data::wind_tunnel::interpolated;
+use crate::statistics::mean_and_deviation;
 
 /// Seeds of the paper's flights.
 const SEEDS: u64 = 40;
@@ -13,25 +16,25 @@ const SEEDS: u64 = 40;
 /// The paper's flights in the tunnel's air, fitted one by one by the model.
 pub fn paper(text: &mut Text, disc: &Model, table: &[Measured]) {
     text.paragraph("## The paper's two flights in the tunnel's air");
-    let released = ["fssh3", "bffl8"].map(|name| released_at(disc, name).to_degrees());
+    let released = ["fssh3", "bffl8"].map(|name| release_angle_of_attack(disc, name).to_degrees());
     text.paragraph(format!(
         "Hubbard & Hummel's fssh3 is released at an angle of attack of {:.0}°, their bffl8 at {:.0}°. Here both are flown by the oracle with lift, drag \
          and pitching moment as the tunnel measured them (damping and spin moments the model's own), seen with the paper's 1.4 mm, and fitted \
          one by one by the model's straight lines and parabola, free of bounds: mean and standard deviation over {SEEDS} seeds.",
         released[0], released[1]
     ));
-    let table = Some(table);
+    let curves = |alpha: f64| interpolated(table, alpha);
     let ways = ["fssh3", "bffl8"].map(|name| {
-        let flight = paper_flight(disc, name, table);
-        way(disc, name, &flight, 0.0, SEEDS)
+        let flight = paper_flight(disc, name, Some(&curves));
+        scenario(disc, name, &flight, 0.0, SEEDS)
     });
     let rows = disc.coefficients.iter().enumerate().map(|(k, constant)| {
         let found = ways.each_ref().map(|way| {
             let (mean, deviation) = mean_and_deviation(&way.estimates[k]);
             format!("{} ± {}", three(mean), three(deviation))
         });
-        let printed = TABLE_1.iter().find(|(name, ..)| *name == constant.name);
-        let printed = printed.map_or(Default::default(), |(_, a, b)| [three(*a), three(*b)]);
+        let printed = printed_coefficient(&constant.name);
+        let printed = printed.map_or(Default::default(), |both| both.map(three));
         let [fssh3, bffl8] = found;
         let [printed_fssh3, printed_bffl8] = printed;
         vec![

@@ -1,0 +1,143 @@
+//! Comparison of a diagnosis with the seeded effects.
+
+use diagnose::report::{Report, Verdict};
+
+use super::case::Case;
+use super::outcome::{Discordant, Outcome};
+use crate::oracle_flights::file_name;
+use crate::seeded::InputErrors;
+
+/// Standard normal quantile of 0.9: an effect whose expected z exceeds a threshold by it is found with power 0.9.
+const POWER_QUANTILE: f64 = 1.281_551_565_544_6;
+
+/// Effects of each hypothesis, sorted, with underscores.
+pub(super) fn hypotheses(report: &Report) -> Vec<Vec<String>> {
+    let each = report.causes.iter().map(|hypothesis| {
+        let names = hypothesis.effects.iter();
+        let mut names: Vec<String> = names.map(|effect| underscored(&effect.name)).collect();
+        names.sort();
+        names
+    });
+    each.collect()
+}
+
+/// Takes the answer over from a report, and scores it.
+pub(super) fn score(outcome: &mut Outcome, report: &Report) {
+    outcome.verdict = Some(report.verdict);
+    outcome.seconds = report.seconds.get("total").copied().unwrap_or(f64::NAN);
+    outcome.hypotheses = hypotheses(report);
+    let remaining = report.causes.iter().map(|hypothesis| {
+        let remaining = hypothesis.rival.as_ref()?;
+        Some((underscored(&remaining.name), remaining.p))
+    });
+    outcome.strongest_remaining = remaining.collect();
+    let is_single = outcome.hypotheses.len() == 1
+        && matches!(report.verdict, Verdict::Named | Verdict::Immaterial);
+    if !outcome.case.seeded.unlisted.is_empty() {
+        score_unlisted(outcome, report, is_single);
+    } else if let Some(errors) = outcome.case.input_errors {
+        score_input_errors(outcome, report, errors, is_single);
+    } else {
+        score_listed(outcome, report, is_single);
+    }
+}
+
+/// The right verdict on an unlisted effect is `outside`; any single hypothesis is wrong.
+fn score_unlisted(outcome: &mut Outcome, report: &Report, is_single: bool) {
+    let terms = report.outside.iter().flat_map(|outside| &outside.terms);
+    let taken = terms.filter(|term| term.taken);
+    outcome.sites = taken.map(|term| term.site.clone()).collect();
+    outcome.sites.dedup();
+    outcome.in_set = report.verdict == Verdict::Outside;
+    outcome.uniquely_wrong = is_single;
+}
+
+fn score_input_errors(
+    outcome: &mut Outcome,
+    report: &Report,
+    errors: InputErrors,
+    is_single: bool,
+) {
+    let truth = outcome.case.truth();
+    outcome.discordant = discordant(&outcome.case, errors, report);
+    outcome.in_set = outcome.hypotheses.contains(&truth);
+    // If every spin is another flight's, no hypothesis is right.
+    let is_wrong = || outcome.hypotheses[0] != truth || errors.exchanged == 1.0;
+    outcome.uniquely_wrong = is_single && is_wrong();
+}
+
+fn score_listed(outcome: &mut Outcome, report: &Report, is_single: bool) {
+    let truth = outcome.case.truth();
+    let mut detectable: Vec<String> = Vec::new();
+    for (name, values) in outcome.case.seeded.listed.clone() {
+        let mut hidden = report.undetectable.iter();
+        let not_identifiable = hidden.any(|effect| underscored(&effect.name) == name);
+        let detectability = match not_identifiable {
+            true => Some(0.0),
+            false => detectability(report, &name, &values),
+        };
+        if detectability.is_none_or(|ratio| ratio >= 1.0) {
+            detectable.push(name.clone());
+        }
+        outcome.not_identifiable |= not_identifiable;
+        outcome.detectability = least(outcome.detectability, detectability);
+        outcome.z = least(outcome.z, z(report, &name));
+    }
+    detectable.sort();
+    outcome.in_set = !truth.is_empty() && outcome.hypotheses.contains(&truth);
+    // If one effect of a pair is below the minimum detectable size, the other alone is right.
+    let is_right = |hypothesis: &Vec<String>| {
+        *hypothesis == truth || (!detectable.is_empty() && *hypothesis == detectable)
+    };
+    outcome.uniquely_wrong = is_single && !is_right(&outcome.hypotheses[0]);
+}
+
+/// Discordant flights of a report, and those of them whose spins were exchanged.
+fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
+    let exchanged = errors.exchanged_flights(case.flights, case.seed);
+    let exchanged: Vec<String> = exchanged.into_iter().map(file_name).collect();
+    let files = report.agreement.iter().flat_map(|a| &a.contradicting);
+    Discordant {
+        listed: files.clone().count(),
+        exchanged: files.filter(|file| exchanged.contains(file)).count(),
+    }
+}
+
+/// Seeded size / minimum detectable effect, the greatest over the coefficients. For an effect with states alone, which has
+/// no minimum detectable size: its z / the z that is found with power 0.9.
+fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
+    let effect = oracle::effect::by_name(name)?;
+    let coefficients = effect.coefficients.iter().zip(values);
+    let ratios = coefficients.filter_map(|(coefficient, value)| {
+        let mut detectable = report.smallest_detectable.iter();
+        let smallest =
+            detectable.find(|d| underscored(&d.name) == name && d.coefficient == *coefficient)?;
+        Some(value.abs() / smallest.value)
+    });
+    let greatest = ratios.fold(None, |greatest: Option<f64>, ratio| {
+        Some(greatest.map_or(ratio, |greatest| greatest.max(ratio)))
+    });
+    if greatest.is_some() || effect.states.is_empty() {
+        return greatest;
+    }
+    Some(z(report, name)? / (report.threshold.sigmas + POWER_QUANTILE))
+}
+
+/// Equivalent z of a candidate's score test.
+fn z(report: &Report, name: &str) -> Option<f64> {
+    let mut candidates = report.candidates.iter();
+    let candidate = candidates.find(|candidate| underscored(&candidate.name) == name)?;
+    Some(candidate.sigmas)
+}
+
+/// Reports write names of effects with hyphens, models with underscores.
+fn underscored(name: &str) -> String {
+    name.replace('-', "_")
+}
+
+fn least(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    }
+}

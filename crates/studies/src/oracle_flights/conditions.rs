@@ -1,0 +1,62 @@
+//! Throws, true coefficients and kinds of noise that the studies share.
+
+use identify::synthesize::Corruption;
+
+use super::dataset::Plan;
+use super::throws::Throws;
+
+/// True coefficients of the disc, SI: plausible, and different from the model's own, where a fit starts.
+pub const TRUTH: [(&str, f64); 8] = [
+    ("C_L0", 0.15),
+    ("C_La", 2.8),
+    ("C_D0", 0.10),
+    ("C_Da", 1.6),
+    ("C_Ma", -0.30),
+    ("C_Mq", -0.008),
+    ("C_Rr", -0.0006),
+    ("C_Nr", -5e-5),
+];
+
+/// Twelve throws of a disc with the coefficients [`TRUTH`], each observed for 1 s at 120 Hz.
+pub const TWELVE: Plan<'static> = Plan {
+    truth: &TRUTH,
+    throws: Throws::SPREAD,
+    flights: 12,
+    duration: (1.0, 1.0),
+    rate: 120.0,
+};
+
+/// A kind of noise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoiseCondition {
+    /// Its name in pages. It is part of the seeds of the discovery study: another name gives other datasets.
+    pub name: &'static str,
+    /// The noise of the marker positions.
+    pub noise: Corruption,
+}
+
+/// Kinds of noise, all of 1.5 mm: white; with a lag-1 correlation of 0.6; with 1 % of outliers of 5 cm; with both; with 12 %
+/// of the marker positions missing.
+pub fn noise_conditions() -> Vec<NoiseCondition> {
+    let white = Corruption {
+        sigma: 0.0015,
+        ar1: 0.0,
+        outliers: 0.0,
+        outlier_size: 0.05,
+        dropouts: 0.0,
+    };
+    let (ar1, outliers, dropouts) = (0.6, 0.01, 0.12);
+    let condition = |name, noise| NoiseCondition { name, noise };
+    let both = Corruption {
+        ar1,
+        outliers,
+        ..white
+    };
+    vec![
+        condition("white", white),
+        condition("AR(0.6)", Corruption { ar1, ..white }),
+        condition("1 % outliers", Corruption { outliers, ..white }),
+        condition("AR(0.6) and 1 % outliers", both),
+        condition("12 % dropouts", Corruption { dropouts, ..white }),
+    ]
+}

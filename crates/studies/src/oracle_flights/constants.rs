@@ -1,0 +1,52 @@
+//! A model's law of motion in the oracle, and values of its coefficients there.
+
+use model_spec::model::Model;
+use oracle::physical::Physical;
+use oracle::point::Point;
+use oracle::reference::Reference;
+
+/// The oracle's law of motion for a built-in model.
+///
+/// # Panics
+/// If the oracle has no law for the model.
+pub(crate) fn reference_of(model: &Model) -> Reference {
+    let bound = Reference::bind(model).expect("the model states its reference");
+    bound.expect("the model has the names of its reference")
+}
+
+/// Sets a coefficient by name; without effect if the model has none of that name.
+pub(crate) fn set_coefficient(model: &Model, constants: &mut Point<f64>, name: &str, value: f64) {
+    if let Some(index) = model.coefficients.iter().position(|c| c.name == name) {
+        constants.coefficients[index] = value;
+    }
+}
+
+/// Sets lift, drag and pitching moment of the disc so that the model's curves have the given coefficients at the angle
+/// of attack `alpha` (rad). The model's moment is a multiple of the angle: it stays 0 below `min_alpha`.
+pub(crate) fn set_curves(
+    model: &Model,
+    constants: &mut Point<f64>,
+    alpha: f64,
+    [lift, drag, moment]: [f64; 3],
+    min_alpha: f64,
+) {
+    let slope = match alpha.abs() > min_alpha {
+        true => moment / alpha,
+        false => 0.0,
+    };
+    for (name, value) in [
+        ("C_L0", lift),
+        ("C_La", 0.0),
+        ("C_D0", drag),
+        ("C_Da", 0.0),
+        ("C_Ma", slope),
+    ] {
+        set_coefficient(model, constants, name, value);
+    }
+}
+
+/// Angle of attack (rad) of a body in air that moves with `wind` (m/s, inertial).
+pub(crate) fn angle_of_attack(body: &Physical<f64>, wind: nalgebra::Vector3<f64>) -> f64 {
+    let airspeed = body.attitude.bring_back(body.velocity - wind);
+    (-airspeed.z).atan2(airspeed.x.hypot(airspeed.y))
+}

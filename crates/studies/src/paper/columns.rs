@@ -1,0 +1,77 @@
+//! Orders in which the lift and drag columns of Table 1 may have been printed.
+
+/// An order of the four lift and drag columns: `columns[i]` is the printed column that holds the `i`-th of C_L0, C_La, C_D0,
+/// C_Da.
+pub type Columns = [u8; 4];
+
+/// The printed order.
+pub(super) const PRINTED: Columns = [0, 1, 2, 3];
+
+/// All 24 orders, sorted.
+pub(super) fn orders() -> Vec<Columns> {
+    let mut orders = Vec::with_capacity(24);
+    for code in 0..256_u16 {
+        let order = [0, 2, 4, 6].map(|shift| (code >> shift & 3) as u8);
+        let mut sorted = order;
+        sorted.sort_unstable();
+        if sorted == PRINTED {
+            orders.push(order);
+        }
+    }
+    orders.sort_unstable();
+    orders
+}
+
+/// Least number of interchanges of two columns that make this order; each counts as one hypothesis.
+pub(super) fn interchanges(order: Columns) -> usize {
+    let mut order = order;
+    let mut count = 0;
+    for i in 0..4 {
+        while order[i] as usize != i {
+            let j = order[i] as usize;
+            order.swap(i, j);
+            count += 1;
+        }
+    }
+    count
+}
+
+/// What an order changes; `None` for the printed one. Two interchanged columns are written `C_L0 ↔ C_La`, a longer cycle
+/// `C_L0 from C_D0`.
+pub(super) fn describe(order: Columns) -> Option<String> {
+    let names = ["C_L0", "C_La", "C_D0", "C_Da"];
+    let mut changes = Vec::new();
+    for i in 0..4 {
+        let j = order[i] as usize;
+        let interchanged = order[j] as usize == i;
+        if j > i && interchanged {
+            changes.push(format!("{} ↔ {}", names[i], names[j]));
+        } else if j != i && !interchanged {
+            changes.push(format!("{} from {}", names[i], names[j]));
+        }
+    }
+    (!changes.is_empty()).then(|| changes.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_order_is_there_once() {
+        assert_eq!(orders().len(), 24);
+        assert_eq!(orders()[0], PRINTED);
+    }
+
+    #[test]
+    fn interchanges_are_counted() {
+        for (order, count) in [
+            ([0, 1, 2, 3], 0),
+            ([1, 0, 2, 3], 1),
+            ([1, 0, 3, 2], 2),
+            ([1, 2, 3, 0], 3),
+        ] {
+            assert_eq!(interchanges(order), count, "{order:?}");
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! Signs and units of Table 1 that a reading may assume, for both flights alike.
+
+/// What the coefficient of the rolling moment by spin multiplies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RollSpin {
+    /// Spin in rad/s, as printed.
+    RadPerSecond,
+    /// Spin in revolutions per second.
+    RevPerSecond,
+    /// Spin made dimensionless with √(d/g), as in Hummel's later program.
+    RootDOverG,
+    /// Advance ratio r d/(2 V).
+    SpinRatio,
+}
+
+/// Unit of the spin-down coefficient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SpinDown {
+    /// N m s, as printed.
+    NewtonMetreSecond,
+    /// N m per revolution per second.
+    PerRevPerSecond,
+    /// s, multiplied by ρ V² A d/2 as the other moments are.
+    TimesDynamicPressure,
+}
+
+/// Signs and units that a reading assumes for both flights.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Conventions {
+    /// The pitching moment by α̇ has the opposite sign.
+    pub pitch_damping_reversed: bool,
+    /// The rolling moment by ω·d1 has the opposite sign.
+    pub roll_damping_reversed: bool,
+    /// The rolling moment by spin has the opposite sign.
+    pub roll_spin_reversed: bool,
+    /// The spin-down moment has the opposite sign: a positive coefficient accelerates.
+    pub spin_down_reversed: bool,
+    /// What the coefficient of the rolling moment by spin multiplies.
+    pub roll_spin: RollSpin,
+    /// Unit of the spin-down coefficient.
+    pub spin_down: SpinDown,
+}
+
+impl Conventions {
+    /// As printed: M1 and M2 add `C_Mα̇` times the rates, and a positive C_Nr slows the spin.
+    pub const PRINTED: Self = Self {
+        pitch_damping_reversed: false,
+        roll_damping_reversed: false,
+        roll_spin_reversed: false,
+        spin_down_reversed: false,
+        roll_spin: RollSpin::RadPerSecond,
+        spin_down: SpinDown::NewtonMetreSecond,
+    };
+
+    /// All 192 combinations.
+    pub(super) fn all() -> Vec<Self> {
+        let mut all = Vec::new();
+        for signs in 0..16_u8 {
+            for roll_spin in [
+                RollSpin::RadPerSecond,
+                RollSpin::RevPerSecond,
+                RollSpin::RootDOverG,
+                RollSpin::SpinRatio,
+            ] {
+                for spin_down in [
+                    SpinDown::NewtonMetreSecond,
+                    SpinDown::PerRevPerSecond,
+                    SpinDown::TimesDynamicPressure,
+                ] {
+                    all.push(Self {
+                        pitch_damping_reversed: signs & 1 != 0,
+                        roll_damping_reversed: signs & 2 != 0,
+                        roll_spin_reversed: signs & 4 != 0,
+                        spin_down_reversed: signs & 8 != 0,
+                        roll_spin,
+                        spin_down,
+                    });
+                }
+            }
+        }
+        all
+    }
+
+    /// Descriptions of the hypotheses: of every departure from the print.
+    pub(super) fn hypotheses(&self) -> Vec<&'static str> {
+        let signs = [
+            (self.pitch_damping_reversed, "pitch damping reversed"),
+            (self.roll_damping_reversed, "roll damping reversed"),
+            (self.roll_spin_reversed, "rolling moment by spin reversed"),
+            (self.spin_down_reversed, "spin-down reversed"),
+        ];
+        let roll_spin = match self.roll_spin {
+            RollSpin::RadPerSecond => None,
+            RollSpin::RevPerSecond => Some("rolling moment per rev/s"),
+            RollSpin::RootDOverG => Some("rolling moment by spin × √(d/g)"),
+            RollSpin::SpinRatio => Some("rolling moment by spin × d/2V"),
+        };
+        let spin_down = match self.spin_down {
+            SpinDown::NewtonMetreSecond => None,
+            SpinDown::PerRevPerSecond => Some("C_Nr per rev/s"),
+            SpinDown::TimesDynamicPressure => Some("C_Nr in s, times ρV²Ad/2"),
+        };
+        let reversed = signs.into_iter().filter(|(is, _)| *is);
+        let reversed = reversed.map(|(_, description)| description);
+        reversed.chain(roll_spin).chain(spin_down).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_are_as_many_conventions_as_combinations() {
+        assert_eq!(Conventions::all().len(), 16 * 4 * 3);
+    }
+}

@@ -1,0 +1,54 @@
+//! Table 1 of the paper.
+
+use serde::Deserialize;
+
+/// Table 1 as printed: eight numbers for each flight, in the printed order of columns.
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct Table1 {
+    pub(super) fssh3: [f64; 8],
+    pub(super) bffl8: [f64; 8],
+}
+
+impl Table1 {
+    /// The built-in copy.
+    pub(super) fn printed() -> Self {
+        toml::from_str(include_str!("data/table1.toml")).expect("the built-in table is valid")
+    }
+}
+
+/// The model's coefficients in the order of the columns, and the sign that takes the printed value to the model's
+/// convention, in which negative `C_Mq` and `C_Nr` damp.
+const MODEL_COLUMNS: [(&str, f64); 8] = [
+    ("C_L0", 1.0),
+    ("C_La", 1.0),
+    ("C_D0", 1.0),
+    ("C_Da", 1.0),
+    ("C_Ma", 1.0),
+    ("C_Mq", -1.0),
+    ("C_Rr", 1.0),
+    ("C_Nr", -1.0),
+];
+
+/// A coefficient of the model `disc` as Table 1 has it for fssh3 and bffl8, SI, with the model's sign.
+pub(crate) fn printed_coefficient(name: &str) -> Option<[f64; 2]> {
+    let column = MODEL_COLUMNS.iter().position(|(of, _)| *of == name)?;
+    let table = Table1::printed();
+    let sign = MODEL_COLUMNS[column].1;
+    Some([table.fssh3, table.bffl8].map(|row| sign * row[column]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn damping_has_the_model_s_sign() {
+        assert_eq!(printed_coefficient("C_Mq"), Some([-0.029, -0.025]));
+        assert_eq!(
+            printed_coefficient("C_Nr"),
+            Some([-0.000_074, 0.000_000_25])
+        );
+        assert_eq!(printed_coefficient("C_Rr"), Some([0.012, -0.003]));
+        assert_eq!(printed_coefficient("C_X"), None);
+    }
+}

@@ -1,0 +1,62 @@
+//! One flight with seeded effects.
+
+use identify::dataset::{Flight, Role};
+use identify::synthesize::corrupt;
+use oracle::effect::World;
+use oracle::physical::Physical;
+use rand::SeedableRng;
+use rand_chacha::ChaCha12Rng;
+
+use super::effects::SeededEffects;
+use super::world::SeededWorld;
+use crate::oracle_flights::file_name;
+
+/// A place in a dataset, from which the random stream of a flight follows.
+#[derive(Clone, Copy)]
+pub(super) struct FlightPlace {
+    /// Seed of the dataset.
+    pub(super) seed: u64,
+    /// Index of the flight.
+    pub(super) index: usize,
+    /// Number of flights of the dataset.
+    pub(super) flights: usize,
+}
+
+/// Computes and observes a flight at `times` (s); `markers` are in the body frame, m. The random stream depends on the
+/// flight alone: the throws are the same whatever is seeded.
+pub(super) fn seeded_flight(
+    world: &World<f64>,
+    seeded: &SeededEffects,
+    place: FlightPlace,
+    start: Physical<f64>,
+    times: Vec<f64>,
+    markers: &[[f64; 3]],
+) -> Flight {
+    let FlightPlace {
+        seed,
+        index,
+        flights,
+    } = place;
+    let mut random = ChaCha12Rng::seed_from_u64(seed);
+    random.set_stream(1 + index as u64);
+    let world = SeededWorld::draw(world, seeded, &mut random);
+    let mut positions = world.observe(start, &times, markers);
+    if let Some(noise) = &seeded.noise {
+        corrupt(
+            &mut positions,
+            noise,
+            seed.wrapping_mul(1000) + index as u64,
+        );
+    }
+    let role = match index + seeded.held_out < flights {
+        true => Role::Fit,
+        false => Role::HeldOut,
+    };
+    Flight {
+        file: file_name(index),
+        role,
+        known: Default::default(),
+        positions,
+        times,
+    }
+}

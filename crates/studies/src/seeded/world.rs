@@ -1,0 +1,127 @@
+//! The oracle's law of motion with seeded effects, and the observation of a flight under it.
+
+use nalgebra::Vector3;
+use oracle::effect::{Acting, Scene, World, by_name};
+use oracle::physical::Physical;
+use rand::{Rng, RngExt};
+use rand_distr::StandardNormal;
+
+use super::effects::SeededEffects;
+use super::unlisted::{LAG, UnlistedEffect, unlisted};
+use crate::oracle_flights::{Derivatives, integrate_law};
+
+/// The world of one flight.
+pub(super) struct SeededWorld {
+    world: World<f64>,
+    unlisted: Vec<(&'static UnlistedEffect, f64)>,
+}
+
+impl SeededWorld {
+    /// Adds the seeded effects to a world, and draws the states that differ from flight to flight.
+    ///
+    /// # Panics
+    /// If an effect does not act on this body, or has another number of values.
+    pub(super) fn draw(world: &World<f64>, seeded: &SeededEffects, random: &mut impl Rng) -> Self {
+        let mut world = world.clone();
+        let listed = seeded.listed.iter();
+        world.effects = listed
+            .map(|(name, values)| drawn(name, values, random))
+            .collect();
+        for acting in &world.effects {
+            let name = acting.effect.name;
+            assert!(
+                acting.effect.laws.contains(&world.law),
+                "`{name}` does not act on this body"
+            );
+        }
+        let unlisted = seeded.unlisted.iter().map(|(name, size)| {
+            let found = unlisted(name).unwrap_or_else(|| panic!("there is no effect `{name}`"));
+            (found, *size)
+        });
+        Self {
+            unlisted: unlisted.collect(),
+            world,
+        }
+    }
+
+    /// Measured marker positions, m, `[sample][marker]`, at the times (s) that the measuring clock shows.
+    pub(super) fn observe(
+        &self,
+        start: Physical<f64>,
+        times: &[f64],
+        markers: &[[f64; 3]],
+    ) -> Vec<Vec<Option<[f64; 3]>>> {
+        let clock = self.world.clock();
+        let true_times: Vec<f64> = times.iter().map(|time| time * clock).collect();
+        let initial_lagged_alpha = self.scene(&start, 0.0).alpha();
+        let states = integrate_law(
+            &|body, time, lagged_alpha| self.derivatives(body, time, lagged_alpha),
+            start,
+            initial_lagged_alpha,
+            &true_times,
+        );
+        let observed = |body: &Physical<f64>| {
+            let each = markers.iter().enumerate().map(|(k, &marker)| {
+                let which = Vector3::from_fn(|axis, _| if axis == k { 1.0 } else { 0.0 });
+                Some(self.world.seen(body, marker.into(), which).into())
+            });
+            each.collect()
+        };
+        states.iter().map(observed).collect()
+    }
+
+    /// Accelerations, and the rate (rad/s) of the lagged angle of attack.
+    fn derivatives(&self, body: &Physical<f64>, time: f64, lagged_alpha: f64) -> Derivatives {
+        if self.unlisted.is_empty() {
+            return Derivatives {
+                motion: self.world.motion(body, time),
+                internal_rate: 0.0,
+            };
+        }
+        let mut world = self.world.clone();
+        for (effect, size) in &self.unlisted {
+            world.wind += effect.wind(*size, time);
+        }
+        let scene = self.scene(body, time);
+        let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        for (effect, size) in &self.unlisted {
+            let (f, m) = effect.load(*size, &scene, lagged_alpha);
+            force += f;
+            moment += m;
+        }
+        Derivatives {
+            motion: world.motion_with(body, time, force, moment),
+            internal_rate: (scene.alpha() - lagged_alpha) / LAG,
+        }
+    }
+
+    /// The flow about the body without the unlisted wind.
+    fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Scene<'s, f64> {
+        let world = &self.world;
+        Scene::new(
+            world.law,
+            &world.constants,
+            body,
+            world.wind,
+            time,
+            world.omega,
+        )
+    }
+}
+
+/// An effect of the catalogue in one flight: its coefficients, and states drawn with their standard deviations.
+fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> Acting<f64> {
+    let effect = by_name(name).unwrap_or_else(|| panic!("the oracle has no effect `{name}`"));
+    assert_eq!(values.len(), effect.values(), "values of `{name}`");
+    let each = values.iter().enumerate().map(|(k, &value)| {
+        if k < effect.coefficients.len() {
+            return value;
+        }
+        let normal: f64 = random.sample(StandardNormal);
+        value * normal
+    });
+    Acting {
+        effect,
+        values: each.collect(),
+    }
+}
