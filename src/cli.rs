@@ -21,8 +21,10 @@ pub enum Command {
         after_help = "Example:\n  hyzer check disc ball\n  hyzer check disc_appendix_printed     # refused, and told why"
     )]
     Check(Check),
-    /// Write the models as Rust into crates/generated; run it inside the repository
-    #[command(after_help = "Example:\n  hyzer generate --check")]
+    /// Compile models to source code: into a folder of your own, or, inside the repository, into crates/generated
+    #[command(
+        after_help = "Examples:\n  hyzer generate models/kite.hyz disc --out src/models\n  hyzer generate disc --with wind_gradient --out src/models --check\n  hyzer generate --check                # crates/generated\n\nEach model becomes one Rust module over f64 that needs no other crate: `mod kite;`. With --lanes it is generic over\nlanes::Real, for SIMD. Build scripts can call the crate hyzer-build instead."
+    )]
     Generate(Generate),
     /// Verify models by every independent check, against their oracle
     #[command(
@@ -75,12 +77,36 @@ pub struct Check {
 /// `hyzer generate`.
 #[derive(Args)]
 pub struct Generate {
-    /// Change nothing; fail with the differences where the committed code is stale
+    /// Models: names or paths; without any, the models of the repository go into its crates/generated
+    #[arg(value_name = "MODEL", requires = "out")]
+    pub models: Vec<String>,
+    /// Folder for the code, one module per model
+    #[arg(long, value_name = "DIR", requires = "models")]
+    pub out: Option<PathBuf>,
+    /// Switch an effect on in all the models, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT", requires = "out")]
+    pub with: Vec<String>,
+    /// Generic over lanes::Real instead of f64: short for --backend rust-lanes
+    #[arg(long, requires = "out", conflicts_with = "backend")]
+    pub lanes: bool,
+    /// Kind of code
+    #[arg(long, value_name = "NAME", default_value = "rust", requires = "out", value_parser = backends())]
+    pub backend: String,
+    /// Change nothing; print the differences and fail where the code is stale
     #[arg(long)]
     pub check: bool,
     /// The repository, by default the one around the current folder
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", conflicts_with = "out")]
     pub root: Option<PathBuf>,
+}
+
+/// The registered backends, each with its description.
+fn backends() -> clap::builder::PossibleValuesParser {
+    let backends = codegen::backend::BACKENDS.iter();
+    let values = backends.map(|backend| {
+        clap::builder::PossibleValue::new(backend.name()).help(backend.description())
+    });
+    clap::builder::PossibleValuesParser::new(values)
 }
 
 /// `hyzer verify`.

@@ -1,22 +1,68 @@
-//! `hyzer generate`: the models as Rust, in `crates/generated`.
+//! `hyzer generate`: models as source code, in a folder of the user or in `crates/generated`.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
-use codegen::generate;
+use codegen::backend::{self, Backend, SourceFile};
+use codegen::generate::{self, Difference};
 use model_spec::load;
 use model_spec::model::Model;
 
 use crate::cli::Generate;
 use crate::{Answer, output};
 
-/// Where the generated sources are, below the repository.
+/// The generated sources, below the root of the repository.
 const SOURCES: &str = "crates/generated/src";
-/// Where the models are, below the repository.
+/// The models, below the root of the repository.
 const MODELS: &str = "model-spec/models";
 
-/// Writes what differs; with `--check` shows it instead, and the answer is no where there is any.
+/// Writes the files that differ; with `--check` prints the differences, and answers no if there are any.
 pub fn run(options: &Generate) -> anyhow::Result<Answer> {
+    match &options.out {
+        Some(out) => generate_modules(options, out),
+        None => generate_crate(options),
+    }
+}
+
+/// One module per model, in the folder `--out`.
+fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
+    let files = modules(options)?;
+    let folder = out.display().to_string();
+    if options.check {
+        let differences =
+            generate::check_files(out, &files).with_context(|| format!("cannot read {folder}"))?;
+        return report(&differences, &folder, options.models.len());
+    }
+    let changed =
+        generate::write_files(out, &files).with_context(|| format!("cannot write {folder}"))?;
+    list(&changed, &folder, options.models.len())
+}
+
+fn modules(options: &Generate) -> anyhow::Result<Vec<SourceFile>> {
+    let backend = match options.lanes {
+        true => &codegen::rust::LanesRust as &dyn Backend,
+        false => backend::backend(&options.backend)
+            .with_context(|| format!("no backend is called {}", options.backend))?,
+    };
+    let effects: Vec<&str> = options.with.iter().map(String::as_str).collect();
+    let mut files: Vec<SourceFile> = Vec::new();
+    for name in &options.models {
+        let model = load::load(name, &effects)?;
+        for file in generate::generate_with(backend, &[model]) {
+            if files.iter().any(|other| other.path == file.path) {
+                bail!(
+                    "two models would be written to {}: rename one of them",
+                    file.path
+                );
+            }
+            files.push(file);
+        }
+    }
+    Ok(files)
+}
+
+/// The crate `generated` of the repository.
+fn generate_crate(options: &Generate) -> anyhow::Result<Answer> {
     let root = match &options.root {
         Some(root) => root.clone(),
         None => repository()?,
@@ -26,29 +72,35 @@ pub fn run(options: &Generate) -> anyhow::Result<Answer> {
     if options.check {
         let differences = generate::check(&sources, &models)
             .with_context(|| format!("cannot read {}", sources.display()))?;
-        for difference in &differences {
-            output::print(difference.to_string())?;
-        }
-        if differences.is_empty() {
-            eprintln!("{} models, and {SOURCES} is what they say", models.len());
-            return Ok(Answer::Yes);
-        }
-        eprintln!(
-            "{} files of {SOURCES} are stale; run `hyzer generate`",
-            differences.len()
-        );
-        return Ok(Answer::No);
+        return report(&differences, SOURCES, models.len());
     }
     let changed = generate::write(&sources, &models)
         .with_context(|| format!("cannot write {}", sources.display()))?;
-    for path in &changed {
-        output::print(format!("{SOURCES}/{path}\n"))?;
+    list(&changed, SOURCES, models.len())
+}
+
+fn report(differences: &[Difference], folder: &str, models: usize) -> anyhow::Result<Answer> {
+    for difference in differences {
+        output::print(difference.to_string())?;
     }
-    eprintln!("{} models, {} files changed", models.len(), changed.len());
+    if differences.is_empty() {
+        eprintln!("{models} models; {folder} is up to date");
+        return Ok(Answer::Yes);
+    }
+    let count = differences.len();
+    eprintln!("{count} files of {folder} are stale; run `hyzer generate` without --check");
+    Ok(Answer::No)
+}
+
+fn list(changed: &[String], folder: &str, models: usize) -> anyhow::Result<Answer> {
+    for path in changed {
+        output::print(format!("{folder}/{path}\n"))?;
+    }
+    eprintln!("{models} models, {} files changed", changed.len());
     Ok(Answer::Yes)
 }
 
-/// The repository around the current folder.
+/// The repository that contains the current folder.
 fn repository() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir()?;
     match here
@@ -57,13 +109,13 @@ fn repository() -> anyhow::Result<PathBuf> {
     {
         Some(root) => Ok(root.to_path_buf()),
         None => bail!(
-            "found no {MODELS} and {SOURCES} in {} or above it; generate works inside the repository, or give --root DIR",
+            "found no {MODELS} and {SOURCES} in {} or above it; give models and --out DIR, or --root DIR",
             here.display()
         ),
     }
 }
 
-/// The models of the repository as they are now, not as they were built into the program.
+/// The models in the repository, which may differ from those built into the program.
 fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
     let entries =
         std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
@@ -84,7 +136,7 @@ fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
             .into_owned();
         let text =
             std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        // By its bare name: the place of the repository must not reach the generated text.
+        // By file name: the location of the repository must not appear in the generated text.
         let text = load::decode(&name, text)?;
         models.push(load::from_text(&name, &text, &[])?);
     }

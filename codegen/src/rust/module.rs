@@ -13,7 +13,7 @@ use quote::quote;
 /// The file `NAME.rs`.
 pub(super) fn file(model: &Model, compiled: &Compiled, scalar: Scalar) -> SourceFile {
     let attributes = quote! {
-        #[allow(dead_code, non_snake_case, uncommon_codepoints, confusable_idents, clippy::all, clippy::pedantic)]
+        #[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic)]
     };
     let constants = constants::items(model, compiled, &quote!(#[allow(dead_code)]));
     let functions = compiled

@@ -70,7 +70,11 @@ pub(super) fn file(header: &[impl AsRef<str>], tokens: TokenStream) -> String {
         text.push_str(format!("// {line}").trim_end());
         text.push('\n');
     }
-    text.push_str(&finish(&prettyplease::unparse(&file)));
+    let printed = finish(&prettyplease::unparse(&file));
+    if !printed.starts_with("//!") {
+        text.push('\n');
+    }
+    text.push_str(&printed);
     text
 }
 
