@@ -4,11 +4,10 @@ use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, anyhow, bail};
-use flight::CompiledModel;
 use flight::release::{BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_file};
-use flight::trajectory_csv;
+use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::model::Model;
-use ode::{Event, IntegrationOptions, Trajectory, integrate, integrate_to_event};
+use ode::{IntegrationOptions, Trajectory};
 use report::figures::{StateLabel, flight as picture};
 
 use super::number;
@@ -31,7 +30,8 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     check_numbers(options)?;
     let (model, release) = prepare(options)?;
     let body = CompiledModel::new(&model);
-    let flight = flown(&body, &release, options)?;
+    let settings = IntegrationOptions::with_tolerance(options.tolerance);
+    let flight = simulate(&body, &release, &settings)?;
     output::print(summary(&model, &body, &flight))?;
     if let Some(folder) = &options.out {
         write(folder, &model, &release, &flight, options)?;
@@ -83,12 +83,12 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         None => {}
         Some("ground") => release.stop = Stop::Ground,
         Some(seconds) => match number("--until", seconds)? {
-            duration if duration > 0.0 && duration <= Release::LONGEST => {
+            duration if duration > 0.0 && duration <= Release::MAX_DURATION => {
                 release.stop = Stop::Duration(duration)
             }
             other => bail!(
                 "--until: found {other}, expected 0 to {} s, or ground",
-                Release::LONGEST
+                Release::MAX_DURATION
             ),
         },
     }
@@ -153,36 +153,6 @@ pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::
         }
     }
     Ok(())
-}
-
-fn flown(
-    body: &CompiledModel,
-    release: &Release,
-    options: &Simulate,
-) -> anyhow::Result<Trajectory> {
-    let layout = body.layout();
-    let conditions = body.bind(body.release_parameters(release));
-    let start: Box<[f64]> = release.state().into();
-    let mut events = conditions.limits();
-    if let Some(z) = layout.state("z").map(|z| z.index()) {
-        events.push(Event::peak_of("apex", z));
-        if release.stop == Stop::Ground {
-            events.push(Event::falls_to("ground", z, 0.0).terminal());
-        }
-    }
-    let settings = IntegrationOptions::with_tolerance(options.tolerance);
-    let mut motion = conditions.rhs();
-    let flight = match release.stop {
-        Stop::Duration(end) => integrate(&mut motion, (0.0, &start), end, &settings, &mut events),
-        Stop::Ground => integrate_to_event(
-            &mut motion,
-            (0.0, &start),
-            Release::LONGEST,
-            &settings,
-            &mut events,
-        ),
-    };
-    Ok(flight?)
 }
 
 fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {

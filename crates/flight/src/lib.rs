@@ -9,6 +9,7 @@ mod functions;
 mod observer;
 pub mod release;
 mod rhs;
+mod simulate;
 mod trajectory_csv;
 
 pub use bound_model::BoundModel;
@@ -16,4 +17,5 @@ pub use compiled_model::{CompiledModel, ModelState};
 pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace};
 pub use observer::{ModelObserver, ObservationJacobians};
 pub use rhs::{DifferentiableModelRhs, ModelRhs};
+pub use simulate::simulate;
 pub use trajectory_csv::{trajectory_csv, write_atomic};

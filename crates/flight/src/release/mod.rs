@@ -35,12 +35,29 @@ pub enum Stop {
 }
 
 impl Release {
-    /// Longest time, s, for which a flight to the ground is followed.
-    pub const LONGEST: f64 = 600.0;
+    /// Maximum duration of a release and of a flight to the ground, s.
+    pub const MAX_DURATION: f64 = 600.0;
 
     /// The states alone, in the model's order.
     pub fn state(&self) -> Vec<f64> {
         self.initial.iter().map(|(_, value)| *value).collect()
+    }
+
+    /// The release with another value (SI) of an initial state; a name that is not a state is ignored.
+    pub fn with_initial(mut self, state: &str, value: f64) -> Release {
+        let states = self.initial.iter_mut();
+        for (_, initial) in states.filter(|(name, _)| name == state) {
+            *initial = value;
+        }
+        self
+    }
+
+    /// The release with a value (SI) of a parameter or coefficient, in place of the model's default.
+    pub fn with_coefficient(mut self, name: &str, value: f64) -> Release {
+        self.parameters.retain(|(known, _)| known != name);
+        self.coefficients.retain(|(known, _)| known != name);
+        self.coefficients.push((name.to_owned(), value));
+        self
     }
 
     /// The model's constants with this release's values put in: `defaults` by name, in their order.

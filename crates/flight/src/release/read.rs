@@ -177,12 +177,12 @@ impl<'t> Reader<'t> {
             }
             (Some(value), None) => {
                 let duration = self.number(value, "duration")?;
-                if !(duration > 0.0 && duration <= Release::LONGEST) {
+                if !(duration > 0.0 && duration <= Release::MAX_DURATION) {
                     self.fault(
                         value.span(),
                         format!(
                             "duration is {duration}; expected a time above 0 s and up to {} s",
-                            Release::LONGEST
+                            Release::MAX_DURATION
                         ),
                     );
                 }

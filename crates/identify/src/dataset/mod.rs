@@ -7,6 +7,7 @@ mod c3d;
 mod fields;
 mod file;
 mod header;
+mod in_memory;
 mod manifest;
 mod names;
 mod number;

@@ -10,7 +10,7 @@ use crate::noise::median;
 /// Farthest coordinate, m.
 const FARTHEST: f64 = 1e4;
 /// Longest flight, s: as long as the program itself follows one.
-const LONGEST: f64 = flight::release::Release::LONGEST;
+const LONGEST: f64 = flight::release::Release::MAX_DURATION;
 /// Greatest speed over half of a flight, m/s.
 const FASTEST: f64 = 1e3;
 /// Two markers farther apart than so many times what is declared, and than `WIDEST` m, are not in metres.

@@ -102,7 +102,7 @@ impl Maker<'_> {
         let landed = integrate_to_end(
             &mut conditions.rhs(),
             (0.0, &state.into()),
-            watched.unwrap_or(Release::LONGEST),
+            watched.unwrap_or(Release::MAX_DURATION),
             &IntegrationOptions::with_tolerance(TOLERANCE),
             &mut events,
         );

@@ -215,9 +215,9 @@ fn check(model: &Model, releases: &[Release], plan: &Plan) -> Result<(), Synthes
         ));
     }
     if let Some(duration) = plan.duration
-        && !(duration > 0.0 && duration <= Release::LONGEST)
+        && !(duration > 0.0 && duration <= Release::MAX_DURATION)
     {
-        let most = Release::LONGEST;
+        let most = Release::MAX_DURATION;
         return refuse(format!(
             "duration: found {duration}, expected above 0 and up to {most} s"
         ));

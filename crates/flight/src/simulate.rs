@@ -1,0 +1,47 @@
+//! Simulation of a release.
+
+use crate::compiled_model::CompiledModel;
+use crate::release::{Release, Stop};
+use ode::{Event, IntegrationError, IntegrationOptions, Trajectory, integrate, integrate_to_event};
+
+/// Integrates a release of the model to its end. The apex and the ground (height `z` falls to 0) are recorded as
+/// events `apex` and `ground`.
+///
+/// # Errors
+/// [`IntegrationError`], also where a limit of validity is reached, or the ground is not reached within
+/// [`Release::MAX_DURATION`].
+///
+/// ```
+/// use flight::release::{Release, Vocabulary, built_in, read};
+/// use flight::{CompiledModel, simulate};
+///
+/// let model = model_spec::load::load("disc", &[])?;
+/// let text = built_in("backhand").expect("a built-in release");
+/// let release = read("backhand", text, |_| Ok(Vocabulary::of(&model)))?;
+/// let flight = simulate(&CompiledModel::new(&model), &release, &Default::default())?;
+/// assert_eq!(flight.events[0].event, "apex");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn simulate(
+    model: &CompiledModel,
+    release: &Release,
+    options: &IntegrationOptions,
+) -> Result<Trajectory, IntegrationError> {
+    let bound = model.bind(model.release_parameters(release));
+    let mut events = bound.limits();
+    if let Some(z) = model.layout().state("z") {
+        events.push(Event::peak_of("apex", z.index()));
+        if release.stop == Stop::Ground {
+            events.push(Event::falls_to("ground", z.index(), 0.0).terminal());
+        }
+    }
+    let (mut rhs, initial) = (bound.rhs(), release.state().into());
+    let start = (0.0, &initial);
+    match release.stop {
+        Stop::Duration(duration) => integrate(&mut rhs, start, duration, options, &mut events),
+        Stop::Ground => {
+            let t_end = Release::MAX_DURATION;
+            integrate_to_event(&mut rhs, start, t_end, options, &mut events)
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Checks of a dataset that was built in memory.
+
+use std::path::{Path, PathBuf};
+
+use super::{Dataset, assemble, manifest, manifest_text, table, table_text};
+use crate::input_error::InputError;
+
+impl Dataset {
+    /// Runs all checks of dataset files on this dataset: names, units (a position in millimetres), increasing times,
+    /// finite values.
+    ///
+    /// # Errors
+    /// The first fault found; its line and column refer to the files that [`write`](fn@super::write) would write.
+    pub fn validate(&self) -> Result<(), InputError> {
+        let file = Path::new("dataset.toml");
+        let manifest = manifest::parse(file, &manifest_text(self))?;
+        let mut flights = self.flights.iter();
+        let read = assemble(manifest, |entry, markers| {
+            let path = PathBuf::from(&entry.file);
+            let names: Vec<&str> = markers.iter().map(|marker| &*marker.name).collect();
+            let text = flights.next().map(|flight| table_text(flight, markers));
+            table::parse(&path, &text.unwrap_or_default(), &names).map(|table| (path, table))
+        })?;
+        if read == *self {
+            return Ok(());
+        }
+        let found = "a time or position that is not finite, or rows of different lengths";
+        Err(InputError::of_file(
+            file,
+            found,
+            "finite samples of every marker",
+        ))
+    }
+}

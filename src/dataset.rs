@@ -1,0 +1,106 @@
+//! Datasets built in memory.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use identify::dataset::{Dataset, Flight, KnownValue, Marker, Role};
+
+use crate::Error;
+
+/// Builder of a dataset in memory.
+///
+/// ```
+/// use hyzer::{DatasetBuilder, Role};
+///
+/// let times = vec![0.0, 0.01, 0.02];
+/// let positions = times.iter().map(|t| vec![Some([12.0 * t, 0.0, 1.5])]).collect();
+/// let dataset = DatasetBuilder::new("disc")
+///     .parameter("m", 0.175)
+///     .marker("m1", [0.1, 0.0, 0.01])
+///     .flight("throw 1", Role::Fit, times, positions)
+///     .build()?;
+/// assert_eq!(dataset.flights[0].measurements(), 9);
+/// # Ok::<(), hyzer::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct DatasetBuilder {
+    dataset: Dataset,
+}
+
+impl DatasetBuilder {
+    /// Dataset without flights of the named model.
+    pub fn new(model: &str) -> DatasetBuilder {
+        DatasetBuilder {
+            dataset: Dataset {
+                model: model.to_owned(),
+                parameters: BTreeMap::new(),
+                markers: Vec::new(),
+                sigma: None,
+                flights: Vec::new(),
+            },
+        }
+    }
+
+    /// Sets a known parameter of the body or its environment (SI), in place of the model's default.
+    pub fn parameter(mut self, name: &str, value: f64) -> Self {
+        self.dataset.parameters.insert(name.to_owned(), value);
+        self
+    }
+
+    /// Adds a marker by its name and its position in the body frame, m.
+    pub fn marker(mut self, name: &str, position: [f64; 3]) -> Self {
+        let name = name.to_owned();
+        self.dataset.markers.push(Marker { name, position });
+        self
+    }
+
+    /// Sets the standard deviation of one measured coordinate, m; it is estimated where not set.
+    pub fn sigma(mut self, sigma: f64) -> Self {
+        self.dataset.sigma = Some(sigma);
+        self
+    }
+
+    /// Adds a flight: its name (unique in the dataset), its role, the times of its samples (s, increasing), and the
+    /// positions `[sample][marker]` in the inertial frame (m, z up), `None` where a marker was not measured.
+    pub fn flight(
+        mut self,
+        name: &str,
+        role: Role,
+        times: Vec<f64>,
+        positions: Vec<Vec<Option<[f64; 3]>>>,
+    ) -> Self {
+        self.dataset.flights.push(Flight {
+            file: name.to_owned(),
+            role,
+            known: BTreeMap::new(),
+            times,
+            positions,
+        });
+        self
+    }
+
+    /// Sets a quantity of the last flight that was measured by other means, by the model's name for it.
+    pub fn known(mut self, name: &str, value: KnownValue) -> Self {
+        if let Some(flight) = self.dataset.flights.last_mut() {
+            flight.known.insert(name.to_owned(), value);
+        }
+        self
+    }
+
+    /// The dataset, after the checks that a dataset read from files passes.
+    ///
+    /// # Errors
+    /// [`Error::Dataset`].
+    pub fn build(self) -> Result<Dataset, Error> {
+        self.dataset.validate()?;
+        Ok(self.dataset)
+    }
+}
+
+/// Reads a dataset: a folder with `dataset.toml` and a table or C3D file per flight.
+///
+/// # Errors
+/// [`Error::Dataset`].
+pub fn read_dataset(folder: impl AsRef<Path>) -> Result<Dataset, Error> {
+    Ok(identify::dataset::load(folder.as_ref())?)
+}

@@ -1,0 +1,47 @@
+//! Errors of the library.
+
+use diagnose::diagnosis::DiagnosisError;
+use flight::release::ReleaseError;
+use identify::{FitError, InputError};
+use model_spec::LoadError;
+use ode::IntegrationError;
+
+/// Error of any operation of the library, by the operation that failed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A model or an effect cannot be loaded: a missing file, an unknown name, or faults in a text.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// A release file has faults.
+    #[error(transparent)]
+    Release(#[from] ReleaseError),
+    /// A trajectory cannot be computed.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// A dataset has faults.
+    #[error(transparent)]
+    Dataset(#[from] InputError),
+    /// A model cannot be fitted to a dataset.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// A dataset cannot be diagnosed.
+    #[error(transparent)]
+    Diagnosis(#[from] DiagnosisError),
+    /// There is no built-in release of this name.
+    #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
+    UnknownRelease {
+        /// The name as given.
+        name: String,
+        /// Names of the built-in releases.
+        known: Vec<&'static str>,
+    },
+    /// A release sets a name that the model does not have.
+    #[error("the model {model} has no state, parameter or coefficient {name:?}")]
+    UnknownName {
+        /// Name of the model.
+        model: String,
+        /// The name as given.
+        name: String,
+    },
+}

@@ -1,0 +1,50 @@
+//! Flight models with exact derivatives, fitted to motion capture and diagnosed for missing effects.
+//!
+//! A [`Model`] is loaded by name, path or text, with built-in effects or effects of your own. It flies a [`Release`];
+//! a [`Flight`] gives states and marker positions at any time. A [`Dataset`] is read from files ([`read_dataset`]) or
+//! built in memory ([`DatasetBuilder`]). [`fit`] estimates the model's coefficients from it, with their standard errors;
+//! [`diagnose`] tests which effects the model lacks. All operations fail with an [`Error`].
+//!
+//! ```
+#![doc = include_str!("../examples/library.rs")]
+//! ```
+//!
+//! Progress, cancellation and the number of threads are the caller's: see [`FitOptions`]. Results do not depend on the
+//! number of threads.
+//!
+//! The program `hyzer` is behind the feature `cli`, on by default; a library user turns it off with
+//! `default-features = false`.
+
+#![forbid(unsafe_code)]
+
+mod dataset;
+mod diagnosis;
+mod error;
+mod fit;
+mod flight;
+mod model;
+
+pub use error::Error;
+
+// Models and their flights.
+pub use ::flight::release::{Release, Stop as StopCondition};
+pub use flight::Flight;
+pub use model::Model;
+pub use ode::{IntegrationOptions, Trajectory};
+
+// Datasets.
+pub use dataset::{DatasetBuilder, read_dataset};
+pub use identify::dataset::{Dataset, Flight as MeasuredFlight, KnownValue, Marker, Role};
+
+// Fits.
+pub use fit::{Estimate, Fit, fit};
+pub use identify::{FitOptions, FitReport, Prior, Stop, Watch};
+
+// Diagnoses.
+pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};
+
+/// The crates behind this one, for what it does not offer itself.
+pub mod crates {
+    pub use ::flight;
+    pub use {codegen, diagnose, identify, model_spec, ode};
+}

@@ -1,0 +1,164 @@
+//! Models with effects.
+
+use std::sync::{Arc, OnceLock};
+
+use flight::CompiledModel;
+use flight::release::{self, Release, Vocabulary};
+use model_spec::compose::{EffectTree, ModelTree};
+use ode::IntegrationOptions;
+
+use crate::{Error, Flight};
+
+/// Checked model of a flying body, with the effects applied to it.
+///
+/// ```
+/// # fn main() -> Result<(), hyzer::Error> {
+/// let disc = hyzer::Model::load("disc")?.with_effect("zero-lift-drag-angle")?;
+/// assert!(disc.coefficients().any(|(name, _)| name == "C_La"));
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone)]
+pub struct Model {
+    tree: ModelTree,
+    checked: model_spec::model::Model,
+    compiled: Arc<OnceLock<CompiledModel>>,
+}
+
+impl Model {
+    /// Loads a model by path, or a built-in one by name: `disc`, `disc_quaternion`, `discus`, `ball`.
+    ///
+    /// # Errors
+    /// [`Error::Load`].
+    pub fn load(name_or_path: &str) -> Result<Model, Error> {
+        Model::check(ModelTree::load(name_or_path)?)
+    }
+
+    /// Parses the text of a model; `name` is the file name in error messages.
+    ///
+    /// # Errors
+    /// [`Error::Load`].
+    pub fn parse(name: &str, text: &str) -> Result<Model, Error> {
+        Model::check(ModelTree::parse(name, text)?)
+    }
+
+    /// The model with an effect: one of the model's own file or a built-in one by name, or a file by path.
+    ///
+    /// # Errors
+    /// [`Error::Load`].
+    pub fn with_effect(&self, name_or_path: &str) -> Result<Model, Error> {
+        let effect = self.tree.find_effect(name_or_path)?;
+        Model::check(self.tree.with(&effect)?)
+    }
+
+    /// The model with an effect given by its text, `effect NAME { … }`.
+    ///
+    /// # Errors
+    /// [`Error::Load`].
+    pub fn with_effect_text(&self, text: &str) -> Result<Model, Error> {
+        let effect = EffectTree::parse("effect", text)?;
+        Model::check(self.tree.with(&effect)?)
+    }
+
+    fn check(tree: ModelTree) -> Result<Model, Error> {
+        Ok(Model {
+            checked: tree.check()?,
+            tree,
+            compiled: Arc::default(),
+        })
+    }
+
+    /// Name of the model.
+    pub fn name(&self) -> &str {
+        &self.checked.name
+    }
+
+    /// Names of the states, in the order of the state vector.
+    pub fn states(&self) -> impl Iterator<Item = &str> {
+        self.checked.states.iter().map(|state| &*state.name)
+    }
+
+    /// Names and default values (SI) of the coefficients, those of the effects included.
+    pub fn coefficients(&self) -> impl Iterator<Item = (&str, f64)> {
+        let coefficients = self.checked.coefficients.iter();
+        coefficients.map(|coefficient| (&*coefficient.name, coefficient.value))
+    }
+
+    /// The model as text, its effects written into its statements.
+    pub fn text(&self) -> String {
+        self.tree.to_text("")
+    }
+
+    /// The checked model, for the compiler and other crates of the workspace.
+    pub fn checked(&self) -> &model_spec::model::Model {
+        &self.checked
+    }
+
+    /// The compiled model, for evaluations of its functions; compiled at the first call.
+    pub fn compiled(&self) -> &CompiledModel {
+        self.compiled
+            .get_or_init(|| CompiledModel::new(&self.checked))
+    }
+
+    /// A built-in release of this model by its name, such as `backhand`.
+    ///
+    /// # Errors
+    /// [`Error::UnknownRelease`], or [`Error::Release`] where the release is of a model with other states.
+    pub fn release(&self, name: &str) -> Result<Release, Error> {
+        let text = release::built_in(name).ok_or_else(|| Error::UnknownRelease {
+            name: name.to_owned(),
+            known: release::BUILT_IN.iter().map(|(name, _)| *name).collect(),
+        })?;
+        self.parse_release(name, text)
+    }
+
+    /// A release of this model from the text of a release file (TOML); the model it names is ignored. `name` is the
+    /// file name in error messages.
+    ///
+    /// # Errors
+    /// [`Error::Release`].
+    pub fn parse_release(&self, name: &str, text: &str) -> Result<Release, Error> {
+        let vocabulary = Vocabulary::of(&self.checked);
+        Ok(release::read(name, text, |_| Ok(vocabulary))?)
+    }
+
+    /// Simulates a release with relative and absolute tolerances of 1e-9.
+    ///
+    /// # Errors
+    /// [`Error::Integration`].
+    pub fn fly(&self, release: &Release) -> Result<Flight, Error> {
+        self.fly_with(release, &IntegrationOptions::with_tolerance(1e-9))
+    }
+
+    /// Simulates a release with the given tolerances.
+    ///
+    /// # Errors
+    /// [`Error::UnknownName`] for a parameter or coefficient that the model does not have; [`Error::Integration`].
+    pub fn fly_with(
+        &self,
+        release: &Release,
+        options: &IntegrationOptions,
+    ) -> Result<Flight, Error> {
+        let compiled = self.compiled();
+        for (name, _) in release.parameters.iter().chain(&release.coefficients) {
+            if compiled.layout().parameter(name).is_none() {
+                return Err(Error::UnknownName {
+                    model: self.name().to_owned(),
+                    name: name.clone(),
+                });
+            }
+        }
+        let trajectory = flight::simulate(compiled, release, options)?;
+        Ok(Flight::new(self.clone(), release, trajectory))
+    }
+}
+
+impl std::fmt::Debug for Model {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let effects = self.checked.effects.iter().map(|effect| &*effect.name);
+        f.debug_struct("Model")
+            .field("name", &self.checked.name)
+            .field("effects", &effects.collect::<Vec<_>>())
+            .finish_non_exhaustive()
+    }
+}
