@@ -1,16 +1,16 @@
-//! A compiled model on tapes, for `f64`: changed models and candidate effects run without a compiler.
+//! All functions of a model on tapes, evaluated for `f64`: models compiled at run time need no Rust compiler.
 
 use crate::compile::Compiled;
 use crate::program::{Function, Section};
 use crate::tape::{Inputs, Tape};
 use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 
-/// A function on a tape, with the places of its results.
+/// Tape of one function, with the layout of its results.
 #[derive(Clone, Debug)]
 pub struct TapeFunction {
-    /// The instructions.
+    /// Instructions of the function.
     pub tape: Tape,
-    /// What the results are, section by section.
+    /// Sections of the results, in order; each is one output array.
     pub sections: Vec<Section>,
 }
 
@@ -22,7 +22,7 @@ impl TapeFunction {
         }
     }
 
-    /// How many numbers each section holds.
+    /// Length of each output array.
     pub fn lens(&self) -> Vec<usize> {
         self.sections.iter().map(|section| section.len).collect()
     }
@@ -35,57 +35,57 @@ impl TapeFunction {
     }
 }
 
-/// Space that evaluations use again and again.
+/// Reusable buffers of evaluations: registers and results. Any tape can use any scratch space.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     registers: Vec<f64>,
     out: Vec<f64>,
 }
 
-/// All functions of a model on tapes.
+/// The functions of a model as tapes.
 #[derive(Clone, Debug)]
 pub struct TapeModel {
-    /// The model's name.
+    /// Name of the model.
     pub name: String,
-    /// How many states there are.
+    /// Number of states.
     pub states: usize,
-    /// How many parameters.
+    /// Number of parameters: constants, coefficients, components of inputs.
     pub parameters: usize,
-    /// How many constants `prepare` computes.
+    /// Number of invariants that `prepare` computes.
     pub prepared: usize,
-    /// `prepare`.
+    /// Invariants of a flight, from the parameters.
     pub prepare: TapeFunction,
-    /// `f`.
+    /// Time derivatives of the states, `dx`.
     pub f: TapeFunction,
-    /// `f_jac`.
+    /// `dx` and its state Jacobian `j`.
     pub f_jac: TapeFunction,
-    /// `f_jac_par`.
+    /// `dx`, its state Jacobian `j` and its parameter Jacobian `jp`.
     pub f_jac_par: TapeFunction,
-    /// `observe`.
+    /// Position of a marker in the inertial frame, `y`.
     pub observe: TapeFunction,
-    /// `observe_jac`.
+    /// `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
     pub observe_jac: TapeFunction,
-    /// `quantities`.
+    /// Auxiliary variables of the model.
     pub quantities: TapeFunction,
-    /// `limits`.
+    /// Left-hand sides of the limits of validity.
     pub limits: TapeFunction,
 }
 
-/// Where and when something is evaluated.
+/// Arguments of an evaluation.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
-    /// Time since release.
+    /// Time since release, s.
     pub t: f64,
-    /// The state.
+    /// State.
     pub x: &'a [f64],
-    /// Parameters, coefficients, inputs.
+    /// Parameters: constants, coefficients, components of inputs.
     pub p: &'a [f64],
-    /// What [`TapeModel::prepare`] made of them.
+    /// Result of [`TapeModel::prepare`] for these parameters.
     pub prepared: &'a [f64],
 }
 
 impl TapeModel {
-    /// Lays all functions out.
+    /// Compiles all functions of a model to tapes.
     pub fn new(compiled: &Compiled) -> TapeModel {
         TapeModel {
             name: compiled.name.clone(),
@@ -103,32 +103,32 @@ impl TapeModel {
         }
     }
 
-    /// (row, column) of each entry of `j`.
+    /// (row, column) of each entry of `j` = ∂dx/∂state.
     pub fn j_pattern(&self) -> &[(u32, u32)] {
         self.f_jac_par.pattern("j")
     }
 
-    /// (row, column) of each entry of `jp`.
+    /// (row, column) of each entry of `jp` = ∂dx/∂parameters.
     pub fn jp_pattern(&self) -> &[(u32, u32)] {
         self.f_jac_par.pattern("jp")
     }
 
-    /// (row, column) of each entry of `dy_dx`.
+    /// (row, column) of each entry of `dy_dx` = ∂y/∂state.
     pub fn dy_dx_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dx")
     }
 
-    /// (row, column) of each entry of `dy_dp`.
+    /// (row, column) of each entry of `dy_dp` = ∂y/∂parameters.
     pub fn dy_dp_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dp")
     }
 
-    /// (row, column) of each entry of `dy_dmarker`.
+    /// (row, column) of each entry of `dy_dmarker` = ∂y/∂marker.
     pub fn dy_dmarker_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dmarker")
     }
 
-    /// The constants of a flight.
+    /// Invariants of a flight: everything that depends only on the parameters `p`.
     pub fn prepare(&self, p: &[f64]) -> Vec<f64> {
         let mut prepared = vec![0.0; self.prepared];
         let at = At {
@@ -147,17 +147,17 @@ impl TapeModel {
         prepared
     }
 
-    /// Derivatives of the states.
+    /// Time derivatives of the states.
     pub fn f(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64]) {
         run(&self.f, at, &[], scratch, &mut [dx]);
     }
 
-    /// Derivatives of the states and their Jacobian.
+    /// Time derivatives of the states, with the nonzero entries of the state Jacobian.
     pub fn f_jac(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64], j: &mut [f64]) {
         run(&self.f_jac, at, &[], scratch, &mut [dx, j]);
     }
 
-    /// Derivatives of the states, their Jacobian, and that by the parameters.
+    /// Time derivatives of the states, with the nonzero entries of the state and parameter Jacobians.
     pub fn f_jac_par(
         &self,
         at: At<'_>,
@@ -169,12 +169,12 @@ impl TapeModel {
         run(&self.f_jac_par, at, &[], scratch, &mut [dx, j, jp]);
     }
 
-    /// The marker in the inertial frame.
+    /// Position of a marker in the inertial frame, m, from its body-fixed coordinates, m.
     pub fn observe(&self, at: At<'_>, marker: &[f64], scratch: &mut Scratch, y: &mut [f64]) {
         run(&self.observe, at, marker, scratch, &mut [y]);
     }
 
-    /// The marker and its derivatives: `[y, dy_dx, dy_dp, dy_dmarker]`.
+    /// Position of a marker and its Jacobians: `results` are `[y, dy_dx, dy_dp, dy_dmarker]`.
     pub fn observe_jac(
         &self,
         at: At<'_>,
@@ -186,12 +186,12 @@ impl TapeModel {
         run(&self.observe_jac, at, marker, scratch, &mut results);
     }
 
-    /// Every named quantity.
+    /// Auxiliary variables, in the order of [`Layout::quantities`](crate::Layout::quantities).
     pub fn quantities(&self, at: At<'_>, scratch: &mut Scratch, q: &mut [f64]) {
         run(&self.quantities, at, &[], scratch, &mut [q]);
     }
 
-    /// Left sides of the limits.
+    /// Left-hand sides of the limits; the model holds where each exceeds its bound.
     pub fn limits(&self, at: At<'_>, scratch: &mut Scratch, l: &mut [f64]) {
         run(&self.limits, at, &[], scratch, &mut [l]);
     }
@@ -226,7 +226,7 @@ fn run(
     }
 }
 
-/// An evaluation, with the operations of this machine.
+/// Scalar kernel of one evaluation.
 struct Run<'a> {
     tape: &'a Tape,
     at: At<'a>,

@@ -16,40 +16,9 @@
 //! assignments, and one over [`Op`](crate::program::Op), which prints expressions.
 
 pub(crate) mod body;
+mod interface;
 pub(crate) mod pairs;
+mod registry;
 
-use crate::compile::Compiled;
-use crate::rust;
-use model_spec::model::Model;
-
-/// A generated source file.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct SourceFile {
-    /// Path below the output directory, with `/` as separator.
-    pub path: String,
-    /// The whole text.
-    pub text: String,
-}
-
-/// A generator of source code in one language.
-pub trait Backend: Sync {
-    /// Name on the command line.
-    fn name(&self) -> &'static str;
-
-    /// One line about the generated code, for help texts.
-    fn description(&self) -> &'static str;
-
-    /// The files of one model. Equal arguments give equal text.
-    fn emit(&self, model: &Model, compiled: &Compiled) -> Vec<SourceFile>;
-}
-
-/// All backends, the default first.
-pub static BACKENDS: &[&dyn Backend] = &[&rust::PlainRust, &rust::LanesRust];
-
-/// The backend with a given name.
-pub fn backend(name: &str) -> Option<&'static dyn Backend> {
-    BACKENDS
-        .iter()
-        .copied()
-        .find(|backend| backend.name() == name)
-}
+pub use interface::{Backend, SourceFile};
+pub use registry::{BACKENDS, backend};

@@ -1,7 +1,7 @@
 //! The statements of a function.
 
 use super::expression::Writer;
-use super::names::ident;
+use super::ident::ident;
 use super::{print, signature};
 use crate::backend::body::{Body, Step, input_element};
 use crate::program::Operand;

@@ -1,6 +1,6 @@
 //! The constants of a model: names, default values, sparsity patterns.
 
-use super::names::ident;
+use super::ident::ident;
 use super::{print, source_hash};
 use crate::compile::Compiled;
 use model_spec::model::Model;

@@ -1,7 +1,8 @@
 //! One function of a model.
 
 use super::expression::Writer;
-use super::names::{ident, is_reserved};
+use super::ident::ident;
+use super::names::is_reserved;
 use super::scalar::Scalar;
 use super::{body, print, signature};
 use crate::backend::body::Body;

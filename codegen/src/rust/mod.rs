@@ -6,9 +6,11 @@
 
 mod body;
 mod constants;
+mod expr;
 mod expression;
 mod function;
 mod helpers;
+mod ident;
 mod library;
 mod module;
 mod names;

@@ -1,7 +1,8 @@
 //! Identifiers that Rust accepts.
 
+use super::ident::ident;
 use super::{constants, helpers, signature};
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 
 /// Whether a name cannot be a local variable of a generated function: not an identifier of Rust, an argument, or an
 /// item in scope whose name a `let` would match as a pattern or shadow.
@@ -10,11 +11,6 @@ pub(super) fn is_reserved(name: &str) -> bool {
         || signature::is_argument(name)
         || constants::NAMES.contains(&name)
         || helpers::is_helper(name)
-}
-
-/// An identifier; a keyword is given an underscore.
-pub(super) fn ident(name: &str) -> Ident {
-    syn::parse_str(name).unwrap_or_else(|_| Ident::new(&format!("{name}_"), Span::call_site()))
 }
 
 /// The name of a module for a model: a raw identifier where the name is a keyword.

@@ -1,8 +1,8 @@
 //! The number type of generated code, and how each operation is written for it.
 
-use super::expression::{Binding, Expr};
+use super::expr::{Binding, Expr};
 use super::helpers;
-use super::names::ident;
+use super::ident::ident;
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Unary};
 use proc_macro2::{Literal, TokenStream};

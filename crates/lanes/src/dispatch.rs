@@ -1,98 +1,11 @@
-//! Target-feature dispatch for code on several lanes.
+//! Target-feature dispatch: runs a kernel compiled for the instruction set of the processor.
+//!
+//! A baseline x86-64 build has 16 vector registers, two-operand instructions and no FMA. Functions compiled with
+//! AVX2 or AVX-512 enabled have up to 32 registers, three-operand instructions and FMA; scalar code gains by that too.
 
-use crate::Lanes;
+use crate::isa::Isa;
+use crate::kernel::{Kernel, ScalarKernel};
 use crate::portable::Four;
-use std::sync::OnceLock;
-
-/// A computation that is generic over the lane type.
-///
-/// `run` and all its callees over `T` must be `#[inline(always)]`: functions that are not inlined are compiled for
-/// the baseline processor, where every operation on wide lanes becomes a call.
-pub trait Kernel {
-    /// Result of the computation.
-    type Output;
-    /// Runs the computation on lanes of type `T`.
-    fn run<T: Lanes>(self) -> Self::Output;
-}
-
-/// Instruction set of the lanes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Isa {
-    /// Eight lanes, AVX-512 F and DQ; fused multiply-add.
-    Avx512,
-    /// Four lanes, AVX2 and FMA; fused multiply-add.
-    Avx2,
-    /// Four lanes in an array, vectorized by the compiler; not fused, hence bit-identical on every machine.
-    Portable,
-    /// One lane of `f64`; not fused.
-    Scalar,
-}
-
-impl Isa {
-    /// All instruction sets, widest first.
-    pub const ALL: [Isa; 4] = [Isa::Avx512, Isa::Avx2, Isa::Portable, Isa::Scalar];
-
-    /// Whether the processor supports it.
-    #[inline]
-    pub fn is_supported(self) -> bool {
-        // Queried by every kernel, hence cached.
-        static WIDE: OnceLock<(bool, bool)> = OnceLock::new();
-        let (avx2, avx512) = *WIDE.get_or_init(wide);
-        match self {
-            Isa::Avx512 => avx512,
-            Isa::Avx2 => avx2,
-            Isa::Portable | Isa::Scalar => true,
-        }
-    }
-
-    /// Whether [`Real::mul_add`](crate::Real::mul_add) rounds once. Results are bit-identical among all instruction
-    /// sets that fuse, and among all that do not.
-    pub fn fuses(self) -> bool {
-        matches!(self, Isa::Avx512 | Isa::Avx2)
-    }
-
-    /// Instruction set used by [`dispatch`]: the environment variable `HYZER_LANES` (`avx512`, `avx2`, `portable`,
-    /// `scalar`) if supported, else the widest supported one. Cached at first use.
-    #[inline]
-    pub fn best() -> Isa {
-        static BEST: OnceLock<Isa> = OnceLock::new();
-        *BEST.get_or_init(|| {
-            let wanted = std::env::var("HYZER_LANES").ok();
-            let named = Isa::ALL
-                .into_iter()
-                .find(|isa| wanted.as_deref() == Some(isa.name()));
-            named
-                .into_iter()
-                .chain(Isa::ALL)
-                .find(|isa| isa.is_supported())
-                .unwrap_or(Isa::Portable)
-        })
-    }
-
-    /// Name in lower case, as in `HYZER_LANES`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Isa::Avx512 => "avx512",
-            Isa::Avx2 => "avx2",
-            Isa::Portable => "portable",
-            Isa::Scalar => "scalar",
-        }
-    }
-}
-
-/// Processor support of (AVX2 with FMA, AVX-512 F and DQ).
-#[cfg(target_arch = "x86_64")]
-fn wide() -> (bool, bool) {
-    let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
-    let avx512 = is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq");
-    // AVX-512 implies AVX2 here; `dispatch_scalar` relies on it.
-    (avx2, avx2 && avx512)
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-fn wide() -> (bool, bool) {
-    (false, false)
-}
 
 /// Runs a kernel on the lanes of [`Isa::best`].
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
@@ -114,4 +27,14 @@ fn run_on<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
         Isa::Scalar => kernel.run::<f64>(),
         _ => kernel.run::<Four>(),
     }
+}
+
+/// Runs a computation compiled for the processor at hand, limited by [`Isa::best`](crate::Isa::best). The results are
+/// bit-identical to those of [`dispatch`](crate::dispatch).
+#[inline(always)]
+pub fn dispatch_scalar<K: ScalarKernel>(kernel: K) {
+    #[cfg(target_arch = "x86_64")]
+    crate::x86::run_scalar(kernel);
+    #[cfg(not(target_arch = "x86_64"))]
+    kernel.run::<f64>();
 }

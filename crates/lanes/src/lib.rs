@@ -31,15 +31,17 @@
 mod dispatch;
 mod functions;
 mod fused;
+mod isa;
+mod kernel;
 mod portable;
 mod primitive;
 mod real;
 mod scalar;
-mod scalar_dispatch;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use dispatch::{Isa, Kernel, dispatch, dispatch_with};
+pub use dispatch::{dispatch, dispatch_scalar, dispatch_with};
 pub use fused::ScalarLane;
+pub use isa::Isa;
+pub use kernel::{Kernel, ScalarKernel};
 pub use real::{Lanes, Real};
-pub use scalar_dispatch::{ScalarKernel, dispatch_scalar};

@@ -12,10 +12,10 @@
 //! reinterpretation of `&[f64]` as `&[Fused]` is valid since [`Fused`] is `repr(transparent)` over `f64`.
 #![allow(unsafe_code)]
 
-use crate::dispatch::{Isa, Kernel};
 use crate::fused::{Fused, ScalarLane};
+use crate::isa::Isa;
+use crate::kernel::{Kernel, ScalarKernel};
 use crate::primitive::Primitive;
-use crate::scalar_dispatch::ScalarKernel;
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::OnceLock;

@@ -2,7 +2,7 @@
 
 use super::{input_element, operands, width};
 use crate::compile::Compiled;
-use crate::program::{Function, Operand};
+use crate::program::{Function, Operand, Program};
 use std::collections::{HashMap, HashSet};
 
 /// Most characters of a name from which the name of a subexpression is formed.
@@ -65,17 +65,27 @@ impl Variables {
     ) {
         let program = &function.program;
         let owners = self.owners(function);
-        let widths = width::Widths::new(program);
         for k in 0..program.statements.len() {
-            while widths.statement(self, k) > width::MAX_STATEMENT {
-                let Some(part) = widths.widest_part(self, k) else {
+            while self.widths(program).statement(k) > width::MAX_STATEMENT {
+                let Some(part) = self.widths(program).widest_part(k) else {
                     break;
                 };
                 self.statements[part] = Some(part_name(owners[part].as_deref(), names));
             }
-            if self.statements[k].is_none() && widths.statement(self, k) > width::MAX_INLINE {
+            if self.statements[k].is_none() && self.widths(program).statement(k) > width::MAX_INLINE
+            {
                 self.statements[k] = Some(part_name(owners[k].as_deref(), names));
             }
+        }
+    }
+
+    fn widths<'a>(
+        &'a self,
+        program: &'a Program,
+    ) -> width::Widths<'a, impl Fn(Operand) -> Option<usize> + 'a> {
+        width::Widths {
+            program,
+            variable: |operand| Some(self.of(operand)?.chars().count()),
         }
     }
 

@@ -1,6 +1,5 @@
 //! Approximate lengths of printed expressions, which decide where an expression is split.
 
-use super::Variables;
 use crate::program::{Binary, Op, Operand, Program, Unary};
 
 /// Longest expression that is written inside another, in characters.
@@ -15,41 +14,38 @@ const CALL: usize = 11;
 /// Characters of a constant.
 const CONSTANT: usize = 13;
 
-/// Lengths of the statements of a program.
-pub(super) struct Widths<'a> {
-    program: &'a Program,
+/// Lengths of the statements of a program, given the length of the variable of each operand that has one.
+pub(super) struct Widths<'a, V> {
+    pub program: &'a Program,
+    pub variable: V,
 }
 
-impl<'a> Widths<'a> {
-    pub fn new(program: &'a Program) -> Self {
-        Widths { program }
-    }
-
+impl<V: Fn(Operand) -> Option<usize>> Widths<'_, V> {
     /// Length of the right-hand side of a statement.
-    pub fn statement(&self, variables: &Variables, k: usize) -> usize {
+    pub fn statement(&self, k: usize) -> usize {
         let op = &self.program.statements[k].op;
         let operands: usize = op
             .operands()
             .into_iter()
-            .map(|operand| self.operand(variables, operand))
+            .map(|operand| self.operand(operand))
             .sum();
         operands + own_width(op)
     }
 
     /// The longest operand of a statement that is written inside it.
-    pub fn widest_part(&self, variables: &Variables, k: usize) -> Option<usize> {
+    pub fn widest_part(&self, k: usize) -> Option<usize> {
         let operands = self.program.statements[k].op.operands();
         let parts = operands.into_iter().filter_map(|operand| match operand {
-            Operand::Temp(t) if variables.of(operand).is_none() => Some(t as usize),
+            Operand::Temp(t) if (self.variable)(operand).is_none() => Some(t as usize),
             _ => None,
         });
-        parts.max_by_key(|&part| self.statement(variables, part))
+        parts.max_by_key(|&part| self.statement(part))
     }
 
-    fn operand(&self, variables: &Variables, operand: Operand) -> usize {
-        match (variables.of(operand), operand) {
-            (Some(name), _) => name.chars().count(),
-            (None, Operand::Temp(t)) => self.statement(variables, t as usize),
+    fn operand(&self, operand: Operand) -> usize {
+        match ((self.variable)(operand), operand) {
+            (Some(width), _) => width,
+            (None, Operand::Temp(t)) => self.statement(t as usize),
             (None, Operand::Constant(_)) => CONSTANT,
             (None, _) => "time".len(),
         }

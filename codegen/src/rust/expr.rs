@@ -1,0 +1,81 @@
+//! Expressions as tokens, with parentheses where the order of evaluation needs them.
+
+use super::ident::ident;
+use crate::program::Binary;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Binding strength of an expression, weakest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Binding {
+    Sum,
+    Product,
+    Negation,
+    Atom,
+}
+
+/// Tokens of an expression and how strongly its outermost operator binds.
+#[derive(Clone, Debug)]
+pub(super) struct Expr {
+    pub tokens: TokenStream,
+    pub binding: Binding,
+}
+
+impl Expr {
+    /// A name, literal or call.
+    pub fn atom(tokens: TokenStream) -> Expr {
+        Expr {
+            tokens,
+            binding: Binding::Atom,
+        }
+    }
+
+    /// `-self`.
+    pub fn negated(self) -> Expr {
+        let operand = self.bound(Binding::Atom);
+        Expr {
+            tokens: quote!(-#operand),
+            binding: Binding::Negation,
+        }
+    }
+
+    /// `self.method(arguments)`.
+    pub fn method(self, name: &str, arguments: &[Expr]) -> Expr {
+        let method = ident(name);
+        let receiver = self.bound(Binding::Atom);
+        let arguments = arguments.iter().map(|e| &e.tokens);
+        Expr::atom(quote!(#receiver.#method(#(#arguments),*)))
+    }
+
+    /// `self + other` and the other operators.
+    ///
+    /// # Panics
+    /// If `binary` is not an operator of Rust.
+    pub fn infix(self, binary: Binary, other: Expr) -> Expr {
+        // Operators associate to the left: the right operand must bind more strongly.
+        let (operator, binding, right) = match binary {
+            Binary::Add => (quote!(+), Binding::Sum, Binding::Product),
+            Binary::Sub => (quote!(-), Binding::Sum, Binding::Product),
+            Binary::Mul => (quote!(*), Binding::Product, Binding::Negation),
+            Binary::Div => (quote!(/), Binding::Product, Binding::Negation),
+            Binary::Atan2 | Binary::Min | Binary::Max => {
+                unreachable!("a function, not an operator")
+            }
+        };
+        let (a, b) = (self.bound(binding), other.bound(right));
+        Expr {
+            tokens: quote!(#a #operator #b),
+            binding,
+        }
+    }
+
+    /// The tokens, in parentheses if the expression binds less strongly than `least`.
+    pub fn bound(self, least: Binding) -> TokenStream {
+        let tokens = self.tokens;
+        if self.binding < least {
+            quote!((#tokens))
+        } else {
+            tokens
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Instruction sets, and which of them the processor supports.
+
+use std::sync::OnceLock;
+
+/// Instruction set of the lanes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Isa {
+    /// Eight lanes, AVX-512 F and DQ; fused multiply-add.
+    Avx512,
+    /// Four lanes, AVX2 and FMA; fused multiply-add.
+    Avx2,
+    /// Four lanes in an array, vectorized by the compiler; not fused, hence bit-identical on every machine.
+    Portable,
+    /// One lane of `f64`; not fused.
+    Scalar,
+}
+
+impl Isa {
+    /// All instruction sets, widest first.
+    pub const ALL: [Isa; 4] = [Isa::Avx512, Isa::Avx2, Isa::Portable, Isa::Scalar];
+
+    /// Whether the processor supports it.
+    #[inline]
+    pub fn is_supported(self) -> bool {
+        // Queried by every kernel, hence cached.
+        static WIDE: OnceLock<(bool, bool)> = OnceLock::new();
+        let (avx2, avx512) = *WIDE.get_or_init(wide);
+        match self {
+            Isa::Avx512 => avx512,
+            Isa::Avx2 => avx2,
+            Isa::Portable | Isa::Scalar => true,
+        }
+    }
+
+    /// Whether [`Real::mul_add`](crate::Real::mul_add) rounds once. Results are bit-identical among all instruction
+    /// sets that fuse, and among all that do not.
+    pub fn fuses(self) -> bool {
+        matches!(self, Isa::Avx512 | Isa::Avx2)
+    }
+
+    /// Instruction set used by [`dispatch`](crate::dispatch): the environment variable `HYZER_LANES` (`avx512`, `avx2`, `portable`,
+    /// `scalar`) if supported, else the widest supported one. Cached at first use.
+    #[inline]
+    pub fn best() -> Isa {
+        static BEST: OnceLock<Isa> = OnceLock::new();
+        *BEST.get_or_init(|| {
+            let wanted = std::env::var("HYZER_LANES").ok();
+            let named = Isa::ALL
+                .into_iter()
+                .find(|isa| wanted.as_deref() == Some(isa.name()));
+            named
+                .into_iter()
+                .chain(Isa::ALL)
+                .find(|isa| isa.is_supported())
+                .unwrap_or(Isa::Portable)
+        })
+    }
+
+    /// Name in lower case, as in `HYZER_LANES`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Isa::Avx512 => "avx512",
+            Isa::Avx2 => "avx2",
+            Isa::Portable => "portable",
+            Isa::Scalar => "scalar",
+        }
+    }
+}
+
+/// Processor support of (AVX2 with FMA, AVX-512 F and DQ).
+#[cfg(target_arch = "x86_64")]
+fn wide() -> (bool, bool) {
+    let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+    let avx512 = is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq");
+    // AVX-512 implies AVX2 here; `dispatch_scalar` relies on it.
+    (avx2, avx2 && avx512)
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn wide() -> (bool, bool) {
+    (false, false)
+}

@@ -1,0 +1,23 @@
+//! Computations that are generic over the number type.
+
+use crate::fused::ScalarLane;
+use crate::real::Lanes;
+
+/// A computation that is generic over the lane type.
+///
+/// `run` and all its callees over `T` must be `#[inline(always)]`: functions that are not inlined are compiled for
+/// the baseline processor, where every operation on wide lanes becomes a call.
+pub trait Kernel {
+    /// Result of the computation.
+    type Output;
+    /// Runs the computation on lanes of type `T`.
+    fn run<T: Lanes>(self) -> Self::Output;
+}
+
+/// A computation on one number at a time, for [`dispatch_scalar`].
+///
+/// `run` and its callees should be `#[inline(always)]`; otherwise they are compiled for the baseline processor.
+pub trait ScalarKernel {
+    /// Runs the computation. `T` is `f64` on machines without FMA.
+    fn run<T: ScalarLane>(self);
+}
