@@ -1,4 +1,4 @@
-//! Turns as unit quaternions: products, the vector they carry, and nothing else.
+//! Rotations as unit quaternions.
 
 use crate::scalar::{Field, Real};
 use nalgebra::{Matrix3, Vector3};
@@ -13,7 +13,7 @@ pub struct Quaternion<T> {
 }
 
 impl<T: Field> Quaternion<T> {
-    /// No turn.
+    /// The identity rotation.
     pub fn identity() -> Self {
         Self {
             w: T::one(),
@@ -21,7 +21,7 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// From four numbers, scalar part first.
+    /// From four components, scalar part first.
     pub fn from_parts([w, x, y, z]: [T; 4]) -> Self {
         Self {
             w,
@@ -29,12 +29,12 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// Four numbers, scalar part first.
+    /// The four components, scalar part first.
     pub fn parts(self) -> [T; 4] {
         [self.w, self.v.x, self.v.y, self.v.z]
     }
 
-    /// Hamilton's product.
+    /// Hamilton product: the rotation `o`, then `self`.
     pub fn times(self, o: Self) -> Self {
         Self {
             w: self.w * o.w - self.v.dot(&o.v),
@@ -42,7 +42,7 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// The opposite turn.
+    /// Conjugate: the inverse rotation.
     pub fn conjugate(self) -> Self {
         Self {
             w: self.w,
@@ -50,31 +50,31 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// The vector with components `v` in the turned frame, in components of the frame that was turned.
+    /// Rotates a vector: from components in the rotated frame to components in the original frame.
     pub fn carry(self, v: Vector3<T>) -> Vector3<T> {
         self.times(Self { w: T::zero(), v })
             .times(self.conjugate())
             .v
     }
 
-    /// Components in the turned frame of a vector given in the frame that was turned.
+    /// Inverse of [`carry`](Self::carry): from components in the original frame to components in the rotated frame.
     pub fn bring_back(self, v: Vector3<T>) -> Vector3<T> {
         self.conjugate().carry(v)
     }
 
-    /// Unit vector along axis 1, 2 or 3 of the turned frame.
+    /// Unit vector along axis 1, 2 or 3 of the rotated frame, in components of the original frame.
     pub fn axis(self, axis: u8) -> Vector3<T> {
         self.carry(unit(axis))
     }
 
-    /// The axes as columns.
+    /// Rotation matrix: the axes of the rotated frame as columns.
     pub fn matrix(self) -> Matrix3<T> {
         Matrix3::from_columns(&[self.axis(1), self.axis(2), self.axis(3)])
     }
 }
 
 impl<T: Real> Quaternion<T> {
-    /// A turn about axis 1, 2 or 3.
+    /// Rotation about axis 1, 2 or 3 by `angle`, rad.
     pub fn turn(axis: u8, angle: T) -> Self {
         let half = angle * T::lit(0.5);
         Self {

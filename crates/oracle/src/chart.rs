@@ -1,5 +1,5 @@
-//! How a model's states stand for a physical state, and back: with quaternions throughout, where the
-//! [`frames`](crate::frames) use matrices.
+//! Conversion between the states of a model and a physical state, with quaternions throughout, where the vector tree
+//! uses matrices.
 
 use crate::attitude::{Quaternion, unit};
 use crate::physical::{Motion, Physical};
@@ -8,54 +8,54 @@ use crate::scalar::{Dual, Real};
 use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// One step from the inertial frame to the body.
+/// One rotation on the way from the inertial frame to the body frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// A turn about an axis by the state `angle`, whose rate is the state `rate`.
-    Turn {
+    /// Rotation about an axis by the state `angle`, whose rate is the state `rate`.
+    Angle {
         /// 1, 2 or 3.
         axis: u8,
-        /// State of the angle.
+        /// Index of the state that is the angle, rad.
         angle: usize,
-        /// State of its rate.
+        /// Index of the state that is its rate, rad/s.
         rate: usize,
     },
-    /// A unit quaternion, scalar part first.
+    /// Rotation by a unit quaternion; indices of its states, scalar part first.
     Quaternion([usize; 4]),
 }
 
-/// Which state stands for what.
+/// Coordinate chart: meaning of each state of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
-    /// The default of every state, at which those stay that stand for no part of the motion.
+    /// Default of every state; states without physical meaning keep it.
     pub defaults: Vec<f64>,
-    /// Position in inertial components.
+    /// Indices of the position's inertial components.
     pub position: [usize; 3],
-    /// Velocity's components.
+    /// Indices of the velocity's components.
     pub velocity: [usize; 3],
-    /// In the frame after so many steps.
+    /// Number of steps to the frame of the velocity's components.
     pub velocity_after: usize,
-    /// From the inertial frame to the body's.
+    /// Rotations from the inertial frame to the body frame.
     pub steps: Vec<Step>,
-    /// Components of the angular velocity, and the frame after so many steps, where they are states.
+    /// Indices of the angular velocity's components and number of steps to their frame, if they are states.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
-/// How a physical state changes, as the derivatives of a model's states tell it.
+/// Rate of change of a physical state, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Change {
-    /// Velocity, by the change of the position.
+pub struct PhysicalRate {
+    /// Rate of the position: velocity, m/s.
     pub velocity: Vector3<f64>,
-    /// Acceleration of the mass centre.
+    /// Acceleration of the mass centre, m/s².
     pub acceleration: Vector3<f64>,
-    /// Angular velocity, by the change of the attitude.
+    /// Angular velocity that belongs to the rate of the attitude, rad/s.
     pub angular_velocity: Vector3<f64>,
-    /// Angular acceleration.
+    /// Angular acceleration, rad/s².
     pub angular_acceleration: Vector3<f64>,
 }
 
 impl Chart {
-    /// The chart that a model's body declares; none for a body that this oracle cannot place.
+    /// The chart that a model's body declares; `None` without a body or for unsupported sequences of rotations.
     pub fn declared(model: &Model) -> Option<Self> {
         let body = model.body.as_ref()?;
         let mut chart = Self {
@@ -74,7 +74,7 @@ impl Chart {
             chart.steps.push(match model.frames[frame].kind {
                 FrameKind::Turned {
                     axis, angle, rate, ..
-                } => Step::Turn {
+                } => Step::Angle {
                     axis,
                     angle,
                     rate: rate?,
@@ -88,34 +88,34 @@ impl Chart {
         if let Some((components, frame)) = rotation.angular_velocity {
             chart.angular_velocity = Some((components, after(frame)?));
         }
-        chart.sound().then_some(chart)
+        chart.is_supported().then_some(chart)
     }
 
-    /// Either three turns with rates, one quaternion with an angular velocity, or a point.
-    fn sound(&self) -> bool {
+    /// Whether the attitude is three angles with rates, one quaternion with an angular velocity, or absent.
+    fn is_supported(&self) -> bool {
         match self.steps.as_slice() {
             [] => true,
             [Step::Quaternion(_)] => self.angular_velocity.is_some(),
-            [Step::Turn { .. }, Step::Turn { .. }, Step::Turn { .. }] => {
+            [Step::Angle { .. }, Step::Angle { .. }, Step::Angle { .. }] => {
                 self.angular_velocity.is_none()
             }
             _ => false,
         }
     }
 
-    /// Whether the body turns.
-    pub fn turns(&self) -> bool {
+    /// Whether the body has an attitude.
+    pub fn has_attitude(&self) -> bool {
         !self.steps.is_empty()
     }
 
-    /// The physical state.
+    /// Physical state of the given states.
     pub fn physical<T: Real>(&self, states: &[T]) -> Physical<T> {
         let placed = self.place(states);
         let pick = |i: [usize; 3]| Vector3::from(i.map(|i| states[i]));
-        let (attitude, turning) = placed[placed.len() - 1];
+        let (attitude, rate) = placed[placed.len() - 1];
         let angular_velocity = match self.angular_velocity {
             Some((components, after)) => placed[after].0.carry(pick(components)),
-            None => turning,
+            None => rate,
         };
         Physical {
             position: pick(self.position),
@@ -125,7 +125,7 @@ impl Chart {
         }
     }
 
-    /// The derivatives of the states under a motion; of states that stand for no part of it 0.
+    /// Derivatives of the states under a motion; 0 for states without physical meaning.
     pub fn derivatives<T: Real>(&self, states: &[T], motion: &Motion<T>) -> Vec<T> {
         let mut out = vec![T::zero(); self.defaults.len()];
         let mut put = |indices: [usize; 3], v: Vector3<T>| {
@@ -136,26 +136,28 @@ impl Chart {
         let placed = self.place(states);
         let physical = self.physical(states);
         let omega = physical.angular_velocity;
-        // Angular velocity of the frame after so many steps: a quaternion's frame is the body's.
-        let turning = |after: usize| {
+        // The frame of a quaternion is the body frame.
+        let frame_rate = |after: usize| {
             if after > 0 && self.angular_velocity.is_some() {
                 omega
             } else {
                 placed[after].1
             }
         };
-        let seen_from = |after: usize, rate: Vector3<T>, v: Vector3<T>| {
-            placed[after].0.bring_back(rate - turning(after).cross(&v))
+        let component_rates = |after: usize, rate: Vector3<T>, v: Vector3<T>| {
+            placed[after]
+                .0
+                .bring_back(rate - frame_rate(after).cross(&v))
         };
         put(self.position, physical.velocity);
         put(
             self.velocity,
-            seen_from(self.velocity_after, motion.acceleration, physical.velocity),
+            component_rates(self.velocity_after, motion.acceleration, physical.velocity),
         );
         if let Some((components, after)) = self.angular_velocity {
             put(
                 components,
-                seen_from(after, motion.angular_acceleration, omega),
+                component_rates(after, motion.angular_acceleration, omega),
             );
         }
         match self.steps.as_slice() {
@@ -170,14 +172,14 @@ impl Chart {
                 }
             }
             [
-                Step::Turn { rate: r1, .. },
-                Step::Turn { rate: r2, .. },
-                Step::Turn { rate: r3, .. },
+                Step::Angle { rate: r1, .. },
+                Step::Angle { rate: r2, .. },
+                Step::Angle { rate: r3, .. },
             ] => {
                 let mut axes = Matrix3::zeros();
                 let mut rest = motion.angular_acceleration;
                 for (k, step) in self.steps.iter().enumerate() {
-                    let Step::Turn { axis, rate, .. } = *step else {
+                    let Step::Angle { axis, rate, .. } = *step else {
                         continue;
                     };
                     let axis = placed[k].0.axis(axis);
@@ -186,7 +188,7 @@ impl Chart {
                 }
                 put([*r1, *r2, *r3], solve(&axes, &rest));
                 for step in &self.steps {
-                    if let Step::Turn { angle, rate, .. } = *step {
+                    if let Step::Angle { angle, rate, .. } = *step {
                         out[angle] = states[rate];
                     }
                 }
@@ -196,8 +198,8 @@ impl Chart {
         out
     }
 
-    /// How the physical state changes when the states change at these rates.
-    pub fn change(&self, states: &[f64], rates: &[f64]) -> Change {
+    /// Rate of the physical state for the given rates of the states.
+    pub fn physical_rate(&self, states: &[f64], rates: &[f64]) -> PhysicalRate {
         let along: Vec<Dual<f64>> = states
             .iter()
             .zip(rates)
@@ -207,7 +209,7 @@ impl Chart {
         let rate = |v: Vector3<Dual<f64>>| v.map(|d| d.derivative);
         let q = Quaternion::from_parts(p.attitude.parts().map(|d| d.value));
         let q_rate = Quaternion::from_parts(p.attitude.parts().map(|d| d.derivative));
-        Change {
+        PhysicalRate {
             velocity: rate(p.position),
             acceleration: rate(p.velocity),
             // ω = 2 dq/dt q*
@@ -216,7 +218,7 @@ impl Chart {
         }
     }
 
-    /// The states that stand for a physical state; none for turns other than about 1, 2 and 3.
+    /// States of a physical state; `None` for angles about axes other than 1, 2, 3 in this order.
     pub fn states(&self, physical: &Physical<f64>) -> Option<Vec<f64>> {
         let mut out = self.defaults.clone();
         match self.steps.as_slice() {
@@ -227,17 +229,17 @@ impl Chart {
                 }
             }
             [
-                Step::Turn {
+                Step::Angle {
                     axis: 1,
                     angle: a1,
                     rate: r1,
                 },
-                Step::Turn {
+                Step::Angle {
                     axis: 2,
                     angle: a2,
                     rate: r2,
                 },
-                Step::Turn {
+                Step::Angle {
                     axis: 3,
                     angle: a3,
                     rate: r3,
@@ -276,19 +278,19 @@ impl Chart {
         Some(out)
     }
 
-    /// Attitude and angular velocity after 0, 1, … steps; a quaternion's own turning is left out.
+    /// Attitude and angular velocity after 0, 1, … steps, without the angular velocity of quaternions.
     fn place<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
         let mut placed = vec![(Quaternion::identity(), Vector3::zeros())];
         for (k, step) in self.steps.iter().enumerate() {
-            let (attitude, turning) = placed[k];
+            let (attitude, angular_velocity) = placed[k];
             placed.push(match *step {
-                Step::Turn { axis, angle, rate } => (
+                Step::Angle { axis, angle, rate } => (
                     attitude.times(Quaternion::turn(axis, states[angle])),
-                    turning + attitude.carry(unit::<T>(axis)) * states[rate],
+                    angular_velocity + attitude.carry(unit::<T>(axis)) * states[rate],
                 ),
                 Step::Quaternion(q) => (
                     attitude.times(Quaternion::from_parts(q.map(|i| states[i]))),
-                    turning,
+                    angular_velocity,
                 ),
             });
         }
@@ -296,12 +298,12 @@ impl Chart {
     }
 }
 
-/// The default of every state of a model.
-pub fn defaults(model: &Model) -> Vec<f64> {
+/// Default of every state of a model.
+pub(crate) fn defaults(model: &Model) -> Vec<f64> {
     model.states.iter().map(|s| s.value).collect()
 }
 
-/// Frames from the inertial one to `frame`.
+/// Frames from the inertial frame to `frame`.
 fn chain(model: &Model, frame: usize) -> Vec<usize> {
     match model.frames[frame].kind {
         FrameKind::Inertial => vec![frame],

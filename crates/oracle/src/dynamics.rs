@@ -1,35 +1,32 @@
-//! The derivative of a model's state from its vector tree: stated equations taken at their word, and a
-//! body's by Newton's and Euler's laws in inertial components.
+//! State derivatives of a model from its vector tree: stated equations as they are written, those of a body by
+//! Newton's and Euler's laws in inertial components.
 
 use crate::attitude::Quaternion;
-use crate::frames::{Placed, turns};
+use crate::error::Unsupported;
+use crate::frames::{ElementaryRotation, PlacedFrame, elementary_rotations};
 use crate::physical::Motion;
 use crate::point::Point;
 use crate::rigid::{angular_acceleration, inertia_in_n, solve};
 use crate::scalar::{Field, Real};
 use crate::tree::Tree;
-use model_spec::model::{Body, FrameKind, Model};
+use model_spec::model::{Body, FrameKind, Model, Rotation};
 use nalgebra::{Matrix3, Vector3};
 
-/// Mass and inertia as numbers, the inertia in its own frame.
+/// Mass and inertia of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties<T> {
-    /// Mass.
+    /// Mass, kg.
     pub mass: T,
-    /// Moments of inertia; none for a point mass.
+    /// Inertia tensor in the frame of its declaration, kg·m²; `None` for a point mass.
     pub inertia: Option<Matrix3<T>>,
 }
 
-/// Why the oracle cannot derive a model's equations.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unsupported(pub String);
-
-/// The derivative of every state.
+/// Derivative of every state by the time of the clock.
 pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     derivatives_of(&Tree::new(model, point))
 }
 
-/// The derivative of every state by the time that is measured, where the tree has been evaluated already.
+/// Derivative of every state by the time of the clock, from an evaluated tree.
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {
@@ -45,13 +42,13 @@ pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported
         out[equation.state] = tree.scalar(&equation.value);
     }
     if model.clock.is_some() {
-        let pace = tree.clock();
-        out.iter_mut().for_each(|rate| *rate *= pace);
+        let clock_rate = tree.clock();
+        out.iter_mut().for_each(|rate| *rate *= clock_rate);
     }
     Ok(out)
 }
 
-/// Mass and inertia of a body at a point.
+/// Evaluates mass and inertia of a body.
 pub fn mass_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
     MassProperties {
         mass: tree.scalar(&body.mass),
@@ -62,22 +59,22 @@ pub fn mass_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperti
     }
 }
 
-/// How a body answers a force and a moment.
+/// Accelerations of a body under a force and a moment, in inertial components.
 pub fn newton_euler<T: Field>(
     body: &Body,
-    frames: &[Placed<T>],
+    frames: &[PlacedFrame<T>],
     properties: &MassProperties<T>,
     force: Vector3<T>,
     moment: Vector3<T>,
 ) -> Motion<T> {
-    let turning = body.rotation.as_ref().zip(properties.inertia.as_ref());
-    let answer = turning.and_then(|(rotation, inertia)| {
+    let rotating = body.rotation.as_ref().zip(properties.inertia.as_ref());
+    let angular = rotating.and_then(|(rotation, inertia)| {
         let frame = &frames[rotation.inertia_frame];
         let inertia = inertia_in_n(&frame.axes, inertia);
-        let omega = frames[rotation.body_frame].turning?;
+        let omega = frames[rotation.body_frame].angular_velocity?;
         Some(angular_acceleration(
             &inertia,
-            &frame.turning?,
+            &frame.angular_velocity?,
             &omega,
             &moment,
         ))
@@ -86,91 +83,118 @@ pub fn newton_euler<T: Field>(
         force,
         moment,
         acceleration: force / properties.mass,
-        angular_acceleration: answer.unwrap_or_else(Vector3::zeros),
+        angular_acceleration: angular.unwrap_or_else(Vector3::zeros),
     }
 }
 
-/// The derivatives of a body's states under a motion; of states that are not the body's 0.
+/// Derivatives of the states of a body under a motion; 0 for all other states.
 pub fn state_derivatives<T: Field>(
     model: &Model,
     body: &Body,
     states: &[T],
-    frames: &[Placed<T>],
+    frames: &[PlacedFrame<T>],
     motion: &Motion<T>,
 ) -> Result<Vec<T>, Unsupported> {
     let mut out = vec![T::zero(); model.states.len()];
-    let mut put = |indices: [usize; 3], v: Vector3<T>| {
-        for (i, value) in indices.into_iter().zip(v.iter()) {
-            out[i] = *value;
-        }
-    };
-    let fixed = |what: &str| {
-        Unsupported(format!(
-            "{what} is in a frame whose turning the model does not give"
-        ))
-    };
-
     let frame = &frames[body.velocity_frame];
     let velocity = frame.axes * Vector3::from(body.velocity.map(|i| states[i]));
-    let carried = frame
-        .turning
-        .ok_or_else(|| fixed("the velocity"))?
-        .cross(&velocity);
-    put(body.position, velocity);
-    put(
-        body.velocity,
-        frame.axes.transpose() * (motion.acceleration - carried),
-    );
-
-    let Some(rotation) = &body.rotation else {
-        return Ok(out);
-    };
-    let omega = frames[rotation.body_frame]
-        .turning
-        .ok_or_else(|| fixed("the body"))?;
-    if let Some((components, frame)) = rotation.angular_velocity {
-        let frame = &frames[frame];
-        let carried = frame
-            .turning
-            .ok_or_else(|| fixed("the angular velocity"))?
-            .cross(&omega);
-        put(
-            components,
-            frame.axes.transpose() * (motion.angular_acceleration - carried),
-        );
-        let FrameKind::Quaternion {
-            parent: 0,
-            states: q,
-        } = model.frames[rotation.body_frame].kind
-        else {
-            return Err(Unsupported(
-                "the body's frame is not a quaternion from the inertial frame".into(),
-            ));
-        };
-        let attitude = Quaternion::from_parts(q.map(|i| states[i]));
-        // dq/dt = ω q / 2, ω in inertial components.
-        let rate = Quaternion {
-            w: T::zero(),
-            v: omega,
+    set(&mut out, body.position, velocity);
+    let rate = component_rates(frame, velocity, motion.acceleration);
+    let rate = rate.ok_or(Unsupported::FrameRate {
+        vector: "the velocity",
+    })?;
+    set(&mut out, body.velocity, rate);
+    if let Some(rotation) = &body.rotation {
+        match rotation.angular_velocity {
+            Some(components) => {
+                quaternion_rates(
+                    model, rotation, components, states, frames, motion, &mut out,
+                )?;
+            }
+            None => angle_rates(model, rotation, states, frames, motion, &mut out)?,
         }
-        .times(attitude);
-        for (i, part) in q.into_iter().zip(rate.parts()) {
-            out[i] = part / T::integer(2);
-        }
-        return Ok(out);
     }
-    let chain = turns(model, frames, rotation.body_frame)
-        .filter(|chain| chain.len() == 3)
-        .ok_or_else(|| {
-            Unsupported("the body's attitude is not three turns with their rates".into())
-        })?;
-    // ω = Σ rate_i axis_i, so dω/dt = Σ (d rate_i/dt) axis_i + Σ rate_i (carrier_i × axis_i).
-    let axes = Matrix3::from_columns(&[chain[0].axis, chain[1].axis, chain[2].axis]);
-    let drift = chain.iter().fold(Vector3::zeros(), |sum, turn| {
-        sum + turn.carried.cross(&turn.axis) * states[turn.rate]
-    });
-    put(
-        [chain[0].rate, chain[1].rate, chain[2].rate],
+    Ok(out)
+}
+
+fn set<T: Field>(out: &mut [T], indices: [usize; 3], v: Vector3<T>) {
+    for (i, value) in indices.into_iter().zip(v.iter()) {
+        out[i] = *value;
+    }
+}
+
+/// Rates of the components of `vector` in a frame, where its inertial rate of change is `rate`: the transport theorem.
+/// `None` if the angular velocity of the frame is undefined.
+fn component_rates<T: Field>(
+    frame: &PlacedFrame<T>,
+    vector: Vector3<T>,
+    rate: Vector3<T>,
+) -> Option<Vector3<T>> {
+    let transport = frame.angular_velocity?.cross(&vector);
+    Some(frame.axes.transpose() * (rate - transport))
+}
+
+/// Rates of an attitude quaternion and of the angular velocity's `components` in a frame.
+fn quaternion_rates<T: Field>(
+    model: &Model,
+    rotation: &Rotation,
+    components: ([usize; 3], usize),
+    states: &[T],
+    frames: &[PlacedFrame<T>],
+    motion: &Motion<T>,
+    out: &mut [T],
+) -> Result<(), Unsupported> {
+    let omega = frames[rotation.body_frame]
+        .angular_velocity
+        .ok_or(Unsupported::FrameRate { vector: "the body" })?;
+    let (components, frame) = components;
+    let rate = component_rates(&frames[frame], omega, motion.angular_acceleration);
+    let rate = rate.ok_or(Unsupported::FrameRate {
+        vector: "the angular velocity",
+    })?;
+    set(out, components, rate);
+    let FrameKind::Quaternion {
+        parent: 0,
+        states: q,
+    } = model.frames[rotation.body_frame].kind
+    else {
+        return Err(Unsupported::Attitude);
+    };
+    let attitude = Quaternion::from_parts(q.map(|i| states[i]));
+    // dq/dt = ω q / 2, ω in inertial components.
+    let omega = Quaternion {
+        w: T::zero(),
+        v: omega,
+    };
+    for (i, part) in q.into_iter().zip(omega.times(attitude).parts()) {
+        out[i] = part / T::integer(2);
+    }
+    Ok(())
+}
+
+/// Rates of three attitude angles and second derivatives of the angles.
+fn angle_rates<T: Field>(
+    model: &Model,
+    rotation: &Rotation,
+    states: &[T],
+    frames: &[PlacedFrame<T>],
+    motion: &Motion<T>,
+    out: &mut [T],
+) -> Result<(), Unsupported> {
+    let [first, second, third]: [ElementaryRotation<T>; 3] =
+        elementary_rotations(model, frames, rotation.body_frame)
+            .and_then(|rotations| rotations.try_into().ok())
+            .ok_or(Unsupported::Rotations)?;
+    // ω = Σ rate_i axis_i, so dω/dt = Σ (d rate_i/dt) axis_i + Σ rate_i (ω_parent,i × axis_i).
+    let axes = Matrix3::from_columns(&[first.axis, second.axis, third.axis]);
+    let drift = [&first, &second, &third]
+        .iter()
+        .fold(Vector3::zeros(), |sum, r| {
+            sum + r.parent_angular_velocity.cross(&r.axis) * states[r.rate]
+        });
+    set(
+        out,
+        [first.rate, second.rate, third.rate],
         solve(&axes, &(motion.angular_acceleration - drift)),
     );
     for frame in &model.frames {
@@ -183,5 +207,5 @@ pub fn state_derivatives<T: Field>(
             out[angle] = states[rate];
         }
     }
-    Ok(out)
+    Ok(())
 }

@@ -1,4 +1,4 @@
-//! Where the frames of a model stand: their axes as columns in inertial components, and how they turn.
+//! Frames of a model at a state: axes and angular velocities in inertial components.
 
 use crate::attitude::{Quaternion, unit};
 use crate::scalar::{Field, Real};
@@ -7,36 +7,36 @@ use nalgebra::{Matrix3, Vector3};
 
 /// A frame at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Placed<T> {
-    /// Its axes as columns, in inertial components.
+pub struct PlacedFrame<T> {
+    /// Rotation matrix to inertial components: the axes as columns.
     pub axes: Matrix3<T>,
-    /// Its angular velocity in inertial components, where the model has one for it.
-    pub turning: Option<Vector3<T>>,
+    /// Angular velocity in inertial components, rad/s; `None` if the model does not define it.
+    pub angular_velocity: Option<Vector3<T>>,
 }
 
-/// A turn of a frame relative to its parent, as seen from the inertial frame.
+/// Rotation of a frame about one axis of its parent, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn<T> {
-    /// Axis of the turn.
+pub struct ElementaryRotation<T> {
+    /// Axis of rotation, unit vector.
     pub axis: Vector3<T>,
-    /// Angular velocity of the parent, which carries the axis.
-    pub carried: Vector3<T>,
-    /// State that holds the rate.
+    /// Angular velocity of the parent frame, rad/s.
+    pub parent_angular_velocity: Vector3<T>,
+    /// Index of the state that is the angular rate.
     pub rate: usize,
 }
 
-/// All frames of a model, where `circle` gives the sine and cosine of a state.
+/// All frames of a model; `sin_cos` gives sine and cosine of the state of an index.
 pub fn place<T: Field>(
     model: &Model,
     states: &[T],
-    circle: impl Fn(usize) -> (T, T),
-) -> Vec<Placed<T>> {
-    let mut placed: Vec<Placed<T>> = Vec::with_capacity(model.frames.len());
+    sin_cos: impl Fn(usize) -> (T, T),
+) -> Vec<PlacedFrame<T>> {
+    let mut placed: Vec<PlacedFrame<T>> = Vec::with_capacity(model.frames.len());
     for (index, frame) in model.frames.iter().enumerate() {
         placed.push(match frame.kind {
-            FrameKind::Inertial => Placed {
+            FrameKind::Inertial => PlacedFrame {
                 axes: Matrix3::identity(),
-                turning: Some(Vector3::zeros()),
+                angular_velocity: Some(Vector3::zeros()),
             },
             FrameKind::Turned {
                 parent,
@@ -45,30 +45,30 @@ pub fn place<T: Field>(
                 axis,
             } => {
                 let parent = placed[parent];
-                let (s, c) = circle(angle);
-                let turning = parent.turning.zip(rate);
-                Placed {
-                    axes: parent.axes * turned(axis, s, c),
-                    turning: turning
+                let (s, c) = sin_cos(angle);
+                let rates = parent.angular_velocity.zip(rate);
+                PlacedFrame {
+                    axes: parent.axes * rotated(axis, s, c),
+                    angular_velocity: rates
                         .map(|(w, rate)| w + parent.axes * unit::<T>(axis) * states[rate]),
                 }
             }
             FrameKind::Quaternion { parent, states: q } => {
                 let axes =
                     placed[parent].axes * Quaternion::from_parts(q.map(|i| states[i])).matrix();
-                Placed {
+                PlacedFrame {
                     axes,
-                    turning: None,
+                    angular_velocity: None,
                 }
             }
         });
-        let given = model.body.as_ref().and_then(|b| b.rotation.as_ref());
+        let declared = model.body.as_ref().and_then(|b| b.rotation.as_ref());
         if let Some((rotation, (components, frame))) =
-            given.and_then(|r| Some((r, r.angular_velocity?)))
+            declared.and_then(|r| Some((r, r.angular_velocity?)))
             && rotation.body_frame == index
         {
-            // The components may be those of this very frame, which stands by now.
-            placed[index].turning =
+            // The components may refer to this frame, which has been placed above.
+            placed[index].angular_velocity =
                 Some(placed[frame].axes * Vector3::from(components.map(|i| states[i])));
         }
     }
@@ -76,23 +76,27 @@ pub fn place<T: Field>(
 }
 
 /// All frames of a model at a state.
-pub fn place_real<T: Real>(model: &Model, states: &[T]) -> Vec<Placed<T>> {
+pub fn place_real<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>> {
     place(model, states, |i| (states[i].sin(), states[i].cos()))
 }
 
-/// The turns that lead from the inertial frame to `frame`, outermost first; none if one of them is a quaternion.
-pub fn turns<T: Field>(model: &Model, placed: &[Placed<T>], frame: usize) -> Option<Vec<Turn<T>>> {
+/// Rotations from the inertial frame to `frame`, outermost first; `None` if a quaternion is among them or a rate is undefined.
+pub fn elementary_rotations<T: Field>(
+    model: &Model,
+    placed: &[PlacedFrame<T>],
+    frame: usize,
+) -> Option<Vec<ElementaryRotation<T>>> {
     match model.frames[frame].kind {
         FrameKind::Inertial => Some(Vec::new()),
         FrameKind::Quaternion { .. } => None,
         FrameKind::Turned {
             parent, rate, axis, ..
         } => {
-            let mut chain = turns(model, placed, parent)?;
+            let mut chain = elementary_rotations(model, placed, parent)?;
             let axis = placed[parent].axes * unit::<T>(axis);
-            chain.push(Turn {
+            chain.push(ElementaryRotation {
                 axis,
-                carried: placed[parent].turning?,
+                parent_angular_velocity: placed[parent].angular_velocity?,
                 rate: rate?,
             });
             Some(chain)
@@ -100,8 +104,8 @@ pub fn turns<T: Field>(model: &Model, placed: &[Placed<T>], frame: usize) -> Opt
     }
 }
 
-/// Columns: the axes of a frame turned about `axis`, in the frame that was turned.
-fn turned<T: Field>(axis: u8, s: T, c: T) -> Matrix3<T> {
+/// Axes, as columns, of a frame rotated about `axis`, in components of the original frame.
+fn rotated<T: Field>(axis: u8, s: T, c: T) -> Matrix3<T> {
     let (o, l) = (T::zero(), T::one());
     match axis {
         1 => Matrix3::new(l, o, o, o, c, -s, o, s, c),

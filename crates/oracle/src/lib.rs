@@ -1,21 +1,41 @@
-//! Flight models evaluated directly with vectors in inertial components: by hand, after the paper, and
-//! from the tree of a checked [`Model`](model_spec::model::Model). The compiler is checked against both.
+//! Independent reference evaluation of flight models, with vectors in inertial components: reference implementations
+//! of the laws of motion, after their publications, and the vector tree of any checked
+//! [`Model`](model_spec::model::Model). The compiler is checked against both.
 //!
-//! Nothing here may use the compiler's graph: an oracle that shares a mistake with what it checks is
-//! none. A test reads this crate's manifest to keep it so.
+//! This crate shares no code with the compiler, so that it cannot share its mistakes; a test of the manifest and of the
+//! source keeps it so.
 //!
-//! Everything is generic over the [`scalar`], so that one text gives values, the magnitude of the terms
-//! that were summed, exact derivatives in two ways, and rational functions in a prime field.
+//! - **Reference implementations**: [`Reference`] binds a [`Law`] to the names of a model, [`effect`] adds the built-in
+//!   effects.
+//! - **Vector tree**: [`Tree`] evaluates the expressions of a model, [`derivatives`] its equations of motion;
+//!   [`free_load_derivatives`] those of a rigid body under given loads, in any field.
+//! - **Coordinates**: a [`Chart`] maps the states of a model to a [`Physical`] state and back.
+//!
+//! Everything is generic over the [`scalar`] type, so that one text yields values, running error bounds, derivatives
+//! in several ways, and values in a prime field.
 
-pub mod attitude;
-pub mod chart;
-pub mod dynamics;
+mod attitude;
+mod chart;
+mod dynamics;
 pub mod effect;
-pub mod frames;
-pub mod physical;
-pub mod point;
-pub mod rational;
-pub mod reference;
-pub mod rigid;
+mod error;
+mod frames;
+mod free_loads;
+mod physical;
+mod point;
+mod reference;
+mod rigid;
 pub mod scalar;
-pub mod tree;
+mod tree;
+
+pub use attitude::Quaternion;
+pub use chart::{Chart, PhysicalRate};
+pub use dynamics::{MassProperties, derivatives, derivatives_of, mass_properties};
+pub use error::{BindError, Unsupported};
+pub use frames::PlacedFrame;
+pub use free_loads::free_load_derivatives;
+pub use physical::{Motion, Physical};
+pub use point::Point;
+pub use reference::{Law, Reference};
+pub use rigid::{inertia_in_n, solve};
+pub use tree::{Tree, Value};

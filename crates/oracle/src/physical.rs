@@ -1,19 +1,19 @@
-//! The state of a body as nature has it, whatever coordinates a model chooses for it.
+//! State of a body independent of the coordinates that a model chooses for it.
 
 use crate::attitude::Quaternion;
 use crate::scalar::Field;
 use nalgebra::Vector3;
 
-/// Where a body is and how it moves; every vector in inertial components.
+/// Physical state of a body; every vector in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Physical<T> {
-    /// Position of the mass centre.
+    /// Position of the mass centre, m.
     pub position: Vector3<T>,
-    /// Velocity of the mass centre.
+    /// Velocity of the mass centre, m/s.
     pub velocity: Vector3<T>,
-    /// Attitude of the frame that is fixed in the body.
+    /// Attitude of the body frame.
     pub attitude: Quaternion<T>,
-    /// Angular velocity of the body.
+    /// Angular velocity of the body, rad/s.
     pub angular_velocity: Vector3<T>,
 }
 
@@ -29,15 +29,15 @@ impl<T: Field> Physical<T> {
     }
 }
 
-/// What acts on a body and how it answers; every vector in inertial components.
+/// Loads on a body and its accelerations; every vector in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T> {
-    /// Sum of the forces.
+    /// Sum of the forces, N.
     pub force: Vector3<T>,
-    /// Sum of the moments about the mass centre.
+    /// Sum of the moments about the mass centre, N·m.
     pub moment: Vector3<T>,
-    /// Acceleration of the mass centre.
+    /// Acceleration of the mass centre, m/s².
     pub acceleration: Vector3<T>,
-    /// Angular acceleration of the body.
+    /// Angular acceleration of the body, rad/s².
     pub angular_acceleration: Vector3<T>,
 }

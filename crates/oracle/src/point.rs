@@ -1,28 +1,28 @@
-//! A point at which a model is evaluated: a number for every name.
+//! Arguments of a model's evaluation: a number for every name.
 
 use crate::scalar::{Field, Real};
 use model_spec::model::Model;
 use nalgebra::Vector3;
 
-/// A number for every name of a model.
+/// Values of time, parameters, coefficients, inputs, states and marker of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point<T> {
-    /// Time since release.
+    /// Time since release, s.
     pub time: T,
-    /// As in [`Model::params`].
+    /// Values of [`Model::params`].
     pub params: Vec<T>,
-    /// As in [`Model::coefficients`].
+    /// Values of [`Model::coefficients`].
     pub coefficients: Vec<T>,
-    /// As in [`Model::inputs`], components in each one's frame.
+    /// Components of [`Model::inputs`], each in its own frame.
     pub inputs: Vec<Vector3<T>>,
-    /// As in [`Model::states`].
+    /// Values of [`Model::states`].
     pub states: Vec<T>,
-    /// Coordinates of the marker in its frame.
+    /// Coordinates of the marker in its frame, m.
     pub marker: Vector3<T>,
 }
 
 impl Point<f64> {
-    /// Every name at its default.
+    /// Default value of every name, at time 0.
     pub fn defaults(model: &Model) -> Self {
         Self {
             time: 0.0,
@@ -38,14 +38,14 @@ impl Point<f64> {
         }
     }
 
-    /// The same point in other numbers.
+    /// Converts every value to a constant of another scalar type.
     pub fn lift<T: Real>(&self) -> Point<T> {
         self.map(T::lit)
     }
 }
 
 impl<T: Field> Point<T> {
-    /// The same point in other numbers.
+    /// Applies a conversion to every value.
     pub fn map<U: Field>(&self, mut f: impl FnMut(T) -> U) -> Point<U> {
         Point {
             time: f(self.time),

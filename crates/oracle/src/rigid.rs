@@ -1,33 +1,36 @@
 //! Newton's and Euler's laws in inertial components: dp/dt = F and dH/dt = M, with p = m v and H = I ω.
 //!
-//! Rational in everything, so that it holds in any field.
+//! All formulas are rational, and therefore valid in any field.
 
 use crate::scalar::Field;
 use nalgebra::{Matrix3, Vector3};
 
-/// The solution of a x = b by Cramer's rule.
+/// Solution x of a x = b by Cramer's rule.
 pub fn solve<T: Field>(a: &Matrix3<T>, b: &Vector3<T>) -> Vector3<T> {
     let [p, q, r] = [0, 1, 2].map(|i| a.column(i).into_owned());
     let determinant = p.dot(&q.cross(&r));
     Vector3::new(b.dot(&q.cross(&r)), p.dot(&b.cross(&r)), p.dot(&q.cross(b))) / determinant
 }
 
-/// The inertia in inertial components of a body whose principal frame has these axes.
+/// Inertia tensor in inertial components, from components in a frame with the given axes (as columns).
 pub fn inertia_in_n<T: Field>(axes: &Matrix3<T>, inertia: &Matrix3<T>) -> Matrix3<T> {
     axes * inertia * axes.transpose()
 }
 
-/// The angular acceleration that a moment gives, the inertia being constant in a frame that turns at
-/// `carried`: dH/dt = I dω/dt + carried × I ω − I (carried × ω).
+/// Angular acceleration dω/dt under a moment, the inertia being constant in a frame of angular velocity `frame_rate`:
+/// dH/dt = I dω/dt + frame_rate × I ω − I (frame_rate × ω).
 pub fn angular_acceleration<T: Field>(
     inertia: &Matrix3<T>,
-    carried: &Vector3<T>,
+    frame_rate: &Vector3<T>,
     omega: &Vector3<T>,
     moment: &Vector3<T>,
 ) -> Vector3<T> {
     let momentum = inertia * omega;
-    let turned = inertia * carried.cross(omega);
-    solve(inertia, &(moment - carried.cross(&momentum) + turned))
+    let transported = inertia * frame_rate.cross(omega);
+    solve(
+        inertia,
+        &(moment - frame_rate.cross(&momentum) + transported),
+    )
 }
 
 #[cfg(test)]

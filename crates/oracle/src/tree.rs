@@ -1,97 +1,97 @@
-//! The tree oracle: a model's own vector tree, evaluated with vectors in inertial components.
+//! The vector tree of a model, evaluated in inertial components.
 //!
-//! Every vector is turned into inertial components the moment it appears; to express it in another frame
-//! then changes nothing, and a component is a scalar product with an axis.
+//! Every vector is converted to inertial components as soon as it appears; expressing it in another frame then changes
+//! nothing, and a component is a scalar product with an axis.
 
-use crate::frames::{Placed, place_real};
+use crate::frames::{PlacedFrame, place_real};
 use crate::point::Point;
 use crate::scalar::{Real, call};
 use model_spec::model::{Body, Expr, ExprKind, Load, Model, Shape};
 use nalgebra::Vector3;
 
-/// A number, or a vector in inertial components.
+/// Value of an expression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value<T> {
-    /// A number.
+    /// A scalar.
     Scalar(T),
     /// A vector in inertial components.
     Vector(Vector3<T>),
 }
 
-/// A model at a point, with its named quantities evaluated.
+/// A model at a point, with its auxiliary variables evaluated.
 pub struct Tree<'a, T> {
     /// The model.
     pub model: &'a Model,
-    /// Where it is evaluated.
+    /// Point of evaluation.
     pub point: &'a Point<T>,
-    /// Its frames there.
-    pub frames: Vec<Placed<T>>,
-    /// Its named quantities there.
-    pub lets: Vec<Value<T>>,
+    /// Its frames at the point.
+    pub frames: Vec<PlacedFrame<T>>,
+    /// Values of its auxiliary variables.
+    pub aux_variables: Vec<Value<T>>,
 }
 
 impl<'a, T: Real> Tree<'a, T> {
-    /// Places the frames and evaluates the named quantities in their order.
+    /// Evaluates frames and auxiliary variables at a point.
     pub fn new(model: &'a Model, point: &'a Point<T>) -> Self {
         Self::overriding(model, point, &[])
     }
 
-    /// The same with some named quantities, by index, at values of one's own.
+    /// Evaluates a model with given values, by index, for some of its auxiliary variables.
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
         let frames = place_real(model, &point.states);
         let mut tree = Self {
             model,
             point,
             frames,
-            lets: Vec::with_capacity(model.aux_variables.len()),
+            aux_variables: Vec::with_capacity(model.aux_variables.len()),
         };
         for (index, named) in model.aux_variables.iter().enumerate() {
-            let own = given
+            let given_value = given
                 .iter()
                 .find(|(i, _)| *i == index)
                 .map(|(_, value)| *value);
-            let value = own.unwrap_or_else(|| tree.value(&named.value));
-            tree.lets.push(value);
+            let value = given_value.unwrap_or_else(|| tree.value(&named.value));
+            tree.aux_variables.push(value);
         }
         tree
     }
 
-    /// A scalar expression.
+    /// Value of a scalar expression.
     ///
     /// # Panics
-    /// If it is a vector, which the checker does not let through.
+    /// If it is a vector, which the checker of the language excludes.
     pub fn scalar(&self, e: &Expr) -> T {
         match self.value(e) {
             Value::Scalar(s) => s,
-            Value::Vector(_) => panic!("the checker lets no vector stand for a number"),
+            Value::Vector(_) => panic!("a scalar expression, by the checker"),
         }
     }
 
-    /// A vector expression, in inertial components.
+    /// Value of a vector expression, in inertial components.
     ///
     /// # Panics
-    /// If it is a number, which the checker does not let through.
+    /// If it is a scalar, which the checker of the language excludes.
     pub fn vector(&self, e: &Expr) -> Vector3<T> {
         match self.value(e) {
             Value::Vector(v) => v,
-            Value::Scalar(_) => panic!("the checker lets no number stand for a vector"),
+            Value::Scalar(_) => panic!("a vector expression, by the checker"),
         }
     }
 
-    /// The sum of forces or moments, in inertial components.
+    /// Sum of forces or moments, in inertial components.
     pub fn total(&self, loads: &[Load]) -> Vector3<T> {
         loads
             .iter()
             .fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value))
     }
 
-    /// Seconds of flight that pass in a second of the clock.
+    /// Seconds of flight per second of the measuring clock.
     pub fn clock(&self) -> T {
         let stated = self.model.clock.as_ref();
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))
     }
 
-    /// Any expression.
+    /// Value of any expression.
     pub fn value(&self, e: &Expr) -> Value<T> {
         use ExprKind as K;
         use Value::{Scalar, Vector};
@@ -106,7 +106,7 @@ impl<'a, T: Real> Tree<'a, T> {
                 Vector(self.frames[self.model.inputs[*i].frame].axes * self.point.inputs[*i])
             }
             K::State(i) => Scalar(self.point.states[*i]),
-            K::AuxVariable(i) => self.lets[*i],
+            K::AuxVariable(i) => self.aux_variables[*i],
             K::Axis(frame, axis) => Vector(
                 self.frames[*frame]
                     .axes
@@ -123,11 +123,11 @@ impl<'a, T: Real> Tree<'a, T> {
                     .body()
                     .rotation
                     .as_ref()
-                    .expect("the checker wants a body that turns");
+                    .expect("a body with attitude, by the checker");
                 Vector(
                     self.frames[rotation.body_frame]
-                        .turning
-                        .expect("a frame fixed in a body turns"),
+                        .angular_velocity
+                        .expect("a body frame with angular velocity"),
                 )
             }
             K::Marker => {
@@ -135,7 +135,7 @@ impl<'a, T: Real> Tree<'a, T> {
                     .model
                     .marker
                     .as_ref()
-                    .expect("the checker wants a marker");
+                    .expect("a marker, by the checker");
                 Vector(self.frames[marker.frame].axes * self.point.marker)
             }
             K::Components(parts) => {
@@ -143,7 +143,7 @@ impl<'a, T: Real> Tree<'a, T> {
                 let parts = Vector3::new(self.scalar(a), self.scalar(b), self.scalar(c));
                 match e.shape {
                     Shape::Vector(frame) => Vector(self.frames[frame].axes * parts),
-                    Shape::Scalar => panic!("three components are a vector"),
+                    Shape::Scalar => panic!("components of a vector, by the checker"),
                 }
             }
             K::Neg(a) => match self.value(a) {
@@ -161,7 +161,7 @@ impl<'a, T: Real> Tree<'a, T> {
             K::Mul(a, b) => match (self.value(a), self.value(b)) {
                 (Scalar(a), Scalar(b)) => Scalar(a * b),
                 (Scalar(s), Vector(v)) | (Vector(v), Scalar(s)) => Vector(v * s),
-                (Vector(_), Vector(_)) => panic!("the checker multiplies no vectors"),
+                (Vector(_), Vector(_)) => panic!("at most one vector factor, by the checker"),
             },
             K::Div(a, b) => {
                 let b = self.scalar(b);
@@ -201,7 +201,7 @@ impl<'a, T: Real> Tree<'a, T> {
             }
             K::Component(a, axis) => {
                 let Shape::Vector(frame) = a.shape else {
-                    panic!("a number has no components")
+                    panic!("a component of a vector, by the checker")
                 };
                 Scalar(
                     self.frames[frame]
@@ -229,11 +229,11 @@ impl<'a, T: Real> Tree<'a, T> {
     }
 
     fn body(&self) -> &'a Body {
-        self.model.body.as_ref().expect("the checker wants a body")
+        self.model.body.as_ref().expect("a body, by the checker")
     }
 }
 
-/// Length; 0 with derivative 0 at the zero vector.
+/// Euclidean norm; 0 with derivative 0 at the zero vector.
 pub fn norm<T: Real>(v: &Vector3<T>) -> T {
     v.dot(v).sqrt()
 }

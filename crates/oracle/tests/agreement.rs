@@ -2,12 +2,8 @@
 
 use model_spec::load::load;
 use model_spec::model::{FrameKind, Model};
-use oracle::chart::Chart;
-use oracle::dynamics::derivatives;
-use oracle::point::Point;
-use oracle::reference::Reference;
 use oracle::scalar::{ComplexStep, ErrorBound, NumDual, Real};
-use oracle::tree::Tree;
+use oracle::{Chart, Point, Reference, Tree, derivatives};
 use proptest::prelude::*;
 
 /// A built-in model; the discus claims its law whether its file says so or not.
@@ -126,5 +122,5 @@ fn what_a_reference_misses_is_told() {
         force weight = -m*9.81 [m/s^2]*N.3;";
     let model = model_spec::load::from_text("a", text, &[]).unwrap();
     let why = Reference::bind(&model).unwrap().unwrap_err();
-    assert_eq!(why, "`I_a` is not declared");
+    assert_eq!(why.to_string(), "`I_a` is not declared");
 }

@@ -17,7 +17,13 @@ fn the_manifest_names_nothing_of_the_compiler() {
         .filter(|name| !name.is_empty() && !name.starts_with('#'))
         .collect();
     for name in &dependencies {
-        let known = ["model-spec", "nalgebra", "num-dual", "num-traits"];
+        let known = [
+            "model-spec",
+            "nalgebra",
+            "num-dual",
+            "num-traits",
+            "thiserror",
+        ];
         assert!(
             known.contains(name),
             "`{name}`: may the oracle depend on it?"

@@ -3,8 +3,7 @@
 use identify::dataset::{Dataset, Role};
 use identify::synthesize::Corruption;
 use identify::{FitOptions, fit};
-use oracle::effect;
-use oracle::reference::Law;
+use oracle::{Law, effect};
 use studies::oracle_flights::{Plan, TWELVE, disc, flights};
 use studies::seeded::{STRENGTHS, SeededEffects, UNLISTED, ball, dataset, strength};
 
@@ -46,7 +45,7 @@ fn nothing_hidden_is_what_is_made_without() {
 
 #[test]
 fn every_effect_shows_more_when_it_is_strong() {
-    for found in effect::ALL {
+    for found in effect::all() {
         let name = found.name;
         let strength = strength(name).unwrap_or_else(|| panic!("no strength of {name}"));
         assert_eq!(strength.weak.len(), found.values(), "{name}");
@@ -67,12 +66,12 @@ fn every_effect_shows_more_when_it_is_strong() {
             assert!(shown[1] < 10.0, "{name} of {law:?}: {shown:?}");
         }
     }
-    assert_eq!(STRENGTHS.len(), effect::ALL.len());
+    assert_eq!(STRENGTHS.len(), effect::all().count());
 }
 
 #[test]
 fn what_is_negligible_moves_a_throw_by_millimetres_at_most() {
-    let each = effect::ALL.iter().flat_map(|effect| {
+    let each = effect::all().flat_map(|effect| {
         let bodies = [(Law::Disc, "disc"), (Law::Ball, "ball")];
         let laws = bodies
             .into_iter()

@@ -5,7 +5,7 @@ use codegen::compile::Compiled;
 use codegen::program::Function;
 use codegen::tape::{Inputs, Tape};
 use nalgebra::Vector3;
-use oracle::point::Point;
+use oracle::Point;
 
 /// Compiled equations on the tape.
 pub struct Engine {

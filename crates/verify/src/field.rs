@@ -8,7 +8,7 @@
 use codegen::functions::{MathFunction, Parity};
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use num_traits::{One, Zero};
-use oracle::point::Point;
+use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
 
 /// An angle with its sine and cosine.

@@ -8,13 +8,10 @@ use crate::same_motion::carry;
 use crate::subject::Subject;
 use nalgebra::{Matrix3, Vector3};
 use ode::Method;
-use oracle::attitude::Quaternion;
-use oracle::dynamics::{MassProperties, mass_properties};
-use oracle::physical::Physical;
-use oracle::point::Point;
-use oracle::reference::Reference;
-use oracle::rigid::{inertia_in_n, solve};
-use oracle::tree::Tree;
+use oracle::{
+    MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, mass_properties,
+    solve,
+};
 
 /// Name of the check without air.
 pub const INVARIANTS: &str = "flight without air";

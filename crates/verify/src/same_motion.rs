@@ -7,8 +7,7 @@ use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
 use nalgebra::Vector3;
-use oracle::chart::Change;
-use oracle::point::Point;
+use oracle::{PhysicalRate, Point};
 use serde::Serialize;
 
 /// One pair of models.
@@ -88,8 +87,8 @@ fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
         let Some(there) = carry(a, b, &here) else {
             return Row::skipped(NAME, "the states of one cannot be found from the other's");
         };
-        let one = chart_a.change(&here.states, &a.equations.rates(&here));
-        let other = chart_b.change(&there.states, &b.equations.rates(&there));
+        let one = chart_a.physical_rate(&here.states, &a.equations.rates(&here));
+        let other = chart_b.physical_rate(&there.states, &b.equations.rates(&there));
         for (what, x, y) in parts(&one, &other) {
             worst.see((x - y).norm() / (x.norm() + y.norm() + 1.0), || {
                 what.to_owned()
@@ -99,7 +98,7 @@ fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
     Row::judged(NAME, options.cases, &worst, 1e3 * TOLERANCE)
 }
 
-fn parts(a: &Change, b: &Change) -> [(&'static str, Vector3<f64>, Vector3<f64>); 4] {
+fn parts(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, Vector3<f64>, Vector3<f64>); 4] {
     [
         ("velocity", a.velocity, b.velocity),
         ("acceleration", a.acceleration, b.acceleration),

@@ -4,8 +4,7 @@ use crate::random::Random;
 use model_spec::model::{FrameKind, Model, Parameter};
 use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
-use oracle::point::Point;
-use oracle::tree::Tree;
+use oracle::{Point, Tree};
 
 /// How often a point is drawn anew; a model whose limits leave less than that is taken outside them.
 const DRAWS: usize = 1000;

@@ -2,11 +2,7 @@
 
 use model_spec::model::Model;
 use nalgebra::Vector3;
-use oracle::chart::Chart;
-use oracle::dynamics::{Unsupported, derivatives};
-use oracle::point::Point;
-use oracle::reference::Reference;
-use oracle::tree::Tree;
+use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives};
 
 /// Equations of motion that can be evaluated, however that is done.
 pub trait Equations: Sync {
@@ -24,8 +20,8 @@ pub struct Subject<'a> {
     pub equations: &'a dyn Equations,
     /// The law that it claims, tied to its names.
     pub reference: Option<Reference>,
-    /// Why the law that it claims could not be tied.
-    pub unbound: Option<String>,
+    /// Why its reference implementation cannot be bound.
+    pub unbound: Option<BindError>,
     /// Which state stands for what: by the names of the reference, else by the body's declaration.
     pub chart: Option<Chart>,
 }
@@ -70,7 +66,7 @@ impl<'a> Subject<'a> {
     /// each with the value at which it leaves the law as it is.
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
-            Some(reference) => reference.vanishing(self.model),
+            Some(reference) => reference.null_values(self.model),
             None => {
                 let of_effects = self.model.effects.iter().flat_map(|e| &e.coefficients);
                 of_effects.map(|c| (c.index, c.null_value)).collect()

@@ -12,7 +12,7 @@ use codegen::schedule::{Namer, schedule};
 use codegen::tape::{Inputs, Tape};
 use model_spec::model::Model;
 use nalgebra::Vector3;
-use oracle::point::Point;
+use oracle::Point;
 
 /// Derivatives and observation of a model, scheduled.
 pub struct Values {

@@ -3,7 +3,7 @@
 
 use generated::{Equations, Visitor};
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
-use oracle::point::Point;
+use oracle::Point;
 use verify::checks::backends::runs;
 use verify::engine::parameters;
 use verify::random::Random;

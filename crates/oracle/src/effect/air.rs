@@ -1,23 +1,41 @@
-//! What surrounds the body: wind, the density of the air, gravity.
+//! Effects on the surroundings: wind, air density, gravity.
 
+use super::{ANY, Effect, Kind, effect};
 use crate::physical::Physical;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect("wind", &["W_x", "W_y"], &ANY, Kind::Air(Air::Wind)),
+    Effect {
+        states: &["gust_x", "gust_y"],
+        ..effect("wind_of_each_flight", &[], &ANY, Kind::Air(Air::Wind))
+    },
+    effect(
+        "wind_by_height",
+        &["shear_x", "shear_y"],
+        &ANY,
+        Kind::Air(Air::WindByHeight),
+    ),
+    effect("air_density", &["rho_error"], &ANY, Kind::Air(Air::Density)),
+    effect("gravity", &["g_error"], &ANY, Kind::Air(Air::Gravity)),
+];
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Air {
-    /// The air moves, everywhere alike.
+    /// Uniform wind.
     Wind,
-    /// It moves the faster the higher.
+    /// Wind proportional to the height.
     WindByHeight,
-    /// It is denser.
+    /// Relative error of the air density.
     Density,
-    /// Gravity is greater.
+    /// Relative error of the gravitational acceleration.
     Gravity,
 }
 
 impl Air {
-    /// Velocity of the air, beside the wind that was given.
+    /// Velocity of the air relative to the given wind, m/s, in inertial components.
     pub fn velocity<T: Real>(self, values: &[T], at: &Physical<T>) -> Vector3<T> {
         let along = match self {
             Self::Wind => T::one(),
@@ -27,7 +45,7 @@ impl Air {
         Vector3::new(values[0], values[1], T::zero()) * along
     }
 
-    /// The constant of the law that it makes greater, and by which factor.
+    /// Name of the constant that is scaled, and the factor.
     pub fn factor<T: Real>(self, values: &[T]) -> Option<(&'static str, T)> {
         let name = match self {
             Self::Density => "rho",

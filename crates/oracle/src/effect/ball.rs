@@ -1,47 +1,65 @@
-//! Forces on a ball beside its drag.
+//! Forces on a ball in addition to its drag.
 
-use super::{Load, Scene};
+use super::{BALL, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// Kinematic viscosity of air at 20 degrees, m²/s.
+/// Kinematic viscosity of air at 20 °C, m²/s.
 const VISCOSITY: f64 = 1.5e-5;
-/// The Reynolds number at which the drag falls, and within how much of it on either side.
+/// Critical Reynolds number of the drag crisis, and the width of the transition.
 const CRISIS: (f64, f64) = (1e5, 2e4);
+
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect("magnus", &["C_Lw"], &BALL, Kind::Ball(Ball::Magnus)),
+    effect("spin_decay", &["C_Lwt"], &BALL, Kind::Ball(Ball::SpinDecay)),
+    effect(
+        "drag_crisis",
+        &["C_Dc"],
+        &BALL,
+        Kind::Ball(Ball::DragCrisis),
+    ),
+    effect(
+        "buoyancy",
+        &["displaced"],
+        &BALL,
+        Kind::Ball(Ball::Buoyancy),
+    ),
+];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Ball {
-    /// Lift by spin.
+    /// Magnus force, proportional to ω × v.
     Magnus,
-    /// Lift by spin that is lost with time.
+    /// Linear decrease of the Magnus force with time.
     SpinDecay,
-    /// Less drag above a Reynolds number.
+    /// Lower drag above the critical Reynolds number.
     DragCrisis,
-    /// The weight of the air that it displaces.
+    /// Buoyancy of the displaced air.
     Buoyancy,
 }
 
 impl Ball {
-    pub fn load<T: Real>(self, values: &[T], scene: &Scene<'_, T>) -> Load<T> {
+    pub fn load<T: Real>(self, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
         let value = values[0];
-        let [radius, rho] = ["radius", "rho"].map(|name| scene.constant(name));
+        let [radius, rho] = ["radius", "rho"].map(|name| flow.constant(name));
         let area = T::lit(PI) * radius * radius;
-        // ρ V² A / 2 times R ω / V, across the spin and the path: one V is in the vector product.
-        let by_spin = scene.omega.cross(&scene.through_air()) * (rho * area * radius / T::lit(2.0));
+        // ρ V² A / 2 · (R ω / V), perpendicular to spin and path: the vector product contains one V.
+        let by_spin = flow.omega.cross(&flow.through_air()) * (rho * area * radius / T::lit(2.0));
         Load::force(match self {
             Self::Magnus => by_spin * value,
-            Self::SpinDecay => by_spin * (-value * scene.time),
+            Self::SpinDecay => by_spin * (-value * flow.time),
             Self::DragCrisis => {
-                let reynolds = scene.speed() * T::lit(2.0) * radius / T::lit(VISCOSITY);
+                let reynolds = flow.speed() * T::lit(2.0) * radius / T::lit(VISCOSITY);
                 let beyond = (reynolds - T::lit(CRISIS.0)) / T::lit(CRISIS.1);
                 let turbulent = T::one() / (T::one() + (-(beyond + beyond)).exp());
-                let pressure = rho * area * scene.speed() / T::lit(2.0);
-                scene.through_air() * (pressure * value * turbulent)
+                let pressure = rho * area * flow.speed() / T::lit(2.0);
+                flow.through_air() * (pressure * value * turbulent)
             }
             Self::Buoyancy => {
                 let volume = T::lit(4.0 / 3.0 * PI) * radius.powi(3);
-                let up = value * rho * volume * scene.constant("g");
+                let up = value * rho * volume * flow.constant("g");
                 Vector3::new(T::zero(), T::zero(), up)
             }
         })

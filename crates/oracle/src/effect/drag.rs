@@ -1,34 +1,51 @@
-//! What changes the drag of a disc.
+//! Effects on the drag of a disc.
 
-use super::{Load, Scene};
+use super::{DISC, DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Speed at which the drag by the Reynolds number is that of the law, m/s.
-const MIDDLE: f64 = 14.0;
+/// Speed at which the Reynolds-number term of the drag is 0, m/s.
+const REFERENCE_SPEED: f64 = 14.0;
+
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect(
+        "zero_lift_drag_angle",
+        &["alpha_0"],
+        &DISC,
+        Kind::Drag(Drag::ZeroLiftAngle),
+    ),
+    effect("drag_by_spin", &["C_DS"], &DISCS, Kind::Drag(Drag::BySpin)),
+    effect(
+        "drag_by_reynolds",
+        &["C_DRe"],
+        &DISCS,
+        Kind::Drag(Drag::ByReynolds),
+    ),
+];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Drag {
-    /// It is least at another angle than zero.
+    /// Minimum drag at a nonzero angle of attack.
     ZeroLiftAngle,
-    /// By the size of the spin.
+    /// Proportional to the absolute advance ratio.
     BySpin,
-    /// By the logarithm of the speed.
+    /// Proportional to the logarithm of the Reynolds number.
     ByReynolds,
 }
 
 impl Drag {
-    pub fn load<T: Real>(self, values: &[T], scene: &Scene<'_, T>) -> Load<T> {
+    pub fn load<T: Real>(self, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
         let value = values[0];
         let change = match self {
             Self::ZeroLiftAngle => {
-                // The parabola about its new place, less the parabola about zero.
-                let alpha = scene.alpha();
-                let from = alpha - value;
-                scene.constant("C_Da") * (from * from - alpha * alpha)
+                // The parabola with the shifted minimum minus the one with its minimum at 0.
+                let alpha = flow.alpha();
+                let shifted = alpha - value;
+                flow.constant("C_Da") * (shifted * shifted - alpha * alpha)
             }
-            Self::BySpin => value * scene.spin_ratio().abs(),
-            Self::ByReynolds => value * (scene.speed() / T::lit(MIDDLE)).ln(),
+            Self::BySpin => value * flow.advance_ratio().abs(),
+            Self::ByReynolds => value * (flow.speed() / T::lit(REFERENCE_SPEED)).ln(),
         };
-        Load::force(scene.dragged(change))
+        Load::force(flow.drag(change))
     }
 }

@@ -1,21 +1,43 @@
-//! How the body answers: its inertia, and the air that moves with it.
+//! Effects on mass and inertia of a disc.
 
-use super::Scene;
+use super::{DISCS, Effect, Flow, Kind, effect};
 use crate::scalar::Real;
 use nalgebra::{Matrix3, Vector3};
 
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect(
+        "added_mass",
+        &["m_v"],
+        &DISCS,
+        Kind::Inertia(Inertia::AddedMass),
+    ),
+    effect(
+        "mass_imbalance",
+        &["I_13", "I_23"],
+        &DISCS,
+        Kind::Inertia(Inertia::Imbalance),
+    ),
+    effect(
+        "unequal_diametral_inertias",
+        &["dI"],
+        &DISCS,
+        Kind::Inertia(Inertia::UnequalDiameters),
+    ),
+];
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Inertia {
-    /// Products of inertia.
+    /// Products of inertia I₁₃ and I₂₃.
     Imbalance,
-    /// Two diameters are unlike.
+    /// Unequal moments of inertia about two diameters.
     UnequalDiameters,
-    /// Air that moves along the axis with the body.
+    /// Added mass of the air, along the axis.
     AddedMass,
 }
 
 impl Inertia {
-    /// What is added to the inertia in the frame that is fixed in the body.
+    /// Additional inertia in the body frame, kg·m².
     pub fn added<T: Real>(self, values: &[T]) -> Matrix3<T> {
         let mut inertia = Matrix3::zeros();
         match self {
@@ -34,25 +56,25 @@ impl Inertia {
         inertia
     }
 
-    /// The force of the air that is carried along, where everything else pulls with `force` at the mass `mass`.
+    /// Reaction of the added mass μ, where all other forces sum to `force` and the body has the mass `mass`.
     ///
-    /// Its momentum is p = μ (v·n) n, and the force −dp/dt, which holds the acceleration it has itself a part in. Along n
-    /// the momenta of body and air change together.
-    pub fn carried<T: Real>(
+    /// The momentum of the air is p = μ (v·n) n; the force −dp/dt depends on the acceleration to which it contributes,
+    /// so that the equation is solved for the component along n.
+    pub fn added_mass_force<T: Real>(
         self,
         values: &[T],
-        scene: &Scene<'_, T>,
+        flow: &Flow<'_, T>,
         force: Vector3<T>,
         mass: T,
     ) -> Vector3<T> {
         if self != Self::AddedMass {
             return Vector3::zeros();
         }
-        let (air, normal, v) = (values[0], scene.normal(), scene.through_air());
-        let turning = scene.at.angular_velocity.cross(&normal);
-        let (along, drift) = (v.dot(&normal), v.dot(&turning));
+        let (air, normal, v) = (values[0], flow.normal(), flow.through_air());
+        let normal_rate = flow.at.angular_velocity.cross(&normal);
+        let (along, drift) = (v.dot(&normal), v.dot(&normal_rate));
         // m a·n = F·n − μ (a·n + v·ṅ)
-        let answer = (force.dot(&normal) - air * drift) / (mass + air);
-        -(normal * (answer + drift) + turning * along) * air
+        let acceleration = (force.dot(&normal) - air * drift) / (mass + air);
+        -(normal * (acceleration + drift) + normal_rate * along) * air
     }
 }

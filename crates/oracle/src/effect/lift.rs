@@ -1,40 +1,52 @@
-//! What changes the lift.
+//! Effects on the lift of a disc.
 
-use super::{Load, Scene};
+use super::{DISC, DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Angle above which the lift bends, degrees.
-const BEND: f64 = 8.0;
-/// Height over which the ground is felt, m.
-const NEAR: f64 = 0.5;
+/// Angle of attack at which stall begins, degrees.
+const STALL_ANGLE: f64 = 8.0;
+/// Scale height of the ground effect, m.
+const GROUND_EFFECT_HEIGHT: f64 = 0.5;
+
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect("stall", &["C_Ls"], &DISC, Kind::Lift(Lift::Stall)),
+    effect("lift_by_spin", &["C_LS"], &DISCS, Kind::Lift(Lift::BySpin)),
+    effect(
+        "ground_effect",
+        &["C_Lg"],
+        &DISCS,
+        Kind::Lift(Lift::NearGround),
+    ),
+];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Lift {
-    /// It bends away above an angle.
+    /// Quadratic loss of lift above the stall angle.
     Stall,
-    /// By the size of the spin.
+    /// Proportional to the absolute advance ratio.
     BySpin,
-    /// It grows near the ground.
+    /// Additional lift near the ground.
     NearGround,
 }
 
 impl Lift {
-    pub fn load<T: Real>(self, values: &[T], scene: &Scene<'_, T>) -> Load<T> {
+    pub fn load<T: Real>(self, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
         let change = match self {
             Self::Stall => {
-                let beyond = scene.alpha() - T::lit(BEND.to_radians());
+                let beyond = flow.alpha() - T::lit(STALL_ANGLE.to_radians());
                 if beyond.re() > 0.0 {
                     -(beyond * beyond)
                 } else {
                     T::zero()
                 }
             }
-            Self::BySpin => scene.spin_ratio().abs(),
+            Self::BySpin => flow.advance_ratio().abs(),
             Self::NearGround => {
-                let height = scene.at.position.z;
-                (-(height * height) / T::lit(NEAR * NEAR)).exp()
+                let height = flow.at.position.z;
+                (-(height * height) / T::lit(GROUND_EFFECT_HEIGHT * GROUND_EFFECT_HEIGHT)).exp()
             }
         };
-        Load::force(scene.lifted(values[0] * change))
+        Load::force(flow.lift(values[0] * change))
     }
 }

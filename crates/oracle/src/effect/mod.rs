@@ -1,60 +1,65 @@
-//! Effects by hand: what each changes about a reference's law, written with vectors from the physics.
+//! Reference implementations of the built-in effects: what each changes in a reference law, in vectors, from the
+//! physics.
 //!
-//! Their texts in `model-spec/effects` are held against this; nothing here reads them. Names and coefficients are the
-//! same, and so are the stated constants (the angle of stall, the height of the ground effect), which belong to an
-//! effect as its form does.
+//! The texts in `model-spec/effects` are checked against these; nothing here reads them. Names, coefficients and the
+//! fixed constants of an effect's form (stall angle, height of the ground effect) are the same in both.
+//!
+//! A new effect is a row of `EFFECTS` and a variant with its law in the file of its kind; a new kind is a file, listed
+//! in [`Kind`] and in `KINDS`.
 
 mod air;
 mod ball;
-mod bound;
+mod clock;
 mod drag;
+mod extended_law;
+mod extended_reference;
+mod flow;
 mod inertia;
 mod lift;
+mod observation;
 mod pitch;
 mod roll;
-mod scene;
-mod seen;
 mod side;
 mod spin;
-mod table;
-mod world;
 
-pub use bound::Bound;
-pub use scene::Scene;
-pub use table::ALL;
-pub use world::{Acting, World};
+pub use extended_law::{ActiveEffect, ExtendedLaw};
+pub use extended_reference::ExtendedReference;
+pub use flow::Flow;
 
 use crate::reference::Law;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// An effect.
+/// Effects of each kind.
+static KINDS: [&[Effect]; 11] = [
+    drag::EFFECTS,
+    pitch::EFFECTS,
+    roll::EFFECTS,
+    spin::EFFECTS,
+    side::EFFECTS,
+    lift::EFFECTS,
+    air::EFFECTS,
+    inertia::EFFECTS,
+    observation::EFFECTS,
+    ball::EFFECTS,
+    clock::EFFECTS,
+];
+
+/// An effect with its reference implementation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
-    /// Its name in the catalogue.
+    /// Name of the built-in effect.
     pub name: &'static str,
-    /// Its coefficients, all of which vanish at 0.
+    /// Its coefficients, all with null value 0.
     pub coefficients: &'static [&'static str],
-    /// What it has of its own in each flight: states that stand still, 0 where it vanishes.
+    /// States that it adds, constant during a flight, with null value 0: values estimated for each flight.
     pub states: &'static [&'static str],
-    /// The laws it can change.
+    /// Laws to which it applies.
     pub laws: &'static [Law],
     kind: Kind,
 }
 
-impl Effect {
-    /// How many numbers it takes: its coefficients, then its states.
-    pub fn values(&self) -> usize {
-        self.coefficients.len() + self.states.len()
-    }
-}
-
-/// The effect of that name.
-pub fn by_name(name: &str) -> Option<&'static Effect> {
-    ALL.iter().find(|effect| effect.name == name)
-}
-
-/// What an effect is about.
+/// Part of the physics that an effect changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Lift(lift::Lift),
@@ -66,22 +71,56 @@ enum Kind {
     Ball(ball::Ball),
     Air(air::Air),
     Inertia(inertia::Inertia),
-    Seen(seen::Seen),
-    /// The clock that measures runs fast, by a part of the time.
-    Clock,
+    Observation(observation::Observation),
+    Clock(clock::Clock),
 }
 
-/// A force at the mass centre and a moment about it, in inertial components.
+const DISC: [Law; 1] = [Law::Disc];
+const DISCS: [Law; 2] = [Law::Disc, Law::Discus];
+const BALL: [Law; 1] = [Law::Ball];
+const ANY: [Law; 3] = [Law::Disc, Law::Discus, Law::Ball];
+
+const fn effect(
+    name: &'static str,
+    coefficients: &'static [&'static str],
+    laws: &'static [Law],
+    kind: Kind,
+) -> Effect {
+    Effect {
+        name,
+        coefficients,
+        states: &[],
+        laws,
+        kind,
+    }
+}
+
+impl Effect {
+    /// Number of values: coefficients and states.
+    pub fn values(&self) -> usize {
+        self.coefficients.len() + self.states.len()
+    }
+}
+
+/// Every effect with a reference implementation.
+pub fn all() -> impl Iterator<Item = &'static Effect> + Clone {
+    KINDS.iter().copied().flatten()
+}
+
+/// The effect of the given name.
+pub fn by_name(name: &str) -> Option<&'static Effect> {
+    all().find(|effect| effect.name == name)
+}
+
+/// Force at the mass centre, N, and moment about it, N·m, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Load<T> {
-    /// Force.
-    pub force: Vector3<T>,
-    /// Moment.
-    pub moment: Vector3<T>,
+struct Load<T> {
+    force: Vector3<T>,
+    moment: Vector3<T>,
 }
 
 impl<T: Real> Load<T> {
-    fn nothing() -> Self {
+    fn zero() -> Self {
         Self {
             force: Vector3::zeros(),
             moment: Vector3::zeros(),
@@ -91,14 +130,14 @@ impl<T: Real> Load<T> {
     fn force(force: Vector3<T>) -> Self {
         Self {
             force,
-            ..Self::nothing()
+            ..Self::zero()
         }
     }
 
     fn moment(moment: Vector3<T>) -> Self {
         Self {
             moment,
-            ..Self::nothing()
+            ..Self::zero()
         }
     }
 }

@@ -1,26 +1,48 @@
-//! Moments about d2.
+//! Pitching moments of a disc, about d2.
 
-use super::{Load, Scene};
+use super::{DISC, DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
+
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect(
+        "constant_pitching_moment",
+        &["C_M0"],
+        &DISCS,
+        Kind::Pitch(Pitch::Constant),
+    ),
+    effect(
+        "cubic_pitching_moment",
+        &["C_Maaa"],
+        &DISC,
+        Kind::Pitch(Pitch::Cubic),
+    ),
+    effect(
+        "pitching_moment_by_spin",
+        &["C_MS"],
+        &DISCS,
+        Kind::Pitch(Pitch::BySpin),
+    ),
+];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Pitch {
-    /// At any angle.
+    /// Independent of the angle of attack.
     Constant,
-    /// By the cube of the angle of attack.
+    /// Proportional to the cube of the angle of attack.
     Cubic,
-    /// By the size of the spin.
+    /// Proportional to the absolute advance ratio.
     BySpin,
 }
 
 impl Pitch {
-    pub fn load<T: Real>(self, values: &[T], scene: &Scene<'_, T>) -> Load<T> {
+    pub fn load<T: Real>(self, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
         let by = match self {
             Self::Constant => T::one(),
-            Self::Cubic => scene.alpha().powi(3),
-            Self::BySpin => scene.spin_ratio().abs(),
+            Self::Cubic => flow.alpha().powi(3),
+            Self::BySpin => flow.advance_ratio().abs(),
         };
-        let [_, left] = scene.forward_and_left();
-        Load::moment(scene.turned(values[0] * by, left))
+        let [_, left] = flow.forward_and_left();
+        Load::moment(flow.pressure_moment(values[0] * by, left))
     }
 }

@@ -1,37 +1,61 @@
-//! Moments about d1.
+//! Rolling moments of a disc, about d1.
 
-use super::{Load, Scene};
+use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// The low angles end here, degrees, within so many on either side.
-const LOW: (f64, f64) = (10.0, 2.0);
+/// Centre and half-width of the transition that ends the low angles of attack, degrees.
+const LOW_ANGLE_END: (f64, f64) = (10.0, 2.0);
+
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect("roll_damping", &["C_Rp"], &DISCS, Kind::Roll(Roll::Damping)),
+    effect(
+        "rolling_moment_by_angle",
+        &["C_Ra"],
+        &DISCS,
+        Kind::Roll(Roll::ByAngle),
+    ),
+    effect(
+        "rolling_moment_by_spin_ratio",
+        &["C_RS"],
+        &DISCS,
+        Kind::Roll(Roll::BySpinRatio),
+    ),
+    effect(
+        "rolling_moment_at_low_angle",
+        &["C_Rg"],
+        &DISCS,
+        Kind::Roll(Roll::AtLowAngle),
+    ),
+];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Roll {
-    /// Damping of the rate about d1.
+    /// Damping proportional to the angular rate about d1.
     Damping,
-    /// By the angle of attack.
+    /// Proportional to the angle of attack.
     ByAngle,
-    /// By the spin ratio.
+    /// Proportional to the advance ratio.
     BySpinRatio,
-    /// By the spin ratio, at low angles of attack.
+    /// Proportional to the advance ratio, at low angles of attack only.
     AtLowAngle,
 }
 
 impl Roll {
-    pub fn load<T: Real>(self, values: &[T], scene: &Scene<'_, T>) -> Load<T> {
-        let [forward, _] = scene.forward_and_left();
+    pub fn load<T: Real>(self, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
+        let [forward, _] = flow.forward_and_left();
         let by = match self {
-            Self::Damping => scene.at.angular_velocity.dot(&forward),
-            Self::ByAngle => scene.alpha(),
-            Self::BySpinRatio => scene.spin_ratio(),
+            Self::Damping => flow.at.angular_velocity.dot(&forward),
+            Self::ByAngle => flow.alpha(),
+            Self::BySpinRatio => flow.advance_ratio(),
             Self::AtLowAngle => {
-                // (1 - tanh x) / 2 is 1 / (1 + exp 2x).
-                let [end, width] = [LOW.0, LOW.1].map(|degrees: f64| T::lit(degrees.to_radians()));
-                let x = (scene.alpha() - end) / width;
-                scene.spin_ratio() / (T::one() + (x + x).exp())
+                // The model text states the same logistic function by a hyperbolic tangent.
+                let [end, width] = [LOW_ANGLE_END.0, LOW_ANGLE_END.1]
+                    .map(|degrees: f64| T::lit(degrees.to_radians()));
+                let x = (flow.alpha() - end) / width;
+                flow.advance_ratio() / (T::one() + (x + x).exp())
             }
         };
-        Load::moment(scene.turned(values[0] * by, forward))
+        Load::moment(flow.pressure_moment(values[0] * by, forward))
     }
 }

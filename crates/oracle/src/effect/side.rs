@@ -1,23 +1,39 @@
-//! Forces to the side, along d2.
+//! Side forces on a disc, along d2.
 
-use super::{Load, Scene};
+use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
+
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect(
+        "side_force_by_spin",
+        &["C_YS"],
+        &DISCS,
+        Kind::Side(Side::BySpin),
+    ),
+    effect(
+        "side_force_by_spin_and_angle",
+        &["C_YSa"],
+        &DISCS,
+        Kind::Side(Side::BySpinAndAngle),
+    ),
+];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
-    /// By the spin ratio.
+    /// Proportional to the advance ratio.
     BySpin,
-    /// By the spin ratio and the angle of attack.
+    /// Proportional to the advance ratio and the angle of attack.
     BySpinAndAngle,
 }
 
 impl Side {
-    pub fn load<T: Real>(self, values: &[T], scene: &Scene<'_, T>) -> Load<T> {
+    pub fn load<T: Real>(self, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
         let by = match self {
-            Self::BySpin => scene.spin_ratio(),
-            Self::BySpinAndAngle => scene.alpha() * scene.spin_ratio(),
+            Self::BySpin => flow.advance_ratio(),
+            Self::BySpinAndAngle => flow.alpha() * flow.advance_ratio(),
         };
-        let [_, left] = scene.forward_and_left();
-        Load::force(scene.pressed(values[0] * by, left))
+        let [_, left] = flow.forward_and_left();
+        Load::force(flow.pressure_force(values[0] * by, left))
     }
 }

@@ -1,28 +1,50 @@
-//! Moments about the axis.
+//! Moments about the axis of a disc, which change its spin.
 
-use super::{Load, Scene};
+use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
+
+/// The effects of this file.
+pub(super) const EFFECTS: &[Effect] = &[
+    effect(
+        "quadratic_spin_down",
+        &["C_Nrr"],
+        &DISCS,
+        Kind::Spin(Spin::Quadratic),
+    ),
+    effect(
+        "spin_down_by_pressure",
+        &["C_Np"],
+        &DISCS,
+        Kind::Spin(Spin::ByPressure),
+    ),
+    effect(
+        "spin_down_by_angle",
+        &["C_Na"],
+        &DISCS,
+        Kind::Spin(Spin::ByAngle),
+    ),
+];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Spin {
-    /// By the square of the spin, against it or with it.
+    /// Proportional to the signed square of the spin.
     Quadratic,
-    /// By the stream and the spin ratio.
+    /// Proportional to dynamic pressure and advance ratio.
     ByPressure,
-    /// By the spin and the angle of attack.
+    /// Proportional to the spin and the angle of attack.
     ByAngle,
 }
 
 impl Spin {
-    pub fn load<T: Real>(self, values: &[T], scene: &Scene<'_, T>) -> Load<T> {
-        let (value, spin, axis) = (values[0], scene.spin(), scene.normal());
+    pub fn load<T: Real>(self, values: &[T], flow: &Flow<'_, T>) -> Load<T> {
+        let (value, spin, axis) = (values[0], flow.spin(), flow.normal());
         Load::moment(match self {
             Self::Quadratic => {
                 let sense = if spin.re() < 0.0 { -T::one() } else { T::one() };
                 axis * (value * sense * spin * spin)
             }
-            Self::ByPressure => scene.turned(value * scene.spin_ratio(), axis),
-            Self::ByAngle => axis * (value * scene.alpha() * spin),
+            Self::ByPressure => flow.pressure_moment(value * flow.advance_ratio(), axis),
+            Self::ByAngle => axis * (value * flow.alpha() * spin),
         })
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn motion<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T
     };
     let stream = Stream::new(at, wind);
     // From the plane of the disc to the velocity, positive when the air comes from below.
-    let alpha = (-stream.climb).atan2(stream.in_plane);
+    let alpha = (-stream.axial_velocity).atan2(stream.in_plane);
     let coefficients = Coefficients {
         lift: C_L0 + C_La * alpha,
         drag: C_D0 + C_Da * alpha * alpha,

@@ -36,8 +36,8 @@ pub(super) fn motion<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T
     };
     let stream = Stream::new(at, wind);
     let still = stream.speed.re() == 0.0;
-    let [sine, cosine] =
-        [-stream.climb, stream.in_plane].map(|v| if still { T::zero() } else { v / stream.speed });
+    let [sine, cosine] = [-stream.axial_velocity, stream.in_plane]
+        .map(|v| if still { T::zero() } else { v / stream.speed });
     let twice = T::lit(2.0) * sine * cosine;
     // 1 while the air follows, 0 when it is stalled.
     let attached = T::one() / (T::one() + (sine / s_stall).powi(8));

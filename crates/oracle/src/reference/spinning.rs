@@ -1,7 +1,7 @@
-//! What a disc and a discus have in common: a body of revolution in a stream, and how it answers.
+//! Loads and accelerations of a body of revolution in an air stream, common to disc and discus.
 //!
-//! Written with vectors and without the models' formulas: the lift acts along v × d2, the drag against
-//! the velocity, and the body answers by its momenta in the inertial frame.
+//! Written with vectors and without the models' formulas: lift acts along v × d2, drag against the velocity, and the
+//! accelerations follow from the momenta in the inertial frame.
 
 use crate::dynamics::MassProperties;
 use crate::physical::{Motion, Physical};
@@ -10,42 +10,42 @@ use crate::scalar::Real;
 use crate::tree::norm;
 use nalgebra::{Matrix3, Vector3};
 
-/// A body of revolution in a stream.
+/// Motion of a body of revolution relative to the air, in inertial components.
 pub(crate) struct Stream<T> {
-    /// Velocity through the air.
+    /// Velocity relative to the air, m/s.
     pub through_air: Vector3<T>,
-    /// Its length.
+    /// Airspeed, m/s.
     pub speed: T,
-    /// Its part in the plane of the body, as a length.
+    /// Magnitude of the velocity's component in the plane of the body, m/s.
     pub in_plane: T,
-    /// Its part along the axis of the body.
-    pub climb: T,
-    /// The body's axis.
+    /// Component of the velocity along the axis of the body, m/s.
+    pub axial_velocity: T,
+    /// Axis of symmetry, unit vector.
     pub normal: Vector3<T>,
-    /// Forward, in the plane of the body; nothing where there is no velocity in it.
+    /// Forward unit vector in the plane of the body; 0 without velocity in it.
     pub d1: Vector3<T>,
-    /// To the left.
+    /// Unit vector to the left; 0 with `d1`.
     pub d2: Vector3<T>,
-    /// Spin about the axis.
+    /// Spin about the axis, rad/s.
     pub spin: T,
-    /// The rest of the angular velocity, as far as it is split along d1 and d2.
-    pub tumbling: Vector3<T>,
+    /// Angular velocity without the spin, rad/s; 0 with `d1`.
+    pub transverse_rate: Vector3<T>,
 }
 
-/// Coefficients of the forces and moments on it.
+/// Coefficients of forces and moments.
 pub(super) struct Coefficients<T> {
     pub lift: T,
     pub drag: T,
-    /// Moments about d1 and d2, as coefficients.
+    /// Coefficients of the moments about d1 and d2.
     pub roll: T,
     pub pitch: T,
-    /// Damping of the rates about d1 and d2.
+    /// Damping coefficient of the rates about d1 and d2.
     pub damping: T,
-    /// Moment about the axis by spin, without the stream.
+    /// Moment about the axis per spin, independent of the airspeed.
     pub spin_down: T,
 }
 
-/// Mass, sizes and surroundings.
+/// Mass, inertia, dimensions and surroundings of a body of revolution.
 #[derive(Clone, Copy)]
 pub(super) struct Body<T> {
     pub mass: T,
@@ -61,17 +61,17 @@ impl<T: Real> Stream<T> {
     pub fn new(body: &Physical<T>, wind: Vector3<T>) -> Self {
         let normal = body.attitude.axis(3);
         let through_air = body.velocity - wind;
-        let climb = through_air.dot(&normal);
-        let flat = through_air - normal * climb;
-        let in_plane = norm(&flat);
-        let nothing = in_plane.re() == 0.0;
-        let d1 = if nothing {
+        let axial_velocity = through_air.dot(&normal);
+        let planar = through_air - normal * axial_velocity;
+        let in_plane = norm(&planar);
+        let no_forward = in_plane.re() == 0.0;
+        let d1 = if no_forward {
             Vector3::zeros()
         } else {
-            flat / in_plane
+            planar / in_plane
         };
         let spin = body.angular_velocity.dot(&normal);
-        let tumbling = if nothing {
+        let transverse_rate = if no_forward {
             Vector3::zeros()
         } else {
             body.angular_velocity - normal * spin
@@ -82,12 +82,12 @@ impl<T: Real> Stream<T> {
             through_air,
             speed,
             in_plane,
-            climb,
+            axial_velocity,
             normal,
             d1,
             d2,
             spin,
-            tumbling,
+            transverse_rate,
         }
     }
 }
@@ -113,8 +113,8 @@ impl<T: Real> Body<T> {
         let force = lift + drag + weight;
 
         let lever = half * s.speed * s.speed * self.diameter;
-        let of_stream = s.d1 * c.roll + s.d2 * c.pitch + s.tumbling * c.damping;
-        let moment = of_stream * lever + s.normal * (c.spin_down * s.spin);
+        let aerodynamic = s.d1 * c.roll + s.d2 * c.pitch + s.transverse_rate * c.damping;
+        let moment = aerodynamic * lever + s.normal * (c.spin_down * s.spin);
 
         let inertia = inertia_in_n(&at.attitude.matrix(), &self.inertia());
         let omega = at.angular_velocity;

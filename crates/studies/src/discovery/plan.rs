@@ -1,7 +1,6 @@
 //! The plan: all rows of the study.
 
-use oracle::effect;
-use oracle::reference::Law;
+use oracle::{Law, effect};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
@@ -171,7 +170,7 @@ pub fn plan(seeds: usize) -> Vec<Row> {
         seeds,
         noises: noise_conditions(),
     };
-    let disc_effects = effect::ALL.iter().filter(|e| e.laws.contains(&Law::Disc));
+    let disc_effects = effect::all().filter(|e| e.laws.contains(&Law::Disc));
     let names: Vec<&'static str> = disc_effects.map(|effect| effect.name).collect();
     let mut rows = planner.null_rows();
     rows.extend(names.iter().flat_map(|name| planner.single_rows(name)));

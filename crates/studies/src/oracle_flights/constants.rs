@@ -1,9 +1,7 @@
 //! A model's law of motion in the oracle, and values of its coefficients there.
 
 use model_spec::model::Model;
-use oracle::physical::Physical;
-use oracle::point::Point;
-use oracle::reference::Reference;
+use oracle::{Physical, Point, Reference};
 
 /// The oracle's law of motion for a built-in model.
 ///

@@ -3,7 +3,7 @@
 use identify::dataset::{Dataset, Flight, Role};
 use identify::synthesize::{MARKERS, default_markers};
 use model_spec::model::Model;
-use oracle::point::Point;
+use oracle::Point;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 

@@ -1,10 +1,7 @@
 //! Integration of the oracle's equations of motion by the classic Runge–Kutta method with a fixed small step.
 
 use nalgebra::Vector3;
-use oracle::attitude::Quaternion;
-use oracle::physical::{Motion, Physical};
-use oracle::point::Point;
-use oracle::reference::Reference;
+use oracle::{Motion, Physical, Point, Quaternion, Reference};
 
 /// Longest step, s: the relative error of a nutation of 100 rad/s stays below 1e-9 for a second.
 const MAX_STEP: f64 = 4e-4;

@@ -5,8 +5,7 @@ use identify::dataset::{Dataset, Flight, Role};
 use identify::synthesize::MARKERS;
 use model_spec::model::Model;
 use nalgebra::Vector3;
-use oracle::physical::Physical;
-use oracle::point::Point;
+use oracle::{Physical, Point};
 
 use super::constants::{angle_of_attack, reference_of, set_curves};
 use super::dataset::empty;

@@ -1,8 +1,7 @@
 //! Random throws of a disc.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use oracle::attitude::Quaternion;
-use oracle::physical::Physical;
+use oracle::{Physical, Quaternion};
 use rand::{Rng, RngExt};
 
 /// Distribution of a throw: each quantity is uniform over a range.

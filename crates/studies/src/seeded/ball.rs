@@ -3,9 +3,8 @@
 use identify::dataset::{Dataset, KnownValue, Marker};
 use model_spec::model::Model;
 use nalgebra::Vector3;
-use oracle::effect::World;
-use oracle::physical::Physical;
-use oracle::point::Point;
+use oracle::effect::ExtendedLaw;
+use oracle::{Physical, Point};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
@@ -96,7 +95,7 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
     let flights = (0..plan.flights).map(|index| {
         let (start, omega) = plan.throws.draw(&mut random);
         let times = sample_times(plan.duration, plan.rate, &mut random);
-        let world = World {
+        let world = ExtendedLaw {
             law: reference.law,
             constants: reference.values(&constants),
             wind: Vector3::zeros(),

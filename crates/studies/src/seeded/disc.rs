@@ -3,7 +3,7 @@
 use identify::dataset::Dataset;
 use identify::synthesize::MARKERS;
 use nalgebra::Vector3;
-use oracle::effect::World;
+use oracle::effect::ExtendedLaw;
 use rand::SeedableRng;
 use rand_chacha::ChaCha12Rng;
 
@@ -18,7 +18,7 @@ use crate::oracle_flights::{Plan, disc, disc_constants, empty, reference_of, sam
 pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
     let model = disc();
     let reference = reference_of(&model);
-    let world = World {
+    let world = ExtendedLaw {
         law: reference.law,
         constants: reference.values(&disc_constants(&model, plan)),
         wind: Vector3::zeros(),

@@ -2,8 +2,8 @@
 
 use identify::dataset::{Flight, Role};
 use identify::synthesize::corrupt;
-use oracle::effect::World;
-use oracle::physical::Physical;
+use oracle::Physical;
+use oracle::effect::ExtendedLaw;
 use rand::SeedableRng;
 use rand_chacha::ChaCha12Rng;
 
@@ -25,7 +25,7 @@ pub(super) struct FlightPlace {
 /// Computes and observes a flight at `times` (s); `markers` are in the body frame, m. The random stream depends on the
 /// flight alone: the throws are the same whatever is seeded.
 pub(super) fn seeded_flight(
-    world: &World<f64>,
+    world: &ExtendedLaw<f64>,
     seeded: &SeededEffects,
     place: FlightPlace,
     start: Physical<f64>,

@@ -1,8 +1,8 @@
 //! Effects that the catalogue does not list, implemented in this file alone.
 
 use nalgebra::Vector3;
-use oracle::effect::Scene;
-use oracle::reference::Law;
+use oracle::Law;
+use oracle::effect::Flow;
 
 /// Time constant with which the angle of attack of `lagging_lift` follows, s.
 pub(super) const LAG: f64 = 0.15;
@@ -98,40 +98,40 @@ impl UnlistedEffect {
     pub(super) fn load(
         &self,
         size: f64,
-        scene: &Scene<'_, f64>,
+        flow: &Flow<'_, f64>,
         lagged_alpha: f64,
     ) -> (Vector3<f64>, Vector3<f64>) {
-        let alpha = scene.alpha();
-        let [forward, left] = scene.forward_and_left();
+        let alpha = flow.alpha();
+        let [forward, left] = flow.forward_and_left();
         let zero = Vector3::zeros();
         match self.kind {
-            Kind::RollByAngleSquared => (zero, scene.turned(size * alpha * alpha, forward)),
+            Kind::RollByAngleSquared => (zero, flow.pressure_moment(size * alpha * alpha, forward)),
             Kind::DragByClimb => {
-                let climb = scene.at.velocity.z / CLIMB_SCALE;
-                (scene.dragged(size * climb.tanh()), zero)
+                let climb = flow.at.velocity.z / CLIMB_SCALE;
+                (flow.drag(size * climb.tanh()), zero)
             }
-            Kind::SideByAngle => (scene.pressed(size * alpha, left), zero),
-            Kind::LaggingLift => (scene.lifted(size * (lagged_alpha - alpha)), zero),
-            Kind::PitchByTime => (zero, scene.turned(size * scene.time, left)),
+            Kind::SideByAngle => (flow.pressure_force(size * alpha, left), zero),
+            Kind::LaggingLift => (flow.lift(size * (lagged_alpha - alpha)), zero),
+            Kind::PitchByTime => (zero, flow.pressure_moment(size * flow.time, left)),
             Kind::SpinDownBySpeed => {
-                let against = -scene.spin().signum();
-                (zero, scene.normal() * (size * against * scene.speed()))
+                let against = -flow.spin().signum();
+                (zero, flow.normal() * (size * against * flow.speed()))
             }
             Kind::LiftByPitchRate => {
-                let rate = scene.at.angular_velocity.dot(&left) * scene.constant("d");
-                let ratio = rate / scene.speed().max(0.1);
-                (scene.lifted(size * ratio), zero)
+                let rate = flow.at.angular_velocity.dot(&left) * flow.constant("d");
+                let ratio = rate / flow.speed().max(0.1);
+                (flow.lift(size * ratio), zero)
             }
             Kind::Swerve => {
-                let push = size * (scene.at.position.x / SWERVE_LENGTH).sin();
+                let push = size * (flow.at.position.x / SWERVE_LENGTH).sin();
                 (Vector3::new(0.0, push, 0.0), zero)
             }
             Kind::DragByHeight => {
-                let radius = scene.constant("radius");
+                let radius = flow.constant("radius");
                 let area = std::f64::consts::PI * radius * radius;
-                let pressed = scene.constant("rho") * area / 2.0 * scene.speed();
-                let height = scene.at.position.z;
-                (-scene.through_air() * (pressed * size * height), zero)
+                let pressed = flow.constant("rho") * area / 2.0 * flow.speed();
+                let height = flow.at.position.z;
+                (-flow.through_air() * (pressed * size * height), zero)
             }
             Kind::Gusts | Kind::Updraft => (zero, zero),
         }

@@ -1,8 +1,8 @@
 //! The oracle's law of motion with seeded effects, and the observation of a flight under it.
 
 use nalgebra::Vector3;
-use oracle::effect::{Acting, Scene, World, by_name};
-use oracle::physical::Physical;
+use oracle::Physical;
+use oracle::effect::{ActiveEffect, ExtendedLaw, Flow, by_name};
 use rand::{Rng, RngExt};
 use rand_distr::StandardNormal;
 
@@ -12,7 +12,7 @@ use crate::oracle_flights::{Derivatives, integrate_law};
 
 /// The world of one flight.
 pub(super) struct SeededWorld {
-    world: World<f64>,
+    world: ExtendedLaw<f64>,
     unlisted: Vec<(&'static UnlistedEffect, f64)>,
 }
 
@@ -21,7 +21,11 @@ impl SeededWorld {
     ///
     /// # Panics
     /// If an effect does not act on this body, or has another number of values.
-    pub(super) fn draw(world: &World<f64>, seeded: &SeededEffects, random: &mut impl Rng) -> Self {
+    pub(super) fn draw(
+        world: &ExtendedLaw<f64>,
+        seeded: &SeededEffects,
+        random: &mut impl Rng,
+    ) -> Self {
         let mut world = world.clone();
         let listed = seeded.listed.iter();
         world.effects = listed
@@ -63,7 +67,7 @@ impl SeededWorld {
         let observed = |body: &Physical<f64>| {
             let each = markers.iter().enumerate().map(|(k, &marker)| {
                 let which = Vector3::from_fn(|axis, _| if axis == k { 1.0 } else { 0.0 });
-                Some(self.world.seen(body, marker.into(), which).into())
+                Some(self.world.observation(body, marker.into(), which).into())
             });
             each.collect()
         };
@@ -96,9 +100,9 @@ impl SeededWorld {
     }
 
     /// The flow about the body without the unlisted wind.
-    fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Scene<'s, f64> {
+    fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Flow<'s, f64> {
         let world = &self.world;
-        Scene::new(
+        Flow::new(
             world.law,
             &world.constants,
             body,
@@ -110,7 +114,7 @@ impl SeededWorld {
 }
 
 /// An effect of the catalogue in one flight: its coefficients, and states drawn with their standard deviations.
-fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> Acting<f64> {
+fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> ActiveEffect<f64> {
     let effect = by_name(name).unwrap_or_else(|| panic!("the oracle has no effect `{name}`"));
     assert_eq!(values.len(), effect.values(), "values of `{name}`");
     let each = values.iter().enumerate().map(|(k, &value)| {
@@ -120,7 +124,7 @@ fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> Acting<f64> {
         let normal: f64 = random.sample(StandardNormal);
         value * normal
     });
-    Acting {
+    ActiveEffect {
         effect,
         values: each.collect(),
     }

@@ -10,9 +10,9 @@ use crate::values::Values;
 use crate::{Options, TOLERANCE};
 use model_spec::load;
 use model_spec::model::Model;
-use oracle::effect::Bound;
-use oracle::point::Point;
+use oracle::effect::ExtendedReference;
 use oracle::scalar::ErrorBound;
+use oracle::{BindError, Point};
 
 /// Name of the check.
 pub const BY_HAND: &str = "effects by hand";
@@ -28,7 +28,7 @@ pub fn check(with: &[Model], options: &Options) -> Row {
         let engine = Values::of(model);
         match compare(model, &engine, options) {
             Some(Ok(one)) => worst.see(one.error, || one.place),
-            Some(Err(why)) => return Row::counted(BY_HAND, 1, &[why], ""),
+            Some(Err(why)) => return Row::counted(BY_HAND, 1, &[why.to_string()], ""),
             None => return Row::skipped(BY_HAND, "the model claims no reference"),
         }
     }
@@ -41,8 +41,8 @@ pub fn compare(
     model: &Model,
     equations: &dyn Equations,
     options: &Options,
-) -> Option<Result<Worst, String>> {
-    let by_hand = match Bound::bind(model)? {
+) -> Option<Result<Worst, BindError>> {
+    let by_hand = match ExtendedReference::bind(model)? {
         Ok(by_hand) => by_hand,
         Err(why) => return Some(Err(why)),
     };
@@ -60,7 +60,7 @@ pub fn compare(
     for _ in 0..options.cases.div_ceil(10) {
         let mut point = sample::point(model, &mut random);
         // Terms of the model's own are nothing the law knows.
-        for (index, null_value) in by_hand.reference.vanishing(model) {
+        for (index, null_value) in by_hand.reference.null_values(model) {
             point.coefficients[index] = null_value;
         }
         for &state in &own {

@@ -3,8 +3,7 @@
 use crate::report::Row;
 use crate::subject::Subject;
 use model_spec::model::{Model, Observable, Target};
-use oracle::point::Point;
-use oracle::tree::{Tree, Value};
+use oracle::{Point, Tree, Value};
 
 /// Name of the check.
 pub const CASES: &str = "the model's own cases";
@@ -26,7 +25,7 @@ pub fn check(subject: &Subject<'_>) -> Row {
                     format!("der({})", model.states[i].name),
                     rates.get(i).copied().unwrap_or(f64::NAN),
                 ),
-                Observable::AuxVariable(i) => match tree.lets[i] {
+                Observable::AuxVariable(i) => match tree.aux_variables[i] {
                     Value::Scalar(v) => (model.aux_variables[i].name.clone(), v),
                     Value::Vector(_) => (model.aux_variables[i].name.clone(), f64::NAN),
                 },

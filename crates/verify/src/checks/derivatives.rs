@@ -10,11 +10,8 @@ use crate::sample;
 use crate::subject::{Derivatives, Differentiable, Subject};
 use crate::{Options, TOLERANCE};
 use model_spec::model::{FrameKind, Model};
-use oracle::dynamics::derivatives_of;
-use oracle::point::Point;
-use oracle::reference::Reference;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
-use oracle::tree::Tree;
+use oracle::{Point, Reference, Tree, derivatives_of};
 
 /// Names of the checks, one row each.
 pub const CHECKS: [&str; 4] = [

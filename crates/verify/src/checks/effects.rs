@@ -12,9 +12,8 @@ use crate::{Options, TOLERANCE};
 use model_spec::load::{self, Loaded, from_text};
 use model_spec::model::Model;
 use model_spec::syntax::ast::ItemKind;
-use oracle::dynamics::derivatives;
-use oracle::point::Point;
 use oracle::scalar::ErrorBound;
+use oracle::{Point, derivatives};
 
 /// Name of the check.
 pub const EFFECTS: &str = "effects off";

@@ -7,13 +7,8 @@ use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
 use nalgebra::{Matrix3, Vector3};
-use oracle::dynamics::{MassProperties, mass_properties};
-use oracle::frames::Placed;
-use oracle::physical::Motion;
-use oracle::point::Point;
-use oracle::rigid::inertia_in_n;
 use oracle::scalar::{Dual, ErrorBound, Real};
-use oracle::tree::Tree;
+use oracle::{MassProperties, Motion, PlacedFrame, Point, Tree, inertia_in_n, mass_properties};
 
 /// Name of the check.
 pub const IDENTITIES: &str = "momentum and energy";
@@ -116,7 +111,7 @@ fn in_body_frame(
 ) -> MassProperties<ErrorBound> {
     let rotation = tree.model.body.as_ref().and_then(|b| b.rotation.as_ref());
     let inertia = rotation.zip(given.inertia).map(|(rotation, inertia)| {
-        let frame = |i: usize| -> &Placed<ErrorBound> { &tree.frames[i] };
+        let frame = |i: usize| -> &PlacedFrame<ErrorBound> { &tree.frames[i] };
         let turn: Matrix3<ErrorBound> =
             frame(rotation.body_frame).axes.transpose() * frame(rotation.inertia_frame).axes;
         inertia_in_n(&turn, &inertia)

@@ -5,7 +5,7 @@ use crate::report::Row;
 use codegen::Compiled;
 use model_spec::model::{FrameKind, Model};
 use model_spec::unit::{Base, Unit};
-use oracle::point::Point;
+use oracle::Point;
 use std::f64::consts::FRAC_PI_2;
 
 /// Name of the check.

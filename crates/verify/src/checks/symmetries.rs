@@ -13,11 +13,7 @@ use crate::subject::Subject;
 use model_spec::model::Model;
 use model_spec::unit::Base;
 use nalgebra::{Matrix3, Vector3};
-use oracle::attitude::Quaternion;
-use oracle::chart::{Change, Chart};
-use oracle::physical::Physical;
-use oracle::point::Point;
-use oracle::tree::Tree;
+use oracle::{Chart, Physical, PhysicalRate, Point, Quaternion, Tree};
 
 /// Name of the check.
 pub const SYMMETRIES: &str = "symmetries";
@@ -58,7 +54,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let apply: Vec<_> = Symmetry::ALL
         .into_iter()
         .filter(|(symmetry, _)| match symmetry {
-            Symmetry::SpinAngle => chart.turns() && axis,
+            Symmetry::SpinAngle => chart.has_attitude() && axis,
             _ => true,
         })
         .collect();
@@ -138,7 +134,7 @@ fn error(
 ) -> Option<f64> {
     let model = subject.model;
     let physical = chart.physical(&point.states);
-    let change = chart.change(&point.states, &subject.flight_rates(point));
+    let change = chart.physical_rate(&point.states, &subject.flight_rates(point));
     let (moved, inputs, expected) = transform(model, point, &physical, &change, symmetry, draw);
     let mut seen = point.clone();
     seen.inputs = inputs;
@@ -146,7 +142,7 @@ fn error(
     if symmetry == Symmetry::Delay {
         seen.time += draw.delay;
     }
-    let got = chart.change(&seen.states, &subject.flight_rates(&seen));
+    let got = chart.physical_rate(&seen.states, &subject.flight_rates(&seen));
     let parts = [
         (got.velocity, expected.velocity),
         (got.acceleration, expected.acceleration),
@@ -167,10 +163,10 @@ fn transform(
     model: &Model,
     point: &Point<f64>,
     p: &Physical<f64>,
-    change: &Change,
+    change: &PhysicalRate,
     symmetry: Symmetry,
     draw: &Draw,
-) -> (Physical<f64>, Vec<Vector3<f64>>, Change) {
+) -> (Physical<f64>, Vec<Vector3<f64>>, PhysicalRate) {
     let (mut p, mut change, mut inputs) = (*p, *change, point.inputs.clone());
     let heading = Quaternion::turn(3, draw.angle);
     match symmetry {
@@ -225,8 +221,8 @@ fn map(
     }
 }
 
-fn map_change(c: &Change, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> Change {
-    Change {
+fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> PhysicalRate {
+    PhysicalRate {
         velocity: polar * c.velocity,
         acceleration: polar * c.acceleration,
         angular_velocity: axial * c.angular_velocity,

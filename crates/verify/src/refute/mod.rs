@@ -13,9 +13,8 @@ use crate::{Options, TOLERANCE};
 use edit::{Edit, Editor, snippet};
 use model_spec::model::{Equation, Expr, ExprKind, FrameKind, Function, Model, Shape};
 use model_spec::unit::Unit;
-use oracle::point::Point;
 use oracle::scalar::ErrorBound;
-use oracle::tree::{Tree, Value};
+use oracle::{Point, Tree, Value};
 use serde::Serialize;
 
 /// An equation that the reference refuses.

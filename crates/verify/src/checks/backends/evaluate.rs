@@ -3,7 +3,7 @@
 use codegen::program::Program;
 use codegen::tape::{Inputs, Tape};
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
-use oracle::point::Point;
+use oracle::Point;
 
 /// A point in the compiler's order of names.
 pub(super) struct Numbers<T> {

@@ -11,7 +11,7 @@ use codegen::rust::source_hash;
 use evaluate::{Numbers, Tapes, generated_results};
 use lanes::Isa;
 use model_spec::model::Model;
-use oracle::point::Point;
+use oracle::Point;
 
 /// Name of the check.
 pub const BACKENDS: &str = "backends";

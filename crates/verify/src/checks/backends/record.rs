@@ -13,40 +13,76 @@ use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 thread_local! {
-    static STATEMENTS: RefCell<Vec<Statement>> = const { RefCell::new(Vec::new()) };
+    static RECORDING: RefCell<Recording> = const { RefCell::new(Recording::new()) };
 }
 
-/// A scalar whose operations are appended to the program being recorded on this thread.
+/// The program being recorded on this thread.
+struct Recording {
+    statements: Vec<Statement>,
+    /// Inputs, constants and results of statements, in the order of their appearance.
+    operands: Vec<Operand>,
+}
+
+impl Recording {
+    const fn new() -> Self {
+        Self {
+            statements: Vec::new(),
+            operands: Vec::new(),
+        }
+    }
+
+    fn operand(&mut self, operand: Operand) -> Recorded {
+        self.operands.push(operand);
+        Recorded(index(self.operands.len() - 1))
+    }
+}
+
+fn index(k: usize) -> u32 {
+    u32::try_from(k).expect("fewer than 2^32 operands")
+}
+
+/// A scalar whose operations are appended to the recording: the index of its operand.
+///
+/// A small number and calls that are not inlined keep the instantiation of a model's functions cheap.
 #[derive(Clone, Copy)]
-struct Recorded(Operand);
+struct Recorded(u32);
 
 #[inline(never)]
-fn push(op: Op) -> Recorded {
-    STATEMENTS.with_borrow_mut(|statements| {
-        let index = u32::try_from(statements.len()).expect("fewer than 2^32 operations");
-        statements.push(Statement {
-            op,
+fn input(operand: Operand) -> Recorded {
+    RECORDING.with_borrow_mut(|recording| recording.operand(operand))
+}
+
+#[inline(never)]
+fn push<const N: usize>(arguments: [Recorded; N], op: impl FnOnce([Operand; N]) -> Op) -> Recorded {
+    RECORDING.with_borrow_mut(|recording| {
+        let arguments = arguments.map(|argument| recording.operands[argument.0 as usize]);
+        recording.statements.push(Statement {
+            op: op(arguments),
             name: None,
             about: None,
         });
-        Recorded(Operand::Temp(index))
+        let result = Operand::Temp(index(recording.statements.len() - 1));
+        recording.operand(result)
     })
 }
 
+#[inline(never)]
 fn unary(op: Unary, a: Recorded) -> Recorded {
-    push(Op::Unary(op, a.0))
+    push([a], |[a]| Op::Unary(op, a))
 }
 
 fn call(function: MathFunction, a: Recorded) -> Recorded {
     unary(Unary::Call(function), a)
 }
 
+#[inline(never)]
 fn binary(op: Binary, a: Recorded, b: Recorded) -> Recorded {
-    push(Op::Binary(op, a.0, b.0))
+    push([a, b], |[a, b]| Op::Binary(op, a, b))
 }
 
+#[inline(never)]
 fn fused(op: Fused, a: Recorded, b: Recorded, c: Recorded) -> Recorded {
-    push(Op::Fused(op, a.0, b.0, c.0))
+    push([a, b, c], |[a, b, c]| Op::Fused(op, a, b, c))
 }
 
 impl Add for Recorded {
@@ -86,7 +122,7 @@ impl Neg for Recorded {
 
 impl Real for Recorded {
     fn splat(value: f64) -> Self {
-        Self(Operand::Constant(value))
+        input(Operand::Constant(value))
     }
 
     fn mul_add(self, b: Self, c: Self) -> Self {
@@ -154,7 +190,7 @@ impl Real for Recorded {
     }
 
     fn if_zero(self, then: Self, otherwise: Self) -> Self {
-        push(Op::IfZero(self.0, then.0, otherwise.0))
+        push([self, then, otherwise], |[a, b, c]| Op::IfZero(a, b, c))
     }
 }
 
@@ -171,7 +207,9 @@ impl generated::Visitor for Recorder {
 
     fn visit<E: generated::Equations>(self) -> [Program; 8] {
         let m = E::MODEL;
-        let time = Recorded(Operand::Time);
+        RECORDING.set(Recording::new());
+        // Operands outlive the recording of one function: the inputs are common to all.
+        let time = input(Operand::Time);
         let x = &inputs(m.states.len(), Operand::State);
         let p = &inputs(m.parameters.len(), Operand::Parameter);
         let k = &inputs(m.prepared.len(), Operand::Prepared);
@@ -207,8 +245,7 @@ impl generated::Visitor for Recorder {
 }
 
 fn inputs(count: usize, operand: fn(u32) -> Operand) -> Vec<Recorded> {
-    let count = u32::try_from(count).expect("fewer than 2^32 inputs");
-    (0..count).map(|k| Recorded(operand(k))).collect()
+    (0..index(count)).map(|k| input(operand(k))).collect()
 }
 
 /// Records one function with result slices of the given lengths.
@@ -216,11 +253,15 @@ fn record<const N: usize>(
     lengths: [usize; N],
     function: impl FnOnce([&mut [Recorded]; N]),
 ) -> Program {
-    let mut results = lengths.map(|len| vec![Recorded::splat(f64::INFINITY); len]);
-    STATEMENTS.with_borrow_mut(Vec::clear);
+    let unwritten = Recorded::splat(f64::INFINITY);
+    let mut results = lengths.map(|len| vec![unwritten; len]);
     function(results.each_mut().map(Vec::as_mut_slice));
-    Program {
-        statements: STATEMENTS.take(),
-        outputs: results.into_iter().flatten().map(|value| value.0).collect(),
-    }
+    RECORDING.with_borrow_mut(|recording| Program {
+        statements: std::mem::take(&mut recording.statements),
+        outputs: results
+            .into_iter()
+            .flatten()
+            .map(|result| recording.operands[result.0 as usize])
+            .collect(),
+    })
 }

@@ -1,4 +1,4 @@
-//! What an effect acts in: the body in its stream, and the constants of the law.
+//! State of the body in the air, and constants of the law: the arguments of an effect.
 
 use crate::physical::Physical;
 use crate::reference::Law;
@@ -6,21 +6,21 @@ use crate::reference::spinning::Stream;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// The body in its stream.
-pub struct Scene<'a, T> {
+/// State of the body relative to the air, with the constants of the law.
+pub struct Flow<'a, T> {
     law: Law,
     constants: &'a [T],
-    /// Where it is and how it moves.
+    /// State of the body.
     pub at: &'a Physical<T>,
-    /// Time since release.
+    /// Time since release, s.
     pub time: T,
-    /// Spin of a ball, which is known from elsewhere.
+    /// Measured angular velocity of a ball, rad/s; 0 for bodies whose attitude is a state.
     pub omega: Vector3<T>,
     pub(super) stream: Stream<T>,
 }
 
-impl<'a, T: Real> Scene<'a, T> {
-    /// A body in air that moves at `air`; constants in the order of the law.
+impl<'a, T: Real> Flow<'a, T> {
+    /// A body in air of velocity `air`; constants in the order of [`Law::constants`].
     pub fn new(
         law: Law,
         constants: &'a [T],
@@ -39,47 +39,47 @@ impl<'a, T: Real> Scene<'a, T> {
         }
     }
 
-    /// A constant of the law.
+    /// The constant of the law with the given name.
     ///
     /// # Panics
-    /// Where the law has none of that name: an effect is put to its own laws alone.
+    /// If the law has no such constant, which an effect's `laws` excludes.
     pub fn constant(&self, name: &str) -> T {
         let place = self.law.constants().iter().position(|n| *n == name);
         self.constants[place.expect("a constant of the law")]
     }
 
-    /// Angle from the plane of the disc to its velocity, positive when the air comes from below.
+    /// Angle of attack, rad, positive if the air comes from below.
     pub fn alpha(&self) -> T {
-        (-self.stream.climb).atan2(self.stream.in_plane)
+        (-self.stream.axial_velocity).atan2(self.stream.in_plane)
     }
 
-    /// Speed through the air.
+    /// Airspeed, m/s.
     pub fn speed(&self) -> T {
         self.stream.speed
     }
 
-    /// Velocity through the air.
+    /// Velocity relative to the air, m/s.
     pub fn through_air(&self) -> Vector3<T> {
         self.stream.through_air
     }
 
-    /// The body's axis.
+    /// Axis of symmetry of the body, unit vector.
     pub fn normal(&self) -> Vector3<T> {
         self.stream.normal
     }
 
-    /// Forward and to the left, in the plane of the disc.
+    /// Unit vectors d1 (forward) and d2 (left) in the plane of the disc.
     pub fn forward_and_left(&self) -> [Vector3<T>; 2] {
         [self.stream.d1, self.stream.d2]
     }
 
-    /// Spin about the axis.
+    /// Spin about the axis, rad/s.
     pub fn spin(&self) -> T {
         self.stream.spin
     }
 
-    /// Speed of the rim by the spin, over the speed; 0 where it hangs in the air.
-    pub fn spin_ratio(&self) -> T {
+    /// Advance ratio r d / 2V; 0 without airspeed.
+    pub fn advance_ratio(&self) -> T {
         if self.speed().re() == 0.0 {
             return T::zero();
         }
@@ -87,30 +87,30 @@ impl<'a, T: Real> Scene<'a, T> {
         rim / self.speed()
     }
 
-    /// A force by its coefficient in the stream, along `direction`.
-    pub fn pressed(&self, coefficient: T, direction: Vector3<T>) -> Vector3<T> {
+    /// Force q A C along `direction`, N.
+    pub fn pressure_force(&self, coefficient: T, direction: Vector3<T>) -> Vector3<T> {
         let half = self.constant("rho") * self.constant("A") / T::lit(2.0);
         direction * (half * coefficient * self.speed() * self.speed())
     }
 
-    /// A moment by its coefficient in the stream, about `axis`; its lever is the diameter.
-    pub fn turned(&self, coefficient: T, axis: Vector3<T>) -> Vector3<T> {
-        self.pressed(coefficient, axis) * self.constant("d")
+    /// Moment q A d C about `axis`, N·m.
+    pub fn pressure_moment(&self, coefficient: T, axis: Vector3<T>) -> Vector3<T> {
+        self.pressure_force(coefficient, axis) * self.constant("d")
     }
 
-    /// Lift by its coefficient: along v × d2, at a right angle to the stream.
-    pub fn lifted(&self, coefficient: T) -> Vector3<T> {
-        self.pressed(coefficient, self.against_stream(self.stream.d2))
+    /// Lift of the given coefficient, along v × d2.
+    pub fn lift(&self, coefficient: T) -> Vector3<T> {
+        self.pressure_force(coefficient, self.across_flow(self.stream.d2))
     }
 
-    /// Drag by its coefficient: against the velocity.
-    pub fn dragged(&self, coefficient: T) -> Vector3<T> {
+    /// Drag of the given coefficient, against the velocity.
+    pub fn drag(&self, coefficient: T) -> Vector3<T> {
         let half = self.constant("rho") * self.constant("A") / T::lit(2.0);
         -self.through_air() * (half * coefficient * self.speed())
     }
 
-    /// The direction of the velocity × `axis`.
-    fn against_stream(&self, axis: Vector3<T>) -> Vector3<T> {
+    /// v × `axis` / V.
+    fn across_flow(&self, axis: Vector3<T>) -> Vector3<T> {
         if self.speed().re() == 0.0 {
             return Vector3::zeros();
         }

@@ -1,28 +1,29 @@
-//! Rigid-body dynamics over any field: what is left of a model when its loads are symbols.
+//! Equations of motion of a rigid body under given loads, in any field.
 
-use crate::dynamics::{MassProperties, Unsupported, newton_euler, state_derivatives};
+use crate::dynamics::{MassProperties, newton_euler, state_derivatives};
+use crate::error::Unsupported;
 use crate::frames::place;
 use crate::point::Point;
 use crate::scalar::Field;
 use model_spec::model::{Body, Expr, ExprKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// The derivative of every state under a force and a moment in inertial components, where `circle` gives
-/// the sine and cosine of a state.
-pub fn derivatives<T: Field>(
+/// Derivative of every state under a force and a moment in inertial components; `sin_cos` gives sine and cosine of the
+/// state of an index.
+///
+/// # Errors
+/// [`Unsupported::StatedEquations`] without a body, [`Unsupported::IrrationalMass`] if mass or inertia depends on more
+/// than sums, products, quotients and integer powers of constants, and the errors of [`derivatives`](crate::derivatives).
+pub fn free_load_derivatives<T: Field>(
     model: &Model,
     point: &Point<T>,
-    circle: impl Fn(usize) -> (T, T),
+    sin_cos: impl Fn(usize) -> (T, T),
     force: Vector3<T>,
     moment: Vector3<T>,
 ) -> Result<Vec<T>, Unsupported> {
-    let body = model
-        .body
-        .as_ref()
-        .ok_or_else(|| Unsupported("its equations are stated".into()))?;
-    let frames = place(model, &point.states, circle);
-    let properties = mass_properties(model, body, point)
-        .ok_or_else(|| Unsupported("mass or inertia are not rational".into()))?;
+    let body = model.body.as_ref().ok_or(Unsupported::StatedEquations)?;
+    let frames = place(model, &point.states, sin_cos);
+    let properties = mass_properties(model, body, point).ok_or(Unsupported::IrrationalMass)?;
     let motion = newton_euler(body, &frames, &properties, force, moment);
     state_derivatives(model, body, &point.states, &frames, &motion)
 }
@@ -50,7 +51,7 @@ fn mass_properties<T: Field>(
     })
 }
 
-/// A scalar that depends rationally on constants.
+/// Value of a rational expression in constants; `None` for any other.
 fn rational<T: Field>(model: &Model, e: &Expr, point: &Point<T>) -> Option<T> {
     let part = |e: &Expr| rational(model, e, point);
     Some(match &e.kind {

@@ -1,0 +1,171 @@
+//! A reference law with active effects, evaluated with numbers.
+
+use super::{Effect, Flow, Kind, Load};
+use crate::physical::{Motion, Physical};
+use crate::reference::Law;
+use crate::rigid::{angular_acceleration, inertia_in_n};
+use crate::scalar::Real;
+use nalgebra::Vector3;
+
+/// An effect with the values of its coefficients and states.
+#[derive(Clone, Debug)]
+pub struct ActiveEffect<T> {
+    /// The effect.
+    pub effect: &'static Effect,
+    /// Values of its coefficients, then of its states.
+    pub values: Vec<T>,
+}
+
+/// A law with its constants, surroundings and active effects, whose order does not matter.
+#[derive(Clone, Debug)]
+pub struct ExtendedLaw<T> {
+    /// The law.
+    pub law: Law,
+    /// Its constants, in the order of [`Law::constants`].
+    pub constants: Vec<T>,
+    /// Wind velocity in inertial components, m/s.
+    pub wind: Vector3<T>,
+    /// Measured angular velocity of a ball, rad/s; 0 for bodies whose attitude is a state.
+    pub omega: Vector3<T>,
+    /// Active effects.
+    pub effects: Vec<ActiveEffect<T>>,
+}
+
+impl<T: Real> ExtendedLaw<T> {
+    /// Loads and accelerations at a state, `time` in seconds of flight.
+    pub fn motion(&self, at: &Physical<T>, time: T) -> Motion<T> {
+        self.motion_with(at, time, Vector3::zeros(), Vector3::zeros())
+    }
+
+    /// Loads and accelerations under an additional `force`, N, and `moment`, N·m, in inertial components.
+    pub fn motion_with(
+        &self,
+        at: &Physical<T>,
+        time: T,
+        force: Vector3<T>,
+        moment: Vector3<T>,
+    ) -> Motion<T> {
+        let constants = self.scaled_constants();
+        let air = self.air_velocity(at);
+        let unextended = self.law.motion(&constants, at, air);
+        let flow = Flow::new(self.law, &constants, at, air, time, self.omega);
+        let (mut force, mut moment) = (unextended.force + force, unextended.moment + moment);
+        for active in &self.effects {
+            let load = active.load(&flow);
+            force += load.force;
+            moment += load.moment;
+        }
+        let mut properties = self.law.mass_properties(&constants);
+        // The reaction of the added mass depends on the sum of all other forces.
+        let added_mass = self.effects.iter().fold(Vector3::zeros(), |sum, active| {
+            sum + active.added_mass_force(&flow, force, properties.mass)
+        });
+        force += added_mass;
+        let mut angular = Vector3::zeros();
+        if let Some(inertia) = &mut properties.inertia {
+            for active in &self.effects {
+                if let Kind::Inertia(kind) = active.effect.kind {
+                    *inertia += kind.added(&active.values);
+                }
+            }
+            let inertia = inertia_in_n(&at.attitude.matrix(), inertia);
+            let omega = at.angular_velocity;
+            angular = angular_acceleration(&inertia, &omega, &omega, &moment);
+        }
+        Motion {
+            force,
+            moment,
+            acceleration: force / properties.mass,
+            angular_acceleration: angular,
+        }
+    }
+
+    /// Seconds of flight per second of the measuring clock.
+    pub fn clock(&self) -> T {
+        self.effects
+            .iter()
+            .fold(T::one(), |rate, active| match active.effect.kind {
+                Kind::Clock(kind) => rate * kind.factor(&active.values),
+                _ => rate,
+            })
+    }
+
+    /// Reported position of a marker, m. `marker` is its measured position in the body frame; `which` has a 1 at the
+    /// index of the first, second or third marker, and is 0 for all others.
+    pub fn observation(
+        &self,
+        at: &Physical<T>,
+        marker: Vector3<T>,
+        which: Vector3<T>,
+    ) -> Vector3<T> {
+        let of_observation = self.effects.iter().filter_map(|active| {
+            let Kind::Observation(kind) = active.effect.kind else {
+                return None;
+            };
+            Some((kind, active.values.as_slice()))
+        });
+        let on_body = of_observation.clone().fold(marker, |sum, (kind, values)| {
+            sum + kind.displacement(values, marker, which)
+        });
+        let arm = at.attitude.carry(on_body);
+        let position = of_observation
+            .clone()
+            .fold(at.position + arm, |sum, (kind, values)| {
+                sum + kind.motion_until_sampled(values, at, arm, which)
+            });
+        of_observation.fold(position, |position, (kind, values)| {
+            kind.reported(values, position)
+        })
+    }
+
+    /// Velocity of the air at the body, m/s.
+    fn air_velocity(&self, at: &Physical<T>) -> Vector3<T> {
+        self.effects
+            .iter()
+            .fold(self.wind, |sum, active| match active.effect.kind {
+                Kind::Air(kind) => sum + kind.velocity(&active.values, at),
+                _ => sum,
+            })
+    }
+
+    /// Constants of the law, scaled by the effects.
+    fn scaled_constants(&self) -> Vec<T> {
+        let mut constants = self.constants.clone();
+        for active in &self.effects {
+            let Kind::Air(kind) = active.effect.kind else {
+                continue;
+            };
+            if let Some((name, factor)) = kind.factor(&active.values) {
+                let names = self.law.constants().iter();
+                for (constant, _) in constants.iter_mut().zip(names).filter(|(_, n)| **n == name) {
+                    *constant *= factor;
+                }
+            }
+        }
+        constants
+    }
+}
+
+impl<T: Real> ActiveEffect<T> {
+    /// Force and moment of the effect, independent of those of all others.
+    fn load(&self, flow: &Flow<'_, T>) -> Load<T> {
+        let values = self.values.as_slice();
+        match self.effect.kind {
+            Kind::Lift(kind) => kind.load(values, flow),
+            Kind::Drag(kind) => kind.load(values, flow),
+            Kind::Side(kind) => kind.load(values, flow),
+            Kind::Roll(kind) => kind.load(values, flow),
+            Kind::Pitch(kind) => kind.load(values, flow),
+            Kind::Spin(kind) => kind.load(values, flow),
+            Kind::Ball(kind) => kind.load(values, flow),
+            Kind::Air(_) | Kind::Inertia(_) | Kind::Observation(_) | Kind::Clock(_) => Load::zero(),
+        }
+    }
+
+    fn added_mass_force(&self, flow: &Flow<'_, T>, force: Vector3<T>, mass: T) -> Vector3<T> {
+        match self.effect.kind {
+            Kind::Inertia(kind) => kind.added_mass_force(&self.values, flow, force, mass),
+            _ => Vector3::zeros(),
+        }
+    }
+}

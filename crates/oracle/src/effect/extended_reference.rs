@@ -1,0 +1,111 @@
+//! Reference implementations of a model's law and effects, bound to the model's names.
+
+use super::{ActiveEffect, Effect, ExtendedLaw, by_name};
+use crate::error::BindError;
+use crate::point::Point;
+use crate::reference::Reference;
+use crate::scalar::Real;
+use model_spec::model::Model;
+use nalgebra::Vector3;
+
+/// A reference law with the effects of a model, bound to the model's names.
+#[derive(Clone, Debug)]
+pub struct ExtendedReference {
+    /// The law without effects.
+    pub reference: Reference,
+    effects: Vec<(&'static Effect, Vec<Slot>)>,
+    omega: Option<usize>,
+    marker_is: Option<usize>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Slot {
+    Coefficient(usize),
+    State(usize),
+}
+
+impl ExtendedReference {
+    /// Binds the reference law of a model and its effects; `None` if the model claims no law.
+    ///
+    /// # Errors
+    /// As [`Reference::bind`]; [`BindError::UnknownEffect`] for an effect without a reference implementation for the
+    /// law, [`BindError::MissingEffectValue`] if a coefficient or state of one is not declared.
+    pub fn bind(model: &Model) -> Option<Result<Self, BindError>> {
+        Some(Reference::bind(model)?.and_then(|reference| Self::of(reference, model)))
+    }
+
+    fn of(reference: Reference, model: &Model) -> Result<Self, BindError> {
+        let bound = |name: &str| {
+            let effect = by_name(name)
+                .filter(|effect| effect.laws.contains(&reference.law))
+                .ok_or_else(|| BindError::UnknownEffect { name: name.into() })?;
+            Ok((effect, slots(effect, model)?))
+        };
+        let effects = model.effects.iter().map(|effect| bound(&effect.name));
+        let effects = effects.collect::<Result<_, _>>()?;
+        let input = |name: &str| model.inputs.iter().position(|input| input.name == name);
+        Ok(Self {
+            effects,
+            omega: input("omega"),
+            marker_is: input("marker_is"),
+            reference,
+        })
+    }
+
+    /// The law and its effects with the values of a point.
+    pub fn at<T: Real>(&self, point: &Point<T>) -> ExtendedLaw<T> {
+        let value = |slot: &Slot| match *slot {
+            Slot::Coefficient(i) => point.coefficients[i],
+            Slot::State(i) => point.states[i],
+        };
+        let effects = self.effects.iter().map(|(effect, slots)| ActiveEffect {
+            effect,
+            values: slots.iter().map(value).collect(),
+        });
+        ExtendedLaw {
+            law: self.reference.law,
+            constants: self.reference.values(point),
+            wind: self.reference.wind(point),
+            omega: self.input(self.omega, point),
+            effects: effects.collect(),
+        }
+    }
+
+    /// Derivative of every state by the time of the measuring clock.
+    pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
+        let law = self.at(point);
+        let chart = &self.reference.chart;
+        let motion = law.motion(&chart.physical(&point.states), point.time);
+        let rates = chart.derivatives(&point.states, &motion);
+        let clock_rate = law.clock();
+        rates.into_iter().map(|rate| rate * clock_rate).collect()
+    }
+
+    /// Reported position of the marker, m.
+    pub fn observation<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
+        let at = self.reference.chart.physical(&point.states);
+        let which = self.input(self.marker_is, point);
+        self.at(point).observation(&at, point.marker, which)
+    }
+
+    fn input<T: Real>(&self, index: Option<usize>, point: &Point<T>) -> Vector3<T> {
+        index.map_or_else(Vector3::zeros, |index| point.inputs[index])
+    }
+}
+
+/// Where the values of an effect are in a model: its coefficients, then its states.
+fn slots(effect: &'static Effect, model: &Model) -> Result<Vec<Slot>, BindError> {
+    let missing = |name| BindError::MissingEffectValue {
+        effect: effect.name,
+        name,
+    };
+    let coefficients = effect.coefficients.iter().map(|&name| {
+        let index = model.coefficients.iter().position(|c| c.name == name);
+        index.map(Slot::Coefficient).ok_or(missing(name))
+    });
+    let states = effect.states.iter().map(|&name| {
+        let index = model.states.iter().position(|s| s.name == name);
+        index.map(Slot::State).ok_or(missing(name))
+    });
+    coefficients.chain(states).collect()
+}

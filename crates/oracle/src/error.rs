@@ -1,0 +1,66 @@
+//! Reasons why a model has no oracle.
+
+use thiserror::Error;
+
+/// A reference implementation that cannot be bound to the names of a model.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum BindError {
+    /// No reference implementation has the name given after `reference`.
+    #[error("there is no reference `{name}`; available: {}", crate::reference::NAMES.join(", "))]
+    UnknownReference {
+        /// Name in the model.
+        name: String,
+    },
+    /// A parameter or coefficient of the reference is missing from the model.
+    #[error("`{name}` is not declared")]
+    MissingConstant {
+        /// Name in the reference.
+        name: &'static str,
+    },
+    /// The model has no input `wind`.
+    #[error("there is no input `wind`")]
+    MissingWind,
+    /// A state of the reference is missing from the model.
+    #[error("the state `{name}` of the reference is not declared")]
+    MissingState {
+        /// Name in the reference.
+        name: &'static str,
+    },
+    /// An effect has no reference implementation for the model's law.
+    #[error("the effect `{name}` has no reference implementation for this law")]
+    UnknownEffect {
+        /// Name of the effect.
+        name: String,
+    },
+    /// A coefficient or state of an effect is missing from the model.
+    #[error("`{name}` of the effect `{effect}` is not declared")]
+    MissingEffectValue {
+        /// Name of the effect.
+        effect: &'static str,
+        /// Name of the coefficient or state.
+        name: &'static str,
+    },
+}
+
+/// A model whose equations of motion the oracle cannot derive.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Unsupported {
+    /// The model states its equations instead of declaring a body.
+    #[error("its equations are stated")]
+    StatedEquations,
+    /// Mass or inertia is no rational function of the constants.
+    #[error("mass or inertia is not rational")]
+    IrrationalMass,
+    /// The components of a vector refer to a frame whose angular velocity the model does not define.
+    #[error("the angular velocity of the frame of {vector} is not defined")]
+    FrameRate {
+        /// The vector, in words.
+        vector: &'static str,
+    },
+    /// The angular velocity is a state, but the attitude is not a quaternion from the inertial frame.
+    #[error("the attitude is not a quaternion from the inertial frame")]
+    Attitude,
+    /// The attitude is not a sequence of three rotations whose rates are states.
+    #[error("the attitude is not three rotations with their rates")]
+    Rotations,
+}

@@ -1,0 +1,64 @@
+//! Charts of the reference laws, by the state names that the contract fixes.
+
+use crate::chart::{Chart, Step, defaults};
+use crate::error::BindError;
+use model_spec::model::Model;
+
+fn states<const N: usize>(
+    model: &Model,
+    names: [&'static str; N],
+) -> Result<[usize; N], BindError> {
+    let mut indices = [0; N];
+    for (index, name) in indices.iter_mut().zip(names) {
+        *index = model
+            .states
+            .iter()
+            .position(|s| s.name == name)
+            .ok_or(BindError::MissingState { name })?;
+    }
+    Ok(indices)
+}
+
+/// Chart of a body with attitude: the angles of the paper, or a quaternion from the inertial frame to the body frame.
+pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
+    if model.states.iter().any(|s| s.name == "q0") {
+        return quaternion(model);
+    }
+    let [phi, theta, gamma] = states(model, ["phi", "theta", "gamma"])?;
+    let [phidot, thetadot, gammadot] = states(model, ["phidot", "thetadot", "gammadot"])?;
+    let rotation = |axis, angle, rate| Step::Angle { axis, angle, rate };
+    Ok(Chart {
+        velocity_after: 2,
+        steps: vec![
+            rotation(1, phi, phidot),
+            rotation(2, theta, thetadot),
+            rotation(3, gamma, gammadot),
+        ],
+        ..in_inertial_axes(model, ["u", "v", "w"])?
+    })
+}
+
+/// Velocity in inertial components, angular velocity in components of the body frame.
+fn quaternion(model: &Model) -> Result<Chart, BindError> {
+    Ok(Chart {
+        steps: vec![Step::Quaternion(states(model, ["q0", "q1", "q2", "q3"])?)],
+        angular_velocity: Some((states(model, ["p", "q", "r"])?, 1)),
+        ..point_mass(model)?
+    })
+}
+
+/// Chart of a point mass: position and velocity in inertial components.
+pub(super) fn point_mass(model: &Model) -> Result<Chart, BindError> {
+    in_inertial_axes(model, ["vx", "vy", "vz"])
+}
+
+fn in_inertial_axes(model: &Model, velocity: [&'static str; 3]) -> Result<Chart, BindError> {
+    Ok(Chart {
+        defaults: defaults(model),
+        position: states(model, ["x", "y", "z"])?,
+        velocity: states(model, velocity)?,
+        velocity_after: 0,
+        steps: Vec::new(),
+        angular_velocity: None,
+    })
+}
