@@ -37,3 +37,18 @@ impl Span {
         }
     }
 }
+
+/// Where the lines of a text begin, for line numbers of many spans.
+pub(crate) struct LineStarts(Vec<usize>);
+
+impl LineStarts {
+    pub(crate) fn new(text: &str) -> LineStarts {
+        let starts = text.match_indices('\n').map(|(newline, _)| newline + 1);
+        LineStarts(std::iter::once(0).chain(starts).collect())
+    }
+
+    /// Line of a byte, from 1.
+    pub(crate) fn line(&self, byte: u32) -> usize {
+        self.0.partition_point(|&start| start <= byte as usize)
+    }
+}

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::check::singular_points;
 use crate::model::{FrameKind, Model, Parameter};
+use crate::source::LineStarts;
 
 /// A summary of a model: states, constants with their units, forces, limits, singular points, effects.
 pub fn summary(model: &Model) -> String {
@@ -106,8 +107,14 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     let points = singular_points(model);
     if !points.is_empty() {
         writeln!(out, "\nsingular points")?;
+        let lines: Vec<LineStarts> = model
+            .sources
+            .iter()
+            .map(|s| LineStarts::new(&s.text))
+            .collect();
         for point in points {
-            let line = model.line(point.span);
+            let source = lines.get(usize::from(point.span.source));
+            let line = source.map_or(1, |lines| lines.line(point.span.start));
             let file = match model.sources.get(usize::from(point.span.source)) {
                 Some(source) if point.span.source > 0 => format!("{}, ", source.name),
                 _ => String::new(),

@@ -324,7 +324,7 @@ fn files_as_long_as_they_may_be_are_digested_quickly() {
     let base = MODELS[0].1;
     /// A line by its number.
     type Line = fn(usize) -> String;
-    let lines: [(&str, Line); 22] = [
+    let lines: [(&str, Line); 23] = [
         ("", |_| "a;".into()),
         ("", |i| format!("model m{i};")),
         ("", |i| format!("frame F{i} = G{i} turned a about 1;")),
@@ -350,6 +350,7 @@ fn files_as_long_as_they_may_be_are_digested_quickly() {
         (base, |i| format!("let a{i} = x + vx;")),
         (base, |i| format!("let a{i} = 1/(x*y*z*vx*vy*vz);")),
         (base, |i| format!("let a{i} = a{};", i + 1)),
+        (base, |i| format!("let a{i} = a{i} + a{};", i + 1)),
         (base, |i| format!("param a{i} = 3 furlong{i};")),
         (base, |i| format!("force f{i} = x;")),
         (base, |_| "force f = x*N.1;".into()),
@@ -370,6 +371,15 @@ fn files_as_long_as_they_may_be_are_digested_quickly() {
         digest(text);
         println!("{:?} {}", start.elapsed(), line(1));
     }
+    // Units inferred from one another, solved from the far end of the chain and then used.
+    let mut text = base.to_owned();
+    (0..10_000).for_each(|i| text += &format!("param c{i} = 1;\n"));
+    let chain = (0..9_999).rev();
+    chain.for_each(|i| text += &format!("let l{i} = c{i} + c{};\n", i + 1));
+    (0..5_000).for_each(|i| text += &format!("let u{i} = c9999 + c{};\n", i * 2));
+    let start = std::time::Instant::now();
+    digest(text);
+    assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
     // One effect that replaces very much.
     let mut text = base.to_owned();
     (0..15_000).for_each(|i| text += &format!("let a{i} = x;\n"));

@@ -1,78 +1,68 @@
-//! Effects that were applied, with what they brought.
+//! Applied effects, with the coefficients and states that they add.
 
 use super::Checker;
 use super::quantity::Measure;
+use super::scope::Symbol;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{AppliedEffect, EffectUnknown};
-use crate::syntax::ast::{Applied, ItemKind, Quantity};
+use crate::syntax::ast::{Applied, ItemKind, Name, Quantity};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Effects that were applied, with their coefficients and states.
+    /// Lists the applied effects in the model.
     pub fn applied(&mut self) {
         let file = self.file;
         for (i, applied) in file.applied.iter().enumerate() {
-            let mut made = AppliedEffect {
-                name: applied.name.text.clone(),
-                doc: applied.doc.clone(),
-                site: applied.site.clone(),
-                variables: applied.variables.clone(),
-                citation: applied.citation.clone(),
-                coefficients: Vec::new(),
-                states: Vec::new(),
-            };
+            let (mut coefficients, mut states) = (Vec::new(), Vec::new());
             for item in file.items.iter().filter(|item| item.effect == Some(i)) {
-                match &item.kind {
-                    ItemKind::Parameter(constant) => {
-                        let place = constant.name.span;
-                        let all = &self.model.coefficients;
-                        let Some(index) = all.iter().position(|c| c.name == constant.name.text)
-                        else {
-                            continue;
-                        };
-                        let (null_value, unit) = (all[index].value, all[index].unit);
-                        let name = &constant.name.text;
-                        made.coefficients.push(EffectUnknown {
+                let name = match &item.kind {
+                    ItemKind::Parameter(parameter) => &parameter.name,
+                    ItemKind::State(state) => &state.name,
+                    _ => continue,
+                };
+                match self.scope.find(&name.text) {
+                    Some(Symbol::Coefficient(index)) => {
+                        let own = &self.model.coefficients[index];
+                        let (null_value, unit) = (own.value, own.unit);
+                        coefficients.push(EffectUnknown {
                             index,
                             null_value,
-                            smallest_of_interest: self.negligible(applied, name, place, unit),
+                            smallest_of_interest: self.smallest_of_interest(applied, name, unit),
                         });
                     }
-                    ItemKind::State(state) => {
-                        let place = state.name.span;
-                        let all = &self.model.states;
-                        let Some(index) = all.iter().position(|s| s.name == state.name.text) else {
-                            continue;
-                        };
-                        let (null_value, unit) = (all[index].value, all[index].unit);
-                        let name = &state.name.text;
-                        made.states.push(EffectUnknown {
+                    Some(Symbol::State(index)) => {
+                        let own = &self.model.states[index];
+                        let (null_value, unit) = (own.value, own.unit);
+                        states.push(EffectUnknown {
                             index,
                             null_value,
-                            smallest_of_interest: self.negligible(applied, name, place, unit),
+                            smallest_of_interest: self.smallest_of_interest(applied, name, unit),
                         });
                     }
                     _ => {}
                 }
             }
-            self.model.effects.push(made);
+            self.model.effects.push(AppliedEffect {
+                name: applied.name.text.clone(),
+                doc: applied.doc.clone(),
+                site: applied.site.clone(),
+                variables: applied.variables.clone(),
+                citation: applied.citation.clone(),
+                coefficients,
+                states,
+            });
         }
     }
 
-    /// The size below which a departure of a name does not matter, where the effect states one.
-    fn negligible(
-        &mut self,
-        applied: &Applied,
-        name: &str,
-        place: Span,
-        unit: Unit,
-    ) -> Option<f64> {
-        let (_, quantity) = applied.negligible.iter().find(|n| n.0.text == name)?;
+    /// The value of `negligible NAME …;`, SI, if the effect states one for this coefficient or state.
+    fn smallest_of_interest(&mut self, applied: &Applied, name: &Name, unit: Unit) -> Option<f64> {
+        let mut stated = applied.negligible.iter();
+        let (_, quantity) = stated.find(|(own, _)| own.text == name.text)?;
         let measure = match &quantity.unit {
             Some(unit) => self.measure(unit)?,
             None => Measure::one(),
         };
-        self.agrees_with(&measure, quantity, (name, place, unit));
+        self.agrees_with(&measure, quantity, (&name.text, name.span, unit));
         Some(measure.of(&quantity.number).0)
     }
 

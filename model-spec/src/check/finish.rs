@@ -1,51 +1,41 @@
-//! The end: unknown units are put in, and every expression learns its own.
+//! The last step of the check: inferred units are put in, and every expression gets its unit.
 
+use super::term::Term;
 use super::{Checker, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::model::{Expr, ExprKind, Function};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Puts in all units that were inferred.
+    /// Puts in the inferred units, and lists the applied effects.
     pub fn finish(&mut self) {
         self.undetermined();
-        for i in 0..self.model.params.len() {
-            if self.model.params[i].inferred {
-                let unit = self.inferred(&self.params[i].clone());
-                let constant = &mut self.model.params[i];
-                (constant.unit, constant.unit_text) = (unit, unit.to_string());
+        let units = &self.units;
+        let inferred = |term: &Term| units.resolve(term).unit().unwrap_or_default().tidy();
+        let model = &mut self.model;
+        let params = model.params.iter_mut().zip(&self.params);
+        let coefficients = model.coefficients.iter_mut().zip(&self.coefficients);
+        for (parameter, term) in params.chain(coefficients).filter(|(own, _)| own.inferred) {
+            parameter.unit = inferred(term);
+            parameter.unit_text = parameter.unit.to_string();
+        }
+        for (input, term) in model.inputs.iter_mut().zip(&self.inputs) {
+            if term.has_unknowns() {
+                input.unit = inferred(term);
+                input.unit_text = input.unit.to_string();
             }
         }
-        for i in 0..self.model.coefficients.len() {
-            if self.model.coefficients[i].inferred {
-                let unit = self.inferred(&self.coefficients[i].clone());
-                let constant = &mut self.model.coefficients[i];
-                (constant.unit, constant.unit_text) = (unit, unit.to_string());
-            }
-        }
-        for i in 0..self.model.inputs.len() {
-            if self.inputs[i].has_unknowns() {
-                let unit = self.inferred(&self.inputs[i].clone());
-                let input = &mut self.model.inputs[i];
-                (input.unit, input.unit_text) = (unit, unit.to_string());
-            }
-        }
-        for i in 0..self.model.states.len() {
-            if self.states[i].has_unknowns() {
-                let unit = self.inferred(&self.states[i].clone());
-                let state = &mut self.model.states[i];
-                (state.unit, state.unit_text) = (unit, unit.to_string());
+        for (state, term) in model.states.iter_mut().zip(&self.states) {
+            if term.has_unknowns() {
+                state.unit = inferred(term);
+                state.unit_text = state.unit.to_string();
             }
         }
         self.assign();
         self.applied();
     }
 
-    fn inferred(&self, term: &super::term::Term) -> Unit {
-        self.units.resolve(term).unit().unwrap_or_default().tidy()
-    }
-
-    /// Reports units that could not be inferred; only where nothing else is wrong that would explain it.
+    /// Reports units that could not be inferred, unless another fault may be the reason.
     fn undetermined(&mut self) {
         if !self.diagnostics.is_empty() {
             return;
@@ -56,7 +46,7 @@ impl Checker<'_> {
             let Some(used) = first_use.filter(|_| term.unit().is_none()) else {
                 continue;
             };
-            // What follows from another unknown is reported with that one.
+            // A unit that depends on another unknown is reported with that one.
             if term.has_unknowns() && !term.unknowns().any(|u| u as usize == unknown) {
                 continue;
             }
@@ -79,7 +69,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Every expression learns its unit, from its leaves upwards.
+    /// Computes the unit of every expression, from its leaves upwards.
     fn assign(&mut self) {
         let model = &mut self.model;
         let mut tables = Tables {
@@ -108,7 +98,7 @@ fn bare_zero(e: &Expr) -> bool {
     matches!(e.kind, ExprKind::Number { value: 0.0, .. }) && e.unit == Unit::ONE
 }
 
-/// All expressions of a model but those of its named quantities.
+/// All expressions of a model but those of its auxiliary variables.
 fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     let mut all: Vec<&mut Expr> = Vec::new();
     if let Some(body) = &mut model.body {
@@ -131,7 +121,7 @@ fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     all
 }
 
-/// Units of everything that has a name.
+/// Units of all symbols, by their indices in the model.
 struct Tables {
     params: Vec<Unit>,
     coefficients: Vec<Unit>,
@@ -144,7 +134,7 @@ impl Tables {
     fn assign(&self, e: &mut Expr) {
         use ExprKind as K;
         let mul = |a: Unit, b: Unit| a.checked_mul(b).unwrap_or_default();
-        // A bare 0 has the unit of what stands beside it.
+        // A bare 0 takes the unit of the other operand.
         let either = |a: &Expr, b: &Expr| if bare_zero(a) { b.unit } else { a.unit };
         e.children_mut(&mut |child| self.assign(child));
         e.unit = match &e.kind {

@@ -14,6 +14,7 @@ mod equations;
 mod explain;
 mod finish;
 mod frames;
+mod limits;
 mod names;
 mod order;
 mod quantity;

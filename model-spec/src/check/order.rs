@@ -1,4 +1,4 @@
-//! The order of named quantities: each after those that it uses.
+//! Order of the auxiliary variables: each after those that it uses.
 
 use std::collections::HashMap;
 
@@ -6,6 +6,12 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{self, Expr, ExprKind};
+
+/// Number of cycles that are reported; each costs a walk over its definitions.
+const MAX_CYCLES: usize = 50;
+
+/// Number of definitions of a cycle that a message lists.
+const MAX_LISTED: usize = 8;
 
 /// A `let`, or the right side of an equation that is used as `der(STATE)`.
 #[derive(Clone, Copy)]
@@ -21,49 +27,42 @@ pub(super) struct Defining<'a> {
     pub span: Span,
 }
 
-/// Every name and every `der(STATE)` of an expression, with its place.
+/// Calls `visit` with the name, whether it is in `der(…)`, and the span of each name in an expression.
 pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) {
     match &e.kind {
-        ExprKind::Number(_) => {}
         ExprKind::Name(name) => visit(name, false, e.span),
         ExprKind::Derivative(state) => visit(&state.text, true, e.span),
-        ExprKind::Part(of, _) | ExprKind::Neg(of) => uses(of, visit),
-        ExprKind::Components(parts, _) => parts.iter().for_each(|p| uses(p, visit)),
-        ExprKind::Binary(_, a, b) => {
-            uses(a, visit);
-            uses(b, visit);
-        }
-        ExprKind::Call(_, arguments) => arguments.iter().for_each(|a| uses(a, visit)),
+        _ => e.children(&mut |child| uses(child, visit)),
     }
 }
 
 impl Checker<'_> {
-    /// An order in which each definition comes after those it uses, else as written.
-    /// Definitions on a cycle are left out, and every cycle is reported once.
-    pub fn ordered(&mut self, definitions: &[Defining<'_>]) -> Vec<usize> {
-        let of_state: HashMap<usize, usize> = definitions
-            .iter()
-            .enumerate()
+    /// For each definition, the definitions that it uses and where.
+    fn dependencies(&self, definitions: &[Defining<'_>]) -> Vec<Vec<(usize, Span)>> {
+        let derivatives = definitions.iter().enumerate();
+        let of_state: HashMap<usize, usize> = derivatives
             .filter_map(|(i, d)| Some((d.state?, i)))
             .collect();
-        let edges: Vec<Vec<(usize, Span)>> = definitions
-            .iter()
-            .map(|d| {
-                let mut to = Vec::new();
-                uses(
-                    d.value,
-                    &mut |name, derivative, span| match self.scope.find(name) {
-                        Some(Symbol::Let(i)) if !derivative => to.push((i, span)),
-                        Some(Symbol::State(s)) if derivative => {
-                            to.extend(of_state.get(&s).map(|&i| (i, span)))
-                        }
-                        _ => {}
-                    },
-                );
-                to
-            })
-            .collect();
+        let used_by = |definition: &Defining<'_>| {
+            let mut used = Vec::new();
+            uses(definition.value, &mut |name, is_derivative, span| {
+                let index = match self.scope.find(name) {
+                    Some(Symbol::Let(i)) if !is_derivative => Some(i),
+                    Some(Symbol::State(s)) if is_derivative => of_state.get(&s).copied(),
+                    _ => None,
+                };
+                used.extend(index.map(|i| (i, span)));
+            });
+            used
+        };
+        definitions.iter().map(used_by).collect()
+    }
 
+    /// Topological order of the definitions by depth-first search: each after those it uses, else as written.
+    /// Definitions on a cycle are left out; cycles are reported up to [`MAX_CYCLES`].
+    pub fn ordered(&mut self, definitions: &[Defining<'_>]) -> Vec<usize> {
+        let edges = self.dependencies(definitions);
+        let mut cycles = 0;
         let mut order = Vec::with_capacity(definitions.len());
         let mut mark = vec![Mark::New; definitions.len()];
         for root in 0..definitions.len() {
@@ -71,7 +70,7 @@ impl Checker<'_> {
                 continue;
             }
             mark[root] = Mark::Open;
-            // Each entry: a definition, and how many of its uses have been looked at.
+            // Definitions from the root to the current one, each with the number of its uses visited so far.
             let mut path = vec![(root, 0)];
             while let Some(&mut (at, ref mut next)) = path.last_mut() {
                 let Some(&(to, _)) = edges[at].get(*next) else {
@@ -98,6 +97,10 @@ impl Checker<'_> {
                             mark[i] = Mark::Cyclic;
                         }
                         self.report_cycle(definitions, &cycle);
+                        cycles += 1;
+                        if cycles == MAX_CYCLES {
+                            return order;
+                        }
                     }
                     Mark::Done | Mark::Cyclic => {}
                 }
@@ -107,7 +110,6 @@ impl Checker<'_> {
     }
 
     fn report_cycle(&mut self, definitions: &[Defining<'_>], cycle: &[(usize, Span)]) {
-        const MOST: usize = 8;
         let called = |i: usize| {
             let d = &definitions[i];
             match d.state {
@@ -116,9 +118,13 @@ impl Checker<'_> {
             }
         };
         let first = definitions[cycle[0].0].name.span;
-        let mut names: Vec<String> = cycle.iter().take(MOST).map(|&(i, _)| called(i)).collect();
-        if cycle.len() > MOST {
-            names.push(format!("{} more", cycle.len() - MOST));
+        let mut names: Vec<String> = cycle
+            .iter()
+            .take(MAX_LISTED)
+            .map(|&(i, _)| called(i))
+            .collect();
+        if cycle.len() > MAX_LISTED {
+            names.push(format!("{} more", cycle.len() - MAX_LISTED));
         }
         names.push(called(cycle[0].0));
         let message = match cycle.len() {
@@ -129,7 +135,7 @@ impl Checker<'_> {
             ),
         };
         let mut fault = Diagnostic::new(Kind::Cycle, first, message);
-        for (k, &(i, span)) in cycle.iter().enumerate().take(MOST) {
+        for (k, &(i, span)) in cycle.iter().enumerate().take(MAX_LISTED) {
             let next = cycle[(k + 1) % cycle.len()].0;
             fault = fault.label(span, format!("{} uses {}", called(i), called(next)));
         }
@@ -144,10 +150,15 @@ impl Checker<'_> {
     }
 }
 
+/// State of a definition in the depth-first search.
 #[derive(Clone, Copy, PartialEq)]
 enum Mark {
+    /// Not yet visited.
     New,
+    /// On the path from the root to the current definition.
     Open,
+    /// In the order.
     Done,
+    /// On a reported cycle.
     Cyclic,
 }

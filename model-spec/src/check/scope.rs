@@ -162,16 +162,22 @@ impl Checker<'_> {
     }
 }
 
+/// Number of names that a message lists.
+const MAX_LISTED: usize = 8;
+
 /// Names as a list in a sentence: `a`, `b` and `c`.
 pub(super) fn listed(names: &[impl AsRef<str>]) -> String {
-    const MOST: usize = 8;
     let quoted: Vec<String> = names
         .iter()
-        .take(MOST)
+        .take(MAX_LISTED)
         .map(|n| format!("`{}`", n.as_ref()))
         .collect();
-    if names.len() > MOST {
-        return format!("{} and {} more", quoted.join(", "), names.len() - MOST);
+    if names.len() > MAX_LISTED {
+        return format!(
+            "{} and {} more",
+            quoted.join(", "),
+            names.len() - MAX_LISTED
+        );
     }
     match quoted.split_last() {
         Some((last, [])) => last.clone(),

@@ -1,15 +1,19 @@
-//! Units that may still be unknown: products of powers of base units and of unknowns, and their solution.
+//! Inference of units: products of powers of base units and of unknowns, and the solution for the unknowns.
 //!
-//! Units form an abelian group, so that an equation between two of them determines at most one unknown,
-//! and solving never has to guess.
+//! Units form an abelian group, so an equation between two of them determines at most one unknown, without search.
+
+use std::cell::RefCell;
 
 use crate::diagnostic::Span;
 use crate::unit::Unit;
 
-/// More unknowns than this in one product are refused rather than carried along.
-const MOST_UNKNOWNS: usize = 32;
+/// Number of unknown factors in one unit; a unit with more is reported.
+const MAX_UNKNOWNS: usize = 32;
 
-/// A fraction of small whole numbers, in lowest terms, denominator positive.
+/// Numerator and denominator up to which an exponent is followed; sums of such fractions stay within `i64`.
+const MAX_PART: i32 = 4096;
+
+/// An exponent: a fraction in lowest terms, denominator positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Fraction {
     above: i32,
@@ -27,8 +31,7 @@ impl Fraction {
         let divisor = gcd(above.unsigned_abs(), below.unsigned_abs()) as i64 * below.signum();
         let above = i32::try_from(above / divisor).ok()?;
         let below = i32::try_from(below / divisor).ok()?;
-        // Nothing physical has exponents like this; it also keeps sums within range.
-        (above.abs() <= 4096 && below <= 4096).then_some(Fraction { above, below })
+        (above.abs() <= MAX_PART && below <= MAX_PART).then_some(Fraction { above, below })
     }
 
     fn plus(self, other: Fraction) -> Option<Fraction> {
@@ -53,11 +56,12 @@ fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a.max(1) } else { gcd(b, a % b) }
 }
 
-/// A unit with unknowns.
+/// A unit that may have unknown factors.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Term {
+    /// Exponents of the base units, in the order of [`Base`](crate::unit::Base).
     base: [Fraction; 8],
-    /// Unknowns and their exponents, none of them zero, in order.
+    /// Indices of the unknowns with their exponents, none of them zero, in ascending order.
     unknowns: Vec<(u32, Fraction)>,
 }
 
@@ -94,7 +98,7 @@ impl Term {
         }
     }
 
-    /// The product with a power of another; none where it leaves the range.
+    /// The product with a power of another unit; none if an exponent leaves the range or there are too many unknowns.
     pub fn times_power(&self, other: &Term, power: Fraction) -> Option<Term> {
         let mut base = self.base;
         for (b, o) in base.iter_mut().zip(other.base) {
@@ -114,14 +118,14 @@ impl Term {
             }
         }
         unknowns.retain(|u| !u.1.is_zero());
-        (unknowns.len() <= MOST_UNKNOWNS).then_some(Term { base, unknowns })
+        (unknowns.len() <= MAX_UNKNOWNS).then_some(Term { base, unknowns })
     }
 
     pub fn power(&self, power: Fraction) -> Option<Term> {
         Term::one().times_power(self, power)
     }
 
-    /// The unit, where nothing is unknown and every exponent is a half number within range.
+    /// The unit, if nothing is unknown and every exponent is a multiple of 1/2 within range.
     pub fn unit(&self) -> Option<Unit> {
         if !self.unknowns.is_empty() {
             return None;
@@ -145,7 +149,7 @@ impl Term {
         self.unknowns.iter().map(|u| u.0)
     }
 
-    /// The known part alone.
+    /// The unit without its unknown factors.
     pub fn known_part(&self) -> Term {
         Term {
             base: self.base,
@@ -154,28 +158,30 @@ impl Term {
     }
 }
 
-/// A constant whose unit is to be inferred.
+/// The unit of a constant that is to be inferred.
 struct Unknown {
+    /// Name of the constant.
     name: String,
-    solution: Option<Term>,
-    /// Where it was determined.
+    /// What it equals, by unknowns that had no solution when it was found, or later solutions put in.
+    solution: RefCell<Option<Term>>,
+    /// Expression by which it was determined.
     at: Option<Span>,
 }
 
-/// All unknowns, and what has been found out about them.
+/// The unknown units of a model with their solutions so far.
 #[derive(Default)]
 pub(super) struct Units {
     unknowns: Vec<Unknown>,
 }
 
-/// Two units that cannot be made equal.
+/// Error: two units cannot be made equal.
 pub(super) struct Differ;
 
 impl Units {
     pub fn fresh(&mut self, name: &str) -> Term {
         self.unknowns.push(Unknown {
             name: name.to_owned(),
-            solution: None,
+            solution: RefCell::new(None),
             at: None,
         });
         Term::unknown(self.unknowns.len() as u32 - 1)
@@ -185,37 +191,64 @@ impl Units {
         &self.unknowns[unknown as usize].name
     }
 
-    /// Where an unknown was determined.
+    /// The expression by which an unknown was determined.
     pub fn determined_at(&self, unknown: u32) -> Option<Span> {
         self.unknowns[unknown as usize].at
     }
 
-    /// A term with all that is known put in.
+    /// A term with all solutions put in.
     pub fn resolve(&self, term: &Term) -> Term {
-        let mut term = term.clone();
-        // A solution names only unknowns that had none when it was found, so that this ends.
-        for _ in 0..=self.unknowns.len() {
-            let Some(&(index, power)) = term
-                .unknowns
-                .iter()
-                .find(|u| self.unknowns[u.0 as usize].solution.is_some())
-            else {
-                break;
-            };
-            let mut rest = term.clone();
-            rest.unknowns.retain(|u| u.0 != index);
-            let Some(solution) = &self.unknowns[index as usize].solution else {
-                break;
-            };
-            match rest.times_power(solution, power) {
-                Some(next) => term = next,
-                None => break,
-            }
+        for unknown in term.unknowns() {
+            self.compress(unknown);
         }
-        term
+        self.substituted(term).unwrap_or_else(|| term.clone())
     }
 
-    /// Makes two units equal, determining an unknown where that is needed.
+    fn is_solved(&self, unknown: u32) -> bool {
+        self.unknowns[unknown as usize].solution.borrow().is_some()
+    }
+
+    /// An unknown with a solution in which there are unknowns with solutions.
+    fn is_chained(&self, unknown: u32) -> bool {
+        let solution = self.unknowns[unknown as usize].solution.borrow();
+        let term = solution.as_ref();
+        term.is_some_and(|term| term.unknowns().any(|u| self.is_solved(u)))
+    }
+
+    /// A term with the solutions of its unknowns put in once; none if that leaves the range.
+    fn substituted(&self, term: &Term) -> Option<Term> {
+        let mut result = term.known_part();
+        for &(index, power) in &term.unknowns {
+            result = match &*self.unknowns[index as usize].solution.borrow() {
+                Some(solution) => result.times_power(solution, power)?,
+                None => result.times_power(&Term::unknown(index), power)?,
+            };
+        }
+        Some(result)
+    }
+
+    /// Puts solutions into the solution of an unknown until none of its unknowns has one; each chain is followed once.
+    fn compress(&self, unknown: u32) {
+        let mut path = vec![unknown];
+        while let Some(&last) = path.last() {
+            let slot = &self.unknowns[last as usize].solution;
+            let Some(solution) = slot.borrow().clone() else {
+                return;
+            };
+            match solution.unknowns().find(|&u| self.is_chained(u)) {
+                Some(next) => path.push(next),
+                None => {
+                    let Some(term) = self.substituted(&solution) else {
+                        return;
+                    };
+                    slot.replace(Some(term));
+                    path.pop();
+                }
+            }
+        }
+    }
+
+    /// Makes two units equal by solving for at most one unknown; `at` is the expression that demands it.
     pub fn equate(&mut self, a: &Term, b: &Term, at: Span) -> Result<(), Differ> {
         let (a, b) = (self.resolve(a), self.resolve(b));
         let Some(ratio) = a.times_power(
@@ -227,7 +260,7 @@ impl Units {
         ) else {
             return Err(Differ);
         };
-        // The unknown that was declared last is determined by those before it.
+        // Solving for the unknown declared last keeps solutions free of circles.
         let Some(&(index, exponent)) = ratio.unknowns.last() else {
             return if ratio.base[..7].iter().all(|e| e.is_zero()) {
                 Ok(())
@@ -240,12 +273,12 @@ impl Units {
         let inverse = Fraction::new(-i64::from(exponent.below), i64::from(exponent.above));
         let solution = inverse.and_then(|i| rest.power(i)).ok_or(Differ)?;
         let unknown = &mut self.unknowns[index as usize];
-        unknown.solution = Some(solution);
+        unknown.solution = RefCell::new(Some(solution));
         unknown.at = Some(at);
         Ok(())
     }
 
-    /// What an unknown came out as.
+    /// The unit of an unknown as far as it is determined.
     pub fn solution(&self, unknown: u32) -> Term {
         self.resolve(&Term::unknown(unknown))
     }

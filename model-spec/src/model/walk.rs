@@ -134,15 +134,6 @@ impl Model {
         raw.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// The line of a place in its text, from 1.
-    pub fn line(&self, span: Span) -> usize {
-        let source = self.sources.get(usize::from(span.source));
-        let before = source
-            .and_then(|s| s.text.get(..span.range().start))
-            .unwrap_or("");
-        before.matches('\n').count() + 1
-    }
-
     /// States that a body does not have and that an effect or the model adds to it, and states that effects add
     /// to stated equations: each starts at its default where a flight does not say otherwise.
     pub fn added_states(&self) -> Vec<usize> {

@@ -1,4 +1,4 @@
-//! From text to tokens.
+//! The lexer: from text to tokens.
 
 use std::ops::Range;
 
@@ -69,13 +69,13 @@ pub(super) enum Token {
     To,
     #[token(".")]
     Point,
-    /// What could not be read; the lexer itself never yields it.
+    /// A run of characters that belong to no token; made by [`lex`].
     Bad,
-    /// The end of the text; the lexer itself never yields it.
+    /// The end of the text; made by [`lex`].
     End,
 }
 
-/// A token and its place.
+/// A token and its byte range.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lexeme {
     pub token: Token,
@@ -85,7 +85,7 @@ pub(super) struct Lexeme {
     pub first: bool,
 }
 
-/// What the lexer makes of a text.
+/// Result of [`lex`].
 pub(super) struct Lexed {
     /// Tokens without comments; the last is [`Token::End`].
     pub tokens: Vec<Lexeme>,
@@ -93,172 +93,161 @@ pub(super) struct Lexed {
     pub docs: Vec<(usize, String)>,
     /// The `//!` lines.
     pub file_doc: String,
-    /// Faults.
+    /// Faults, in order.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Cuts a text into tokens. What cannot be read is reported, once for each run of it, and left out.
+/// Splits a text into tokens. A run of characters that belong to no token becomes one [`Token::Bad`] and is reported,
+/// unless there was a fault on the same line.
 pub(super) fn lex(text: &str, source: u16) -> Lexed {
-    let mut lexed = Lexed {
-        tokens: Vec::with_capacity(text.len() / 4),
-        docs: Vec::new(),
-        file_doc: String::new(),
-        diagnostics: Vec::new(),
+    let mut lexer = Lexer {
+        text,
+        source,
+        lexed: Lexed {
+            tokens: Vec::with_capacity(text.len() / 4),
+            docs: Vec::new(),
+            file_doc: String::new(),
+            diagnostics: Vec::new(),
+        },
+        unread: None,
+        is_first: true,
+        line_has_fault: false,
     };
-    let mut lexer = Token::lexer(text);
-    let (mut last_end, mut first, mut faulty_line) = (0, true, false);
-    let mut bad: Option<Run> = None;
-    while let Some(token) = lexer.next() {
-        let range = lexer.span();
+    let mut tokens = Token::lexer(text);
+    let mut last_end = 0;
+    while let Some(token) = tokens.next() {
+        let range = tokens.span();
         if text[last_end..range.start].contains('\n') {
-            (first, faulty_line) = (true, false);
+            (lexer.is_first, lexer.line_has_fault) = (true, false);
         }
         last_end = range.end;
         match token {
-            Ok(Token::Comment) => {
-                comment(&mut lexed, &text[range.clone()]);
-                continue;
-            }
-            Err(()) => {
-                match &mut bad {
-                    Some(run) if run.end == range.start => run.end = range.end,
-                    _ => {
-                        report(&mut lexed, text, source, bad.take());
-                        let Range { start, end } = range;
-                        bad = Some(Run {
-                            start,
-                            end,
-                            told: faulty_line,
-                        });
-                        // The parser gives up the statement, and says nothing more about it.
-                        let (start, end) = (start as u32, end as u32);
-                        lexed.tokens.push(Lexeme {
-                            token: Token::Bad,
-                            start,
-                            end,
-                            first,
-                        });
-                    }
-                }
-                (first, faulty_line) = (false, true);
-                continue;
-            }
-            Ok(Token::OpenText) => {
-                faulty_line = true;
-                let span = place(range.start, range.end, source);
-                lexed.diagnostics.push(
-                    Diagnostic::new(
-                        Kind::Lexical,
-                        span,
-                        "this text has no closing quotation mark",
-                    )
-                    .help("close it with `\"` on the same line"),
-                );
-            }
-            Ok(_) => {}
+            Ok(Token::Comment) => lexer.comment(&text[range]),
+            Ok(Token::OpenText) => lexer.open_text(range),
+            Ok(token) => lexer.push(token, range),
+            Err(()) => lexer.unread(range),
         }
-        let (start, end) = (range.start as u32, range.end as u32);
-        lexed.tokens.push(Lexeme {
-            token: token.unwrap_or(Token::Bad),
-            start,
-            end,
-            first,
+    }
+    lexer.report_unread();
+    let end = text.trim_end().len();
+    lexer.is_first = true;
+    lexer.push(Token::End, end..end);
+    lexer.lexed
+}
+
+/// The state of [`lex`].
+struct Lexer<'a> {
+    text: &'a str,
+    source: u16,
+    lexed: Lexed,
+    /// The last run of characters that belong to no token, if it is yet to be reported.
+    unread: Option<Range<usize>>,
+    /// Whether the next token is the first on its line.
+    is_first: bool,
+    /// Whether a fault of this line has been found.
+    line_has_fault: bool,
+}
+
+impl Lexer<'_> {
+    fn push(&mut self, token: Token, range: Range<usize>) {
+        self.lexed.tokens.push(Lexeme {
+            token,
+            start: range.start as u32,
+            end: range.end as u32,
+            first: self.is_first,
         });
-        first = false;
+        self.is_first = false;
     }
-    report(&mut lexed, text, source, bad);
-    let end = text.trim_end().len() as u32;
-    lexed.tokens.push(Lexeme {
-        token: Token::End,
-        start: end,
-        end,
-        first: true,
-    });
-    lexed
-}
 
-/// A run of characters that mean nothing.
-struct Run {
-    start: usize,
-    end: usize,
-    /// Whether something on the same line has been reported already.
-    told: bool,
-}
-
-fn comment(lexed: &mut Lexed, line: &str) {
-    let line = line.trim_end();
-    let body = |mark: &str| {
-        let rest = line.strip_prefix(mark)?;
-        Some(rest.strip_prefix(' ').unwrap_or(rest).to_owned())
-    };
-    if let Some(doc) = body("//!") {
-        if !lexed.file_doc.is_empty() {
-            lexed.file_doc.push('\n');
-        }
-        lexed.file_doc.push_str(&doc);
-    } else if !line.starts_with("////")
-        && let Some(doc) = body("///")
-    {
-        lexed.docs.push((lexed.tokens.len(), doc));
-    }
-}
-
-fn place(start: usize, end: usize, source: u16) -> Span {
-    Span {
-        start: start as u32,
-        end: end as u32,
-        source,
-    }
-}
-
-fn report(lexed: &mut Lexed, text: &str, source: u16, run: Option<Run>) {
-    let Some(Run {
-        start,
-        end,
-        told: false,
-    }) = run
-    else {
-        return;
-    };
-    let found = &text[start..end];
-    let span = place(start, end, source);
-    let mut chars = found.chars();
-    let first = chars.next().unwrap_or(' ');
-    let fault = if found.chars().all(|c| c == '\0') {
-        Diagnostic::new(
-            Kind::Lexical,
-            span,
-            match found.len() {
-                1 => "a NUL byte cannot stand here".to_owned(),
-                n => format!("{n} NUL bytes cannot stand here"),
-            },
-        )
-        .note("a model file is plain text in UTF-8; this looks like another kind of file")
-    } else if first.is_control() {
-        let message = format!(
-            "the control character U+{:04X} cannot stand here",
-            first as u32
-        );
-        Diagnostic::new(Kind::Lexical, span, message)
-            .note("a model file is plain text in UTF-8; this looks like another kind of file")
-    } else {
-        let shown: String = found.chars().take(12).collect();
-        let more = if found.chars().nth(12).is_some() {
-            "…"
-        } else {
-            ""
+    fn comment(&mut self, line: &str) {
+        let line = line.trim_end();
+        let body = |mark: &str| {
+            let rest = line.strip_prefix(mark)?;
+            Some(rest.strip_prefix(' ').unwrap_or(rest).to_owned())
         };
-        Diagnostic::new(
-            Kind::Lexical,
-            span,
-            format!("`{shown}{more}` means nothing in this language"),
-        )
-        .help_if(instead(first))
-    };
-    lexed.diagnostics.push(fault);
+        let lexed = &mut self.lexed;
+        if let Some(doc) = body("//!") {
+            if !lexed.file_doc.is_empty() {
+                lexed.file_doc.push('\n');
+            }
+            lexed.file_doc.push_str(&doc);
+        } else if !line.starts_with("////")
+            && let Some(doc) = body("///")
+        {
+            lexed.docs.push((lexed.tokens.len(), doc));
+        }
+    }
+
+    fn open_text(&mut self, range: Range<usize>) {
+        self.line_has_fault = true;
+        let message = "this text has no closing quotation mark";
+        let fault = Diagnostic::new(Kind::Lexical, self.span(&range), message)
+            .help("close it with `\"` on the same line");
+        self.lexed.diagnostics.push(fault);
+        self.push(Token::OpenText, range);
+    }
+
+    /// A character that belongs to no token: it continues the last run, or begins one.
+    fn unread(&mut self, range: Range<usize>) {
+        let last = self.lexed.tokens.last_mut();
+        let end = (range.start as u32, Token::Bad);
+        if let Some(last) = last.filter(|last| (last.end, last.token) == end) {
+            last.end = range.end as u32;
+            if let Some(run) = &mut self.unread {
+                run.end = range.end;
+            }
+        } else {
+            self.report_unread();
+            if !self.line_has_fault {
+                self.unread = Some(range.clone());
+            }
+            // The parser drops the statement at this token without a fault of its own.
+            self.push(Token::Bad, range);
+        }
+        self.line_has_fault = true;
+    }
+
+    fn span(&self, range: &Range<usize>) -> Span {
+        Span {
+            start: range.start as u32,
+            end: range.end as u32,
+            source: self.source,
+        }
+    }
+
+    /// Reports the last run of characters that belong to no token.
+    fn report_unread(&mut self) {
+        const BINARY: &str =
+            "a model file is plain text in UTF-8; this looks like another kind of file";
+        let Some(range) = self.unread.take() else {
+            return;
+        };
+        let found = &self.text[range.clone()];
+        let fault = |message| Diagnostic::new(Kind::Lexical, self.span(&range), message);
+        let first = found.chars().next().unwrap_or(' ');
+        let fault = if found.chars().all(|c| c == '\0') {
+            let bytes = match found.len() {
+                1 => "a NUL byte".to_owned(),
+                n => format!("{n} NUL bytes"),
+            };
+            fault(format!("{bytes} cannot stand here")).note(BINARY)
+        } else if first.is_control() {
+            let code = first as u32;
+            fault(format!(
+                "the control character U+{code:04X} cannot stand here"
+            ))
+            .note(BINARY)
+        } else {
+            let shown: String = found.chars().take(12).collect();
+            let is_cut = found.chars().nth(12).is_some();
+            let more = if is_cut { "…" } else { "" };
+            fault(format!("`{shown}{more}` means nothing in this language")).help_if(instead(first))
+        };
+        self.lexed.diagnostics.push(fault);
+    }
 }
 
-/// What was probably meant by a character that the language does not have.
+/// A suggestion for a character that the language does not have.
 fn instead(c: char) -> Option<String> {
     let text = match c {
         '\u{2018}' | '\u{2019}' | '\'' | '`' => "texts stand between `\"` marks",
@@ -279,7 +268,7 @@ fn instead(c: char) -> Option<String> {
     Some(text.to_owned())
 }
 
-/// What a token is called in a message.
+/// A token as a message names it.
 pub(super) fn name_of(lexeme: Lexeme, text: &str) -> String {
     let raw = &text[lexeme.start as usize..lexeme.end as usize];
     match lexeme.token {
@@ -290,13 +279,15 @@ pub(super) fn name_of(lexeme: Lexeme, text: &str) -> String {
     }
 }
 
-/// A text cut to a length that fits in a message.
+/// Number of characters of a source text that a message quotes.
+const MAX_QUOTED: usize = 60;
+
+/// A text cut to [`MAX_QUOTED`] characters.
 pub(crate) fn clip(raw: &str) -> String {
-    const MOST: usize = 60;
-    if raw.chars().nth(MOST).is_none() {
+    if raw.chars().nth(MAX_QUOTED).is_none() {
         return raw.to_owned();
     }
-    let head: String = raw.chars().take(MOST - 1).collect();
+    let head: String = raw.chars().take(MAX_QUOTED - 1).collect();
     format!("{head}…")
 }
 

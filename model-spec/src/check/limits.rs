@@ -1,0 +1,115 @@
+//! Validity limits of a model.
+
+use super::elaborate::node;
+use super::term::Term;
+use super::{Checker, UnitOf};
+use crate::diagnostic::{Diagnostic, Kind};
+use crate::model::{self, Expr, ExprKind, FrameKind, Function, Shape};
+use crate::syntax::ast::ItemKind;
+use crate::unit::Unit;
+
+/// Default limit of the middle angle's cosine (or sine): the attitude angles are singular at 0.
+const GIMBAL_LIMIT: f64 = 0.01;
+
+/// Number of validity limits of a model; every divisor is compared with each.
+const MAX_LIMITS: usize = 100;
+
+impl Checker<'_> {
+    /// The limits that are stated, and the one that attitude angles need.
+    pub fn limits(&mut self) {
+        let file = self.file;
+        for item in &file.items {
+            let ItemKind::Limit(limit) = &item.kind else {
+                continue;
+            };
+            if self.model.limits.len() >= MAX_LIMITS {
+                let message = format!("a model has at most {MAX_LIMITS} limits");
+                self.report(Diagnostic::new(Kind::Limit, limit.value.span, message));
+                break;
+            }
+            let Some(typed) = self.scalar(&limit.value, "what is limited") else {
+                continue;
+            };
+            let Some(measure) = self.measure_or_one(limit.bound.unit.as_ref()) else {
+                continue;
+            };
+            let (bound, _) = measure.of(&limit.bound.number);
+            // A bare 0 fits every unit.
+            if (limit.bound.unit.is_some() || bound != 0.0)
+                && let UnitOf::Term(found) = &typed.unit
+                && self
+                    .units
+                    .equate(found, &Term::known(measure.unit), limit.bound.span)
+                    .is_err()
+            {
+                let text = self.text(limit.value.span);
+                let (is, other) = (
+                    self.described(found),
+                    self.described(&Term::known(measure.unit)),
+                );
+                let message = format!("`{text}` is {is}, but its bound is {other}");
+                let fault =
+                    Diagnostic::new(Kind::Unit, limit.value.span.to(limit.bound.span), message)
+                        .label(limit.value.span, is)
+                        .label(limit.bound.span, other);
+                self.report(fault.help("give the bound the unit of what it bounds"));
+            }
+            self.model.limits.push(model::ValidityLimit {
+                value: typed.expr,
+                bound,
+                reason: limit.reason.clone(),
+                span: item.span,
+            });
+        }
+        self.attitude_limit();
+    }
+
+    /// Adds the limit of three attitude angles: where the first and the last turn about one axis they are singular.
+    fn attitude_limit(&mut self) {
+        let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
+            return;
+        };
+        let chain = self.chain(rotation.body_frame);
+        let [third, second, first] = chain[..] else {
+            return;
+        };
+        let turn = |f: usize| match self.model.frames[f].kind {
+            FrameKind::Turned { angle, axis, .. } => Some((angle, axis)),
+            _ => None,
+        };
+        let (Some((a, i)), Some((b, _)), Some((c, k))) = (turn(first), turn(second), turn(third))
+        else {
+            return;
+        };
+        let function = if i == k { Function::Sin } else { Function::Cos };
+        let span = self.model.frames[second].span;
+        let mut angle = node(ExprKind::State(b), Shape::Scalar, span);
+        angle.unit = Unit::RADIAN;
+        let value = node(
+            ExprKind::Call(function, Box::new(angle)),
+            Shape::Scalar,
+            span,
+        );
+        if self
+            .model
+            .limits
+            .iter()
+            .any(|l| l.bound >= 0.0 && l.value.same(&value))
+        {
+            return;
+        }
+        let name = |i: usize| self.model.states[i].name.clone();
+        let reason = format!("{} and {} turn about one axis", name(a), name(c));
+        self.model.limits.push(model::ValidityLimit {
+            value,
+            bound: GIMBAL_LIMIT,
+            reason,
+            span,
+        });
+    }
+
+    /// Whether a validity limit keeps an expression above a bound of 0 or more.
+    pub fn limited(&self, e: &Expr) -> bool {
+        super::singular::limited(&self.model, e)
+    }
+}
