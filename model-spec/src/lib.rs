@@ -1,16 +1,31 @@
-//! The language of flight models: a text is parsed, checked for units, frames and singular points,
-//! and becomes a [`Model`](model::Model) that the compiler and the oracle both read.
+//! The language of flight models: a text is parsed, checked for units, frames and singular points, and becomes a
+//! [`Model`](model::Model) that the compiler and the oracle read.
+//!
+//! | task | items |
+//! |---|---|
+//! | load a model by name or path, with effects | [`load`](mod@load) |
+//! | combine a model with many effects | [`compose`]: [`ModelTree`], [`EffectTree`] |
+//! | read a checked model | [`model`], [`unit`], [`summary`], [`singular_points`] |
+//! | order of states and parameters in arrays | [`layout`]: [`Layout`], [`index`] |
+//! | products of variables for unknown effects | [`term_library`] |
+//! | read, change and print syntax trees | [`syntax`], [`check`] |
+//! | show faults | [`diagnostic`], [`render`], [`LoadError`] |
 //!
 //! ```
-//! let model = model_spec::load::load("disc", &[]).unwrap();
+//! let model = model_spec::load::load("disc", &["wind"])?;
 //! assert_eq!(model.states[3].name, "u");
 //! assert_eq!(model.coefficients[1].unit_text, "1/rad");
+//! assert_eq!(model.effects[0].site, "wind");
+//!
+//! let error = model_spec::load::load("dsic", &[]).unwrap_err();
+//! assert!(error.to_string().contains("did you mean `disc`?"));
+//! # Ok::<(), model_spec::LoadError>(())
 //! ```
 
-pub mod check;
+mod check;
 pub mod compose;
 pub mod diagnostic;
-pub mod effect;
+mod effect;
 mod error;
 pub mod index;
 pub mod layout;
@@ -20,11 +35,21 @@ pub mod model;
 mod read;
 mod render;
 mod source;
-pub mod suggest;
-pub mod summary;
+mod suggest;
+mod summary;
 pub mod syntax;
 pub mod term_library;
 pub mod unit;
 
+// Loading and composition.
+pub use compose::{EffectTree, ModelTree};
 pub use error::LoadError;
+// Checks of a syntax tree or of a model.
+pub use check::{Checked, SingularPoint, check, nonzero_constants, singular_points};
+pub use effect::{SITES, VARIABLES};
+// Positions in arrays.
+pub use layout::Layout;
+// Texts for people.
 pub use render::render;
+pub use suggest::nearest as nearest_name;
+pub use summary::{summary, with_unit};

@@ -76,7 +76,7 @@ pub struct Channel {
     pub coefficient: String,
     /// Name in names of terms.
     pub name: String,
-    /// Where it acts: one of [`SITES`](crate::effect::SITES).
+    /// Where it acts: one of [`SITES`](crate::SITES).
     pub site: String,
     /// The effect of a term, with placeholders `NAME` and `TERM`.
     template: Effect,
@@ -89,7 +89,7 @@ pub struct Variable {
     pub quantity: String,
     /// Name in names of terms.
     pub name: String,
-    /// What an effect with it depends on: one of [`VARIABLES`](crate::effect::VARIABLES).
+    /// What an effect with it depends on: one of [`VARIABLES`](crate::VARIABLES).
     pub depends_on: String,
     /// Its definition, as text.
     pub formula: String,

@@ -3,7 +3,7 @@
 
 use model_spec::load::{self, LoadError, from_text};
 use model_spec::model::{EffectUnknown, Model};
-use model_spec::summary::summary;
+use model_spec::summary;
 use model_spec::syntax::ast::ItemKind;
 
 const STONE: &str = "\

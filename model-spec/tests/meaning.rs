@@ -1,9 +1,9 @@
 //! What right files mean: values, units, order, limits, effects.
 
-use model_spec::check::{nonzero_constants, singular_points};
 use model_spec::diagnostic::Kind;
 use model_spec::load::{self, from_text, inspect_text};
 use model_spec::model::{Expr, ExprKind, Function, Model, Shape};
+use model_spec::{nonzero_constants, singular_points};
 
 const POINT: &str = "\
 model probe;

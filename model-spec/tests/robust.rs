@@ -13,7 +13,7 @@ fn digest(text: String) {
         let shown = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
         assert_eq!(shown.is_empty(), loaded.diagnostics.is_empty());
         if let Some(model) = loaded.model {
-            let summary = model_spec::summary::summary(&model);
+            let summary = model_spec::summary(&model);
             assert!(summary.starts_with("model "));
         }
     };

@@ -1,6 +1,6 @@
 //! What `hyzer check` prints about models that are right.
 
-use model_spec::{load, summary::summary};
+use model_spec::{load, summary};
 
 #[test]
 fn summaries() {

@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 
 use model_spec::load::inspect;
 use model_spec::render;
-use model_spec::summary::summary;
+use model_spec::summary;
 
 use crate::cli::Check;
 use crate::{Answer, output};

@@ -1,6 +1,6 @@
 //! Names that are not there.
 
-use model_spec::suggest;
+use model_spec::nearest_name;
 use std::fmt;
 
 /// Why nothing can be explained.
@@ -72,7 +72,7 @@ pub(super) fn nearest(wanted: &str, known: &[String]) -> Option<String> {
         let starts = wanted.len() >= 3 && name.starts_with(wanted);
         starts || name.ends_with(&format!(" {wanted}")) || **name == format!("der({wanted})")
     };
-    let near = || suggest::nearest(wanted, known.iter().map(String::as_str));
+    let near = || nearest_name(wanted, known.iter().map(String::as_str));
     known
         .iter()
         .find(part)

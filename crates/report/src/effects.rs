@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use model_spec::effect::SITES;
+use model_spec::SITES;
 use model_spec::load::{EFFECTS, LoadError, MODELS, from_text, inspect};
 use model_spec::model::{AppliedEffect, Model};
-use model_spec::summary::with_unit;
+use model_spec::with_unit;
 
 /// An effect with the models that it goes with.
 #[derive(Clone, Debug, PartialEq)]

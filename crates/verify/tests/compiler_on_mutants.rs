@@ -17,7 +17,7 @@ fn models(name: &str) -> impl Iterator<Item = (String, model_spec::model::Model)
     let loaded = built_in(name);
     let made = mutants(&loaded.file, &loaded.sources);
     made.into_iter().filter_map(move |mutant| {
-        let model = model_spec::check::check(&mutant.file, &loaded.sources).model?;
+        let model = model_spec::check(&mutant.file, &loaded.sources).model?;
         Some((
             format!("{name}, {}: {}", mutant.place, mutant.change),
             model,

@@ -9,7 +9,7 @@ fuzz_target!(|bytes: &[u8]| {
     let Ok(loaded) = load::inspect_text("fuzz.hyz", &text, &[]) else { return };
     let _ = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
     if let Some(model) = &loaded.model {
-        let _ = model_spec::summary::summary(model);
+        let _ = model_spec::summary(model);
         // What was read can be written, and reads the same.
         let written = loaded.file.to_string();
         let again = model_spec::syntax::parse("fuzz.hyz", &written);

@@ -13,7 +13,7 @@ pub struct AppliedEffect {
     pub doc: String,
     /// Where it acts: lift, drag, side, roll, pitch, spin, wind, …
     pub site: String,
-    /// On what it depends, in words of [`VARIABLES`](crate::effect::VARIABLES); empty where it does not say.
+    /// On what it depends, in words of [`VARIABLES`](crate::VARIABLES); empty where it does not say.
     pub variables: Vec<String>,
     /// Where it is described, as the effect cites it; empty where it cites nothing.
     pub citation: String,

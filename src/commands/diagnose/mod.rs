@@ -186,7 +186,7 @@ fn known(names: &[String], model: &model_spec::model::Model) -> anyhow::Result<(
     for name in names {
         let wanted = underscored(name);
         if !all.contains(&wanted.as_str()) {
-            let near = model_spec::suggest::nearest(&wanted, all.iter().copied());
+            let near = model_spec::nearest_name(&wanted, all.iter().copied());
             let near = near.map(|near| format!("; did you mean `{near}`?"));
             anyhow::bail!(
                 "--without: there is no effect `{name}`{}",

@@ -1,6 +1,6 @@
 //! Words of messages: texts from outside made safe to print, lists kept short, names that were probably meant.
 
-use model_spec::suggest;
+use model_spec::nearest_name;
 
 /// Longest text from outside that a message repeats, in characters.
 const LONGEST: usize = 40;
@@ -28,7 +28,7 @@ pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
 
 /// ` (did you mean …?)` where one of the names is nearly this.
 pub(super) fn meant<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> String {
-    match suggest::nearest(wrong, names.into_iter()) {
+    match nearest_name(wrong, names.into_iter()) {
         Some(name) => format!(" (did you mean {name}?)"),
         None => String::new(),
     }

@@ -7,7 +7,7 @@ use crate::checks::{cases, identities, reference, symmetries};
 use crate::report::{Row, Verdict};
 use crate::subject::{Interpreted, Subject};
 use crate::values::Values;
-use model_spec::check::check;
+use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
