@@ -12,12 +12,12 @@ use crate::Error;
 /// ```
 /// use hyzer::{DatasetBuilder, Role};
 ///
-/// let times = vec![0.0, 0.01, 0.02];
+/// let times = [0.0, 0.01, 0.02];
 /// let positions = times.iter().map(|t| vec![Some([12.0 * t, 0.0, 1.5])]).collect();
 /// let dataset = DatasetBuilder::new("disc")
 ///     .parameter("m", 0.175)
 ///     .marker("m1", [0.1, 0.0, 0.01])
-///     .flight("throw 1", Role::Fit, times, positions)
+///     .flight("throw1", Role::Fit, &times, positions)
 ///     .build()?;
 /// assert_eq!(dataset.flights[0].measurements(), 9);
 /// # Ok::<(), hyzer::Error>(())
@@ -54,6 +54,14 @@ impl DatasetBuilder {
         self
     }
 
+    /// Adds markers named `m1`, `m2`, … by their positions in the body frame, m.
+    pub fn markers(mut self, positions: &[[f64; 3]]) -> Self {
+        for (i, position) in positions.iter().enumerate() {
+            self = self.marker(&format!("m{}", i + 1), *position);
+        }
+        self
+    }
+
     /// Sets the standard deviation of one measured coordinate, m; it is estimated where not set.
     pub fn sigma(mut self, sigma: f64) -> Self {
         self.dataset.sigma = Some(sigma);
@@ -66,14 +74,14 @@ impl DatasetBuilder {
         mut self,
         name: &str,
         role: Role,
-        times: Vec<f64>,
+        times: &[f64],
         positions: Vec<Vec<Option<[f64; 3]>>>,
     ) -> Self {
         self.dataset.flights.push(Flight {
             file: name.to_owned(),
             role,
             known: BTreeMap::new(),
-            times,
+            times: times.to_vec(),
             positions,
         });
         self

@@ -11,7 +11,7 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder)?;
         }
-        flight::write_atomic(path, contents)
+        report::write_atomic(path, contents)
     };
     whole().with_context(|| format!("cannot write {}", path.display()))
 }

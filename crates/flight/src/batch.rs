@@ -1,75 +1,48 @@
-//! Many flights at once, over the machine's processors.
+//! Independent tasks on several threads.
 
 use rayon::prelude::*;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// `fly(0)`, `fly(1)`, … `fly(count - 1)`, on as many threads as the machine has processors; the results in that
-/// order. Each flight is computed alone, so that the results do not depend on how many threads there are.
+/// `task(0)`, …, `task(count - 1)` on as many threads as the machine has processors, and their results in that order.
 ///
 /// ```
-/// use flight::batch;
-/// use ode::{Event, IntegrationOptions, integrate_to_event, rhs_from_fn};
-///
-/// let heights = [1.0, 5.0, 20.0];
-/// let times = batch::each(heights.len(), |i| {
-///     let mut stone = rhs_from_fn(&["z", "vz"], |_, x: &[f64; 2], dx: &mut [f64; 2]| *dx = [x[1], -9.81]);
-///     let ground = Event::falls_to("ground", 0, 0.0).terminal();
-///     integrate_to_event(&mut stone, (0.0, &[heights[i], 0.0]), 60.0, &IntegrationOptions::default(), &mut [ground]).map(|f| f.end)
-/// });
-/// assert!(times[2].as_ref().unwrap() > times[1].as_ref().unwrap());
+/// let squares = flight::batch::each(4, |i| i * i);
+/// assert_eq!(squares, [0, 1, 4, 9]);
 /// ```
 ///
 /// # Panics
-/// Where `fly` does.
-pub fn each<R: Send>(count: usize, fly: impl Fn(usize) -> R + Sync) -> Vec<R> {
-    each_on(threads(), count, fly)
+/// Where `task` does.
+pub fn each<R: Send>(count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
+    each_on(threads(), count, task)
 }
 
-/// As many threads as the machine has processors.
+/// Number of processors of the machine.
 pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, |n| n.get())
 }
 
-/// As [`each`], on so many threads.
-pub fn each_on<R: Send>(threads: usize, count: usize, fly: impl Fn(usize) -> R + Sync) -> Vec<R> {
+/// As [`each`], on the given number of threads: on the current rayon pool where that has as many, else on a pool of its
+/// own, or on the calling thread where there is one thread or one task. Results do not depend on the number of threads.
+///
+/// # Panics
+/// Where `task` does.
+pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
     if threads.min(count) <= 1 {
-        return (0..count).map(fly).collect();
+        return (0..count).map(task).collect();
     }
-    // Threads that wait for work take it up sooner than new ones begin.
-    if threads == rayon::current_num_threads() {
-        let each = (0..count).into_par_iter().with_max_len(1);
-        return each.map(&fly).collect();
-    }
-    on_new(threads.min(count), count, fly)
-}
-
-/// The same on threads that begin with it and end with it.
-fn on_new<R: Send>(threads: usize, count: usize, fly: impl Fn(usize) -> R + Sync) -> Vec<R> {
-    let next = AtomicUsize::new(0);
-    let done: Mutex<Vec<Option<R>>> = Mutex::new((0..count).map(|_| None).collect());
-    let work = || {
-        // A thread takes what is next when it is free, and hands its results in once.
-        let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count);
-        let own: Vec<(usize, R)> = std::iter::from_fn(take).map(|i| (i, fly(i))).collect();
-        let mut done = done.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-        for (i, result) in own {
-            done[i] = Some(result);
-        }
+    // One task at a time per thread, since their durations differ.
+    let parallel = || {
+        let tasks = (0..count).into_par_iter().with_max_len(1);
+        tasks.map(&task).collect()
     };
-    std::thread::scope(|scope| {
-        for _ in 1..threads {
-            scope.spawn(work);
-        }
-        // This thread is one of them.
-        work();
-    });
-    let done = done
-        .into_inner()
-        .unwrap_or_else(|poisoned| poisoned.into_inner());
-    done.into_iter()
-        .map(|result| result.expect("each was flown"))
-        .collect()
+    if threads == rayon::current_num_threads() {
+        return parallel();
+    }
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.min(count));
+    match pool.build() {
+        Ok(pool) => pool.install(parallel),
+        // The system refuses further threads.
+        Err(_) => (0..count).map(&task).collect(),
+    }
 }
 
 #[cfg(test)]
@@ -77,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_order_is_that_of_the_flights_on_any_number_of_threads() {
+    fn results_are_in_order_on_any_number_of_threads() {
         for threads in [0, 1, 2, 7, 100] {
             let work = |i: usize| {
                 (0..1000 * (40 - i as u64))

@@ -1,4 +1,28 @@
-//! Runtime of a flight model: the compiled model with its parameters, its measurement equation, releases.
+//! Runtime of a flight model: the compiled model, its parameters, its measurement equation, and releases.
+//!
+//! - [`CompiledModel`] holds the functions of a model ([`ModelFunctions`]), from generated code or an interpreted tape.
+//! - [`BoundModel`] adds values of its parameters. It gives the right-hand side for the solver of [`ode`], with or
+//!   without Jacobians, the limits of validity as events, and a [`ModelObserver`] for marker positions.
+//! - [`release`] reads the initial conditions of a flight; [`simulate`] integrates them; [`trajectory_csv`] writes the
+//!   result.
+//!
+//! ```
+//! use flight::CompiledModel;
+//! use ode::{IntegrationOptions, integrate};
+//!
+//! let model = model_spec::load::load("ball", &[])?;
+//! let compiled = CompiledModel::new(&model);
+//! let bound = compiled.bind(compiled.layout().default_parameters());
+//! // 5 m/s forward and upward from a height of 1 m.
+//! let start = [0.0, 0.0, 1.0, 5.0, 0.0, 5.0];
+//! let mut state = compiled.layout().default_states();
+//! state[..6].copy_from_slice(&start);
+//! let options = IntegrationOptions::default();
+//! let flight = integrate(&mut bound.rhs(), (0.0, &state.into()), 0.5, &options, &mut bound.limits())?;
+//! let marker = bound.observer().position(0.5, &flight.end_state, &[0.0; 3]);
+//! assert!(marker[0] > 1.0 && marker[2] > 2.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![forbid(unsafe_code)]
 
@@ -18,4 +42,4 @@ pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace
 pub use observer::{ModelObserver, ObservationJacobians};
 pub use rhs::{DifferentiableModelRhs, ModelRhs};
 pub use simulate::simulate;
-pub use trajectory_csv::{trajectory_csv, write_atomic};
+pub use trajectory_csv::trajectory_csv;

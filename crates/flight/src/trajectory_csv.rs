@@ -1,23 +1,21 @@
-//! Tables of flights, and files that are written whole or not at all.
+//! Trajectory table in CSV.
 
 use ode::Trajectory;
-use std::io::{self, Write};
-use std::path::Path;
 
-/// `trajectory.csv`: a header `t` and the states' names, the states at an even rate (1/s) from the start,
-/// and the end. Numbers are SI, in as many digits as give them back.
+/// Trajectory as CSV: a header (`t` and the names of the states) and a row per sample, at `rate` samples per second from
+/// the start, and at the end. SI units; numbers have as many digits as needed to read them back exactly.
 ///
 /// # Panics
-/// Where there are not as many names as states, or the rate is not positive.
-pub fn trajectory_csv(flight: &Trajectory, names: &[impl AsRef<str>], rate: f64) -> String {
-    assert_eq!(names.len(), flight.states(), "a name for each state");
+/// Where the number of names is not that of the states, or the rate is not positive.
+pub fn trajectory_csv(trajectory: &Trajectory, names: &[impl AsRef<str>], rate: f64) -> String {
+    assert_eq!(names.len(), trajectory.states(), "one name per state");
     let mut text = String::from("t");
     for name in names {
         text.push(',');
         text.push_str(name.as_ref());
     }
     text.push('\n');
-    for (t, state) in flight.at_rate(rate) {
+    for (t, state) in trajectory.at_rate(rate) {
         text.push_str(&number(t));
         for value in state {
             text.push(',');
@@ -28,31 +26,8 @@ pub fn trajectory_csv(flight: &Trajectory, names: &[impl AsRef<str>], rate: f64)
     text
 }
 
-/// The shortest text that reads as the same number.
+/// Shortest text that reads back as the same number.
 fn number(value: f64) -> String {
-    // Debug, since Display writes 1e-300 in three hundred digits.
+    // Debug formatting, since Display writes 1e-300 with three hundred digits.
     format!("{value:?}")
-}
-
-/// Writes a file whole: to a file beside it first, which then takes its name, so that an interrupted run
-/// leaves either what was there or what is new.
-pub fn write_atomic(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
-    let name = path
-        .file_name()
-        .ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "no file name"))?;
-    let beside = path.with_file_name(format!(
-        ".{}.{}.part",
-        name.to_string_lossy(),
-        std::process::id()
-    ));
-    let written = std::fs::File::create(&beside).and_then(|mut file| {
-        file.write_all(contents.as_ref())?;
-        file.sync_all()?;
-        std::fs::rename(&beside, path)
-    });
-    if written.is_err() {
-        // The first error is the one to report.
-        let _ = std::fs::remove_file(&beside);
-    }
-    written
 }

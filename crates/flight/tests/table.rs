@@ -1,6 +1,6 @@
-//! The trajectory table, and atomic writes.
+//! The trajectory table.
 
-use flight::{trajectory_csv, write_atomic};
+use flight::trajectory_csv;
 use ode::{Event, IntegrationOptions, integrate, integrate_to_event, rhs_from_fn};
 
 fn stone(_: f64, x: &[f64; 2], dx: &mut [f64; 2]) {
@@ -64,25 +64,4 @@ fn an_end_on_the_rate_is_one_row() {
         trajectory_csv(&flight, &["z", "vz"], 100.0).lines().count(),
         1 + 8
     );
-}
-
-#[test]
-fn a_file_is_whole_or_as_it_was() {
-    let folder = std::env::temp_dir().join(format!("hyzer-table-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join("trajectory.csv");
-    write_atomic(&path, "old").unwrap();
-    write_atomic(&path, "new").unwrap();
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
-    assert!(write_atomic(&folder.join("absent/trajectory.csv"), "x").is_err());
-    // A folder of that name cannot be replaced, and nothing else is left.
-    std::fs::create_dir(folder.join("taken")).unwrap();
-    assert!(write_atomic(&folder.join("taken"), "x").is_err());
-    let mut names: Vec<_> = std::fs::read_dir(&folder)
-        .unwrap()
-        .map(|e| e.unwrap().file_name())
-        .collect();
-    names.sort();
-    assert_eq!(names, ["taken", "trajectory.csv"]);
-    std::fs::remove_dir_all(&folder).unwrap();
 }

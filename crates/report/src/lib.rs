@@ -2,8 +2,11 @@
 
 #![forbid(unsafe_code)]
 
+mod atomic_file;
 pub mod diagnosis;
 pub mod effects;
 pub mod figures;
 pub mod fit;
 pub mod literature;
+
+pub use atomic_file::write_atomic;

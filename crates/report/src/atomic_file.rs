@@ -1,0 +1,59 @@
+//! Atomic file writes.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Writes a file atomically: to a temporary file in the same folder, which is then renamed. An interrupted program
+/// leaves the old file or the new one.
+///
+/// # Errors
+/// Where the folder does not exist or cannot be written to, or `path` is a folder.
+pub fn write_atomic(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut options = tempfile::Builder::new();
+    // A temporary file is private by default; the result has the permissions that the umask leaves.
+    #[cfg(unix)]
+    options.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = options.tempfile_in(folder)?;
+    file.write_all(contents.as_ref())?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::write_atomic;
+
+    #[test]
+    fn a_file_is_replaced_as_a_whole_and_no_temporary_file_remains() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("trajectory.csv");
+        write_atomic(&path, "old").unwrap();
+        write_atomic(&path, "new").unwrap();
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
+        assert!(write_atomic(&folder.path().join("absent/trajectory.csv"), "x").is_err());
+        // A folder of that name cannot be replaced.
+        std::fs::create_dir(folder.path().join("taken")).unwrap();
+        assert!(write_atomic(&folder.path().join("taken"), "x").is_err());
+        let entries = std::fs::read_dir(folder.path()).unwrap();
+        let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name()).collect();
+        names.sort();
+        assert_eq!(names, ["taken", "trajectory.csv"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn the_permissions_are_those_of_a_new_file() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (plain, atomic) = (folder.path().join("plain"), folder.path().join("atomic"));
+        std::fs::write(&plain, "x").unwrap();
+        write_atomic(&atomic, "x").unwrap();
+        let mode = |path| std::fs::metadata(path).unwrap().permissions().mode();
+        assert_eq!(mode(&plain), mode(&atomic));
+    }
+}
