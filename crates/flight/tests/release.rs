@@ -179,7 +179,7 @@ fn each_fault_has_its_message() {
     
     r.toml: found no end; expected duration = … (s) or until = "ground"
     
-    r.toml:3:9: found until beside duration; expected one of the two
+    r.toml:3:9: found both until and duration; expected one of the two
     
     r.toml:2:9: until is the text "apex"; expected "ground"
     
@@ -247,7 +247,7 @@ fn files_that_cannot_be_read() {
         error
             .faults
             .into_iter()
-            .map(|f| format!("{:?} {}", f.place, f.message))
+            .map(|f| format!("{:?} {}", f.location, f.message))
             .collect::<Vec<_>>()
             .join("\n")
     };

@@ -1,22 +1,22 @@
-//! What is wrong with a release, and where.
+//! Faults of a release file, with their locations.
 
 use std::fmt;
 
-/// A release that was refused, with everything that is wrong with it.
+/// Invalid release file, with all of its faults.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReleaseError {
-    /// The file's name.
+    /// File name.
     pub file: String,
-    /// Every fault, in order of place.
+    /// The faults, in order of location; at least one.
     pub faults: Vec<Fault>,
 }
 
-/// One fault.
+/// Fault of a release file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Line and column, from 1, in characters; none where the file as a whole is at fault.
-    pub place: Option<(usize, usize)>,
-    /// What was found and what was expected.
+    /// Line and column, from 1, in characters; `None` for a fault of the whole file.
+    pub location: Option<(usize, usize)>,
+    /// What was found and what was expected, as a sentence.
     pub message: String,
 }
 
@@ -24,7 +24,7 @@ impl fmt::Display for ReleaseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, fault) in self.faults.iter().enumerate() {
             let newline = if i > 0 { "\n" } else { "" };
-            match fault.place {
+            match fault.location {
                 Some((line, column)) => write!(
                     f,
                     "{newline}{}:{line}:{column}: {}",
@@ -39,15 +39,15 @@ impl fmt::Display for ReleaseError {
 
 impl std::error::Error for ReleaseError {}
 
-/// Line and column, from 1, of a byte of a text.
-pub(super) fn place(text: &str, byte: usize) -> (usize, usize) {
+/// Line and column (from 1, in characters) of a byte offset in a text.
+pub(super) fn location(text: &str, byte: usize) -> (usize, usize) {
     let before = &text.as_bytes()[..byte.min(text.len())];
     let line_start = before
         .iter()
         .rposition(|b| *b == b'\n')
         .map_or(0, |i| i + 1);
     let line = 1 + before.iter().filter(|b| **b == b'\n').count();
-    // Bytes that go on a character begin with the bits 10.
+    // Continuation bytes of a UTF-8 character begin with the bits 10.
     let column = 1 + before[line_start..]
         .iter()
         .filter(|b| **b & 0xc0 != 0x80)
@@ -55,7 +55,8 @@ pub(super) fn place(text: &str, byte: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// `; did you mean "…"?` for a name that is nearly one of these, else what they are.
+/// End of a message on an unknown name: `; did you mean "…"?` for the nearest of the valid names if it is near,
+/// else the list of them.
 pub(super) fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone) -> String {
     let near = names
         .clone()
@@ -70,9 +71,9 @@ pub(super) fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> +
     }
 }
 
-/// How many letters must be put in, left out or changed, case not counted.
+/// Levenshtein distance in characters, ignoring case.
 fn distance(a: &str, b: &str) -> usize {
-    // Whoever writes more is not near any name.
+    // Bounds the cost on hostile input; valid names are shorter.
     if a.len() > 64 {
         return a.len();
     }
@@ -94,14 +95,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_count_characters() {
-        assert_eq!(place("a\nαβ = 1\n", 2), (2, 1));
-        assert_eq!(place("a\nαβ = 1\n", 6), (2, 3));
-        assert_eq!(place("a", 9), (1, 2));
+    fn locations_count_characters() {
+        assert_eq!(location("a\nαβ = 1\n", 2), (2, 1));
+        assert_eq!(location("a\nαβ = 1\n", 6), (2, 3));
+        assert_eq!(location("a", 9), (1, 2));
     }
 
     #[test]
-    fn near_names_are_suggested() {
+    fn similar_names_are_suggested() {
         let names = ["theta", "thetadot", "C_La"];
         assert_eq!(
             suggestion("thetadott", names.into_iter()),

@@ -1,36 +1,37 @@
-//! Releases: how a body is let go, by name or from a TOML file.
+//! Releases: initial conditions of a flight and when it ends, built in by name or read from a TOML file.
 
 mod fault;
 mod read;
+mod values;
 
 pub use fault::{Fault, ReleaseError};
 pub use read::{read, read_file};
 
-/// How a body is let go, and until when it is watched.
+/// Initial conditions, parameters and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
-    /// The model, by name or by path, as the release says it.
+    /// Name or path of the model, as the file gives it.
     pub model: String,
-    /// When the flight ends.
+    /// Condition that ends the flight.
     pub stop: Stop,
-    /// Parameters that differ from the model's defaults, SI.
+    /// Values of parameters in place of the model's defaults, SI.
     pub parameters: Vec<(String, f64)>,
-    /// Coefficients that differ from the model's defaults, SI.
+    /// Values of coefficients in place of the model's defaults, SI.
     pub coefficients: Vec<(String, f64)>,
-    /// Every state at the release, in the model's order, SI.
+    /// Name and initial value (SI) of every state, in the model's order.
     pub initial: Vec<(String, f64)>,
-    /// Velocity of the air in N, m/s.
+    /// Velocity of the air in the inertial frame, m/s.
     pub wind: [f64; 3],
-    /// Other inputs of the model that are known of this flight, SI.
+    /// Known values (SI) of other inputs of the model, by name.
     pub known: Vec<(String, [f64; 3])>,
 }
 
-/// When a flight ends.
+/// Condition that ends a flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
-    /// After so many seconds.
+    /// After a duration, s.
     Duration(f64),
-    /// Where its height `z` falls to 0.
+    /// When the height `z` falls to 0.
     Ground,
 }
 
@@ -38,7 +39,7 @@ impl Release {
     /// Maximum duration of a release and of a flight to the ground, s.
     pub const MAX_DURATION: f64 = 600.0;
 
-    /// The states alone, in the model's order.
+    /// Initial state vector, SI, in the model's order.
     pub fn state(&self) -> Vec<f64> {
         self.initial.iter().map(|(_, value)| *value).collect()
     }
@@ -60,7 +61,8 @@ impl Release {
         self
     }
 
-    /// The model's constants with this release's values put in: `defaults` by name, in their order.
+    /// Values of constants in the order of `defaults` (name and default value), replaced by this release's parameters and
+    /// coefficients.
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {
         let set = |name: &str| {
             self.parameters
@@ -75,34 +77,34 @@ impl Release {
     }
 }
 
-/// The names of a model that a release may speak of.
+/// Names of a model that its release files may use.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vocabulary {
-    /// Parameters.
+    /// Parameters of the body and its environment.
     pub parameters: Vec<Name>,
-    /// Coefficients.
+    /// Aerodynamic and other coefficients.
     pub coefficients: Vec<Name>,
-    /// States, in order.
+    /// States, in the model's order.
     pub states: Vec<String>,
-    /// States that a release need not say, with the value that each has then.
+    /// States that a release may omit, by index, with their default values.
     pub optional: Vec<(usize, f64)>,
-    /// Inputs: vectors that are given with each flight.
+    /// Inputs: vectors known for each flight, such as the wind.
     pub inputs: Vec<String>,
-    /// Groups of four states that are a quaternion's, whose length is 1.
+    /// Indices of four states each that form a unit quaternion.
     pub quaternions: Vec<[usize; 4]>,
 }
 
-/// A name of a constant, with the values that it may have.
+/// Name of a constant with its bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
-    /// The name.
+    /// Name in the model.
     pub name: String,
-    /// Least and greatest value, SI.
+    /// Minimum and maximum value, SI; `None` where the model sets none.
     pub bounds: Option<(f64, f64)>,
 }
 
 impl Vocabulary {
-    /// The names of a model.
+    /// Vocabulary of a model.
     pub fn of(model: &model_spec::model::Model) -> Vocabulary {
         let names = |of: &[model_spec::model::Parameter]| {
             of.iter()
@@ -127,8 +129,8 @@ impl Vocabulary {
     }
 }
 
-/// The releases that are built in, by name: two flights of Hubbard & Hummel (2000), a full backhand, a discus, a
-/// table-tennis ball.
+/// Names and texts of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw and a
+/// table-tennis serve.
 pub const BUILT_IN: [(&str, &str); 5] = [
     ("fssh3", include_str!("../../releases/fssh3.toml")),
     ("bffl8", include_str!("../../releases/bffl8.toml")),
@@ -137,7 +139,7 @@ pub const BUILT_IN: [(&str, &str); 5] = [
     ("serve", include_str!("../../releases/serve.toml")),
 ];
 
-/// The text of a built-in release.
+/// Text of a built-in release by its name.
 pub fn built_in(name: &str) -> Option<&'static str> {
     BUILT_IN
         .iter()

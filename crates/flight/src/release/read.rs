@@ -1,66 +1,69 @@
-//! Reading a release: everything wrong with it is found in one pass, and nothing is guessed.
+//! Parser of release files; it reports all faults of a file at once.
 
-use super::fault::{place, suggestion};
+use super::fault::{location, suggestion};
 use super::{Fault, Name, Release, ReleaseError, Stop, Vocabulary};
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Largest file that is read, bytes.
-const LARGEST: u64 = 1 << 20;
+/// Maximum size of a release file, bytes.
+const MAX_FILE_BYTES: u64 = 1 << 20;
 
-/// Parameters without which there is no body, by the names that all models give them.
-const ABOVE_ZERO: [&str; 6] = ["m", "I_a", "I_d", "d", "A", "radius"];
-/// Parameters that may be 0 but no less.
-const NOT_BELOW_ZERO: [&str; 2] = ["rho", "g"];
-
-/// Reads a release from a file; see [`read`].
+/// Reads a release file; see [`read`].
+///
+/// # Errors
+/// [`ReleaseError`], also for a file that cannot be read or is larger than 1 MiB.
 pub fn read_file(
     path: &Path,
-    model: impl FnOnce(&str) -> Result<Vocabulary, String>,
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
 ) -> Result<Release, ReleaseError> {
     let file = path.display().to_string();
-    let refuse = |place, message: String| ReleaseError {
+    let refuse = |location, message: String| ReleaseError {
         file: file.clone(),
-        faults: vec![Fault { place, message }],
+        faults: vec![Fault { location, message }],
     };
     let size = std::fs::metadata(path)
         .map_err(|e| refuse(None, format!("cannot be read: {e}")))?
         .len();
-    if size > LARGEST {
+    if size > MAX_FILE_BYTES {
         return Err(refuse(
             None,
-            format!("has {size} bytes; a release has at most {LARGEST}"),
+            format!("has {size} bytes; a release has at most {MAX_FILE_BYTES}"),
         ));
     }
     let bytes = std::fs::read(path).map_err(|e| refuse(None, format!("cannot be read: {e}")))?;
     match std::str::from_utf8(&bytes) {
-        Ok(text) => read(&file, text, model),
+        Ok(text) => read(&file, text, vocabulary),
         Err(e) => {
             let good = String::from_utf8_lossy(&bytes[..e.valid_up_to()]);
             let message = format!(
                 "found the byte {:#04x}; expected UTF-8 text",
                 bytes[e.valid_up_to()]
             );
-            Err(refuse(Some(place(&good, good.len())), message))
+            Err(refuse(Some(location(&good, good.len())), message))
         }
     }
 }
 
-/// Reads a release from a text; `file` is its name in messages. `model` gives the names of the model that the
-/// release asks for, or says in one sentence why there is no such model.
+/// Parses the text of a release file (TOML).
+///
+/// `file` is the file name in error messages. `vocabulary` returns the names of the model that the release is of, by the
+/// model's name or path; its error becomes a fault at that name.
+///
+/// # Errors
+/// [`ReleaseError`] with all faults.
 pub fn read(
     file: &str,
     text: &str,
-    model: impl FnOnce(&str) -> Result<Vocabulary, String>,
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
 ) -> Result<Release, ReleaseError> {
     let mut reader = Reader {
         text,
         faults: Vec::new(),
     };
-    let release = reader.release(model);
-    reader.faults.sort_by_key(|fault| fault.place);
+    let release = reader.release(vocabulary);
+    reader.faults.sort_by_key(|fault| fault.location);
     match release {
         Some(release) if reader.faults.is_empty() => Ok(release),
         _ => Err(ReleaseError {
@@ -70,31 +73,32 @@ pub fn read(
     }
 }
 
-struct Reader<'t> {
+/// State of the parser: the text and the faults found so far.
+pub(super) struct Reader<'t> {
     text: &'t str,
     faults: Vec<Fault>,
 }
 
-type Value<'t> = Spanned<DeValue<'t>>;
+pub(super) type Value<'t> = Spanned<DeValue<'t>>;
 
 impl<'t> Reader<'t> {
-    fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
+    pub(super) fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
         self.faults.push(Fault {
-            place: Some(place(self.text, span.start)),
+            location: Some(location(self.text, span.start)),
             message: message.into(),
         });
     }
 
     fn missing(&mut self, message: impl Into<String>) {
         self.faults.push(Fault {
-            place: None,
+            location: None,
             message: message.into(),
         });
     }
 
     fn release(
         &mut self,
-        model: impl FnOnce(&str) -> Result<Vocabulary, String>,
+        vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
     ) -> Option<Release> {
         let document = match DeTable::parse(self.text) {
             Ok(document) => document,
@@ -129,7 +133,7 @@ impl<'t> Reader<'t> {
             self.wrong_type(name, "model", "a name or a path, as in model = \"disc\"");
             return None;
         };
-        let vocabulary = match model(model_name) {
+        let vocabulary = match vocabulary(model_name) {
             Ok(vocabulary) => vocabulary,
             Err(why) => {
                 self.fault(name.span(), why);
@@ -171,7 +175,7 @@ impl<'t> Reader<'t> {
             (Some(_), Some(until)) => {
                 self.fault(
                     until.span(),
-                    "found until beside duration; expected one of the two",
+                    "found both until and duration; expected one of the two",
                 );
                 None
             }
@@ -197,7 +201,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A table of the document; an empty one where there is none.
+    /// Entries of a table of the document; none where the table is absent.
     fn table<'d>(
         &mut self,
         document: &'d DeTable<'t>,
@@ -219,7 +223,7 @@ impl<'t> Reader<'t> {
     fn known_keys<'n>(
         &mut self,
         table: &DeTable<'t>,
-        place: &str,
+        context: &str,
         names: impl Iterator<Item = &'n str> + Clone,
     ) {
         for key in table.keys() {
@@ -228,7 +232,7 @@ impl<'t> Reader<'t> {
                 self.fault(
                     key.span(),
                     format!(
-                        "unknown key {name:?}{place}{}",
+                        "unknown key {name:?}{context}{}",
                         suggestion(name, names.clone())
                     ),
                 );
@@ -236,7 +240,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Parameters or coefficients; `others` are those of the other kind.
+    /// Values of the table `key`, either `parameters` or `coefficients`; `others` are the names of the other kind.
     fn constants(
         &mut self,
         document: &DeTable<'t>,
@@ -292,7 +296,7 @@ impl<'t> Reader<'t> {
                 self.fault(span, format!("the model has no state {name:?}{hint}"));
                 continue;
             };
-            // A number that is refused has its own message.
+            // An invalid number is a fault of its own; NaN keeps the state from being reported as missing too.
             values[i] = Some(self.number(value, name).unwrap_or(f64::NAN));
         }
         let absent: Vec<&str> = states
@@ -378,76 +382,5 @@ impl<'t> Reader<'t> {
             }
         }
         found
-    }
-
-    fn vector(&mut self, value: &Value<'t>, name: &str) -> Option<[f64; 3]> {
-        let items: Vec<&Value<'t>> = value
-            .get_ref()
-            .as_array()
-            .map(|a| a.iter().collect())
-            .unwrap_or_default();
-        let [x, y, z] = items[..] else {
-            self.wrong_type(value, name, "three numbers, as in [0.0, 0.0, 0.0]");
-            return None;
-        };
-        let numbers = [x, y, z].map(|item| self.number(item, name));
-        Some([numbers[0]?, numbers[1]?, numbers[2]?])
-    }
-
-    /// A finite number; what else it is, is a fault.
-    fn number(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
-        let number = match value.get_ref() {
-            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
-            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-                .map(|i| i as f64)
-                // Beyond 64 bits.
-                .or_else(|_| integer.as_str().parse())
-                .ok(),
-            _ => None,
-        };
-        match number {
-            Some(number) if number.is_finite() => Some(number),
-            Some(number) => {
-                self.fault(
-                    value.span(),
-                    format!("{name} is {number}; expected a finite number"),
-                );
-                None
-            }
-            None => {
-                self.wrong_type(value, name, "a number");
-                None
-            }
-        }
-    }
-
-    fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
-        let found = match value.get_ref() {
-            DeValue::String(text) if text.len() <= 40 => format!("the text {text:?}"),
-            DeValue::Integer(number) => number.to_string(),
-            DeValue::Float(number) => number.to_string(),
-            DeValue::Boolean(b) => b.to_string(),
-            DeValue::Array(items) => format!("a list of {}", items.len()),
-            other => format!("a {}", other.type_str()),
-        };
-        self.fault(
-            value.span(),
-            format!("{name} is {found}; expected {expected}"),
-        );
-    }
-}
-
-impl Name {
-    /// What is expected of the constant where this value is none it may have.
-    pub fn expected_instead_of(&self, value: f64) -> Option<String> {
-        let named = |names: &[&str]| names.contains(&&*self.name);
-        match self.bounds {
-            Some((least, greatest)) if value < least || value > greatest => {
-                Some(format!("a number from {least} to {greatest}"))
-            }
-            _ if named(&ABOVE_ZERO) && value <= 0.0 => Some("a number above 0".into()),
-            _ if named(&NOT_BELOW_ZERO) && value < 0.0 => Some("0 or a number above".into()),
-            _ => None,
-        }
     }
 }

@@ -1,0 +1,87 @@
+//! Numbers and vectors of a release file, and the values that constants may have.
+
+use super::Name;
+use super::read::{Reader, Value};
+use toml::de::DeValue;
+
+/// Parameters that must be positive, by the names that all models give them.
+const POSITIVE_PARAMETERS: [&str; 6] = ["m", "I_a", "I_d", "d", "A", "radius"];
+/// Parameters that must not be negative.
+const NON_NEGATIVE_PARAMETERS: [&str; 2] = ["rho", "g"];
+
+impl<'t> Reader<'t> {
+    /// Three finite numbers, or `None` after a fault.
+    pub(super) fn vector(&mut self, value: &Value<'t>, name: &str) -> Option<[f64; 3]> {
+        let items: Vec<&Value<'t>> = value
+            .get_ref()
+            .as_array()
+            .map(|a| a.iter().collect())
+            .unwrap_or_default();
+        let [x, y, z] = items[..] else {
+            self.wrong_type(value, name, "three numbers, as in [0.0, 0.0, 0.0]");
+            return None;
+        };
+        let numbers = [x, y, z].map(|item| self.number(item, name));
+        Some([numbers[0]?, numbers[1]?, numbers[2]?])
+    }
+
+    /// A finite number, or `None` after a fault.
+    pub(super) fn number(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
+        let number = match value.get_ref() {
+            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+                .map(|i| i as f64)
+                // Integers beyond 64 bits.
+                .or_else(|_| integer.as_str().parse())
+                .ok(),
+            _ => None,
+        };
+        match number {
+            Some(number) if number.is_finite() => Some(number),
+            Some(number) => {
+                self.fault(
+                    value.span(),
+                    format!("{name} is {number}; expected a finite number"),
+                );
+                None
+            }
+            None => {
+                self.wrong_type(value, name, "a number");
+                None
+            }
+        }
+    }
+
+    /// Records the fault of a value of the wrong type; `expected` describes valid ones.
+    pub(super) fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
+        let found = match value.get_ref() {
+            DeValue::String(text) if text.len() <= 40 => format!("the text {text:?}"),
+            DeValue::Integer(number) => number.to_string(),
+            DeValue::Float(number) => number.to_string(),
+            DeValue::Boolean(b) => b.to_string(),
+            DeValue::Array(items) => format!("a list of {}", items.len()),
+            other => format!("a {}", other.type_str()),
+        };
+        self.fault(
+            value.span(),
+            format!("{name} is {found}; expected {expected}"),
+        );
+    }
+}
+
+impl Name {
+    /// Description of the valid values if `value` is not one of them.
+    pub fn expected_instead_of(&self, value: f64) -> Option<String> {
+        let named = |names: &[&str]| names.contains(&&*self.name);
+        match self.bounds {
+            Some((least, greatest)) if value < least || value > greatest => {
+                Some(format!("a number from {least} to {greatest}"))
+            }
+            _ if named(&POSITIVE_PARAMETERS) && value <= 0.0 => Some("a number above 0".into()),
+            _ if named(&NON_NEGATIVE_PARAMETERS) && value < 0.0 => {
+                Some("0 or a number above".into())
+            }
+            _ => None,
+        }
+    }
+}
