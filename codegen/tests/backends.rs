@@ -1,5 +1,5 @@
-//! The tape for one flight, the tape over lanes and the committed Rust do the same operations in the same
-//! order, with the operations of one machine: they agree to the bit.
+//! The scalar tape, the tape over lanes and the committed Rust code perform the same operations in the same order:
+//! their results are bit-identical.
 
 mod support;
 
@@ -22,7 +22,7 @@ mod zoo_prepare;
 const MARK: [f64; 3] = [0.1, -0.02, 0.01];
 
 fn bits(values: &[f64]) -> Vec<u64> {
-    // 0 and -0 are one number
+    // maps -0 to 0
     values.iter().map(|v| (v + 0.0).to_bits()).collect()
 }
 
@@ -79,7 +79,7 @@ fn committed_code_agrees_with_the_tape() {
     }
 }
 
-/// The zoo's code is kept beside its model; `UPDATE_ZOO=1` writes it anew.
+/// Compares with the committed code of the zoo model; `UPDATE_ZOO=1` rewrites it.
 #[test]
 fn every_function_agrees_as_rust_and_on_the_tape() {
     let zoo = support::zoo();

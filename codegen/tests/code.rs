@@ -1,8 +1,8 @@
-//! What generated code looks like, what it costs, and that it is always the same.
+//! Generated code: its text, its operation counts, its determinism.
 
 mod support;
 
-use codegen::backend::SourceFile;
+use codegen::backend::{BACKENDS, SourceFile};
 use codegen::count::count;
 use codegen::{Selection, compile, compile_for, generate};
 use model_spec::model::Model;
@@ -13,8 +13,8 @@ fn all() -> Vec<Model> {
     support::models().into_iter().map(model).collect()
 }
 
-/// No function may come to need more operations than this: model, f, f_jac, f_jac_par, prepare.
-const MOST: [(&str, [usize; 4]); 5] = [
+/// Upper bounds of the operation counts of each model: f, f_jac, f_jac_par, prepare.
+const MAX_OPERATIONS: [(&str, [usize; 4]); 5] = [
     ("ball", [14, 33, 56, 13]),
     ("disc", [108, 340, 495, 26]),
     ("disc_appendix", [123, 396, 556, 32]),
@@ -24,7 +24,7 @@ const MOST: [(&str, [usize; 4]); 5] = [
 
 #[test]
 fn operations_do_not_creep_up() {
-    for (name, most) in MOST {
+    for (name, most) in MAX_OPERATIONS {
         let compiled = compile(&model(name));
         let names = ["f", "f_jac", "f_jac_par", "prepare"];
         let counts = names.map(|function| compiled.count(function).total());
@@ -37,14 +37,14 @@ fn operations_do_not_creep_up() {
     }
 }
 
-/// Fewest operations that any peer needs for the same equations (benches/peers), negations left out.
+/// Fewest operations of any other code generator for the disc (benches/peers), without negations: f, f_jac, f_jac_par.
 const LEANEST_PEER: [usize; 3] = [125, 522, 722];
 
 #[test]
 fn fewer_operations_than_any_peer() {
     let compiled = compile(&model("disc"));
     for (function, peer) in ["f", "f_jac", "f_jac_par"].into_iter().zip(LEANEST_PEER) {
-        // negations and all that was prepared for it included
+        // with negations, and with the share of `prepare`
         let ours = compiled.count(function).total() + compiled.count_prepared(function).total();
         assert!(ours < peer, "{function}: {ours}, a peer {peer}");
     }
@@ -54,10 +54,31 @@ fn fewer_operations_than_any_peer() {
 fn generation_is_deterministic() {
     let (first, second) = (generate::generate(&all()), generate::generate(&all()));
     assert_eq!(first, second);
-    // and does not depend on the order in which models come
+    // independent of the order of the models
     let mut reversed = all();
     reversed.reverse();
     assert_eq!(first, generate::generate(&reversed));
+}
+
+#[test]
+fn every_backend_writes_each_model_once_and_always_the_same() {
+    let models = support::with_zoo();
+    for backend in BACKENDS {
+        let files = generate::generate_with(*backend, &models);
+        assert_eq!(files, generate::generate_with(*backend, &models));
+        assert!(files.len() >= models.len(), "{}", backend.name());
+        assert!(
+            files.windows(2).all(|pair| pair[0].path < pair[1].path),
+            "{} writes a file twice",
+            backend.name()
+        );
+        for SourceFile { path, text } in &files {
+            assert!(!text.contains("//@"), "{path}: a marker is left");
+            if path.ends_with(".rs") {
+                syn::parse_file(text).unwrap_or_else(|error| panic!("{path}: {error}"));
+            }
+        }
+    }
 }
 
 #[test]

@@ -13,12 +13,15 @@
 //! over all backends then include it. What is not specific to a language is in [`body`]: the names of local variables,
 //! which statements are written inside others, where inputs are loaded and results stored, and the lines of the model
 //! for comments. A C backend consists of one `match` over [`Step`](body::Step), which prints declarations and
-//! assignments, and one over [`Op`](crate::program::Op), which prints expressions.
+//! assignments, and one over [`Op`](crate::program::Op), which prints expressions; the unit test of this module is
+//! such a backend.
 
 pub(crate) mod body;
 mod interface;
 pub(crate) mod pairs;
 mod registry;
+#[cfg(test)]
+mod tests;
 
 pub use interface::{Backend, SourceFile};
 pub use registry::{BACKENDS, backend};

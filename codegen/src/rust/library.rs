@@ -145,7 +145,10 @@ impl Signature {
     fn dispatched(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let call = format_ident!("{}Call", type_ident(self.name));
-        let see = doc(&format!("[`Equations::{}`] for `f64`.", self.name));
+        let see = doc(&format!(
+            "{}\n\nRuns [`Equations::{}`] with the instruction set of the processor.",
+            self.summary, self.name
+        ));
         let inputs: Vec<_> = self
             .inputs
             .iter()
@@ -237,7 +240,10 @@ fn model(names: &[String]) -> String {
     let kinds = names.iter().map(|name| type_ident(name));
     let fields = FUNCTIONS.iter().map(|function| {
         let (name, kind) = (format_ident!("{}", function.name), function.pointer());
-        let doc = doc(&format!("[`Equations::{}`].", function.name));
+        let doc = doc(&format!(
+            "{}\n\nArguments as of [`Equations::{}`].",
+            function.summary, function.name
+        ));
         quote!(#doc pub #name: #kind)
     });
     let methods = FUNCTIONS.iter().map(|function| {

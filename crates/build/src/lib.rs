@@ -7,7 +7,7 @@
 //!     hyzer_build::Config::new()
 //!         .model("models/kite.hyz")
 //!         .model("disc")
-//!         .with("wind_gradient")
+//!         .with("wind_by_height")
 //!         .compile()?;
 //!     Ok(())
 //! }

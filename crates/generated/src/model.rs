@@ -43,17 +43,29 @@ pub struct Model {
     pub dy_dmarker_pattern: &'static [(u32, u32)],
     /// Whether the model has a measurement equation.
     pub observed: bool,
-    /// [`Equations::prepare`].
+    /// Computes all subexpressions that depend only on the parameters; call it once per flight.
+    ///
+    /// Arguments as of [`Equations::prepare`].
     pub prepare: fn(&[f64], &mut [f64]),
-    /// [`Equations::f`].
+    /// Computes the time derivatives `dx` of the states.
+    ///
+    /// Arguments as of [`Equations::f`].
     pub f: fn(f64, &[f64], &[f64], &[f64], &mut [f64]),
-    /// [`Equations::f_jac`].
+    /// Computes `dx` and the nonzero entries `j` of ∂dx/∂state; `J_PATTERN` gives their positions.
+    ///
+    /// Arguments as of [`Equations::f_jac`].
     pub f_jac: fn(f64, &[f64], &[f64], &[f64], &mut [f64], &mut [f64]),
-    /// [`Equations::f_jac_par`].
+    /// Computes `dx`, `j`, and the nonzero entries `jp` of ∂dx/∂parameters; `JP_PATTERN` gives their positions.
+    ///
+    /// Arguments as of [`Equations::f_jac_par`].
     pub f_jac_par: fn(f64, &[f64], &[f64], &[f64], &mut [f64], &mut [f64], &mut [f64]),
-    /// [`Equations::observe`].
+    /// Computes the position `observed` of a marker in the inertial frame.
+    ///
+    /// Arguments as of [`Equations::observe`].
     pub observe: fn(f64, &[f64], &[f64], &[f64], &[f64], &mut [f64]),
-    /// [`Equations::observe_jac`].
+    /// Computes `observed` and its derivatives with respect to state, parameters and marker coordinates.
+    ///
+    /// Arguments as of [`Equations::observe_jac`].
     pub observe_jac: fn(
         f64,
         &[f64],
@@ -65,9 +77,13 @@ pub struct Model {
         &mut [f64],
         &mut [f64],
     ),
-    /// [`Equations::quantities`].
+    /// Computes the auxiliary variables of the model; `QUANTITIES` gives their names.
+    ///
+    /// Arguments as of [`Equations::quantities`].
     pub quantities: fn(f64, &[f64], &[f64], &[f64], &mut [f64]),
-    /// [`Equations::limits`].
+    /// Computes the quantities that must exceed `LIMITS` for the model to hold.
+    ///
+    /// Arguments as of [`Equations::limits`].
     pub limits: fn(f64, &[f64], &[f64], &[f64], &mut [f64]),
 }
 

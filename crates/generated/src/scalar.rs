@@ -18,7 +18,9 @@ impl<E: Equations> ScalarKernel for PrepareCall<'_, E> {
     }
 }
 
-/// [`Equations::prepare`] for `f64`.
+/// Computes all subexpressions that depend only on the parameters; call it once per flight.
+///
+/// Runs [`Equations::prepare`] with the instruction set of the processor.
 #[inline(never)]
 pub fn prepare<E: Equations>(parameters: &[f64], prepared: &mut [f64]) {
     dispatch_scalar(PrepareCall::<E> {
@@ -50,7 +52,9 @@ impl<E: Equations> ScalarKernel for FCall<'_, E> {
     }
 }
 
-/// [`Equations::f`] for `f64`.
+/// Computes the time derivatives `dx` of the states.
+///
+/// Runs [`Equations::f`] with the instruction set of the processor.
 #[inline(never)]
 pub fn f<E: Equations>(
     time: f64,
@@ -93,7 +97,9 @@ impl<E: Equations> ScalarKernel for FJacCall<'_, E> {
     }
 }
 
-/// [`Equations::f_jac`] for `f64`.
+/// Computes `dx` and the nonzero entries `j` of ∂dx/∂state; `J_PATTERN` gives their positions.
+///
+/// Runs [`Equations::f_jac`] with the instruction set of the processor.
 #[inline(never)]
 pub fn f_jac<E: Equations>(
     time: f64,
@@ -140,7 +146,9 @@ impl<E: Equations> ScalarKernel for FJacParCall<'_, E> {
     }
 }
 
-/// [`Equations::f_jac_par`] for `f64`.
+/// Computes `dx`, `j`, and the nonzero entries `jp` of ∂dx/∂parameters; `JP_PATTERN` gives their positions.
+///
+/// Runs [`Equations::f_jac_par`] with the instruction set of the processor.
 #[inline(never)]
 pub fn f_jac_par<E: Equations>(
     time: f64,
@@ -187,7 +195,9 @@ impl<E: Equations> ScalarKernel for ObserveCall<'_, E> {
     }
 }
 
-/// [`Equations::observe`] for `f64`.
+/// Computes the position `observed` of a marker in the inertial frame.
+///
+/// Runs [`Equations::observe`] with the instruction set of the processor.
 #[inline(never)]
 pub fn observe<E: Equations>(
     time: f64,
@@ -238,7 +248,9 @@ impl<E: Equations> ScalarKernel for ObserveJacCall<'_, E> {
     }
 }
 
-/// [`Equations::observe_jac`] for `f64`.
+/// Computes `observed` and its derivatives with respect to state, parameters and marker coordinates.
+///
+/// Runs [`Equations::observe_jac`] with the instruction set of the processor.
 #[inline(never)]
 pub fn observe_jac<E: Equations>(
     time: f64,
@@ -287,7 +299,9 @@ impl<E: Equations> ScalarKernel for QuantitiesCall<'_, E> {
     }
 }
 
-/// [`Equations::quantities`] for `f64`.
+/// Computes the auxiliary variables of the model; `QUANTITIES` gives their names.
+///
+/// Runs [`Equations::quantities`] with the instruction set of the processor.
 #[inline(never)]
 pub fn quantities<E: Equations>(
     time: f64,
@@ -328,7 +342,9 @@ impl<E: Equations> ScalarKernel for LimitsCall<'_, E> {
     }
 }
 
-/// [`Equations::limits`] for `f64`.
+/// Computes the quantities that must exceed `LIMITS` for the model to hold.
+///
+/// Runs [`Equations::limits`] with the instruction set of the processor.
 #[inline(never)]
 pub fn limits<E: Equations>(
     time: f64,

@@ -1,4 +1,4 @@
-//! Writes `function argument… result` lines, to be compared with any reference of many digits.
+//! Prints `function argument… result` lines in hexadecimal bits, for comparison with a multiple-precision reference.
 
 use lanes::Real;
 
@@ -24,7 +24,7 @@ fn main() {
     };
     for _ in 0..count {
         let sign = if unit() < 0.5 { -1.0 } else { 1.0 };
-        // The doubles next to multiples of a quarter turn are the hard ones.
+        // Doubles next to multiples of π/2 are the hard cases of argument reduction.
         let near = ((unit() * 63660.0).floor() * std::f64::consts::FRAC_PI_2).next_up();
         for x in [
             sign * 10_f64.powf(unit() * 8.0 - 3.0),

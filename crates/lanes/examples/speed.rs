@@ -1,4 +1,4 @@
-//! Nanoseconds for each function on each kind of lanes: `cargo run --release -p hyzer-lanes --example speed`.
+//! Time of each function per number, ns, for each instruction set: `cargo run --release -p hyzer-lanes --example speed`.
 
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
 use std::hint::black_box;
@@ -54,7 +54,7 @@ impl<F: Function> Kernel for Pass<'_, F> {
     }
 }
 
-/// Each argument waits for the last result: what a single evaluation costs.
+/// Latency of an evaluation: each argument depends on the previous result.
 fn chained(from: &[f64], f: impl Fn(f64) -> f64) -> f64 {
     from.iter().fold(0.0, |sum, x| f(x + sum * 1e-300))
 }

@@ -1,14 +1,14 @@
-//! The functions against many digits: hard cases by mpmath, and the standard library, itself within 1 ulp.
+//! Accuracy of the elementary functions: hard cases computed by mpmath, and the standard library (within 1 ulp).
 
-// Miri gives the standard library's functions random last bits, and they are what is compared with here.
+// Miri randomizes the last bits of the standard library's functions, the reference here.
 #![cfg(not(miri))]
-// Tables of digits.
+// Tables of reference values.
 #![allow(clippy::approx_constant)]
 
 use lanes::Real;
 use proptest::prelude::*;
 
-/// How many representable numbers apart.
+/// Distance of two numbers in units in the last place (ulp).
 fn ulps(a: f64, b: f64) -> u64 {
     let ordered = |v: f64| {
         let bits = v.to_bits() as i64;
@@ -31,7 +31,7 @@ fn close(found: f64, expected: f64, within: u64, what: &str) {
 
 #[test]
 fn sines_next_to_multiples_of_a_quarter_turn() {
-    // The first rows are the doubles below 1e5 that come nearest to a multiple.
+    // The first rows are the doubles below 1e5 that are closest to a multiple of π/2.
     for (x, sine, cosine) in [
         (45.553093477052, 1.0, -6.189806365883577e-19),
         (728.849495632832, 9.903690185413723e-18, 1.0),

@@ -1,11 +1,11 @@
-//! Every kind of lanes that fuses gives the same bits, and every kind that does not; the two differ by roundings.
+//! Results are bit-identical among all fusing and among all non-fusing number types; the two groups differ by rounding.
 
-// Numbers at which something changes, not constants of mathematics.
+// Arguments where an implementation switches branches, which resemble mathematical constants.
 #![allow(clippy::approx_constant)]
 
 use lanes::{Isa, Kernel, Lanes, Real, ScalarKernel, ScalarLane, dispatch_scalar, dispatch_with};
 
-/// What is computed of two numbers: every function and operation of `Real`.
+/// Number of results that `everything` computes of two numbers, by every operation of `Real`.
 const RESULTS: usize = 25;
 
 #[inline(always)]
@@ -104,7 +104,7 @@ fn special() -> Vec<f64> {
     ]);
     values.extend([1e5 + 1e-3, 2e5, 1e9, 1e22]);
     if cfg!(miri) {
-        // There the standard library's functions, which serve the far arguments, are random in their last bits.
+        // Miri randomizes the last bits of the standard library's functions, which large arguments use.
         values.retain(|v| *v <= 20.0);
     }
     let negative: Vec<f64> = values.iter().map(|v| -v).collect();
@@ -113,7 +113,7 @@ fn special() -> Vec<f64> {
     values
 }
 
-/// Pairs of every special number with every other, and random ones of all sizes (splitmix64).
+/// All pairs of special numbers, and random pairs of all magnitudes (splitmix64).
 fn pairs() -> (Vec<f64>, Vec<f64>) {
     let special = special();
     let step = if cfg!(miri) { 7 } else { 1 };
@@ -132,7 +132,7 @@ fn pairs() -> (Vec<f64>, Vec<f64>) {
     };
     for _ in 0..if cfg!(miri) { 40 } else { 400_003 } {
         for list in [&mut a, &mut b] {
-            // A size from 2^-20 to 2^16, where the model's numbers are.
+            // Magnitudes from 2^-20 to 2^16, as in models.
             let exponent = 1023 - 20 + random() % if cfg!(miri) { 22 } else { 37 };
             list.push(f64::from_bits(
                 random() >> 12 | exponent << 52 | random() << 63,
@@ -142,7 +142,7 @@ fn pairs() -> (Vec<f64>, Vec<f64>) {
     (a, b)
 }
 
-/// One number at a time, with the operations of this machine.
+/// Scalar kernel that maps one number at a time.
 struct OneByOne<'a>(Map<'a>);
 
 impl ScalarKernel for OneByOne<'_> {
@@ -201,7 +201,7 @@ fn every_kind_of_lanes_gives_the_bits_of_its_family() {
         None => same(&plain, &found, (&a, &b), "alone"),
     }
 
-    // All but the last four, which may cancel: a function is within 2 ulp, or 3, in both.
+    // All but the last four, which may cancel: each function is within 3 ulp in both groups.
     for (i, (plain, fused)) in plain.iter().zip(fused.iter().flatten()).enumerate() {
         for (k, (p, f)) in plain.iter().zip(fused).take(RESULTS - 4).enumerate() {
             let close = (p - f).abs() <= 6.0 * f64::EPSILON * p.abs() + f64::MIN_POSITIVE;
@@ -222,7 +222,7 @@ impl Kernel for Rounds<'_> {
     type Output = ();
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        // The square of 1 + e is 1 + 2e + e²; the last part is lost where it is rounded first.
+        // (1 + e)² = 1 + 2e + e²; rounding the product first loses e².
         let e = 2_f64.powi(-30);
         let a = T::splat(1.0 + e);
         *self.0 = a.mul_sub(a, T::splat(1.0 + 2.0 * e)).lane(0);

@@ -22,6 +22,7 @@ impl Variables {
     ) -> Variables {
         let mut names = UniqueNames {
             taken: HashSet::new(),
+            numbers: HashMap::new(),
             is_reserved,
         };
         let mut inputs = HashMap::new();
@@ -135,25 +136,37 @@ fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>
         }
     };
     let base = format!("part_of_{stem}");
-    if names.is_free(&base) {
-        return names.take(&base);
-    }
-    let mut n = 2;
-    while !names.is_free(&format!("{base}_{n}")) {
-        n += 1;
-    }
-    names.take(&format!("{base}_{n}"))
+    names.take_numbered(&base)
 }
 
 /// Hands out identifiers, each once.
 struct UniqueNames<F> {
     taken: HashSet<String>,
+    /// Last number appended to each name by `take_numbered`.
+    numbers: HashMap<String, usize>,
     is_reserved: F,
 }
 
 impl<F: Fn(&str) -> bool> UniqueNames<F> {
     fn is_free(&self, name: &str) -> bool {
         !self.taken.contains(name) && !(self.is_reserved)(name)
+    }
+
+    /// The name itself, or with the first number from 2 that makes it free.
+    fn take_numbered(&mut self, base: &str) -> String {
+        let mut n = self.numbers.get(base).copied().unwrap_or(0);
+        loop {
+            n += 1;
+            let name = match n {
+                1 => base.to_string(),
+                n => format!("{base}_{n}"),
+            };
+            if self.is_free(&name) {
+                self.numbers.insert(base.to_string(), n);
+                self.taken.insert(name.clone());
+                return name;
+            }
+        }
     }
 
     /// The name itself, or with underscores appended until it is free.
