@@ -89,7 +89,7 @@ impl<'a> Body<'a> {
         line
     }
 
-    /// Input arrays that the function reads.
+    /// Whether the function reads an input.
     pub fn reads(&self, input: Input) -> bool {
         operands(&self.function.program).any(|operand| Input::of(operand) == Some(input))
     }

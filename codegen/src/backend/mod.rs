@@ -10,9 +10,9 @@
 //! 2. Register it in [`BACKENDS`].
 //!
 //! `hyzer generate MODEL --out DIR --backend NAME`, its `--check`, the build-script interface and the tests that run
-//! over all backends then include it. What is not specific to a language is in [`body`]: the names of local variables,
+//! over all backends then include it. What is not specific to a language is in `body`: the names of local variables,
 //! which statements are written inside others, where inputs are loaded and results stored, and the lines of the model
-//! for comments. A C backend consists of one `match` over [`Step`](body::Step), which prints declarations and
+//! for comments. A C backend consists of one `match` over `body::Step`, which prints declarations and
 //! assignments, and one over [`Op`](crate::program::Op), which prints expressions; the unit test of this module is
 //! such a backend.
 
