@@ -1,11 +1,11 @@
-//! Faults of a model file, each with its place and one message.
+//! Diagnostics: faults of a model file, each with a source span and one message.
 
 pub use crate::source::{Source, Span};
 
 /// Number of faults that are shown, and for which suggestions are looked up; the others are counted.
 pub(crate) const MAX_SHOWN: usize = 50;
 
-/// What kind of fault it is; the slug is stable and shown in brackets.
+/// Category of a fault; [`Kind::slug`] is stable and shown in brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
 pub enum Kind {
@@ -24,7 +24,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The word that stands in brackets before a message.
+    /// Stable name of the category, as shown in brackets before a message.
     pub fn slug(self) -> &'static str {
         match self {
             Kind::Lexical => "lexical",
@@ -43,34 +43,34 @@ impl Kind {
     }
 }
 
-/// A place that helps to understand a fault.
+/// A source span that explains a fault, with a few words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
-    /// Where.
+    /// The span.
     pub span: Span,
-    /// What is there, in a few words.
+    /// Its role in the fault.
     pub text: String,
 }
 
-/// One fault: what was found, what was expected, where, and what to do about it.
+/// One fault: what was found, what was expected, where, and a remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Its kind.
+    /// Category.
     pub kind: Kind,
-    /// The place it is reported at.
+    /// Source span at which it is reported.
     pub span: Span,
-    /// One sentence: what is wrong.
+    /// What is wrong, in one sentence.
     pub message: String,
-    /// How it came about: the places that led to it.
+    /// Other source spans that led to the fault.
     pub labels: Vec<Label>,
-    /// Further explanation, one sentence each.
+    /// Further explanations, one sentence each.
     pub notes: Vec<String>,
-    /// A suggestion, where there is one ("did you mean `C_La`?").
+    /// A suggested remedy, such as "did you mean `C_La`?".
     pub help: Option<String>,
 }
 
 impl Diagnostic {
-    /// A fault with its kind, place and sentence.
+    /// A fault without labels, notes or help.
     pub fn new(kind: Kind, span: Span, message: impl Into<String>) -> Diagnostic {
         Diagnostic {
             kind,
@@ -82,7 +82,7 @@ impl Diagnostic {
         }
     }
 
-    /// Adds a place that helps to understand it.
+    /// Adds a source span that explains the fault.
     #[must_use]
     pub fn label(mut self, span: Span, text: impl Into<String>) -> Diagnostic {
         self.labels.push(Label {
@@ -92,21 +92,21 @@ impl Diagnostic {
         self
     }
 
-    /// Adds an explanation.
+    /// Adds a further explanation.
     #[must_use]
     pub fn note(mut self, text: impl Into<String>) -> Diagnostic {
         self.notes.push(text.into());
         self
     }
 
-    /// Sets the suggestion.
+    /// Sets the suggested remedy.
     #[must_use]
     pub fn help(mut self, text: impl Into<String>) -> Diagnostic {
         self.help = Some(text.into());
         self
     }
 
-    /// Sets the suggestion where there is one.
+    /// Sets the suggested remedy, if one is given.
     #[must_use]
     pub fn help_if(mut self, text: Option<String>) -> Diagnostic {
         self.help = text.or(self.help);

@@ -1,6 +1,6 @@
-//! The checked model: every name resolved, every expression with its shape and unit, every place kept.
+//! The checked model: names resolved to indices, each expression with its shape, unit and source span.
 //!
-//! This is the seam that the compiler and the tree oracle read. Indices point into the vectors of [`Model`].
+//! The compiler and the tree oracle read this representation. Indices are positions in the vectors of [`Model`].
 
 mod effect;
 mod walk;
@@ -14,110 +14,108 @@ use crate::unit::Unit;
 pub use crate::source::Source;
 pub use effect::{AppliedEffect, EffectUnknown, OfferedEffect};
 
-/// A model of a flying body, checked.
+/// A checked model of a flying body: its states, parameters, frames, loads and equations.
 #[derive(Clone, Debug)]
 pub struct Model {
-    /// Its name, as other programs refer to it.
+    /// Name of the model, by which commands and datasets refer to it.
     pub name: String,
-    /// Its `//!` lines.
+    /// Documentation: the `//!` lines of the file.
     pub doc: String,
-    /// The physics it claims to be, by the name of an oracle written by hand; see `hyzer verify`.
+    /// Name of the reference implementation that `hyzer verify` compares the model with.
     pub reference: Option<String>,
-    /// The texts it was made from: the model file first, then each effect that was switched on.
+    /// Source texts: the model file first, then each applied effect.
     pub sources: Vec<Source>,
-    /// Known constants of the body and the place, in order of declaration.
+    /// Known constants of the body and its environment, in order of declaration.
     pub params: Vec<Parameter>,
-    /// What flights are fitted for, in order of declaration; those of effects come last.
+    /// Coefficients, which are estimated from flights, in order of declaration; those of effects come last.
     pub coefficients: Vec<Parameter>,
-    /// Vectors that are given with each flight: the wind, a known spin.
+    /// Vectors given with each flight, such as the wind.
     pub inputs: Vec<Input>,
-    /// The state, in order.
+    /// Components of the state vector, in order.
     pub states: Vec<State>,
-    /// Frames, parents before children; the first is inertial with its third axis up.
+    /// Frames of reference, parents before children; frame 0 is inertial with its third axis up.
     pub frames: Vec<Frame>,
-    /// The body whose equations of motion are derived; none where every equation is stated.
+    /// The body whose equations of motion are derived; none if every equation is stated.
     pub body: Option<Body>,
-    /// Named quantities, each after those that it uses.
+    /// Auxiliary variables, each after those that it uses.
     pub aux_variables: Vec<AuxVariable>,
-    /// Forces at the mass centre; vectors in any frame.
+    /// Forces at the centre of mass, N, in any frame.
     pub forces: Vec<Load>,
-    /// Moments about the mass centre; vectors in any frame.
+    /// Moments about the centre of mass, N m, in any frame.
     pub moments: Vec<Load>,
-    /// Stated derivatives `der(state) = …`, in order of the states; where a body is declared, of those that are
-    /// not the body's.
+    /// Stated derivatives `der(state) = …`, in order of the states; with a body, only of states that are not the body's.
     pub equations: Vec<Equation>,
-    /// A point whose coordinates in `frame` are given when it is observed.
+    /// The point that is observed, if the model observes one; its coordinates are given with each observation.
     pub marker: Option<Marker>,
-    /// What is observed of the marker: a vector in the inertial frame.
+    /// The measurement equation: a vector in the inertial frame, m.
     pub observation: Option<Observation>,
-    /// Seconds of flight that pass in a second of the clock by which things are measured; none where they are
-    /// the same. Every derivative of a state by the measured time is multiplied by it.
+    /// Rate of flight time against measured time; none if it is 1. It multiplies every derivative with respect to time.
     pub clock: Option<Clock>,
-    /// Where the model ends: each expression must stay above its bound.
+    /// Domain of validity: each expression must stay above its bound.
     pub limits: Vec<ValidityLimit>,
-    /// Cases that the model file itself states.
+    /// Check cases of the model file.
     pub checks: Vec<CheckCase>,
-    /// Effects that are switched on, in order.
+    /// Applied effects, in order.
     pub effects: Vec<AppliedEffect>,
-    /// Effects that the model's own file offers, switched on or not.
+    /// Effects that the model's file declares, applied or not.
     pub offers: Vec<OfferedEffect>,
     /// The syntax tree that was checked, with the effects applied to it.
     pub tree: Arc<ast::File>,
 }
 
-/// A parameter or coefficient: a number that does not change during a flight.
+/// A known constant or a coefficient: a number that does not change during a flight.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// Name in the notation of the paper.
+    /// Name, such as `C_La` or `m`.
     pub name: String,
-    /// Its `///` lines.
+    /// Documentation: the `///` lines before the declaration.
     pub doc: String,
-    /// Declared or inferred unit.
+    /// Unit, declared or inferred.
     pub unit: Unit,
-    /// The unit of [`Parameter::value`]: as the file spells it, or as inferred (`1`, `1/rad`, `kg*m^2`);
-    /// the SI's own where the file has another (`rad` for `deg`).
+    /// Text of the unit of [`Parameter::value`]: as declared or inferred (`1`, `1/rad`, `kg*m^2`), and always an SI unit
+    /// (`rad` where the file has `deg`).
     pub unit_text: String,
-    /// Whether the unit was inferred from its uses.
+    /// Whether the unit was inferred from the uses of the parameter.
     pub inferred: bool,
-    /// Default, SI.
+    /// Default value, SI.
     pub value: f64,
-    /// Least and greatest value allowed, SI.
+    /// Lower and upper bound of the value, SI.
     pub bounds: Option<(f64, f64)>,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// A vector given with each flight; its components are named `<name>_x`, `<name>_y`, `<name>_z`.
+/// A vector given with each flight; its components are the parameters `<name>_x`, `<name>_y`, `<name>_z`.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// Name.
     pub name: String,
-    /// Its `///` lines.
+    /// Documentation: the `///` lines before the declaration.
     pub doc: String,
-    /// Frame of its components.
+    /// Index of the frame of its components.
     pub frame: usize,
     /// Unit of its components.
     pub unit: Unit,
-    /// The unit as spelled.
+    /// Text of the unit.
     pub unit_text: String,
-    /// Default, SI.
+    /// Default components, SI.
     pub value: [f64; 3],
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// One component of the state.
+/// One component of the state vector.
 #[derive(Clone, Debug)]
 pub struct State {
-    /// Name.
+    /// Name, such as `x` or `phidot`.
     pub name: String,
-    /// Its unit.
+    /// Unit.
     pub unit: Unit,
-    /// The unit as spelled.
+    /// Text of the unit.
     pub unit_text: String,
-    /// Value where a release does not say otherwise: 0, but 1 for the scalar part of a quaternion.
+    /// Default initial value, SI: 0 unless stated, 1 for the scalar part of a quaternion.
     pub value: f64,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
@@ -126,33 +124,33 @@ pub struct State {
 pub struct Frame {
     /// Name.
     pub name: String,
-    /// How it is placed.
+    /// Orientation relative to its parent.
     pub kind: FrameKind,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// How a frame is placed relative to its parent.
+/// Orientation of a frame relative to its parent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameKind {
-    /// At rest, third axis up. Always frame 0 and no other.
+    /// Inertial, third axis up; frame 0 and no other.
     Inertial,
-    /// The parent turned about its own axis `axis` (1, 2 or 3) by an angle.
+    /// The parent rotated about its own axis `axis` by an angle.
     Turned {
-        /// Parent frame.
+        /// Index of the parent frame.
         parent: usize,
-        /// State that holds the angle, rad.
+        /// Index of the state that is the angle, rad.
         angle: usize,
-        /// State that holds the angle's rate, rad/s; none where equations are stated and it has no state.
+        /// Index of the state that is the angle's rate, rad/s; none if equations are stated and the rate is no state.
         rate: Option<usize>,
-        /// 1, 2 or 3.
+        /// Number of the axis: 1, 2 or 3.
         axis: u8,
     },
-    /// The parent turned by a unit quaternion: v_parent = q v_frame q*.
+    /// The parent rotated by a unit quaternion: v_parent = q v_frame q*.
     Quaternion {
-        /// Parent frame.
+        /// Index of the parent frame.
         parent: usize,
-        /// States of the quaternion, scalar part first.
+        /// Indices of the quaternion's states, scalar part first.
         states: [usize; 4],
     },
 }
@@ -162,49 +160,49 @@ pub enum FrameKind {
 pub struct Body {
     /// Name.
     pub name: String,
-    /// Mass: a scalar that depends on parameters alone.
+    /// Mass, kg: depends on parameters and coefficients alone.
     pub mass: Expr,
-    /// States of the position of the mass centre, components in frame 0.
+    /// Indices of the states of the position of the centre of mass, in frame 0.
     pub position: [usize; 3],
-    /// States of the velocity of the mass centre.
+    /// Indices of the states of the velocity of the centre of mass.
     pub velocity: [usize; 3],
-    /// Frame of the velocity's components.
+    /// Index of the frame of the velocity's components.
     pub velocity_frame: usize,
-    /// Rotation; none for a point mass.
+    /// Rotational motion; none for a point mass.
     pub rotation: Option<Rotation>,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// The rotating part of a rigid body.
+/// Rotational motion of a rigid body.
 #[derive(Clone, Debug)]
 pub struct Rotation {
-    /// Frame fixed in the body.
+    /// Index of the body-fixed frame.
     pub body_frame: usize,
-    /// Frame of the components of [`ExprKind::AngularVelocity`]: that of the inertia where the body states no other.
+    /// Index of the frame of [`ExprKind::AngularVelocity`]; the inertia frame unless the body states another.
     pub angular_velocity_frame: usize,
-    /// Frame of the inertia's components, in which they are constant: the body's own, or one that
-    /// differs from it by a turn about an axis of symmetry.
+    /// Index of the frame in which the inertia is constant: the body-fixed one, or one that differs from it by a rotation
+    /// about an axis of symmetry.
     pub inertia_frame: usize,
-    /// Moments of inertia, row by row, symmetric; scalars that depend on parameters and coefficients alone.
+    /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
     pub inertia: [[Expr; 3]; 3],
-    /// States of the angular velocity's components and their frame, where the attitude is a quaternion;
-    /// none where the rates of the angles are the states.
+    /// Indices of the angular velocity's states and of their frame for a quaternion attitude; none if the rates of the
+    /// attitude angles are the states.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
-/// A named quantity.
+/// An auxiliary variable: a named expression, declared by `let`.
 #[derive(Clone, Debug)]
 pub struct AuxVariable {
     /// Name.
     pub name: String,
-    /// Its `///` lines.
+    /// Documentation: the `///` lines before the declaration.
     pub doc: String,
-    /// What it is.
+    /// Definition.
     pub value: Expr,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
-    /// Effect that put it there: index into [`Model::effects`].
+    /// Index into [`Model::effects`] of the effect that added or replaced it.
     pub effect: Option<usize>,
 }
 
@@ -213,11 +211,11 @@ pub struct AuxVariable {
 pub struct Load {
     /// Name.
     pub name: String,
-    /// Vector, in any frame.
+    /// Definition: a vector in any frame, N or N m.
     pub value: Expr,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
-    /// Effect that put it there.
+    /// Index into [`Model::effects`] of the effect that added or replaced it.
     pub effect: Option<usize>,
 }
 
@@ -226,143 +224,144 @@ pub struct Load {
 pub struct Equation {
     /// Index of the state.
     pub state: usize,
-    /// Its derivative.
+    /// Derivative of the state with respect to time.
     pub value: Expr,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// A point given by its coordinates in a frame.
+/// The observed point, given by its coordinates in a frame.
 #[derive(Clone, Debug)]
 pub struct Marker {
     /// Name.
     pub name: String,
-    /// Frame of its coordinates.
+    /// Index of the frame of its coordinates.
     pub frame: usize,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// What is observed.
+/// The measurement equation: the position that a sensor reports.
 #[derive(Clone, Debug)]
 pub struct Observation {
     /// Name.
     pub name: String,
-    /// Vector in frame 0, m.
+    /// Position in frame 0, m.
     pub value: Expr,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// How fast the flight's time passes against that of the clock by which things are measured.
+/// Rate of flight time against the time of the measuring clock.
 #[derive(Clone, Debug)]
 pub struct Clock {
-    /// Scalar, a pure number.
+    /// Seconds of flight per second of the clock, dimensionless.
     pub value: Expr,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
-    /// Effect that put it there.
+    /// Index into [`Model::effects`] of the effect that added or replaced it.
     pub effect: Option<usize>,
 }
 
-/// The model holds only where `value > bound`.
+/// A condition of the domain of validity: the model holds where `value > bound`.
 #[derive(Clone, Debug)]
 pub struct ValidityLimit {
-    /// Scalar.
+    /// The limited quantity, a scalar.
     pub value: Expr,
-    /// Bound, SI.
+    /// Lower bound, SI.
     pub bound: f64,
-    /// What happens there, for people.
+    /// Why the model ends there, for messages.
     pub reason: String,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// A case with known answers, stated in the model file.
+/// A check case of the model file: settings and expected results.
 #[derive(Clone, Debug)]
 pub struct CheckCase {
-    /// Title.
+    /// Title of the case.
     pub title: String,
-    /// What is set; everything else has its default.
+    /// Values that are set, SI; all others have their defaults.
     pub settings: Vec<(Target, f64)>,
-    /// What must come out.
+    /// Expected results.
     pub expectations: Vec<Expectation>,
-    /// Place of the declaration.
+    /// Source span of the declaration.
     pub span: Span,
 }
 
-/// What a check case sets.
+/// A number that a check case sets; indices into the vectors of [`Model`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// A parameter.
+    /// A known constant.
     Param(usize),
     /// A coefficient.
     Coefficient(usize),
-    /// A component (0 to 2) of an input.
+    /// An input and the position (0 to 2) of its component.
     Input(usize, usize),
     /// A state.
     State(usize),
 }
 
-/// What a check case looks at.
+/// A result that a check case compares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
     /// The derivative of a state.
     Derivative(usize),
-    /// A scalar named quantity.
+    /// A scalar auxiliary variable.
     AuxVariable(usize),
 }
 
-/// One expected number.
+/// An expected result of a check case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expectation {
-    /// What.
+    /// The result.
     pub what: Observable,
-    /// Its value, SI.
+    /// Expected value, SI.
     pub value: f64,
-    /// Greatest absolute difference, SI.
+    /// Absolute tolerance, SI.
     pub within: f64,
-    /// Place.
+    /// Source span of the statement.
     pub span: Span,
 }
 
-/// Whether an expression is a number or a vector, and in which frame its components are.
+/// Shape of an expression: a number, or a vector with the frame of its components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A number.
     Scalar,
-    /// A vector with components in a frame.
+    /// A vector with components in the frame of this index.
     Vector(usize),
 }
 
 /// A checked expression.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// What it is.
+    /// Operation or operand.
     pub kind: ExprKind,
     /// Number or vector.
     pub shape: Shape,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: Unit,
-    /// Where it was written.
+    /// Source span.
     pub span: Span,
 }
 
-/// The kinds of expression. Vectors are added only where their frames agree; `Reexpress` changes the frame.
+/// Operations and operands of expressions. Indices point into the vectors of [`Model`]. Vectors are combined only in one
+/// frame; `Reexpress` changes the frame.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
-    /// A literal: its SI value, and the same as an exact fraction where the decimal and its unit are exact.
+    /// A literal, with its exact value if that is a fraction of small integers.
     Number {
         /// SI value.
         value: f64,
-        /// Numerator and denominator.
+        /// SI value as numerator and denominator; none if it is not exact.
         exact: Option<(i64, i64)>,
     },
-    /// The ratio of a circle's circumference to its diameter.
+    /// The number π.
     Pi,
-    /// Time since release as it is measured, s: that of the clock where the model has one.
+    /// Measured time since release, s; with a clock rate, that of the clock.
     Time,
-    /// A parameter.
+    /// A known constant.
     Param(usize),
     /// A coefficient.
     Coefficient(usize),
@@ -370,17 +369,17 @@ pub enum ExprKind {
     Input(usize),
     /// A state.
     State(usize),
-    /// A named quantity.
+    /// An auxiliary variable: a named expression, declared by `let`.
     AuxVariable(usize),
-    /// Unit vector along axis 1, 2 or 3 of a frame.
+    /// Unit vector along axis 1, 2 or 3 of the frame of this index.
     Axis(usize, u8),
-    /// Position of the mass centre, in frame 0.
+    /// Position of the centre of mass, in frame 0.
     Position,
-    /// Velocity of the mass centre, in the body's velocity frame.
+    /// Velocity of the centre of mass, in [`Body::velocity_frame`].
     Velocity,
     /// Angular velocity of the body, in the frame [`Rotation::angular_velocity_frame`].
     AngularVelocity,
-    /// The marker: a vector in its frame.
+    /// Position of the marker in its frame.
     Marker,
     /// Three scalars as a vector in the expression's frame.
     Components(Box<[Expr; 3]>),
@@ -392,23 +391,23 @@ pub enum ExprKind {
     Sub(Box<Expr>, Box<Expr>),
     /// `a * b`; one of them may be a vector.
     Mul(Box<Expr>, Box<Expr>),
-    /// `a / b`, `b` a scalar that is nowhere zero within the model's limits.
+    /// `a / b`; the scalar `b` is nonzero in the domain of validity.
     Div(Box<Expr>, Box<Expr>),
-    /// `ratio(a, b, otherwise)`: `a / b`, and `otherwise` where `b` is 0.
+    /// `ratio(a, b, otherwise)`: `a / b`, or `otherwise` if `b` is 0.
     Ratio(Box<[Expr; 3]>),
-    /// `a ^ (n/2)`: twice the exponent.
+    /// `a ^ (n/2)`, with `n` as the second field.
     Pow(Box<Expr>, i32),
     /// Scalar product.
     Dot(Box<Expr>, Box<Expr>),
     /// Vector product.
     Cross(Box<Expr>, Box<Expr>),
-    /// Length of a vector; 0 with derivative 0 at the zero vector.
+    /// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.
     Norm(Box<Expr>),
-    /// Direction of a vector; at the zero vector the second expression, or the zero vector.
+    /// Unit vector along a vector; at the zero vector the second expression, or else the zero vector.
     Direction(Box<Expr>, Option<Box<Expr>>),
-    /// Component 1, 2 or 3 of a vector in its own frame.
+    /// Component 1, 2 or 3 of a vector in the frame of its shape.
     Component(Box<Expr>, u8),
-    /// The same vector with components in the expression's frame.
+    /// A vector with its components transformed to the frame of the expression's shape.
     Reexpress(Box<Expr>),
     /// A function of one scalar.
     Call(Function, Box<Expr>),
@@ -420,7 +419,7 @@ pub enum ExprKind {
     Max(Box<Expr>, Box<Expr>),
 }
 
-/// Functions of one scalar, with their behaviour where they are singular.
+/// Functions of one scalar; each is defined everywhere, with a stated value and derivative at its singular points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Function {
     /// Sine.
@@ -429,9 +428,9 @@ pub enum Function {
     Cos,
     /// Tangent.
     Tan,
-    /// Arcsine of the argument held within -1 .. 1; derivative 0 beyond.
+    /// Arcsine, the argument clamped to -1 .. 1; derivative 0 outside.
     Asin,
-    /// Arccosine of the argument held within -1 .. 1; derivative 0 beyond.
+    /// Arccosine, the argument clamped to -1 .. 1; derivative 0 outside.
     Acos,
     /// Arctangent.
     Atan,
@@ -443,9 +442,9 @@ pub enum Function {
     Log,
     /// Absolute value; derivative 0 at 0.
     Abs,
-    /// -1, 0 or 1; derivative 0.
+    /// Signum: -1, 0 or 1; derivative 0.
     Sign,
-    /// 1 where the argument is above 0, else 0; derivative 0.
+    /// Heaviside function: 1 for arguments above 0, else 0; derivative 0.
     Step,
     /// Hyperbolic tangent.
     Tanh,

@@ -1,4 +1,4 @@
-//! Faults as text for people.
+//! Diagnostics as text: excerpts of the source with marked spans.
 
 use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
 
@@ -8,7 +8,7 @@ use crate::source::{Source, Span};
 /// Length of a source line, in bytes, up to which it is drawn with its faults.
 const MAX_LINE_BYTES: usize = 300;
 
-/// All faults, each with its place, in the order of their places.
+/// Diagnostics as text in the order of their source spans, with ANSI colours if `color`; at most 50, the others counted.
 pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> String {
     let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
     ordered.sort_by_key(|d| d.span);
@@ -34,7 +34,7 @@ pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> St
     out
 }
 
-/// Line and column, both from 1, of a byte of a text.
+/// Line and column, both from 1, of a byte offset in a text.
 pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let mut byte = byte.min(text.len());
     while !text.is_char_boundary(byte) {
@@ -49,7 +49,7 @@ pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// Whether all its places exist and lie on lines that a terminal can show.
+/// Whether all spans of a diagnostic exist and lie on lines short enough for a terminal.
 fn drawable(diagnostic: &Diagnostic, sources: &[Source]) -> bool {
     let fits = |span: Span| {
         let Some(source) = sources.get(usize::from(span.source)) else {
@@ -158,7 +158,7 @@ fn within(inner: Span, outer: Span) -> bool {
     inner.source == outer.source && inner.start >= outer.start && inner.end <= outer.end
 }
 
-/// The texts as ariadne fetches them, by their numbers.
+/// Source texts by their index, as ariadne fetches them.
 struct Texts<'a>(&'a [(String, ariadne::Source<&'a str>)]);
 
 impl<'a> ariadne::Cache<u16> for Texts<'a> {

@@ -1,12 +1,12 @@
-//! What was probably meant by a name that is not known.
+//! Suggestions for misspelt names, by edit distance.
 
-/// Longer names are not compared.
-const LONGEST: usize = 40;
+/// Length of a name, in characters, up to which suggestions are looked up.
+const MAX_NAME_CHARS: usize = 40;
 
-/// The nearest of some names: the same but for case, one that begins like it, or a few letters away. None where
-/// no name is so near that it was probably meant; the first of those that are equally near.
+/// The name nearest to a misspelt one: equal but for case, with a common beginning, or a few edits away (the first of
+/// equally near ones). None if no name is near.
 pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    if wrong.is_empty() || wrong.chars().count() > LONGEST {
+    if wrong.is_empty() || wrong.chars().count() > MAX_NAME_CHARS {
         return None;
     }
     let allowed = match wrong.chars().count() {
@@ -41,7 +41,7 @@ pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<
     best.map(|(_, name)| name)
 }
 
-/// Edits between two names: insertion, deletion, exchange, and the swap of two neighbours.
+/// Edit distance (Damerau–Levenshtein): insertions, deletions, replacements and swaps of neighbours.
 fn distance(a: &str, b: &str) -> usize {
     let a: Vec<char> = a.chars().flat_map(char::to_lowercase).collect();
     let b: Vec<char> = b.chars().flat_map(char::to_lowercase).collect();

@@ -1,4 +1,4 @@
-//! What a model says, for people.
+//! Summary of a model as text.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use crate::check::singular_points;
 use crate::model::{FrameKind, Model, Parameter};
 use crate::source::LineStarts;
 
-/// A summary of a model: states, constants with their units, forces, limits, singular points, effects.
+/// Summary of a model as text: states, parameters with units, forces, limits, singular points, effects.
 pub fn summary(model: &Model) -> String {
     let mut out = String::new();
     let _ = write(&mut out, model);
@@ -192,7 +192,7 @@ fn first(doc: &str) -> &str {
     doc.lines().next().unwrap_or("")
 }
 
-/// A number as people write it, with its unit.
+/// A number with its unit as text; a pure number has none.
 pub fn with_unit(value: f64, unit: &str) -> String {
     let small = value != 0.0 && value.abs() < 1e-3;
     let number = if small {

@@ -1,13 +1,12 @@
-//! Units as eight exponents: the seven of the SI and the plane angle.
+//! Units of measure as exponents of the seven SI base units and of the radian.
 //!
-//! The angle is carried so that messages can say `rad/s`, but it never decides whether two units agree:
-//! the radian is 1, as in the SI.
+//! The radian is kept so that messages can say `rad/s`; whether two units agree does not depend on it, as in the SI.
 
 use std::fmt;
 
 pub mod symbol;
 
-/// Index of an exponent in [`Unit`].
+/// A base unit: position of its exponent in [`Unit::doubled`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
 pub enum Base {
@@ -21,42 +20,42 @@ pub enum Base {
     Radian,
 }
 
-/// A unit of measure: exponents of the base units, doubled so that square roots stay whole.
+/// A unit of measure: twice the exponents of the base units, so that square roots stay integers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unit {
-    /// Twice the exponent of each [`Base`], in its order.
+    /// Twice the exponent of each [`Base`] unit, in the order of the enum.
     pub doubled: [i8; 8],
 }
 
-/// How the base units are written, in the order of [`Base`].
+/// Symbols of the base units, in the order of [`Base`].
 const SYMBOLS: [&str; 8] = ["m", "kg", "s", "A", "K", "mol", "cd", "rad"];
 
-/// The order in which a person writes the base units of a product.
+/// Order in which the base units of a product are written: kg before m.
 const WRITTEN: [usize; 8] = [1, 0, 2, 3, 4, 5, 6, 7];
 
 impl Unit {
-    /// The pure number.
+    /// Dimensionless.
     pub const ONE: Unit = Unit { doubled: [0; 8] };
-    /// Metre.
+    /// Metre, m.
     pub const METRE: Unit = Unit::of([1, 0, 0, 0, 0, 0, 0, 0]);
-    /// Kilogram.
+    /// Kilogram, kg.
     pub const KILOGRAM: Unit = Unit::of([0, 1, 0, 0, 0, 0, 0, 0]);
-    /// Second.
+    /// Second, s.
     pub const SECOND: Unit = Unit::of([0, 0, 1, 0, 0, 0, 0, 0]);
-    /// Radian.
+    /// Radian, rad.
     pub const RADIAN: Unit = Unit::of([0, 0, 0, 0, 0, 0, 0, 1]);
-    /// Metre per second.
+    /// Metre per second, m/s.
     pub const SPEED: Unit = Unit::of([1, 0, -1, 0, 0, 0, 0, 0]);
-    /// Radian per second.
+    /// Radian per second, rad/s.
     pub const RATE: Unit = Unit::of([0, 0, -1, 0, 0, 0, 0, 1]);
-    /// Newton.
+    /// Newton, kg m/s².
     pub const NEWTON: Unit = Unit::of([1, 1, -2, 0, 0, 0, 0, 0]);
-    /// Newton metre.
+    /// Newton metre, kg m²/s².
     pub const NEWTON_METRE: Unit = Unit::of([2, 1, -2, 0, 0, 0, 0, 0]);
-    /// Kilogram square metre.
+    /// Kilogram square metre, kg m².
     pub const INERTIA: Unit = Unit::of([2, 1, 0, 0, 0, 0, 0, 0]);
 
-    /// A unit by its exponents, in the order of [`Base`].
+    /// The unit with these exponents, in the order of [`Base`].
     pub const fn of(exponents: [i8; 8]) -> Unit {
         let mut doubled = [0; 8];
         let mut i = 0;
@@ -67,7 +66,7 @@ impl Unit {
         Unit { doubled }
     }
 
-    /// The unit of a product; none if an exponent leaves the range.
+    /// Unit of a product; none if an exponent overflows.
     pub fn checked_mul(self, other: Unit) -> Option<Unit> {
         let mut doubled = [0; 8];
         for (i, d) in doubled.iter_mut().enumerate() {
@@ -76,17 +75,17 @@ impl Unit {
         Some(Unit { doubled })
     }
 
-    /// The unit of a quotient; none if an exponent leaves the range.
+    /// Unit of a quotient; none if an exponent overflows.
     pub fn checked_div(self, other: Unit) -> Option<Unit> {
         self.checked_mul(other.checked_powi(-1)?)
     }
 
-    /// The unit of a whole power; none if an exponent leaves the range.
+    /// Unit of an integer power; none if an exponent overflows.
     pub fn checked_powi(self, n: i32) -> Option<Unit> {
         self.checked_pow_half(n.checked_mul(2)?)
     }
 
-    /// The unit of the power `twice / 2`; none if that is no half power or leaves the range.
+    /// Unit of the power `twice / 2`; none if an exponent is no multiple of 1/2 or overflows.
     pub fn checked_pow_half(self, twice: i32) -> Option<Unit> {
         let mut doubled = [0; 8];
         for (i, d) in doubled.iter_mut().enumerate() {
@@ -99,17 +98,17 @@ impl Unit {
         Some(Unit { doubled })
     }
 
-    /// Whether both measure the same kind of quantity; the radian counts as 1.
+    /// Whether two units have the same dimension; the radian counts as 1.
     pub fn agrees(self, other: Unit) -> bool {
         self.doubled[..7] == other.doubled[..7]
     }
 
-    /// Whether it is a pure number (or an angle).
+    /// Whether the unit is dimensionless; an angle is.
     pub fn is_pure(self) -> bool {
         self.agrees(Unit::ONE)
     }
 
-    /// Without the radian, unless it is an angle or a rate of one: `m*rad/s²` is plainly `m/s²`.
+    /// The unit without the radian (`m*rad/s²` becomes `m/s²`), unless it is an angle or an angular rate.
     #[must_use]
     pub fn tidy(self) -> Unit {
         let mut tidied = self;
@@ -120,7 +119,7 @@ impl Unit {
         tidied
     }
 
-    /// For people: `kg·m²/s²`.
+    /// Text with dots and superscripts: `kg·m²/s²`.
     pub fn pretty(self) -> String {
         self.written("·", |twice| {
             if twice % 2 == 0 {
@@ -131,7 +130,7 @@ impl Unit {
         })
     }
 
-    /// The SI's own name where there is one: `N` for `kg·m/s²`.
+    /// Symbol of the derived SI unit, if there is one: `N` for `kg·m/s²`.
     pub fn named(self) -> Option<&'static str> {
         let unit = self.tidy();
         [("N", Unit::NEWTON), ("N·m", Unit::NEWTON_METRE)]
@@ -145,7 +144,7 @@ impl Unit {
             .map(|(name, _)| name)
     }
 
-    /// What kind of quantity it measures, in one word or two, where people have a name for it.
+    /// Name of the quantity that it measures, singular and plural (`a length`, `lengths`), if it has a common one.
     pub fn quantity(self) -> Option<(&'static str, &'static str)> {
         const NAMES: [([i8; 3], &str, &str); 18] = [
             ([1, 0, 0], "a length", "lengths"),
@@ -180,7 +179,7 @@ impl Unit {
             .map(|&(_, one, many)| (one, many))
     }
 
-    /// With the SI's name and the base units: `N = kg·m/s²`, or just `m/s²`.
+    /// Text with the derived SI unit and the base units: `N = kg·m/s²`, or just `m/s²`.
     pub fn explained(self) -> String {
         let tidy = self.tidy();
         match self.named() {
@@ -189,7 +188,7 @@ impl Unit {
         }
     }
 
-    /// Numerator over denominator, with `times` between factors.
+    /// Text of numerator over denominator; `times` separates factors, `power` writes an exponent.
     fn written(self, times: &str, power: impl Fn(i8) -> String) -> String {
         let side = |sign: i8| -> Vec<String> {
             WRITTEN
@@ -221,7 +220,7 @@ impl Unit {
     }
 }
 
-/// As the language reads it: `kg*m^2/s^2`.
+/// Text in the notation of model files: `kg*m^2/s^2`.
 impl fmt::Display for Unit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.written("*", |twice| {
@@ -234,7 +233,7 @@ impl fmt::Display for Unit {
     }
 }
 
-/// A whole number in superscript digits.
+/// An integer in superscript digits: `⁻²`.
 pub fn superscript(n: i32) -> String {
     n.to_string()
         .chars()

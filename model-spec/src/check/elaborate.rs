@@ -7,10 +7,10 @@ use crate::model::{Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 use crate::unit::{Unit, symbol};
 
-/// The greatest power, doubled.
-const MOST_DOUBLED: f64 = 128.0;
+/// Twice the greatest exponent of a power.
+const MAX_DOUBLED_EXPONENT: f64 = 128.0;
 
-/// An expression whose unit is filled in at the end.
+/// An expression; its unit is computed by [`Checker::finish`].
 pub(super) fn node(kind: ExprKind, shape: Shape, span: Span) -> Expr {
     Expr {
         kind,
@@ -25,7 +25,7 @@ impl UnitOf {
         UnitOf::Term(Term::known(unit))
     }
 
-    /// As a factor: a bare 0 counts as a pure number there.
+    /// Unit as a factor of a product, where a literal 0 is dimensionless; none if it is at fault.
     pub fn factor(&self) -> Option<Term> {
         match self {
             UnitOf::Term(term) => Some(term.clone()),
@@ -36,7 +36,7 @@ impl UnitOf {
 }
 
 impl Checker<'_> {
-    /// Resolves an expression; none where it is at fault other than by its units.
+    /// Resolves an expression; none if it has a fault other than of units.
     pub fn elaborate(&mut self, e: &ast::Expr) -> Option<Typed> {
         match &e.kind {
             ast::ExprKind::Number(q) => self.literal(q, e.span),
@@ -192,7 +192,7 @@ impl Checker<'_> {
         self.in_range(a.times_power(&b, power), span)
     }
 
-    /// A unit, or a fault where its exponents have left the range.
+    /// A unit; reports a fault if its exponents are out of range.
     pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
         match term {
             Some(term) if term.has_unknowns() || term.unit().is_some() => UnitOf::Term(term),
@@ -222,7 +222,7 @@ impl Checker<'_> {
             return None;
         };
         let doubled = value * 2.0;
-        if doubled.fract() != 0.0 || doubled.abs() > MOST_DOUBLED || !doubled.is_finite() {
+        if doubled.fract() != 0.0 || doubled.abs() > MAX_DOUBLED_EXPONENT || !doubled.is_finite() {
             let message = format!(
                 "the exponent `{}` is not one of the powers that can be taken",
                 self.text(exponent.span)
@@ -253,7 +253,7 @@ impl Checker<'_> {
         })
     }
 
-    /// Reports `5 m/s`, which reads as `(5 m)/s`, where `s` is no name.
+    /// Whether an expression is like `5 m/s`, read as `(5 m)/s`, with no variable `s`; reports it.
     fn unit_in_pieces(&mut self, e: &ast::Expr) -> bool {
         if self.literal_with_units(e) != Some(true) {
             return false;
@@ -270,7 +270,7 @@ impl Checker<'_> {
         true
     }
 
-    /// For a product of a number with a unit and of what could be units: whether one of those is no name.
+    /// For a product of a literal with a unit and of names of units: whether one of the names is not defined. Else none.
     fn literal_with_units(&self, e: &ast::Expr) -> Option<bool> {
         match &e.kind {
             ast::ExprKind::Number(q) => q.unit.as_ref().map(|_| false),
@@ -291,7 +291,7 @@ impl Checker<'_> {
     }
 }
 
-/// The value of an expression of numbers alone.
+/// Value of an expression that consists of literals alone.
 fn constant(e: &ast::Expr) -> Option<f64> {
     match &e.kind {
         ast::ExprKind::Number(q) if q.unit.is_none() => q.number.text.parse().ok(),

@@ -1,4 +1,4 @@
-//! Named quantities, forces, moments, stated equations and what is observed.
+//! Auxiliary variables, forces, moments, stated equations and the measurement equation.
 
 use std::collections::{HashMap, HashSet};
 

@@ -1,4 +1,4 @@
-//! Faults of units in words: what each side is, and how that came about.
+//! Messages about units: the unit of each operand and the declarations it follows from.
 
 use super::term::Term;
 use super::{Checker, Typed, UnitOf};
@@ -6,11 +6,11 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind};
 use crate::unit::Unit;
 
-/// At most this many declarations are shown with a fault.
-const MOST_LABELS: usize = 8;
+/// Number of declarations that are shown with a fault.
+const MAX_LABELS: usize = 8;
 
-/// At most this many names are looked at.
-const MOST_LEAVES: usize = 64;
+/// Number of names of an expression that an explanation considers.
+const MAX_LEAVES: usize = 64;
 
 /// A name or a number in an expression, with its unit.
 struct Leaf {
@@ -147,7 +147,7 @@ impl Checker<'_> {
                     if !alone {
                         fault = self.unit_or_name(fault, &leaf);
                     }
-                } else if shown.len() < MOST_LABELS
+                } else if shown.len() < MAX_LABELS
                     && !shown.contains(&leaf.span)
                     && leaf.span != fault.span
                 {
@@ -231,7 +231,7 @@ impl Checker<'_> {
                 return;
             }
         };
-        if out.len() < MOST_LEAVES && !out.iter().any(|l| l.name == name) {
+        if out.len() < MAX_LEAVES && !out.iter().any(|l| l.name == name) {
             out.push(Leaf {
                 name,
                 term,

@@ -7,8 +7,8 @@ use crate::model::{self, FrameKind};
 use crate::suggest;
 use crate::syntax::ast::{self, ItemKind, Name};
 
-/// Far more than any body needs.
-const MOST_FRAMES: usize = 100;
+/// Number of frames of a model.
+const MAX_FRAMES: usize = 100;
 
 impl<'a> Checker<'a> {
     fn declared_frames(&self) -> impl Iterator<Item = &'a ast::Frame> + use<'a> {
@@ -23,8 +23,8 @@ impl<'a> Checker<'a> {
     pub fn frame_names(&mut self) {
         let mut inertial: Option<&Name> = None;
         for (count, frame) in self.declared_frames().enumerate() {
-            if count == MOST_FRAMES {
-                let message = format!("a model has at most {MOST_FRAMES} frames");
+            if count == MAX_FRAMES {
+                let message = format!("a model has at most {MAX_FRAMES} frames");
                 self.report(Diagnostic::new(Kind::Limit, frame.name.span, message));
                 break;
             }

@@ -1,7 +1,7 @@
-//! From tree to model: names, shapes, frames, units and singular points.
+//! Semantic analysis, from syntax tree to model: names, shapes, frames, units and singular points.
 //!
-//! Everything is checked on the vector tree as it was written, before anything is simplified. A part that
-//! is at fault is reported once and left out; what uses it is not reported again.
+//! Everything is checked on the vector expressions as written, before any simplification. A statement at fault is reported
+//! once and omitted; statements that use it are not reported again.
 
 mod attitude;
 mod body;
@@ -34,17 +34,16 @@ use term::{Term, Units};
 
 pub use singular::{SingularPoint, nonzero_constants, singular_points};
 
-/// What came of checking a file.
+/// Result of [`check`](fn@check).
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// The model, where there are no faults or only faults of units, so that what can be said about a
-    /// model with wrong units can still be said.
+    /// The model, if there are no faults other than of units.
     pub model: Option<Model>,
-    /// What is wrong, in the order of the places.
+    /// Faults, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Checks a file; `sources` are the texts that its places refer to.
+/// Checks a syntax tree; `sources` are the texts that its spans refer to.
 pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
     if file.items.is_empty() {
         let fault = Diagnostic::new(Kind::Missing, file.end, "the file declares nothing").help(
@@ -96,34 +95,34 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
     }
 }
 
-/// What is known about the unit of an expression while it is being checked.
+/// Unit of an expression during the check.
 #[derive(Clone, Debug)]
 enum UnitOf {
-    /// This, perhaps with unknowns.
+    /// A unit, perhaps with unknown factors.
     Term(Term),
-    /// A bare 0, which fits every unit.
+    /// Any unit: the expression is a literal 0 without a unit.
     Zero,
-    /// At fault, and reported.
+    /// Inconsistent; the fault has been reported.
     Faulty,
 }
 
-/// An expression whose names, shapes and frames are right.
+/// An expression with resolved names, consistent shapes and frames, and its unit as far as known.
 #[derive(Clone, Debug)]
 struct Typed {
     expr: model::Expr,
     unit: UnitOf,
 }
 
-/// What has become of a `let`.
+/// State of the definition of an auxiliary variable.
 #[derive(Clone, Debug)]
 enum Definition {
-    /// Not yet reached, or at fault.
+    /// Not yet checked, or at fault.
     Missing,
     /// Index into [`Model::aux_variables`], shape and unit.
     Done(usize, model::Shape, UnitOf),
 }
 
-/// Everything that is known while a file is checked.
+/// State of the check of one file.
 struct Checker<'a> {
     file: &'a ast::File,
     sources: &'a [Source],
@@ -140,15 +139,15 @@ struct Checker<'a> {
     let_units: Vec<UnitOf>,
     /// Whether each of [`Model::aux_variables`] changes during a flight.
     varies: Vec<bool>,
-    /// Statements that define a quantity: all `let`s, then one for every `der(…)` that is used.
+    /// Definitions: all `let`s, then one for every `der(…)` used in an expression.
     definitions: Vec<Definition>,
-    /// Where each unknown unit was first used, by the unknown's number.
+    /// First use of each constant of unknown unit, by the index of the unknown.
     first_uses: Vec<Option<Span>>,
-    /// Definitions of the derivatives of states, by the state: the `der(…)` that are used.
+    /// For each state whose `der(…)` is used in an expression, the index of its definition.
     derivatives: HashMap<usize, usize>,
-    /// How many states are the body's; those that are declared come after them.
+    /// Number of states of the body; declared states follow them.
     of_body: usize,
-    /// Body, where one is declared (even a faulty one).
+    /// The body, if one is declared, even if it is at fault.
     declared_body: Option<&'a ast::Body>,
 }
 
@@ -183,12 +182,12 @@ impl<'a> Checker<'a> {
         self.diagnostics.push(fault);
     }
 
-    /// Whether nothing but units is wrong so far.
+    /// Whether there are no faults other than of units so far.
     fn sound(&self) -> bool {
         self.diagnostics.iter().all(|d| d.kind == Kind::Unit)
     }
 
-    /// A place as it was written, on one line.
+    /// Source text of a span, on one line.
     fn text(&self, span: Span) -> String {
         let raw = self
             .sources
@@ -200,7 +199,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// A text without brackets around the whole of it.
+/// A text without brackets that enclose all of it.
 fn unwrapped(text: &str) -> &str {
     let Some(inner) = text.strip_prefix('(').and_then(|t| t.strip_suffix(')')) else {
         return text;

@@ -5,18 +5,18 @@ use crate::diagnostic::{Diagnostic, Kind};
 use crate::syntax::ast::{Number, UnitExpr};
 use crate::unit::{Unit, symbol};
 
-/// A unit as it was written: its exponents, and how much of the SI's one of it is.
+/// A unit of a literal: its dimension and its conversion factor to the SI.
 #[derive(Clone, Debug)]
 pub(super) struct Measure {
     pub unit: Unit,
     pub factor: f64,
     pub exact: Option<(i128, i128)>,
-    /// As it was written, or the SI's unit where a factor has been taken into the value.
+    /// Its text as written, or that of the SI unit if a factor has been applied to the value.
     pub text: String,
 }
 
 impl Measure {
-    /// The pure number.
+    /// The unit of a pure number.
     pub fn one() -> Measure {
         Measure {
             unit: Unit::ONE,
@@ -26,17 +26,17 @@ impl Measure {
         }
     }
 
-    /// SI value of a number in this unit, and as a fraction where it is one.
+    /// SI value of a number in this unit, and the exact fraction if it is one.
     pub fn of(&self, number: &Number) -> (f64, Option<(i64, i64)>) {
         let decimal = number.text.parse::<f64>().unwrap_or(0.0);
         let exact = self.exact.and_then(|(above, below)| {
             let (n, d) = fraction(&number.text)?;
             reduced(n.checked_mul(above)?, d.checked_mul(below)?)
         });
-        const WHOLE: u64 = 1 << 53;
+        const MAX_EXACT: u64 = 1 << 53;
         let value = match exact {
             // The quotient of two whole numbers that are exact in binary is rounded once only.
-            Some((n, d)) if n.unsigned_abs() <= WHOLE && d.unsigned_abs() <= WHOLE => {
+            Some((n, d)) if n.unsigned_abs() <= MAX_EXACT && d.unsigned_abs() <= MAX_EXACT => {
                 n as f64 / d as f64
             }
             _ => decimal * self.factor,
@@ -79,7 +79,7 @@ fn reduced(above: i128, below: i128) -> Option<(i64, i64)> {
 }
 
 impl Checker<'_> {
-    /// What a unit means; none (and a fault) where a symbol is unknown.
+    /// Meaning of a unit; none, with a fault, if a symbol is unknown.
     pub fn measure(&mut self, unit: &UnitExpr) -> Option<Measure> {
         let mut out = Measure::one();
         for factor in &unit.factors {

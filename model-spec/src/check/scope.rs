@@ -1,4 +1,4 @@
-//! Names and what they stand for.
+//! Symbol table of a model.
 
 use std::collections::HashMap;
 
@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 use crate::syntax::ast::Name;
 
-/// What a name stands for.
+/// Meaning of a name, with its index in the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symbol {
     Param(usize),
@@ -21,7 +21,7 @@ pub(super) enum Symbol {
     Marker,
 }
 
-/// All names of a model.
+/// Names of values and of frames, with the spans of their declarations.
 #[derive(Default)]
 pub(super) struct Scope {
     values: HashMap<String, (Symbol, Span)>,
@@ -30,10 +30,10 @@ pub(super) struct Scope {
     order: Vec<String>,
 }
 
-/// Names that belong to the language and cannot be declared.
+/// Names that cannot be declared.
 pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
 
-/// Names that a body provides; where there is none they are free.
+/// Names defined by a body; they can be declared in models without one.
 pub(super) const OF_BODY: [&str; 3] = ["position", "velocity", "angular_velocity"];
 
 /// Functions of the language.
@@ -57,7 +57,7 @@ impl Scope {
 }
 
 impl Checker<'_> {
-    /// Gives a name its meaning; false (and a fault) where it has one already.
+    /// Defines a name; reports a fault and returns false if it is already defined or reserved.
     pub fn define(&mut self, name: &Name, symbol: Symbol) -> bool {
         self.define_as(&name.text, name.span, symbol)
     }
@@ -114,7 +114,7 @@ impl Checker<'_> {
         true
     }
 
-    /// The frame of a name, or a fault.
+    /// Index of a frame by name; none, with a fault, if there is no such frame.
     pub fn frame_of(&mut self, name: &Name) -> Option<usize> {
         self.frame_named(&name.text, name.span)
     }
@@ -143,7 +143,7 @@ impl Checker<'_> {
         None
     }
 
-    /// The known name that was probably meant. Looked for only while faults are still shown.
+    /// The defined name nearest to a misspelt one; looked up only while faults are shown.
     pub fn nearest(&self, wrong: &str) -> Option<String> {
         if self.diagnostics.len() >= MAX_SHOWN {
             return None;

@@ -4,18 +4,18 @@ use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Model};
 
-/// A place of a model where a function is singular, and how the model behaves there.
+/// An expression that is singular for some values, with its stated behaviour there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SingularPoint {
-    /// Where it is written.
+    /// Source span of the expression.
     pub span: Span,
-    /// The expression as written.
+    /// Source text of the expression.
     pub text: String,
-    /// When it is reached, and what happens then.
+    /// Condition of the singularity, and the value or derivative there.
     pub what: String,
 }
 
-/// What is known about the sign of an expression.
+/// Sign of an expression, as far as known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Sign {
     Unknown,
@@ -51,7 +51,7 @@ impl Sign {
     }
 }
 
-/// Signs of the named quantities, computed once.
+/// Signs of the auxiliary variables, computed once.
 struct Signs<'m> {
     model: &'m Model,
     lets: Vec<Sign>,
@@ -127,7 +127,7 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// The least and the greatest value of sums and products of bounded constants.
+    /// Interval of values of sums and products of bounded parameters.
     fn range(&self, e: &Expr) -> Option<(f64, f64)> {
         use ExprKind as K;
         match &e.kind {
@@ -168,7 +168,7 @@ impl<'m> Signs<'m> {
     }
 }
 
-/// Whether an expression is one that a limit keeps above a bound of 0 or more.
+/// Whether a validity limit keeps an expression above a bound of 0 or more.
 pub(super) fn limited(model: &Model, e: &Expr) -> bool {
     model.limits.iter().filter(|l| l.bound >= 0.0).any(|limit| {
         let (a, b) = (named(model, e), named(model, &limit.value));
@@ -176,7 +176,7 @@ pub(super) fn limited(model: &Model, e: &Expr) -> bool {
     })
 }
 
-/// What a name stands for, one step.
+/// Definition of an auxiliary variable, or the expression itself.
 fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     match &e.kind {
         ExprKind::AuxVariable(i) => model.aux_variables.get(*i).map_or(e, |l| &l.value),
@@ -207,7 +207,7 @@ fn walk<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     e.children(&mut |child| walk(child, visit));
 }
 
-/// What an expression divides by, if it does: a divisor, the base of a negative power.
+/// The divisor of a quotient, or the base of a negative power.
 fn divisor(e: &Expr) -> Option<&Expr> {
     match &e.kind {
         ExprKind::Div(_, b) => Some(b),
@@ -217,7 +217,7 @@ fn divisor(e: &Expr) -> Option<&Expr> {
 }
 
 impl Checker<'_> {
-    /// Reports divisions by what may be zero, and tangents without a limit.
+    /// Reports divisors that may be zero, and tangents whose cosine no limit keeps from zero.
     pub fn singularities(&mut self) {
         let mut faults: Vec<Diagnostic> = Vec::new();
         let signs = Signs::new(&self.model);
@@ -272,7 +272,7 @@ impl Checker<'_> {
         fault
     }
 
-    /// A constant whose default is 0 and that is divided by.
+    /// The fault of a divisor with a parameter whose default is 0.
     fn zero_default(&self, divisor: &Expr) -> Option<Diagnostic> {
         let mut found = None;
         factors(divisor, &mut |factor| {
@@ -307,8 +307,8 @@ fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     }
 }
 
-/// Parameters and coefficients that a model divides by: they must not be 0 when they are given.
-/// First indices into [`Model::params`], then into [`Model::coefficients`].
+/// Parameters that a model divides by, so that a value of 0 must be refused: indices into [`Model::params`], then into
+/// [`Model::coefficients`].
 pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
     let (mut params, mut coefficients) = (Vec::new(), Vec::new());
     let mut lets = vec![false; model.aux_variables.len()];
@@ -320,7 +320,7 @@ pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
             _ => {}
         });
     };
-    // The equations of motion divide by mass and moments of inertia.
+    // The equations of motion divide by the mass and the moments of inertia.
     if let Some(body) = &model.body {
         look(&body.mass, &mut lets);
         if let Some(rotation) = &body.rotation {
@@ -347,7 +347,7 @@ pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
     (params, coefficients)
 }
 
-/// Where a model is singular, and what happens there, in the order of the places.
+/// Singular points of a model with their stated behaviour, in the order of their source spans.
 pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
     let signs = Signs::new(model);
     let text = |span: Span| {

@@ -7,7 +7,7 @@ use crate::model::{ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 
 impl Checker<'_> {
-    /// `a + b - c …`, looked at as one sum so that one misfit gives one message.
+    /// `a + b - c …`, checked as one sum so that one wrong term gives one message.
     pub fn sum(&mut self, e: &ast::Expr) -> Option<Typed> {
         // Terms from the left, each with the operator before it and the place of the sum so far.
         let mut terms: Vec<(BinaryOp, &ast::Expr, Span)> = Vec::new();
@@ -47,7 +47,7 @@ impl Checker<'_> {
         Some(Typed { expr: sum?, unit })
     }
 
-    /// The shape of all terms; none (and a fault) where they differ.
+    /// Common shape of all terms; none, with a fault, if they differ.
     pub fn same_shape(&mut self, terms: &[Typed], span: Span) -> Option<Shape> {
         let first = terms.first()?;
         let Some(other) = terms.iter().find(|t| t.expr.shape != first.expr.shape) else {
@@ -100,7 +100,7 @@ impl Checker<'_> {
             ))
     }
 
-    /// The unit of all; where they differ they are reported in one fault.
+    /// Common unit of expressions; if they differ, one fault reports all.
     pub fn same_unit(&mut self, terms: &[Typed], span: Span, rule: &str) -> UnitOf {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         let mut faulty = false;

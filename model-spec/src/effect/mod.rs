@@ -1,4 +1,4 @@
-//! Effects: changes to a model, stated once and applied to its tree.
+//! Effects: named changes to a model, applied to its syntax tree.
 
 mod replace;
 
@@ -10,25 +10,24 @@ use crate::syntax::ast::{
 
 pub(crate) use replace::PREVIOUS;
 
-/// Where an effect can act.
+/// Sites: the parts of a model that an effect can change (`site NAME;`).
 pub const SITES: [&str; 15] = [
     "lift", "drag", "side", "roll", "pitch", "spin", "wind", "gravity", "vertical", "scale",
     "clock", "marker", "inertia", "noise", "unknown",
 ];
 
-/// On what an effect can depend, in words.
+/// Variables that an effect can depend on (`variables NAME, …;`).
 pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];
 
-/// Every statement of an effect is looked for in the whole model.
-const MOST_PARTS: usize = 500;
+/// Number of statements of an effect; each is searched for in the whole model.
+const MAX_STATEMENTS: usize = 500;
 
-/// Applies an effect: the file as it is with the effect in it. Its coefficients come last.
+/// A file with an effect applied; the statements that it adds come last.
 ///
-/// In a `replace` the name `previous` stands for what is replaced, as it was, so that effects on one
-/// quantity add up. One that does not use it would undo an effect that was applied before, and is refused
-/// then.
+/// In a `replace` the name `previous` stands for the definition that is replaced, so that effects on one quantity add up.
+/// A `replace` without `previous` is a fault if an effect applied before replaces the same quantity.
 pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     let mut change = Change {
         file: file.clone(),
@@ -38,8 +37,8 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
         diagnostics: Vec::new(),
     };
     change.is_for_this_model(effect);
-    if effect.parts.len() > MOST_PARTS {
-        let message = format!("an effect has at most {MOST_PARTS} statements");
+    if effect.parts.len() > MAX_STATEMENTS {
+        let message = format!("an effect has at most {MAX_STATEMENTS} statements");
         change
             .diagnostics
             .push(Diagnostic::new(Kind::Limit, effect.name.span, message));
@@ -110,12 +109,12 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     }
 }
 
-/// A file that is being changed by an effect.
+/// The application of one effect to a file.
 struct Change<'a> {
     file: File,
     index: usize,
     name: &'a Name,
-    /// What this effect has replaced already.
+    /// Statements that this effect has replaced so far, with their spans.
     replaced: Vec<(String, Span)>,
     diagnostics: Vec<Diagnostic>,
 }
@@ -202,7 +201,7 @@ impl Change<'_> {
         }
     }
 
-    /// Whether the file has this very input already: effects that declare the same one share it.
+    /// Whether the file declares an equal input; effects that declare equal inputs share one.
     fn has_input(&self, item: &Item) -> bool {
         let ItemKind::Input(wanted) = &item.kind else {
             return false;
@@ -236,7 +235,7 @@ impl Change<'_> {
     }
 }
 
-/// Whether two inputs have the same name, frame, unit and default.
+/// Whether two inputs have equal names, frames, units and defaults.
 fn same_input(a: &Input, b: &Input) -> bool {
     let unit = |input: &Input| input.unit.as_ref().map(ToString::to_string);
     let numbers = |input: &Input| {

@@ -1,4 +1,4 @@
-//! What an effect replaces: the old definition put in where the new one says `previous`.
+//! `replace` statements of effects: the old definition takes the place of `previous` in the new one.
 
 use super::Change;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
@@ -66,7 +66,7 @@ impl Change<'_> {
         if let (Some(before), Some(expr)) = (old.kind.value(), new.kind.value_mut()) {
             let mut nodes = 0;
             put_in(expr, before, &mut nodes, &mut uses_old);
-            if nodes > MAX_NODES || (uses_old && height(expr) > syntax::HIGHEST) {
+            if nodes > MAX_NODES || (uses_old && height(expr) > syntax::MAX_HEIGHT) {
                 let message = format!("this replacement makes {key} too long");
                 self.diagnostics
                     .push(Diagnostic::new(Kind::Limit, span, message));
@@ -94,7 +94,7 @@ impl Change<'_> {
         self.file.items[at] = new;
     }
 
-    /// A model that states no clock is measured by one that keeps to the seconds of the flight.
+    /// Adds the clock of rate 1 to a model that states none.
     fn own_clock(&mut self, span: Span) {
         let items = &mut self.file.items;
         if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {
@@ -167,7 +167,7 @@ impl Change<'_> {
     }
 }
 
-/// The name that stands for the definition that is replaced.
+/// Name of the replaced definition in a `replace`.
 pub(crate) const PREVIOUS: &str = "previous";
 
 /// Replaces the name `previous` in an expression by the old definition; stops at [`MAX_NODES`] nodes.
@@ -200,7 +200,7 @@ fn height(e: &Expr) -> u32 {
     1 + highest
 }
 
-/// What a replacement is called in a message.
+/// A replaced statement as messages name it.
 fn key(kind: &ItemKind) -> String {
     match kind {
         ItemKind::Let(l) => format!("quantity `{}`", l.name.text),

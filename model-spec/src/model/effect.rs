@@ -1,21 +1,21 @@
-//! Effects of a checked model: those that are switched on, and those that could be.
+//! Effects of a checked model: those that are applied, and those that its file offers.
 
 #[cfg(doc)]
 use crate::model::Model;
 use crate::source::Span;
 
-/// An effect that has been switched on.
+/// An effect that has been applied to a model.
 #[derive(Clone, Debug)]
 pub struct AppliedEffect {
-    /// Name, with underscores.
+    /// Name, words separated by underscores.
     pub name: String,
-    /// Its `///` lines.
+    /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Where it acts: lift, drag, side, roll, pitch, spin, wind, …
+    /// Part of the model that it changes: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// On what it depends, in words of [`VARIABLES`](crate::VARIABLES); empty where it does not say.
+    /// Variables it depends on, of [`VARIABLES`](crate::VARIABLES); empty if it states none.
     pub variables: Vec<String>,
-    /// Where it is described, as the effect cites it; empty where it cites nothing.
+    /// Literature reference of its `source` statement; empty if there is none.
     pub citation: String,
     /// Its coefficients, by index into [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
@@ -23,14 +23,14 @@ pub struct AppliedEffect {
     pub states: Vec<EffectUnknown>,
 }
 
-/// An effect that can be switched on by its name.
+/// An effect that a model's file offers by name.
 #[derive(Clone, Debug)]
 pub struct OfferedEffect {
-    /// Name, with underscores.
+    /// Name, words separated by underscores.
     pub name: String,
-    /// Its `///` lines.
+    /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Place of the declaration.
+    /// Source span of its name.
     pub span: Span,
 }
 

@@ -1,10 +1,10 @@
-//! Walking over expressions, and the places of a model in its texts.
+//! Traversal of expressions, and questions about the states and texts of a model.
 
 use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
 use crate::source::Span;
 
 impl Expr {
-    /// Hands each expression directly under this one to `visit`, from left to right.
+    /// Calls `visit` on each direct subexpression, from left to right.
     pub fn children<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
         use ExprKind as K;
         match &self.kind {
@@ -51,7 +51,7 @@ impl Expr {
         }
     }
 
-    /// Hands each expression directly under this one to `visit`, from left to right, to be changed.
+    /// Calls `visit` on each direct subexpression, from left to right, for modification.
     pub fn children_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
         use ExprKind as K;
         match &mut self.kind {
@@ -98,7 +98,7 @@ impl Expr {
         }
     }
 
-    /// Whether two expressions say the same, wherever they were written.
+    /// Whether two expressions are structurally equal; source spans are ignored.
     pub fn same(&self, other: &Expr) -> bool {
         use ExprKind as K;
         let kinds = match (&self.kind, &other.kind) {
@@ -127,15 +127,15 @@ impl Expr {
 }
 
 impl Model {
-    /// A place as it was written, on one line.
+    /// Source text of a span, with whitespace collapsed to one line.
     pub fn text(&self, span: Span) -> String {
         let source = self.sources.get(usize::from(span.source));
         let raw = source.and_then(|s| s.text.get(span.range())).unwrap_or("");
         raw.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// States that a body does not have and that an effect or the model adds to it, and states that effects add
-    /// to stated equations: each starts at its default where a flight does not say otherwise.
+    /// Indices of states that start at their defaults unless a flight sets them: those that are not the body's, and those
+    /// that effects add to stated equations.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects
@@ -148,7 +148,7 @@ impl Model {
             .collect()
     }
 
-    /// Groups of four states that are a quaternion's, whose length is 1.
+    /// Indices of the four states of each attitude quaternion, which has norm 1.
     pub fn quaternions(&self) -> impl Iterator<Item = [usize; 4]> {
         self.frames.iter().filter_map(|frame| match frame.kind {
             FrameKind::Quaternion { states, .. } => Some(states),
@@ -156,7 +156,7 @@ impl Model {
         })
     }
 
-    /// Whether a limit was not stated but follows from the choice of angles.
+    /// Whether a limit is not stated but follows from the singularity of the attitude angles.
     pub fn is_automatic(&self, limit: &ValidityLimit) -> bool {
         self.frames.iter().any(|f| f.span == limit.span)
     }

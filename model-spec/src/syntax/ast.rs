@@ -1,54 +1,54 @@
-//! The tree of a model file as it was written: nothing resolved, every place kept.
+//! Syntax tree of a model file: names unresolved, each node with its source span.
 //!
-//! Fields are public so that other programs can change a model (make mutants of it, apply effects to it)
-//! and have the result checked like any other.
+//! Fields are public so that other crates can change a model (mutants, effects) and check the result with
+//! [`check`](crate::check()).
 
 use crate::source::Span;
 
 /// A file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct File {
-    /// Its `//!` lines.
+    /// Documentation: the `//!` lines.
     pub doc: String,
-    /// Its statements in order; those of applied effects come last.
+    /// Statements in order; those of applied effects come last.
     pub items: Vec<Item>,
-    /// Effects that were applied, in order.
+    /// Applied effects, in order.
     pub applied: Vec<Applied>,
-    /// Where the file ends, for what is missing from it.
+    /// Span of the end of the file, for faults of missing statements.
     pub end: Span,
 }
 
-/// An effect that was applied to a file.
+/// An effect that has been applied to a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Applied {
-    /// Its name.
+    /// Name of the effect.
     pub name: Name,
-    /// Its `///` lines.
+    /// Documentation: its `///` lines.
     pub doc: String,
-    /// Where it acts.
+    /// Name of its site, such as `drag`.
     pub site: String,
-    /// On what it depends, in words.
+    /// Variables it depends on, such as `alpha`.
     pub variables: Vec<String>,
-    /// Where it is described, as the effect cites it.
+    /// Literature reference.
     pub citation: String,
-    /// Departures of its coefficients and states that do not matter in practice.
+    /// Smallest departures of interest of its coefficients and states (`negligible`).
     pub negligible: Vec<(Name, Quantity)>,
 }
 
-/// A statement.
+/// A statement of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
-    /// What it says.
+    /// Kind and content.
     pub kind: ItemKind,
-    /// The `///` lines before it.
+    /// Documentation: the `///` lines before it.
     pub doc: String,
-    /// From its first word to its end.
+    /// Source span from its first word to its end.
     pub span: Span,
-    /// The applied effect that put it there: index into [`File::applied`].
+    /// Index into [`File::applied`] of the effect that added or replaced it.
     pub effect: Option<usize>,
 }
 
-/// The kinds of statement.
+/// Kinds of statement of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ItemKind {
     /// `model NAME;`
@@ -85,41 +85,41 @@ pub enum ItemKind {
     Effect(Effect),
 }
 
-/// A name in its plain spelling (`alpha` for `α`).
+/// A name in ASCII spelling (`alpha` for `α`).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// The plain spelling.
+    /// The ASCII spelling.
     pub text: String,
-    /// Where it was written.
+    /// Source span.
     pub span: Span,
 }
 
-/// A number as it was written, with its sign.
+/// A literal number with its sign, as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Number {
-    /// Digits, point and exponent, as Rust reads them.
+    /// Sign, digits, point and exponent, in a form that `f64::from_str` reads.
     pub text: String,
-    /// Where.
+    /// Source span.
     pub span: Span,
 }
 
-/// A number and, perhaps, its unit.
+/// A literal number with an optional unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
     /// The number.
     pub number: Number,
-    /// Its unit; none where none was written.
+    /// Its unit, if one is written.
     pub unit: Option<UnitExpr>,
-    /// Both.
+    /// Source span of number and unit.
     pub span: Span,
 }
 
-/// A product of powers of unit symbols; without factors it is `1`.
+/// A unit: a product of powers of unit symbols; without factors it is `1`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitExpr {
-    /// Its factors.
+    /// The powers.
     pub factors: Vec<UnitFactor>,
-    /// Where.
+    /// Source span.
     pub span: Span,
 }
 
@@ -130,116 +130,116 @@ pub struct UnitFactor {
     pub symbol: String,
     /// Twice its exponent.
     pub doubled: i32,
-    /// Where.
+    /// Source span.
     pub span: Span,
 }
 
-/// Whether a constant is known or fitted.
+/// Whether a parameter is a known constant or a coefficient to be estimated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ParameterClass {
-    /// Known: of the body or the place.
+    /// Known constant of the body or its environment (`param`).
     Param,
-    /// What flights are fitted for.
+    /// Estimated from flights (`coefficient`).
     Coefficient,
 }
 
-/// A parameter or a coefficient.
+/// Declaration of a known constant or a coefficient.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Which of the two.
+    /// Known or estimated.
     pub class: ParameterClass,
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// Its default, with its unit.
+    /// Default value, with its unit.
     pub value: Quantity,
-    /// Least and greatest value; in the default's unit where they state none.
+    /// Lower and upper bound; in the unit of the default unless they state one.
     pub bounds: Option<(Quantity, Quantity)>,
 }
 
-/// A vector given with each flight.
+/// Declaration of a vector given with each flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// Its name.
+    /// Name.
     pub name: Name,
     /// Frame of its components.
     pub frame: Name,
     /// Default components.
     pub value: [Number; 3],
-    /// Their unit.
+    /// Unit of the components.
     pub unit: Option<UnitExpr>,
 }
 
-/// A state that is not one of a body.
+/// Declaration of a state that is not the body's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// Its value where a release does not say otherwise, with its unit.
+    /// Default initial value, with its unit.
     pub value: Quantity,
 }
 
-/// A frame.
+/// Declaration of a frame of reference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// How it is placed.
+    /// Orientation relative to its parent.
     pub kind: FrameKind,
 }
 
-/// How a frame is placed.
+/// Orientation of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FrameKind {
-    /// At rest, third axis up.
+    /// Inertial, third axis up.
     Inertial,
-    /// Turned about an axis of its parent.
+    /// Rotated about an axis of its parent.
     Turned {
         /// Parent frame.
         parent: Name,
-        /// The angle's state.
+        /// State that is the angle.
         angle: Name,
-        /// The axis, 1 to 3.
+        /// Number of the axis, 1 to 3.
         axis: u8,
     },
-    /// Turned by a unit quaternion, scalar part first.
+    /// Rotated by a unit quaternion, scalar part first.
     Quaternion {
         /// Parent frame.
         parent: Name,
-        /// Its states.
+        /// States of the quaternion.
         states: [Name; 4],
     },
 }
 
-/// Whether a body turns.
+/// Whether a body rotates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BodyClass {
-    /// `body`: mass and inertia.
+    /// Rigid body with mass and inertia (`body`).
     Rigid,
-    /// `point`: mass alone.
+    /// Point mass (`point`).
     Point,
 }
 
-/// A body.
+/// Declaration of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Rigid or a point.
+    /// Rigid body or point mass.
     pub class: BodyClass,
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// Its statements.
+    /// Statements of the block.
     pub parts: Vec<BodyPart>,
 }
 
-/// A statement about a body.
+/// A statement in the block of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyPart {
-    /// What it says.
+    /// Kind and content.
     pub kind: BodyPartKind,
-    /// Where.
+    /// Source span.
     pub span: Span,
 }
 
-/// The kinds of statement about a body.
+/// Kinds of statement in the block of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodyPartKind {
     /// `mass EXPR;`
@@ -254,136 +254,136 @@ pub enum BodyPartKind {
     Velocity([Name; 3], Name),
     /// `angular velocity (p, q, r) in FRAME;`
     AngularVelocity([Name; 3], Name),
-    /// `angular velocity in FRAME;`: where `angular_velocity` has its components.
+    /// `angular velocity in FRAME;`: the frame of `angular_velocity` in expressions.
     AngularVelocityIn(Name),
 }
 
-/// Moments of inertia.
+/// Inertia tensor of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertia {
-    /// Row by row; none off the diagonal where `diag(…)` was written.
+    /// Entries row by row; none off the diagonal for `diag(…)`.
     pub rows: [[Option<Expr>; 3]; 3],
     /// Frame of the components.
     pub frame: Name,
 }
 
-/// A named quantity.
+/// Declaration of an auxiliary variable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Let {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// The unit it is said to have.
+    /// Declared unit, if any.
     pub unit: Option<UnitExpr>,
-    /// What it is.
+    /// Definition.
     pub value: Expr,
 }
 
-/// Force or moment.
+/// Whether a load is a force or a moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoadClass {
-    /// A force at the mass centre.
+    /// Force at the centre of mass.
     Force,
-    /// A moment about the mass centre.
+    /// Moment about the centre of mass.
     Moment,
 }
 
-/// A force or a moment.
+/// Declaration of a force or a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Load {
-    /// Which of the two.
+    /// Force or moment.
     pub class: LoadClass,
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// What it is.
+    /// Definition.
     pub value: Expr,
 }
 
-/// `der(STATE) = …`
+/// A stated differential equation: `der(STATE) = …`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
     /// The state.
     pub state: Name,
-    /// Its derivative.
+    /// Derivative of the state with respect to time.
     pub value: Expr,
 }
 
-/// A point given by its coordinates in a frame.
+/// Declaration of the observed point, given by its coordinates in a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
-    /// Its name.
+    /// Name.
     pub name: Name,
     /// Frame of its coordinates.
     pub frame: Name,
 }
 
-/// What is observed.
+/// The measurement equation: `observe NAME = …`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observe {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// What it is.
+    /// Definition.
     pub value: Expr,
 }
 
-/// The model holds only where the value is above the bound.
+/// A validity limit: the model holds where the value is above the bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// The value.
+    /// The limited quantity.
     pub value: Expr,
-    /// The bound.
+    /// Lower bound.
     pub bound: Quantity,
-    /// What happens there.
+    /// Why the model ends there.
     pub reason: String,
 }
 
-/// A case with known answers.
+/// A check case with known results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// Its title.
+    /// Title, unique in the file.
     pub title: String,
-    /// Its statements.
+    /// Statements of the block.
     pub parts: Vec<CheckPart>,
 }
 
-/// A statement of a case.
+/// A statement of a check case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CheckPart {
     /// `set NAME = value;`
     Set {
-        /// What is set.
+        /// Parameter, coefficient, state, input or component of one.
         name: Name,
-        /// Its value: one number, or the components of a vector.
+        /// One number, or the three components of a vector.
         value: Vec<Number>,
-        /// Its unit.
+        /// Unit of the numbers.
         unit: Option<UnitExpr>,
-        /// The whole statement.
+        /// Source span of the statement.
         span: Span,
     },
     /// `expect NAME = value within tolerance;`
     Expect {
-        /// A named quantity, or the state of a derivative.
+        /// An auxiliary variable, or the state of a derivative.
         name: Name,
-        /// Whether `der(NAME)` was written.
+        /// Whether the result is `der(NAME)`.
         derivative: bool,
-        /// What must come out.
+        /// Expected value.
         value: Quantity,
-        /// Greatest difference; in the value's unit where it states none.
+        /// Absolute tolerance; in the unit of the value unless it states one.
         within: Quantity,
-        /// The whole statement.
+        /// Source span of the statement.
         span: Span,
     },
 }
 
-/// A change to a model.
+/// An effect: a named change to a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// Its `///` lines.
+    /// Documentation: its `///` lines.
     pub doc: String,
-    /// The models it is made for; any where none is said.
+    /// Names of the models it applies to; empty for any.
     pub on: Vec<Name>,
-    /// Its statements.
+    /// Statements of the block.
     pub parts: Vec<EffectPart>,
 }
 
@@ -394,28 +394,28 @@ pub enum EffectPart {
     Citation(String, Span),
     /// `site NAME;`
     Site(Name),
-    /// `variables NAME, NAME;`: on what the effect depends, in words.
+    /// `variables NAME, NAME;`: what the effect depends on.
     Variables(Vec<Name>, Span),
-    /// `negligible NAME value;`
+    /// `negligible NAME value;`: smallest departure of interest.
     Negligible(Name, Quantity),
-    /// `replace …;`: the statement of the same kind and name is exchanged for this one.
+    /// `replace …;`: takes the place of the statement of the same kind and name.
     Replace(Box<Item>),
     /// `replace inertia … in FRAME;`
     ReplaceInertia(Box<Inertia>, Span),
-    /// A statement that is added.
+    /// A statement that is added to the model.
     Add(Box<Item>),
 }
 
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// What it is.
+    /// Operation or operand.
     pub kind: ExprKind,
-    /// Where, with the brackets around it.
+    /// Source span, including brackets around the expression.
     pub span: Span,
 }
 
-/// Operators between two expressions.
+/// Binary operators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BinaryOp {
     /// `+`
@@ -424,9 +424,9 @@ pub enum BinaryOp {
     Sub,
     /// `*`
     Mul,
-    /// `·`: scalar product of two vectors, else a product.
+    /// `·`: scalar product of two vectors, else multiplication.
     Dot,
-    /// `×`: vector product of two vectors, else a product.
+    /// `×`: vector product of two vectors, else multiplication.
     Cross,
     /// `/`
     Div,
@@ -434,10 +434,10 @@ pub enum BinaryOp {
     Pow,
 }
 
-/// The kinds of expression.
+/// Operations and operands of expressions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
-    /// A number with, perhaps, a unit.
+    /// A literal with an optional unit.
     Number(Quantity),
     /// A name.
     Name(String),
@@ -449,7 +449,7 @@ pub enum ExprKind {
     Components(Box<[Expr; 3]>, Name),
     /// `-a`.
     Neg(Box<Expr>),
-    /// `a + b` and its like.
+    /// A binary operation, such as `a + b`.
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// `f(a, …)`.
     Call(Name, Vec<Expr>),

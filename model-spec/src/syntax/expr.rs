@@ -6,8 +6,8 @@ use super::quantity::superscript_value;
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// How high the tree of one expression may grow; every later stage descends it.
-pub(crate) const HIGHEST: u32 = 200;
+/// Height limit of an expression's tree; every later stage recurses over it.
+pub(crate) const MAX_HEIGHT: u32 = 200;
 
 const SIGN: u8 = 25;
 const POWER: u8 = 31;
@@ -70,8 +70,8 @@ impl Parser<'_> {
 
     /// A tree one level higher, unless that is too high.
     fn grown(&mut self, kind: ExprKind, span: Span, below: u32) -> Read<Tree> {
-        if below + 1 > HIGHEST {
-            let message = format!("this expression has more than {HIGHEST} operations in a row");
+        if below + 1 > MAX_HEIGHT {
+            let message = format!("this expression has more than {MAX_HEIGHT} operations in a row");
             let fault = Diagnostic::new(Kind::Limit, self.behind(), message);
             self.report(fault.help("give parts of it names with `let`"));
             return Err(Reported);

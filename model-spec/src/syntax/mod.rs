@@ -1,7 +1,6 @@
-//! From text to tree: an own lexer, statements by recursive descent, expressions by precedence.
+//! Parser and printer of model files: statements by recursive descent, expressions by precedence.
 //!
-//! A fault is reported once; the parser then goes on at the next statement, so that all faults of a file
-//! come out in one pass.
+//! After a fault the parser continues at the next statement, so that one pass reports all faults of a file.
 
 pub mod ast;
 mod block;
@@ -17,31 +16,31 @@ mod statement;
 pub(crate) mod token;
 mod walk;
 
-pub(crate) use expr::HIGHEST;
+pub(crate) use expr::MAX_HEIGHT;
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::source::{Source, Span};
 
-/// The longest text that is read, in bytes.
+/// Length limit of a source text, bytes.
 pub const MAX_SOURCE_BYTES: usize = 1_000_000;
 
-/// A file that was read, with what was wrong about it.
+/// Result of [`parse`].
 #[derive(Clone, Debug)]
 pub struct Parsed {
-    /// The tree; statements that could not be read are missing from it.
+    /// Syntax tree without the statements that have faults.
     pub file: ast::File,
-    /// The text it came from.
+    /// The text that was parsed.
     pub source: Source,
-    /// What was wrong.
+    /// Faults, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads a model file.
+/// Parses the text of a model file; `name` is shown in messages.
 pub fn parse(name: &str, text: &str) -> Parsed {
     parse_as(name, text, 0)
 }
 
-/// Reads a file whose places carry the number `source`; effects that are applied to a model count from 1.
+/// As [`parse`], for a text with the index `source` in its spans.
 pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     let text = text.strip_prefix('\u{FEFF}').unwrap_or(text);
     if text.len() > MAX_SOURCE_BYTES {
@@ -60,7 +59,7 @@ pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     }
 }
 
-/// A file that is too long is not looked at.
+/// The fault of a text of more than [`MAX_SOURCE_BYTES`] bytes.
 pub(crate) fn too_long(name: &str, length: usize, source: u16) -> Parsed {
     let span = Span {
         source,

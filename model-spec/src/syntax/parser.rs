@@ -5,8 +5,8 @@ use super::token::{self, Lexed, Lexeme, Token};
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
-/// How deep brackets, calls, signs and powers may nest.
-const DEEPEST: u32 = 64;
+/// Nesting limit of brackets, calls, signs and powers.
+const MAX_DEPTH: u32 = 64;
 
 /// Words that begin a statement.
 pub(super) const STATEMENTS: [&str; 26] = [
@@ -318,8 +318,8 @@ impl<'a> Parser<'a> {
 
     /// Reads something one level deeper.
     pub fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
-        if self.depth >= DEEPEST {
-            let message = format!("this is nested more than {DEEPEST} levels deep");
+        if self.depth >= MAX_DEPTH {
+            let message = format!("this is nested more than {MAX_DEPTH} levels deep");
             let fault = Diagnostic::new(Kind::Limit, self.here(), message);
             self.report(fault.help("give parts of it names with `let`"));
             return Err(Reported);

@@ -1,11 +1,11 @@
-//! Expressions as text again, for messages about trees that were changed after they were read.
+//! Printing of expressions and units in the notation of model files.
 
 use std::fmt;
 
 use super::ast::{BinaryOp, Expr, ExprKind, Quantity, UnitExpr};
 
 impl BinaryOp {
-    /// How it is written.
+    /// The operator as text, with its spaces.
     pub fn symbol(self) -> &'static str {
         match self {
             BinaryOp::Add => " + ",
@@ -68,7 +68,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// As a person would write it; reading it again gives the same tree.
+/// Text with no more brackets than needed; parsing it gives the same tree.
 impl fmt::Display for Expr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_expr(f, self, 0)

@@ -1,4 +1,4 @@
-//! Files as text again: a model that was changed, by an effect for one, can be written and read like any other.
+//! Printing of whole files, for example of a model with effects applied.
 
 use std::fmt::{self, Display, Formatter, Result, Write};
 

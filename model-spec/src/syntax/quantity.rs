@@ -8,8 +8,8 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 /// Words that follow a quantity and are no units.
 const FOLLOWING: [&str; 4] = ["in", "within", "about", "on"];
 
-/// The greatest exponent of a unit, doubled.
-const MOST_DOUBLED: i32 = 126;
+/// Twice the greatest exponent of a unit.
+const MAX_DOUBLED_EXPONENT: i32 = 126;
 
 impl Parser<'_> {
     /// A number without its sign.
@@ -179,7 +179,9 @@ impl Parser<'_> {
 
     fn unit_exponent(&mut self, doubled: Option<f64>, span: Span) -> Read<i32> {
         match doubled {
-            Some(d) if d.fract() == 0.0 && d.abs() <= f64::from(MOST_DOUBLED) => Ok(d as i32),
+            Some(d) if d.fract() == 0.0 && d.abs() <= f64::from(MAX_DOUBLED_EXPONENT) => {
+                Ok(d as i32)
+            }
             _ => {
                 let message = format!("a unit cannot have the power `{}`", self.slice(span));
                 let fault = Diagnostic::new(Kind::Value, span, message);

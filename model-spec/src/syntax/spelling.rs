@@ -1,4 +1,4 @@
-//! The plain spelling of names that were typed with Greek letters, dots and primes.
+//! ASCII spelling of names written with Greek letters, dots and accents.
 
 /// Greek letters and their names.
 const GREEK: [(char, &str); 52] = [
@@ -56,7 +56,7 @@ const GREEK: [(char, &str); 52] = [
     ('Ω', "Omega"),
 ];
 
-/// Letters that carry their dots in one character, and the letter alone.
+/// Precomposed dotted letters and their ASCII spelling.
 const DOTTED: [(char, &str); 14] = [
     ('ẋ', "xdot"),
     ('ẏ', "ydot"),
@@ -74,7 +74,7 @@ const DOTTED: [(char, &str); 14] = [
     ('ṫ', "tdot"),
 ];
 
-/// The plain spelling of a name: `φ̇` becomes `phidot`, `ρ` becomes `rho`.
+/// ASCII spelling of a name: `φ̇` becomes `phidot`, `ρ` becomes `rho`.
 pub fn plain(raw: &str) -> String {
     if raw.is_ascii() {
         return raw.to_owned();

@@ -1,19 +1,19 @@
-//! The symbols of units that a model file may write, with their factors to the SI.
+//! Unit symbols of model files, with their conversion factors to the SI.
 
 use super::Unit;
 
-/// What a symbol stands for.
+/// Meaning of a unit symbol.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symbol {
-    /// Its unit.
+    /// The SI unit of the same dimension.
     pub unit: Unit,
-    /// SI value of one of it.
+    /// Conversion factor: value of the symbol in that unit.
     pub factor: f64,
-    /// The factor as a fraction, where it is one.
+    /// The factor as numerator and denominator, if it is rational.
     pub exact: Option<(i128, i128)>,
 }
 
-/// Unit symbols without prefixes: exponents, factor as a fraction; `pi` multiplies where the last is set.
+/// Unit symbols without prefixes: SI unit, rational factor, and whether the factor is also multiplied by π.
 const TABLE: [(&str, Unit, (i128, i128), bool); 30] = [
     ("m", Unit::METRE, (1, 1), false),
     ("g", Unit::KILOGRAM, (1, 1000), false),
@@ -52,7 +52,7 @@ const TABLE: [(&str, Unit, (i128, i128), bool); 30] = [
     ("mph", Unit::SPEED, (44_704, 100_000), false),
 ];
 
-/// How many symbols at the head of the table take a prefix.
+/// Number of symbols at the head of the table that take a prefix.
 const PREFIXED: usize = 19;
 
 /// Prefixes and their powers of ten.
@@ -71,7 +71,7 @@ const PREFIXES: [(&str, i32); 12] = [
     ("da", 1),
 ];
 
-/// Finds a symbol, with or without a prefix.
+/// Meaning of a unit symbol, with or without a prefix; none if it is unknown.
 pub fn find(name: &str) -> Option<Symbol> {
     if let Some(&(_, unit, fraction, pi)) = TABLE.iter().find(|(symbol, ..)| *symbol == name) {
         return Some(symbol(unit, fraction, pi));
@@ -100,7 +100,7 @@ fn symbol(unit: Unit, (above, below): (i128, i128), pi: bool) -> Symbol {
     }
 }
 
-/// The symbol that was probably meant by a word or a misspelling.
+/// Suggested symbol for a word (`meter`) or a misspelt symbol.
 pub fn suggest(name: &str) -> Option<&'static str> {
     const WORDS: [(&str, &str); 32] = [
         ("meter", "m"),
