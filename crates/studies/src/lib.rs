@@ -7,7 +7,6 @@
 pub mod discovery;
 mod error;
 pub mod identification;
-mod markdown;
 pub mod oracle_flights;
 mod page;
 pub mod paper;

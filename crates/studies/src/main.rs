@@ -7,13 +7,14 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
+use studies::Page;
 use studies::discovery::{
     details, discovery_page, peer_section, plan, rejections, run_rows, with_peer_section,
 };
 use studies::identification::{coverage, identification_page, paper_fits};
 use studies::oracle_flights::{TWELVE, noise_conditions};
 use studies::paper::{Study, paper_page};
-use studies::{Page, real_data};
+use studies::real_data::{RealData, real_data_page};
 
 fn main() -> ExitCode {
     match run(cli::Cli::parse().study) {
@@ -32,8 +33,8 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
         cli::Study::Paper(options) => (paper()?, options.out),
         cli::Study::Identification(options) => (identification(options.seeds)?, options.out),
         cli::Study::RealData(options) => {
-            let data = real_data::RealData::of(&options.data).map_err(anyhow::Error::msg)?;
-            (real_data::real_data(&data), options.out)
+            let data = RealData::of(&options.data)?;
+            (real_data_page(&data)?, options.out)
         }
         cli::Study::Discovery(options) => discovery(options)?,
     };

@@ -32,23 +32,29 @@ pub(crate) fn render(template: &str, results: impl Serialize) -> Result<String, 
         .lstrip_blocks(true)
         .build()?;
     environment.set_syntax(syntax);
-    let or_dash =
-        |number: Option<f64>, text: &dyn Fn(f64) -> String| number.map_or(NONE.to_owned(), text);
-    environment.add_filter("three", move |number: Option<f64>| or_dash(number, &three));
-    environment.add_filter("percent", move |number: Option<f64>| {
-        or_dash(number, &|fraction| format!("{:.1} %", 100.0 * fraction))
+    environment.add_filter("three", |number: &Value| or_dash(number, three));
+    environment.add_filter("percent", |number: &Value| {
+        or_dash(number, |fraction| format!("{:.1} %", 100.0 * fraction))
     });
-    environment.add_filter("fixed", move |number: Option<f64>, decimals: usize| {
-        or_dash(number, &|number| format!("{number:.decimals$}"))
+    environment.add_filter("fixed", |number: &Value, decimals: usize| {
+        or_dash(number, |number| format!("{number:.decimals$}"))
     });
-    environment.add_filter("signed", move |number: Option<f64>, decimals: usize| {
-        or_dash(number, &|number| format!("{number:+.decimals$}"))
+    environment.add_filter("signed", |number: &Value, decimals: usize| {
+        or_dash(number, |number| format!("{number:+.decimals$}"))
     });
-    environment.add_filter("plain", move |number: Option<f64>| {
-        or_dash(number, &|number| number.to_string())
+    environment.add_filter("plain", |number: &Value| {
+        or_dash(number, |number| number.to_string())
     });
     let text = environment.render_str(template, Value::from(Serde(results)))?;
     Ok(text.trim_end().to_owned() + "\n")
+}
+
+/// Text of a number; a dash for `none`.
+fn or_dash(number: &Value, text: impl Fn(f64) -> String) -> Result<String, minijinja::Error> {
+    match number.is_none() {
+        true => Ok(NONE.to_owned()),
+        false => Ok(text(f64::try_from(number.clone())?)),
+    }
 }
 
 /// A number with three significant digits.

@@ -4,8 +4,7 @@ use std::path::PathBuf;
 
 use diagnose::diagnosis::{Asked, diagnose};
 use diagnose::report::Verdict;
-use studies::real_data::spin_decay::Form;
-use studies::real_data::{RealData, balls, real_data};
+use studies::real_data::{Form, RealData, is_agreeing, real_data_page};
 
 /// The folder of the measured data; none where it is not there, which is said.
 fn measured() -> Option<PathBuf> {
@@ -33,7 +32,7 @@ fn measured_balls_and_a_wind_tunnel() {
             .iter()
             .all(|flight| !flight.initial.is_empty())
     );
-    let page = real_data(&data);
+    let page = real_data_page(&data).expect("a page");
     spins_of_half_of_the_balls(&data);
     spin_that_dies_away_faster_than_itself(&data);
     launches_within_what_is_known_of_them(&data);
@@ -52,12 +51,12 @@ fn measured_balls_and_a_wind_tunnel() {
 fn spins_of_half_of_the_balls(data: &RealData) {
     let [all, inside, outside] = data.agreement();
     assert_eq!((all.flights, inside.flights, outside.flights), (62, 31, 31));
-    assert!(all.by_chance == 0.0 && all.cosine > 0.4, "{all:?}");
+    assert!(all.p_value == 0.0 && all.cosine > 0.4, "{all:?}");
     assert!(inside.cosine > 0.9, "{inside:?}");
     // The others are no nearer to their lifts than shuffled spins are, nor by any turn of all axes alike.
-    assert!(outside.by_chance > 0.2, "{outside:?}");
+    assert!(outside.p_value > 0.2, "{outside:?}");
     assert!(
-        outside.turned < outside.turned_shuffled + 0.15,
+        outside.rotated < outside.rotated_permuted + 0.15,
         "{outside:?}"
     );
     let [plain, lift, square] = data.lift_by_spin();
@@ -89,7 +88,7 @@ fn lift_by_spin_is_named_and_flights_with_another_s_spin_contradict_it() {
     assert!(agreement.chance < 0.01, "{agreement:?}");
     assert!(agreement.contradicting.len() > 5, "{agreement:?}");
     for file in &agreement.contradicting {
-        assert!(!balls::agrees(file), "{file} goes with its spin");
+        assert!(!is_agreeing(file), "{file} goes with its spin");
     }
     let gain = report.gain.expect("flights are held out");
     let gained = gain.held_out_rms_before_m - gain.held_out_rms_after_m;
@@ -106,7 +105,7 @@ fn spin_that_dies_away_faster_than_itself(data: &RealData) {
         quadratic.aic > falling.aic + 10.0,
         "{quadratic:?} {falling:?}"
     );
-    assert!((0.03..0.05).contains(&falling.numbers[1]), "{falling:?}");
+    assert!((0.03..0.05).contains(&falling.unknowns[1]), "{falling:?}");
 }
 
 fn launches_within_what_is_known_of_them(data: &RealData) {
@@ -121,11 +120,11 @@ fn launches_within_what_is_known_of_them(data: &RealData) {
             "{launch:?}"
         );
         assert!(
-            launch.moved.iter().all(|moved| moved.abs() < 3.0),
+            launch.changes.iter().all(|change| change.abs() < 3.0),
             "{launch:?}"
         );
         // A track from above leaves the moment open.
-        assert!(factors.errors[2] > 0.1, "{factors:?}");
+        assert!(factors.factor_errors[2] > 0.1, "{factors:?}");
         throws += 1;
     }
     assert_eq!(throws, 3);

@@ -3,9 +3,10 @@
 
 mod coverage;
 mod page;
-pub(crate) mod paper_fits;
+mod paper_fits;
 mod scatter;
 
 pub use coverage::{CoefficientCoverage, Coverage, coverage};
 pub use page::identification_page;
+pub(crate) use paper_fits::scenario;
 pub use paper_fits::{PaperFits, Scenario, paper_fits};

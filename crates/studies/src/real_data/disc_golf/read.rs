@@ -1,38 +1,21 @@
-//! The files of the throws: a disc's table, launches, tracks.
+//! Files of the throws: a disc's table, launches, tracks.
 
 use std::path::Path;
 
-use super::{Disc, RAD, Throw};
+use super::throw::{Disc, RAD, Throw, TrackPoint};
+use crate::error::StudyError;
+use crate::real_data::files::{absent, bad_line, numbers, rows, text_of};
 use crate::real_data::wind_tunnel::Measured;
 
-/// Reads `dd2.yaml`.
-///
-/// # Errors
-/// In words.
-pub fn disc(file: &Path) -> Result<Disc, String> {
-    let text = std::fs::read_to_string(file).map_err(|e| format!("{}: {e}", file.display()))?;
-    let lacks = |key: &str| format!("{}: found no {key}", file.display());
-    let after = |key: &str| {
-        let place = text.find(&format!("{key}:")).ok_or_else(|| lacks(key))?;
-        Ok::<&str, String>(&text[place + key.len() + 1..])
-    };
-    let number = |key: &str| {
-        let word = after(key)?.split_whitespace().next();
-        word.and_then(|word| word.parse::<f64>().ok())
-            .ok_or_else(|| lacks(key))
-    };
-    let list = |key: &str| {
-        let text = after(key)?.split_once('[').ok_or_else(|| lacks(key))?.1;
-        let cells = text.split(']').next().unwrap_or_default().split(',');
-        let all: Option<Vec<f64>> = cells.map(|cell| cell.trim().parse().ok()).collect();
-        all.ok_or_else(|| lacks(key))
-    };
-    let [alpha, lift, drag, moment] = [list("alpha")?, list("Cl")?, list("Cd")?, list("Cm")?];
-    if [&lift, &drag, &moment]
-        .iter()
-        .any(|column| column.len() != alpha.len())
-    {
-        return Err(format!("{}: columns of different lengths", file.display()));
+/// Reads a disc's YAML file.
+pub(super) fn disc(file: &Path) -> Result<Disc, StudyError> {
+    let text = text_of(file)?;
+    let number = |key: &str| number(&text, key).ok_or_else(|| absent(file, key));
+    let list = |key: &str| list(&text, key).ok_or_else(|| absent(file, key));
+    let (alpha, lift, drag, moment) = (list("alpha")?, list("Cl")?, list("Cd")?, list("Cm")?);
+    let is_short = |column: &Vec<f64>| column.len() != alpha.len();
+    if [&lift, &drag, &moment].into_iter().any(is_short) {
+        return Err(absent(file, "columns of the same length"));
     }
     let rows = (0..alpha.len()).map(|k| Measured {
         alpha: alpha[k].to_radians(),
@@ -45,58 +28,63 @@ pub fn disc(file: &Path) -> Result<Disc, String> {
     })
 }
 
-/// Reads `throw_params.csv` and the tracks beside it.
-///
-/// # Errors
-/// In words.
-pub fn throws(folder: &Path) -> Result<Vec<Throw>, String> {
-    let read =
-        |file: &Path| std::fs::read_to_string(file).map_err(|e| format!("{}: {e}", file.display()));
+/// Text after the first `key:`.
+fn after<'t>(text: &'t str, key: &str) -> Option<&'t str> {
+    let key = format!("{key}:");
+    Some(text.split_once(&key)?.1)
+}
+
+/// The number after a key.
+fn number(text: &str, key: &str) -> Option<f64> {
+    after(text, key)?.split_whitespace().next()?.parse().ok()
+}
+
+/// The list of numbers in brackets after a key.
+fn list(text: &str, key: &str) -> Option<Vec<f64>> {
+    let list = after(text, key)?.split_once('[')?.1;
+    let cells = list.split(']').next()?.split(',');
+    cells.map(|cell| cell.trim().parse().ok()).collect()
+}
+
+/// Reads `throw_params.csv` and the tracks in the same folder.
+pub(super) fn throws(folder: &Path) -> Result<Vec<Throw>, StudyError> {
     let file = folder.join("throw_params.csv");
-    let text = read(&file)?;
-    let lines = text.lines().skip(1).filter(|line| !line.trim().is_empty());
-    lines
-        .map(|line| {
-            let cells: Vec<f64> = line
-                .split(',')
-                .filter_map(|c| c.trim().parse().ok())
-                .collect();
-            let [number, pitch, roll, nose, speed, spin, yaw, wind, _, height] = cells[..] else {
-                return Err(format!(
-                    "{}: found {line:?}, expected ten numbers",
-                    file.display()
-                ));
-            };
-            let track = read(&folder.join(format!("throw{number}.tsv")))?;
-            let rows = track.lines().skip(2).filter_map(|line| {
-                let cells: Vec<f64> = line
-                    .split_whitespace()
-                    .filter_map(|c| c.parse().ok())
-                    .collect();
-                (cells.len() >= 3).then(|| (cells[0], [cells[1], cells[2]]))
-            });
-            let rows: Vec<(f64, [f64; 2])> = rows.collect();
-            let first = rows
-                .first()
-                .ok_or(format!("throw {number} has no track"))?
-                .0;
-            Ok(Throw {
-                number: number as u32,
-                launch: [
-                    speed,
-                    pitch * RAD,
-                    roll * RAD,
-                    nose * RAD,
-                    yaw * RAD,
-                    wind,
-                    0.0,
-                ],
-                spin_and_height: [spin, height],
-                track: rows
-                    .into_iter()
-                    .map(|(t, place)| (t - first, place))
-                    .collect(),
-            })
+    let text = text_of(&file)?;
+    let throws = rows(&text, 1).map(|row| {
+        let [number, pitch, roll, nose, speed, spin, yaw, wind, _, height] = numbers(row.1)[..]
+        else {
+            return Err(bad_line(&file, row, "ten numbers"));
+        };
+        let launch = [
+            speed,
+            pitch * RAD,
+            roll * RAD,
+            nose * RAD,
+            yaw * RAD,
+            wind,
+            0.0,
+        ];
+        Ok(Throw {
+            number: number as u32,
+            launch,
+            spin,
+            height,
+            track: track(&folder.join(format!("throw{number}.tsv")))?,
         })
-        .collect()
+    });
+    throws.collect()
+}
+
+/// Reads a track: a time, s, and a position, m, on each line after two of header.
+fn track(file: &Path) -> Result<Vec<TrackPoint>, StudyError> {
+    let text = text_of(file)?;
+    let points = rows(&text, 2).filter_map(|(_, line)| {
+        let cells = line.split_whitespace();
+        let cells: Vec<f64> = cells.filter_map(|cell| cell.parse().ok()).collect();
+        (cells.len() >= 3).then(|| (cells[0], [cells[1], cells[2]]))
+    });
+    let points: Vec<TrackPoint> = points.collect();
+    let (first, _) = *points.first().ok_or_else(|| absent(file, "track"))?;
+    let from_first = points.into_iter();
+    Ok(from_first.map(|(t, at)| (t - first, at)).collect())
 }

@@ -1,0 +1,160 @@
+//! The lift of each flight, from its path alone, and the spin that was stated for it.
+
+use identify::dataset::{Dataset, Flight, KnownValue, Role};
+use identify::{Fit, FitOptions, FitReport, FlightEvidence, fit};
+use model_spec::model::Model;
+use nalgebra::Vector3;
+
+use super::models::{LIFT_OF_EACH_FLIGHT, with_effects};
+use crate::error::StudyError;
+
+/// The lift of a flight.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Lift {
+    /// File of the flight.
+    pub(super) file: String,
+    /// Mean speed, m/s.
+    pub(super) speed: f64,
+    /// Unit vector from the first to the last position.
+    pub(super) direction: Vector3<f64>,
+    /// Lift coefficient, as a vector along the axis about which the lift turns the path.
+    pub(super) turn: Vector3<f64>,
+    /// Stated spin ω as the vector radius ω / speed.
+    pub(super) spin: Vector3<f64>,
+    /// Root mean square residual along y, m.
+    pub(super) residual_along: f64,
+}
+
+impl Lift {
+    /// Lift coefficient, in any direction across the path.
+    pub(super) fn coefficient(&self) -> f64 {
+        self.across(self.turn).norm()
+    }
+
+    /// Advance ratio: radius × spin across the path / speed.
+    pub(super) fn advance_ratio(&self) -> f64 {
+        self.across(self.spin).norm()
+    }
+
+    /// Cosine of the angle between the lift and the direction ω × v for a spin `spin`.
+    pub(super) fn cosine_with(&self, spin: Vector3<f64>) -> f64 {
+        let (turn, spin) = (self.across(self.turn), self.across(spin));
+        turn.dot(&spin) / (turn.norm() * spin.norm()).max(f64::MIN_POSITIVE)
+    }
+
+    /// Cosine of the angle between the lift and ω × v for the stated spin.
+    pub(super) fn cosine(&self) -> f64 {
+        self.cosine_with(self.spin)
+    }
+
+    /// Lift coefficient along ω × v for the stated spin.
+    pub(super) fn coefficient_by_spin(&self) -> f64 {
+        self.coefficient() * self.cosine()
+    }
+
+    fn across(&self, vector: Vector3<f64>) -> Vector3<f64> {
+        vector - self.direction * vector.dot(&self.direction)
+    }
+}
+
+/// The lift of each flight, and the fit that gives it, in which all flights take part. Flights that cannot be fitted or
+/// have no stated spin are absent.
+pub(super) fn lifts(
+    model: &Model,
+    flights: &Dataset,
+) -> Result<(Vec<Lift>, FitReport), StudyError> {
+    let mut all = flights.clone();
+    for flight in &mut all.flights {
+        flight.role = Role::Fit;
+    }
+    let with_lift = with_effects(model, &[LIFT_OF_EACH_FLIGHT])?;
+    let fitted = fit(&with_lift, &all, &FitOptions::default())?;
+    let constant = |name: &str| {
+        let stated = all.parameters.get(name).copied();
+        let default = model.params.iter().find(|p| p.name == name);
+        stated
+            .or(default.map(|p| p.value))
+            .ok_or_else(|| StudyError::Name {
+                of: "model of the ball",
+                name: name.to_owned(),
+            })
+    };
+    let (mass, radius, rho) = (constant("m")?, constant("radius")?, constant("rho")?);
+    let area = std::f64::consts::PI * radius * radius;
+    // A lift coefficient C at a speed v turns the path at the rate ρ A C v / 2m.
+    let scale = |speed: f64| 2.0 * mass / (rho * area * speed);
+    let flights = all.flights.iter().enumerate();
+    let lifts = flights.filter_map(|(index, flight)| lift(&fitted, index, flight, scale, radius));
+    Ok((lifts.collect(), fitted.report.clone()))
+}
+
+fn lift(
+    fitted: &Fit,
+    index: usize,
+    flight: &Flight,
+    scale: impl Fn(f64) -> f64,
+    radius: f64,
+) -> Option<Lift> {
+    let Some(KnownValue::Vector(omega)) = flight.known.get("omega") else {
+        return None;
+    };
+    let initial = &fitted.report.flights[index].initial;
+    let (turn_x, turn_z) = (initial.get("turn_x")?.value, initial.get("turn_z")?.value);
+    let velocity = mean_velocity(flight)?;
+    let evidence = fitted.evidence(index)?;
+    let speed = velocity.norm();
+    Some(Lift {
+        file: flight.file.clone(),
+        speed,
+        direction: velocity / speed,
+        turn: Vector3::new(turn_x, 0.0, turn_z) * scale(speed),
+        spin: Vector3::from(*omega) * radius / speed,
+        residual_along: residual_along(&evidence),
+    })
+}
+
+/// Mean velocity (m/s) between the first and the last measured position; `None` if it is 0.
+fn mean_velocity(flight: &Flight) -> Option<Vector3<f64>> {
+    let samples = flight.times.iter().zip(&flight.positions);
+    let mut measured = samples.filter_map(|(t, row)| Some((*t, Vector3::from((*row.first()?)?))));
+    let first = measured.next()?;
+    let last = measured.next_back()?;
+    let velocity = (last.1 - first.1) / (last.0 - first.0);
+    (velocity.norm() > 0.0).then_some(velocity)
+}
+
+/// Root mean square residual along y, m.
+fn residual_along(evidence: &FlightEvidence) -> f64 {
+    let residuals = (0..evidence.times.len()).filter_map(|sample| evidence.residual(sample, 0));
+    let (squares, count) = residuals.fold((0.0, 0.0_f64), |(squares, count), residual| {
+        (squares + residual[1] * residual[1], count + 1.0)
+    });
+    (squares / count.max(1.0)).sqrt()
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    /// A ball that flies down y, turned about x and z, with a spin.
+    pub(in super::super) fn lift(turn: [f64; 3], spin: [f64; 3]) -> Lift {
+        Lift {
+            file: "flight001.csv".into(),
+            speed: 10.0,
+            direction: Vector3::new(0.0, -1.0, 0.0),
+            turn: turn.into(),
+            spin: spin.into(),
+            residual_along: 0.0,
+        }
+    }
+
+    #[test]
+    fn the_side_of_a_lift_is_that_of_its_spin_across_the_path() {
+        let same = lift([0.2, 0.0, 0.1], [0.4, 0.7, 0.2]);
+        assert!((same.cosine() - 1.0).abs() < 1e-12);
+        assert!((same.coefficient_by_spin() - 0.05_f64.sqrt()).abs() < 1e-12);
+        assert!((same.advance_ratio() - 0.2_f64.sqrt()).abs() < 1e-12);
+        assert!((lift([0.2, 0.0, 0.0], [-0.4, 0.3, 0.0]).cosine() + 1.0).abs() < 1e-12);
+        assert!(lift([0.2, 0.0, 0.0], [0.0, 0.3, 0.4]).cosine().abs() < 1e-12);
+    }
+}

@@ -1,0 +1,69 @@
+//! Fits and diagnoses of the ball with effects of the catalogue and of this study.
+
+use diagnose::diagnosis::{Asked, diagnose};
+use diagnose::report::Report as Diagnosis;
+use identify::dataset::Dataset;
+use identify::{FitOptions, FitReport, fit};
+use model_spec::compose::{EffectTree, ModelTree};
+use model_spec::model::Model;
+
+use crate::error::StudyError;
+
+/// Effect: a steady lift of each flight, independent of its spin.
+pub(super) const LIFT_OF_EACH_FLIGHT: &str = "lift_of_each_flight";
+
+/// Effect: a lift by the square of the advance ratio.
+pub(super) const MAGNUS_BY_SQUARE: &str = "magnus_by_square";
+
+/// Names and texts of the study's own effects.
+const OWN_EFFECTS: [(&str, &str); 2] = [
+    (
+        LIFT_OF_EACH_FLIGHT,
+        include_str!("effects/lift_of_each_flight.hyz"),
+    ),
+    (
+        MAGNUS_BY_SQUARE,
+        include_str!("effects/magnus_by_square.hyz"),
+    ),
+];
+
+/// A model with effects, by name, of the catalogue and of this study.
+pub(super) fn with_effects(model: &Model, effects: &[&str]) -> Result<Model, StudyError> {
+    let mut tree = ModelTree::of(model);
+    for name in effects {
+        let own = OWN_EFFECTS.iter().find(|(own, _)| own == name);
+        let effect = match own {
+            Some((name, text)) => EffectTree::parse(name, text)?,
+            None => tree.find_effect(name)?,
+        };
+        tree = tree.with(&effect)?;
+    }
+    Ok(tree.check()?)
+}
+
+/// Fit of the ball with effects.
+pub(super) fn fitted(
+    model: &Model,
+    flights: &Dataset,
+    effects: &[&str],
+) -> Result<FitReport, StudyError> {
+    let model = with_effects(model, effects)?;
+    Ok(fit(&model, flights, &FitOptions::default())?.report)
+}
+
+/// Diagnosis of the ball with effects of the catalogue; the error is in words, for the page.
+pub(super) fn diagnosed(
+    model: &Model,
+    flights: &Dataset,
+    with: &[String],
+) -> Result<Result<Diagnosis, String>, StudyError> {
+    let names: Vec<&str> = with.iter().map(String::as_str).collect();
+    let model = with_effects(model, &names)?;
+    let asked = Asked {
+        dataset: "spindoe",
+        with,
+        ..Asked::default()
+    };
+    let diagnosed = diagnose(&model, flights, &asked).map(|found| found.report);
+    Ok(diagnosed.map_err(|error| error.to_string()))
+}

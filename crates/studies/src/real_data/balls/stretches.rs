@@ -1,0 +1,37 @@
+//! Stretches of the recording in which every flight is lifted to the side of its stated spin.
+
+use identify::dataset::Dataset;
+
+/// First and last file number of each agreeing stretch.
+pub(super) const AGREEING: [(u32, u32); 2] = [(2, 54), (139, 213)];
+
+/// Number in a file name.
+pub(super) fn number(file: &str) -> u32 {
+    let digits: String = file.chars().filter(char::is_ascii_digit).collect();
+    digits.parse().unwrap_or(0)
+}
+
+/// Whether a file is in one of the stretches in which the lift agrees with the stated spin.
+pub fn is_agreeing(file: &str) -> bool {
+    let number = number(file);
+    let mut stretches = AGREEING.iter();
+    stretches.any(|(first, last)| (*first..=*last).contains(&number))
+}
+
+/// The flights of the agreeing stretches.
+pub(super) fn agreeing(flights: &Dataset) -> Dataset {
+    let mut part = flights.clone();
+    part.flights.retain(|flight| is_agreeing(&flight.file));
+    part
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_are_of_numbers() {
+        assert!(is_agreeing("flight054.csv") && !is_agreeing("flight056.csv"));
+        assert!(is_agreeing("flight139.csv") && !is_agreeing("flight291.csv"));
+    }
+}

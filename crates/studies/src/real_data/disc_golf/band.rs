@@ -1,0 +1,47 @@
+//! Where launches within their uncertainties end.
+
+use flight::batch;
+use rand::SeedableRng;
+use rand_chacha::ChaCha12Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use super::simulate::Simulator;
+use super::throw::{Launch, TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
+
+/// Ends of the tracks of random launches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Band {
+    /// Mean of the last position, m.
+    pub(super) mean: [f64; 2],
+    /// Its standard deviation, m.
+    pub(super) deviation: [f64; 2],
+    /// Fraction of the launches whose RMS distance from the track is below [`TRACK_UNCERTAINTY`] per coordinate.
+    pub(super) within: f64,
+}
+
+/// Simulates `draws` launches drawn from their uncertainties.
+pub(super) fn band(simulator: &Simulator<'_>, throw: &Throw, draws: usize, seed: u64) -> Band {
+    let points = throw.points();
+    let times: Vec<f64> = points.iter().map(|(time, _)| *time).collect();
+    let mut random = ChaCha12Rng::seed_from_u64(seed);
+    let launches = (0..draws).map(|_| -> Launch {
+        std::array::from_fn(|k| {
+            let normal: f64 = StandardNormal.sample(&mut random);
+            throw.launch[k] + UNCERTAINTY[k] * normal
+        })
+    });
+    let launches: Vec<Launch> = launches.collect();
+    let tracks = batch::each(draws, |k| {
+        simulator.track(throw, &launches[k], &[1.0; 3], &times)
+    });
+    let count = draws.max(1) as f64;
+    let last = |k: usize| tracks.iter().filter_map(move |t| Some(t.last()?[k]));
+    let mean = [0, 1].map(|k| last(k).sum::<f64>() / count);
+    let variance = |k: usize| last(k).map(|x| (x - mean[k]).powi(2)).sum::<f64>() / count;
+    let is_within = |track: &&Vec<[f64; 2]>| rms_distance(track, &points) < TRACK_UNCERTAINTY;
+    Band {
+        mean,
+        deviation: [0, 1].map(|k| variance(k).sqrt()),
+        within: tracks.iter().filter(is_within).count() as f64 / count,
+    }
+}

@@ -1,0 +1,49 @@
+//! All throws, simulated and fitted.
+
+use std::path::Path;
+
+use model_spec::model::Model;
+
+use super::band::{Band, band};
+use super::launch_fit::{LaunchFit, launch_fit};
+use super::read::{disc, throws};
+use super::simulate::Simulator;
+use super::throw::Throw;
+use crate::error::StudyError;
+
+/// Random launches of each throw.
+pub(super) const DRAWS: usize = 100;
+
+/// Results on one throw.
+pub(super) struct ThrowResult {
+    pub(super) throw: Throw,
+    pub(super) band: Band,
+    /// Fits without and with factors on the table.
+    pub(super) fits: [Option<LaunchFit>; 2],
+}
+
+/// Results on the disc-golf throws.
+pub(in super::super) struct DiscGolf {
+    pub(super) throws: Vec<ThrowResult>,
+}
+
+impl DiscGolf {
+    /// Simulates and fits the throws of a folder.
+    pub(in super::super) fn of(folder: &Path, model: &Model) -> Result<Self, StudyError> {
+        let disc = disc(&folder.join("dd2.yaml"))?;
+        let simulator = Simulator::new(model, &disc)?;
+        let throws = throws(folder)?.into_iter().map(|throw| ThrowResult {
+            band: band(&simulator, &throw, DRAWS, u64::from(throw.number)),
+            fits: [false, true].map(|factors| launch_fit(&simulator, &throw, factors)),
+            throw,
+        });
+        Ok(Self {
+            throws: throws.collect(),
+        })
+    }
+
+    /// Fits of each throw, without and with factors on the table.
+    pub(in super::super) fn fits(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
+        self.throws.iter().map(|result| &result.fits)
+    }
+}

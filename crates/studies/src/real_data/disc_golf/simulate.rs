@@ -1,0 +1,211 @@
+//! Simulation of a throw by the oracle.
+
+use model_spec::model::Model;
+use nalgebra::{Matrix3, Vector3};
+use oracle::{Physical, Point, Quaternion, Reference};
+
+use super::throw::{Disc, Launch, Throw};
+use crate::error::StudyError;
+use crate::oracle_flights::{angle_of_attack, integrate_with_constants, reference_of, set_curves};
+use crate::real_data::wind_tunnel::{Measured, interpolated};
+
+/// Mass of the discs, kg, as the paper on the throws states it.
+const MASS: f64 = 0.175;
+
+/// Density of the air in that paper, kg/m³.
+const DENSITY: f64 = 1.225;
+
+/// Roughness length of the ground in that paper's logarithmic wind profile, m.
+const ROUGHNESS: f64 = 0.1;
+
+/// Height at which the wind was measured, m.
+const WIND_HEIGHT: f64 = 1.5;
+
+/// Greatest interval between times between which a path is taken as straight, s.
+const MAX_INTERVAL: f64 = 0.02;
+
+/// Below this angle of attack (rad) the tabulated pitching moment is taken as 0.
+const MIN_ALPHA: f64 = 1e-4;
+
+/// Factors on lift, drag and pitching moment of the table.
+pub(super) type Factors = [f64; 3];
+
+/// Simulates throws of one disc.
+pub(super) struct Simulator<'a> {
+    model: &'a Model,
+    reference: Reference,
+    constants: Point<f64>,
+    table: &'a [Measured],
+}
+
+impl<'a> Simulator<'a> {
+    /// For a disc, with the model's damping of pitch and spin, which the table does not have.
+    pub(super) fn new(model: &'a Model, disc: &'a Disc) -> Result<Self, StudyError> {
+        let mut constants = Point::defaults(model);
+        let radius = disc.diameter / 2.0;
+        let known = [
+            ("m", MASS),
+            ("I_d", MASS * disc.inertia[0]),
+            ("I_a", MASS * disc.inertia[1]),
+            ("d", disc.diameter),
+            ("A", std::f64::consts::PI * radius * radius),
+            ("rho", DENSITY),
+        ];
+        for (name, value) in known {
+            let index = model.params.iter().position(|p| p.name == name);
+            let index = index.ok_or_else(|| StudyError::Name {
+                of: "model of the disc",
+                name: name.to_owned(),
+            })?;
+            constants.params[index] = value;
+        }
+        if let Some(index) = model.coefficients.iter().position(|c| c.name == "C_Rr") {
+            constants.coefficients[index] = 0.0;
+        }
+        Ok(Self {
+            model,
+            reference: reference_of(model),
+            constants,
+            table: &disc.table,
+        })
+    }
+
+    /// Positions over the ground, m, at `times` (s) after a launch; constant after the landing.
+    pub(super) fn track(
+        &self,
+        throw: &Throw,
+        launch: &Launch,
+        factors: &Factors,
+        times: &[f64],
+    ) -> Vec<[f64; 2]> {
+        let [.., tailwind, crosswind] = *launch;
+        let wind = |height: f64| {
+            let profile = |height: f64| ((height + ROUGHNESS) / ROUGHNESS).ln();
+            let factor = profile(height.max(0.0)) / profile(WIND_HEIGHT);
+            Vector3::new(tailwind * factor, crosswind * factor, 0.0)
+        };
+        let constants = |body: &Physical<f64>| {
+            let wind = wind(body.position.z);
+            self.constants_at(body, wind, factors)
+        };
+        let duration = times.last().copied().unwrap_or(0.0);
+        let intervals = (duration / MAX_INTERVAL).ceil().max(1.0);
+        let fine_times: Vec<f64> = (0..=intervals as usize)
+            .map(|k| k as f64 * duration / intervals)
+            .collect();
+        let start = release(throw, launch);
+        let states = integrate_with_constants(&self.reference, &constants, start, &fine_times);
+        let path: Vec<Vector3<f64>> = states.iter().map(|body| body.position).collect();
+        let at = |time: f64| {
+            let index = (time / duration * intervals).clamp(0.0, intervals);
+            let k = (index as usize).min(path.len().saturating_sub(2));
+            path[k] + (path[k + 1] - path[k]) * (index - k as f64)
+        };
+        let landing = path.windows(2).find(|two| two[1].z < 0.0).map(|two| {
+            let fraction = two[0].z / (two[0].z - two[1].z);
+            two[0] + (two[1] - two[0]) * fraction
+        });
+        let mut samples = fine_times.iter().zip(&path);
+        let landed_by = samples.find(|(_, position)| position.z < 0.0);
+        let landed_by = landed_by.map_or(f64::INFINITY, |(time, _)| *time);
+        let positions = times.iter().map(|time| {
+            let position = at(*time);
+            let is_down = *time >= landed_by || position.z < 0.0;
+            let position = landing.filter(|_| is_down).unwrap_or(position);
+            [position.x, position.y]
+        });
+        positions.collect()
+    }
+
+    /// Constants in a wind (m/s) that give the table's coefficients at the body's angle of attack.
+    fn constants_at(
+        &self,
+        body: &Physical<f64>,
+        wind: Vector3<f64>,
+        factors: &Factors,
+    ) -> Point<f64> {
+        let alpha = angle_of_attack(body, wind);
+        let found = interpolated(self.table, alpha);
+        let mut constants = self.constants.clone();
+        if let Some(input) = constants.inputs.first_mut() {
+            *input = wind;
+        }
+        let curves = [0, 1, 2].map(|k| factors[k] * found[k]);
+        set_curves(self.model, &mut constants, alpha, curves, MIN_ALPHA);
+        constants
+    }
+}
+
+/// The state at the release, with the launch angles as the program of the paper on the throws defines them: the pitch is
+/// added to the attitude of a rolled disc.
+fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
+    let [speed, pitch, roll, nose, yaw, ..] = *launch;
+    let turned = |v: Vector3<f64>| {
+        let (sin, cos) = yaw.sin_cos();
+        Vector3::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y, v.z)
+    };
+    let bank = roll + roll.sin() * nose.sin() * pitch;
+    let rise = nose + roll.cos() * pitch;
+    let axis = turned(Vector3::new(
+        -rise.sin(),
+        bank.sin() * rise.cos(),
+        bank.cos() * rise.cos(),
+    ));
+    let first = Vector3::x().cross(&axis).cross(&axis).normalize();
+    let matrix = Matrix3::from_columns(&[first, axis.cross(&first), axis]);
+    Physical {
+        position: Vector3::new(0.0, 0.0, throw.height),
+        velocity: turned(Vector3::new(speed * pitch.cos(), 0.0, speed * pitch.sin())),
+        attitude: Quaternion::from_matrix(&matrix),
+        // A right-hander's backhand: clockwise, seen from above.
+        angular_velocity: axis * -throw.spin,
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    /// A disc with smooth curves.
+    pub(in super::super) fn smooth_disc() -> Disc {
+        let row = |k: i32| {
+            let alpha = f64::from(k).to_radians();
+            Measured {
+                alpha,
+                coefficients: [
+                    0.1 + 2.5 * alpha,
+                    0.06 + 2.0 * alpha * alpha,
+                    0.01 - 0.2 * alpha,
+                ],
+            }
+        };
+        Disc {
+            diameter: 0.21,
+            inertia: [3.7e-3, 7.4e-3],
+            table: (-45..=45).step_by(5).map(row).collect(),
+        }
+    }
+
+    #[test]
+    fn a_disc_that_has_landed_stays() {
+        let (disc, model) = (smooth_disc(), crate::oracle_flights::disc());
+        let simulator = Simulator::new(&model, &disc).unwrap();
+        let throw = Throw {
+            number: 1,
+            launch: [15.0, -0.2, 0.0, 0.0, 0.0, 0.0, 0.0],
+            spin: 100.0,
+            height: 0.5,
+            track: Vec::new(),
+        };
+        let times = [0.1, 1.0, 2.0];
+        let track = simulator.track(&throw, &throw.launch, &[0.0, 0.0, 0.0], &times);
+        // Without aerodynamic forces: down where 0.5 - 15 sin(0.2) t - g t²/2 is 0.
+        let fall = 15.0 * 0.2_f64.sin();
+        let time = (-fall + (fall * fall + 2.0 * 9.81 * 0.5).sqrt()) / 9.81;
+        assert!(
+            (track[1][0] - 15.0 * 0.2_f64.cos() * time).abs() < 0.01,
+            "{track:?}"
+        );
+        assert_eq!(track[1], track[2]);
+    }
+}

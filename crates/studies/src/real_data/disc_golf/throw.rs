@@ -1,0 +1,76 @@
+//! Discs, throws and their tracks.
+
+use crate::real_data::wind_tunnel::Measured;
+
+/// Radians in a degree.
+pub(super) const RAD: f64 = std::f64::consts::PI / 180.0;
+
+/// Quantities of a launch, SI.
+pub(super) const LAUNCH_NAMES: [&str; 7] = [
+    "speed",
+    "pitch",
+    "roll",
+    "nose",
+    "yaw",
+    "tailwind",
+    "crosswind",
+];
+
+/// Values of [`LAUNCH_NAMES`], m/s and rad.
+pub(super) type Launch = [f64; 7];
+
+/// Stated uncertainties (standard deviations) of a launch, m/s and rad. That of the crosswind is assumed to be as great as
+/// that of the tailwind.
+pub(super) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
+
+/// Uncertainty of a point of a track, m: a camera at 100 m sees a disc at 5 to 10 m above the ground 5 to 10 % too far out.
+pub(super) const TRACK_UNCERTAINTY: f64 = 1.0;
+
+/// Points of a track that are compared; neighbouring points have the same error.
+const POINTS: usize = 12;
+
+/// A disc.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Disc {
+    /// Diameter, m.
+    pub(super) diameter: f64,
+    /// Moments of inertia / mass, m²: about a diameter, about the axis.
+    pub(super) inertia: [f64; 2],
+    /// Coefficients by angle of attack.
+    pub(super) table: Vec<Measured>,
+}
+
+/// A time, s, and the position over the ground, m.
+pub(super) type TrackPoint = (f64, [f64; 2]);
+
+/// A throw.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Throw {
+    /// Number in the data.
+    pub(super) number: u32,
+    /// Stated launch.
+    pub(super) launch: Launch,
+    /// Spin, rad/s.
+    pub(super) spin: f64,
+    /// Height of the release, m.
+    pub(super) height: f64,
+    /// Track, with times from the first point.
+    pub(super) track: Vec<TrackPoint>,
+}
+
+impl Throw {
+    /// The points of the track that are compared, evenly spread.
+    pub(super) fn points(&self) -> Vec<TrackPoint> {
+        let last = self.track.len().saturating_sub(1);
+        let points = (1..=POINTS).filter_map(|k| self.track.get(k * last / POINTS));
+        points.copied().collect()
+    }
+}
+
+/// Root mean square difference of a coordinate, m.
+pub(super) fn rms_distance(positions: &[[f64; 2]], points: &[TrackPoint]) -> f64 {
+    let pairs = positions.iter().zip(points);
+    let differences = pairs.flat_map(|(a, (_, b))| [a[0] - b[0], a[1] - b[1]]);
+    let squares: f64 = differences.map(|d| d * d).sum();
+    (squares / (2 * points.len().max(1)) as f64).sqrt()
+}

@@ -1,0 +1,33 @@
+//! docs/real-data.md.
+
+use super::balls::{balls_figure, balls_section};
+use super::disc_golf::disc_golf_section;
+use super::results::RealData;
+use super::spin_decay::spin_decay_section;
+use super::wind_tunnel::{effects_section, paper_flights_section, tunnel_figure, tunnel_section};
+use crate::error::StudyError;
+use crate::page::Page;
+
+/// The page of all measured data.
+///
+/// # Errors
+/// [`StudyError`] if a template does not go with the results, or a fit is missing.
+pub fn real_data_page(data: &RealData) -> Result<Page, StudyError> {
+    let sections = [
+        include_str!("page.md").to_owned(),
+        balls_section(&data.balls)?,
+        spin_decay_section(&data.spin_decay)?,
+        tunnel_section(&data.disc, &data.table)?,
+        effects_section(&data.table)?,
+        paper_flights_section(&data.disc, &data.table)?,
+        disc_golf_section(&data.disc_golf)?,
+    ];
+    let tunnel = tunnel_figure(&data.disc, &data.table);
+    Ok(Page {
+        text: sections.join("\n"),
+        figures: vec![
+            ("real-data-spin.svg".into(), balls_figure(&data.balls)),
+            ("real-data-tunnel.svg".into(), tunnel),
+        ],
+    })
+}

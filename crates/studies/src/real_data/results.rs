@@ -1,0 +1,67 @@
+//! All results on measured data.
+
+use std::path::Path;
+
+use identify::{FitReport, dataset};
+use model_spec::model::Model;
+
+use super::balls::{Agreement, Balls};
+use super::disc_golf::{DiscGolf, LaunchFit};
+use super::spin_decay::{DecayFit, Form, SpinDecay};
+use super::wind_tunnel::{Measured, read};
+use crate::error::StudyError;
+use crate::oracle_flights::disc;
+
+/// All results on measured data.
+pub struct RealData {
+    pub(super) balls: Balls,
+    pub(super) spin_decay: SpinDecay,
+    pub(super) disc_golf: DiscGolf,
+    /// The wind tunnel's table.
+    pub(super) table: Vec<Measured>,
+    /// The model `disc`.
+    pub(super) disc: Model,
+}
+
+impl RealData {
+    /// Fits the data in the folders `spindoe`, `spindown`, `windtunnel` and `discgolf` of a folder.
+    ///
+    /// # Errors
+    /// [`StudyError`] if a file is missing or malformed, or if a fit fails.
+    pub fn of(folder: &Path) -> Result<Self, StudyError> {
+        let flights = dataset::load(&folder.join("spindoe"))?;
+        let disc = disc();
+        Ok(Self {
+            balls: Balls::of(&flights)?,
+            spin_decay: SpinDecay::of(&folder.join("spindown/flight.csv"), &disc)?,
+            disc_golf: DiscGolf::of(&folder.join("discgolf"), &disc)?,
+            table: read(&folder.join("windtunnel/potts_crowther.csv"))?,
+            disc,
+        })
+    }
+
+    /// Fit of the balls with gravity and drag alone.
+    pub fn ball(&self) -> &FitReport {
+        &self.balls.plain
+    }
+
+    /// Agreement of the balls' lifts with their stated spins: of all flights, of the agreeing stretches, of the others.
+    pub fn agreement(&self) -> [Agreement; 3] {
+        self.balls.agreement
+    }
+
+    /// Fits of the agreeing stretches: gravity and drag, with lift by spin, with its square.
+    pub fn lift_by_spin(&self) -> &[FitReport; 3] {
+        &self.balls.lift_by_spin
+    }
+
+    /// Fits of the disc-golf launches, without and with factors on the aerodynamic table.
+    pub fn launches(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
+        self.disc_golf.fits()
+    }
+
+    /// Fit of a form of the spin's decay.
+    pub fn spin_down(&self, form: Form) -> Option<&DecayFit> {
+        self.spin_decay.fit(form)
+    }
+}

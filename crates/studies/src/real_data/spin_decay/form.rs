@@ -1,0 +1,71 @@
+//! Forms of the decay of a spin.
+
+use nalgebra::DVector;
+
+/// A form of the torque that slows a spin. Its first two unknowns are the spin at release, rad/s, and the fraction of it that
+/// is lost per second there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Constant torque.
+    Constant,
+    /// Torque proportional to the spin.
+    Linear,
+    /// Torque proportional to the square of the spin.
+    Quadratic,
+    /// Torque proportional to a power of the spin; the exponent is the third unknown.
+    Power,
+    /// Torque proportional to the spin and a factor that falls linearly with time, as the airspeed may; the third unknown is
+    /// the fraction that the factor loses per second.
+    Falling,
+}
+
+impl Form {
+    /// All forms.
+    pub(super) const ALL: [Form; 5] = [
+        Form::Constant,
+        Form::Linear,
+        Form::Quadratic,
+        Form::Power,
+        Form::Falling,
+    ];
+
+    /// Name in the page.
+    pub(super) fn label(self) -> &'static str {
+        match self {
+            Form::Constant => "constant",
+            Form::Linear => "∝ spin",
+            Form::Quadratic => "∝ spin²",
+            Form::Power => "∝ a power of the spin",
+            Form::Falling => "∝ spin, falling with time",
+        }
+    }
+
+    /// Initial guess of the unknowns for a spin at release, rad/s.
+    pub(super) fn initial_guess(self, spin: f64) -> DVector<f64> {
+        match self {
+            Self::Power => DVector::from_vec(vec![spin, 0.04, 1.5]),
+            Self::Falling => DVector::from_vec(vec![spin, 0.04, 0.05]),
+            _ => DVector::from_vec(vec![spin, 0.04]),
+        }
+    }
+
+    /// Spin (rad/s) at a time (s) after the release.
+    pub(super) fn at(self, unknowns: &DVector<f64>, time: f64) -> f64 {
+        let (spin, loss) = (unknowns[0], unknowns[1]);
+        // Solution of dr/dt = −loss r (r/spin)^(power − 1).
+        let by_power = |power: f64| match (power - 1.0).abs() < 1e-9 {
+            true => spin * (-loss * time).exp(),
+            false => {
+                let base = 1.0 + (power - 1.0) * loss * time;
+                spin * base.max(1e-9).powf(-1.0 / (power - 1.0))
+            }
+        };
+        match self {
+            Self::Constant => by_power(0.0),
+            Self::Linear => by_power(1.0),
+            Self::Quadratic => by_power(2.0),
+            Self::Power => by_power(unknowns[2]),
+            Self::Falling => spin * (-loss * time * (1.0 - unknowns[2] * time / 2.0)).exp(),
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! Section of docs/real-data.md on the effects of the catalogue that improve the disc's curves.
+
+use serde::Serialize;
+
+use super::curves::{ALPHA, CUBE, Coefficient, Curve, ONE, SQUARE, STALL, Shape, minimum};
+use super::table::{Measured, between};
+use crate::error::StudyError;
+use crate::page::render;
+
+/// Half-widths of the ranges of angles of attack, degrees.
+const HALF_WIDTHS: [f64; 3] = [10.0, 20.0, 30.0];
+
+/// A form of a curve.
+struct Form {
+    coefficient: Coefficient,
+    /// The model's form, or the effects that make it.
+    name: &'static str,
+    shapes: &'static [Shape],
+}
+
+const fn form(coefficient: Coefficient, name: &'static str, shapes: &'static [Shape]) -> Form {
+    Form {
+        coefficient,
+        name,
+        shapes,
+    }
+}
+
+const LIFT: Form = form(0, "lift: straight", &[ONE, ALPHA]);
+const LIFT_STALL: Form = form(0, "`stall`", &[ONE, ALPHA, STALL]);
+const DRAG: Form = form(1, "drag: parabola about 0", &[ONE, SQUARE]);
+/// A parabola with a linear term is one about another angle.
+const DRAG_SHIFTED: Form = form(1, "`zero_lift_drag_angle`", &[ONE, SQUARE, ALPHA]);
+const MOMENT: Form = form(2, "pitching moment: straight through 0", &[ALPHA]);
+const MOMENT_CONSTANT: Form = form(2, "`constant_pitching_moment`", &[ALPHA, ONE]);
+const MOMENT_CUBIC: Form = form(2, "`cubic_pitching_moment`", &[ALPHA, CUBE]);
+const MOMENT_BOTH: Form = form(2, "both", &[ALPHA, ONE, CUBE]);
+const MOMENT_EVEN: Form = form(
+    2,
+    "both, and a square (no effect has it)",
+    &[ALPHA, ONE, CUBE, SQUARE],
+);
+
+/// Forms in the order of the table.
+const FORMS: [&Form; 9] = [
+    &LIFT,
+    &LIFT_STALL,
+    &DRAG,
+    &DRAG_SHIFTED,
+    &MOMENT,
+    &MOMENT_CONSTANT,
+    &MOMENT_CUBIC,
+    &MOMENT_BOTH,
+    &MOMENT_EVEN,
+];
+
+/// The model's forms, and the difference from the table above which they count as departing.
+const DEPARTURES: [(&str, &Form, f64); 3] = [
+    ("Lift", &LIFT, 0.1),
+    ("Drag", &DRAG, 0.05),
+    ("The pitching moment", &MOMENT, 0.01),
+];
+
+#[derive(Serialize)]
+struct Section {
+    forms: Vec<FormRow>,
+    departures: Vec<Departure>,
+    /// Fractions of the RMS residual that effects remove, within the least and the greatest half-width.
+    drag_shifted: [Option<f64>; 2],
+    stall: [Option<f64>; 2],
+    moment_constant: [Option<f64>; 2],
+    moment_cubic: [Option<f64>; 2],
+    /// Angle of the least drag within the least and the greatest half-width, degrees.
+    least_drag: [Option<f64>; 2],
+}
+
+#[derive(Serialize)]
+struct FormRow {
+    name: &'static str,
+    /// RMS residual within each half-width.
+    rms: Vec<Option<f64>>,
+}
+
+/// Where the model's form, fitted within the least half-width, first departs from the table.
+#[derive(Serialize)]
+struct Departure {
+    name: &'static str,
+    limit: f64,
+    /// Angles of attack above and below 0, degrees.
+    above: Option<f64>,
+    below: Option<f64>,
+}
+
+/// The section, in Markdown.
+pub(in super::super) fn effects_section(table: &[Measured]) -> Result<String, StudyError> {
+    let ranges = HALF_WIDTHS.map(|width| between(table, -width, width));
+    let rms = |form: &Form, rows: &[Measured]| {
+        let curve = Curve::fitted(rows, form.coefficient, form.shapes)?;
+        Some(curve.rms(rows, form.coefficient))
+    };
+    let ends = [&ranges[0], &ranges[2]];
+    let removed =
+        |form: &Form, base: &Form| ends.map(|rows| Some(1.0 - rms(form, rows)? / rms(base, rows)?));
+    let least_drag = |rows: &Vec<Measured>| {
+        let curve = Curve::fitted(rows, DRAG_SHIFTED.coefficient, DRAG_SHIFTED.shapes)?;
+        let [constant, square, linear] = curve.multiples.try_into().ok()?;
+        minimum([constant, linear, square]).map(f64::to_degrees)
+    };
+    let forms = FORMS.iter().map(|form| FormRow {
+        name: form.name,
+        rms: ranges.iter().map(|rows| rms(form, rows)).collect(),
+    });
+    let departures = DEPARTURES.iter();
+    let section = Section {
+        forms: forms.collect(),
+        departures: departures
+            .filter_map(|(name, form, limit)| departure(table, &ranges[0], name, form, *limit))
+            .collect(),
+        drag_shifted: removed(&DRAG_SHIFTED, &DRAG),
+        stall: removed(&LIFT_STALL, &LIFT),
+        moment_constant: removed(&MOMENT_CONSTANT, &MOMENT),
+        moment_cubic: removed(&MOMENT_CUBIC, &MOMENT),
+        least_drag: ends.map(least_drag),
+    };
+    render(include_str!("effects.md"), section)
+}
+
+fn departure(
+    table: &[Measured],
+    fitted_rows: &[Measured],
+    name: &'static str,
+    form: &Form,
+    limit: f64,
+) -> Option<Departure> {
+    let curve = Curve::fitted(fitted_rows, form.coefficient, form.shapes)?;
+    let first = |sign: f64| {
+        let side = table.iter().filter(|row| row.alpha * sign >= 0.0);
+        let mut side: Vec<&Measured> = side.collect();
+        side.sort_by(|a, b| a.alpha.abs().total_cmp(&b.alpha.abs()));
+        let departs = |row: &&&Measured| {
+            (row.coefficients[form.coefficient] - curve.at(row.alpha)).abs() > limit
+        };
+        side.iter().find(departs).map(|row| row.alpha.to_degrees())
+    };
+    Some(Departure {
+        name,
+        limit,
+        above: first(1.0),
+        below: first(-1.0),
+    })
+}

@@ -1,0 +1,51 @@
+//! The wind tunnel's table.
+
+use std::path::Path;
+
+use crate::error::StudyError;
+use crate::real_data::files::{bad_line, numbers, rows, text_of};
+
+/// One row of an aerodynamic table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in super::super) struct Measured {
+    /// Angle of attack, rad.
+    pub(in super::super) alpha: f64,
+    /// Coefficients of lift, of drag, and of the pitching moment about d2 (nose-up negative).
+    pub(in super::super) coefficients: [f64; 3],
+}
+
+/// Reads a table `alpha_deg,CL,CD,CM`, whose moment is nose-up positive.
+pub(in super::super) fn read(file: &Path) -> Result<Vec<Measured>, StudyError> {
+    let text = text_of(file)?;
+    let rows = rows(&text, 1).map(|row| {
+        let [alpha, lift, drag, moment] = numbers(row.1)[..] else {
+            return Err(bad_line(file, row, "four numbers"));
+        };
+        Ok(Measured {
+            alpha: alpha.to_radians(),
+            coefficients: [lift, drag, -moment],
+        })
+    });
+    rows.collect()
+}
+
+/// Coefficients at an angle of attack (rad), linear between rows in increasing order, constant beyond them.
+pub(in super::super) fn interpolated(rows: &[Measured], alpha: f64) -> [f64; 3] {
+    let above = rows.partition_point(|row| row.alpha <= alpha);
+    let below = above.checked_sub(1).and_then(|k| rows.get(k));
+    match (below, rows.get(above)) {
+        (Some(low), Some(high)) => {
+            let fraction = (alpha - low.alpha) / (high.alpha - low.alpha);
+            let (a, b) = (low.coefficients, high.coefficients);
+            [0, 1, 2].map(|k| a[k] + fraction * (b[k] - a[k]))
+        }
+        (Some(end), None) | (None, Some(end)) => end.coefficients,
+        (None, None) => [0.0; 3],
+    }
+}
+
+/// Rows between two angles of attack, degrees.
+pub(super) fn between(rows: &[Measured], low: f64, high: f64) -> Vec<Measured> {
+    let within = |row: &&Measured| (low - 1e-9..=high + 1e-9).contains(&row.alpha.to_degrees());
+    rows.iter().filter(within).copied().collect()
+}
