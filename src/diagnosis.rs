@@ -1,21 +1,20 @@
 //! Diagnosis of model errors.
 
-use diagnose::diagnosis::{Asked, Diagnosed};
 use identify::dataset::Dataset;
 
 use crate::{Error, Model};
 
-pub use diagnose::diagnosis::{Asked as DiagnosisOptions, Diagnosed as Diagnosis};
+pub use diagnose::{Diagnosis, DiagnosisOptions};
 
 /// Tests which effects a model lacks, judged by the measured flights of a dataset, and extends it by those that the
 /// data support.
 ///
 /// # Errors
 /// [`Error::Diagnosis`].
-pub fn diagnose(model: &Model, dataset: &Dataset, options: &Asked<'_>) -> Result<Diagnosed, Error> {
-    Ok(diagnose::diagnosis::diagnose(
-        model.checked(),
-        dataset,
-        options,
-    )?)
+pub fn diagnose(
+    model: &Model,
+    dataset: &Dataset,
+    options: &DiagnosisOptions<'_>,
+) -> Result<Diagnosis, Error> {
+    Ok(diagnose::diagnose(model.checked(), dataset, options)?)
 }

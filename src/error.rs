@@ -1,6 +1,6 @@
 //! Errors of the library.
 
-use diagnose::diagnosis::DiagnosisError;
+use diagnose::DiagnosisError;
 use flight::release::ReleaseError;
 use identify::{FitError, InputError};
 use model_spec::LoadError;

@@ -1,374 +1,436 @@
-//! The diagnosis from fit to report.
+//! The stages of a diagnosis, from the fit of the model to the report.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
 
 use flight::batch;
 use identify::dataset::{Dataset, Role};
-use identify::{Fit, FitError, FitOptions, FlightEvidence, Observations, fit};
-use model_spec::load::LoadError;
+use identify::{Fit, FlightEvidence, Iterate, fit};
 use model_spec::model::Model;
 
-use crate::agree::agreed;
-use crate::bench::Bench;
-use crate::beside::both;
-use crate::catalogue::Catalogue;
-use crate::causes::{Cause, search, search_on};
-use crate::curves::curves;
-use crate::extend::Extension;
-use crate::gain::Believed;
-use crate::outside;
-use crate::report::{Agreement, Gain, Outside, Report, Verdict};
-use crate::telling::{by_scatter, not_believed, take_over, told};
-use crate::throw::next_throw;
-use crate::{gain, histories, words};
+use crate::consensus::consensus;
+use crate::context::{Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
+use crate::error::DiagnosisError;
+use crate::extension::ExtendedModel;
+use crate::noise::random_walk_loads;
+use crate::optimal_design::next_throw;
+use crate::report::{self, Consensus, Report, Verdict};
+use crate::selection::{Search, StepwiseModel, select_by_bic, stepwise_terms};
+use crate::validation::{ApplyTo, PredictiveGain, Validated, cross_validate, gain_of_fits};
 
-/// What is asked of a diagnosis beside its dataset and its model.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Asked<'a> {
-    /// The dataset as it was named, for the report.
-    pub dataset: &'a str,
-    /// Effects that are on, by name or path.
-    pub with: &'a [String],
-    /// Effects that are not looked for.
-    pub without: &'a [String],
-    /// What is asked of its fits.
-    pub fit: FitOptions<'a>,
-}
+/// A hypothesis of one effect with at most this many unknowns does not pay for them.
+const FREE_UNKNOWNS: usize = 6;
 
-/// A diagnosis.
-pub struct Diagnosed {
-    /// What was found.
+/// Result of a diagnosis.
+pub struct Diagnosis {
+    /// The report.
     pub report: Report,
-    /// The fit of the model.
+    /// Fit of the model under test.
     pub before: Fit,
-    /// The extended model and its fit, where there is one.
-    pub after: Option<(Extension, Fit)>,
+    /// The extended model and its fit, if the model is extended.
+    pub after: Option<(ExtendedModel, Fit)>,
 }
 
-/// Why there is none.
-#[derive(Debug, thiserror::Error)]
-pub enum DiagnosisError {
-    /// The flights cannot be fitted.
-    #[error(transparent)]
-    Fit(#[from] FitError),
-    /// The model cannot be loaded.
-    #[error("{0}")]
-    Load(#[from] LoadError),
-}
-
-/// Finds what a model gets wrong of a dataset's flights.
+/// Looks for errors of a model in the flights of a dataset, names the missing effects, and measures what the extended model
+/// gains.
 ///
 /// # Errors
-/// Where the flights cannot be fitted.
+/// [`DiagnosisError`] if an option cannot be used, the flights cannot be fitted, or the caller cancelled.
 pub fn diagnose(
     model: &Model,
     dataset: &Dataset,
-    asked: &Asked<'_>,
-) -> Result<Diagnosed, DiagnosisError> {
-    diagnose_beside(model, dataset, asked, |_| ()).map(|(diagnosed, _)| diagnosed)
+    options: &DiagnosisOptions<'_>,
+) -> Result<Diagnosis, DiagnosisError> {
+    diagnose_with(model, dataset, options, |_| ()).map(|(diagnosis, _)| diagnosis)
 }
 
-/// The same, with what `beside` makes of the extension, where there is one, while its gain is measured.
+/// As [`diagnose`], and calls `on_extension` with the extended model, if there is one, while its gain is measured.
 ///
 /// # Errors
-/// Where the flights cannot be fitted.
-pub fn diagnose_beside<R: Send>(
+/// As [`diagnose`].
+pub fn diagnose_with<R: Send>(
     model: &Model,
     dataset: &Dataset,
-    asked: &Asked<'_>,
-    beside: impl Fn(&Extension) -> R + Sync,
-) -> Result<(Diagnosed, Option<R>), DiagnosisError> {
-    looked(model, dataset, asked, &beside, true)
+    options: &DiagnosisOptions<'_>,
+    on_extension: impl Fn(&ExtendedModel) -> R + Sync,
+) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
+    options.validate(model)?;
+    let context = Context {
+        model,
+        dataset,
+        options,
+    };
+    let started = Instant::now();
+    let analysis = Analysis::new(context)?;
+    if let Some(discordant) = &analysis.discordant
+        && let Some(mut done) = without_discordant(context, discordant, &on_extension)?
+    {
+        let total = started.elapsed().as_secs_f64();
+        done.0.report.seconds.insert("total".to_owned(), total);
+        return Ok(done);
+    }
+    analysis.finish(&on_extension)
 }
 
-/// The same without the flights that contradict what most agree on, where that explains the others.
-fn without<R: Send>(
-    model: &Model,
-    dataset: &Dataset,
-    asked: &Asked<'_>,
-    beside: &(impl Fn(&Extension) -> R + Sync),
-    (contradicting, chance): (Vec<String>, f64),
-) -> Result<Option<(Diagnosed, Option<R>)>, DiagnosisError> {
-    let mut rest = dataset.clone();
-    rest.flights
-        .retain(|flight| !contradicting.contains(&flight.file));
-    let (mut found, made) = looked(model, &rest, asked, beside, false)?;
-    let report = &mut found.report;
-    if report.verdict == Verdict::Outside || report.causes.is_empty() {
+/// Discordant flights, without which one explanation holds for all others.
+struct Discordant {
+    files: Vec<String>,
+    p_value: f64,
+}
+
+/// Repeats a diagnosis without discordant flights; none if the others are not explained either.
+fn without_discordant<R: Send>(
+    context: Context<'_>,
+    discordant: &Discordant,
+    on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
+) -> Result<Option<(Diagnosis, Option<R>)>, DiagnosisError> {
+    let mut concordant = context.dataset.clone();
+    let flights = &mut concordant.flights;
+    flights.retain(|flight| !discordant.files.contains(&flight.file));
+    let fitted = flights
+        .iter()
+        .filter(|flight| flight.role == Role::Fit)
+        .count();
+    let context = Context {
+        dataset: &concordant,
+        ..context
+    };
+    let mut found = Analysis::new(context)?.finish(on_extension)?;
+    let report = &mut found.0.report;
+    if report.verdict == Verdict::Unattributed || report.causes.is_empty() {
         return Ok(None);
     }
-    let fitted = rest
-        .flights
-        .iter()
-        .filter(|flight| flight.role == Role::Fit);
-    report.agreement = Some(Agreement {
-        flights: fitted.count(),
-        part: report
-            .agreement
-            .as_ref()
-            .and_then(|agreement| agreement.part),
-        chance,
-        contradicting,
+    let explained = report
+        .consensus
+        .as_ref()
+        .and_then(|consensus| consensus.explained);
+    report.consensus = Some(Consensus {
+        flights: fitted,
+        explained,
+        p_value: discordant.p_value,
+        discordant: discordant.files.clone(),
     });
-    report.summary = words::summary(report);
-    Ok(Some((found, made)))
+    report.summary = report::summary(report);
+    Ok(Some(found))
 }
 
-fn looked<R: Send>(
-    model: &Model,
-    dataset: &Dataset,
-    asked: &Asked<'_>,
-    beside: &(impl Fn(&Extension) -> R + Sync),
-    may_leave_out: bool,
-) -> Result<(Diagnosed, Option<R>), DiagnosisError> {
-    let threads = asked.fit.threads();
-    let clock = Instant::now();
-    let mut seconds = BTreeMap::new();
-    // The candidates are made ready while the flights are fitted.
-    let (catalogue, before) = both(
-        threads,
-        || Catalogue::new(model, asked.with, asked.without),
-        || fit(model, dataset, &asked.fit),
-    );
-    let (before, catalogue) = (before?, catalogue?);
-    seconds.insert("fit".to_owned(), clock.elapsed().as_secs_f64());
-    let (mut bench, base) = Bench::new(&catalogue, dataset, &before, &asked.fit)?;
-    let mut found = search(&mut bench, &base, before.noise())?;
-    let place = outside::Place {
-        model,
-        dataset,
-        asked,
-    };
-    let mut written = None;
-    let mut agreement = None;
-    if found.alarmed && found.causes.is_empty() {
-        let single = found
-            .nearest
-            .iter()
-            .find(|c| bench.size_of(&c.effects) <= FEW);
-        written = outside::write(place, &bench, &found, None)?;
-        // What no term alone explains may be the best effect with terms beside it.
-        if let (Some(single), false) = (single, written.as_ref().is_some_and(|w| w.stands)) {
-            let beside = outside::write(place, &bench, &found, Some(single))?;
-            written = better(written, beside);
+/// Computing time by stage.
+struct Clock {
+    started: Instant,
+    seconds: BTreeMap<String, f64>,
+}
+
+impl Clock {
+    fn start() -> Self {
+        Self {
+            started: Instant::now(),
+            seconds: BTreeMap::new(),
         }
-        search_on(&bench, &mut found)?;
-        if found.causes.is_empty() && !written.as_ref().is_some_and(|written| written.stands) {
-            search_on(&bench, &mut found)?;
-        }
-        found.causes = by_size(&bench, found.causes, written.as_ref(), 0);
-        if found.causes.is_empty()
-            && !written.as_ref().is_some_and(|written| written.stands)
-            && let Some(agreed) = agreed(&bench, &found, &base)?
-        {
-            let file = |&flight: &usize| bench.observation_sets[flight].file.clone();
-            let contradicting: Vec<String> = agreed.contradicting.iter().map(file).collect();
-            if !contradicting.is_empty()
-                && may_leave_out
-                && let Some(mut done) = without(
-                    model,
-                    dataset,
-                    asked,
-                    beside,
-                    (contradicting, agreed.chance),
-                )?
-            {
-                let all = clock.elapsed().as_secs_f64();
-                done.0.report.seconds.insert("total".to_owned(), all);
-                return Ok(done);
-            }
-            if !agreed.causes.is_empty() {
-                found.causes = agreed.causes;
-                agreement = Some(Agreement {
-                    flights: bench.observation_sets.len(),
-                    part: Some(agreed.part),
-                    chance: agreed.chance,
-                    contradicting: Vec::new(),
-                });
-            }
-        }
-    } else {
-        found.causes = by_size(&bench, found.causes, None, FEW);
     }
-    let mut tried = None;
-    let mut refused = None;
-    if let Some(best) = found.causes.first().filter(|best| bench.is_supple(best)) {
-        let with_it = bench.tried(place, best, &before, found.noise.overall())?;
-        if with_it.predicts() {
-            tried = Some(with_it);
+
+    /// Records the time since the start.
+    fn record(&mut self, stage: &str) {
+        let elapsed = self.started.elapsed().as_secs_f64();
+        self.seconds.insert(stage.to_owned(), elapsed);
+    }
+}
+
+/// A diagnosis whose explanations are found and not validated yet.
+struct Analysis<'a> {
+    context: Context<'a>,
+    clock: Clock,
+    before: Fit,
+    model: ScoreTestModel,
+    /// The fit of the model under test, in the score-test model.
+    base: Iterate,
+    search: Search<'a>,
+    stepwise: Option<StepwiseModel>,
+    consensus: Option<Consensus>,
+    discordant: Option<Discordant>,
+}
+
+/// The model that extends the model under test.
+struct Chosen {
+    extension: ExtendedModel,
+    /// Its fit, if it is known.
+    fit: Option<Fit>,
+    /// Its gain, if it is known.
+    gain: Option<PredictiveGain>,
+    /// Decrease of the weighted sum of squares, for effects that the diagnosis wrote.
+    chi2_decrease: f64,
+}
+
+impl<'a> Analysis<'a> {
+    /// Fits the model under test, tests all candidates and looks for explanations.
+    fn new(context: Context<'a>) -> Result<Self, DiagnosisError> {
+        let mut clock = Clock::start();
+        let Context {
+            model,
+            dataset,
+            options,
+        } = context;
+        let (encompassing, before) = join(
+            options.fit.threads(),
+            || EncompassingModel::new(model, options.with, options.without),
+            || fit(model, dataset, &options.fit),
+        );
+        let (before, encompassing) = (before?, encompassing?);
+        clock.record("fit");
+        let (mut model, base) = ScoreTestModel::new(encompassing, context, &before)?;
+        let search = Search::new(&mut model, &base, before.noise(), context)?;
+        let mut analysis = Self {
+            context,
+            clock,
+            before,
+            model,
+            base,
+            search,
+            stepwise: None,
+            consensus: None,
+            discordant: None,
+        };
+        if analysis.search.is_significant() && analysis.search.accepted.is_empty() {
+            analysis.search_beyond_single_effects()?;
         } else {
-            found.causes.retain(|cause| !bench.is_supple(cause));
-            refused = Some(words::refused(&with_it));
-            if found.causes.is_empty() && written.is_none() {
-                written = outside::write(place, &bench, &found, None)?;
-            }
+            analysis.select_by_bic(FREE_UNKNOWNS);
         }
+        Ok(analysis)
     }
-    seconds.insert("search".to_owned(), clock.elapsed().as_secs_f64());
 
-    let mut report = told(model, asked, &before, &bench, &found);
-    report.agreement = agreement;
-    report.notes.extend(refused);
-    if found.causes.len() > 1 {
-        let blocks = bench.look(
-            &found.causes[0].problem,
-            &found.causes[0].point,
-            &found.noise,
-        )?;
-        report.next_throw = next_throw(&bench, &found.causes, &blocks, &found.noise, 1);
+    fn select_by_bic(&mut self, free: usize) {
+        let accepted = std::mem::take(&mut self.search.accepted);
+        let stepwise = self.stepwise.as_ref();
+        self.search.accepted = select_by_bic(&self.model, accepted, stepwise, free);
     }
-    let mut chosen = None;
-    let mut gained = 0.0;
-    let mut known_gain = None;
-    if let Some(tried) = tried {
-        known_gain = tried.gain;
-        chosen = Some((tried.extension, Some(tried.fitted)));
-    } else if let Some(best) = found.causes.first() {
-        chosen = Some((bench.extension(place, best)?, None));
-    } else if let Some(written) = written {
-        let mut channels = outside::channels(&bench, &found.scores);
-        histories::fill(&mut channels, &bench, &base, &found.noise);
-        report.outside = Some(Outside {
-            says: words::outside(&written),
-            channels,
-            terms: written.told,
-        });
-        gained = (found.squares - written.squares).max(0.0);
-        chosen = written
-            .model
-            .map(|(extension, fitted)| (extension, Some(fitted)));
+
+    fn has_adequate_terms(&self) -> bool {
+        let stepwise = self.stepwise.as_ref();
+        stepwise.is_some_and(|stepwise| stepwise.is_adequate)
     }
-    let (mut after, mut made) = (None, None);
-    if let Some(chosen) = chosen {
-        let (extended, besides) = measured(
-            place,
-            &before,
-            &mut report,
-            (chosen, gained, known_gain),
-            beside,
-        )?;
-        after = Some(extended);
-        made = Some(besides);
+
+    /// Explanations where no single candidate is adequate: library terms, several candidates, or what the flights agree
+    /// on.
+    fn search_beyond_single_effects(&mut self) -> Result<(), DiagnosisError> {
+        let (context, model) = (self.context, &self.model);
+        self.stepwise = stepwise_terms(context, model, &self.search, None)?;
+        let few = |effects: &[_]| model.unknowns_of(effects) <= FREE_UNKNOWNS;
+        let single = self.search.rejected.iter().find(|h| few(&h.effects));
+        // What no term alone explains may be the best candidate with terms beside it.
+        if let (Some(single), false) = (single, self.has_adequate_terms()) {
+            let beside = stepwise_terms(context, model, &self.search, Some(single))?;
+            self.stepwise = StepwiseModel::better(self.stepwise.take(), beside);
+        }
+        self.search.add_effect(model)?;
+        if self.search.accepted.is_empty() && !self.has_adequate_terms() {
+            self.search.add_effect(model)?;
+        }
+        self.select_by_bic(0);
+        if self.search.accepted.is_empty() && !self.has_adequate_terms() {
+            self.search_consensus()?;
+        }
+        Ok(())
     }
-    report.summary = words::summary(&report);
-    seconds.insert("total".to_owned(), clock.elapsed().as_secs_f64());
-    report.seconds = seconds;
-    let diagnosed = Diagnosed {
-        report,
-        before,
-        after,
-    };
-    Ok((diagnosed, made))
+
+    /// Accepts what the flights agree on.
+    fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
+        let found = consensus(self.context, &self.model, &self.search, &self.base)?;
+        let Some(found) = found else {
+            return Ok(());
+        };
+        if !found.discordant.is_empty() {
+            let files = found.discordant.iter();
+            self.discordant = Some(Discordant {
+                files: files
+                    .map(|&flight| self.model.flights[flight].file.clone())
+                    .collect(),
+                p_value: found.p_value,
+            });
+        }
+        if !found.hypotheses.is_empty() {
+            self.search.accepted = found.hypotheses;
+            self.consensus = Some(Consensus {
+                flights: self.model.flights.len(),
+                explained: Some(found.explained),
+                p_value: found.p_value,
+                discordant: Vec::new(),
+            });
+        }
+        Ok(())
+    }
+
+    /// Validates the explanations, extends the model and writes the report.
+    fn finish<R: Send>(
+        mut self,
+        on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
+    ) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
+        let (validated, refused) = self.validate_overflexible()?;
+        self.clock.record("search");
+        let (context, search) = (self.context, &self.search);
+        let mut report = report::build_report(context, &self.before, &self.model, search);
+        report.consensus = self.consensus.take();
+        report.notes.extend(refused);
+        report.next_throw = next_throw(&self.model, search, &context.options.throws)?;
+        let chosen = self.choose(validated, &mut report)?;
+        let (mut after, mut made) = (None, None);
+        if let Some(chosen) = chosen {
+            let before = &self.before;
+            let (extended, from_extension) =
+                measure(context, before, &mut report, chosen, on_extension)?;
+            after = Some(extended);
+            made = Some(from_extension);
+        }
+        report.summary = report::summary(&report);
+        self.clock.record("total");
+        report.seconds = self.clock.seconds;
+        let diagnosis = Diagnosis {
+            report,
+            before: self.before,
+            after,
+        };
+        Ok((diagnosis, made))
+    }
+
+    /// Validates the best explanation if it is overflexible. Returns it if it predicts; otherwise such explanations are dropped,
+    /// and the second value says why.
+    fn validate_overflexible(
+        &mut self,
+    ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {
+        let (context, model) = (self.context, &self.model);
+        let best = self.search.accepted.first();
+        let Some(best) = best.filter(|best| best.is_overflexible(model)) else {
+            return Ok((None, None));
+        };
+        let noise = self.search.noise.overall();
+        let validated = Validated::new(context, model, best, &self.before, noise)?;
+        if validated.is_accepted() {
+            return Ok((Some(validated), None));
+        }
+        self.search.accepted.retain(|h| !h.is_overflexible(model));
+        if self.search.accepted.is_empty() && self.stepwise.is_none() {
+            self.stepwise = stepwise_terms(context, model, &self.search, None)?;
+        }
+        Ok((None, Some(report::refused(&validated))))
+    }
+
+    /// The extension by the best explanation, or by library terms if there is none; these are put into the report.
+    fn choose(
+        &mut self,
+        validated: Option<Validated>,
+        report: &mut Report,
+    ) -> Result<Option<Chosen>, DiagnosisError> {
+        if let Some(validated) = validated {
+            return Ok(Some(Chosen {
+                extension: validated.extension,
+                fit: Some(validated.fit),
+                gain: validated.gain,
+                chi2_decrease: 0.0,
+            }));
+        }
+        if let Some(best) = self.search.accepted.first() {
+            return Ok(Some(Chosen {
+                extension: best.extension(self.context, &self.model)?,
+                fit: None,
+                gain: None,
+                chi2_decrease: 0.0,
+            }));
+        }
+        let Some(stepwise) = self.stepwise.take() else {
+            return Ok(None);
+        };
+        let (model, search) = (&self.model, &self.search);
+        let histories = random_walk_loads(model, &self.base, &search.noise);
+        let found = report::unattributed_report(model, search, &stepwise, histories);
+        report.unattributed = Some(found);
+        let chi2_decrease = (search.squares - stepwise.squares).max(0.0);
+        Ok(stepwise.fitted.map(|(extension, fit)| Chosen {
+            extension,
+            fit: Some(fit),
+            gain: None,
+            chi2_decrease,
+        }))
+    }
 }
 
-/// Fits the extended model where that was not done, measures what it gains, and puts both into the report; and what `beside`
-/// makes of it.
-fn measured<R: Send>(
-    place: outside::Place<'_>,
+/// Fits the extended model if that is not done, measures its gain, and puts both into the report; and calls `on_extension`.
+fn measure<R: Send>(
+    context: Context<'_>,
     before: &Fit,
     report: &mut Report,
-    ((extension, fitted), gained, known_gain): ((Extension, Option<Fit>), f64, Option<Gain>),
-    beside: &(impl Fn(&Extension) -> R + Sync),
-) -> Result<((Extension, Fit), R), DiagnosisError> {
-    let outside::Place {
+    chosen: Chosen,
+    on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
+) -> Result<((ExtendedModel, Fit), R), DiagnosisError> {
+    let Context {
         model,
         dataset,
-        asked,
-    } = place;
-    let threads = asked.fit.threads();
-    let floor = report.noise.sigma_m;
-    let believed = match report.agreement {
-        Some(_) => Believed::UnlessContradicted,
-        None => Believed::Always,
+        options,
+    } = context;
+    let threads = options.fit.threads();
+    let noise_floor = report.noise.sigma_m;
+    let apply_to = match report.consensus {
+        Some(_) => ApplyTo::ConcordantFlights,
+        None => ApplyTo::AllFlights,
     };
-    let held_out = dataset.flights.iter().any(|f| f.role == Role::HeldOut);
-    // None of the three needs what another finds.
-    let (by_turns, (besides, fitted)) = both(
+    let has_held_out = context.has_held_out();
+    let Chosen {
+        extension,
+        fit: known_fit,
+        gain: known_gain,
+        chi2_decrease,
+    } = chosen;
+    // None of the three depends on another.
+    let (cross_validated, (made, after)) = join(
         threads,
-        || match held_out || known_gain.is_some() {
+        || match has_held_out || known_gain.is_some() {
             true => Ok(known_gain),
             false => {
                 let models = [model, &extension.model];
-                gain::by_turns(models, dataset, &asked.fit, believed, floor)
+                cross_validate(models, dataset, &options.fit, apply_to, noise_floor)
             }
         },
         || {
-            both(
+            join(
                 threads,
-                || beside(&extension),
-                || fitted.map_or_else(|| fit(&extension.model, dataset, &asked.fit), Ok),
+                || on_extension(&extension),
+                || known_fit.map_or_else(|| fit(&extension.model, dataset, &options.fit), Ok),
             )
         },
     );
-    let fitted = fitted?;
-    take_over(report, (&extension, gained), before, &fitted);
-    if report.agreement.is_some() {
-        by_scatter(report, &fitted);
+    let after = after?;
+    report::add_extension(report, (&extension, chi2_decrease), before, &after);
+    if report.consensus.is_some() {
+        report::use_clustered_errors(report, &after);
     }
-    report.gain = match held_out {
+    report.gain = match has_held_out {
         true => {
-            let without = believed.without(before, &fitted);
-            not_believed(report, &without);
-            gain::by_fits(before, &fitted, &without, floor)
+            let not_applied = apply_to.exceptions(before, &after);
+            report::note_not_applied(report, &not_applied);
+            gain_of_fits(before, &after, &not_applied, noise_floor)
         }
-        false => by_turns?,
+        false => cross_validated?,
     };
-    let fits: Vec<usize> = (0..dataset.flights.len())
-        .filter(|&k| dataset.flights[k].role == Role::Fit)
-        .collect();
-    let evidence = |fitted: &Fit| -> Vec<FlightEvidence> {
-        let each = batch::each_on(threads, fits.len(), |k| fitted.evidence(fits[k]));
-        each.into_iter().flatten().collect()
-    };
-    report.curves = curves(model, &evidence(before), &evidence(&fitted));
-    Ok(((extension, fitted), besides))
+    let [was, is] = [before, &after].map(|fit| evidence(context, fit));
+    report.curves = report::curves(model, &was, &is);
+    Ok(((extension, after), made))
 }
 
-/// Of two that were written the one that stands, or else the one that leaves less.
-fn better(
-    one: Option<outside::Written>,
-    other: Option<outside::Written>,
-) -> Option<outside::Written> {
-    let rank = |written: &outside::Written| (!written.stands, written.squares);
-    match (one, other) {
-        (Some(one), Some(other)) if rank(&other) < rank(&one) => Some(other),
-        (one, other) => one.or(other),
-    }
+/// The fitted flights as measured and as predicted.
+fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
+    let flights = context.dataset.flights.iter().enumerate();
+    let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);
+    let fitted: Vec<usize> = fitted.map(|(index, _)| index).collect();
+    let threads = context.options.fit.threads();
+    let each = batch::each_on(threads, fitted.len(), |k| fit.evidence(fitted[k]));
+    each.into_iter().flatten().collect()
 }
 
-/// A single cause of no more unknowns does not pay for them.
-const FEW: usize = 6;
-
-/// Causes that are so much worse than the best, once their unknowns are paid for, are none.
-const WORSE: f64 = 12.0;
-
-/// Sums of squares that differ by less say the same.
-const ALIKE: f64 = 1.0;
-
-/// Of causes of several effects those that are as good as the best once their unknowns are paid for (Schwarz): with more effects at
-/// once, and some that each flight has for itself, nearly anything can be explained. None where terms that were
-/// written explain it better. Causes of no more than `free` unknowns do not pay.
-fn by_size(
-    bench: &Bench,
-    causes: Vec<Cause>,
-    written: Option<&outside::Written>,
-    free: usize,
-) -> Vec<Cause> {
-    let seen = |observations: &Observations| observations.measured.iter().flatten().count();
-    let residuals = 3 * bench.observation_sets.iter().map(seen).sum::<usize>();
-    let price = (residuals.max(2) as f64).ln();
-    let cost = |cause: &Cause| cause.squares + price * bench.size_of(&cause.effects) as f64;
-    let of_terms = written.filter(|written| written.stands);
-    let of_terms = of_terms.map_or(f64::INFINITY, |terms| {
-        terms.squares + price * (terms.taken.len() + terms.beside) as f64
-    });
-    let of_causes = causes.iter().map(cost).fold(f64::INFINITY, f64::min);
-    // An effect of the catalogue that is a term under another name goes before it.
-    if of_terms < of_causes - ALIKE {
-        return Vec::new();
+/// Calls both, in parallel if more than one thread is asked for.
+fn join<A: Send, B: Send>(
+    threads: usize,
+    first: impl FnOnce() -> A + Send,
+    second: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    match threads <= 1 {
+        true => (first(), second()),
+        false => rayon::join(first, second),
     }
-    let least = of_causes.min(of_terms);
-    let kept = |cause: &Cause| bench.size_of(&cause.effects) <= free || cost(cause) < least + WORSE;
-    causes.into_iter().filter(kept).collect()
 }

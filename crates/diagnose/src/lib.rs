@@ -1,34 +1,67 @@
-//! What a simulation gets wrong, and why.
+//! Specification search for models of flight: whether measured flights contradict a model, which effect it lacks, and how much
+//! better the extended model predicts.
 //!
-//! [`diagnosis`] fits a model, looks for what is missing, and answers with the causes that the data do not reject. Every
-//! effect of the [`catalogue`] is tried on one [`bench`] without a refit ([`scores`]); the noise is settled first
-//! ([`leftover`]), and what chance does is drawn ([`chance`]). [`causes`] holds each cause against all others; where none leaves
-//! only noise, [`agree`] asks what the flights agree on ([`common`]), and which of them contradict it. What could explain nearly
-//! anything must predict (`confirm`). [`terms`]
-//! and [`outside`] look beyond the catalogue; [`extend`] writes the model that has what was found, and [`gain`] measures it on flights
-//! that it has not seen; [`throw`] says which flight would tell the remaining causes apart. [`report`] is what comes out.
+//! [`diagnose`] fits the model by output error, tests every candidate effect by its score (Lagrange multiplier) statistic
+//! without a refit, and selects the hypotheses that leave nothing significant: a model confidence set. Its stages, each in a
+//! folder of its own:
+//!
+//! | stage | does |
+//! |---|---|
+//! | context | composes the encompassing model, every candidate at its null value |
+//! | extension | composes the model with selected effects, as a file |
+//! | score_test | χ² statistics, p-values, tolerances and one-step estimates of all candidates and library terms |
+//! | noise | full-model estimate of the noise; random-walk loads |
+//! | selection | forward selection and backward elimination of effects, BIC, stepwise regression with library terms |
+//! | consensus | sign-flip tests over flights; discordant flights |
+//! | validation | out-of-sample gain on held-out flights or by cross-validation |
+//! | power, optimal_design | minimum detectable effects; the throw that best tells hypotheses apart |
+//! | report | `report.json` and its summary |
+//!
+//! ```no_run
+//! use diagnose::{DiagnosisOptions, diagnose};
+//!
+//! let model = model_spec::load::load("disc", &[])?;
+//! let dataset = identify::dataset::load("examples/mystery".as_ref())?;
+//! let found = diagnose(&model, &dataset, &DiagnosisOptions::default())?;
+//! println!("{:?}: {}", found.report.verdict, found.report.summary);
+//! if let Some((extended, _)) = &found.after {
+//!     println!("{}", extended.text(&model, &[], "Found in examples/mystery.")?);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
-pub mod agree;
-pub mod bench;
-mod beside;
-pub mod catalogue;
-pub mod causes;
-pub mod chance;
-pub mod common;
-mod confirm;
-pub mod curves;
-pub mod detect;
-pub mod diagnosis;
-pub mod extend;
-pub mod gain;
-pub mod histories;
-pub mod kept;
-pub mod leftover;
-pub mod outside;
-pub mod report;
-pub mod scores;
-mod telling;
-pub mod terms;
-pub mod throw;
-pub mod weighted;
-mod words;
+mod consensus;
+mod context;
+mod diagnosis;
+mod error;
+mod extension;
+mod noise;
+mod optimal_design;
+mod power;
+mod report;
+mod score_test;
+mod selection;
+mod text;
+mod validation;
+
+#[cfg(test)]
+mod test_support;
+
+// Running a diagnosis.
+pub use context::{DiagnosisOptions, OptionsError, ThrowRanges, identifier};
+pub use diagnosis::{Diagnosis, diagnose, diagnose_with};
+pub use error::DiagnosisError;
+pub use extension::ExtendedModel;
+pub use validation::held_out_gain;
+
+// What a diagnosis reports.
+pub use noise::LoadHistory;
+pub use optimal_design::NextThrow;
+pub use power::{MinDetectableEffect, NotIdentifiable};
+pub use report::{
+    CandidateTest, Cause, CauseEffect, Coefficient, CoefficientCurve, Consensus, Estimate,
+    FlightGain, LoadChannel, NoiseSummary, RemainingEffect, Report, ScoreCorrelations, Threshold,
+    Unattributed, Verdict, Verified,
+};
+pub use selection::StepwiseTerm;
+pub use validation::PredictiveGain;

@@ -9,7 +9,7 @@ mod made;
 
 use std::path::PathBuf;
 
-use diagnose::report::Verdict;
+use diagnose::Verdict;
 use report::diagnosis::{DiagnosisPage, make};
 
 fn main() -> std::io::Result<()> {
@@ -18,8 +18,8 @@ fn main() -> std::io::Result<()> {
     let verdict = match arguments.next().as_deref() {
         Some("none") => Verdict::None,
         Some("ambiguous") => Verdict::Ambiguous,
-        Some("outside") => Verdict::Outside,
-        Some("immaterial") => Verdict::Immaterial,
+        Some("outside") => Verdict::Unattributed,
+        Some("immaterial") => Verdict::Negligible,
         _ => Verdict::Named,
     };
     let flights = arguments.next().and_then(|n| n.parse().ok()).unwrap_or(9);

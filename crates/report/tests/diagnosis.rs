@@ -5,7 +5,7 @@ mod found;
 #[allow(dead_code)]
 mod made;
 
-use diagnose::report::{Report, Verdict};
+use diagnose::{Report, Verdict};
 use identify::FlightEvidence;
 use identify::dataset::Role;
 use report::diagnosis::{DiagnosisPage, Made, make};
@@ -99,11 +99,11 @@ fn verdicts_have_their_words() {
             "The model lacks one of 3 things, and these flights cannot tell which.",
         ),
         (
-            Verdict::Outside,
+            Verdict::Unattributed,
             "The model lacks something that no effect of the catalogue explains.",
         ),
         (
-            Verdict::Immaterial,
+            Verdict::Negligible,
             "The model lacks something real, but too small to matter: zero-lift-drag-angle.",
         ),
     ] {
@@ -147,7 +147,7 @@ fn sections_stand_where_their_data_do() {
         [true, true, true, false, false, true, true, true]
     );
     assert_eq!(
-        sections(Verdict::Outside),
+        sections(Verdict::Unattributed),
         [true, false, true, true, true, true, true, true]
     );
     assert_eq!(
@@ -191,7 +191,7 @@ fn nothing_at_all_reads_well() {
     let (mut report, _) = of(Verdict::None);
     report.summary.clear();
     report.candidates.clear();
-    report.alike = Default::default();
+    report.score_correlations = Default::default();
     report.flights.clear();
     report.curves.clear();
     report.coefficients.clear();
@@ -217,10 +217,10 @@ fn nothing_at_all_reads_well() {
     report.causes[0].effects[0].estimates.clear();
     report.causes[0].effects[0].variables.clear();
     report.causes[0].effects[0].doc.clear();
-    report.causes[0].rival = None;
+    report.causes[0].strongest_remaining = None;
     report.gain = None;
     report.candidates.truncate(1);
-    report.alike.names.truncate(1);
+    report.score_correlations.names.truncate(1);
     report.flights.truncate(1);
     let made = page(&report, &made::evidence(1), &made::evidence(1));
     assert!(
@@ -240,7 +240,7 @@ fn names_from_outside_are_escaped() {
     let mut after = made::evidence(3);
     after[0].file = evil();
     after[0].markers[0] = evil();
-    let mut report = found::report(Verdict::Outside, &after);
+    let mut report = found::report(Verdict::Unattributed, &after);
     let causes = found::report(Verdict::Ambiguous, &after);
     report.causes = causes.causes;
     report.next_throw = causes.next_throw;
@@ -254,7 +254,7 @@ fn names_from_outside_are_escaped() {
     report.notes = vec![evil()];
     report.next_throw.as_mut().unwrap().says = evil();
     let cause = &mut report.causes[0];
-    cause.rival.as_mut().unwrap().name = evil();
+    cause.strongest_remaining.as_mut().unwrap().name = evil();
     let effect = &mut cause.effects[0];
     (effect.name, effect.doc, effect.site, effect.variables) =
         (evil(), evil(), evil(), vec![evil()]);
@@ -263,18 +263,18 @@ fn names_from_outside_are_escaped() {
     effect.estimates.insert(evil(), estimate.clone());
     let score = &mut report.candidates[0];
     (score.name, score.doc, score.site) = (evil(), evil(), evil());
-    score.expected.insert(evil(), estimate);
+    score.one_step.insert(evil(), estimate);
     let mut coefficient = report.coefficients["C_D0"].clone();
     coefficient.unit = evil();
     report.coefficients.insert(evil(), coefficient);
-    report.alike.names[0] = evil();
+    report.score_correlations.names[0] = evil();
     report.undetectable[0].name = evil();
-    report.undetectable[0].absorbed_by = vec![evil()];
+    report.undetectable[0].confounded_with = vec![evil()];
     let least = &mut report.smallest_detectable[0];
     (least.name, least.coefficient, least.unit) = (evil(), evil(), evil());
     let curve = &mut report.curves[0];
     (curve.quantity, curve.over, curve.unit) = (evil(), evil(), evil());
-    let outside = report.outside.as_mut().unwrap();
+    let outside = report.unattributed.as_mut().unwrap();
     outside.says = evil();
     outside.channels[0].site = evil();
     outside.channels[0].histories[0].file = evil();
@@ -301,7 +301,7 @@ fn what_is_no_number_breaks_nothing() {
         -1e-300,
     ] {
         let mut after = made::evidence(5);
-        let mut report = found::report(Verdict::Outside, &after);
+        let mut report = found::report(Verdict::Unattributed, &after);
         let causes = found::report(Verdict::Ambiguous, &after);
         report.causes = causes.causes;
         report.next_throw = causes.next_throw;
@@ -313,21 +313,21 @@ fn what_is_no_number_breaks_nothing() {
             gain.standard_error_m,
             gain.noise_floor_m,
         ) = (bad, bad, bad);
-        report.flights[0].rms_before_m = bad;
+        report.flights[0].rms_before_m = Some(bad);
         report.flights[1].rms_after_m = Some(bad);
         report.flights[3].rms_after_m = Some(bad);
-        report.threshold.sigmas = bad;
-        report.threshold.false_alarms = bad;
+        report.threshold.z = bad;
+        report.threshold.alpha = bad;
         for (i, score) in report.candidates.iter_mut().enumerate() {
             match i % 4 {
-                0 => score.sigmas = bad,
+                0 => score.z = bad,
                 1 => score.statistic = bad,
                 2 => score.ln_p = bad,
-                _ => score.visible = bad,
+                _ => score.tolerance = bad,
             }
         }
-        report.causes[0].gain = bad;
-        report.causes[0].rival.as_mut().unwrap().p = bad;
+        report.causes[0].chi2_decrease = bad;
+        report.causes[0].strongest_remaining.as_mut().unwrap().p = bad;
         report.causes[0].effects[0]
             .estimates
             .get_mut("alpha_0")
@@ -342,15 +342,15 @@ fn what_is_no_number_breaks_nothing() {
         report.next_throw.as_mut().unwrap().separation = bad;
         report.coefficients.get_mut("C_D0").unwrap().before = Some(bad);
         report.coefficients.get_mut("C_Da").unwrap().std_error = bad;
-        report.alike.matrix[3][1] = bad;
-        report.alike.matrix[5].clear();
-        report.alike.matrix.truncate(9);
+        report.score_correlations.matrix[3][1] = bad;
+        report.score_correlations.matrix[5].clear();
+        report.score_correlations.matrix.truncate(9);
         report.smallest_detectable[0].value = bad;
         report.curves[0].x[3] = bad;
         report.curves[1].after[2] = bad;
         report.curves[1].before.truncate(4);
-        let outside = report.outside.as_mut().unwrap();
-        outside.channels[0].explains = bad;
+        let outside = report.unattributed.as_mut().unwrap();
+        outside.channels[0].explained = bad;
         outside.channels[0].histories[0].value[3] = bad;
         outside.channels[1].histories[0].std_error[2] = bad;
         outside.channels[2].histories[1].t[2] = bad;
@@ -365,7 +365,7 @@ fn what_is_no_number_breaks_nothing() {
 #[test]
 fn much_stays_small() {
     let after = made::evidence(3);
-    let mut report = found::report(Verdict::Outside, &after);
+    let mut report = found::report(Verdict::Unattributed, &after);
     let one = |report: &Report, role| {
         report
             .flights
@@ -379,19 +379,19 @@ fn much_stays_small() {
     for i in 0..10_000 {
         flight.file = format!("throw{i:05}.csv");
         flight.role = if i % 3 == 0 { Role::HeldOut } else { Role::Fit };
-        flight.rms_before_m = 0.01 + 1e-6 * f64::from(i);
+        flight.rms_before_m = Some(0.01 + 1e-6 * f64::from(i));
         report.flights.push(flight.clone());
     }
     let score = report.candidates[0].clone();
     for i in 0..500 {
-        report.candidates.push(diagnose::report::CandidateScore {
+        report.candidates.push(diagnose::CandidateTest {
             name: format!("effect-{i}"),
             ..score.clone()
         });
-        report.alike.names.push(format!("C_{i}"));
+        report.score_correlations.names.push(format!("C_{i}"));
         report.undetectable.push(report.undetectable[0].clone());
     }
-    let channel = &mut report.outside.as_mut().unwrap().channels[0];
+    let channel = &mut report.unattributed.as_mut().unwrap().channels[0];
     let history = channel.histories[0].clone();
     channel.histories.extend((0..2000).map(|_| history.clone()));
     let made = page(&report, &after, &after);
@@ -411,5 +411,5 @@ fn much_stays_small() {
 
 #[test]
 fn the_same_report_gives_the_same_page() {
-    assert_eq!(of(Verdict::Outside).1, of(Verdict::Outside).1);
+    assert_eq!(of(Verdict::Unattributed).1, of(Verdict::Unattributed).1);
 }

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use diagnose::diagnosis::{Asked, diagnose};
-use diagnose::report::Verdict;
+use diagnose::Verdict;
+use diagnose::{DiagnosisOptions, diagnose};
 use studies::real_data::{Form, RealData, is_agreeing, real_data_page};
 
 /// The folder of the measured data; none where it is not there, which is said.
@@ -73,7 +73,7 @@ fn lift_by_spin_is_named_and_flights_with_another_s_spin_contradict_it() {
     let Some(folder) = measured() else { return };
     let dataset = identify::dataset::load(&folder.join("spindoe")).expect("the balls");
     let model = model_spec::load::load("ball", &[]).expect("the ball");
-    let found = diagnose(&model, &dataset, &Asked::default()).expect("a diagnosis");
+    let found = diagnose(&model, &dataset, &DiagnosisOptions::default()).expect("a diagnosis");
     let report = found.report;
     assert_eq!(report.verdict, Verdict::Named, "{}", report.summary);
     let [cause] = &report.causes[..] else {
@@ -84,10 +84,10 @@ fn lift_by_spin_is_named_and_flights_with_another_s_spin_contradict_it() {
     let lift = &cause.effects[0].estimates["C_Lw"];
     assert!((0.2..0.5).contains(&lift.value), "{lift:?}");
     assert!(lift.value > 4.0 * lift.std_error, "{lift:?}");
-    let agreement = report.agreement.expect("more than noise is left");
-    assert!(agreement.chance < 0.01, "{agreement:?}");
-    assert!(agreement.contradicting.len() > 5, "{agreement:?}");
-    for file in &agreement.contradicting {
+    let agreement = report.consensus.expect("more than noise is left");
+    assert!(agreement.p_value < 0.01, "{agreement:?}");
+    assert!(agreement.discordant.len() > 5, "{agreement:?}");
+    for file in &agreement.discordant {
         assert!(!is_agreeing(file), "{file} goes with its spin");
     }
     let gain = report.gain.expect("flights are held out");

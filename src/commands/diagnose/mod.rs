@@ -5,9 +5,8 @@ mod tables;
 
 use std::path::Path;
 
-use ::diagnose::catalogue::underscored;
-use ::diagnose::diagnosis::{Asked, Diagnosed, diagnose_beside};
-use ::diagnose::report::{Verdict, Verified};
+use ::diagnose::{Diagnosis, DiagnosisOptions, diagnose_with};
+use ::diagnose::{Verdict, Verified};
 use anyhow::Context;
 use codegen::backend::SourceFile;
 use identify::{Fit, FitOptions, dataset};
@@ -31,12 +30,11 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
-    known(&options.without, &model)?;
     let name = options.dataset.file_name().map_or_else(
         || options.dataset.display().to_string(),
         |name| name.to_string_lossy().into_owned(),
     );
-    let asked = Asked {
+    let asked = DiagnosisOptions {
         dataset: &name,
         with: &options.with,
         without: &options.without,
@@ -48,9 +46,13 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
             watch: Some(&progress),
             ..FitOptions::default()
         },
+        ..DiagnosisOptions::default()
     };
     progress.working();
-    let found = diagnose_beside(&model, &dataset, &asked, |extension| {
+    asked
+        .validate(&model)
+        .map_err(|error| anyhow::anyhow!("--without: {error}"))?;
+    let found = diagnose_with(&model, &dataset, &asked, |extension| {
         let told = format!(
             "Extended by {}, found in {name} by `hyzer diagnose`.",
             extension.effects.join(" and ")
@@ -120,7 +122,7 @@ fn extended(text: &str) -> anyhow::Result<Extended> {
     })
 }
 
-fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosed) -> anyhow::Result<()> {
+fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosis) -> anyhow::Result<()> {
     let evidence = |fitted: &Fit, flights: &[usize]| {
         let each = flights.iter().filter_map(|&flight| fitted.evidence(flight));
         each.collect::<Vec<_>>()
@@ -174,25 +176,5 @@ fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosed) -> anyho
         _ => "report.html, report.json, figures and tables are",
     };
     eprintln!("{what} in {}", folder.display());
-    Ok(())
-}
-
-/// Refuses names of effects that there are not.
-fn known(names: &[String], model: &model_spec::model::Model) -> anyhow::Result<()> {
-    let own = model.offers.iter().map(|offer| offer.name.as_str());
-    let all: Vec<&str> = own
-        .chain(model_spec::load::EFFECTS.iter().map(|effect| effect.0))
-        .collect();
-    for name in names {
-        let wanted = underscored(name);
-        if !all.contains(&wanted.as_str()) {
-            let near = model_spec::nearest_name(&wanted, all.iter().copied());
-            let near = near.map(|near| format!("; did you mean `{near}`?"));
-            anyhow::bail!(
-                "--without: there is no effect `{name}`{}",
-                near.unwrap_or_default()
-            );
-        }
-    }
     Ok(())
 }

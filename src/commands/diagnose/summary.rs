@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
-use diagnose::report::{Report, Verdict};
+use diagnose::{Report, Verdict};
 
 /// Effects that are listed.
 const LISTED: usize = 10;
@@ -70,7 +70,7 @@ pub fn summary(report: &Report) -> String {
     if !report.undetectable.is_empty() {
         text.push_str("these flights cannot show:\n");
         for hidden in &report.undetectable {
-            let by = match hidden.absorbed_by.as_slice() {
+            let by = match hidden.confounded_with.as_slice() {
                 [] => "it does nothing here".to_owned(),
                 names => format!("absorbed by {}", names.join(", ")),
             };
@@ -92,8 +92,8 @@ fn word(verdict: Verdict) -> &'static str {
         Verdict::None => "none",
         Verdict::Named => "named",
         Verdict::Ambiguous => "ambiguous",
-        Verdict::Outside => "outside",
-        Verdict::Immaterial => "immaterial",
+        Verdict::Unattributed => "outside",
+        Verdict::Negligible => "immaterial",
     }
 }
 
@@ -133,9 +133,9 @@ fn candidates(report: &Report) -> Table {
             format!("{}{mark}", candidate.name),
             candidate.site.clone(),
             format!("{:.1}", candidate.statistic),
-            candidate.freedom.to_string(),
-            format!("{:.1}", candidate.sigmas),
-            format!("{:.1e}", candidate.visible),
+            candidate.dof.to_string(),
+            format!("{:.1}", candidate.z),
+            format!("{:.1e}", candidate.tolerance),
         ]);
     }
     let rest = report.candidates.len().saturating_sub(LISTED);

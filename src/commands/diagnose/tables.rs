@@ -1,6 +1,6 @@
 //! The tables of a diagnosis, as CSV.
 
-use diagnose::report::Report;
+use diagnose::Report;
 
 use crate::commands::fit::role;
 
@@ -22,11 +22,11 @@ pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
             &candidate.name,
             &candidate.site,
             &candidate.statistic.to_string(),
-            &candidate.freedom.to_string(),
+            &candidate.dof.to_string(),
             &candidate.ln_p.to_string(),
-            &candidate.sigmas.to_string(),
+            &candidate.z.to_string(),
             &candidate.significant.to_string(),
-            &candidate.visible.to_string(),
+            &candidate.tolerance.to_string(),
         ])?;
     }
     Ok(table.into_inner()?)
@@ -54,11 +54,12 @@ pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "role", "rms_before_m", "rms_after_m"])?;
     for flight in &report.flights {
+        let before = flight.rms_before_m.map(|before| before.to_string());
         let after = flight.rms_after_m.map(|after| after.to_string());
         table.write_record([
             &flight.file,
             role(flight.role),
-            &flight.rms_before_m.to_string(),
+            &before.unwrap_or_default(),
             &after.unwrap_or_default(),
         ])?;
     }

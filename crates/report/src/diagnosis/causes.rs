@@ -1,6 +1,6 @@
 //! The tables of the causes, and of the throw that would tell them apart.
 
-use diagnose::report::{Cause, CauseEffect, NextThrow, Report};
+use diagnose::{Cause, CauseEffect, NextThrow, Report};
 use serde::Serialize;
 
 use super::words;
@@ -51,7 +51,7 @@ pub(super) fn explanations(report: &Report) -> Vec<Explanation> {
 }
 
 fn explanation(cause: &Cause) -> Explanation {
-    let rival = cause.rival.as_ref();
+    let rival = cause.strongest_remaining.as_ref();
     let effects = cause.effects.iter().map(|e| Effect {
         name: e.name.clone(),
         doc: match e.doc.trim() {
@@ -61,7 +61,7 @@ fn explanation(cause: &Cause) -> Explanation {
     });
     Explanation {
         name: words::cause(cause),
-        gain: significant(cause.gain, 4),
+        gain: significant(cause.chi2_decrease, 4),
         rival: rival.map(|r| [r.name.clone(), words::probability(r.p)]),
         effects: effects.collect(),
         rows: cause.effects.iter().flat_map(rows).collect(),
@@ -84,7 +84,7 @@ fn rows(effect: &CauseEffect) -> Vec<Row> {
         error: "–".to_owned(),
         unit: String::new(),
         negligible: String::new(),
-        immaterial: effect.immaterial,
+        immaterial: effect.negligible,
     };
     let found = effect.estimates.iter().map(|(name, e)| {
         let digits = Digits::of(e.value, e.std_error);
@@ -93,7 +93,7 @@ fn rows(effect: &CauseEffect) -> Vec<Row> {
             value: digits.one(e.value),
             error: digits.one(e.std_error),
             unit: unit(&e.unit),
-            negligible: e.negligible.map_or("–".to_owned(), stated),
+            negligible: e.smallest_of_interest.map_or("–".to_owned(), stated),
             ..empty()
         }
     });
@@ -123,7 +123,7 @@ pub(super) fn throw(next: &NextThrow) -> Throw {
         says: sentence(&next.says),
         rows: vec![
             ("speed", format!("{}\u{a0}m/s", plain(next.speed, 1))),
-            ("climb of the path", degrees(next.climb)),
+            ("climb of the path", degrees(next.launch)),
             ("nose above the path", degrees(next.nose)),
             ("hyzer (lean about the path)", degrees(next.hyzer)),
             (

@@ -1,6 +1,6 @@
 //! The table of the coefficients: what a missing effect did to the others.
 
-use diagnose::report::{Coefficient, Report};
+use diagnose::{Coefficient, Report};
 use serde::Serialize;
 
 use crate::fit::numbers::{Digits, plain, unit};

@@ -1,6 +1,6 @@
 //! The tables of what these flights cannot show, of what lies outside the catalogue, and of the flights.
 
-use diagnose::report::{CandidateScore, FlightGain, Report, Term};
+use diagnose::{CandidateTest, FlightGain, Report, StepwiseTerm};
 use identify::dataset::Role;
 use serde::Serialize;
 
@@ -15,7 +15,7 @@ const MOST_ROWS: usize = 60;
 pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     let all = report.undetectable.iter().take(MOST_ROWS);
     all.map(|u| {
-        let absorbed = names(u.absorbed_by.iter().map(String::as_str));
+        let absorbed = names(u.confounded_with.iter().map(String::as_str));
         let by = if absorbed.is_empty() {
             "nothing: it does nothing at all in these flights".to_owned()
         } else {
@@ -48,8 +48,8 @@ pub(super) struct TermRow {
 }
 
 /// The terms of the grammar, as they came.
-pub(super) fn terms(terms: &[Term]) -> Vec<TermRow> {
-    let row = |term: &Term| {
+pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
+    let row = |term: &StepwiseTerm| {
         let digits = Digits::of(term.value, term.std_error);
         TermRow {
             site: words::site(&term.site).to_owned(),
@@ -57,7 +57,7 @@ pub(super) fn terms(terms: &[Term]) -> Vec<TermRow> {
             statistic: significant(term.statistic, 4),
             value: digits.one(term.value),
             error: digits.one(term.std_error),
-            taken: term.taken,
+            taken: term.selected,
         }
     };
     terms.iter().take(MOST_ROWS).map(row).collect()
@@ -80,8 +80,8 @@ pub(super) struct Score {
 
 /// What was asked of each effect, the most significant first.
 pub(super) fn scores(report: &Report) -> Vec<Score> {
-    let row = |c: &CandidateScore| {
-        let expected = c.expected.iter().take(6).map(|(name, e)| {
+    let row = |c: &CandidateTest| {
+        let expected = c.one_step.iter().take(6).map(|(name, e)| {
             let digits = Digits::of(e.value, e.std_error);
             let (value, error) = (digits.one(e.value), digits.one(e.std_error));
             let unit = unit(&e.unit);
@@ -92,11 +92,11 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
             name: c.name.clone(),
             doc: c.doc.replace('\n', " "),
             site: words::site(&c.site).to_owned(),
-            sigmas: words::sigmas(c.sigmas),
+            sigmas: words::sigmas(c.z),
             statistic: significant(c.statistic, 4),
-            freedom: c.freedom,
+            freedom: c.dof,
             p: words::probability_of_ln(c.ln_p),
-            visible: crate::fit::numbers::percent(c.visible),
+            visible: crate::fit::numbers::percent(c.tolerance),
             expected: expected.collect::<Vec<_>>().join("; "),
             significant: c.significant,
         }
@@ -118,8 +118,9 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
     let mut all: Vec<&FlightGain> = report.flights.iter().collect();
     if all.len() > MOST_ROWS {
         let size = |f: &FlightGain| match f.rms_before_m {
-            rms if rms.is_nan() => f64::INFINITY,
-            rms => rms,
+            Some(rms) if rms.is_nan() => f64::INFINITY,
+            Some(rms) => rms,
+            None => f64::NEG_INFINITY,
         };
         all.sort_by(|a, b| size(b).total_cmp(&size(a)));
         all.truncate(MOST_ROWS);
@@ -127,7 +128,7 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
     let row = |f: &FlightGain| Flight {
         file: f.file.clone(),
         held_out: f.role == Role::HeldOut,
-        before: millimetres(f.rms_before_m),
+        before: f.rms_before_m.map_or("–".to_owned(), millimetres),
         after: f.rms_after_m.map_or("–".to_owned(), millimetres),
     };
     all.into_iter().map(row).collect()

@@ -7,7 +7,7 @@ mod limits;
 mod page;
 mod words;
 
-use diagnose::report::Report;
+use diagnose::Report;
 use identify::FlightEvidence;
 
 /// What the page is made of.

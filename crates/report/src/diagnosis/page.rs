@@ -1,6 +1,6 @@
 //! From all that to HTML.
 
-use diagnose::report::{Report, Verified};
+use diagnose::{Report, Verified};
 use identify::dataset::Role;
 use identify::wording::count;
 use minijinja::context;
@@ -40,7 +40,7 @@ pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
     let number = |role| report.flights.iter().filter(|f| f.role == role).count();
     let looked_for = report.candidates.len();
     let alarms = report.candidates.iter().filter(|c| c.significant).count();
-    let outside = report.outside.as_ref();
+    let outside = report.unattributed.as_ref();
     let context = context! {
         css => Value::from_safe_string(include_str!("../fit/page.css").to_owned() + include_str!("page.css")),
         style => Value::from_safe_string(STYLE.to_owned() + draw::STYLE),

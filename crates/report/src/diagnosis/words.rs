@@ -1,6 +1,6 @@
 //! A diagnosis in plain words.
 
-use diagnose::report::{Cause, Gain, Report, Verdict};
+use diagnose::{Cause, PredictiveGain, Report, Verdict};
 use identify::wording::count;
 
 use crate::fit::numbers::{millimetres, plain, raised, significant};
@@ -36,10 +36,10 @@ pub(super) fn verdict(report: &Report) -> String {
             0 | 1 => "The model lacks something, but these flights cannot tell what.".to_owned(),
             n => format!("The model lacks one of {n} things, and these flights cannot tell which."),
         },
-        Verdict::Outside => {
+        Verdict::Unattributed => {
             "The model lacks something that no effect of the catalogue explains.".to_owned()
         }
-        Verdict::Immaterial => match first {
+        Verdict::Negligible => match first {
             Some(found) => format!(
                 "The model lacks something real, but too small to matter: {}.",
                 cause(found)
@@ -55,8 +55,8 @@ pub(super) fn kind(verdict: Verdict) -> &'static str {
         Verdict::None => "none",
         Verdict::Named => "named",
         Verdict::Ambiguous => "ambiguous",
-        Verdict::Outside => "outside",
-        Verdict::Immaterial => "immaterial",
+        Verdict::Unattributed => "outside",
+        Verdict::Negligible => "immaterial",
     }
 }
 
@@ -96,7 +96,7 @@ pub(super) fn gain(report: &Report) -> String {
 }
 
 /// `19.4 ± 0.4 mm`.
-pub(super) fn gained(gain: &Gain) -> String {
+pub(super) fn gained(gain: &PredictiveGain) -> String {
     let value = 1e3 * (gain.held_out_rms_before_m - gain.held_out_rms_after_m);
     let error = 1e3 * gain.standard_error_m;
     let digits = crate::fit::numbers::Digits::of(value, error);

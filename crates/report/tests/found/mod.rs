@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use diagnose::report::*;
+use diagnose::*;
 use identify::FlightEvidence;
 
 /// Standard deviation of the noise, m.
@@ -42,7 +42,7 @@ fn estimate(value: f64, std_error: f64, unit: &str, negligible: Option<f64>) -> 
         value,
         std_error,
         unit: unit.into(),
-        negligible,
+        smallest_of_interest: negligible,
     }
 }
 
@@ -57,10 +57,10 @@ fn cause(at: usize, value: f64, std_error: f64) -> Cause {
             variables: vec!["alpha".into(), "speed".into()],
             estimates: BTreeMap::from([(coefficient.to_owned(), found)]),
             statistic: sigmas * sigmas,
-            immaterial: false,
+            negligible: false,
         }],
-        gain: 659_973.0,
-        rival: Some(Rival {
+        chi2_decrease: 659_973.0,
+        strongest_remaining: Some(RemainingEffect {
             name: "tilted-vertical".into(),
             p: 0.31,
         }),
@@ -71,19 +71,19 @@ fn cause(at: usize, value: f64, std_error: f64) -> Cause {
 pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
     let extended = matches!(
         verdict,
-        Verdict::Named | Verdict::Ambiguous | Verdict::Outside
+        Verdict::Named | Verdict::Ambiguous | Verdict::Unattributed
     );
     let causes = match verdict {
-        Verdict::None | Verdict::Outside => Vec::new(),
+        Verdict::None | Verdict::Unattributed => Vec::new(),
         Verdict::Named => vec![cause(0, -0.0702, 0.0021)],
         Verdict::Ambiguous => {
             let mut both = cause(2, 0.0123, 0.0011);
             both.effects.extend(cause(3, -0.41, 0.05).effects);
             vec![cause(0, -0.0702, 0.0021), cause(1, 4.23, 0.17), both]
         }
-        Verdict::Immaterial => {
+        Verdict::Negligible => {
             let mut small = cause(0, -0.0009, 0.0001);
-            small.effects[0].immaterial = true;
+            small.effects[0].negligible = true;
             vec![small]
         }
     };
@@ -92,23 +92,23 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         .iter()
         .map(|(name, coefficient, unit, site, sigmas)| {
             let sigmas = sigmas * weak;
-            CandidateScore {
+            CandidateTest {
                 name: (*name).into(),
                 doc: format!("What {name} says"),
                 site: (*site).into(),
                 statistic: sigmas * sigmas,
-                freedom: 1,
+                dof: 1,
                 ln_p: -0.5 * sigmas * sigmas - 0.7,
-                sigmas,
+                z: sigmas,
                 significant: sigmas > 4.1,
-                visible: 0.8 / (1.0 + sigmas / 50.0),
-                expected: BTreeMap::from([(
+                tolerance: 0.8 / (1.0 + sigmas / 50.0),
+                one_step: BTreeMap::from([(
                     (*coefficient).to_owned(),
                     estimate(-0.071, 0.0023, unit, None),
                 )]),
             }
         });
-    let candidates: Vec<CandidateScore> = candidates.collect();
+    let candidates: Vec<CandidateTest> = candidates.collect();
     let number = LOOKED_FOR.len();
     let alike = |i: usize, j: usize| match (i.min(j), i.max(j)) {
         (i, j) if i == j => 1.0,
@@ -148,11 +148,13 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
     let each = |(i, f): (usize, &FlightEvidence)| FlightGain {
         file: f.file.clone(),
         role: f.role,
-        rms_before_m: if extended {
+        outcome: None,
+        reason: None,
+        rms_before_m: Some(if extended {
             0.012 + 0.004 * (i as f64 * 2.3).sin()
         } else {
             SIGMA
-        },
+        }),
         rms_after_m: extended.then_some(SIGMA * (1.05 + 0.1 * (i as f64 * 1.1).sin())),
     };
     let x: Vec<f64> = (0..24).map(|i| -0.12 + 0.02 * f64::from(i)).collect();
@@ -163,7 +165,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
     let support = x
         .iter()
         .map(|a| (400.0 * (-(a - 0.1).powi(2) / 0.01).exp()) as usize);
-    let curve = |quantity: &str, before: &[f64], after: &[f64]| Curve {
+    let curve = |quantity: &str, before: &[f64], after: &[f64]| CoefficientCurve {
         quantity: quantity.into(),
         over: "alpha".into(),
         unit: "rad".into(),
@@ -190,12 +192,12 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
                 .into()
         },
         causes,
-        noise: Noise {
+        noise: NoiseSummary {
             sigma_m: SIGMA,
             ar1: 0.24,
             outlier_fraction: 0.006,
         },
-        gain: extended.then_some(Gain {
+        gain: extended.then_some(PredictiveGain {
             held_out_rms_before_m: 0.0137,
             held_out_rms_after_m: 0.00162,
             standard_error_m: 0.0009,
@@ -206,18 +208,18 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         }),
         coefficients,
         undetectable: vec![
-            Undetectable {
+            NotIdentifiable {
                 name: "air-density".into(),
-                absorbed_by: ["C_L0", "C_La", "C_D0", "C_Da"].map(str::to_owned).to_vec(),
+                confounded_with: ["C_L0", "C_La", "C_D0", "C_Da"].map(str::to_owned).to_vec(),
             },
-            Undetectable {
+            NotIdentifiable {
                 name: "unequal-inertia".into(),
-                absorbed_by: Vec::new(),
+                confounded_with: Vec::new(),
             },
         ],
         smallest_detectable: LOOKED_FOR
             .iter()
-            .map(|(name, coefficient, unit, _, _)| Detectable {
+            .map(|(name, coefficient, unit, _, _)| MinDetectableEffect {
                 name: (*name).into(),
                 coefficient: (*coefficient).into(),
                 value: 0.00213,
@@ -227,7 +229,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         next_throw: (verdict == Verdict::Ambiguous).then(|| NextThrow {
             says: "A fast flat throw with little spin, nose up".into(),
             speed: 18.2,
-            climb: 0.12,
+            launch: 0.12,
             nose: 0.21,
             hyzer: -0.05,
             spin: -31.4,
@@ -239,11 +241,11 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         seconds: BTreeMap::from([("total".into(), 2.31), ("scores".into(), 0.4)]),
         candidates,
         threshold: Threshold {
-            false_alarms: 0.001,
+            alpha: 0.001,
             ln_p: -10.2,
-            sigmas: 4.1,
+            z: 4.1,
         },
-        alike: Alike {
+        score_correlations: ScoreCorrelations {
             names: LOOKED_FOR.iter().map(|l| l.1.to_owned()).collect(),
             matrix: (0..number)
                 .map(|i| (0..number).map(|j| alike(i, j)).collect())
@@ -251,8 +253,9 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         },
         flights: flights.iter().enumerate().map(each).collect(),
         curves,
-        outside: (verdict == Verdict::Outside).then(|| outside(flights)),
-        agreement: None,
+        unattributed: (verdict == Verdict::Unattributed).then(|| outside(flights)),
+        consensus: None,
+        converged: true,
         verified: extended.then(|| Verified {
             holds: true,
             checks: vec![
@@ -271,17 +274,17 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
     }
 }
 
-fn outside(flights: &[FlightEvidence]) -> Outside {
-    let channel = |site: &str, explains: f64, size: f64| Channel {
+fn outside(flights: &[FlightEvidence]) -> Unattributed {
+    let channel = |site: &str, explains: f64, size: f64| LoadChannel {
         site: site.into(),
-        explains,
+        explained: explains,
         histories: flights
             .iter()
             .enumerate()
             .map(|(i, f)| {
                 let t: Vec<f64> = f.times.iter().step_by(6).copied().collect();
                 let value = |t: &f64| size * ((3.0 * t + i as f64).sin() + 0.4);
-                History {
+                LoadHistory {
                     file: f.file.clone(),
                     value: t.iter().map(value).collect(),
                     std_error: t.iter().map(|t| 0.2 * size * (1.0 + t)).collect(),
@@ -290,16 +293,16 @@ fn outside(flights: &[FlightEvidence]) -> Outside {
             })
             .collect(),
     };
-    let term = |formula: &str, statistic: f64, taken: bool| Term {
+    let term = |formula: &str, statistic: f64, taken: bool| StepwiseTerm {
         name: formula.to_owned(),
         site: "drag".into(),
         formula: formula.into(),
         statistic,
         value: -0.0213,
         std_error: 0.0021,
-        taken,
+        selected: taken,
     };
-    Outside {
+    Unattributed {
         says: "The error sits in the drag; it grows with the angle of attack and does not depend on speed.".into(),
         channels: vec![channel("drag", 0.83, 0.04), channel("pitch", 0.12, 3.1e-4), channel("side", 0.02, 2e-3)],
         terms: vec![

@@ -1,6 +1,6 @@
 //! Outcome of one run: what the diagnosis answered, and how that compares with the truth.
 
-use diagnose::report::Verdict;
+use diagnose::Verdict;
 
 use super::case::Case;
 

@@ -1,6 +1,6 @@
 //! docs/discovery.md.
 
-use diagnose::report::Verdict;
+use diagnose::Verdict;
 use serde::Serialize;
 
 use super::outcome::Outcome;
@@ -289,7 +289,7 @@ fn input_error_row(result: &RowResult) -> Option<InputErrorRow> {
         runs: result.outcomes.len(),
         alone: count(result, |o| o.in_set && o.hypotheses.len() == 1),
         in_a_set: count(result, |o| o.in_set && o.hypotheses.len() > 1),
-        outside: count(result, |o| o.verdict == Some(Verdict::Outside)),
+        outside: count(result, |o| o.verdict == Some(Verdict::Unattributed)),
         uniquely_wrong: count(result, |o| o.uniquely_wrong),
         discordant: sum(|o| o.discordant.listed),
         discordant_exchanged: sum(|o| o.discordant.exchanged),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use diagnose::diagnosis::{Asked, Diagnosed, diagnose};
+use diagnose::{Diagnosis, DiagnosisOptions, diagnose};
 use flight::batch;
 use identify::dataset::{Dataset, Role};
 use identify::{Fit, FitOptions, fit};
@@ -93,10 +93,10 @@ fn single_threaded() -> FitOptions<'static> {
 fn outcome(case: &Case, models: &Models) -> Outcome {
     let dataset = case.dataset();
     let base = models.get(case.body.model(), &[]);
-    let asked = Asked {
+    let asked = DiagnosisOptions {
         dataset: "hidden",
         fit: single_threaded(),
-        ..Asked::default()
+        ..DiagnosisOptions::default()
     };
     let mut outcome = Outcome::unknown(case);
     match diagnose(&base, &dataset, &asked) {
@@ -112,7 +112,7 @@ fn outcome(case: &Case, models: &Models) -> Outcome {
 /// Prediction errors on held-out flights: of the plain model, the extended model, and the model with the seeded effects.
 fn held_out(
     outcome: &Outcome,
-    found: &Diagnosed,
+    found: &Diagnosis,
     dataset: &Dataset,
     models: &Models,
 ) -> HeldOutErrors {
@@ -158,11 +158,11 @@ fn rejection(case: &Case, models: &Models) -> Option<String> {
         return None;
     }
     let model = models.get(case.body.model(), &names);
-    let asked = Asked {
+    let asked = DiagnosisOptions {
         dataset: "hidden",
         with: &with,
         fit: single_threaded(),
-        ..Asked::default()
+        ..DiagnosisOptions::default()
     };
     let report = diagnose(&model, &case.dataset(), &asked).ok()?.report;
     let strongest = report.candidates.first()?;
@@ -175,7 +175,7 @@ fn rejection(case: &Case, models: &Models) -> Option<String> {
         report.verdict,
         effects.join(" | "),
         strongest.name,
-        strongest.sigmas,
-        report.threshold.sigmas
+        strongest.z,
+        report.threshold.z
     ))
 }

@@ -1,6 +1,6 @@
 //! Comparison of a diagnosis with the seeded effects.
 
-use diagnose::report::{Report, Verdict};
+use diagnose::{Report, Verdict};
 
 use super::case::Case;
 use super::outcome::{Discordant, Outcome};
@@ -27,12 +27,12 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     outcome.seconds = report.seconds.get("total").copied().unwrap_or(f64::NAN);
     outcome.hypotheses = hypotheses(report);
     let remaining = report.causes.iter().map(|hypothesis| {
-        let remaining = hypothesis.rival.as_ref()?;
+        let remaining = hypothesis.strongest_remaining.as_ref()?;
         Some((underscored(&remaining.name), remaining.p))
     });
     outcome.strongest_remaining = remaining.collect();
     let is_single = outcome.hypotheses.len() == 1
-        && matches!(report.verdict, Verdict::Named | Verdict::Immaterial);
+        && matches!(report.verdict, Verdict::Named | Verdict::Negligible);
     if !outcome.case.seeded.unlisted.is_empty() {
         score_unlisted(outcome, report, is_single);
     } else if let Some(errors) = outcome.case.input_errors {
@@ -44,11 +44,14 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
 
 /// The right verdict on an unlisted effect is `outside`; any single hypothesis is wrong.
 fn score_unlisted(outcome: &mut Outcome, report: &Report, is_single: bool) {
-    let terms = report.outside.iter().flat_map(|outside| &outside.terms);
-    let taken = terms.filter(|term| term.taken);
+    let terms = report
+        .unattributed
+        .iter()
+        .flat_map(|outside| &outside.terms);
+    let taken = terms.filter(|term| term.selected);
     outcome.sites = taken.map(|term| term.site.clone()).collect();
     outcome.sites.dedup();
-    outcome.in_set = report.verdict == Verdict::Outside;
+    outcome.in_set = report.verdict == Verdict::Unattributed;
     outcome.uniquely_wrong = is_single;
 }
 
@@ -96,7 +99,10 @@ fn score_listed(outcome: &mut Outcome, report: &Report, is_single: bool) {
 fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
     let exchanged = errors.exchanged_flights(case.flights, case.seed);
     let exchanged: Vec<String> = exchanged.into_iter().map(file_name).collect();
-    let files = report.agreement.iter().flat_map(|a| &a.contradicting);
+    let files = report
+        .consensus
+        .iter()
+        .flat_map(|consensus| &consensus.discordant);
     Discordant {
         listed: files.clone().count(),
         exchanged: files.filter(|file| exchanged.contains(file)).count(),
@@ -120,14 +126,14 @@ fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
     if greatest.is_some() || effect.states.is_empty() {
         return greatest;
     }
-    Some(z(report, name)? / (report.threshold.sigmas + POWER_QUANTILE))
+    Some(z(report, name)? / (report.threshold.z + POWER_QUANTILE))
 }
 
 /// Equivalent z of a candidate's score test.
 fn z(report: &Report, name: &str) -> Option<f64> {
     let mut candidates = report.candidates.iter();
     let candidate = candidates.find(|candidate| underscored(&candidate.name) == name)?;
-    Some(candidate.sigmas)
+    Some(candidate.z)
 }
 
 /// Reports write names of effects with hyphens, models with underscores.

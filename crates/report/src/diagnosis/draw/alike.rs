@@ -1,6 +1,6 @@
 //! How alike the effects look in these flights, as half a matrix of colours.
 
-use diagnose::report::Report;
+use diagnose::Report;
 
 use super::drawn;
 use crate::figures::Layout;
@@ -14,7 +14,7 @@ const STEPS: usize = 40;
 
 /// The strongest names and their correlations; none for fewer than two.
 pub(super) fn alike(report: &Report) -> Option<Drawn> {
-    let all = &report.alike.names;
+    let all = &report.score_correlations.names;
     let order = strongest(report);
     let left_out = all.len().saturating_sub(order.len());
     if order.len() < 2 {
@@ -45,15 +45,15 @@ fn strongest(report: &Report) -> Vec<usize> {
         let owner = report
             .candidates
             .iter()
-            .find(|c| c.expected.contains_key(name));
-        let size = owner.map_or(f64::NEG_INFINITY, |c| c.sigmas);
+            .find(|c| c.one_step.contains_key(name));
+        let size = owner.map_or(f64::NEG_INFINITY, |c| c.z);
         if size.is_nan() {
             f64::NEG_INFINITY
         } else {
             size
         }
     };
-    let names = report.alike.names.iter().enumerate();
+    let names = report.score_correlations.names.iter().enumerate();
     let mut order: Vec<(f64, usize)> = names.map(|(i, name)| (sigmas(name), i)).collect();
     order.sort_by(|a, b| b.0.total_cmp(&a.0));
     order.truncate(MOST);
@@ -62,7 +62,10 @@ fn strongest(report: &Report) -> Vec<usize> {
 
 fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String {
     let (letters, letter) = (layout.letters, 1.02 * layout.letter());
-    let names: Vec<&String> = order.iter().map(|i| &report.alike.names[*i]).collect();
+    let names: Vec<&String> = order
+        .iter()
+        .map(|i| &report.score_correlations.names[*i])
+        .collect();
     let longest = names.iter().map(|n| n.chars().count()).max().unwrap_or(0) as f64;
     let room = (letter * longest + 8.0).min(0.44 * layout.width);
     // A name stands at the end of its row, and so at the head of its column.
@@ -76,7 +79,7 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
     for (i, name) in names.iter().enumerate() {
         let y = top + tall * i as f64;
         for (j, column) in order.iter().take(i).enumerate() {
-            let row = report.alike.matrix.get(order[i]);
+            let row = report.score_correlations.matrix.get(order[i]);
             let value = row
                 .and_then(|row| row.get(*column))
                 .copied()

@@ -1,6 +1,6 @@
 //! The loads that the flights ask for besides what the model says: small multiples, a flight each.
 
-use diagnose::report::{Channel, History, Report};
+use diagnose::{LoadChannel, LoadHistory, Report};
 
 use super::super::words;
 use super::drawn;
@@ -22,18 +22,18 @@ const BELOW: f64 = 24.0;
 
 /// A figure for each channel.
 pub(super) fn channels(report: &Report) -> Vec<Drawn> {
-    let all = report.outside.iter().flat_map(|o| &o.channels);
+    let all = report.unattributed.iter().flat_map(|o| &o.channels);
     let all = all.filter(|c| !c.histories.is_empty()).take(MOST_CHANNELS);
     all.enumerate()
         .map(|(i, channel)| figure(i, channel))
         .collect()
 }
 
-fn figure(index: usize, channel: &Channel) -> Drawn {
+fn figure(index: usize, channel: &LoadChannel) -> Drawn {
     let title = format!(
         "{}: {} explained",
         words::site(&channel.site),
-        percent(channel.explains)
+        percent(channel.explained)
     );
     let left_out = match channel.histories.len().saturating_sub(MOST_HISTORIES) {
         0 => String::new(),
@@ -51,7 +51,7 @@ fn figure(index: usize, channel: &Channel) -> Drawn {
 }
 
 /// Times, values and standard errors of a history, as far as all three go.
-fn points(history: &History) -> Vec<[f64; 3]> {
+fn points(history: &LoadHistory) -> Vec<[f64; 3]> {
     let all = history.t.iter().zip(&history.value).zip(&history.std_error);
     let all: Vec<[f64; 3]> = all.map(|((t, v), e)| [*t, *v, *e]).collect();
     let all: Vec<[f64; 3]> = all
@@ -61,7 +61,7 @@ fn points(history: &History) -> Vec<[f64; 3]> {
     stride(&all, MOST_POINTS)
 }
 
-fn draw(channel: &Channel, title: &str, layout: Layout) -> String {
+fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
     let (letters, letter) = (layout.letters, layout.letter());
     let histories: Vec<(&str, Vec<[f64; 3]>)> = channel
         .histories

@@ -1,6 +1,6 @@
 //! The model's own curves before and after, and beneath each how many samples speak for it.
 
-use diagnose::report::{Curve, Report};
+use diagnose::{CoefficientCurve, Report};
 
 use super::super::DiagnosisPage;
 use super::drawn;
@@ -13,7 +13,7 @@ use crate::fit::thin::MOST as MOST_POINTS;
 const MOST: usize = 24;
 
 /// Whether the extension moves a curve.
-fn moves(curve: &Curve) -> bool {
+fn moves(curve: &CoefficientCurve) -> bool {
     let largest = curve
         .before
         .iter()
@@ -25,13 +25,14 @@ fn moves(curve: &Curve) -> bool {
 
 /// A figure for each curve that has points, those that move first.
 pub(super) fn curves(report: &Report) -> Vec<Drawn> {
-    let mut curves: Vec<&Curve> = report.curves.iter().filter(|c| !c.x.is_empty()).collect();
+    let mut curves: Vec<&CoefficientCurve> =
+        report.curves.iter().filter(|c| !c.x.is_empty()).collect();
     curves.sort_by_key(|c| !moves(c));
     let figures = curves.into_iter().take(MOST).enumerate();
     figures.map(|(i, curve)| figure(i, curve)).collect()
 }
 
-fn figure(index: usize, curve: &Curve) -> Drawn {
+fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     let points = |values: &[f64]| {
         let all = curve.x.iter().copied().zip(values.iter().copied());
         all.filter(|p| p.0.is_finite())
@@ -93,7 +94,7 @@ fn figure(index: usize, curve: &Curve) -> Drawn {
 }
 
 /// The support: each bar reaches half way to its neighbours.
-fn bars(curve: &Curve) -> Vec<Bar> {
+fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     let points = curve.x.iter().zip(&curve.support).take(MOST_POINTS);
     let points: Vec<(f64, f64)> = points
         .map(|(x, n)| (*x, *n as f64))

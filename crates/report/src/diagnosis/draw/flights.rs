@@ -1,6 +1,6 @@
 //! How far each fitted flight is missed before and after.
 
-use diagnose::report::{FlightGain, Report};
+use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
 
 use super::drawn;
@@ -28,9 +28,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
         return Some(ranked(title, &fitted, 1e3 * report.noise.sigma_m));
     }
     let rows: Vec<Row> = fitted.iter().map(|f| row(f)).collect();
-    let values = fitted
-        .iter()
-        .flat_map(|f| [Some(f.rms_before_m), f.rms_after_m]);
+    let values = fitted.iter().flat_map(|f| [f.rms_before_m, f.rms_after_m]);
     let chart = Chart {
         title: title.into(),
         legend: vec![
@@ -61,7 +59,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
 fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     let sizes = fitted
         .iter()
-        .filter_map(|f| Some((1e3 * f.rms_before_m, 1e3 * f.rms_after_m?)));
+        .filter_map(|f| Some((1e3 * f.rms_before_m?, 1e3 * f.rms_after_m?)));
     let mut sizes: Vec<(f64, f64)> = sizes
         .filter(|s| s.0.is_finite() && s.1.is_finite())
         .collect();

@@ -1,6 +1,6 @@
 //! What the extension gains on flights that it has not seen.
 
-use diagnose::report::{FlightGain, Report};
+use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
 
 use super::drawn;
@@ -22,7 +22,8 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
     }
     let number = held_out.len();
     if number > MOST {
-        held_out.sort_by(|a, b| b.rms_before_m.total_cmp(&a.rms_before_m));
+        let size = |f: &FlightGain| f.rms_before_m.unwrap_or(f64::NEG_INFINITY);
+        held_out.sort_by(|a, b| size(b).total_cmp(&size(a)));
         held_out.truncate(MOST);
     }
     let (before, after) = (
@@ -79,7 +80,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
 
 /// A flight before and after.
 pub(super) fn row(flight: &FlightGain) -> Row {
-    let before = 1e3 * flight.rms_before_m;
+    let before = 1e3 * flight.rms_before_m.unwrap_or(f64::NAN);
     let after = flight.rms_after_m.map(|rms| 1e3 * rms);
     let mut shapes = Vec::new();
     if let Some(after) = after {

@@ -1,6 +1,6 @@
 //! The scores of all candidates.
 
-use diagnose::report::{CandidateScore, Report};
+use diagnose::{CandidateTest, Report};
 
 use super::super::words;
 use super::drawn;
@@ -13,14 +13,10 @@ const MOST: usize = 60;
 
 /// A bar for each candidate, the most significant first; none where nothing was asked.
 pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
-    let mut all: Vec<&CandidateScore> = report.candidates.iter().collect();
+    let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     // What has no number comes last.
-    let size = |c: &CandidateScore| {
-        if c.sigmas.is_nan() {
-            f64::NEG_INFINITY
-        } else {
-            c.sigmas
-        }
+    let size = |c: &CandidateTest| {
+        if c.z.is_nan() { f64::NEG_INFINITY } else { c.z }
     };
     all.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let left_out = all.len().saturating_sub(MOST);
@@ -28,11 +24,11 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     if all.is_empty() {
         return None;
     }
-    let named = |c: &CandidateScore| {
+    let named = |c: &CandidateTest| {
         let effects = report.causes.iter().flat_map(|cause| &cause.effects);
         effects.into_iter().any(|e| e.name == c.name)
     };
-    let row = |c: &&CandidateScore| {
+    let row = |c: &&CandidateTest| {
         let (class, bar) = match (named(c), c.significant) {
             (true, _) => ("strong", "bar cause"),
             (false, true) => ("tick", "bar alarm"),
@@ -41,8 +37,8 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
         Row {
             name: c.name.clone(),
             class,
-            shapes: vec![Shape::Bar(c.sigmas.max(0.0), bar)],
-            words: words::sigmas(c.sigmas),
+            shapes: vec![Shape::Bar(c.z.max(0.0), bar)],
+            words: words::sigmas(c.z),
         }
     };
     let rows: Vec<Row> = all.iter().map(row).collect();
@@ -63,7 +59,7 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
         };
         (Shape::Bar(0.0, class), words.to_owned())
     });
-    let threshold = report.threshold.sigmas;
+    let threshold = report.threshold.z;
     let chart = Chart {
         title: "What each effect would explain".into(),
         legend: legend.collect(),
@@ -86,7 +82,7 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     let caption = format!(
         "How significant each effect is when it alone is asked for: what the flights would gain by it, as the size of a \
          normal number that is as unlikely. Chance alone raises an alarm among all of them with a probability of {}.{along}{more}",
-        crate::fit::numbers::percent(report.threshold.false_alarms)
+        crate::fit::numbers::percent(report.threshold.alpha)
     );
     let title = chart.title.clone();
     Some(drawn("candidates", &title, caption, Layout::COLUMN, |l| {

@@ -1,7 +1,7 @@
 //! Fits and diagnoses of the ball with effects of the catalogue and of this study.
 
-use diagnose::diagnosis::{Asked, diagnose};
-use diagnose::report::Report as Diagnosis;
+use diagnose::Report as Diagnosis;
+use diagnose::{DiagnosisOptions, diagnose};
 use identify::dataset::Dataset;
 use identify::{FitOptions, FitReport, fit};
 use model_spec::compose::{EffectTree, ModelTree};
@@ -59,10 +59,10 @@ pub(super) fn diagnosed(
 ) -> Result<Result<Diagnosis, String>, StudyError> {
     let names: Vec<&str> = with.iter().map(String::as_str).collect();
     let model = with_effects(model, &names)?;
-    let asked = Asked {
+    let asked = DiagnosisOptions {
         dataset: "spindoe",
         with,
-        ..Asked::default()
+        ..DiagnosisOptions::default()
     };
     let diagnosed = diagnose(&model, flights, &asked).map(|found| found.report);
     Ok(diagnosed.map_err(|error| error.to_string()))

@@ -1,7 +1,7 @@
 //! Section of docs/real-data.md on the table-tennis balls.
 
-use diagnose::gain::by_held_out;
-use diagnose::report::Report as Diagnosis;
+use diagnose::Report as Diagnosis;
+use diagnose::held_out_gain;
 use identify::dataset::Role;
 use identify::{Coefficient, FitReport};
 use serde::Serialize;
@@ -212,8 +212,8 @@ fn lift_rows(balls: &Balls) -> Vec<LiftRow> {
     let rows = models.into_iter().enumerate().map(|(k, model)| {
         let report = &reports[k];
         let previous = k.checked_sub(1).map(|previous| &reports[previous]);
-        let gain = previous.and_then(|previous| by_held_out(previous, report, noise));
-        let held_out = by_held_out(report, report, noise);
+        let gain = previous.and_then(|previous| held_out_gain(previous, report, noise));
+        let held_out = held_out_gain(report, report, noise);
         LiftRow {
             model,
             rms_m: report.rms_m,
@@ -279,10 +279,10 @@ fn diagnosis_rows(balls: &Balls) -> Vec<DiagnosisRow> {
 fn magnus_score(report: &Diagnosis) -> Option<MagnusScore> {
     let magnus = report.candidates.iter().find(|c| c.name == "magnus")?;
     let greatest = report.candidates.first()?;
-    let agreement = report.agreement.as_ref();
+    let agreement = report.consensus.as_ref();
     Some(MagnusScore {
         statistic: magnus.statistic,
         fraction: magnus.statistic / greatest.statistic,
-        discordant: agreement.map_or(0, |a| a.contradicting.len()),
+        discordant: agreement.map_or(0, |a| a.discordant.len()),
     })
 }

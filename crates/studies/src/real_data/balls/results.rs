@@ -1,6 +1,6 @@
 //! All fits, tests and diagnoses of the balls.
 
-use diagnose::report::Report as Diagnosis;
+use diagnose::Report as Diagnosis;
 use identify::FitReport;
 use identify::dataset::Dataset;
 use model_spec::model::Model;

@@ -1,0 +1,75 @@
+//! Discordant flights: those with little of what the others agree on, or its opposite.
+
+use super::sign_flip_test::SignFlipTest;
+use crate::context::ColumnId;
+
+/// Iterations of estimate and concordant flights.
+const MAX_ITERATIONS: usize = 20;
+
+/// A flight whose weighted squares the unknown would change by less is not informative.
+const MIN_EXPECTED_CHI2: f64 = 10.0;
+
+/// A flight with less than this share of the common estimate is discordant.
+const MIN_SHARE: f64 = 0.25;
+
+/// Flights with and without a common value of one unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Concordance {
+    /// Indices of the discordant flights.
+    pub discordant: Vec<usize>,
+    /// Decrease of the weighted squares of the other flights.
+    pub chi2_decrease: f64,
+}
+
+impl SignFlipTest {
+    /// Finds the value of one unknown that most flights agree on, and the informative flights that do not have it.
+    pub fn concordance(&self, column: ColumnId) -> Concordance {
+        let flights = 0..self.flights();
+        let score = |flight: usize| self.scores[(flight, column.index())];
+        let information = |flight: usize| self.information[(flight, column.index())];
+        // The sign of most flights, each weighted by its cosine.
+        let sum: f64 = flights.clone().map(|f| self.cosine(f, column)).sum();
+        let sign = sum.signum();
+        let mut concordant: Vec<usize> =
+            flights.clone().filter(|&f| sign * score(f) > 0.0).collect();
+        let mut value = 0.0;
+        for _ in 0..MAX_ITERATIONS {
+            let total: f64 = concordant.iter().map(|&f| information(f)).sum();
+            if total <= 0.0 {
+                break;
+            }
+            value = concordant.iter().map(|&f| score(f)).sum::<f64>() / total;
+            let is_concordant = |flight: &usize| {
+                let expected = value * value * information(*flight);
+                expected < MIN_EXPECTED_CHI2 || value * score(*flight) > MIN_SHARE * expected
+            };
+            let next: Vec<usize> = flights.clone().filter(is_concordant).collect();
+            if next == concordant {
+                break;
+            }
+            concordant = next;
+        }
+        let decrease = |&f: &usize| value * (2.0 * score(f) - value * information(f));
+        Concordance {
+            chi2_decrease: concordant.iter().map(decrease).sum(),
+            discordant: flights.filter(|f| !concordant.contains(f)).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::consensus::sign_flip_test::tests::flights;
+    use crate::context::ColumnId;
+
+    #[test]
+    fn flights_of_opposite_sign_are_discordant() {
+        let found = flights(24, 7).concordance(ColumnId::new(0));
+        assert_eq!(found.discordant, (17..24).collect::<Vec<_>>());
+        // The squares of each of the 17 others fall by about 1000.
+        let relative = found.chi2_decrease / 17_000.0;
+        assert!((relative - 1.0).abs() < 0.3, "{relative}");
+        let none = flights(24, 0).concordance(ColumnId::new(0));
+        assert!(none.discordant.is_empty());
+    }
+}

@@ -1,0 +1,177 @@
+//! Hypotheses that the flights agree on.
+//!
+//! Measured flights differ from one another by more than their noise: quantities given for a flight have errors, the air moves.
+//! A hypothesis is accepted here if the flights agree on it and, given it, on nothing else; what it does not explain then
+//! follows no common law.
+
+use identify::Iterate;
+
+use super::sign_flip_test::SignFlipTest;
+use crate::context::{CandidateId, ColumnId, Context, ScoreTestModel, TermId};
+use crate::error::DiagnosisError;
+use crate::selection::{Hypothesis, Search};
+
+/// Familywise level at which flights agree.
+const ALPHA_AGREE: f64 = 0.01;
+
+/// Familywise level at which a hypothesis is rejected.
+const ALPHA_REJECT: f64 = 0.002;
+
+/// Fewer flights cannot agree significantly.
+const MIN_FLIGHTS: usize = 20;
+
+/// Share of the excess χ² that a hypothesis explains, at least, of the concordant flights.
+const MIN_EXPLAINED: f64 = 0.5;
+
+/// Share of the flights that are concordant, at least.
+const MIN_CONCORDANT: f64 = 0.5;
+
+/// What the flights agree on.
+pub(crate) struct Consensus {
+    /// Hypotheses that explain most of the excess χ² of all flights; none if only the concordant flights are explained.
+    pub hypotheses: Vec<Hypothesis>,
+    /// Share of the excess χ² that is explained.
+    pub explained: f64,
+    /// p-value of the agreement, familywise.
+    pub p_value: f64,
+    /// Indices of the discordant flights: the search is to be repeated without them.
+    pub discordant: Vec<usize>,
+}
+
+/// Looks for hypotheses that the flights agree on; none if there is no agreement, or it is on no single candidate.
+///
+/// # Errors
+/// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
+pub(crate) fn consensus(
+    context: Context<'_>,
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+    base: &Iterate,
+) -> Result<Option<Consensus>, DiagnosisError> {
+    let flights = model.flights.len();
+    if flights < MIN_FLIGHTS {
+        return Ok(None);
+    }
+    let Some(null) = model.fit_hypothesis(&[], base, &search.noise) else {
+        return Ok(None);
+    };
+    let test = sign_flip_test(model, &null, search)?;
+    let mut agreed = agreed_hypotheses(context, model, search, (&null, &test))?;
+    let of_most = explained_without_discordant(model, &test, &agreed);
+    let excess = test.excess_chi2(0..flights);
+    let explained = |hypothesis: &Hypothesis| (null.squares - hypothesis.squares) / excess;
+    agreed.retain(|agreed| explained(&agreed.hypothesis) >= MIN_EXPLAINED);
+    let of_all = agreed
+        .first()
+        .map(|best| (explained(&best.hypothesis), best.p_value));
+    let shares = of_all.or(of_most.as_ref().map(|most| (most.explained, most.p_value)));
+    Ok(shares.map(|(explained, p_value)| Consensus {
+        hypotheses: agreed.into_iter().map(|agreed| agreed.hypothesis).collect(),
+        explained,
+        p_value,
+        discordant: of_most.map(|most| most.discordant).unwrap_or_default(),
+    }))
+}
+
+/// A hypothesis with the p-value of the agreement on it.
+struct Agreed {
+    hypothesis: Hypothesis,
+    p_value: f64,
+}
+
+/// A single candidate explains most of the excess χ² of the flights that are not discordant.
+struct ConcordantMajority {
+    explained: f64,
+    p_value: f64,
+    discordant: Vec<usize>,
+}
+
+/// Single candidates on which the flights agree and given which they agree on nothing else, the best fit first.
+fn agreed_hypotheses(
+    context: Context<'_>,
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+    (null, test): (&Hypothesis, &SignFlipTest),
+) -> Result<Vec<Agreed>, DiagnosisError> {
+    let p_values = test.p_values(&groups(model, &[]));
+    let mut agreed: Vec<Agreed> = Vec::new();
+    for ((id, candidate), &p_value) in model.candidates().zip(&p_values) {
+        let is_common = !candidate.is_per_flight() && !model.columns_of(id).is_empty();
+        if !is_common || p_value >= ALPHA_AGREE {
+            continue;
+        }
+        context.check_cancelled()?;
+        let from = &null.iterate;
+        let Some(hypothesis) = model.fit_hypothesis(&[id], from, &search.noise) else {
+            continue;
+        };
+        let given = sign_flip_test(model, &hypothesis, search)?;
+        let remaining = given.p_values(&groups(model, &[id]));
+        if remaining.iter().all(|p_value| *p_value >= ALPHA_REJECT) {
+            agreed.push(Agreed {
+                hypothesis,
+                p_value,
+            });
+        }
+    }
+    agreed.sort_by(|a, b| a.hypothesis.squares.total_cmp(&b.hypothesis.squares));
+    Ok(agreed)
+}
+
+/// Among candidates of one coefficient, the one that explains most of its concordant flights.
+fn explained_without_discordant(
+    model: &ScoreTestModel,
+    test: &SignFlipTest,
+    agreed: &[Agreed],
+) -> Option<ConcordantMajority> {
+    let flights = test.flights();
+    let mut best: Option<ConcordantMajority> = None;
+    for Agreed {
+        hypothesis,
+        p_value,
+    } in agreed
+    {
+        let [column] = model.columns_of(hypothesis.effects[0])[..] else {
+            continue;
+        };
+        let found = test.concordance(column);
+        let discordant = found.discordant;
+        let concordant = (0..flights).filter(|flight| !discordant.contains(flight));
+        let explained = found.chi2_decrease / test.excess_chi2(concordant);
+        let count = flights - discordant.len();
+        let are_enough = count >= MIN_FLIGHTS && count as f64 >= MIN_CONCORDANT * flights as f64;
+        let is_best = best.as_ref().is_none_or(|best| explained > best.explained);
+        if are_enough && explained >= MIN_EXPLAINED && is_best {
+            best = Some(ConcordantMajority {
+                explained,
+                p_value: *p_value,
+                discordant,
+            });
+        }
+    }
+    best
+}
+
+/// Scores of single flights given a hypothesis.
+fn sign_flip_test(
+    model: &ScoreTestModel,
+    given: &Hypothesis,
+    search: &Search<'_>,
+) -> Result<SignFlipTest, DiagnosisError> {
+    let at = given.linearization_point();
+    let blocks = model.normal_equations_with_terms(at, &search.noise)?;
+    SignFlipTest::new(model, &blocks, &given.effects)
+}
+
+/// The columns of each candidate, in order, none for those conditioned on; then the column of each term.
+fn groups(model: &ScoreTestModel, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
+    let of_candidates = model
+        .candidates()
+        .map(|(id, _)| match conditioned_on.contains(&id) {
+            true => Vec::new(),
+            false => model.columns_of(id).to_vec(),
+        });
+    let terms = model.terms.as_ref().map_or(0, |terms| terms.terms.len());
+    let of_terms = (0..terms).map(|term| vec![model.term_column(TermId::new(term))]);
+    of_candidates.chain(of_terms).collect()
+}

@@ -1,0 +1,84 @@
+//! Loads with a prescribed course: the sensitivity to a load's coefficient, times the value of a basis function.
+
+use std::borrow::Cow;
+
+use flight::{BoundModel, DifferentiableModelRhs};
+use model_spec::layout::ParamId;
+use ode::DifferentiableRhs;
+
+/// Equations of motion whose parameters are those of a model, followed by coefficients of basis functions.
+///
+/// Where a load coefficient is 0, the derivative by the coefficient of `basis(t, x) · load` is that by the load's own
+/// coefficient, times `basis(t, x)`.
+pub(crate) struct BasisLoads<'a, B> {
+    motion: DifferentiableModelRhs<'a>,
+    pattern: Vec<(usize, usize)>,
+    /// For each entry behind the model's own: the entry of its load, and its basis function.
+    sources: Vec<(usize, usize)>,
+    own_entries: usize,
+    basis: B,
+    values: Vec<f64>,
+}
+
+impl<'a, B: FnMut(f64, &[f64], &mut [f64])> BasisLoads<'a, B> {
+    /// Adds one parameter from `first` on for each of `loads`, the load coefficients of the basis functions. `basis`
+    /// writes the value of each function at a time (s) and a state.
+    pub fn new(conditions: &'a BoundModel<'a>, loads: &[ParamId], first: usize, basis: B) -> Self {
+        let motion = conditions.differentiable_rhs();
+        let mut pattern = motion.parameter_jacobian_pattern().to_vec();
+        let own_entries = pattern.len();
+        let mut sources = Vec::new();
+        for (index, load) in loads.iter().enumerate() {
+            for entry in 0..own_entries {
+                let (row, column) = pattern[entry];
+                if column == load.index() {
+                    pattern.push((row, first + index));
+                    sources.push((entry, index));
+                }
+            }
+        }
+        Self {
+            motion,
+            pattern,
+            sources,
+            own_entries,
+            basis,
+            values: vec![0.0; loads.len()],
+        }
+    }
+}
+
+impl<B: FnMut(f64, &[f64], &mut [f64])> DifferentiableRhs for BasisLoads<'_, B> {
+    fn states(&self) -> usize {
+        self.motion.states()
+    }
+
+    fn jacobian_pattern(&self) -> &[(usize, usize)] {
+        self.motion.jacobian_pattern()
+    }
+
+    fn parameter_jacobian_pattern(&self) -> &[(usize, usize)] {
+        &self.pattern
+    }
+
+    fn derivative_with_jacobians(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        dx: &mut [f64],
+        by_state: &mut [f64],
+        by_constant: &mut [f64],
+    ) {
+        let (own, basis) = by_constant.split_at_mut(self.own_entries);
+        self.motion
+            .derivative_with_jacobians(t, x, dx, by_state, own);
+        (self.basis)(t, x, &mut self.values);
+        for (to, &(entry, index)) in basis.iter_mut().zip(&self.sources) {
+            *to = own[entry] * self.values[index];
+        }
+    }
+
+    fn state_name(&self, state: usize) -> Cow<'_, str> {
+        self.motion.state_name(state)
+    }
+}

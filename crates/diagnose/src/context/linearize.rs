@@ -1,0 +1,167 @@
+//! Normal equations and residuals of the flights, by all columns of the score-test model.
+
+use flight::BoundModel;
+use flight::batch;
+use identify::{
+    FitError, FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, PointResidual,
+    Unknowns, each_residual, linearise, linearise_with,
+};
+use nalgebra::DVector;
+use ode::DifferentiableRhs;
+
+use super::library_terms::LibraryTerms;
+use super::score_test_model::ScoreTestModel;
+use super::trajectory_cache::LinearizationPoint;
+
+impl ScoreTestModel {
+    /// Normal equations of every flight by the global parameters.
+    ///
+    /// # Errors
+    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    pub fn normal_equations(
+        &self,
+        problem: &FitProblem,
+        iterate: &Iterate,
+        noise: &NoiseModel,
+    ) -> Result<Vec<NormalBlock>, FitError> {
+        self.each_flight(|flight| {
+            let observations = &self.flights[flight];
+            let unknowns = (&iterate.global, &iterate.local[flight]);
+            let samples = observations.times.len();
+            let loss = Loss::Whitened(noise);
+            linearise(
+                problem,
+                observations,
+                unknowns,
+                samples,
+                Unknowns::All,
+                loss,
+            )
+        })
+    }
+
+    /// Normal equations of every flight by the global parameters and the coefficients of the library's terms.
+    ///
+    /// # Errors
+    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    pub fn normal_equations_with_terms(
+        &self,
+        at: LinearizationPoint<'_>,
+        noise: &NoiseModel,
+    ) -> Result<Vec<NormalBlock>, FitError> {
+        let LinearizationPoint {
+            problem,
+            iterate,
+            cache,
+        } = at;
+        let Some(terms) = &self.terms else {
+            return self.normal_equations(problem, iterate, noise);
+        };
+        self.each_flight(|flight| {
+            let observations = &self.flights[flight];
+            let conditions = conditions(problem, observations, &iterate.global);
+            let (motion, parameters) = self.motion_with_terms(&conditions, terms);
+            let unknowns = (&iterate.global, &iterate.local[flight]);
+            let samples = observations.times.len();
+            let loss = Loss::Whitened(noise);
+            let by = (motion, parameters.as_slice());
+            cache.with_flight(flight, |stored| {
+                linearise_with(
+                    problem,
+                    observations,
+                    unknowns,
+                    samples,
+                    loss,
+                    by,
+                    Some(stored),
+                )
+            })
+        })
+    }
+
+    /// Calls `each` with every residual of a flight and its derivatives by the local directions, the global parameters
+    /// and the terms' coefficients.
+    ///
+    /// # Errors
+    /// [`FitError::Flight`] if the trajectory cannot be integrated.
+    pub fn each_residual(
+        &self,
+        at: LinearizationPoint<'_>,
+        flight: usize,
+        each: impl FnMut(PointResidual<'_>),
+    ) -> Result<(), FitError> {
+        let LinearizationPoint {
+            problem, iterate, ..
+        } = at;
+        let observations = &self.flights[flight];
+        let unknowns = (&iterate.global, &iterate.local[flight]);
+        let conditions = conditions(problem, observations, unknowns.0);
+        let done = match &self.terms {
+            Some(terms) => {
+                let (motion, parameters) = self.motion_with_terms(&conditions, terms);
+                each_residual(problem, observations, unknowns, motion, &parameters, each)
+            }
+            None => {
+                let motion = conditions.differentiable_rhs();
+                let parameters = self.global_parameters();
+                each_residual(problem, observations, unknowns, motion, &parameters, each)
+            }
+        };
+        done.map_err(|reason| self.flight_error(flight, reason))
+    }
+
+    /// The blocks without the columns of terms, which follow `globals` others.
+    pub fn without_terms(block: &NormalBlock, globals: usize) -> NormalBlock {
+        NormalBlock {
+            cross: block.cross.columns(0, globals).into_owned(),
+            global: block.global.view((0, 0), (globals, globals)).into_owned(),
+            global_gradient: block.global_gradient.rows(0, globals).into_owned(),
+            local: block.local.clone(),
+            local_gradient: block.local_gradient.clone(),
+            ..*block
+        }
+    }
+
+    /// An error of one flight.
+    pub fn flight_error(&self, flight: usize, reason: String) -> FitError {
+        FitError::Flight {
+            file: self.flights[flight].file.clone(),
+            reason,
+        }
+    }
+
+    fn each_flight<R: Send>(
+        &self,
+        work: impl Fn(usize) -> Result<R, String> + Sync,
+    ) -> Result<Vec<R>, FitError> {
+        let done = batch::each_on(self.threads, self.flights.len(), |flight| {
+            work(flight).map_err(|reason| self.flight_error(flight, reason))
+        });
+        done.into_iter().collect()
+    }
+
+    fn global_parameters(&self) -> Vec<usize> {
+        let globals = self.problem.globals.iter();
+        globals.map(|global| global.param).collect()
+    }
+
+    /// Equations of motion with the terms, and the parameters of all columns.
+    fn motion_with_terms<'c>(
+        &self,
+        conditions: &'c BoundModel<'c>,
+        terms: &'c LibraryTerms,
+    ) -> (impl DifferentiableRhs + use<'c>, Vec<usize>) {
+        let first = self.problem.body.layout().parameters.len();
+        let mut parameters = self.global_parameters();
+        parameters.extend(first..first + terms.terms.len());
+        (terms.motion(conditions, first), parameters)
+    }
+}
+
+fn conditions<'a>(
+    problem: &'a FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+) -> BoundModel<'a> {
+    problem.body.bind(observations.parameters(problem, global))
+}

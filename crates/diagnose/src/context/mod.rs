@@ -1,0 +1,56 @@
+//! First stage: what is diagnosed, and the model in which every candidate effect is present at its null value.
+
+mod basis_load;
+mod candidates;
+mod encompassing;
+mod ids;
+mod library_terms;
+mod linearize;
+mod options;
+mod partition;
+mod refit;
+mod score_test_model;
+mod term_library;
+mod trajectory_cache;
+
+use identify::dataset::Dataset;
+use model_spec::model::Model;
+
+pub(crate) use basis_load::BasisLoads;
+pub(crate) use candidates::{Candidate, CandidateParameter, display_name};
+pub(crate) use encompassing::EncompassingModel;
+pub(crate) use ids::{CandidateId, ColumnId, DirectionId, TermId};
+pub(crate) use library_terms::LibraryTerms;
+pub(crate) use partition::{Partition, select, select_vector};
+pub(crate) use score_test_model::ScoreTestModel;
+pub(crate) use trajectory_cache::{LinearizationPoint, TrajectoryCache};
+
+pub use candidates::identifier;
+pub use options::{DiagnosisOptions, OptionsError, ThrowRanges};
+
+/// The model, the dataset and the options of one diagnosis.
+#[derive(Clone, Copy)]
+pub(crate) struct Context<'a> {
+    /// The model under test.
+    pub model: &'a Model,
+    /// The measured flights.
+    pub dataset: &'a Dataset,
+    /// Options of the diagnosis and of its fits.
+    pub options: &'a DiagnosisOptions<'a>,
+}
+
+impl Context<'_> {
+    /// Whether the dataset declares held-out flights.
+    pub fn has_held_out(&self) -> bool {
+        let mut flights = self.dataset.flights.iter();
+        flights.any(|flight| flight.role == identify::dataset::Role::HeldOut)
+    }
+
+    /// Stops the diagnosis where the caller asked for it.
+    pub fn check_cancelled(&self) -> Result<(), identify::FitError> {
+        match self.options.fit.watch {
+            Some(watch) if watch.is_stopped() => Err(identify::FitError::Interrupted),
+            _ => Ok(()),
+        }
+    }
+}

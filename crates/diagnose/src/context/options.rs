@@ -1,0 +1,222 @@
+//! Options of a diagnosis.
+
+use identify::FitOptions;
+use model_spec::model::Model;
+
+use super::candidates::identifier;
+
+/// Options of a diagnosis beside its dataset and its model.
+///
+/// ```
+/// use diagnose::DiagnosisOptions;
+///
+/// let model = model_spec::load::load("disc", &[])?;
+/// let without = ["wind".to_owned()];
+/// let options = DiagnosisOptions { without: &without, ..DiagnosisOptions::default() };
+/// assert!(options.validate(&model).is_ok());
+/// # Ok::<(), model_spec::load::LoadError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct DiagnosisOptions<'a> {
+    /// Name of the dataset in the report and in the comments of written effects.
+    pub dataset: &'a str,
+    /// Effects that the model already includes, by name or path.
+    pub with: &'a [String],
+    /// Effects that are not candidates, by name.
+    pub without: &'a [String],
+    /// Options of every fit. Threads, progress and cancellation are taken from here.
+    pub fit: FitOptions<'a>,
+    /// Familywise probability that a correct model raises an alarm, default 0.004.
+    pub alpha_detect: f64,
+    /// Familywise probability that the correct explanation is rejected, default 0.002.
+    pub alpha_reject: f64,
+    /// Ranges from which the throws of the discrimination design are drawn.
+    pub throws: ThrowRanges,
+}
+
+impl Default for DiagnosisOptions<'_> {
+    fn default() -> Self {
+        Self {
+            dataset: "",
+            with: &[],
+            without: &[],
+            fit: FitOptions::default(),
+            alpha_detect: 0.004,
+            alpha_reject: 0.002,
+            throws: ThrowRanges::default(),
+        }
+    }
+}
+
+/// Ranges of the releases that a person can throw, each (least, greatest).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThrowRanges {
+    /// Speed, m/s.
+    pub speed: (f64, f64),
+    /// Launch angle: the velocity above the horizontal, rad.
+    pub launch: (f64, f64),
+    /// Angle of attack, rad.
+    pub nose: (f64, f64),
+    /// Tilt about the velocity, rad.
+    pub hyzer: (f64, f64),
+    /// Absolute spin about the axis of symmetry, rad/s; both senses are drawn.
+    pub spin: (f64, f64),
+    /// Number of headings, evenly spaced over the horizon.
+    pub headings: usize,
+    /// Height of release, m.
+    pub height: f64,
+    /// Time that a flight is observed, s.
+    pub duration: f64,
+    /// Sampling rate, 1/s.
+    pub rate: f64,
+}
+
+impl Default for ThrowRanges {
+    fn default() -> Self {
+        Self {
+            speed: (6.0, 24.0),
+            launch: (-0.1, 0.5),
+            nose: (-0.15, 0.4),
+            hyzer: (-0.6, 0.6),
+            spin: (20.0, 90.0),
+            headings: 8,
+            height: 1.5,
+            duration: 1.5,
+            rate: 120.0,
+        }
+    }
+}
+
+/// An option that cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum OptionsError {
+    /// A name in `without` is neither a built-in effect nor one of the model's own.
+    #[error("there is no effect `{name}`{}", nearest.as_ref().map(|near| format!("; did you mean `{near}`?")).unwrap_or_default())]
+    UnknownEffect {
+        /// The name as it was given.
+        name: String,
+        /// The existing name with the smallest edit distance, if one is close.
+        nearest: Option<String>,
+    },
+    /// A significance level does not lie between 0 and 1.
+    #[error("the significance level {name} is {value}; it must lie between 0 and 1")]
+    SignificanceLevel {
+        /// Name of the option.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A range of throws is empty, or a count, time or rate is not positive.
+    #[error("the throws have no usable {name}")]
+    ThrowRange {
+        /// Name of the field of [`ThrowRanges`].
+        name: &'static str,
+    },
+}
+
+impl DiagnosisOptions<'_> {
+    /// Checks names and ranges against a model.
+    ///
+    /// # Errors
+    /// [`OptionsError`] for the first option that cannot be used.
+    pub fn validate(&self, model: &Model) -> Result<(), OptionsError> {
+        let levels = [
+            ("alpha_detect", self.alpha_detect),
+            ("alpha_reject", self.alpha_reject),
+        ];
+        for (name, value) in levels {
+            if !(value > 0.0 && value < 1.0) {
+                return Err(OptionsError::SignificanceLevel { name, value });
+            }
+        }
+        self.throws.validate()?;
+        let own = model.offers.iter().map(|offer| offer.name.as_str());
+        let built_in = model_spec::load::EFFECTS.iter().map(|effect| effect.0);
+        let known: Vec<&str> = own.chain(built_in).collect();
+        let unknown = |name: &&String| !known.contains(&identifier(name).as_str());
+        match self.without.iter().find(unknown) {
+            Some(name) => Err(OptionsError::UnknownEffect {
+                name: name.clone(),
+                nearest: model_spec::suggest::nearest(&identifier(name), known.iter().copied())
+                    .map(str::to_owned),
+            }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl ThrowRanges {
+    fn validate(&self) -> Result<(), OptionsError> {
+        let ranges = [
+            ("speed", self.speed),
+            ("launch", self.launch),
+            ("nose", self.nose),
+            ("hyzer", self.hyzer),
+            ("spin", self.spin),
+            ("headings", (1.0, self.headings as f64)),
+            ("height", (self.height, self.height)),
+            ("duration", (f64::MIN_POSITIVE, self.duration)),
+            ("rate", (f64::MIN_POSITIVE, self.rate)),
+            // At least two samples, and no more than memory holds.
+            ("duration", (2.0, self.duration * self.rate)),
+            ("rate", (self.duration * self.rate, MAX_DESIGN_SAMPLES)),
+        ];
+        let usable = |(low, high): (f64, f64)| low.is_finite() && high.is_finite() && low <= high;
+        match ranges.iter().find(|(_, range)| !usable(*range)) {
+            Some((name, _)) => Err(OptionsError::ThrowRange { name }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Samples of one simulated throw, at most.
+const MAX_DESIGN_SAMPLES: f64 = 1e5;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_out_of_range_are_refused() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let default = DiagnosisOptions::default();
+        assert_eq!(default.validate(&model), Ok(()));
+        let misspelt = ["stal".to_owned()];
+        let cases = [
+            DiagnosisOptions {
+                without: &misspelt,
+                ..default
+            },
+            DiagnosisOptions {
+                alpha_detect: 0.0,
+                ..default
+            },
+            DiagnosisOptions {
+                alpha_reject: f64::NAN,
+                ..default
+            },
+            DiagnosisOptions {
+                throws: ThrowRanges {
+                    headings: 0,
+                    ..ThrowRanges::default()
+                },
+                ..default
+            },
+            DiagnosisOptions {
+                throws: ThrowRanges {
+                    rate: 1e12,
+                    ..ThrowRanges::default()
+                },
+                ..default
+            },
+        ];
+        for options in &cases {
+            assert!(options.validate(&model).is_err(), "{options:?}");
+        }
+        let error = cases[0].validate(&model).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "there is no effect `stal`; did you mean `stall`?"
+        );
+    }
+}

@@ -1,0 +1,163 @@
+//! Fits of the model under test with some candidates.
+
+use flight::batch;
+use identify::{
+    Constraint, FitProblem, Iterate, LeastSquaresProblem, Loss, NoiseModel, NormalBlock,
+    Observations, Solution, SolveError, StateManifold, StoppingCriteria, Unknowns,
+    constrained_step, eliminate, linearise, solve,
+};
+use nalgebra::DVector;
+
+use super::ids::{CandidateId, ColumnId};
+use super::partition::select_vector;
+use super::score_test_model::ScoreTestModel;
+
+/// Termination of a refit: one that needs more than 25 steps does not converge.
+const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
+    max_steps: 25,
+    ..StoppingCriteria::CONVERGED
+};
+
+impl ScoreTestModel {
+    /// Fits the model under test and some candidates, from an iterate where all others are at their null value. Returns
+    /// the iterate and its weighted sum of squares.
+    ///
+    /// # Errors
+    /// [`SolveError`] of the least squares.
+    pub fn refit(
+        &self,
+        problem: &FitProblem,
+        effects: &[CandidateId],
+        from: &Iterate,
+        noise: &NoiseModel,
+    ) -> Result<(Iterate, f64), SolveError> {
+        let columns = self.nuisance_columns(effects);
+        let refit = Refit::new(self, (problem, effects), &columns, from, noise);
+        let start = Iterate {
+            global: select_vector(&from.global, &columns),
+            local: from.local.clone(),
+        };
+        let stepped = refit.full_step(&start);
+        let found = stepped.and_then(|stepped| solve(&refit, stepped, REFIT_STOPPING).ok());
+        let found = match found {
+            Some(found) => found,
+            None => solve(&refit, start, REFIT_STOPPING)?,
+        };
+        let Solution {
+            iterate, squares, ..
+        } = found;
+        let mut global = from.global.clone();
+        for (column, value) in columns.iter().zip(iterate.global.iter()) {
+            global[column.index()] = *value;
+        }
+        let iterate = Iterate {
+            global,
+            local: iterate.local,
+        };
+        Ok((iterate, squares))
+    }
+}
+
+/// The least squares of the model under test with some candidates.
+struct Refit<'a> {
+    problem: FitProblem,
+    flights: Vec<Observations>,
+    noise: &'a NoiseModel,
+    constraints: Vec<Constraint>,
+    threads: usize,
+}
+
+impl<'a> Refit<'a> {
+    fn new(
+        model: &ScoreTestModel,
+        (problem, effects): (&FitProblem, &[CandidateId]),
+        columns: &[ColumnId],
+        from: &Iterate,
+        noise: &'a NoiseModel,
+    ) -> Self {
+        let globals = columns.iter().map(|c| problem.globals[c.index()].clone());
+        let problem = FitProblem {
+            globals: globals.collect(),
+            ..problem.clone()
+        };
+        let null_states = model.null_states(effects);
+        let flights = model.flights.iter().map(|observations| {
+            let known = observations.known_states.iter().map(|(state, _)| *state);
+            let known: Vec<usize> = known.chain(null_states.iter().map(|s| s.index())).collect();
+            let mut parameters = observations.parameters.clone();
+            for (global, value) in model.problem.globals.iter().zip(from.global.iter()) {
+                parameters[global.param] = *value;
+            }
+            Observations {
+                parameters,
+                manifold: StateManifold::new(&problem.model, &known),
+                ..observations.clone()
+            }
+        });
+        Self {
+            flights: flights.collect(),
+            constraints: problem.globals.iter().map(|g| g.constraint).collect(),
+            problem,
+            noise,
+            threads: model.threads,
+        }
+    }
+
+    /// The iterate after one full Gauss–Newton step, even if the sum of squares is greater there: the minimum with a new
+    /// effect lies along a curved valley that short steps follow slowly.
+    fn full_step(&self, from: &Iterate) -> Option<Iterate> {
+        let blocks = batch::each_on(self.threads, self.flights.len(), |flight| {
+            self.linearise(flight, &from.global, &from.local[flight])
+        });
+        let blocks: Vec<NormalBlock> = blocks.into_iter().collect::<Result<_, _>>().ok()?;
+        let system = eliminate(&blocks, 0.0).ok()?;
+        let (matrix, gradient) = (&system.reduced, &system.gradient);
+        let (step, _) = constrained_step(matrix, gradient, &from.global, &self.constraints, 0.0)?;
+        let local_steps = system.back_substitute(&step);
+        let steps = local_steps.iter().zip(&from.local).enumerate();
+        Some(Iterate {
+            local: steps
+                .map(|(flight, (step, local))| self.plus(flight, local, step))
+                .collect(),
+            global: &from.global + step,
+        })
+    }
+}
+
+impl LeastSquaresProblem for Refit<'_> {
+    fn flights(&self) -> usize {
+        self.flights.len()
+    }
+
+    fn linearise(
+        &self,
+        flight: usize,
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, String> {
+        let observations = &self.flights[flight];
+        let samples = observations.times.len();
+        let loss = Loss::Whitened(self.noise);
+        let unknowns = (global, local);
+        linearise(
+            &self.problem,
+            observations,
+            unknowns,
+            samples,
+            Unknowns::All,
+            loss,
+        )
+    }
+
+    fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        self.flights[flight].manifold.plus(local, step)
+    }
+
+    fn constraints(&self) -> &[Constraint] {
+        &self.constraints
+    }
+
+    fn threads(&self) -> usize {
+        self.threads
+    }
+}

@@ -1,0 +1,307 @@
+//! The score-test model: the fitted flights in the encompassing model, every candidate at its null value.
+
+use std::sync::Arc;
+
+use codegen::Layout;
+use flight::CompiledModel;
+use identify::dataset::Role;
+use identify::{Fit, FitError, FitOptions, FitProblem, Iterate, Observations};
+use model_spec::index::IndexVec;
+use model_spec::layout::{ParamId, StateId};
+use nalgebra::DVector;
+
+use super::candidates::{Candidate, CandidateParameter};
+use super::encompassing::EncompassingModel;
+use super::ids::{CandidateId, ColumnId, DirectionId, TermId};
+use super::library_terms::LibraryTerms;
+use super::{Context, Partition};
+
+/// The fitted flights in the encompassing model.
+pub(crate) struct ScoreTestModel {
+    encompassing: EncompassingModel,
+    /// The estimation problem with every candidate at its null value. Its global parameters are those of the model
+    /// under test and the candidates' coefficients.
+    pub problem: FitProblem,
+    /// For each candidate the columns of its coefficients, in their order.
+    columns: IndexVec<CandidateId, Vec<ColumnId>>,
+    /// Columns of the model under test.
+    pub base: Vec<ColumnId>,
+    /// Terms of the library, if the model can have its loads; their columns follow those of the global parameters.
+    pub terms: Option<LibraryTerms>,
+    /// Observations of the fitted flights; every state is free unless it is known.
+    pub flights: Vec<Observations>,
+    /// Number of threads.
+    pub threads: usize,
+}
+
+impl ScoreTestModel {
+    /// The fitted flights of `fit` in the encompassing model, and the iterate of that fit there.
+    ///
+    /// # Errors
+    /// [`FitError`] if the flights do not go with the encompassing model.
+    pub fn new(
+        encompassing: EncompassingModel,
+        context: Context<'_>,
+        fit: &Fit,
+    ) -> Result<(Self, Iterate), FitError> {
+        let options = &context.options.fit;
+        let problem = encompassing_problem(&encompassing, context, fit)?;
+        let layout = problem.body.layout();
+        let column = |parameter: &CandidateParameter<ParamId>| {
+            let mut globals = problem.globals.iter();
+            let found = globals.position(|global| global.param == parameter.id.index());
+            found.map(ColumnId::new)
+        };
+        let columns: IndexVec<CandidateId, Vec<ColumnId>> = encompassing
+            .candidates
+            .iter()
+            .map(|candidate| candidate.coefficients.iter().filter_map(column).collect())
+            .collect();
+        let of_candidates: Vec<ColumnId> = columns.iter().flatten().copied().collect();
+        let base = Partition::new(of_candidates, problem.globals.len()).tested;
+        let terms = encompassing.library.as_ref();
+        let terms = terms.and_then(|library| LibraryTerms::new(library.clone(), layout));
+        let (flights, local) = fitted_flights(&problem, context, fit)?;
+        let iterate = Iterate {
+            global: fitted_globals(&problem, fit),
+            local,
+        };
+        let model = Self {
+            encompassing,
+            problem,
+            columns,
+            base,
+            terms,
+            flights,
+            threads: options.threads(),
+        };
+        Ok((model, iterate))
+    }
+
+    /// Number of columns of global parameters; those of the terms follow.
+    pub fn global_columns(&self) -> usize {
+        self.problem.globals.len()
+    }
+
+    /// The column of a term.
+    pub fn term_column(&self, term: TermId) -> ColumnId {
+        ColumnId::new(self.global_columns() + term.index())
+    }
+
+    /// All candidates, in order.
+    pub fn candidates(&self) -> impl ExactSizeIterator<Item = (CandidateId, &Candidate)> {
+        self.encompassing.candidates.iter_enumerated()
+    }
+
+    /// A candidate.
+    pub fn candidate(&self, id: CandidateId) -> &Candidate {
+        &self.encompassing.candidates[id]
+    }
+
+    /// The columns of a candidate's coefficients, in their order.
+    pub fn columns_of(&self, id: CandidateId) -> &[ColumnId] {
+        &self.columns[id]
+    }
+
+    /// Name of the global parameter of a column; none for a term.
+    pub fn column_name(&self, column: ColumnId) -> Option<&str> {
+        let global = self.problem.globals.get(column.index())?;
+        Some(global.name.as_str())
+    }
+
+    /// The columns of the model under test and of some candidates, in order.
+    pub fn nuisance_columns(&self, conditioned_on: &[CandidateId]) -> Vec<ColumnId> {
+        let mut columns = self.base.clone();
+        columns.extend(conditioned_on.iter().flat_map(|&id| &self.columns[id]));
+        columns.sort_unstable();
+        columns
+    }
+
+    /// Number of unknowns that some candidates add, over all flights.
+    pub fn unknowns_of(&self, effects: &[CandidateId]) -> usize {
+        let each = effects.iter().map(|&id| {
+            self.columns[id].len() + self.candidate(id).states.len() * self.flights.len()
+        });
+        each.sum()
+    }
+
+    /// The states of all candidates except some.
+    pub fn null_states(&self, conditioned_on: &[CandidateId]) -> Vec<StateId> {
+        self.candidates()
+            .filter(|(id, _)| !conditioned_on.contains(id))
+            .flat_map(|(_, candidate)| candidate.states.iter().map(|state| state.id))
+            .collect()
+    }
+
+    /// The directions of a flight's initial state, split into those of states of candidates not conditioned on, and all
+    /// others.
+    pub fn local_partition(
+        &self,
+        flight: usize,
+        conditioned_on: &[CandidateId],
+    ) -> (Vec<DirectionId>, Vec<DirectionId>) {
+        let null = self.null_states(conditioned_on);
+        let manifold = &self.flights[flight].manifold;
+        let is_null = |direction: &DirectionId| {
+            let state = manifold.plain(direction.index());
+            state.is_some_and(|state| null.contains(&StateId::new(state)))
+        };
+        (0..manifold.dimension())
+            .map(DirectionId::new)
+            .partition(is_null)
+    }
+
+    /// The problem in which some candidates may leave their null value. Its derivatives are cheaper than those of the
+    /// encompassing model, where all may.
+    pub fn problem_with(&self, effects: &[CandidateId]) -> FitProblem {
+        let fixed = fixed_parameters(&self.encompassing, effects);
+        FitProblem {
+            body: Arc::new(CompiledModel::specialized(&self.encompassing.model, &fixed)),
+            ..self.problem.clone()
+        }
+    }
+
+    /// An iterate with one candidate at its null value.
+    pub fn at_null_value(&self, iterate: &Iterate, dropped: CandidateId) -> Iterate {
+        let candidate = self.candidate(dropped);
+        let mut iterate = iterate.clone();
+        for (column, parameter) in self.columns[dropped].iter().zip(&candidate.coefficients) {
+            iterate.global[column.index()] = parameter.null_value;
+        }
+        for state in &candidate.states {
+            for local in &mut iterate.local {
+                local[state.id.index()] = state.null_value;
+            }
+        }
+        iterate
+    }
+
+    /// Number of measured coordinates, at least 2.
+    pub fn coordinates(&self) -> usize {
+        let points = |flight: &Observations| flight.measured.iter().flatten().count();
+        (3 * self.flights.iter().map(points).sum::<usize>()).max(2)
+    }
+}
+
+/// The problem of the encompassing model with the fit's options; the loads of the term library are fixed.
+fn encompassing_problem(
+    encompassing: &EncompassingModel,
+    context: Context<'_>,
+    fit: &Fit,
+) -> Result<FitProblem, FitError> {
+    let mut held = context.options.fit.fixed.to_vec();
+    let loads = encompassing
+        .library
+        .iter()
+        .flat_map(|library| library.loads);
+    held.extend(loads.map(|(name, ..)| ((*name).to_owned(), None)));
+    let options = FitOptions {
+        fixed: &held,
+        // Profiles belong to the fit.
+        profiles: &[],
+        ..context.options.fit
+    };
+    let fixed = fixed_parameters(encompassing, &[]);
+    let body = CompiledModel::specialized(&encompassing.model, &fixed);
+    let mut problem = FitProblem::with_body(&encompassing.model, body, context.dataset, &options)?;
+    problem.sigma0 = fit.problem().sigma0;
+    Ok(problem)
+}
+
+/// Parameters that stay at their null value where only some candidates are estimated.
+fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec<(usize, f64)> {
+    let layout = Layout::new(&encompassing.model);
+    let null = encompassing.candidates.iter_enumerated();
+    let null = null.filter(|(id, _)| !on.contains(id));
+    let mut fixed: Vec<(usize, f64)> = null
+        .flat_map(|(_, candidate)| &candidate.coefficients)
+        .map(|parameter| (parameter.id.index(), parameter.null_value))
+        .collect();
+    let loads = encompassing
+        .library
+        .iter()
+        .flat_map(|library| library.loads);
+    fixed.extend(loads.filter_map(|(name, ..)| Some((layout.parameter(name)?.index(), 0.0))));
+    fixed
+}
+
+/// The global parameters of a fit in the encompassing problem; null values for those that it adds.
+fn fitted_globals(problem: &FitProblem, fit: &Fit) -> DVector<f64> {
+    let before = &fit.problem().globals;
+    let values = problem.globals.iter().map(|global| {
+        let same = before.iter().position(|b| b.name == global.name);
+        same.map_or(global.model_value, |index| fit.global()[index])
+    });
+    DVector::from_iterator(problem.globals.len(), values)
+}
+
+/// Observations and initial states of the fitted flights, with the states that the encompassing model adds.
+fn fitted_flights(
+    problem: &FitProblem,
+    context: Context<'_>,
+    fit: &Fit,
+) -> Result<(Vec<Observations>, Vec<DVector<f64>>), FitError> {
+    let layout = problem.body.layout();
+    let before = fit.problem().body.layout();
+    let sources: Vec<Option<StateId>> = layout.states.iter().map(|s| before.state(s)).collect();
+    let (mut flights, mut locals) = (Vec::new(), Vec::new());
+    for (index, flight) in context.dataset.flights.iter().enumerate() {
+        let fitted = fit.flight(index).filter(|_| flight.role == Role::Fit);
+        let Some((observations, state)) = fitted else {
+            continue;
+        };
+        let fresh = Observations::new(problem, flight).map_err(|reason| FitError::Flight {
+            file: flight.file.clone(),
+            reason,
+        })?;
+        flights.push(Observations {
+            parameters: fresh.parameters,
+            known_states: fresh.known_states,
+            manifold: fresh.manifold,
+            ..observations.clone()
+        });
+        let values = sources.iter().zip(&layout.initial);
+        let values = values.map(|(source, &initial)| source.map_or(initial, |s| state[s.index()]));
+        locals.push(DVector::from_iterator(sources.len(), values));
+    }
+    Ok((flights, locals))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::test_support::fixture;
+
+    #[test]
+    fn columns_belong_to_the_base_or_to_one_candidate() {
+        let fixture = fixture();
+        let model = &fixture.model;
+        let mut all = model.base.clone();
+        for (id, candidate) in model.candidates() {
+            assert_eq!(model.columns_of(id).len(), candidate.coefficients.len());
+            for (column, coefficient) in model.columns_of(id).iter().zip(&candidate.coefficients) {
+                assert_eq!(model.column_name(*column), Some(coefficient.name.as_str()));
+                // A fit of the model without the candidate leaves it at its null value.
+                let value = fixture.iterate.global[column.index()];
+                assert_eq!(value, coefficient.null_value);
+            }
+            all.extend(model.columns_of(id));
+        }
+        all.sort_unstable();
+        let indices: Vec<usize> = all.iter().map(|column| column.index()).collect();
+        assert_eq!(indices, (0..model.global_columns()).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn a_state_of_its_own_is_free_only_where_it_is_conditioned_on() {
+        let model = &fixture().model;
+        let (gusts, candidate) = model
+            .candidates()
+            .find(|(_, candidate)| candidate.is_per_flight())
+            .unwrap();
+        let (null, free) = model.local_partition(0, &[]);
+        assert_eq!((null.len(), free.len()), (candidate.states.len(), 12));
+        let (null, free) = model.local_partition(0, &[gusts]);
+        assert_eq!((null.len(), free.len()), (0, 12 + candidate.states.len()));
+        assert_eq!(model.unknowns_of(&[gusts]), 2 * model.flights.len());
+    }
+}

@@ -1,0 +1,119 @@
+//! Trajectories with sensitivities, integrated once per linearization point.
+
+use std::sync::Mutex;
+
+use identify::{FitProblem, Iterate};
+
+/// Limit of one cache, bytes; flights beyond it are integrated again at each use.
+const MAX_CACHE_BYTES: usize = 128 << 20;
+
+/// States and sensitivities of one flight at its samples, as `identify` lays them out; none before the first use.
+pub(crate) type CachedTrajectory = Option<Vec<f64>>;
+
+/// Trajectories of all flights from one linearization point, for the terms of the library too.
+#[derive(Debug)]
+pub(crate) enum TrajectoryCache {
+    /// Nothing is stored.
+    Disabled,
+    /// One slot for each flight.
+    PerFlight(Vec<Mutex<CachedTrajectory>>),
+}
+
+/// Where the normal equations are evaluated: a problem, values of all its unknowns, and the trajectories from there.
+#[derive(Clone, Copy)]
+pub(crate) struct LinearizationPoint<'p> {
+    /// The estimation problem.
+    pub problem: &'p FitProblem,
+    /// Values of its unknowns.
+    pub iterate: &'p Iterate,
+    /// Trajectories from these values.
+    pub cache: &'p TrajectoryCache,
+}
+
+impl TrajectoryCache {
+    /// An empty cache for so many flights.
+    pub fn for_flights(flights: usize) -> Self {
+        Self::PerFlight((0..flights).map(|_| Mutex::new(None)).collect())
+    }
+
+    /// Whether nothing is ever stored.
+    pub fn is_disabled(&self) -> bool {
+        matches!(self, Self::Disabled)
+    }
+
+    /// Calls `work` with the stored trajectory of a flight, and stores what it leaves there within the limit.
+    pub fn with_flight<R>(
+        &self,
+        flight: usize,
+        work: impl FnOnce(&mut CachedTrajectory) -> R,
+    ) -> R {
+        let Self::PerFlight(slots) = self else {
+            return work(&mut None);
+        };
+        let Some(slot) = slots.get(flight) else {
+            return work(&mut None);
+        };
+        let mut slot = slot.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let result = work(&mut slot);
+        // Trajectories are of similar length: that of this flight stands for those before it.
+        let bytes = slot
+            .as_ref()
+            .map_or(0, |values| size_of_val(values.as_slice()));
+        if (flight + 1).saturating_mul(bytes) > MAX_CACHE_BYTES {
+            *slot = None;
+        }
+        result
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::context::ScoreTestModel;
+    use crate::test_support::fixture;
+    use identify::{NoiseModel, NormalBlock};
+
+    #[test]
+    fn a_cached_trajectory_gives_the_same_equations_as_a_new_integration() {
+        let fixture = fixture();
+        let model: &ScoreTestModel = &fixture.model;
+        let evaluate = |cache: &TrajectoryCache, noise: &NoiseModel| {
+            let at = LinearizationPoint {
+                problem: &model.problem,
+                iterate: &fixture.iterate,
+                cache,
+            };
+            model.normal_equations_with_terms(at, noise).unwrap()
+        };
+        let (one, other) = (fixture.fit.noise(), NoiseModel::white(0.01, 0.01));
+        let cache = TrajectoryCache::for_flights(model.flights.len());
+        let none = TrajectoryCache::Disabled;
+        assert_eq!(evaluate(&cache, one), evaluate(&none, one));
+        let TrajectoryCache::PerFlight(slots) = &cache else {
+            panic!("a cache for flights");
+        };
+        assert!(slots.iter().all(|slot| slot.lock().unwrap().is_some()));
+        assert_eq!(evaluate(&cache, &other), evaluate(&none, &other));
+        // Columns of the terms follow those of the global parameters.
+        let with_terms = evaluate(&cache, one);
+        let globals = fixture.iterate.global.len();
+        assert!(with_terms[0].global.nrows() > globals);
+        let without: Vec<NormalBlock> = with_terms
+            .iter()
+            .map(|block| ScoreTestModel::without_terms(block, globals))
+            .collect();
+        let direct = model.normal_equations(&model.problem, &fixture.iterate, one);
+        assert_eq!(without, direct.unwrap());
+    }
+
+    #[test]
+    fn trajectories_beyond_the_limit_are_not_stored() {
+        let cache = TrajectoryCache::for_flights(2);
+        let half = MAX_CACHE_BYTES / 8 - 1;
+        for flight in [0, 1] {
+            cache.with_flight(flight, |stored| *stored = Some(vec![0.0; half]));
+        }
+        assert!(cache.with_flight(0, |stored| stored.is_some()));
+        assert!(cache.with_flight(1, |stored| stored.is_none()));
+    }
+}

@@ -1,0 +1,172 @@
+//! Full-model noise estimate: from the residuals once every significant effect is taken out, to first order.
+
+use flight::batch;
+use identify::NormalBlock;
+use identify::outliers::{local_residuals, outlier_mask, scale, usual};
+use identify::{FitError, Moments, NoiseModel, PointResidual, Residuals, eliminate};
+use nalgebra::DVector;
+
+use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel};
+use crate::error::DiagnosisError;
+use crate::score_test::{ScoreTests, keep_directions};
+
+/// Directions with a smaller score, in standard deviations, are left in the noise: to take them out would make the
+/// estimate too small, and its correlation wrong.
+const MIN_SCORE: f64 = 4.0;
+
+/// Log p-value below which the states of a candidate are estimated for the noise.
+const MAX_LN_P_OF_STATES: f64 = -14.0;
+
+/// Damping of the elimination, relative to the diagonal.
+const DAMPING: f64 = 1e-12;
+
+impl ScoreTestModel {
+    /// Estimates the noise and marks outliers by it. The candidates conditioned on are estimated at the linearization point;
+    /// what others explain significantly is taken out of the residuals to first order. `noise` weights the residuals.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, [`DiagnosisError::UndeterminedInitialState`].
+    pub fn estimate_noise(
+        &mut self,
+        at: LinearizationPoint<'_>,
+        conditioned_on: &[CandidateId],
+        noise: &NoiseModel,
+    ) -> Result<NoiseModel, DiagnosisError> {
+        let blocks = self.normal_equations_with_terms(at, noise)?;
+        let global = &at.iterate.global;
+        let mut tests = ScoreTests::new(self, &blocks, conditioned_on, global)?;
+        let with = self.with_significant_states(&tests, conditioned_on);
+        if with.len() > conditioned_on.len() {
+            tests = ScoreTests::new(self, &blocks, &with, global)?;
+        }
+        let (global_step, directions) = tests.one_step_along_significant(MIN_SCORE);
+        let local_steps: Vec<DVector<f64>> = blocks
+            .iter()
+            .enumerate()
+            .map(|(flight, block)| self.local_step(flight, block, &with, &global_step))
+            .collect::<Result<_, _>>()?;
+        let remaining = batch::each_on(self.threads, self.flights.len(), |flight| {
+            self.residuals_after_step(at, flight, (&global_step, &local_steps[flight]))
+        });
+        let remaining: Vec<Residuals> = remaining.into_iter().collect::<Result<_, FitError>>()?;
+        let locals: usize = local_steps.iter().map(DVector::len).sum();
+        let unknowns = directions + tests.partition.nuisance.len() + locals;
+        Ok(self.noise_of(&remaining, unknowns, noise.interval))
+    }
+
+    /// The candidates conditioned on, and those whose states are significant.
+    fn with_significant_states(
+        &self,
+        tests: &ScoreTests,
+        conditioned_on: &[CandidateId],
+    ) -> Vec<CandidateId> {
+        let mut with = conditioned_on.to_vec();
+        for (id, candidate) in self.candidates() {
+            let test = tests.candidates[id].as_ref();
+            let is_significant = test.is_some_and(|test| test.ln_p < MAX_LN_P_OF_STATES);
+            if candidate.is_per_flight() && is_significant {
+                with.push(id);
+            }
+        }
+        with
+    }
+
+    /// The step of a flight's local unknowns that goes with a step of the global ones; 0 for the states of candidates that
+    /// are not among `with`.
+    fn local_step(
+        &self,
+        flight: usize,
+        block: &NormalBlock,
+        with: &[CandidateId],
+        global_step: &DVector<f64>,
+    ) -> Result<DVector<f64>, DiagnosisError> {
+        let (_, free) = self.local_partition(flight, with);
+        let blocks = [keep_directions(block, &free)];
+        let file = || self.flights[flight].file.clone();
+        let system = eliminate(&blocks, DAMPING)
+            .map_err(|_| DiagnosisError::UndeterminedInitialState { file: file() })?;
+        let mut step = DVector::zeros(self.flights[flight].manifold.dimension());
+        for (direction, value) in free
+            .iter()
+            .zip(system.back_substitute(global_step)[0].iter())
+        {
+            step[direction.index()] = *value;
+        }
+        Ok(step)
+    }
+
+    /// Residuals of a flight after a step of its unknowns, to first order.
+    fn residuals_after_step(
+        &self,
+        at: LinearizationPoint<'_>,
+        flight: usize,
+        (global_step, local_step): (&DVector<f64>, &DVector<f64>),
+    ) -> Result<Residuals, FitError> {
+        let observations = &self.flights[flight];
+        let step: Vec<f64> = local_step
+            .iter()
+            .chain(global_step.iter())
+            .copied()
+            .collect();
+        let mut remaining: Residuals =
+            vec![vec![None; observations.times.len()]; observations.markers];
+        self.each_residual(at, flight, |point: PointResidual<'_>| {
+            let change = |axis: usize| -> f64 {
+                let row = &point.rows[axis];
+                row.iter().zip(&step).map(|(a, b)| a * b).sum()
+            };
+            let after = [0, 1, 2].map(|axis| point.residual[axis] + change(axis));
+            remaining[point.marker][point.sample] = Some(after);
+        })?;
+        Ok(remaining)
+    }
+
+    /// Marks outliers among residuals and estimates the noise of the others, which `unknowns` were fitted to.
+    fn noise_of(&mut self, residuals: &[Residuals], unknowns: usize, interval: f64) -> NoiseModel {
+        let pairs = self.flights.iter().zip(residuals);
+        let local: Vec<_> = pairs
+            .map(|(observations, residuals)| local_residuals(&observations.times, residuals))
+            .collect();
+        let scales: Vec<[f64; 3]> = local.iter().map(|local| scale(local)).collect();
+        let typical = usual(&scales);
+        let mut sum = Moments::default();
+        for (index, observations) in self.flights.iter_mut().enumerate() {
+            let scale = [0, 1, 2].map(|axis| typical[axis].max(scales[index][axis]));
+            observations.outlier = outlier_mask(&local[index], scale);
+            for (marker, series) in residuals[index].iter().enumerate() {
+                let good = series.iter().enumerate().map(|(sample, residual)| {
+                    let place = sample * observations.markers + marker;
+                    residual.filter(|_| !observations.outlier[place])
+                });
+                let good: Vec<Option<[f64; 3]>> = good.collect();
+                sum.add(&observations.times, &good, interval);
+            }
+        }
+        sum.noise(unknowns, interval, self.problem.sigma)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::context::{LinearizationPoint, TrajectoryCache};
+    use crate::test_support::fixture;
+
+    #[test]
+    fn the_noise_is_found_where_an_effect_is_missing_from_the_model() {
+        let mut fixture = fixture();
+        let problem = fixture.model.problem.clone();
+        let at = LinearizationPoint {
+            problem: &problem,
+            iterate: &fixture.iterate,
+            cache: &TrajectoryCache::Disabled,
+        };
+        let inflated = fixture.fit.noise().overall();
+        let noise = fixture
+            .model
+            .estimate_noise(at, &[], fixture.fit.noise())
+            .unwrap();
+        // The dataset was made with 1.5 mm; the model under test misfits by more.
+        assert!((noise.overall() / 0.0015 - 1.0).abs() < 0.1, "{noise:?}");
+        assert!(inflated > 1.5 * noise.overall(), "{inflated}");
+    }
+}

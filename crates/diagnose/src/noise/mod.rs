@@ -1,0 +1,8 @@
+//! Noise of the measured coordinates, and loads in time that the model does not explain.
+
+mod estimate_noise;
+mod random_walk_loads;
+
+pub(crate) use random_walk_loads::random_walk_loads;
+
+pub use random_walk_loads::LoadHistory;

@@ -1,0 +1,267 @@
+//! Loads in time that the model does not explain: for each flight and load channel a random walk, by empirical Bayes.
+//!
+//! A history is piecewise linear between knots. The variances of its first value and of its increments are estimated
+//! from all flights at once, by expectation maximisation, so that a channel without evidence stays at 0.
+
+use flight::batch;
+use identify::{Iterate, Loss, NoiseModel, linearise_with};
+use model_spec::layout::ParamId;
+use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
+
+use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
+use crate::score_test::{eliminate_locals, keep_directions, pseudo_inverse};
+
+/// Time between knots, s.
+const KNOT_INTERVAL: f64 = 0.2;
+
+/// Number of knots of one flight, at most.
+const MAX_KNOTS: usize = 9;
+
+/// Number of flights whose histories are estimated, at most.
+const MAX_FLIGHTS: usize = 12;
+
+/// Initial standard deviation of a coefficient's first value and of its increments.
+const INITIAL_SIGMA: f64 = 0.03;
+
+/// Iterations of the expectation maximisation.
+const EM_ITERATIONS: usize = 40;
+
+/// Lower bound of the standard deviations.
+const MIN_SIGMA: f64 = 1e-7;
+
+/// A load coefficient of one flight in time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LoadHistory {
+    /// File of the flight.
+    pub file: String,
+    /// Times of the knots, s.
+    pub t: Vec<f64>,
+    /// Coefficient at the knots.
+    pub value: Vec<f64>,
+    /// Standard errors of `value`.
+    pub std_error: Vec<f64>,
+}
+
+/// Histories of each load channel of the term library, in the library's order; empty without a library.
+pub(crate) fn random_walk_loads(
+    model: &ScoreTestModel,
+    at: &Iterate,
+    noise: &NoiseModel,
+) -> Vec<Vec<LoadHistory>> {
+    let Some(terms) = &model.terms else {
+        return Vec::new();
+    };
+    let count = model.flights.len().min(MAX_FLIGHTS);
+    let flights = batch::each_on(model.threads, count, |flight| {
+        FlightLoads::new(model, terms, flight, at, noise)
+    });
+    let flights: Vec<FlightLoads> = flights.into_iter().flatten().collect();
+    let mut sigmas = vec![WalkSigma::INITIAL; terms.loads.len()];
+    for _ in 0..EM_ITERATIONS {
+        maximise(&mut sigmas, &flights);
+    }
+    let mut histories = vec![Vec::new(); terms.loads.len()];
+    for flight in &flights {
+        let Some((mean, covariance)) = flight.posterior(&sigmas) else {
+            continue;
+        };
+        let knots = flight.knots.len();
+        for (channel, histories) in histories.iter_mut().enumerate() {
+            let rows = channel * knots..(channel + 1) * knots;
+            let std_error = |k: usize| covariance[(k, k)].max(0.0).sqrt();
+            histories.push(LoadHistory {
+                file: model.flights[flight.flight].file.clone(),
+                t: flight.knots.clone(),
+                value: rows.clone().map(|k| mean[k]).collect(),
+                std_error: rows.map(std_error).collect(),
+            });
+        }
+    }
+    histories
+}
+
+/// Standard deviations of the random walk of one channel.
+#[derive(Clone, Copy, Debug)]
+struct WalkSigma {
+    first: f64,
+    increment: f64,
+}
+
+impl WalkSigma {
+    const INITIAL: Self = Self {
+        first: INITIAL_SIGMA,
+        increment: INITIAL_SIGMA,
+    };
+}
+
+/// Expected sum of squares and number of its summands.
+#[derive(Clone, Copy, Debug, Default)]
+struct SquareSum {
+    squares: f64,
+    count: f64,
+}
+
+impl SquareSum {
+    fn add(&mut self, square: f64) {
+        self.squares += square;
+        self.count += 1.0;
+    }
+
+    fn update(&self, sigma: &mut f64) {
+        if self.count > 0.0 {
+            *sigma = (self.squares / self.count).sqrt().max(MIN_SIGMA);
+        }
+    }
+}
+
+/// One iteration of expectation maximisation.
+fn maximise(sigmas: &mut [WalkSigma], flights: &[FlightLoads]) {
+    let mut sums = vec![[SquareSum::default(); 2]; sigmas.len()];
+    for flight in flights {
+        if let Some((mean, covariance)) = flight.posterior(sigmas) {
+            flight.add_expected_squares((&mean, &covariance), &mut sums);
+        }
+    }
+    for (sigma, [first, increment]) in sigmas.iter_mut().zip(&sums) {
+        first.update(&mut sigma.first);
+        increment.update(&mut sigma.increment);
+    }
+}
+
+/// Normal equations of one flight by the values of all channels at its knots, channel by channel.
+struct FlightLoads {
+    flight: usize,
+    knots: Vec<f64>,
+    information: DMatrix<f64>,
+    gradient: DVector<f64>,
+}
+
+impl FlightLoads {
+    fn new(
+        model: &ScoreTestModel,
+        terms: &LibraryTerms,
+        flight: usize,
+        at: &Iterate,
+        noise: &NoiseModel,
+    ) -> Option<Self> {
+        let (problem, observations) = (&model.problem, &model.flights[flight]);
+        let knots = knots(*observations.times.last()?);
+        let count = knots.len();
+        let conditions = problem
+            .body
+            .bind(observations.parameters(problem, &at.global));
+        let first = problem.body.layout().parameters.len();
+        let loads = terms.loads.iter();
+        let loads: Vec<ParamId> = loads.flat_map(|&load| vec![load; count]).collect();
+        let motion = BasisLoads::new(&conditions, &loads, first, |t, _, values: &mut [f64]| {
+            for (index, value) in values.iter_mut().enumerate() {
+                *value = hat(&knots, index % count, t);
+            }
+        });
+        let parameters: Vec<usize> = (first..first + loads.len()).collect();
+        let unknowns = (&at.global, &at.local[flight]);
+        let samples = observations.times.len();
+        let loss = Loss::Whitened(noise);
+        let by = (motion, parameters.as_slice());
+        let block =
+            linearise_with(problem, observations, unknowns, samples, loss, by, None).ok()?;
+        let (_, free) = model.local_partition(flight, &[]);
+        let block = keep_directions(&block, &free);
+        let equations = eliminate_locals(model, flight, &block).ok()?;
+        Some(Self {
+            flight,
+            knots,
+            information: equations.matrix,
+            gradient: equations.gradient,
+        })
+    }
+
+    /// Posterior mean and covariance of the values at the knots, given the random walks' standard deviations.
+    fn posterior(&self, sigmas: &[WalkSigma]) -> Option<(DVector<f64>, DMatrix<f64>)> {
+        let mut matrix = self.information.clone();
+        let knots = self.knots.len();
+        for (channel, sigma) in sigmas.iter().enumerate() {
+            let at = channel * knots;
+            matrix[(at, at)] += sigma.first.powi(-2);
+            for k in at + 1..at + knots {
+                let weight = sigma.increment.powi(-2);
+                matrix[(k, k)] += weight;
+                matrix[(k - 1, k - 1)] += weight;
+                matrix[(k, k - 1)] -= weight;
+                matrix[(k - 1, k)] -= weight;
+            }
+        }
+        let covariance = pseudo_inverse(&matrix)?;
+        Some((-(&covariance * &self.gradient), covariance))
+    }
+
+    /// Adds the expected squares of first values and increments.
+    fn add_expected_squares(
+        &self,
+        (mean, covariance): (&DVector<f64>, &DMatrix<f64>),
+        sums: &mut [[SquareSum; 2]],
+    ) {
+        let knots = self.knots.len();
+        for (channel, [first, increment]) in sums.iter_mut().enumerate() {
+            let at = channel * knots;
+            first.add(mean[at].powi(2) + covariance[(at, at)]);
+            for k in at + 1..at + knots {
+                let variance =
+                    covariance[(k, k)] + covariance[(k - 1, k - 1)] - 2.0 * covariance[(k, k - 1)];
+                increment.add((mean[k] - mean[k - 1]).powi(2) + variance);
+            }
+        }
+    }
+}
+
+/// Evenly spaced knots from 0 to `end`, s.
+fn knots(end: f64) -> Vec<f64> {
+    let count = ((end / KNOT_INTERVAL).ceil() as usize + 1).clamp(2, MAX_KNOTS);
+    let knot = |k: usize| end * k as f64 / (count - 1) as f64;
+    (0..count).map(knot).collect()
+}
+
+/// The piecewise linear function that is 1 at one knot and 0 at all others.
+fn hat(knots: &[f64], knot: usize, t: f64) -> f64 {
+    let width = knots[1] - knots[0];
+    (1.0 - ((t - knots[knot]) / width).abs()).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hat_functions_sum_to_one_and_interpolate_at_knots() {
+        let knots = knots(0.6);
+        assert_eq!(knots.len(), 4);
+        for t in [0.0, 0.05, 0.2, 0.31, 0.6] {
+            let sum: f64 = (0..4).map(|k| hat(&knots, k, t)).sum();
+            assert!((sum - 1.0).abs() < 1e-12);
+        }
+        assert!((hat(&knots, 2, 0.4) - 1.0).abs() < 1e-12);
+        assert_eq!(hat(&knots, 0, 0.25), 0.0);
+    }
+
+    #[test]
+    fn a_channel_without_evidence_stays_at_zero_and_one_with_it_is_followed() {
+        // Two channels at three knots: the first was seen to rise, of the second nothing was seen but 0.
+        let mut information = DMatrix::identity(6, 6) * 1e6;
+        information[(5, 5)] = 1e5;
+        let truth = DVector::from_column_slice(&[0.1, 0.2, 0.3, 0.0, 0.0, 0.0]);
+        let flight = FlightLoads {
+            flight: 0,
+            knots: knots(0.4),
+            gradient: -(&information * &truth),
+            information,
+        };
+        let mut sigmas = vec![WalkSigma::INITIAL; 2];
+        for _ in 0..EM_ITERATIONS {
+            maximise(&mut sigmas, std::slice::from_ref(&flight));
+        }
+        let (mean, _) = flight.posterior(&sigmas).unwrap();
+        assert!((mean[2] - 0.3).abs() < 1e-3, "{mean}");
+        assert!(mean[5].abs() < 1e-6 && sigmas[1].increment < 1e-2 * sigmas[0].increment);
+    }
+}

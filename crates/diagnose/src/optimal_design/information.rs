@@ -1,0 +1,105 @@
+//! Distance of hypotheses in the information of the flights.
+
+use identify::{Iterate, NormalBlock, eliminate};
+use nalgebra::{DMatrix, DVector};
+
+use crate::context::{ColumnId, ScoreTestModel, select};
+use crate::score_test::pseudo_inverse;
+use crate::selection::Hypothesis;
+
+/// Damping of the elimination, relative to the diagonal.
+const DAMPING: f64 = 1e-12;
+
+/// Information of the global columns from some flights, local unknowns eliminated; none if a flight does not determine
+/// these.
+pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Option<DMatrix<f64>> {
+    let size = model.global_columns();
+    let mut sum = DMatrix::zeros(size, size);
+    for block in blocks {
+        let system = eliminate(std::slice::from_ref(block), DAMPING).ok()?;
+        sum += system.reduced.view((0, 0), (size, size));
+    }
+    Some(sum)
+}
+
+/// What the separation of hypotheses depends on.
+pub(super) struct Alternative {
+    columns: Vec<ColumnId>,
+    /// Departure of each column from its null value.
+    departures: Vec<f64>,
+}
+
+impl Alternative {
+    /// A fitted hypothesis.
+    pub fn new(model: &ScoreTestModel, hypothesis: &Hypothesis) -> Self {
+        let effects = hypothesis.effects.iter();
+        let columns: Vec<ColumnId> = effects
+            .flat_map(|&e| model.columns_of(e))
+            .copied()
+            .collect();
+        Self {
+            departures: departures(model, &columns, &hypothesis.iterate),
+            columns,
+        }
+    }
+}
+
+fn departures(model: &ScoreTestModel, columns: &[ColumnId], at: &Iterate) -> Vec<f64> {
+    let departure = |column: &ColumnId| {
+        let global = &model.problem.globals[column.index()];
+        at.global[column.index()] - global.model_value
+    };
+    columns.iter().map(departure).collect()
+}
+
+/// The least distance of two hypotheses, in standard deviations: each is taken for true in turn, and the other fitted to what it
+/// predicts. `nuisance` are the columns of the model under test. 0 if no two hypotheses differ in a column.
+pub(super) fn separation(
+    nuisance: &[ColumnId],
+    hypotheses: &[Alternative],
+    information: &DMatrix<f64>,
+) -> f64 {
+    let mut least = f64::INFINITY;
+    for truth in hypotheses {
+        for other in hypotheses {
+            let own = truth.columns.iter().zip(&truth.departures);
+            let own = own.filter(|(column, _)| !other.columns.contains(column));
+            let (own, departures): (Vec<ColumnId>, Vec<f64>) = own.unzip();
+            if own.is_empty() {
+                continue;
+            }
+            let free: Vec<ColumnId> = nuisance.iter().chain(&other.columns).copied().collect();
+            let Some(inverse) = pseudo_inverse(&select(information, &free, &free)) else {
+                continue;
+            };
+            let cross = select(information, &free, &own);
+            let effective = select(information, &own, &own) - cross.tr_mul(&(inverse * &cross));
+            let departures = DVector::from_vec(departures);
+            let chi2 = departures.dot(&(effective * &departures)).max(0.0);
+            least = least.min(chi2.sqrt());
+        }
+    }
+    if least.is_finite() { least } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hypotheses_are_as_far_apart_as_their_columns_are_independent() {
+        let alternative = |column: usize| Alternative {
+            columns: vec![ColumnId::new(column)],
+            departures: vec![2.0],
+        };
+        let both = [alternative(0), alternative(1)];
+        // Orthogonal columns: the other explains nothing.
+        let found = separation(&[], &both, &(DMatrix::identity(2, 2) * 9.0));
+        assert!((found - 6.0).abs() < 1e-9, "{found}");
+        // Correlated by 0.8: 1 − R² = 0.36.
+        let correlated = DMatrix::from_row_slice(2, 2, &[9.0, 7.2, 7.2, 9.0]);
+        let found = separation(&[], &both, &correlated);
+        assert!((found - 6.0 * 0.6).abs() < 1e-9, "{found}");
+        assert_eq!(separation(&[], &both[..1], &correlated), 0.0);
+    }
+}

@@ -1,0 +1,194 @@
+//! The throw that would best tell hypotheses apart.
+
+use flight::batch;
+use identify::{
+    FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, Unknowns, linearise,
+    state_for_motion,
+};
+use rand::SeedableRng;
+use rand_chacha::ChaCha12Rng;
+use serde::{Deserialize, Serialize};
+
+use super::information::{Alternative, information, separation};
+use super::release::Release;
+use crate::context::{ScoreTestModel, ThrowRanges};
+use crate::error::DiagnosisError;
+use crate::selection::Search;
+
+/// Number of simulated throws.
+const THROWS: usize = 96;
+
+/// Seed of the throws.
+const SEED: u64 = 1;
+
+/// Hypotheses this many standard deviations apart are told apart.
+const SUFFICIENT_SEPARATION: f64 = 3.0;
+
+/// A throw that separates them less, and by less than this factor more than the flights do, does not help.
+const MIN_IMPROVEMENT: f64 = 1.3;
+
+/// Vector input of models of point masses: their angular velocity, rad/s.
+const ANGULAR_VELOCITY: &str = "omega";
+
+/// A release that would tell hypotheses apart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NextThrow {
+    /// The design in a sentence.
+    pub says: String,
+    /// Speed, m/s.
+    pub speed: f64,
+    /// Launch angle: the velocity above the horizontal, rad.
+    #[serde(rename = "climb")]
+    pub launch: f64,
+    /// Angle of attack, nose up, rad.
+    pub nose: f64,
+    /// Tilt of the disc about the velocity, rad.
+    pub hyzer: f64,
+    /// Spin about the axis, rad/s; negative for a right-handed backhand.
+    pub spin: f64,
+    /// Heading in the horizontal plane from the x axis, rad.
+    pub heading: f64,
+    /// Expected separation of the two closest hypotheses after it, in standard deviations.
+    pub separation: f64,
+    /// Separation in the flights at hand.
+    pub separation_now: f64,
+}
+
+/// The throw after which the two closest of the accepted hypotheses would differ most; none if fewer than two are accepted.
+///
+/// # Errors
+/// [`DiagnosisError::Fit`] if a measured flight cannot be integrated.
+pub(crate) fn next_throw(
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+    ranges: &ThrowRanges,
+) -> Result<Option<NextThrow>, DiagnosisError> {
+    let hypotheses = search.accepted.as_slice();
+    let [best, _, ..] = hypotheses else {
+        return Ok(None);
+    };
+    let noise = &search.noise;
+    let (problem, iterate) = (&best.problem, &best.iterate);
+    let blocks = model.normal_equations(problem, iterate, noise)?;
+    let Some(known) = information(model, &blocks) else {
+        return Ok(None);
+    };
+    let each = hypotheses.iter().map(|h| Alternative::new(model, h));
+    let alternatives: Vec<Alternative> = each.collect();
+    let now = separation(&model.base, &alternatives, &known);
+    let mut random = ChaCha12Rng::seed_from_u64(SEED);
+    let releases: Vec<Release> = (0..THROWS)
+        .map(|_| Release::draw(ranges, &mut random))
+        .collect();
+    let after = batch::each_on(model.threads, releases.len(), |index| {
+        let flight = (&model.flights[0], &releases[index]);
+        let block = simulated(problem, flight, ranges, iterate, noise)?;
+        let more = information(model, &[block])?;
+        Some(separation(&model.base, &alternatives, &(&known + more)))
+    });
+    let each = after.into_iter().zip(&releases);
+    let best = each
+        .filter_map(|(after, release)| Some((after?, release)))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(best.map(|(after, release)| NextThrow::new(release, after, now)))
+}
+
+/// Normal equations of a flight that starts with a release and is observed like a measured one, at these unknowns; none if
+/// the model cannot start so.
+fn simulated(
+    problem: &FitProblem,
+    (like, release): (&Observations, &Release),
+    ranges: &ThrowRanges,
+    at: &Iterate,
+    noise: &NoiseModel,
+) -> Option<NormalBlock> {
+    let samples = (ranges.duration * ranges.rate) as usize;
+    let points = samples * problem.markers.len();
+    let mut parameters = like.parameters.clone();
+    if let (false, Some(components)) = (
+        problem.has_attitude,
+        problem.body.layout().components(ANGULAR_VELOCITY),
+    ) {
+        let spin = release.motion(ranges.height, true).rates?;
+        for (component, value) in components.iter().zip(spin.iter()) {
+            parameters[component.index()] = *value;
+        }
+    }
+    let observations = Observations {
+        times: (0..samples).map(|k| k as f64 / ranges.rate).collect(),
+        measured: vec![Some([0.0; 3]); points],
+        outlier: vec![false; points],
+        parameters,
+        known_states: Vec::new(),
+        ..like.clone()
+    };
+    let motion = release.motion(ranges.height, problem.has_attitude);
+    let local = state_for_motion(problem, &observations, &motion).ok()?;
+    let unknowns = (&at.global, &local);
+    let loss = Loss::Whitened(noise);
+    linearise(
+        problem,
+        &observations,
+        unknowns,
+        samples,
+        Unknowns::All,
+        loss,
+    )
+    .ok()
+}
+
+impl NextThrow {
+    fn new(release: &Release, after: f64, now: f64) -> Self {
+        Self {
+            says: sentence(release, after, now),
+            speed: release.speed,
+            launch: release.launch,
+            nose: release.nose,
+            hyzer: release.hyzer,
+            spin: release.spin,
+            heading: release.heading,
+            separation: after,
+            separation_now: now,
+        }
+    }
+}
+
+fn sentence(release: &Release, after: f64, now: f64) -> String {
+    if after < SUFFICIENT_SEPARATION && after < MIN_IMPROVEMENT * now.max(1.0) {
+        return format!(
+            "no throw helps: after the best of {THROWS} simulated throws the closest explanations would be {after:.1} standard \
+             deviations apart ({now:.1} now); measure their parameters by other means"
+        );
+    }
+    let degrees = |angle: f64| format!("{:.0}°", angle.to_degrees());
+    format!(
+        "throw at {:.0} m/s, launch angle {}, nose angle {}, hyzer angle {}, spin {:.0} rad/s, heading {}: the closest \
+         explanations would be {after:.1} standard deviations apart ({now:.1} now)",
+        release.speed,
+        degrees(release.launch),
+        degrees(release.nose),
+        degrees(release.hyzer),
+        release.spin,
+        degrees(release.heading)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_throw_is_recommended_only_if_it_helps() {
+        let release = Release {
+            speed: 20.0,
+            launch: 0.1,
+            nose: 0.0,
+            hyzer: 0.2,
+            spin: -60.0,
+            heading: 0.0,
+        };
+        assert!(sentence(&release, 5.0, 4.5).starts_with("throw at 20 m/s, launch angle 6°"));
+        assert!(sentence(&release, 2.0, 1.0).starts_with("throw"));
+        assert!(sentence(&release, 1.2, 1.0).starts_with("no throw helps"));
+    }
+}

@@ -1,0 +1,172 @@
+//! Minimum detectable effects, and effects that are not identifiable.
+
+use serde::{Deserialize, Serialize};
+
+use crate::context::{CandidateId, CandidateParameter, ColumnId, ScoreTestModel};
+use crate::score_test::{ScoreTests, ln_p_to_z};
+
+/// A column whose squared norm falls to this share when the initial states are eliminated is confounded with them.
+const MAX_LOCAL_TOLERANCE: f64 = 1e-9;
+
+/// Standard normal quantile of the power 0.9: exceeded with a probability of one in ten.
+const Z_OF_POWER: f64 = 1.281_551_565_544_6;
+
+/// Nuisance parameters are named whose share is at least this fraction of the greatest.
+const MIN_SHARE: f64 = 0.25;
+
+/// Confounding parameters that are named, at most.
+const MAX_NAMED: usize = 8;
+
+/// An effect is not identifiable if its minimum detectable size exceeds this fraction of the width of its bounds.
+const MAX_FRACTION_OF_BOUNDS: f64 = 0.5;
+
+/// An effect that the flights cannot tell from the model's own parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NotIdentifiable {
+    /// Name of the effect.
+    pub name: String,
+    /// What it is confounded with: coefficients, or `initial states`; empty if it has no influence on these flights.
+    #[serde(rename = "absorbed_by")]
+    pub confounded_with: Vec<String>,
+}
+
+/// The smallest size of an effect that is detected with a probability of 0.9.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MinDetectableEffect {
+    /// Name of the effect.
+    pub name: String,
+    /// Its coefficient.
+    pub coefficient: String,
+    /// Departure from the null value, SI.
+    pub value: f64,
+    /// Unit.
+    pub unit: String,
+}
+
+/// The effects that are not identifiable, and the minimum detectable sizes of the others, if a log p-value below `detect` is
+/// significant.
+pub(crate) fn detectable(
+    model: &ScoreTestModel,
+    tests: &ScoreTests,
+    detect: f64,
+) -> (Vec<NotIdentifiable>, Vec<MinDetectableEffect>) {
+    let noncentrality = ln_p_to_z(detect) + Z_OF_POWER;
+    let (mut hidden, mut detectable) = (Vec::new(), Vec::new());
+    for (id, candidate) in model.candidates() {
+        let Some(test) = &tests.candidates[id] else {
+            continue;
+        };
+        let parameters = candidate.coefficients.iter().zip(model.columns_of(id));
+        let sizes: Vec<MinDetectableEffect> = parameters
+            .filter_map(|(parameter, &column)| {
+                let value = detectable_size(tests, parameter, column, noncentrality)?;
+                Some(MinDetectableEffect {
+                    name: candidate.name.clone(),
+                    coefficient: parameter.name.clone(),
+                    value,
+                    unit: parameter.unit.clone(),
+                })
+            })
+            .collect();
+        let has_size = candidate.is_per_flight() || !sizes.is_empty();
+        if test.dof > 0 && has_size {
+            detectable.extend(sizes);
+        } else {
+            hidden.push(NotIdentifiable {
+                name: candidate.name.clone(),
+                confounded_with: confounded_with(model, tests, id),
+            });
+        }
+    }
+    (hidden, detectable)
+}
+
+/// The minimum detectable departure of a coefficient, SI; none if that is not small against its bounds.
+fn detectable_size<Id>(
+    tests: &ScoreTests,
+    parameter: &CandidateParameter<Id>,
+    column: ColumnId,
+    noncentrality: f64,
+) -> Option<f64> {
+    let column = tests.partition.tested.iter().position(|&c| c == column)?;
+    let information = tests.information[(column, column)].max(0.0);
+    let size = noncentrality / (information * tests.norms[column].locals_eliminated).sqrt();
+    let bounds = parameter.bounds;
+    let width = bounds.map_or(f64::INFINITY, |(low, high)| high - low);
+    (size.is_finite() && size < MAX_FRACTION_OF_BOUNDS * width).then_some(size)
+}
+
+/// Names of the parameters that explain the columns of a candidate, the greatest share first.
+fn confounded_with(model: &ScoreTestModel, tests: &ScoreTests, id: CandidateId) -> Vec<String> {
+    let own = model.columns_of(id);
+    let mut shares: Vec<(&str, f64)> = Vec::new();
+    for (column, tested) in tests.partition.tested.iter().enumerate() {
+        let norms = tests.norms[column];
+        if !own.contains(tested) || norms.total <= 0.0 {
+            continue;
+        }
+        if norms.locals_eliminated <= MAX_LOCAL_TOLERANCE * norms.total {
+            return vec!["initial states".to_owned()];
+        }
+        for (row, &nuisance) in tests.partition.nuisance.iter().enumerate() {
+            let norm = tests.nuisance_information[(row, row)].sqrt();
+            let share = tests.nuisance_projection[(row, column)].abs() * norm;
+            let name = model.column_name(nuisance).unwrap_or_default();
+            match shares.iter_mut().find(|(same, _)| *same == name) {
+                Some((_, greatest)) => *greatest = greatest.max(share),
+                None => shares.push((name, share)),
+            }
+        }
+    }
+    greatest_shares(shares)
+}
+
+fn greatest_shares(mut shares: Vec<(&str, f64)>) -> Vec<String> {
+    shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let greatest = shares.first().map_or(0.0, |first| first.1);
+    shares
+        .into_iter()
+        .filter(|(_, share)| *share >= MIN_SHARE * greatest && *share > 0.0)
+        .take(MAX_NAMED)
+        .map(|(name, _)| name.to_owned())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_support::fixture;
+
+    #[test]
+    fn only_great_shares_are_named() {
+        let shares = vec![("C_a", 0.2), ("C_b", 1.0), ("C_c", 0.3), ("C_d", 0.0)];
+        assert_eq!(greatest_shares(shares), ["C_b", "C_c"]);
+        assert!(greatest_shares(vec![("C_a", 0.0)]).is_empty());
+    }
+
+    #[test]
+    fn the_minimum_detectable_size_is_significant_with_a_power_of_nine_in_ten() {
+        let fixture = fixture();
+        let model = &fixture.model;
+        let noise = fixture.fit.noise();
+        let blocks = model.normal_equations(&model.problem, &fixture.iterate, noise);
+        let tests = ScoreTests::new(model, &blocks.unwrap(), &[], &fixture.iterate.global).unwrap();
+        let detect = -9.0;
+        let (hidden, sizes) = detectable(model, &tests, detect);
+        // More air is as greater coefficients.
+        let density = hidden.iter().find(|h| h.name == "air-density").unwrap();
+        assert!(
+            density
+                .confounded_with
+                .iter()
+                .any(|name| name.starts_with("C_"))
+        );
+        let stall = sizes.iter().find(|size| size.name == "stall").unwrap();
+        let test = tests.candidates[fixture.candidate("stall")]
+            .as_ref()
+            .unwrap();
+        // An estimate of this size lies at the threshold, and the 0.9 quantile beyond it.
+        let z = stall.value / test.one_step[0].std_error;
+        assert!((z - ln_p_to_z(detect) - Z_OF_POWER).abs() < 1e-6, "{z}");
+    }
+}

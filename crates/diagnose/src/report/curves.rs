@@ -1,0 +1,160 @@
+//! Coefficient curves: the model's coefficients over the range that the flights covered.
+
+use identify::{FlightEvidence, median};
+use model_spec::model::{Model, Shape};
+use serde::{Deserialize, Serialize};
+
+/// Intervals of a curve.
+const INTERVALS: usize = 24;
+
+/// Samples of an interval, at least.
+const MIN_SAMPLES: usize = 4;
+
+/// Range of quantiles of the abscissa that is drawn.
+const QUANTILES: (f64, f64) = (0.005, 0.995);
+
+/// Abscissae; the first that a model has is used.
+const ABSCISSAE: [&str; 2] = ["alpha", "V"];
+
+/// Prefix of the names of coefficients.
+const COEFFICIENT_PREFIX: &str = "C_";
+
+/// A coefficient of the model over an abscissa, without and with the extension. Values are medians of the samples within
+/// intervals.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CoefficientCurve {
+    /// The coefficient, such as `C_D`.
+    pub quantity: String,
+    /// The abscissa, such as `alpha`.
+    pub over: String,
+    /// Unit of the abscissa.
+    pub unit: String,
+    /// Centres of the intervals.
+    pub x: Vec<f64>,
+    /// Values without the extension.
+    pub before: Vec<f64>,
+    /// Values with it.
+    pub after: Vec<f64>,
+    /// Number of samples.
+    pub support: Vec<usize>,
+}
+
+/// Every scalar auxiliary variable whose name begins with `C_`, over the angle of attack or the speed.
+pub(crate) fn curves(
+    model: &Model,
+    before: &[FlightEvidence],
+    after: &[FlightEvidence],
+) -> Vec<CoefficientCurve> {
+    let variable = |name: &str| model.aux_variables.iter().find(|l| l.name == name);
+    let over = ABSCISSAE
+        .into_iter()
+        .find_map(|name| Some((name, variable(name)?)));
+    let Some((over, abscissa)) = over else {
+        return Vec::new();
+    };
+    let unit = abscissa.value.unit.to_string();
+    let coefficients = model
+        .aux_variables
+        .iter()
+        .filter(|l| l.name.starts_with(COEFFICIENT_PREFIX) && l.value.shape == Shape::Scalar);
+    coefficients
+        .filter_map(|coefficient| {
+            let points = |flights| points(&coefficient.name, over, flights);
+            let (x, values) = medians(points(before), points(after))?;
+            let [before, after] = [|v: &Interval| v.before, |v: &Interval| v.after]
+                .map(|of| values.iter().map(of).collect());
+            Some(CoefficientCurve {
+                quantity: coefficient.name.clone(),
+                over: over.to_owned(),
+                unit: unit.clone(),
+                x,
+                before,
+                after,
+                support: values.iter().map(|v| v.support).collect(),
+            })
+        })
+        .collect()
+}
+
+/// Medians of one interval.
+struct Interval {
+    before: f64,
+    after: f64,
+    support: usize,
+}
+
+/// Centres of the intervals with enough samples, and medians there; none if there is no range. Points are (abscissa, value).
+fn medians(
+    mut before: Vec<(f64, f64)>,
+    mut after: Vec<(f64, f64)>,
+) -> Option<(Vec<f64>, Vec<Interval>)> {
+    if before.is_empty() || after.is_empty() {
+        return None;
+    }
+    before.sort_by(|a, b| a.0.total_cmp(&b.0));
+    after.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let quantile = |part: f64| before[((before.len() - 1) as f64 * part) as usize].0;
+    let (low, high) = (quantile(QUANTILES.0), quantile(QUANTILES.1));
+    let step = (high - low) / INTERVALS as f64;
+    if step.is_nan() || step <= 0.0 {
+        return None;
+    }
+    let intervals = (0..INTERVALS).filter_map(|k| {
+        let from = low + step * k as f64;
+        let (mut was, mut is) = (within(&before, from, step), within(&after, from, step));
+        let are_enough = was.len() >= MIN_SAMPLES && is.len() >= MIN_SAMPLES;
+        are_enough.then(|| {
+            let interval = Interval {
+                support: was.len(),
+                before: median(&mut was),
+                after: median(&mut is),
+            };
+            (from + step / 2.0, interval)
+        })
+    });
+    Some(intervals.unzip())
+}
+
+/// Values of sorted points in the interval [`from`, `from + width`).
+fn within(points: &[(f64, f64)], from: f64, width: f64) -> Vec<f64> {
+    let first = points.partition_point(|p| p.0 < from);
+    let last = points.partition_point(|p| p.0 < from + width);
+    points[first..last].iter().map(|p| p.1).collect()
+}
+
+/// All finite pairs of two quantities.
+fn points(quantity: &str, over: &str, flights: &[FlightEvidence]) -> Vec<(f64, f64)> {
+    let mut points = Vec::new();
+    for flight in flights {
+        let position = |name: &str| flight.quantity_names.iter().position(|n| n == name);
+        let (Some(x), Some(y)) = (position(over), position(quantity)) else {
+            continue;
+        };
+        let each = flight.quantities.iter().map(|row| (row[x], row[y]));
+        points.extend(each.filter(|(x, y)| x.is_finite() && y.is_finite()));
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_is_the_median_within_each_interval() {
+        let line = |slope: f64| -> Vec<(f64, f64)> {
+            let points = (0..2400).map(|i| f64::from(i) / 2400.0);
+            points.map(|x| (x, slope * x)).collect()
+        };
+        let mut before = line(1.0);
+        before[1200].1 = 1e6;
+        let (x, values) = medians(before, line(2.0)).unwrap();
+        assert_eq!(x.len(), INTERVALS);
+        for (x, value) in x.iter().zip(&values) {
+            assert!((value.before - x).abs() < 1e-3 && (value.after - 2.0 * x).abs() < 2e-3);
+            assert!(value.support > 90);
+        }
+        assert!(medians(vec![(1.0, 2.0); 50], line(1.0)).is_none());
+        assert!(medians(Vec::new(), line(1.0)).is_none());
+    }
+}

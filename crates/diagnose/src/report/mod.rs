@@ -1,0 +1,19 @@
+//! Last stage: the report of a diagnosis, and its summary in words.
+
+mod curves;
+mod narrative;
+mod report_builder;
+mod types;
+
+pub(crate) use curves::curves;
+pub(crate) use narrative::{refused, summary};
+pub(crate) use report_builder::{
+    add_extension, build_report, note_not_applied, unattributed_report, use_clustered_errors,
+};
+
+pub use curves::CoefficientCurve;
+pub use types::{
+    CandidateTest, Cause, CauseEffect, Coefficient, Consensus, Estimate, FlightGain, LoadChannel,
+    NoiseSummary, RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,
+    Verified,
+};

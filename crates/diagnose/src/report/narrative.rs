@@ -1,0 +1,258 @@
+//! A diagnosis in words.
+
+use super::types::{Cause, CauseEffect, Consensus, Report, Verdict};
+use crate::selection::{StepwiseModel, StepwiseTerm};
+use crate::text::{millimetres, three_figures};
+use crate::validation::{PredictiveGain, Validated};
+
+/// Coefficients are named whose bias exceeds this many standard errors.
+const MIN_BIAS: f64 = 3.0;
+
+/// Names of flights in a sentence, at most.
+const MAX_NAMES: usize = 16;
+
+/// The paragraph at the beginning of a report.
+pub(crate) fn summary(report: &Report) -> String {
+    let mut text = answer(report);
+    if let Some(consensus) = &report.consensus {
+        text.push_str(&agreement(consensus));
+    }
+    if let Some(gain) = &report.gain {
+        text.push_str(&prediction(gain));
+    }
+    text.push_str(&omitted_variable_bias(report));
+    text
+}
+
+fn answer(report: &Report) -> String {
+    let model = &report.model;
+    match report.verdict {
+        Verdict::None => format!(
+            "No error of the model {model} is detected: none of {} candidate effects is significant (familywise p-value {}).",
+            report.candidates.len(),
+            three_figures(report.threshold.alpha)
+        ),
+        Verdict::Named => format!("The model {model} lacks {}", described(&report.causes[0])),
+        Verdict::Negligible => format!(
+            "The model {model} lacks a significant but negligible effect: {}",
+            described(&report.causes[0])
+        ),
+        Verdict::Ambiguous => {
+            let names: Vec<String> = report.causes.iter().map(name).collect();
+            format!(
+                "The model {model} lacks an effect, and these flights do not tell which of {}: {}. The best fit: {}",
+                report.causes.len(),
+                names.join("; "),
+                described(&report.causes[0])
+            )
+        }
+        Verdict::Unattributed => unattributed_answer(report),
+    }
+}
+
+fn unattributed_answer(report: &Report) -> String {
+    let model = &report.model;
+    match &report.unattributed {
+        Some(found) if !report.causes.is_empty() => format!(
+            "The model {model} has a lack of fit that no candidate effect explains. {} An effect was written for it: {}.",
+            found.says,
+            name(&report.causes[0])
+        ),
+        Some(found) => format!(
+            "The model {model} has a lack of fit that neither a candidate effect nor a term of the library explains. {}",
+            found.says
+        ),
+        None => format!("The model {model} has a lack of fit that no candidate effect explains."),
+    }
+}
+
+/// What the flights agree on.
+fn agreement(consensus: &Consensus) -> String {
+    let mut text = format!(
+        " {} flights agree on it (sign-flip test, p ≤ {}).",
+        consensus.flights,
+        three_figures(consensus.p_value),
+    );
+    if let Some(explained) = consensus.explained {
+        text.push_str(&format!(
+            " It explains {:.0} % of the excess \u{3c7}\u{b2}; the rest differs from flight to flight and follows none of the laws \
+             that were tested. Standard errors are cluster-robust (by flight).",
+            100.0 * explained
+        ));
+    }
+    if !consensus.discordant.is_empty() {
+        text.push_str(&format!(
+            " {} discordant flights are left out: check the quantities given for them ({}).",
+            consensus.discordant.len(),
+            listed(&consensus.discordant)
+        ));
+    }
+    text
+}
+
+fn listed(names: &[String]) -> String {
+    match names.len().checked_sub(MAX_NAMES) {
+        Some(more) if more > 0 => format!("{} and {more} more", names[..MAX_NAMES].join(", ")),
+        _ => names.join(", "),
+    }
+}
+
+fn prediction(gain: &PredictiveGain) -> String {
+    let how = match gain.held_out_by_dataset {
+        true => "held-out flights",
+        false => "flights not used in the fit (2-fold cross-validation)",
+    };
+    let mut text = format!(
+        " The RMS prediction error on {how} falls from {} to {} (noise {}).",
+        millimetres(gain.held_out_rms_before_m),
+        millimetres(gain.held_out_rms_after_m),
+        millimetres(gain.noise_floor_m)
+    );
+    if gain.error_reduction_m() < 0.0 {
+        text = text.replace(" falls from ", " rises from ");
+    }
+    if gain.without > 0 {
+        text.push_str(&format!(
+            " {} of these {} flights contradict it in the segment on which their initial state is fitted, and are predicted without \
+             it.",
+            gain.without, gain.flights
+        ));
+    }
+    text
+}
+
+/// Coefficients that the missing effect had biased.
+fn omitted_variable_bias(report: &Report) -> String {
+    let biased: Vec<String> = report
+        .coefficients
+        .iter()
+        .filter_map(|(name, c)| {
+            let before = c.before?;
+            let bias = (c.value - before) / c.std_error;
+            let change = || {
+                let (before, after) = (three_figures(before), three_figures(c.value));
+                format!("{name} from {before} to {after}")
+            };
+            (bias.abs() > MIN_BIAS).then(change)
+        })
+        .collect();
+    match biased.is_empty() {
+        true => String::new(),
+        false => format!(
+            " Corrected for omitted-variable bias: {}.",
+            biased.join(", ")
+        ),
+    }
+}
+
+fn name(cause: &Cause) -> String {
+    let names: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
+    names.join(" with ")
+}
+
+fn described(cause: &Cause) -> String {
+    let each: Vec<String> = cause.effects.iter().map(described_effect).collect();
+    each.join(" And ")
+}
+
+fn described_effect(effect: &CauseEffect) -> String {
+    let values: Vec<String> = effect
+        .estimates
+        .iter()
+        .map(|(name, e)| {
+            let unit = if e.unit == "1" { "" } else { e.unit.as_str() };
+            let (value, error) = (three_figures(e.value), three_figures(e.std_error));
+            let text = format!("{name} = {value} ± {error} {unit}");
+            text.trim_end().to_owned()
+        })
+        .collect();
+    let doc = effect.doc.replace('\n', " ");
+    let doc = doc.trim().trim_end_matches('.');
+    format!(
+        "{} ({}): {doc}; {}.",
+        effect.name,
+        effect.site,
+        values.join(", ")
+    )
+}
+
+/// Why an adequate hypothesis is not accepted.
+pub(crate) fn refused(validated: &Validated) -> String {
+    let names = validated.extension.effects.join(" with ");
+    let errors = validated.gain.as_ref().map_or_else(String::new, |gain| {
+        let (before, after) = (gain.held_out_rms_before_m, gain.held_out_rms_after_m);
+        format!(
+            " (RMS {} without, {} with)",
+            millimetres(before),
+            millimetres(after)
+        )
+    });
+    format!(
+        "{} fits the flights down to the noise, but does not improve the prediction of others{errors}: an overflexible explanation is \
+         not accepted without that",
+        names.replace('_', "-")
+    )
+}
+
+/// Where a lack of fit is that no candidate effect explains.
+pub(crate) fn unattributed(model: &StepwiseModel) -> String {
+    let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
+    if selected.is_empty() {
+        let greatest = model.terms.first().map_or(0.0, |term| term.statistic);
+        return format!(
+            "No product of angle of attack, spin, speed, rates, height and time on one of the loads is significant (greatest score \
+             \u{3c7}\u{b2} {greatest:.1})."
+        );
+    }
+    let each: Vec<String> = selected
+        .iter()
+        .map(|term| format!("{} by {}", term.site, term.formula))
+        .collect();
+    let rest = match model.is_adequate {
+        true => "",
+        false => " A significant lack of fit remains.",
+    };
+    let beside = match model.effects.as_slice() {
+        [] => String::new(),
+        effects => format!(
+            "The nearest candidate is {}, which is not adequate alone. ",
+            effects.join(" with ").replace('_', "-")
+        ),
+    };
+    format!(
+        "{beside}The lack of fit is in {}.{rest}",
+        each.join(", and in ")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn gain(after: f64) -> PredictiveGain {
+        PredictiveGain {
+            held_out_rms_before_m: 0.02,
+            held_out_rms_after_m: after,
+            standard_error_m: 0.001,
+            noise_floor_m: 0.0015,
+            flights: 4,
+            without: 0,
+            held_out_by_dataset: true,
+        }
+    }
+
+    #[test]
+    fn a_prediction_error_falls_or_rises() {
+        let text = prediction(&gain(0.002));
+        assert!(text.contains("falls from 20.0 mm to 2.0 mm"), "{text}");
+        let text = prediction(&gain(0.03));
+        assert!(text.contains("rises from 20.0 mm to 30.0 mm"), "{text}");
+    }
+
+    #[test]
+    fn long_lists_of_flights_are_shortened() {
+        let names: Vec<String> = (0..20).map(|i| format!("f{i}.csv")).collect();
+        assert!(listed(&names).ends_with("f15.csv and 4 more"));
+        assert_eq!(listed(&names[..2]), "f0.csv, f1.csv");
+    }
+}

@@ -1,0 +1,394 @@
+//! Builds the report from what the stages found.
+
+use std::collections::BTreeMap;
+
+use identify::dataset::Role;
+use identify::{Fit, FlightReport};
+
+use super::narrative;
+use super::types::{
+    CandidateTest, Cause, CauseEffect, Coefficient, Estimate, FlightGain, LoadChannel,
+    NoiseSummary, RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,
+};
+use crate::context::{
+    Candidate, CandidateParameter, ColumnId, Context, ScoreTestModel, display_name,
+};
+use crate::extension::ExtendedModel;
+use crate::noise::LoadHistory;
+use crate::power::detectable;
+use crate::score_test::{MIN_TOLERANCE, ScoreTest, ln_p_to_z};
+use crate::selection::{Hypothesis, Search, StepwiseModel};
+
+/// The report of a search, before anything is extended.
+pub(crate) fn build_report(
+    context: Context<'_>,
+    before: &Fit,
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+) -> Report {
+    let causes = search.accepted.iter();
+    let causes: Vec<Cause> = causes.map(|h| cause(model, search, h)).collect();
+    let detect = search.thresholds.detect;
+    let (undetectable, smallest_detectable) = detectable(model, &search.tests, detect);
+    let mut report = Report {
+        schema: "hyzer.diagnosis/1".into(),
+        dataset: context.options.dataset.to_owned(),
+        model: context.model.name.clone(),
+        effects: context
+            .model
+            .effects
+            .iter()
+            .map(|e| display_name(&e.name))
+            .collect(),
+        verdict: verdict(search.is_significant(), &causes),
+        summary: String::new(),
+        causes,
+        noise: noise(model, search),
+        gain: None,
+        coefficients: coefficients(before, None),
+        undetectable,
+        smallest_detectable,
+        next_throw: None,
+        extended_model: None,
+        seconds: BTreeMap::new(),
+        candidates: candidate_tests(model, search),
+        threshold: Threshold {
+            alpha: context.options.alpha_detect,
+            ln_p: detect,
+            z: ln_p_to_z(detect),
+        },
+        score_correlations: score_correlations(model, search),
+        flights: before.report.flights.iter().map(flight_before).collect(),
+        curves: Vec::new(),
+        unattributed: None,
+        consensus: None,
+        verified: None,
+        converged: true,
+        notes: Vec::new(),
+    };
+    note_convergence(&mut report, before, "the model");
+    report
+}
+
+/// The verdict by what is significant at the fit of the model, and by the explanations that are not rejected.
+fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
+    let is_negligible = |cause: &Cause| cause.effects.iter().all(|effect| effect.negligible);
+    match causes {
+        _ if !is_significant => Verdict::None,
+        [] => Verdict::Unattributed,
+        causes if causes.iter().all(is_negligible) => Verdict::Negligible,
+        [_] => Verdict::Named,
+        _ => Verdict::Ambiguous,
+    }
+}
+
+fn noise(model: &ScoreTestModel, search: &Search<'_>) -> NoiseSummary {
+    let flights = model.flights.iter();
+    let points: usize = flights
+        .clone()
+        .map(|f| f.measured.iter().flatten().count())
+        .sum();
+    let outliers: usize = flights
+        .map(|f| f.outlier.iter().filter(|o| **o).count())
+        .sum();
+    NoiseSummary {
+        sigma_m: search.noise.overall(),
+        ar1: search.noise.ar1.iter().sum::<f64>() / 3.0,
+        outlier_fraction: outliers as f64 / points.max(1) as f64,
+    }
+}
+
+fn flight_before(flight: &FlightReport) -> FlightGain {
+    let outcome = match (flight.is_used(), flight.role) {
+        (false, _) => "excluded",
+        (true, Role::Fit) => "fitted",
+        (true, Role::HeldOut) => "held-out",
+    };
+    let reasons = flight.notes.iter().filter(|_| !flight.is_used());
+    FlightGain {
+        file: flight.file.clone(),
+        role: flight.role,
+        outcome: Some(outcome.to_owned()),
+        reason: reasons.last().cloned(),
+        rms_before_m: flight.is_used().then_some(flight.rms_m),
+        rms_after_m: None,
+    }
+}
+
+/// The coefficients of a fit, beside those of the fit before it.
+fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
+    let each = fit.report.coefficients.iter().map(|(name, c)| {
+        let earlier = before.and_then(|before| before.report.coefficients.get(name));
+        let coefficient = Coefficient {
+            value: c.value,
+            std_error: c.std_error,
+            unit: c.unit.clone(),
+            before: earlier.map(|earlier| earlier.value),
+        };
+        (name.clone(), coefficient)
+    });
+    each.collect()
+}
+
+fn candidate_tests(model: &ScoreTestModel, search: &Search<'_>) -> Vec<CandidateTest> {
+    let each = model.candidates().filter_map(|(id, candidate)| {
+        let test = search.tests.candidates[id].as_ref()?;
+        Some(CandidateTest {
+            name: candidate.name.clone(),
+            doc: candidate.doc.clone(),
+            site: candidate.site.clone(),
+            statistic: test.statistic,
+            dof: test.dof,
+            ln_p: test.ln_p,
+            z: ln_p_to_z(test.ln_p),
+            significant: test.dof > 0 && test.ln_p < search.thresholds.detect,
+            tolerance: test.tolerance,
+            one_step: one_step(candidate, model.columns_of(id), test),
+        })
+    });
+    let mut all: Vec<CandidateTest> = each.collect();
+    all.sort_by(|a, b| a.ln_p.total_cmp(&b.ln_p));
+    all
+}
+
+fn one_step(
+    candidate: &Candidate,
+    columns: &[ColumnId],
+    test: &ScoreTest,
+) -> BTreeMap<String, Estimate> {
+    let each = columns.iter().zip(&candidate.coefficients);
+    let each = each.filter_map(|(column, parameter)| {
+        let found = test.one_step.iter().find(|found| found.column == *column)?;
+        Some((
+            parameter.name.clone(),
+            estimate(parameter, found.value, found.std_error),
+        ))
+    });
+    each.collect()
+}
+
+fn estimate<Id>(parameter: &CandidateParameter<Id>, value: f64, std_error: f64) -> Estimate {
+    Estimate {
+        value,
+        std_error,
+        unit: parameter.unit.clone(),
+        smallest_of_interest: parameter.smallest_of_interest,
+    }
+}
+
+fn score_correlations(model: &ScoreTestModel, search: &Search<'_>) -> ScoreCorrelations {
+    let tests = &search.tests;
+    let tested = tests.partition.tested.iter().enumerate();
+    let shown: Vec<(usize, &str)> = tested
+        .filter(|(i, _)| tests.information[(*i, *i)] > MIN_TOLERANCE)
+        .filter_map(|(i, column)| Some((i, model.column_name(*column)?)))
+        .collect();
+    let all = tests.score_correlations();
+    let row = |&(i, _): &(usize, &str)| shown.iter().map(|&(j, _)| all[(i, j)]).collect();
+    ScoreCorrelations {
+        names: shown.iter().map(|(_, name)| (*name).to_owned()).collect(),
+        matrix: shown.iter().map(row).collect(),
+    }
+}
+
+fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -> Cause {
+    let std_error = hypothesis.tests.nuisance_std_errors();
+    let effects = hypothesis.effects.iter().map(|&id| {
+        let candidate = model.candidate(id);
+        let mut estimates = BTreeMap::new();
+        let mut negligible = true;
+        let mut add = |name: &str, departure: f64, estimate: Estimate| {
+            let limit = estimate.smallest_of_interest;
+            negligible &= limit.is_some_and(|limit| departure < limit);
+            estimates.insert(name.to_owned(), estimate);
+        };
+        for (parameter, &column) in candidate.coefficients.iter().zip(model.columns_of(id)) {
+            let value = hypothesis.iterate.global[column.index()];
+            let departure = (value - parameter.null_value).abs();
+            add(
+                &parameter.name,
+                departure,
+                estimate(parameter, value, std_error(column)),
+            );
+        }
+        for state in &candidate.states {
+            let locals = hypothesis.iterate.local.iter();
+            let departures = locals.map(|local| local[state.id.index()] - state.null_value);
+            let count = hypothesis.iterate.local.len().max(1) as f64;
+            let rms = (departures.map(|d| d * d).sum::<f64>() / count).sqrt();
+            add(
+                &state.name,
+                rms,
+                estimate(state, rms, rms / (2.0 * count).sqrt()),
+            );
+        }
+        let test = search.tests.candidates[id].as_ref();
+        CauseEffect {
+            name: candidate.name.clone(),
+            doc: candidate.doc.clone(),
+            site: candidate.site.clone(),
+            variables: candidate.variables.clone(),
+            estimates,
+            statistic: test.map_or(0.0, |test| test.statistic),
+            negligible,
+        }
+    });
+    let remaining = hypothesis.strongest_remaining();
+    Cause {
+        effects: effects.collect(),
+        chi2_decrease: (search.squares - hypothesis.squares).max(0.0),
+        strongest_remaining: remaining.map(|(id, ln_p)| RemainingEffect {
+            name: model.candidate(id).name.clone(),
+            p: ln_p.exp(),
+        }),
+    }
+}
+
+/// The section on a lack of fit that no candidate explains. `histories` are those of each load of the library.
+pub(crate) fn unattributed_report(
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+    stepwise: &StepwiseModel,
+    histories: Vec<Vec<LoadHistory>>,
+) -> Unattributed {
+    Unattributed {
+        says: narrative::unattributed(stepwise),
+        channels: load_channels(model, search, histories),
+        terms: stepwise.terms.clone(),
+    }
+}
+
+fn load_channels(
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+    histories: Vec<Vec<LoadHistory>>,
+) -> Vec<LoadChannel> {
+    let Some(terms) = &model.terms else {
+        return Vec::new();
+    };
+    let is_term = |column: ColumnId| column.index() >= model.global_columns();
+    let all = search.tests.joint_statistic(is_term).max(f64::MIN_POSITIVE);
+    let loads = terms.sites().zip(histories).enumerate();
+    let channels = loads.map(|(load, (site, histories))| {
+        let columns = terms
+            .terms
+            .iter_enumerated()
+            .filter(|(_, term)| term.load == load);
+        let columns: Vec<ColumnId> = columns.map(|(id, _)| model.term_column(id)).collect();
+        let own = search
+            .tests
+            .joint_statistic(|column| columns.contains(&column));
+        LoadChannel {
+            site: site.to_owned(),
+            explained: (own / all).clamp(0.0, 1.0),
+            histories,
+        }
+    });
+    channels.collect()
+}
+
+/// Adds the fit of the extended model. `chi2_decrease` is that of effects which the diagnosis wrote; they become a cause if there
+/// is no other.
+pub(crate) fn add_extension(
+    report: &mut Report,
+    (extension, chi2_decrease): (&ExtendedModel, f64),
+    before: &Fit,
+    after: &Fit,
+) {
+    for (flight, after) in report.flights.iter_mut().zip(&after.report.flights) {
+        flight.rms_after_m = after.is_used().then_some(after.rms_m);
+    }
+    report.coefficients = coefficients(after, Some(before));
+    note_convergence(report, after, "the extended model");
+    if report.causes.is_empty() {
+        report.causes.push(Cause {
+            effects: extension_effects(extension, after),
+            chi2_decrease,
+            strongest_remaining: None,
+        });
+    }
+}
+
+/// The effects of an extension with the estimates of its fit.
+fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect> {
+    let effects = extension.model.effects.iter();
+    let added = effects.filter(|effect| extension.effects.contains(&effect.name));
+    let effects = added.map(|effect| {
+        let estimates = effect.coefficients.iter().filter_map(|own| {
+            let coefficient = &extension.model.coefficients[own.index];
+            let found = after.report.coefficients.get(&coefficient.name)?;
+            let estimate = Estimate {
+                value: found.value,
+                std_error: found.std_error,
+                unit: coefficient.unit_text.clone(),
+                smallest_of_interest: own.smallest_of_interest,
+            };
+            Some((coefficient.name.clone(), estimate))
+        });
+        CauseEffect {
+            name: display_name(&effect.name),
+            doc: effect.doc.clone(),
+            site: effect.site.clone(),
+            variables: effect.variables.clone(),
+            estimates: estimates.collect(),
+            statistic: 0.0,
+            negligible: false,
+        }
+    });
+    effects.collect()
+}
+
+/// Replaces standard errors by cluster-robust ones where those are greater, and estimates of the first cause by those of the
+/// extended fit: if a cause does not explain all, what remains is correlated within a flight.
+pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
+    let fitted = |name: &str| {
+        let found = after.report.coefficients.get(name)?;
+        let clustered = found.std_error_clustered.unwrap_or(0.0);
+        Some((found.value, found.std_error.max(clustered)))
+    };
+    for (name, coefficient) in &mut report.coefficients {
+        if let Some((_, std_error)) = fitted(name) {
+            coefficient.std_error = std_error;
+        }
+    }
+    let first = report.causes.iter_mut().take(1);
+    for effect in first.flat_map(|cause| &mut cause.effects) {
+        for (name, estimate) in &mut effect.estimates {
+            if let Some((value, std_error)) = fitted(name) {
+                (estimate.value, estimate.std_error) = (value, std_error);
+            }
+        }
+    }
+}
+
+/// Notes the held-out flights, by index, to which the extension is not applied.
+pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
+    if flights.is_empty() {
+        return;
+    }
+    for &flight in flights {
+        let flight = &mut report.flights[flight];
+        flight.rms_after_m = flight.rms_before_m;
+    }
+    let files = flights
+        .iter()
+        .map(|&flight| report.flights[flight].file.as_str());
+    let files: Vec<&str> = files.collect();
+    let note = format!(
+        "held-out flights that contradict the extension in the segment on which their initial state is fitted, predicted without it: {}",
+        files.join(", ")
+    );
+    report.notes.push(note);
+}
+
+/// Notes that a fit did not converge.
+pub(crate) fn note_convergence(report: &mut Report, fit: &Fit, what: &str) {
+    let iterations = &fit.report.iterations;
+    if !iterations.converged {
+        report.converged = false;
+        report.notes.push(format!(
+            "the fit of {what} did not converge in {} steps: its estimates are not reliable",
+            iterations.steps
+        ));
+    }
+}

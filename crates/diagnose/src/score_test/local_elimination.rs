@@ -1,0 +1,243 @@
+//! Each flight's local unknowns eliminated from its normal equations.
+
+use identify::{NormalBlock, eliminate};
+use model_spec::index::IndexVec;
+use nalgebra::{DMatrix, DVector};
+
+use crate::context::{CandidateId, DirectionId, ScoreTestModel, select, select_vector};
+use crate::error::DiagnosisError;
+
+/// Normal equations of the global columns, local unknowns eliminated.
+#[derive(Clone, Debug)]
+pub(crate) struct GlobalEquations {
+    /// Hessian of half the sum of squares.
+    pub matrix: DMatrix<f64>,
+    /// Its gradient.
+    pub gradient: DVector<f64>,
+}
+
+/// Normal equations of the global columns, the states of one more candidate eliminated too.
+#[derive(Clone, Debug)]
+pub(super) struct PerFlightCandidate {
+    pub equations: GlobalEquations,
+    /// Decrease of the sum of squares by the candidate's states alone.
+    pub decrease: f64,
+    /// Number of states that the flights determine.
+    pub dof: usize,
+}
+
+/// Normal equations of the global columns over all flights.
+#[derive(Clone, Debug)]
+pub(super) struct LocalElimination {
+    /// The states of candidates that are not conditioned on are at their null value.
+    pub null: GlobalEquations,
+    /// For each candidate with states that is not conditioned on: with its states estimated.
+    pub candidates: IndexVec<CandidateId, Option<PerFlightCandidate>>,
+}
+
+impl GlobalEquations {
+    fn zero(size: usize) -> Self {
+        Self {
+            matrix: DMatrix::zeros(size, size),
+            gradient: DVector::zeros(size),
+        }
+    }
+
+    /// Adds the priors of the global parameters, at these values of them.
+    pub fn with_priors(&self, model: &ScoreTestModel, values: &DVector<f64>) -> Self {
+        let mut sum = self.clone();
+        for (i, global) in model.problem.globals.iter().enumerate() {
+            if let Some((centre, sigma)) = global.constraint.prior {
+                sum.matrix[(i, i)] += sigma.powi(-2);
+                sum.gradient[i] += (values[i] - centre) / (sigma * sigma);
+            }
+        }
+        sum
+    }
+}
+
+impl LocalElimination {
+    /// Eliminates the local unknowns of every flight, and the states of candidates that are conditioned on.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::UndeterminedInitialState`].
+    pub fn new(
+        model: &ScoreTestModel,
+        blocks: &[NormalBlock],
+        conditioned_on: &[CandidateId],
+    ) -> Result<Self, DiagnosisError> {
+        let size = blocks.first().map_or(0, |block| block.global.nrows());
+        let candidates = model.candidates().map(|(id, candidate)| {
+            let is_tested = candidate.is_per_flight() && !conditioned_on.contains(&id);
+            is_tested.then(|| PerFlightCandidate {
+                equations: GlobalEquations::zero(size),
+                decrease: 0.0,
+                dof: 0,
+            })
+        });
+        let mut total = Self {
+            null: GlobalEquations::zero(size),
+            candidates: candidates.collect(),
+        };
+        for (flight, block) in blocks.iter().enumerate() {
+            total.add(model, flight, block, conditioned_on)?;
+        }
+        Ok(total)
+    }
+
+    fn add(
+        &mut self,
+        model: &ScoreTestModel,
+        flight: usize,
+        block: &NormalBlock,
+        conditioned_on: &[CandidateId],
+    ) -> Result<(), DiagnosisError> {
+        let (null, local) = model.local_partition(flight, conditioned_on);
+        // The states at their null value count among the global columns, before them, while the others are eliminated.
+        let promoted = promote_directions(block, &local, &null);
+        let reduced = eliminate_locals(model, flight, &promoted)?;
+        let (first, size) = (null.len(), self.null.gradient.len());
+        self.null.matrix += reduced.matrix.view((first, first), (size, size));
+        self.null.gradient += reduced.gradient.rows(first, size);
+        let manifold = &model.flights[flight].manifold;
+        for (total, (_, candidate)) in self.candidates.iter_mut().zip(model.candidates()) {
+            let Some(total) = total else { continue };
+            let is_its_state = |direction: DirectionId| {
+                let state = manifold.plain(direction.index());
+                let mut states = candidate.states.iter();
+                state.is_some_and(|state| states.any(|own| own.id.index() == state))
+            };
+            let rows = (0..first).filter(|&row| is_its_state(null[row]));
+            let rows: Vec<DirectionId> = rows.map(DirectionId::new).collect();
+            total.add(&reduced, &rows, first);
+        }
+        Ok(())
+    }
+}
+
+impl PerFlightCandidate {
+    /// Adds one flight, where `states` are the rows of the candidate's states and the global columns begin at `first`.
+    fn add(&mut self, reduced: &GlobalEquations, states: &[DirectionId], first: usize) {
+        let size = self.equations.gradient.len();
+        let globals: Vec<DirectionId> = (first..first + size).map(DirectionId::new).collect();
+        let blocks = [NormalBlock {
+            local: select(&reduced.matrix, states, states),
+            cross: select(&reduced.matrix, states, &globals),
+            global: select(&reduced.matrix, &globals, &globals),
+            local_gradient: select_vector(&reduced.gradient, states),
+            global_gradient: select_vector(&reduced.gradient, &globals),
+            squares: 0.0,
+            count: 0,
+        }];
+        match eliminate(&blocks, 0.0) {
+            Ok(next) => {
+                let step = &next.back_substitute(&DVector::zeros(size))[0];
+                self.decrease -= blocks[0].local_gradient.dot(step);
+                self.equations.matrix += &next.reduced;
+                self.equations.gradient += &next.gradient;
+                self.dof += states.len();
+            }
+            // The flight does not determine these states: they stay at their null value.
+            Err(_) => {
+                self.equations.matrix += &blocks[0].global;
+                self.equations.gradient += &blocks[0].global_gradient;
+            }
+        }
+    }
+}
+
+/// Schur complement of one flight's normal equations, all local unknowns eliminated.
+///
+/// # Errors
+/// [`DiagnosisError::UndeterminedInitialState`].
+pub(crate) fn eliminate_locals(
+    model: &ScoreTestModel,
+    flight: usize,
+    block: &NormalBlock,
+) -> Result<GlobalEquations, DiagnosisError> {
+    let blocks = std::slice::from_ref(block);
+    let system = eliminate(blocks, 0.0).map_err(|_| {
+        let file = model.flights[flight].file.clone();
+        DiagnosisError::UndeterminedInitialState { file }
+    })?;
+    Ok(GlobalEquations {
+        matrix: system.reduced,
+        gradient: system.gradient,
+    })
+}
+
+/// The normal equations with only these local directions; all others stay at their null value.
+pub(crate) fn keep_directions(block: &NormalBlock, local: &[DirectionId]) -> NormalBlock {
+    promote_directions(block, local, &[])
+}
+
+/// The normal equations of the directions `local`, with the directions `promoted` put before the global columns.
+fn promote_directions(
+    block: &NormalBlock,
+    local: &[DirectionId],
+    promoted: &[DirectionId],
+) -> NormalBlock {
+    let (first, size) = (promoted.len(), block.global.nrows());
+    let at = |id: DirectionId| id.index();
+    let cross = DMatrix::from_fn(local.len(), first + size, |i, j| {
+        match j.checked_sub(first) {
+            None => block.local[(at(local[i]), at(promoted[j]))],
+            Some(j) => block.cross[(at(local[i]), j)],
+        }
+    });
+    let global = DMatrix::from_fn(first + size, first + size, |i, j| {
+        match (i.checked_sub(first), j.checked_sub(first)) {
+            (None, None) => block.local[(at(promoted[i]), at(promoted[j]))],
+            (None, Some(j)) => block.cross[(at(promoted[i]), j)],
+            (Some(i), None) => block.cross[(at(promoted[j]), i)],
+            (Some(i), Some(j)) => block.global[(i, j)],
+        }
+    });
+    NormalBlock {
+        local: select(&block.local, local, local),
+        cross,
+        global,
+        local_gradient: select_vector(&block.local_gradient, local),
+        global_gradient: DVector::from_fn(first + size, |i, _| match i.checked_sub(first) {
+            None => block.local_gradient[at(promoted[i])],
+            Some(i) => block.global_gradient[i],
+        }),
+        squares: block.squares,
+        count: block.count,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn promoted_directions_come_first_and_keep_the_quadratic_form() {
+        let symmetric = |i: usize, j: usize| ((i.min(j) * 5 + i.max(j)) as f64).cos();
+        let block = NormalBlock {
+            local: DMatrix::from_fn(3, 3, symmetric),
+            cross: DMatrix::from_fn(3, 2, |i, j| symmetric(i, 3 + j)),
+            global: DMatrix::from_fn(2, 2, |i, j| symmetric(3 + i, 3 + j)),
+            local_gradient: DVector::from_fn(3, |i, _| i as f64),
+            global_gradient: DVector::from_fn(2, |i, _| 3.0 + i as f64),
+            squares: 7.0,
+            count: 9,
+        };
+        let [local, promoted] = [vec![2, 0], vec![1]]
+            .map(|ids| ids.into_iter().map(DirectionId::new).collect::<Vec<_>>());
+        let moved = promote_directions(&block, &local, &promoted);
+        let order = [1, 3, 4];
+        for (i, &a) in order.iter().enumerate() {
+            assert_eq!(moved.global_gradient[i], a as f64);
+            for (j, &b) in order.iter().enumerate() {
+                assert_eq!(moved.global[(i, j)], symmetric(a, b));
+            }
+            for (row, &a_local) in [2, 0].iter().enumerate() {
+                assert_eq!(moved.cross[(row, i)], symmetric(a_local, a));
+            }
+        }
+        assert_eq!(moved.local[(0, 1)], symmetric(2, 0));
+        assert_eq!(moved.local_gradient.as_slice(), [2.0, 0.0]);
+        assert_eq!((moved.squares, moved.count), (7.0, 9));
+    }
+}

@@ -1,0 +1,12 @@
+//! Score (Lagrange multiplier) tests of all candidates and library terms, without a refit.
+
+mod local_elimination;
+mod null_distribution;
+mod one_step;
+mod schur;
+mod score_tests;
+
+pub(crate) use local_elimination::{eliminate_locals, keep_directions};
+pub(crate) use null_distribution::ln_p_to_z;
+pub(crate) use schur::pseudo_inverse;
+pub(crate) use score_tests::{MIN_TOLERANCE, ScoreTest, ScoreTests};

@@ -1,0 +1,65 @@
+//! Selection among adequate hypotheses by the Bayesian information criterion.
+
+use super::hypothesis::Hypothesis;
+use super::stepwise_terms::StepwiseModel;
+use crate::context::ScoreTestModel;
+
+/// A hypothesis is dropped if its BIC exceeds the least by this.
+const MAX_BIC_DIFFERENCE: f64 = 12.0;
+
+/// Hypotheses are preferred to terms unless their BIC is greater by this: a candidate may be a term under another name.
+const TERM_BIC_MARGIN: f64 = 1.0;
+
+/// The hypotheses whose BIC is near the least, in order; none if adequate stepwise terms have a smaller one. With several effects
+/// at once, or values for each flight, nearly any data can be explained. Hypotheses of at most `free` unknowns are kept
+/// whatever their BIC.
+pub(crate) fn select_by_bic(
+    model: &ScoreTestModel,
+    hypotheses: Vec<Hypothesis>,
+    terms: Option<&StepwiseModel>,
+    free: usize,
+) -> Vec<Hypothesis> {
+    let cost_per_unknown = (model.coordinates() as f64).ln();
+    let bic = |squares: f64, unknowns: usize| squares + cost_per_unknown * unknowns as f64;
+    let scored: Vec<(f64, usize)> = hypotheses
+        .iter()
+        .map(|hypothesis| {
+            let unknowns = model.unknowns_of(&hypothesis.effects);
+            (bic(hypothesis.squares, unknowns), unknowns)
+        })
+        .collect();
+    let of_terms = terms.filter(|terms| terms.is_adequate);
+    let of_terms = of_terms.map_or(f64::INFINITY, |terms| bic(terms.squares, terms.unknowns()));
+    let keep = near_least(&scored, of_terms, free);
+    let each = hypotheses.into_iter().zip(keep);
+    each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
+}
+
+/// Which of some models, each (BIC, unknowns), are kept beside terms of this BIC.
+fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
+    let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
+    if of_terms < least - TERM_BIC_MARGIN {
+        return vec![false; scored.len()];
+    }
+    let limit = least.min(of_terms) + MAX_BIC_DIFFERENCE;
+    let keeps = |&(bic, unknowns): &(f64, usize)| unknowns <= free || bic < limit;
+    scored.iter().map(keeps).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::near_least;
+
+    #[test]
+    fn models_far_above_the_least_bic_are_dropped() {
+        let scored = [(100.0, 1), (111.0, 2), (113.0, 3), (500.0, 1)];
+        let none = f64::INFINITY;
+        assert_eq!(near_least(&scored, none, 0), [true, true, false, false]);
+        // Few unknowns cost nothing.
+        assert_eq!(near_least(&scored, none, 1), [true, true, false, true]);
+        // Terms replace the hypotheses only if they are better by a margin.
+        assert_eq!(near_least(&scored, 99.5, 0), [true, true, false, false]);
+        assert_eq!(near_least(&scored, 98.0, 6), [false; 4]);
+        assert!(near_least(&[], 1.0, 0).is_empty());
+    }
+}

@@ -1,0 +1,163 @@
+//! A hypothesis: one or several candidate effects that the model lacks.
+
+use identify::{FitProblem, Iterate, NoiseModel};
+
+use super::search::Thresholds;
+use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
+use crate::error::DiagnosisError;
+use crate::score_test::ScoreTests;
+
+/// Number of effects above which a hypothesis counts as overflexible.
+const MAX_EFFECTS_UNVALIDATED: usize = 2;
+
+/// One or several candidates, fitted with the model under test.
+pub(crate) struct Hypothesis {
+    /// The candidates.
+    pub effects: Vec<CandidateId>,
+    /// The problem in which they may leave their null value.
+    pub problem: FitProblem,
+    /// The fitted values of all unknowns.
+    pub iterate: Iterate,
+    /// Weighted sum of squares there.
+    pub squares: f64,
+    /// Score tests of the other candidates, given these.
+    pub tests: ScoreTests,
+    cache: TrajectoryCache,
+}
+
+impl Hypothesis {
+    /// Where it is linearized.
+    pub fn linearization_point(&self) -> LinearizationPoint<'_> {
+        LinearizationPoint {
+            problem: &self.problem,
+            iterate: &self.iterate,
+            cache: &self.cache,
+        }
+    }
+
+    /// The strongest remaining candidate, and its log p-value.
+    pub fn strongest_remaining(&self) -> Option<(CandidateId, f64)> {
+        let strongest = self.tests.strongest_candidate();
+        strongest.map(|(id, test)| (id, test.ln_p))
+    }
+
+    /// Whether it could explain nearly any data: a value for each flight, or many effects at once. It is accepted only if it
+    /// improves predictions out of sample.
+    pub fn is_overflexible(&self, model: &ScoreTestModel) -> bool {
+        let mut effects = self.effects.iter();
+        self.effects.len() > MAX_EFFECTS_UNVALIDATED
+            || effects.any(|&id| model.candidate(id).is_per_flight())
+    }
+}
+
+impl ScoreTestModel {
+    /// Fits candidates with the model under test; none if that fails.
+    pub fn fit_hypothesis(
+        &self,
+        effects: &[CandidateId],
+        from: &Iterate,
+        noise: &NoiseModel,
+    ) -> Option<Hypothesis> {
+        self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::Disabled)
+    }
+
+    /// Fits candidates with the model under test and stores its trajectories; none if that fails.
+    pub fn fit_hypothesis_cached(
+        &self,
+        effects: &[CandidateId],
+        from: &Iterate,
+        noise: &NoiseModel,
+        cache: TrajectoryCache,
+    ) -> Option<Hypothesis> {
+        let problem = self.problem_with(effects);
+        let (iterate, squares) = self.refit(&problem, effects, from, noise).ok()?;
+        let blocks = match cache.is_disabled() {
+            true => self.normal_equations(&problem, &iterate, noise).ok()?,
+            false => {
+                let at = LinearizationPoint {
+                    problem: &problem,
+                    iterate: &iterate,
+                    cache: &cache,
+                };
+                let blocks = self.normal_equations_with_terms(at, noise).ok()?;
+                let globals = self.global_columns();
+                let each = blocks
+                    .iter()
+                    .map(|block| Self::without_terms(block, globals));
+                each.collect()
+            }
+        };
+        let tests = ScoreTests::new(self, &blocks, effects, &iterate.global).ok()?;
+        Some(Hypothesis {
+            effects: effects.to_vec(),
+            problem,
+            iterate,
+            squares,
+            tests,
+            cache,
+        })
+    }
+
+    /// Score tests of all other candidates and of the library's terms, given a hypothesis.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
+    pub fn tests_given(
+        &self,
+        hypothesis: &Hypothesis,
+        noise: &NoiseModel,
+    ) -> Result<ScoreTests, DiagnosisError> {
+        let at = hypothesis.linearization_point();
+        let blocks = self.normal_equations_with_terms(at, noise)?;
+        ScoreTests::new(self, &blocks, &hypothesis.effects, &at.iterate.global)
+    }
+
+    /// Whether a hypothesis is adequate: given it, no candidate and no library term is significant.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
+    pub fn is_adequate(
+        &self,
+        hypothesis: &Hypothesis,
+        noise: &NoiseModel,
+        thresholds: Thresholds,
+    ) -> Result<bool, DiagnosisError> {
+        let remaining = hypothesis.strongest_remaining();
+        if remaining.is_some_and(|(_, ln_p)| ln_p < thresholds.reject) {
+            return Ok(false);
+        }
+        let tests = self.tests_given(hypothesis, noise)?;
+        let term = tests.strongest_term();
+        Ok(term.is_none_or(|(_, test)| test.ln_p >= thresholds.reject))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::selection::search::Thresholds;
+    use crate::test_support::fixture;
+
+    #[test]
+    fn the_seeded_effect_alone_is_adequate_and_another_is_not() {
+        let fixture = fixture();
+        let (model, noise) = (&fixture.model, fixture.fit.noise());
+        let thresholds = Thresholds {
+            detect: -8.0,
+            reject: -9.0,
+        };
+        for (name, expected) in [("stall", true), ("air-density", false)] {
+            let effects = [fixture.candidate(name)];
+            let hypothesis = model
+                .fit_hypothesis(&effects, &fixture.iterate, noise)
+                .unwrap();
+            let found = model.is_adequate(&hypothesis, noise, thresholds).unwrap();
+            assert_eq!(found, expected, "{name}");
+            assert!(!hypothesis.is_overflexible(model));
+        }
+        let gusts = [fixture.candidate("wind-of-each-flight")];
+        let hypothesis = model
+            .fit_hypothesis(&gusts, &fixture.iterate, noise)
+            .unwrap();
+        assert!(hypothesis.is_overflexible(model));
+    }
+}

@@ -1,0 +1,13 @@
+//! Specification search: hypotheses that leave nothing significant, by forward selection and backward elimination.
+
+mod bic;
+mod hypothesis;
+mod search;
+mod stepwise_terms;
+
+pub(crate) use bic::select_by_bic;
+pub(crate) use hypothesis::Hypothesis;
+pub(crate) use search::Search;
+pub(crate) use stepwise_terms::{StepwiseModel, stepwise_terms};
+
+pub use stepwise_terms::StepwiseTerm;

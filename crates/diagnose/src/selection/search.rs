@@ -1,0 +1,311 @@
+//! The search over hypotheses: single effects first, then one effect more as long as none is adequate.
+
+use identify::{Iterate, NoiseModel};
+
+use super::hypothesis::Hypothesis;
+use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, TrajectoryCache};
+use crate::error::DiagnosisError;
+use crate::score_test::{ScoreTest, ScoreTests};
+
+/// Hypotheses are refitted whose expected sum of squares lies within this of the best, χ².
+const CHI2_MARGIN: f64 = 30.0;
+
+/// The same as a fraction of the best statistic, for the error of the linearization.
+const CHI2_MARGIN_RELATIVE: f64 = 0.25;
+
+/// Refits for each number of effects, at most.
+const MAX_REFITS: usize = 6;
+
+/// Effects of one hypothesis, at most.
+const MAX_EFFECTS: usize = 3;
+
+/// Estimates of the noise that differ by less are equal: relative standard deviation, and correlation.
+const NOISE_TOLERANCE: f64 = 0.05;
+
+/// Rejected hypotheses to which effects are added, at most.
+const MAX_PARENTS: usize = 3;
+
+/// Limits of log p-values, familywise over all tests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Thresholds {
+    /// Below it the model is not adequate.
+    pub detect: f64,
+    /// Below it a hypothesis is rejected.
+    pub reject: f64,
+}
+
+/// State of the search.
+pub(crate) struct Search<'a> {
+    context: Context<'a>,
+    /// The noise.
+    pub noise: NoiseModel,
+    /// Score tests at the fit of the model under test.
+    pub tests: ScoreTests,
+    /// Weighted sum of squares of that fit.
+    pub squares: f64,
+    /// Limits of log p-values.
+    pub thresholds: Thresholds,
+    /// Model confidence set: hypotheses that are not rejected, the best fit first.
+    pub accepted: Vec<Hypothesis>,
+    /// The rejected hypotheses of the last round, the best fit first, if none was accepted.
+    pub rejected: Vec<Hypothesis>,
+}
+
+/// Score tests at a linearization point, with limits of their p-values and the weighted sum of squares.
+pub(crate) struct TestsAtPoint {
+    pub tests: ScoreTests,
+    pub thresholds: Thresholds,
+    pub squares: f64,
+}
+
+impl ScoreTestModel {
+    /// Score tests of all candidates and terms, none conditioned on.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
+    pub fn tests_at(
+        &self,
+        at: LinearizationPoint<'_>,
+        noise: &NoiseModel,
+        context: Context<'_>,
+    ) -> Result<TestsAtPoint, DiagnosisError> {
+        let blocks = self.normal_equations_with_terms(at, noise)?;
+        let tests = ScoreTests::new(self, &blocks, &[], &at.iterate.global)?;
+        let levels = [context.options.alpha_detect, context.options.alpha_reject];
+        let [detect, reject] = tests.thresholds(levels);
+        Ok(TestsAtPoint {
+            tests,
+            thresholds: Thresholds { detect, reject },
+            squares: blocks.iter().map(|block| block.squares).sum(),
+        })
+    }
+}
+
+impl<'a> Search<'a> {
+    /// Estimates the noise, tests all candidates at the fit of the model, and fits the strongest of them one by one.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
+    pub fn new(
+        model: &mut ScoreTestModel,
+        base: &Iterate,
+        first_noise: &NoiseModel,
+        context: Context<'a>,
+    ) -> Result<Self, DiagnosisError> {
+        let problem = model.problem.clone();
+        let cache = TrajectoryCache::for_flights(model.flights.len());
+        let base = LinearizationPoint {
+            problem: &problem,
+            iterate: base,
+            cache: &cache,
+        };
+        let noise = model.estimate_noise(base, &[], first_noise)?;
+        let at_base = model.tests_at(base, &noise, context)?;
+        let mut search = Self {
+            context,
+            noise,
+            tests: at_base.tests,
+            squares: at_base.squares,
+            thresholds: at_base.thresholds,
+            accepted: Vec::new(),
+            rejected: Vec::new(),
+        };
+        if search.is_significant() {
+            let fitted = search.fit_single_effects(model, base)?;
+            search.classify(model, fitted)?;
+        }
+        Ok(search)
+    }
+
+    /// Whether a candidate or a term is significant at the fit of the model under test.
+    pub fn is_significant(&self) -> bool {
+        let ln_p = |test: Option<&ScoreTest>| test.map_or(0.0, |test| test.ln_p);
+        let candidate = self.tests.strongest_candidate().map(|(_, test)| test);
+        let term = self.tests.strongest_term().map(|(_, test)| test);
+        ln_p(candidate).min(ln_p(term)) < self.thresholds.detect
+    }
+
+    /// Fits the strongest candidates one by one. The noise is estimated again given the first, and everything before it
+    /// repeated if it changes; nothing is left to fit if no candidate is significant then.
+    fn fit_single_effects(
+        &mut self,
+        model: &mut ScoreTestModel,
+        base: LinearizationPoint<'_>,
+    ) -> Result<Vec<Hypothesis>, DiagnosisError> {
+        let mut fitted: Vec<Hypothesis> = Vec::new();
+        for (index, effects) in strongest_singles(&self.tests).into_iter().enumerate() {
+            self.context.check_cancelled()?;
+            // The strongest is linearized several times.
+            let cache = match index {
+                0 => TrajectoryCache::for_flights(model.flights.len()),
+                _ => TrajectoryCache::Disabled,
+            };
+            let from = base.iterate;
+            let hypothesis = model.fit_hypothesis_cached(&effects, from, &self.noise, cache);
+            let Some(hypothesis) = hypothesis else {
+                continue;
+            };
+            if index == 0 && self.refine_noise(model, &hypothesis, base)? {
+                if !self.is_significant() {
+                    return Ok(Vec::new());
+                }
+                fitted.extend(model.fit_hypothesis(&effects, from, &self.noise));
+            } else {
+                fitted.push(hypothesis);
+            }
+        }
+        Ok(fitted)
+    }
+
+    /// Estimates the noise given a hypothesis and, if it differs, tests all candidates again under it. Returns whether it
+    /// does.
+    fn refine_noise(
+        &mut self,
+        model: &mut ScoreTestModel,
+        given: &Hypothesis,
+        base: LinearizationPoint<'_>,
+    ) -> Result<bool, DiagnosisError> {
+        let at = given.linearization_point();
+        let noise = model.estimate_noise(at, &given.effects, &self.noise)?;
+        let is_equal = |axis: usize| {
+            (noise.sigma[axis] / self.noise.sigma[axis] - 1.0).abs() < NOISE_TOLERANCE
+                && (noise.ar1[axis] - self.noise.ar1[axis]).abs() < NOISE_TOLERANCE
+        };
+        if (0..3).all(is_equal) {
+            return Ok(false);
+        }
+        self.noise = noise;
+        let at_base = model.tests_at(base, &self.noise, self.context)?;
+        self.tests = at_base.tests;
+        self.thresholds = at_base.thresholds;
+        self.squares = at_base.squares;
+        Ok(true)
+    }
+
+    /// Accepts adequate hypotheses; if none is, all are rejected.
+    fn classify(
+        &mut self,
+        model: &ScoreTestModel,
+        mut fitted: Vec<Hypothesis>,
+    ) -> Result<(), DiagnosisError> {
+        fitted.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+        let mut is_adequate = Vec::with_capacity(fitted.len());
+        for hypothesis in &fitted {
+            self.context.check_cancelled()?;
+            is_adequate.push(model.is_adequate(hypothesis, &self.noise, self.thresholds)?);
+        }
+        if is_adequate.contains(&true) {
+            let each = fitted.into_iter().zip(is_adequate);
+            let adequate = each.filter(|(_, is_adequate)| *is_adequate);
+            self.accepted = adequate.map(|(hypothesis, _)| hypothesis).collect();
+        } else {
+            self.rejected = fitted;
+        }
+        Ok(())
+    }
+
+    /// Forward selection: adds one effect to the best rejected hypotheses; then backward elimination.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
+    pub fn add_effect(&mut self, model: &ScoreTestModel) -> Result<(), DiagnosisError> {
+        let Some(count) = self.rejected.first().map(|h| h.effects.len() + 1) else {
+            return Ok(());
+        };
+        if count > MAX_EFFECTS {
+            return Ok(());
+        }
+        let mut fitted = Vec::new();
+        for (effects, parent) in strongest_additions(&self.rejected, count) {
+            self.context.check_cancelled()?;
+            let from = &self.rejected[parent].iterate;
+            fitted.extend(model.fit_hypothesis(&effects, from, &self.noise));
+        }
+        self.classify(model, fitted)?;
+        // An accepted hypothesis may have one effect too many, which a better start shows.
+        while let Some(fewer) = self.prune(model)? {
+            self.accepted = fewer;
+        }
+        Ok(())
+    }
+
+    /// Backward elimination: adequate hypotheses with one effect fewer than the accepted ones; none if every effect is
+    /// needed.
+    fn prune(&self, model: &ScoreTestModel) -> Result<Option<Vec<Hypothesis>>, DiagnosisError> {
+        let mut fewer: Vec<Hypothesis> = Vec::new();
+        for hypothesis in self.accepted.iter().filter(|h| h.effects.len() > 1) {
+            for dropped in &hypothesis.effects {
+                self.context.check_cancelled()?;
+                let rest = hypothesis.effects.iter().copied().filter(|e| e != dropped);
+                let rest: Vec<CandidateId> = rest.collect();
+                if fewer.iter().any(|known| known.effects == rest) {
+                    continue;
+                }
+                let from = model.at_null_value(&hypothesis.iterate, *dropped);
+                let Some(hypothesis) = model.fit_hypothesis(&rest, &from, &self.noise) else {
+                    continue;
+                };
+                if model.is_adequate(&hypothesis, &self.noise, self.thresholds)? {
+                    fewer.push(hypothesis);
+                }
+            }
+        }
+        fewer.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+        Ok((!fewer.is_empty()).then_some(fewer))
+    }
+}
+
+/// Statistic less its Akaike penalty.
+fn penalized(test: &ScoreTest) -> f64 {
+    test.statistic - 2.0 * test.dof as f64
+}
+
+/// Single candidates whose statistic is near the best, the strongest first.
+fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
+    let each = tests.candidates.iter_enumerated();
+    let mut decreases: Vec<(CandidateId, f64)> = each
+        .filter_map(|(id, test)| Some((id, test.as_ref()?)))
+        .filter(|(_, test)| test.dof > 0)
+        .map(|(id, test)| (id, penalized(test)))
+        .collect();
+    decreases.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let best = decreases.first().map_or(0.0, |first| first.1);
+    let near = decreases
+        .into_iter()
+        .filter(|(_, decrease)| *decrease > best - CHI2_MARGIN - CHI2_MARGIN_RELATIVE * best);
+    near.take(MAX_REFITS).map(|(id, _)| vec![id]).collect()
+}
+
+/// Rejected hypotheses with one effect more, the least expected sum of squares first, and the index of the hypothesis each
+/// extends.
+fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<CandidateId>, usize)> {
+    let mut all: Vec<(Vec<CandidateId>, usize, f64)> = Vec::new();
+    for (parent, hypothesis) in rejected.iter().enumerate().take(MAX_PARENTS) {
+        for (id, test) in hypothesis.tests.candidates.iter_enumerated() {
+            let Some(test) = test.as_ref().filter(|test| test.dof > 0) else {
+                continue;
+            };
+            let mut effects = hypothesis.effects.clone();
+            effects.push(id);
+            effects.sort_unstable();
+            let expected = hypothesis.squares - penalized(test);
+            match all.iter_mut().find(|(same, ..)| *same == effects) {
+                Some((_, from, least)) if expected < *least => {
+                    (*from, *least) = (parent, expected);
+                }
+                Some(_) => {}
+                None if effects.len() == count => all.push((effects, parent, expected)),
+                None => {}
+            }
+        }
+    }
+    all.sort_by(|a, b| a.2.total_cmp(&b.2));
+    let least = all.first().map_or(0.0, |first| first.2);
+    let decrease = rejected.first().map_or(0.0, |best| best.squares) - least;
+    let near = all
+        .into_iter()
+        .filter(|(.., expected)| *expected < least + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * decrease);
+    near.take(MAX_REFITS)
+        .map(|(effects, parent, _)| (effects, parent))
+        .collect()
+}

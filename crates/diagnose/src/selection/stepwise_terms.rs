@@ -1,0 +1,305 @@
+//! Stepwise regression with the terms of the library, where no candidate explains the data.
+
+use identify::{Fit, fit};
+use serde::{Deserialize, Serialize};
+
+use super::hypothesis::Hypothesis;
+use super::search::Search;
+use crate::context::{
+    Context, EncompassingModel, LibraryTerms, LinearizationPoint, ScoreTestModel, TermId,
+    TrajectoryCache, identifier,
+};
+use crate::error::DiagnosisError;
+use crate::extension::ExtendedModel;
+use crate::score_test::{ScoreTest, ScoreTests};
+use crate::text::three_figures;
+
+/// Terms that are selected, at most.
+const MAX_SELECTED: usize = 4;
+
+/// Terms that are reported besides the selected ones, at most.
+const MAX_REPORTED: usize = 12;
+
+/// A library term in a report.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StepwiseTerm {
+    /// Name of the effect that is written for it.
+    pub name: String,
+    /// Where it acts.
+    pub site: String,
+    /// Its formula in the model language.
+    pub formula: String,
+    /// Score statistic, χ² of one degree of freedom.
+    pub statistic: f64,
+    /// One-step estimate of its coefficient.
+    pub value: f64,
+    /// Standard error of `value`.
+    pub std_error: f64,
+    /// Whether it was selected into the extended model.
+    #[serde(rename = "taken")]
+    pub selected: bool,
+}
+
+/// The model with terms selected one by one.
+pub(crate) struct StepwiseModel {
+    /// Identifiers of candidates that are in it too.
+    pub effects: Vec<String>,
+    /// Number of unknowns of those, over all flights.
+    effect_unknowns: usize,
+    /// The selected terms, in the order of their selection.
+    selected: Vec<TermId>,
+    /// The terms with the greatest statistics, and the selected ones.
+    pub terms: Vec<StepwiseTerm>,
+    /// The extended model and its fit; none if no term is significant.
+    pub fitted: Option<(ExtendedModel, Fit)>,
+    /// Weighted sum of squares, under the noise of the search.
+    pub squares: f64,
+    /// Whether nothing is significant given the terms.
+    pub is_adequate: bool,
+}
+
+impl StepwiseModel {
+    /// Number of unknowns that it adds to the model under test, over all flights.
+    pub fn unknowns(&self) -> usize {
+        self.selected.len() + self.effect_unknowns
+    }
+
+    /// The better of two: one that is adequate, or else the one with the smaller sum of squares.
+    pub fn better(one: Option<Self>, other: Option<Self>) -> Option<Self> {
+        let rank = |model: &Self| (!model.is_adequate, model.squares);
+        match (one, other) {
+            (Some(one), Some(other)) if rank(&other) < rank(&one) => Some(other),
+            (one, other) => one.or(other),
+        }
+    }
+}
+
+/// Score tests given the terms selected so far.
+struct Step {
+    extension: ExtendedModel,
+    fit: Fit,
+    tests: ScoreTests,
+    squares: f64,
+}
+
+/// Selects terms one by one, each the strongest remaining, and fits the model again with each; beside the effects of a rejected
+/// hypothesis if one is given. None if the model can have no library.
+///
+/// # Errors
+/// [`DiagnosisError`] if a fitted model cannot be tested, or the caller cancelled.
+pub(crate) fn stepwise_terms(
+    context: Context<'_>,
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+    beside: Option<&Hypothesis>,
+) -> Result<Option<StepwiseModel>, DiagnosisError> {
+    let Some(terms) = &model.terms else {
+        return Ok(None);
+    };
+    let given = beside.map(|given| model.tests_given(given, &search.noise));
+    let given = given.transpose()?;
+    let first = given.as_ref().unwrap_or(&search.tests);
+    let effects = beside.map_or(&[][..], |given| given.effects.as_slice());
+    let names = effects
+        .iter()
+        .map(|&id| identifier(&model.candidate(id).name));
+    let mut stepwise = StepwiseModel {
+        effects: names.collect(),
+        effect_unknowns: model.unknowns_of(effects),
+        selected: Vec::new(),
+        terms: strongest_terms(terms, first),
+        fitted: None,
+        squares: beside.map_or(search.squares, |given| given.squares),
+        is_adequate: false,
+    };
+    let reject = search.thresholds.reject;
+    let mut next = next_term(first, reject, &[]);
+    while let Some(term) = next.filter(|_| stepwise.selected.len() < MAX_SELECTED) {
+        context.check_cancelled()?;
+        let mut selected = stepwise.selected.clone();
+        selected.push(term);
+        let Some(step) = fit_terms(context, model, search, (&stepwise, &selected))? else {
+            break;
+        };
+        // A term that does not decrease the sum of squares is none.
+        if step.squares > stepwise.squares {
+            break;
+        }
+        let remaining = step.tests.strongest_candidate();
+        let is_rejected = remaining.is_some_and(|(_, test)| test.ln_p < reject);
+        next = next_term(&step.tests, reject, &selected);
+        stepwise.squares = step.squares;
+        stepwise.fitted = Some((step.extension, step.fit));
+        stepwise.selected = selected;
+        stepwise.is_adequate = !is_rejected && next.is_none();
+        if stepwise.is_adequate {
+            break;
+        }
+    }
+    stepwise.mark_selected(terms, first);
+    Ok(Some(stepwise))
+}
+
+/// Writes effects for the selected terms, fits the model with them and tests everything else; none if that model cannot be
+/// composed or fitted.
+fn fit_terms(
+    context: Context<'_>,
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+    (stepwise, selected): (&StepwiseModel, &[TermId]),
+) -> Result<Option<Step>, DiagnosisError> {
+    let Some(terms) = &model.terms else {
+        return Ok(None);
+    };
+    let options = context.options;
+    let text = |&term: &TermId| {
+        let name = terms.name(term);
+        let reported = stepwise.terms.iter().find(|t| t.name == name);
+        terms.effect(
+            term,
+            &evidence(options.dataset, model.flights.len(), reported),
+        )
+    };
+    let of_terms = selected.iter().map(|&term| identifier(&terms.name(term)));
+    let names = stepwise.effects.iter().cloned().chain(of_terms).collect();
+    let texts = selected.iter().map(text).collect();
+    let Ok(extension) = ExtendedModel::new(context.model, options.with, names, texts) else {
+        return Ok(None);
+    };
+    let Ok(fit) = fit(&extension.model, context.dataset, &options.fit) else {
+        return Ok(None);
+    };
+    let on: Vec<String> = options
+        .with
+        .iter()
+        .chain(&extension.effects)
+        .cloned()
+        .collect();
+    let encompassing = EncompassingModel::new(&extension.model, &on, options.without)?;
+    let (mut there, iterate) = ScoreTestModel::new(encompassing, context, &fit)?;
+    for (to, from) in there.flights.iter_mut().zip(&model.flights) {
+        to.outlier.clone_from(&from.outlier);
+    }
+    let at = LinearizationPoint {
+        problem: &there.problem,
+        iterate: &iterate,
+        cache: &TrajectoryCache::Disabled,
+    };
+    let found = there.tests_at(at, &search.noise, context)?;
+    Ok(Some(Step {
+        extension,
+        fit,
+        tests: found.tests,
+        squares: found.squares,
+    }))
+}
+
+/// The strongest term, if it is significant and not selected yet.
+fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<TermId> {
+    let (term, test) = tests.strongest_term()?;
+    (test.ln_p < reject && !selected.contains(&term)).then_some(term)
+}
+
+/// The terms with the greatest statistics, the greatest first.
+fn strongest_terms(terms: &LibraryTerms, tests: &ScoreTests) -> Vec<StepwiseTerm> {
+    let each = tests.terms.iter_enumerated();
+    let mut order: Vec<(TermId, &ScoreTest)> = each.filter(|(_, test)| test.dof > 0).collect();
+    order.sort_by(|a, b| b.1.statistic.total_cmp(&a.1.statistic));
+    order.truncate(MAX_REPORTED);
+    let each = order.into_iter();
+    each.map(|(id, test)| StepwiseTerm::new(terms, id, test))
+        .collect()
+}
+
+impl StepwiseTerm {
+    fn new(terms: &LibraryTerms, term: TermId, test: &ScoreTest) -> Self {
+        let estimate = test.one_step.first();
+        Self {
+            name: terms.name(term),
+            site: terms.site(term).to_owned(),
+            formula: terms.formula(term),
+            statistic: test.statistic,
+            value: estimate.map_or(0.0, |estimate| estimate.value),
+            std_error: estimate.map_or(0.0, |estimate| estimate.std_error),
+            selected: false,
+        }
+    }
+}
+
+impl StepwiseModel {
+    /// Marks the selected terms in the report, and adds those that are not in it.
+    fn mark_selected(&mut self, terms: &LibraryTerms, tests: &ScoreTests) {
+        for &term in &self.selected {
+            let name = terms.name(term);
+            match self.terms.iter_mut().find(|reported| reported.name == name) {
+                Some(reported) => reported.selected = true,
+                None => self.terms.push(StepwiseTerm {
+                    selected: true,
+                    ..StepwiseTerm::new(terms, term, &tests.terms[term])
+                }),
+            }
+        }
+    }
+}
+
+/// Doc comment of the effect that is written for a term.
+fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> String {
+    let test = term.map_or_else(String::new, |term| {
+        format!(
+            " score \u{3c7}\u{b2}(1) = {:.0}, one-step estimate {} \u{b1} {}",
+            term.statistic,
+            three_figures(term.value),
+            three_figures(term.std_error)
+        )
+    });
+    format!("Found in {flights} flights of {dataset}, which no candidate effect explains:{test}.")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_support::fixture;
+
+    #[test]
+    fn every_library_term_can_be_written_into_its_model() {
+        for (name, count) in [("disc", 132), ("ball", 40)] {
+            let model = model_spec::load::load(name, &[]).unwrap();
+            let all = EncompassingModel::new(&model, &[], &[]).unwrap();
+            let layout = codegen::Layout::new(&all.model);
+            let terms = LibraryTerms::new(all.library.unwrap(), &layout).unwrap();
+            assert_eq!(terms.terms.len(), count);
+            for term in terms.terms.indices() {
+                let names = vec![identifier(&terms.name(term))];
+                let written = vec![terms.effect(term, "Found.")];
+                let extension = ExtendedModel::new(&model, &[], names, written);
+                let extension = extension.unwrap_or_else(|e| panic!("{}: {e}", terms.name(term)));
+                let text = extension.text(&model, &[], "Extended.").unwrap();
+                let again = model_spec::load::from_text("extended", &text, &[]).unwrap();
+                assert_eq!(again.coefficients.len(), model.coefficients.len() + 1);
+            }
+        }
+    }
+
+    #[test]
+    fn the_strongest_terms_come_first_and_only_a_significant_one_is_next() {
+        let fixture = fixture();
+        let model = &fixture.model;
+        let at = LinearizationPoint {
+            problem: &model.problem,
+            iterate: &fixture.iterate,
+            cache: &TrajectoryCache::Disabled,
+        };
+        let blocks = model
+            .normal_equations_with_terms(at, fixture.fit.noise())
+            .unwrap();
+        let tests = ScoreTests::new(model, &blocks, &[], &fixture.iterate.global).unwrap();
+        let terms = model.terms.as_ref().unwrap();
+        let reported = strongest_terms(terms, &tests);
+        assert_eq!(reported.len(), MAX_REPORTED);
+        assert!(reported.is_sorted_by(|a, b| a.statistic >= b.statistic));
+        let next = next_term(&tests, -20.0, &[]).unwrap();
+        assert_eq!(terms.name(next), reported[0].name);
+        assert_eq!(next_term(&tests, -20.0, &[next]), None);
+        assert_eq!(next_term(&tests, -1e9, &[]), None);
+    }
+}

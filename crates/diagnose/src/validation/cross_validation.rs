@@ -1,0 +1,106 @@
+//! 2-fold cross-validation over flights.
+
+use flight::batch;
+use identify::dataset::{Dataset, Role};
+use identify::{FitError, FitOptions, fit};
+use model_spec::model::Model;
+
+use super::discordant_beginning::ApplyTo;
+use super::predictive_gain::{PredictiveGain, errors, summarize};
+
+/// Number of folds.
+const FOLDS: usize = 2;
+
+/// The gain of the second model over the first, each fold of the flights being predicted by a fit of the others; none if there
+/// are fewer than two flights. A fold that cannot be fitted is left out.
+///
+/// # Errors
+/// [`FitError::Interrupted`].
+pub(crate) fn cross_validate(
+    models: [&Model; 2],
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+    apply_to: ApplyTo,
+    noise_floor_m: f64,
+) -> Result<Option<PredictiveGain>, FitError> {
+    if dataset.flights.len() < 2 {
+        return Ok(None);
+    }
+    let threads = options.threads();
+    let options = FitOptions {
+        threads: Some(1.max(threads / (2 * FOLDS))),
+        profiles: &[],
+        ..*options
+    };
+    let fits = batch::each_on(threads, 2 * FOLDS, |index| {
+        fit(
+            models[index % 2],
+            &with_fold_held_out(dataset, index / 2),
+            &options,
+        )
+    });
+    let mut all = Vec::new();
+    for pair in fits.chunks(2) {
+        match (&pair[0], &pair[1]) {
+            (Err(FitError::Interrupted), _) | (_, Err(FitError::Interrupted)) => {
+                return Err(FitError::Interrupted);
+            }
+            (Ok(before), Ok(after)) => {
+                let not_applied = apply_to.exceptions(before, after);
+                all.extend(errors(&before.report, &after.report, &not_applied));
+            }
+            _ => {}
+        }
+    }
+    Ok(summarize(all, noise_floor_m, false))
+}
+
+/// The dataset with every [`FOLDS`]th flight from `fold` on held out and all others fitted.
+fn with_fold_held_out(dataset: &Dataset, fold: usize) -> Dataset {
+    let mut split = dataset.clone();
+    for (index, flight) in split.flights.iter_mut().enumerate() {
+        flight.role = match index % FOLDS == fold {
+            true => Role::HeldOut,
+            false => Role::Fit,
+        };
+    }
+    split
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_support::mystery;
+
+    #[test]
+    fn every_flight_is_held_out_once() {
+        let dataset = mystery(5);
+        let mut held_out = [0; 5];
+        for fold in 0..FOLDS {
+            let split = with_fold_held_out(&dataset, fold);
+            for (count, flight) in held_out.iter_mut().zip(&split.flights) {
+                *count += usize::from(flight.role == Role::HeldOut);
+            }
+        }
+        assert_eq!(held_out, [1; 5]);
+    }
+
+    #[test]
+    fn the_true_model_predicts_better() {
+        let dataset = mystery(10);
+        let [base, true_model] =
+            [&[][..], &["stall"]].map(|with| model_spec::load::load("disc", with).unwrap());
+        let options = FitOptions::default();
+        let models = [&base, &true_model];
+        let gain = cross_validate(models, &dataset, &options, ApplyTo::AllFlights, 0.0015);
+        let gain = gain.unwrap().unwrap();
+        assert!(!gain.held_out_by_dataset && gain.flights == 10);
+        assert!(
+            gain.held_out_rms_after_m < gain.held_out_rms_before_m,
+            "{gain:?}"
+        );
+        let one = mystery(1);
+        let none = cross_validate(models, &one, &options, ApplyTo::AllFlights, 0.0015);
+        assert_eq!(none.unwrap(), None);
+    }
+}

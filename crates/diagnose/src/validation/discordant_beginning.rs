@@ -1,0 +1,116 @@
+//! Held-out flights whose beginning contradicts an extension.
+
+use identify::dataset::Role;
+use identify::{CONDITIONING_FRACTION, Fit};
+
+/// An extension contradicts a flight's beginning if it increases its weighted squares by more than this, χ².
+const MAX_CHI2_INCREASE: f64 = 10.0;
+
+/// The held-out flights to which an extension is applied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ApplyTo {
+    /// All of them.
+    AllFlights,
+    /// Those whose conditioning segment, on which the initial state is fitted, does not contradict the extension.
+    ConcordantFlights,
+}
+
+impl ApplyTo {
+    /// Held-out flights, by index in the dataset, to which the extension of `after` is not applied.
+    pub fn exceptions(self, before: &Fit, after: &Fit) -> Vec<usize> {
+        match self {
+            ApplyTo::AllFlights => Vec::new(),
+            ApplyTo::ConcordantFlights => contradicted(before, after),
+        }
+    }
+}
+
+/// Squared residuals of the conditioning segment of a flight, along each axis, and the number of points.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct SegmentSquares {
+    squares: [f64; 3],
+    points: usize,
+}
+
+impl SegmentSquares {
+    fn new(fit: &Fit, flight: usize) -> Option<Self> {
+        let evidence = fit.evidence(flight)?;
+        let samples = (evidence.times.len() as f64 * CONDITIONING_FRACTION).ceil() as usize;
+        let mut segment = Self::default();
+        for sample in 0..samples.min(evidence.times.len()) {
+            for marker in 0..evidence.markers.len() {
+                if let Some(residual) = evidence.residual(sample, marker) {
+                    segment.points += 1;
+                    for (sum, r) in segment.squares.iter_mut().zip(residual) {
+                        *sum += r * r;
+                    }
+                }
+            }
+        }
+        Some(segment)
+    }
+
+    fn total(&self) -> f64 {
+        self.squares.iter().sum()
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.points += other.points;
+        for (sum, square) in self.squares.iter_mut().zip(other.squares) {
+            *sum += square;
+        }
+    }
+}
+
+fn contradicted(before: &Fit, after: &Fit) -> Vec<usize> {
+    let flights = before.report.flights.iter().enumerate();
+    let held_out = flights.filter(|(_, flight)| flight.role == Role::HeldOut);
+    let segments = held_out.filter_map(|(flight, _)| {
+        let before = SegmentSquares::new(before, flight)?;
+        Some((flight, before, SegmentSquares::new(after, flight)?))
+    });
+    worse(&segments.collect::<Vec<_>>())
+}
+
+/// Flights, each with its squares without and with the extension, whose squares grow by more than noise. The variance of the
+/// noise is that of the better of both.
+fn worse(segments: &[(usize, SegmentSquares, SegmentSquares)]) -> Vec<usize> {
+    let mut noise = SegmentSquares::default();
+    for (_, before, after) in segments {
+        noise.add(if after.total() < before.total() {
+            after
+        } else {
+            before
+        });
+    }
+    let increase = |before: &SegmentSquares, after: &SegmentSquares| -> f64 {
+        let variance = |axis: usize| noise.squares[axis] / noise.points.max(1) as f64;
+        let along = |axis: usize| (after.squares[axis] - before.squares[axis]) / variance(axis);
+        (0..3).map(along).sum()
+    };
+    let each = segments.iter();
+    each.filter(|(_, before, after)| increase(before, after) > MAX_CHI2_INCREASE)
+        .map(|(flight, ..)| *flight)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_significant_increase_contradicts() {
+        let squares = |value: f64| SegmentSquares {
+            squares: [value; 3],
+            points: 100,
+        };
+        // Noise of variance 1: the squares of 100 points are about 100 along each axis.
+        let segments = [
+            (3, squares(400.0), squares(100.0)),
+            (5, squares(100.0), squares(102.0)),
+            (8, squares(100.0), squares(105.0)),
+        ];
+        assert_eq!(worse(&segments), [8]);
+        assert!(worse(&[]).is_empty());
+    }
+}

@@ -1,0 +1,83 @@
+//! Validation of overflexible hypotheses.
+//!
+//! Values for each flight, and many effects at once, fit misfits of any origin. A hypothesis that is true also improves the
+//! prediction of flights that were not fitted.
+
+use identify::{Fit, fit};
+
+use super::cross_validation::cross_validate;
+use super::discordant_beginning::ApplyTo;
+use super::predictive_gain::{PredictiveGain, held_out_gain};
+use crate::context::{Context, ScoreTestModel, identifier};
+use crate::error::DiagnosisError;
+use crate::extension::ExtendedModel;
+use crate::selection::Hypothesis;
+
+/// The model with a hypothesis, with its out-of-sample gain.
+pub(crate) struct Validated {
+    /// The model with the hypothesis.
+    pub extension: ExtendedModel,
+    /// Its fit.
+    pub fit: Fit,
+    /// Its gain; none if no flight can be predicted.
+    pub gain: Option<PredictiveGain>,
+}
+
+impl Validated {
+    /// Fits the model with a hypothesis and measures its gain.
+    ///
+    /// # Errors
+    /// [`DiagnosisError`] if the effects cannot be applied together, or the flights cannot be fitted.
+    pub fn new(
+        context: Context<'_>,
+        model: &ScoreTestModel,
+        hypothesis: &Hypothesis,
+        before: &Fit,
+        noise_floor_m: f64,
+    ) -> Result<Self, DiagnosisError> {
+        let extension = hypothesis.extension(context, model)?;
+        let options = &context.options.fit;
+        let fit = fit(&extension.model, context.dataset, options)?;
+        let gain = if context.has_held_out() {
+            held_out_gain(&before.report, &fit.report, noise_floor_m)
+        } else {
+            let models = [context.model, &extension.model];
+            let all = ApplyTo::AllFlights;
+            cross_validate(models, context.dataset, options, all, noise_floor_m)?
+        };
+        Ok(Self {
+            extension,
+            fit,
+            gain,
+        })
+    }
+
+    /// Whether the hypothesis improves predictions, or no flight can tell.
+    pub fn is_accepted(&self) -> bool {
+        self.gain
+            .as_ref()
+            .is_none_or(PredictiveGain::is_improvement)
+    }
+}
+
+impl Hypothesis {
+    /// The model with the effects of a hypothesis.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Load`] if they cannot be applied together.
+    pub fn extension(
+        &self,
+        context: Context<'_>,
+        model: &ScoreTestModel,
+    ) -> Result<ExtendedModel, DiagnosisError> {
+        let effects = self.effects.iter();
+        let names = effects.map(|&id| identifier(&model.candidate(id).name));
+        let with = context.options.with;
+        Ok(ExtendedModel::new(
+            context.model,
+            with,
+            names.collect(),
+            Vec::new(),
+        )?)
+    }
+}
