@@ -171,7 +171,7 @@ impl<'a> Analysis<'a> {
         } = context;
         let (encompassing, before) = join(
             options.fit.threads(),
-            || EncompassingModel::new(model, options.with, options.without),
+            || EncompassingModel::new(model, options.without),
             || fit(model, dataset, &options.fit),
         );
         let (before, encompassing) = (before?, encompassing?);

@@ -25,7 +25,7 @@
 //! let found = diagnose(&model, &dataset, &DiagnosisOptions::default())?;
 //! println!("{:?}: {}", found.report.verdict, found.report.summary);
 //! if let Some((extended, _)) = &found.after {
-//!     println!("{}", extended.text(&model, &[], "Found in examples/mystery.")?);
+//!     println!("{}", extended.text("Found in examples/mystery."));
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -43,7 +43,7 @@ pub(crate) fn fixture() -> Fixture {
         dataset: &dataset,
         options: &options,
     };
-    let encompassing = EncompassingModel::new(&model, &[], &[]).unwrap();
+    let encompassing = EncompassingModel::new(&model, &[]).unwrap();
     let (model, iterate) = ScoreTestModel::new(encompassing, context, &fit).unwrap();
     Fixture {
         fit,

@@ -36,7 +36,6 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     );
     let asked = DiagnosisOptions {
         dataset: &name,
-        with: &options.with,
         without: &options.without,
         fit: FitOptions {
             fixed: &hold,
@@ -57,7 +56,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
             "Extended by {}, found in {name} by `hyzer diagnose`.",
             extension.effects.join(" and ")
         );
-        extended(&extension.text(&model, &options.with, &told)?)
+        extended(&extension.text(&told))
     });
     progress.writing();
     let (mut found, extended) =

@@ -10,7 +10,6 @@ mod options;
 mod partition;
 mod refit;
 mod score_test_model;
-mod term_library;
 mod trajectory_cache;
 
 use identify::dataset::Dataset;

@@ -20,7 +20,7 @@ use super::candidates::identifier;
 pub struct DiagnosisOptions<'a> {
     /// Name of the dataset in the report and in the comments of written effects.
     pub dataset: &'a str,
-    /// Effects that the model already includes, by name or path.
+    /// Effects that the model already includes, by name or path. The model itself tells them: the list may stay empty.
     pub with: &'a [String],
     /// Effects that are not candidates, by name.
     pub without: &'a [String],
@@ -137,7 +137,7 @@ impl DiagnosisOptions<'_> {
         match self.without.iter().find(unknown) {
             Some(name) => Err(OptionsError::UnknownEffect {
                 name: name.clone(),
-                nearest: model_spec::suggest::nearest(&identifier(name), known.iter().copied())
+                nearest: model_spec::nearest_name(&identifier(name), known.iter().copied())
                     .map(str::to_owned),
             }),
             None => Ok(()),

@@ -59,8 +59,8 @@ impl ScoreTestModel {
             .collect();
         let of_candidates: Vec<ColumnId> = columns.iter().flatten().copied().collect();
         let base = Partition::new(of_candidates, problem.globals.len()).tested;
-        let terms = encompassing.library.as_ref();
-        let terms = terms.and_then(|library| LibraryTerms::new(library.clone(), layout));
+        let library = encompassing.library;
+        let terms = library.and_then(|library| LibraryTerms::new(library, layout));
         let (flights, local) = fitted_flights(&problem, context, fit)?;
         let iterate = Iterate {
             global: fitted_globals(&problem, fit),
@@ -190,11 +190,11 @@ fn encompassing_problem(
     fit: &Fit,
 ) -> Result<FitProblem, FitError> {
     let mut held = context.options.fit.fixed.to_vec();
-    let loads = encompassing
-        .library
-        .iter()
-        .flat_map(|library| library.loads);
-    held.extend(loads.map(|(name, ..)| ((*name).to_owned(), None)));
+    held.extend(
+        encompassing
+            .load_coefficients()
+            .map(|name| (name.to_owned(), None)),
+    );
     let options = FitOptions {
         fixed: &held,
         // Profiles belong to the fit.
@@ -217,11 +217,8 @@ fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec
         .flat_map(|(_, candidate)| &candidate.coefficients)
         .map(|parameter| (parameter.id.index(), parameter.null_value))
         .collect();
-    let loads = encompassing
-        .library
-        .iter()
-        .flat_map(|library| library.loads);
-    fixed.extend(loads.filter_map(|(name, ..)| Some((layout.parameter(name)?.index(), 0.0))));
+    let loads = encompassing.load_coefficients();
+    fixed.extend(loads.filter_map(|name| Some((layout.parameter(name)?.index(), 0.0))));
     fixed
 }
 

@@ -268,12 +268,12 @@ fn load_channels(
     };
     let is_term = |column: ColumnId| column.index() >= model.global_columns();
     let all = search.tests.joint_statistic(is_term).max(f64::MIN_POSITIVE);
-    let loads = terms.sites().zip(histories).enumerate();
-    let channels = loads.map(|(load, (site, histories))| {
+    let loads = terms.sites().zip(histories);
+    let channels = loads.map(|((load, site), histories)| {
         let columns = terms
             .terms
             .iter_enumerated()
-            .filter(|(_, term)| term.load == load);
+            .filter(|(_, term)| term.channel == load);
         let columns: Vec<ColumnId> = columns.map(|(id, _)| model.term_column(id)).collect();
         let own = search
             .tests

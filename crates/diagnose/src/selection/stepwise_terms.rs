@@ -1,6 +1,7 @@
 //! Stepwise regression with the terms of the library, where no candidate explains the data.
 
 use identify::{Fit, fit};
+use model_spec::compose::EffectTree;
 use serde::{Deserialize, Serialize};
 
 use super::hypothesis::Hypothesis;
@@ -152,30 +153,20 @@ fn fit_terms(
         return Ok(None);
     };
     let options = context.options;
-    let text = |&term: &TermId| {
+    let effect = |&term: &TermId| {
         let name = terms.name(term);
         let reported = stepwise.terms.iter().find(|t| t.name == name);
-        terms.effect(
-            term,
-            &evidence(options.dataset, model.flights.len(), reported),
-        )
+        let doc = evidence(options.dataset, model.flights.len(), reported);
+        terms.effect(term, &doc)
     };
-    let of_terms = selected.iter().map(|&term| identifier(&terms.name(term)));
-    let names = stepwise.effects.iter().cloned().chain(of_terms).collect();
-    let texts = selected.iter().map(text).collect();
-    let Ok(extension) = ExtendedModel::new(context.model, options.with, names, texts) else {
+    let effects: Vec<EffectTree> = selected.iter().map(effect).collect();
+    let Ok(extension) = ExtendedModel::new(context.model, &stepwise.effects, &effects) else {
         return Ok(None);
     };
     let Ok(fit) = fit(&extension.model, context.dataset, &options.fit) else {
         return Ok(None);
     };
-    let on: Vec<String> = options
-        .with
-        .iter()
-        .chain(&extension.effects)
-        .cloned()
-        .collect();
-    let encompassing = EncompassingModel::new(&extension.model, &on, options.without)?;
+    let encompassing = EncompassingModel::new(&extension.model, options.without)?;
     let (mut there, iterate) = ScoreTestModel::new(encompassing, context, &fit)?;
     for (to, from) in there.flights.iter_mut().zip(&model.flights) {
         to.outlier.clone_from(&from.outlier);
@@ -264,16 +255,16 @@ mod tests {
     fn every_library_term_can_be_written_into_its_model() {
         for (name, count) in [("disc", 132), ("ball", 40)] {
             let model = model_spec::load::load(name, &[]).unwrap();
-            let all = EncompassingModel::new(&model, &[], &[]).unwrap();
+            let all = EncompassingModel::new(&model, &[]).unwrap();
             let layout = codegen::Layout::new(&all.model);
             let terms = LibraryTerms::new(all.library.unwrap(), &layout).unwrap();
             assert_eq!(terms.terms.len(), count);
             for term in terms.terms.indices() {
-                let names = vec![identifier(&terms.name(term))];
-                let written = vec![terms.effect(term, "Found.")];
-                let extension = ExtendedModel::new(&model, &[], names, written);
+                let written = [terms.effect(term, "Found.")];
+                let extension = ExtendedModel::new(&model, &[], &written);
                 let extension = extension.unwrap_or_else(|e| panic!("{}: {e}", terms.name(term)));
-                let text = extension.text(&model, &[], "Extended.").unwrap();
+                assert_eq!(extension.effects, [identifier(&terms.name(term))]);
+                let text = extension.text("Extended.");
                 let again = model_spec::load::from_text("extended", &text, &[]).unwrap();
                 assert_eq!(again.coefficients.len(), model.coefficients.len() + 1);
             }

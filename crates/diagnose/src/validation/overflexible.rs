@@ -72,12 +72,7 @@ impl Hypothesis {
     ) -> Result<ExtendedModel, DiagnosisError> {
         let effects = self.effects.iter();
         let names = effects.map(|&id| identifier(&model.candidate(id).name));
-        let with = context.options.with;
-        Ok(ExtendedModel::new(
-            context.model,
-            with,
-            names.collect(),
-            Vec::new(),
-        )?)
+        let names: Vec<String> = names.collect();
+        Ok(ExtendedModel::new(context.model, &names, &[])?)
     }
 }
