@@ -49,7 +49,7 @@ impl DifferentiableRhs for Entries {
 
 fn sensitivities() {
     let entries = Entries(
-        std::array::from_fn(|i| (i % 12, i * 5 / 12 % 12)),
+        std::array::from_fn(|i| (i * 12 / 55, i * 5 % 12)),
         std::array::from_fn(|i| (3 + i % 9, i / 5)),
     );
     let mut both = Sensitivities::new(
