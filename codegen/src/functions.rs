@@ -280,7 +280,7 @@ impl MathFunction {
 
 /// What the compiler makes of a function of the model language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lowered {
+pub enum FunctionLowering {
     /// One operation.
     Call(MathFunction),
     /// The quotient of sine and cosine.
@@ -291,13 +291,13 @@ pub enum Lowered {
     Atan,
 }
 
-impl Lowered {
+impl FunctionLowering {
     /// Of a function of the model language.
-    pub fn of(function: Named) -> Lowered {
-        Lowered::Call(match function {
-            Named::Tan => return Lowered::Tan,
-            Named::Acos => return Lowered::Acos,
-            Named::Atan => return Lowered::Atan,
+    pub fn of(function: Named) -> FunctionLowering {
+        FunctionLowering::Call(match function {
+            Named::Tan => return FunctionLowering::Tan,
+            Named::Acos => return FunctionLowering::Acos,
+            Named::Atan => return FunctionLowering::Atan,
             Named::Sin => MathFunction::Sin,
             Named::Cos => MathFunction::Cos,
             Named::Asin => MathFunction::Asin,
@@ -314,18 +314,22 @@ impl Lowered {
     /// How it is written in LaTeX.
     pub fn notation(self) -> Notation {
         match self {
-            Lowered::Call(function) => function.notation(),
-            Lowered::Tan => Notation::Command(r"\tan", true),
-            Lowered::Acos => Notation::Command(r"\arccos", false),
-            Lowered::Atan => Notation::Command(r"\arctan", false),
+            FunctionLowering::Call(function) => function.notation(),
+            FunctionLowering::Tan => Notation::Command(r"\tan", true),
+            FunctionLowering::Acos => Notation::Command(r"\arccos", false),
+            FunctionLowering::Atan => Notation::Command(r"\arctan", false),
         }
     }
 }
 
 /// Commands of LaTeX that take an exponent between name and argument.
 pub fn commands_with_exponent() -> impl Iterator<Item = &'static str> {
-    let all = MathFunction::ALL.map(Lowered::Call).into_iter();
-    let all = all.chain([Lowered::Tan, Lowered::Acos, Lowered::Atan]);
+    let all = MathFunction::ALL.map(FunctionLowering::Call).into_iter();
+    let all = all.chain([
+        FunctionLowering::Tan,
+        FunctionLowering::Acos,
+        FunctionLowering::Atan,
+    ]);
     all.filter_map(|function| match function.notation() {
         Notation::Command(command, true) => Some(command),
         _ => None,

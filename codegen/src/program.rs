@@ -113,7 +113,7 @@ pub struct Statement {
 /// What a statement belongs to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct About {
-    /// Index into [`crate::derive::Derived::origins`].
+    /// Index into [`crate::lower::Lowered::origins`].
     pub origin: usize,
     /// Whether it is the quantity itself, not a part of it.
     pub exact: bool,

@@ -1,16 +1,16 @@
 //! What the constructors of the graph make of an expression, one line each.
 
 use codegen::functions::MathFunction;
-use codegen::graph::{Graph, NodeId, Symbol};
+use codegen::graph::{ExprGraph, NodeId, Symbol};
 use codegen::number::Number;
 
 struct Bench {
-    g: Graph,
+    g: ExprGraph,
 }
 
 impl Bench {
     fn new() -> Bench {
-        let mut g = Graph::new();
+        let mut g = ExprGraph::new();
         for k in 0..6 {
             g.symbol(Symbol::State(k));
         }

@@ -76,7 +76,7 @@ impl<'a> Body<'a> {
     /// The source line of an origin as `file:line  text`, cut to a line's length.
     pub fn source_line(&self, origin: usize) -> String {
         const MAX_CHARS: usize = 94;
-        let origin = &self.compiled.derived.origins[origin];
+        let origin = &self.compiled.lowered.provenance[origin];
         let file = origin.source.rsplit('/').next().unwrap_or(&origin.source);
         let line = format!("{file}:{}  {}", origin.line, origin.text);
         let mut line: String = line
@@ -230,7 +230,7 @@ impl<'a> Planner<'a> {
     }
 
     fn quote(&mut self, index: usize) {
-        let origin = &self.compiled.derived.origins[index];
+        let origin = &self.compiled.lowered.provenance[index];
         if origin.line > 0 && self.quoted.insert((&origin.source, origin.line)) {
             self.steps.push(Step::Source(index));
         }

@@ -1,105 +1,234 @@
-//! Values with their derivatives: edges, the values of fixed parameters put in, elimination.
+//! Functions with derivatives: partial derivatives first, then constants put in, then the elimination of vertices.
 
 use super::{Compiler, Effort, dense};
-use crate::differentiate::{Edges, Jacobian, Linear, Order, Substituted};
-use crate::graph::{Graph, NodeId, Symbol};
-use crate::optimise::{Dag, import};
+use crate::differentiate::{EliminationOrder, Jacobian, Labelled, LinearizedGraph, share_values};
+use crate::graph::{NodeId, Symbol};
 use crate::program::{Function, Section};
+use crate::specialize::Specialized;
+use crate::ssa::{Ssa, build};
+use std::ops::Range;
+
+/// Values with the partial derivatives below them.
+pub(super) struct Differentiable {
+    roots: Vec<NodeId>,
+    edges: LinearizedGraph,
+    /// The leaves that stand for shared values.
+    locals: Range<usize>,
+}
+
+/// Values and their derivatives, ready to be scheduled.
+struct Jacobians {
+    ssa: Ssa,
+    sections: Vec<Section>,
+}
+
+/// Columns of a Jacobian: the name of the section, and how many.
+type Columns = (&'static str, usize);
 
 impl Compiler {
-    /// A value and its sparse derivatives by groups of symbols.
-    pub(super) fn jacobians(
-        &self,
-        linear: Linear,
-        rows: usize,
-        value: &'static str,
-        by: &[(&'static str, &[Symbol])],
-    ) -> Jacobians {
-        let symbols: Vec<Symbol> = by
-            .iter()
-            .flat_map(|(_, part)| part.iter().copied())
-            .collect();
-        let names: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
-        let row_names: Vec<String> = (0..rows).map(|row| self.row_name(value, row)).collect();
-        let Linear {
-            mut graph,
-            mut roots,
-            ..
-        } = linear;
-        let mut edges = Edges::new(&mut graph, (&roots, &row_names), (&symbols, &names));
-        if !self.fixed.is_empty() {
-            let mut wanted = edges.partials();
-            wanted.extend(&roots);
-            let mut at = Substituted::new(&graph, &wanted, &self.fixed);
-            let mut images: Vec<NodeId> = wanted.iter().map(|&node| at.image(node)).collect();
-            roots = images.split_off(images.len() - roots.len());
-            graph = at.graph;
-            edges.replace(&graph, &images);
+    /// The rates of the states and the observation, as far as the constants allow.
+    ///
+    /// With constants put in, other values are worth sharing than without: the partial derivatives are then taken of
+    /// the model as lowered, and everything is specialized together.
+    pub(super) fn differentiable(&mut self) -> (Option<Differentiable>, Option<Differentiable>) {
+        if self.fixed.is_empty() {
+            return (None, None);
         }
-        let by_order = |order: Order| {
-            let mut graph = graph.clone();
-            let all = edges.clone().accumulate(&mut graph, order);
-            let mut wanted = roots.clone();
-            let mut sections = vec![dense(value, rows)];
-            let mut start = 0;
-            for &(section, symbols) in by {
-                let part = columns(&all, start, symbols.len() as u32);
-                wanted.extend(&part.entries);
-                sections.push(Section {
-                    name: section,
-                    len: part.entries.len(),
-                    pattern: Some(part.pattern),
-                });
-                start += symbols.len() as u32;
+        let (dx, y) = (self.lowered.dx.clone(), self.observed());
+        let graph = &self.lowered.graph;
+        let (motion, observed) = (build(graph, &dx), build(graph, &y));
+        let mut motion = self.linearized_motion(&motion);
+        let mut observed = self.linearized_observation(&observed);
+        self.specialize(&mut [&mut motion, &mut observed]);
+        (Some(motion), Some(observed))
+    }
+
+    /// Puts the constants in, into the lowered model and the derivatives.
+    fn specialize(&mut self, all: &mut [&mut Differentiable]) {
+        let mut wanted = self.lowered.nodes();
+        for one in all.iter() {
+            wanted.extend(&one.roots);
+            wanted.extend(one.edges.partials());
+        }
+        let mut at = Specialized::new(&self.lowered.graph, &wanted, &self.fixed);
+        self.lowered.replace_nodes(|node| at.image(node));
+        for one in all {
+            let partials: Vec<NodeId> = one.edges.partials();
+            let partials: Vec<NodeId> = partials.into_iter().map(|p| at.image(p)).collect();
+            one.edges.set_partials(&at.graph, &partials);
+            one.roots
+                .iter_mut()
+                .for_each(|root| *root = at.image(*root));
+            one.locals = 0..at.graph.local_count();
+        }
+        self.lowered.graph = at.graph;
+    }
+
+    /// `f`, `f_jac`, `f_jac_par`.
+    pub(super) fn motion(&mut self, known: Option<Differentiable>) -> [Function; 3] {
+        let ssa = self.optimised(&self.lowered.dx);
+        let (rows, states) = (ssa.roots.len(), self.lowered.layout.states.len());
+        let f = self.scheduled("f", &ssa, vec![dense("dx", rows)]);
+        let motion = match known {
+            Some(known) => known,
+            None => self.linearized_motion(&ssa),
+        };
+        let columns = [("j", states), ("jp", self.columns.len())];
+        let both = match self.effort {
+            Effort::Full => {
+                let by_states = motion.towards_first(states);
+                let f_jac = self.jacobians(&by_states, "dx", &columns[..1]);
+                [f_jac, self.jacobians(&motion, "dx", &columns)]
             }
-            let mut dag = import(&graph, &wanted);
-            dag.optimise();
-            Jacobians {
-                dag,
-                graph,
-                sections,
+            Effort::Quick => {
+                let f_jac_par = self.jacobians(&motion, "dx", &columns);
+                [f_jac_par.first_sections(2), f_jac_par]
             }
         };
-        let edges_first = by_order(Order::FewestEdges);
+        let [f_jac, f_jac_par] = both;
+        let f_jac = self.scheduled("f_jac", &f_jac.ssa, f_jac.sections);
+        let f_jac_par = self.scheduled("f_jac_par", &f_jac_par.ssa, f_jac_par.sections);
+        [f, f_jac, f_jac_par]
+    }
+
+    /// `observe`, `observe_jac`.
+    pub(super) fn observation(&mut self, known: Option<Differentiable>) -> [Function; 2] {
+        let ssa = self.optimised(&self.observed());
+        let layout = &self.lowered.layout;
+        let (states, marker) = (layout.states.len(), layout.marker.len());
+        let observe = self.scheduled("observe", &ssa, vec![dense("y", ssa.roots.len())]);
+        let observed = match known {
+            Some(known) => known,
+            None => self.linearized_observation(&ssa),
+        };
+        let columns = [
+            ("dy_dx", states),
+            ("dy_dp", self.columns.len()),
+            ("dy_dmarker", marker),
+        ];
+        let jacobians = self.jacobians(&observed, "y", &columns);
+        let observe_jac = self.scheduled("observe_jac", &jacobians.ssa, jacobians.sections);
+        [observe, observe_jac]
+    }
+
+    fn linearized_motion(&mut self, ssa: &Ssa) -> Differentiable {
+        let symbols = self.states_and_parameters();
+        self.linearized(ssa, "dx", &symbols)
+    }
+
+    fn linearized_observation(&mut self, ssa: &Ssa) -> Differentiable {
+        let mut symbols = self.states_and_parameters();
+        symbols.extend((0..self.lowered.layout.marker.len() as u32).map(Symbol::Marker));
+        self.linearized(ssa, "y", &symbols)
+    }
+
+    fn states_and_parameters(&self) -> Vec<Symbol> {
+        let states = (0..self.lowered.layout.states.len() as u32).map(Symbol::State);
+        let parameters = self.columns.iter().map(|&k| Symbol::Parameter(k as u32));
+        states.chain(parameters).collect()
+    }
+
+    /// The partial derivatives of values towards symbols.
+    fn linearized(&mut self, ssa: &Ssa, value: &str, symbols: &[Symbol]) -> Differentiable {
+        let columns: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
+        let rows = (0..ssa.roots.len()).map(|row| self.row_name(value, row));
+        let rows: Vec<String> = rows.collect();
+        let mut namer = self.namer();
+        let graph = &mut self.lowered.graph;
+        let first = graph.local_count();
+        let (roots, edges) = graph.scope(first..first, |graph| {
+            let roots = share_values(ssa, graph, &mut namer);
+            let results = Labelled {
+                items: &roots,
+                names: &rows,
+            };
+            let symbols = Labelled {
+                items: symbols,
+                names: &columns,
+            };
+            let edges = LinearizedGraph::new(graph, results, symbols);
+            (roots, edges)
+        });
+        Differentiable {
+            roots,
+            edges,
+            locals: first..self.lowered.graph.local_count(),
+        }
+    }
+
+    /// Values and their derivatives by groups of columns, with fewest operations of the elimination orders tried.
+    fn jacobians(
+        &mut self,
+        of: &Differentiable,
+        value: &'static str,
+        columns: &[Columns],
+    ) -> Jacobians {
+        let edges_first = self.eliminated(of, value, columns, EliminationOrder::FewestEdges);
         if self.effort == Effort::Quick {
             return edges_first;
         }
-        let products_first = by_order(Order::FewestProducts);
-        if products_first.dag.cost() < edges_first.dag.cost() {
+        let products_first = self.eliminated(of, value, columns, EliminationOrder::FewestProducts);
+        if products_first.ssa.cost() < edges_first.ssa.cost() {
             products_first
         } else {
             edges_first
         }
     }
 
-    pub(super) fn finish_jacobians(&mut self, name: &'static str, of: Jacobians) -> Function {
-        self.finish(name, &of.dag, &of.graph, of.sections)
+    fn eliminated(
+        &mut self,
+        of: &Differentiable,
+        value: &'static str,
+        columns: &[Columns],
+        order: EliminationOrder,
+    ) -> Jacobians {
+        let graph = &mut self.lowered.graph;
+        let all = graph.scope(of.locals.clone(), |graph| {
+            of.edges.clone().eliminate_vertices(graph, order)
+        });
+        let mut wanted = of.roots.clone();
+        let mut sections = vec![dense(value, of.roots.len())];
+        let mut start = 0;
+        for &(name, width) in columns {
+            let width = width as u32;
+            let part = columns_of(&all, start, width);
+            wanted.extend(&part.entries);
+            sections.push(Section {
+                name,
+                len: part.entries.len(),
+                pattern: Some(part.pattern),
+            });
+            start += width;
+        }
+        let mut ssa = build(graph, &wanted);
+        ssa.optimise();
+        Jacobians { ssa, sections }
     }
 }
 
-/// A value and its derivatives, ready to be put in order.
-pub(super) struct Jacobians {
-    dag: Dag,
-    graph: Graph,
-    sections: Vec<Section>,
-}
-
-impl Jacobians {
-    /// Without what comes after the first sections.
-    pub(super) fn first_sections(&self, sections: usize) -> Jacobians {
-        let sections = self.sections[..sections].to_vec();
-        let mut dag = self.dag.clone();
-        dag.roots.truncate(sections.iter().map(|s| s.len).sum());
-        Jacobians {
-            dag,
-            graph: self.graph.clone(),
-            sections,
+impl Differentiable {
+    /// Its derivatives by the first symbols alone.
+    fn towards_first(&self, columns: usize) -> Differentiable {
+        Differentiable {
+            roots: self.roots.clone(),
+            edges: self.edges.clone().towards_first(columns),
+            locals: self.locals.clone(),
         }
     }
 }
 
+impl Jacobians {
+    /// Without the sections after the first ones.
+    fn first_sections(&self, sections: usize) -> Jacobians {
+        let sections = self.sections[..sections].to_vec();
+        let mut ssa = self.ssa.clone();
+        ssa.roots.truncate(sections.iter().map(|s| s.len).sum());
+        Jacobians { ssa, sections }
+    }
+}
+
 /// The columns `start .. start + width` of a Jacobian.
-fn columns(all: &Jacobian, start: u32, width: u32) -> Jacobian {
+fn columns_of(all: &Jacobian, start: u32, width: u32) -> Jacobian {
     let mut part = Jacobian::default();
     for (&(row, column), &entry) in all.pattern.iter().zip(&all.entries) {
         if (start..start + width).contains(&column) {

@@ -1,48 +1,46 @@
-//! Accumulation of a Jacobian by vertex elimination on the linearised graph.
+//! Jacobian accumulation by vertex elimination (Griewank and Walther, Evaluating Derivatives, chapter 9).
 //!
-//! Every vertex is a leaf-like node; its edges are partial derivatives by the vertices it depends on.
-//! Eliminating a vertex joins the edges above it with those below it. The order decides how many
-//! products there are, and no rule is always best: see [`Order`].
+//! Eliminating a vertex multiplies each edge above it with each edge below it. The order decides how many products there
+//! are; which is best is NP-complete to find, so that two greedy rules are offered: see [`EliminationOrder`].
 
-use super::edges::{Edges, Vertex, add_edge};
-use crate::graph::{Graph, Node, NodeId};
+use super::linearized::{LinearizedGraph, Vertex, add_edge};
+use crate::graph::{ExprGraph, Node, NodeId};
 
-/// Which vertex goes first.
+/// The vertex that is eliminated next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
-    /// The one that costs fewest products for the edges that it takes away.
+pub(crate) enum EliminationOrder {
+    /// Fewest products less the edges removed (a Markowitz rule).
     FewestProducts,
-    /// The one that leaves fewest edges.
+    /// Fewest edges afterwards (minimum fill).
     FewestEdges,
 }
 
 /// A sparse Jacobian.
 #[derive(Clone, Debug, Default)]
-pub struct Jacobian {
+pub(crate) struct Jacobian {
     /// Row and column of each entry, row by row.
     pub pattern: Vec<(u32, u32)>,
     /// The entries.
     pub entries: Vec<NodeId>,
 }
 
-/// Most letters of two names that a derivative is named after.
-const LONGEST: usize = 30;
+/// Length limit of the two names in the name of a derivative, together.
+const MAX_NAMES_LEN: usize = 30;
 
-impl Edges {
+impl LinearizedGraph {
     /// The derivatives of the roots by the symbols.
-    pub fn accumulate(self, graph: &mut Graph, order: Order) -> Jacobian {
-        let Edges {
+    pub fn eliminate_vertices(self, graph: &mut ExprGraph, order: EliminationOrder) -> Jacobian {
+        let LinearizedGraph {
             mut vertices,
             rows,
-            names,
+            columns,
         } = self;
         let mut inner: Vec<usize> = (rows.len()..vertices.len())
             .filter(|&v| vertices[v].column.is_none())
             .collect();
         while let Some(place) = cheapest(&vertices, &inner, order) {
-            let v = inner.swap_remove(place);
+            let v = inner.remove(place);
             eliminate(graph, &mut vertices, v);
-            inner.sort_unstable();
         }
         let mut jacobian = Jacobian::default();
         for (row, name) in rows.iter().enumerate() {
@@ -54,7 +52,7 @@ impl Edges {
                 .collect();
             entries.sort_unstable();
             for (column, entry) in entries {
-                name_derivative(graph, entry, name, &names[column as usize]);
+                name_derivative(graph, entry, name, &columns[column as usize]);
                 jacobian.pattern.push((row as u32, column));
                 jacobian.entries.push(entry);
             }
@@ -63,22 +61,22 @@ impl Edges {
     }
 }
 
-fn cheapest(vertices: &[Vertex], inner: &[usize], order: Order) -> Option<usize> {
+fn cheapest(vertices: &[Vertex], inner: &[usize], order: EliminationOrder) -> Option<usize> {
     (0..inner.len()).min_by_key(|&place| {
         let v = inner[place];
         let (up, down) = (vertices[v].up.len(), vertices[v].down.len());
         let products = (up * down) as i64;
         let (up, down) = (up as i64, down as i64);
         let cost = match order {
-            Order::FewestProducts => 2 * products - 2 * up - 3 * down,
-            Order::FewestEdges => fill(vertices, v) - up - down,
+            EliminationOrder::FewestProducts => 2 * products - 2 * up - 3 * down,
+            EliminationOrder::FewestEdges => fill(vertices, v) - up - down,
         };
         // where equal, what is nearest to the inputs
         (cost, products, std::cmp::Reverse(v))
     })
 }
 
-/// Edges that would appear if a vertex went.
+/// LinearizedGraph that would appear if a vertex went.
 fn fill(vertices: &[Vertex], v: usize) -> i64 {
     let missing = |user: usize| {
         let known = &vertices[user].down;
@@ -89,7 +87,7 @@ fn fill(vertices: &[Vertex], v: usize) -> i64 {
     vertices[v].up.iter().map(|&user| missing(user)).sum()
 }
 
-fn eliminate(graph: &mut Graph, vertices: &mut [Vertex], v: usize) {
+fn eliminate(graph: &mut ExprGraph, vertices: &mut [Vertex], v: usize) {
     let up = std::mem::take(&mut vertices[v].up);
     let down = std::mem::take(&mut vertices[v].down);
     for &(to, inner) in &down {
@@ -122,22 +120,22 @@ fn eliminate(graph: &mut Graph, vertices: &mut [Vertex], v: usize) {
 }
 
 /// A derivative of a named quantity by a named quantity is named after both.
-fn name_edge(graph: &mut Graph, vertices: &[Vertex], from: usize, to: usize, partial: NodeId) {
+fn name_edge(graph: &mut ExprGraph, vertices: &[Vertex], from: usize, to: usize, partial: NodeId) {
     if let (Some(from), Some(to)) = (&vertices[from].name, &vertices[to].name) {
         name_derivative(graph, partial, from, to);
     }
 }
 
-fn name_derivative(graph: &mut Graph, partial: NodeId, of: &str, by: &str) {
+fn name_derivative(graph: &mut ExprGraph, partial: NodeId, of: &str, by: &str) {
     let (_, rest) = graph.split_coefficient(partial);
     let trivial = !matches!(graph.node(rest), Node::Sum(..) | Node::Product(_));
-    if !trivial && of.len() + by.len() <= LONGEST {
+    if !trivial && of.len() + by.len() <= MAX_NAMES_LEN {
         graph.name(partial, format!("d_{of}_d_{by}"));
     }
 }
 
-/// A sum that goes into several products stays one factor of them.
-fn bind(graph: &mut Graph, id: NodeId) -> NodeId {
+/// A sum that becomes a factor of several products is computed once.
+fn bind(graph: &mut ExprGraph, id: NodeId) -> NodeId {
     match graph.node(id) {
         Node::Sum(terms, _) if terms.len() > 1 => {
             let facts = graph.facts(id);

@@ -1,11 +1,11 @@
 //! Derivatives of single nodes, exact, with the stated behaviour at singular points.
 
 use crate::functions::{Derivative, MathFunction};
-use crate::graph::{FastMap, Graph, Node, NodeId, Symbol};
+use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 use crate::number::Number;
 
 /// The derivative of a function at `x`, given the node of its value.
-fn of_call(graph: &mut Graph, function: MathFunction, x: NodeId, value: NodeId) -> NodeId {
+fn of_call(graph: &mut ExprGraph, function: MathFunction, x: NodeId, value: NodeId) -> NodeId {
     match function.derivative() {
         Derivative::Zero => graph.whole(0),
         Derivative::Value => value,
@@ -32,13 +32,13 @@ fn of_call(graph: &mut Graph, function: MathFunction, x: NodeId, value: NodeId) 
 }
 
 /// `1 - x²`.
-fn one_minus_square(graph: &mut Graph, x: NodeId) -> NodeId {
+fn one_minus_square(graph: &mut ExprGraph, x: NodeId) -> NodeId {
     let square = graph.power(x, 4);
     graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE)
 }
 
 /// The operands of a node that is neither sum nor product, each with the partial derivative.
-pub fn of_node(graph: &mut Graph, id: NodeId) -> Vec<(NodeId, NodeId)> {
+pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Sum(..) | Node::Product(_) => Vec::new(),
         Node::Call(function, x) => vec![(x, of_call(graph, function, x, id))],
@@ -71,22 +71,41 @@ pub fn of_node(graph: &mut Graph, id: NodeId) -> Vec<(NodeId, NodeId)> {
 }
 
 /// Partial derivatives by every leaf-like node (neither sum nor product) in an expression of sums and products.
-pub fn of_expression(graph: &mut Graph, id: NodeId) -> Vec<(NodeId, NodeId)> {
-    let mut found: Vec<(NodeId, Vec<(Number, NodeId)>)> = Vec::new();
+pub(crate) fn of_expression(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
+    let mut found = PartialSums::default();
     let one = graph.whole(1);
     collect(graph, id, Number::ONE, one, &mut found);
     found
+        .sums
         .into_iter()
         .map(|(vertex, terms)| (vertex, graph.sum(terms, Number::ZERO)))
         .collect()
 }
 
+/// Terms of the partial derivatives, by vertex, in the order in which the vertices were met.
+#[derive(Default)]
+struct PartialSums {
+    sums: Vec<(NodeId, Vec<(Number, NodeId)>)>,
+    place_of: FastMap<NodeId, usize>,
+}
+
+impl PartialSums {
+    fn add(&mut self, vertex: NodeId, term: (Number, NodeId)) {
+        let next = self.sums.len();
+        let place = *self.place_of.entry(vertex).or_insert(next);
+        if place == next {
+            self.sums.push((vertex, Vec::new()));
+        }
+        self.sums[place].1.push(term);
+    }
+}
+
 fn collect(
-    graph: &mut Graph,
+    graph: &mut ExprGraph,
     id: NodeId,
     coefficient: Number,
     cofactor: NodeId,
-    found: &mut Vec<(NodeId, Vec<(Number, NodeId)>)>,
+    found: &mut PartialSums,
 ) {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Symbol(Symbol::Pi) => {}
@@ -107,21 +126,18 @@ fn collect(
                 collect(graph, base, c, lowered, found);
             }
         }
-        _ => match found.iter_mut().find(|(vertex, _)| *vertex == id) {
-            Some((_, terms)) => terms.push((coefficient, cofactor)),
-            None => found.push((id, vec![(coefficient, cofactor)])),
-        },
+        _ => found.add(id, (coefficient, cofactor)),
     }
 }
 
 /// The total derivative of an expression by one symbol, over the whole graph below it.
-pub fn total(graph: &mut Graph, id: NodeId, by: Symbol) -> NodeId {
+pub(crate) fn total(graph: &mut ExprGraph, id: NodeId, by: Symbol) -> NodeId {
     let mut known = FastMap::default();
     total_of(graph, id, by, &mut known)
 }
 
 fn total_of(
-    graph: &mut Graph,
+    graph: &mut ExprGraph,
     id: NodeId,
     by: Symbol,
     known: &mut FastMap<NodeId, NodeId>,
@@ -150,7 +166,7 @@ fn total_of(
 }
 
 fn chain(
-    graph: &mut Graph,
+    graph: &mut ExprGraph,
     partials: Vec<(NodeId, NodeId)>,
     by: Symbol,
     known: &mut FastMap<NodeId, NodeId>,

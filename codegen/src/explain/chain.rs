@@ -2,7 +2,7 @@
 
 use super::find::{Found, symbol_of};
 use crate::differentiate::partials;
-use crate::graph::{Facts, FastMap, Graph, Node, NodeId, Symbol};
+use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::latex::node;
 use crate::latex::piece::{Bind, Piece};
 use crate::layout::Layout;
@@ -17,7 +17,7 @@ pub(super) struct Formulas {
 
 /// The formulas of a quantity and its derivative.
 pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>) -> Formulas {
-    let mut cut = Cut::new(model, &found.compiled.derived.graph, &found.nodes);
+    let mut cut = Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
     let roots = cut.roots.clone();
     let values = roots
         .iter()
@@ -53,10 +53,10 @@ fn fraction(above: &str, below: &str) -> String {
 }
 
 /// Sums that are a named one with opposite sign: the graph keeps no minus before a sum.
-fn opposites(source: &Graph) -> FastMap<NodeId, NodeId> {
+fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
     let mut graph = source.clone();
     let mut opposites = FastMap::default();
-    for id in (0..source.len() as u32).map(NodeId) {
+    for id in (0..source.len()).map(NodeId::new) {
         if source.name_of(id).is_some() && matches!(source.node(id), Node::Sum(..)) {
             let opposite = graph.neg(id);
             let own = source.name_of(opposite);
@@ -71,7 +71,7 @@ fn opposites(source: &Graph) -> FastMap<NodeId, NodeId> {
 
 /// The graph with every named node made a leaf that has a definition.
 pub(super) struct Cut {
-    pub graph: Graph,
+    pub graph: ExprGraph,
     /// The wanted nodes.
     pub roots: Vec<NodeId>,
     layout: Layout,
@@ -87,9 +87,9 @@ pub(super) struct Cut {
 }
 
 impl Cut {
-    pub fn new(model: &Model, source: &Graph, roots: &[NodeId]) -> Cut {
+    pub fn new(model: &Model, source: &ExprGraph, roots: &[NodeId]) -> Cut {
         let mut cut = Cut {
-            graph: Graph::new(),
+            graph: ExprGraph::new(),
             roots: Vec::new(),
             layout: Layout::new(model),
             names: FastMap::default(),
@@ -104,8 +104,8 @@ impl Cut {
         let mut wanted = roots.to_vec();
         // also those that the roots do not need by themselves: they lend their names
         wanted.extend(
-            (0..source.len() as u32)
-                .map(NodeId)
+            (0..source.len())
+                .map(NodeId::new)
                 .filter(|&id| source.name_of(id).is_some()),
         );
         for id in source.reachable(&wanted) {
@@ -155,7 +155,7 @@ impl Cut {
         roots.iter().map(|root| images[root]).collect()
     }
 
-    fn copy(&mut self, source: &Graph, id: NodeId, images: &FastMap<NodeId, NodeId>) -> NodeId {
+    fn copy(&mut self, source: &ExprGraph, id: NodeId, images: &FastMap<NodeId, NodeId>) -> NodeId {
         let of = |id: &NodeId| images[id];
         let graph = &mut self.graph;
         match source.node(id) {
@@ -178,7 +178,7 @@ impl Cut {
     }
 
     /// A leaf with a definition and a name; what needs no name of its own stays as it is.
-    fn leaf(&mut self, facts: Facts, definition: NodeId, name: String) -> NodeId {
+    fn leaf(&mut self, facts: ValueFacts, definition: NodeId, name: String) -> NodeId {
         let inner = self.graph.split_coefficient(definition).1;
         if matches!(self.graph.node(inner), Node::Symbol(_) | Node::Number(_)) {
             return definition;

@@ -3,13 +3,12 @@
 use super::find::Found;
 use crate::compile::Compiled;
 use crate::count::{Count, count};
-use crate::differentiate::{self, Edges, Linear, Order};
-use crate::graph::{Graph, Symbol};
-use crate::optimise::{Dag, import};
+use crate::differentiate::{EliminationOrder, Labelled, LinearizedGraph, share_values};
+use crate::graph::{ExprGraph, Symbol};
 use crate::program::{Function, Program, Section};
 use crate::rust;
-use crate::schedule::prepare::Prepare;
-use crate::schedule::{Namer, schedule_named};
+use crate::schedule::{Hoisted, Namer, schedule};
+use crate::ssa::{Ssa, build};
 
 /// Generated statements and what they cost.
 pub(super) struct Made {
@@ -28,47 +27,27 @@ pub(super) struct Made {
 /// Compiles what was found, or its derivative.
 pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     let mut compiled = found.compiled.clone();
-    let origins: Vec<String> = compiled
-        .derived
-        .origins
-        .iter()
-        .map(|origin| origin.name.clone())
-        .collect();
+    let quantities = compiled.lowered.provenance.iter();
+    let quantities: Vec<String> = quantities.map(|p| p.name.clone()).collect();
+    let graph = &mut compiled.lowered.graph;
     let layout = &mut compiled.layout;
-    let mut fresh = Namer::new(&layout.states, &layout.parameters, &origins);
-    fresh.reserve(&layout.marker);
-    let graph = &found.compiled.derived.graph;
-    let mut dag = import(graph, &found.nodes);
-    dag.optimise();
-    let (dag, graph, names, rows): (Dag, Graph, Vec<String>, Vec<u32>) = match by {
+    let mut namer = Namer::new(&layout.states, &layout.parameters, &quantities);
+    namer.reserve(&layout.marker);
+    let mut ssa = build(graph, &found.nodes);
+    ssa.optimise();
+    let (ssa, names, rows) = match by {
         None => {
             let rows = (0..found.nodes.len() as u32).collect();
-            (dag, graph.clone(), found.names.clone(), rows)
+            (ssa, found.names.clone(), rows)
         }
-        Some((symbol, wrt)) => {
-            let Linear {
-                mut graph, roots, ..
-            } = differentiate::linearise(&dag, graph, &mut fresh.clone());
-            let edges = Edges::new(
-                &mut graph,
-                (&roots, &found.names),
-                (&[symbol], &[wrt.to_string()]),
-            );
-            let jacobian = edges.accumulate(&mut graph, Order::FewestEdges);
-            let mut dag = import(&graph, &jacobian.entries);
-            dag.optimise();
-            let rows: Vec<u32> = jacobian.pattern.iter().map(|&(row, _)| row).collect();
-            let name = |&row: &u32| format!("d_{}_d_{wrt}", found.names[row as usize]);
-            let names = rows.iter().map(name).collect();
-            (dag, graph, names, rows)
-        }
+        Some(by) => derivative(&ssa, graph, namer.clone(), &found.names, by),
     };
-    let mut prepare = Prepare::new(&layout.parameters);
-    let program = schedule_named(&dag, &graph, &mut fresh, Some(&mut prepare), &names);
-    compiled.prepared = prepare.names().to_vec();
+    let mut hoisted = Hoisted::new(&layout.parameters);
+    let program = schedule(&ssa, graph, &mut namer, Some(&mut hoisted), &names);
+    compiled.prepared = hoisted.names().to_vec();
     compiled.prepare = Function {
         name: "prepare",
-        program: prepare.program(),
+        program: hoisted.program(graph),
         sections: vec![dense("prepared", compiled.prepared.len())],
         results: compiled.prepared.clone(),
     };
@@ -106,6 +85,36 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
         compiled,
         rows,
     }
+}
+
+/// The optimised derivatives that are not 0 throughout, with their names and rows.
+fn derivative(
+    ssa: &Ssa,
+    graph: &mut ExprGraph,
+    mut namer: Namer,
+    rows: &[String],
+    (symbol, wrt): (Symbol, &str),
+) -> (Ssa, Vec<String>, Vec<u32>) {
+    let first = graph.local_count();
+    let jacobian = graph.scope(first..first, |graph| {
+        let roots = share_values(ssa, graph, &mut namer);
+        let results = Labelled {
+            items: &roots,
+            names: rows,
+        };
+        let symbols = Labelled {
+            items: &[symbol],
+            names: &[wrt.to_string()],
+        };
+        let linearized = LinearizedGraph::new(graph, results, symbols);
+        linearized.eliminate_vertices(graph, EliminationOrder::FewestEdges)
+    });
+    let mut ssa = build(graph, &jacobian.entries);
+    ssa.optimise();
+    let of: Vec<u32> = jacobian.pattern.iter().map(|&(row, _)| row).collect();
+    let name = |&row: &u32| format!("d_{}_d_{wrt}", rows[row as usize]);
+    let names = of.iter().map(name).collect();
+    (ssa, names, of)
 }
 
 fn dense(name: &'static str, len: usize) -> Section {

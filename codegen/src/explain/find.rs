@@ -5,6 +5,7 @@ use crate::compile::{Compiled, Selection, compile_for};
 use crate::graph::{NodeId, Symbol};
 use crate::latex;
 use crate::layout::{Layout, depends_on_marker};
+use crate::lower::lower;
 use model_spec::diagnostic::Span;
 use model_spec::model::{AuxVariable, Load, Model};
 
@@ -58,15 +59,17 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
             effect: load.effect,
         });
     }
-    let compiled = compile_for(&changed, &Selection::Only(Vec::new()));
-    let derived = &compiled.derived;
+    let mut compiled = compile_for(&changed, &Selection::Only(Vec::new()));
+    // formulas are of the model's expressions, without those that the derivatives have added
+    compiled.lowered = lower(&changed);
+    let lowered = &compiled.lowered;
     let of_let = |name: &str| {
         let mut start = 0;
         let of_marker = depends_on_marker(&changed);
         for ((quantity, nodes), of_marker) in changed
             .aux_variables
             .iter()
-            .zip(&derived.lets)
+            .zip(&lowered.lets)
             .zip(of_marker)
         {
             if quantity.name == name && of_marker {
@@ -77,7 +80,7 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
                     .collect();
             }
             if quantity.name == name {
-                return derived.quantities[start..start + nodes.len()].to_vec();
+                return lowered.quantities[start..start + nodes.len()].to_vec();
             }
             if !of_marker {
                 start += nodes.len();
@@ -87,14 +90,14 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     };
     let parts: Vec<(String, NodeId)> = match &meaning {
         Meaning::Let(_) | Meaning::Load(..) => of_let(&prefix),
-        Meaning::Component(_, name) => derived
+        Meaning::Component(_, name) => lowered
             .quantities
             .iter()
             .filter(|(known, _)| known == name)
             .take(1)
             .cloned()
             .collect(),
-        Meaning::Rate(k) => vec![(format!("{}_dot", model.states[*k].name), derived.dx[*k])],
+        Meaning::Rate(k) => vec![(format!("{}_dot", model.states[*k].name), lowered.dx[*k])],
     };
     let (span, end, doc) = match &meaning {
         Meaning::Let(quantity) | Meaning::Component(quantity, _) => {

@@ -111,7 +111,7 @@ fn written(
     x: &[f64],
     p: &[f64],
 ) -> Vec<f64> {
-    let mut cut = chain::Cut::new(model, &found.compiled.derived.graph, &found.nodes);
+    let mut cut = chain::Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
     cut.by = symbol;
     let roots = cut.roots.clone();
     let nodes: Vec<_> = roots
@@ -122,7 +122,7 @@ fn written(
         })
         .collect();
     let mut compiled = found.compiled.clone();
-    compiled.derived.graph = cut.graph;
+    compiled.lowered.graph = cut.graph;
     let names = found.names.clone();
     let found = find::Found {
         nodes,

@@ -1,10 +1,10 @@
 //! Functions: the arctangent's sine and cosine are algebraic, roots are half powers.
 
-use super::{Graph, Node, NodeId};
+use super::{ExprGraph, Node, NodeId};
 use crate::functions::{MathFunction, Parity};
 use crate::number::Number;
 
-impl Graph {
+impl ExprGraph {
     /// A function of one argument, simplified.
     pub fn call(&mut self, function: MathFunction, x: NodeId) -> NodeId {
         if let Some(value) = self.as_number(x).and_then(|x| function.constant_value(x)) {

@@ -15,17 +15,12 @@ pub use hash::FastMap;
 
 use crate::functions::MathFunction;
 use crate::number::Number;
+use std::ops::Range;
 
-/// Index of a node; smaller ones were created earlier.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct NodeId(pub u32);
-
-impl NodeId {
-    /// As an index into vectors that run parallel to the graph.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-}
+model_spec::index_type!(
+    /// Index of a node in an [`ExprGraph`]; operands have smaller ones than their users.
+    pub struct NodeId;
+);
 
 /// A leaf with a value from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -71,7 +66,7 @@ pub enum Node {
 
 /// What is known about a node.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Facts {
+pub struct ValueFacts {
     /// Depends on nothing that changes during a flight.
     pub fixed: bool,
     /// Never below 0.
@@ -88,13 +83,13 @@ pub fn opposite_name(name: &str) -> String {
 
 /// The graph.
 #[derive(Clone, Debug, Default)]
-pub struct Graph {
+pub struct ExprGraph {
     nodes: Vec<Node>,
-    facts: Vec<Facts>,
+    facts: Vec<ValueFacts>,
     index: FastMap<Node, NodeId>,
     contents: FastMap<NodeId, product::Content>,
-    /// Facts and definitions of [`Symbol::Local`]s.
-    locals: Vec<(Facts, NodeId)>,
+    /// ValueFacts and definitions of [`Symbol::Local`]s.
+    locals: Vec<(ValueFacts, NodeId)>,
     local_of: FastMap<NodeId, NodeId>,
     /// Sums whose square root is a local: their powers are powers of that.
     root_of: FastMap<NodeId, NodeId>,
@@ -102,10 +97,10 @@ pub struct Graph {
     has_masks: bool,
 }
 
-impl Graph {
+impl ExprGraph {
     /// An empty graph.
-    pub fn new() -> Graph {
-        Graph::default()
+    pub fn new() -> ExprGraph {
+        ExprGraph::default()
     }
 
     /// How many nodes it has.
@@ -124,7 +119,7 @@ impl Graph {
     }
 
     /// What is known about it.
-    pub fn facts(&self, id: NodeId) -> Facts {
+    pub fn facts(&self, id: NodeId) -> ValueFacts {
         self.facts[id.index()]
     }
 
@@ -143,7 +138,7 @@ impl Graph {
     }
 
     /// States what is known of a node's value from elsewhere.
-    pub fn know(&mut self, id: NodeId, facts: Facts) {
+    pub fn know(&mut self, id: NodeId, facts: ValueFacts) {
         self.facts[id.index()].nonneg |= facts.nonneg;
         if facts.nonzero {
             self.assume_nonzero(id);
@@ -170,9 +165,9 @@ impl Graph {
         self.names.get(&id).map(String::as_str)
     }
 
-    /// A new leaf that stands for `definition`: the rules do not look inside, so that what is shared
-    /// stays shared.
-    pub fn local(&mut self, facts: Facts, definition: NodeId) -> NodeId {
+    /// A new leaf that stands for `definition`. The rules of simplification do not look inside, so that a value used
+    /// several times is computed once. Within the current [scope](ExprGraph::scope) an equal sum becomes this leaf.
+    pub fn local(&mut self, facts: ValueFacts, definition: NodeId) -> NodeId {
         self.locals.push((facts, definition));
         let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
         if matches!(self.node(definition), Node::Sum(..)) {
@@ -181,12 +176,12 @@ impl Graph {
         id
     }
 
-    /// A new leaf that stands for the square root of a sum; the sum itself becomes its square, so that
-    /// no halves appear in derivatives.
-    pub fn local_root(&mut self, facts: Facts, sum: NodeId) -> NodeId {
+    /// A new leaf that stands for the square root of a sum. Within the current scope the sum becomes the square of the
+    /// leaf, so that no half powers appear in derivatives.
+    pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
         let root = self.local(
-            Facts {
+            ValueFacts {
                 nonneg: true,
                 ..facts
             },
@@ -196,7 +191,39 @@ impl Graph {
         root
     }
 
-    /// The sum whose root a node is, if it is a local made by [`Graph::local_root`].
+    /// How many leaves with definitions there are.
+    pub fn local_count(&self) -> usize {
+        self.locals.len()
+    }
+
+    /// Runs `build` with sums replaced by the leaves `locals` that stand for them, and by those that `build` adds.
+    /// Afterwards they are ordinary sums again; the leaves stay valid.
+    pub fn scope<R>(&mut self, locals: Range<usize>, build: impl FnOnce(&mut ExprGraph) -> R) -> R {
+        let first = self.locals.len();
+        let contents = std::mem::take(&mut self.contents);
+        for k in locals.clone() {
+            let leaf = self.symbol(Symbol::Local(k as u32));
+            let definition = self.locals[k].1;
+            if matches!(self.node(definition), Node::Sum(..)) {
+                self.local_of.insert(definition, leaf);
+            } else if let Some(sum) = self.rooted_sum(leaf) {
+                self.root_of.insert(sum, leaf);
+            }
+        }
+        let result = build(self);
+        for k in locals.chain(first..self.locals.len()) {
+            let definition = self.locals[k].1;
+            self.local_of.remove(&definition);
+            let leaf = self.symbol(Symbol::Local(k as u32));
+            if let Some(sum) = self.rooted_sum(leaf) {
+                self.root_of.remove(&sum);
+            }
+        }
+        self.contents = contents;
+        result
+    }
+
+    /// The sum whose root a node is, if it is a local made by [`ExprGraph::local_root`].
     pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
         let Node::Symbol(Symbol::Local(k)) = self.node(id) else {
             return None;
@@ -260,7 +287,7 @@ impl Graph {
         if let Some(&id) = self.index.get(&node) {
             return id;
         }
-        let id = NodeId(self.nodes.len() as u32);
+        let id = NodeId::new(self.nodes.len());
         let facts = self.derive_facts(&node);
         self.has_masks |= matches!(node, Node::Call(MathFunction::NonZero, _));
         self.index.insert(node.clone(), id);
@@ -269,30 +296,30 @@ impl Graph {
         id
     }
 
-    fn derive_facts(&self, node: &Node) -> Facts {
+    fn derive_facts(&self, node: &Node) -> ValueFacts {
         let of = |id: &NodeId| self.facts(*id);
         match node {
-            Node::Number(n) => Facts {
+            Node::Number(n) => ValueFacts {
                 fixed: true,
                 nonneg: !n.is_negative(),
                 nonzero: !n.is_zero(),
             },
-            Node::Symbol(Symbol::Pi) => Facts {
+            Node::Symbol(Symbol::Pi) => ValueFacts {
                 fixed: true,
                 nonneg: true,
                 nonzero: true,
             },
-            Node::Symbol(Symbol::Parameter(_)) => Facts {
+            Node::Symbol(Symbol::Parameter(_)) => ValueFacts {
                 fixed: true,
-                ..Facts::default()
+                ..ValueFacts::default()
             },
             Node::Symbol(Symbol::Local(k)) => self.locals[*k as usize].0,
-            Node::Symbol(_) => Facts::default(),
+            Node::Symbol(_) => ValueFacts::default(),
             Node::Sum(terms, constant) => {
                 let nonneg = !constant.is_negative()
                     && terms.iter().all(|(c, t)| !c.is_negative() && of(t).nonneg);
                 let scaled = terms.len() == 1 && constant.is_zero() && of(&terms[0].1).nonzero;
-                Facts {
+                ValueFacts {
                     fixed: terms.iter().all(|(_, t)| of(t).fixed),
                     nonneg,
                     nonzero: scaled
@@ -300,28 +327,28 @@ impl Graph {
                             && (!constant.is_zero() || terms.iter().any(|(_, t)| of(t).nonzero)),
                 }
             }
-            Node::Product(factors) => Facts {
+            Node::Product(factors) => ValueFacts {
                 fixed: factors.iter().all(|(f, _)| of(f).fixed),
                 nonneg: factors
                     .iter()
                     .all(|(f, e)| e % 4 == 0 || e % 2 != 0 || of(f).nonneg),
                 nonzero: factors.iter().all(|(f, _)| of(f).nonzero),
             },
-            Node::Call(function, x) => Facts {
+            Node::Call(function, x) => ValueFacts {
                 fixed: of(x).fixed,
                 nonneg: function.is_nonneg(),
                 nonzero: function.is_nonzero(of(x).nonzero),
             },
-            Node::Atan2(a, b) => Facts {
+            Node::Atan2(a, b) => ValueFacts {
                 fixed: of(a).fixed && of(b).fixed,
-                ..Facts::default()
+                ..ValueFacts::default()
             },
-            Node::Min(a, b) | Node::Max(a, b) => Facts {
+            Node::Min(a, b) | Node::Max(a, b) => ValueFacts {
                 fixed: of(a).fixed && of(b).fixed,
                 nonneg: of(a).nonneg && of(b).nonneg,
                 nonzero: of(a).nonzero && of(b).nonzero && of(a).nonneg && of(b).nonneg,
             },
-            Node::IfZero(c, a, b) => Facts {
+            Node::IfZero(c, a, b) => ValueFacts {
                 fixed: of(c).fixed && of(a).fixed && of(b).fixed,
                 nonneg: of(a).nonneg && of(b).nonneg,
                 nonzero: of(a).nonzero && of(b).nonzero,
@@ -357,12 +384,12 @@ impl Graph {
         // operands are created before their users
         for k in (0..self.len()).rev() {
             if needed[k] {
-                self.for_operands(NodeId(k as u32), |operand| needed[operand.index()] = true);
+                self.for_operands(NodeId::new(k), |operand| needed[operand.index()] = true);
             }
         }
         (0..self.len())
             .filter(|&k| needed[k])
-            .map(|k| NodeId(k as u32))
+            .map(|k| NodeId::new(k))
             .collect()
     }
 }

@@ -1,9 +1,9 @@
 //! Nodes as text, for tests, messages and curious people.
 
-use super::{Graph, Node, NodeId, Symbol};
+use super::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
-impl Graph {
+impl ExprGraph {
     /// A node as text, with `symbol` naming the leaves.
     pub fn show(&self, id: NodeId, symbol: &dyn Fn(Symbol) -> String) -> String {
         self.shown(id, symbol, 0)

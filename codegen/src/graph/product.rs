@@ -1,7 +1,7 @@
 //! Products: exponents are collected, coefficients and common factors of sums come out in front.
 
 use super::sum::divide;
-use super::{Graph, Node, NodeId};
+use super::{ExprGraph, Node, NodeId};
 use crate::functions::MathFunction;
 use crate::number::Number;
 
@@ -13,7 +13,7 @@ pub(super) struct Content {
     rest: NodeId,
 }
 
-impl Graph {
+impl ExprGraph {
     /// `a b`.
     pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.product(vec![(a, 2), (b, 2)])
@@ -210,7 +210,7 @@ impl Graph {
             let Node::Sum(terms, constant) = self.node(flat[k].0).clone() else {
                 continue;
             };
-            let masked = |graph: &Graph, id: NodeId| {
+            let masked = |graph: &ExprGraph, id: NodeId| {
                 graph
                     .monomial(id)
                     .iter()

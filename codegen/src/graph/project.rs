@@ -3,13 +3,13 @@
 //! Products are never multiplied out but here, and only where that makes terms meet: where a sum holds
 //! components of a vector and stands beside a negative power of that vector's length.
 
-use super::{Graph, Node, NodeId};
+use super::{ExprGraph, Node, NodeId};
 use crate::number::Number;
 
 /// Most terms that multiplying out may give.
 const MOST: usize = 48;
 
-impl Graph {
+impl ExprGraph {
     /// The sum with projections undone, if that leaves fewer terms than there were.
     pub fn project(&mut self, id: NodeId) -> NodeId {
         let Node::Sum(terms, constant) = self.node(id).clone() else {

@@ -1,10 +1,10 @@
 //! Sums: like terms are collected, and squares that make up a norm are put together again.
 
-use super::{Graph, Node, NodeId};
+use super::{ExprGraph, Node, NodeId};
 use crate::functions::MathFunction;
 use crate::number::Number;
 
-impl Graph {
+impl ExprGraph {
     /// `constant + Σ coefficient · node`.
     pub fn sum(&mut self, terms: Vec<(Number, NodeId)>, constant: Number) -> NodeId {
         let mut constant = constant;

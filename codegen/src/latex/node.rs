@@ -2,11 +2,15 @@
 
 use super::piece::Piece;
 use super::tree;
-use crate::graph::{Graph, Node, NodeId, Symbol};
+use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
 /// A node, with `leaf` naming the symbols.
-pub(crate) fn piece(graph: &Graph, id: NodeId, leaf: &dyn Fn(NodeId, Symbol) -> Piece) -> Piece {
+pub(crate) fn piece(
+    graph: &ExprGraph,
+    id: NodeId,
+    leaf: &dyn Fn(NodeId, Symbol) -> Piece,
+) -> Piece {
     let of = |id: NodeId| piece(graph, id, leaf);
     match graph.node(id) {
         Node::Number(value) => number(*value),
@@ -37,7 +41,7 @@ fn number(value: Number) -> Piece {
 }
 
 fn sum(
-    graph: &Graph,
+    graph: &ExprGraph,
     terms: &[(Number, NodeId)],
     constant: Number,
     of: &dyn Fn(NodeId) -> Piece,
@@ -73,7 +77,12 @@ fn sum(
 }
 
 /// A term with the absolute value of its coefficient.
-fn scaled(graph: &Graph, coefficient: Number, term: NodeId, of: &dyn Fn(NodeId) -> Piece) -> Piece {
+fn scaled(
+    graph: &ExprGraph,
+    coefficient: Number,
+    term: NodeId,
+    of: &dyn Fn(NodeId) -> Piece,
+) -> Piece {
     let coefficient = coefficient.abs();
     if coefficient.is_one() {
         return of(term);
@@ -88,12 +97,12 @@ fn scaled(graph: &Graph, coefficient: Number, term: NodeId, of: &dyn Fn(NodeId) 
     }
 }
 
-fn product(graph: &Graph, factors: &[(NodeId, i32)], of: &dyn Fn(NodeId) -> Piece) -> Piece {
+fn product(graph: &ExprGraph, factors: &[(NodeId, i32)], of: &dyn Fn(NodeId) -> Piece) -> Piece {
     fraction(graph, factors, Number::ONE, Number::ONE, of)
 }
 
 fn fraction(
-    graph: &Graph,
+    graph: &ExprGraph,
     factors: &[(NodeId, i32)],
     above: Number,
     below: Number,
@@ -129,7 +138,7 @@ mod tests {
 
     #[test]
     fn nodes_have_the_parentheses_they_need() {
-        let mut g = Graph::new();
+        let mut g = ExprGraph::new();
         let [a, b, c] = [0, 1, 2].map(|k| g.symbol(Symbol::State(k)));
         let one = g.whole(1);
         let sum = g.add(a, b);

@@ -2,7 +2,7 @@
 
 use super::names::{Style, name};
 use super::piece::{Bind, Piece};
-use crate::functions::{Lowered, Notation};
+use crate::functions::{FunctionLowering, Notation};
 use model_spec::model::{Expr, ExprKind, Model, Shape};
 
 /// An expression. Vectors are free of frames here: one re-expressed is the same vector.
@@ -71,7 +71,7 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
             Shape::Scalar => of(v),
         },
         E::Reexpress(v) => of(v),
-        E::Call(function, x) => call(Lowered::of(*function).notation(), of(x)),
+        E::Call(function, x) => call(FunctionLowering::of(*function).notation(), of(x)),
         E::Atan2(y, x) => Piece::operator("atan2", &[of(y), of(x)]),
         E::Min(a, b) => Piece::function(r"\min", pair(of(a), of(b))),
         E::Max(a, b) => Piece::function(r"\max", pair(of(a), of(b))),

@@ -1,200 +1,216 @@
-//! From definitions to the one schedule: operands first, what belongs together close together.
+//! From definitions to statements of one operation each, in the order in which a processor would start them.
 
-mod fuse;
-mod naming;
-mod order;
-pub mod prepare;
+mod contract_fma;
+mod hoist;
+mod list_schedule;
+mod names;
 
-pub use naming::{Namer, is_reserved};
-use prepare::Prepare;
+pub use hoist::Hoisted;
+pub use names::{Namer, is_reserved};
 
 use crate::functions::MathFunction;
-use crate::graph::{FastMap, Graph, Symbol};
-use crate::optimise::{Dag, Def, DefId, Signed};
+use crate::graph::{ExprGraph, FastMap, Symbol};
 use crate::program::{About, Binary, Op, Operand, Program, Statement, Unary};
+use crate::ssa::{DefId, Signed, Ssa, SsaDef};
+use hoist::HoistedNodes;
+use model_spec::index::IndexVec;
 use std::f64::consts::PI;
 
-/// Puts the definitions in order.
+/// The program of the definitions that the roots need.
 ///
-/// `results` are names for the roots. With `prepare`, what depends on parameters alone is left to the function that runs before the flight.
-pub fn schedule_named(
-    dag: &Dag,
-    graph: &Graph,
+/// `results` are names for the roots; there may be none. With `hoisted`, values of parameters alone become operands from
+/// there.
+pub fn schedule(
+    ssa: &Ssa,
+    graph: &mut ExprGraph,
     namer: &mut Namer,
-    prepare: Option<&mut Prepare>,
+    hoisted: Option<&mut Hoisted>,
     results: &[String],
 ) -> Program {
-    for (&(minus, id), name) in dag.roots.iter().zip(results) {
+    for (&(minus, id), name) in ssa.roots.iter().zip(results) {
         if !minus {
-            namer.suggest(dag, graph, id, name);
+            namer.suggest(ssa, graph, id, name);
         }
     }
-    let order = dag.order();
-    let mut uses = vec![0_u32; dag.defs.len()];
-    for &id in &order {
-        // what is prepared is used outside this program
-        if prepare.is_some() && dag.facts[id as usize].fixed {
-            continue;
-        }
-        for operand in dag.defs[id as usize].operands() {
-            uses[operand as usize] += 1;
-        }
-    }
-    for &(_, root) in &dag.roots {
-        uses[root as usize] += 1;
-    }
+    let order = ssa.order();
     let mut schedule = Schedule {
-        dag,
+        uses: Uses::of(ssa, &order, hoisted.is_some()),
+        ssa,
         graph,
-        uses,
-        values: vec![None; dag.defs.len()],
+        values: ssa.side_table(None),
         program: Program::default(),
         negated: FastMap::default(),
         namer,
-        prepare,
+        hoisted,
+        hoisted_nodes: HoistedNodes::default(),
     };
-    // What takes long comes first, with what it needs: the rest does not wait for it, nor hold registers meanwhile.
+    // what takes long comes first, with its operands: the rest neither waits for it nor holds registers meanwhile
     for &id in &order {
-        if takes_long(&dag.defs[id as usize]) {
+        if takes_long(&ssa.defs[id]) {
             schedule.emit(id);
         }
     }
-    let mut roots: Vec<Vec<usize>> = vec![Vec::new(); dag.defs.len()];
-    for (k, &(_, root)) in dag.roots.iter().enumerate() {
-        roots[root as usize].push(k);
-    }
-    let mut outputs = vec![Operand::Constant(f64::NAN); dag.roots.len()];
-    for &id in &order {
-        schedule.emit(id);
-        for &k in &roots[id as usize] {
-            outputs[k] = schedule.root(dag.roots[k], results.get(k));
-        }
-    }
-    schedule.program.outputs = outputs;
-    order::order(fuse::fuse(schedule.program))
-}
-
-/// Puts the definitions in order, results without names.
-pub fn schedule(
-    dag: &Dag,
-    graph: &Graph,
-    namer: &mut Namer,
-    prepare: Option<&mut Prepare>,
-) -> Program {
-    schedule_named(dag, graph, namer, prepare, &[])
+    schedule.emit_roots(&order, results);
+    list_schedule::list_schedule(contract_fma::contract_fma(schedule.program))
 }
 
 /// Whether a definition is a function, a root or a reciprocal.
-fn takes_long(def: &Def) -> bool {
+fn takes_long(def: &SsaDef) -> bool {
     matches!(
         def,
-        Def::Call(..) | Def::Atan2(..) | Def::Root(_) | Def::Recip(_)
+        SsaDef::Call(..) | SsaDef::Atan2(..) | SsaDef::Root(_) | SsaDef::Recip(_)
     )
 }
 
+/// How the definitions of a program are used within it.
+struct Uses {
+    /// How often, roots included.
+    count: IndexVec<DefId, u32>,
+    is_root: IndexVec<DefId, bool>,
+    /// Whether it is a factor of a product with others.
+    in_product: IndexVec<DefId, bool>,
+}
+
+impl Uses {
+    /// With `hoisting`, what is used by hoisted definitions alone is not used.
+    fn of(ssa: &Ssa, order: &[DefId], hoisting: bool) -> Uses {
+        let mut uses = Uses {
+            count: ssa.side_table(0),
+            is_root: ssa.side_table(false),
+            in_product: ssa.side_table(false),
+        };
+        for &(_, root) in &ssa.roots {
+            uses.count[root] += 1;
+            uses.is_root[root] = true;
+        }
+        for &id in order {
+            if hoisting && ssa.facts[id].fixed {
+                continue;
+            }
+            ssa.defs[id].for_operands(|operand| uses.count[operand] += 1);
+        }
+        for &id in order {
+            if let SsaDef::Product(factors) = &ssa.defs[id]
+                && factors.len() > 1
+                && uses.count[id] > 0
+            {
+                factors
+                    .iter()
+                    .for_each(|&factor| uses.in_product[factor] = true);
+            }
+        }
+        uses
+    }
+}
+
 struct Schedule<'a> {
-    dag: &'a Dag,
-    graph: &'a Graph,
-    uses: Vec<u32>,
-    values: Vec<Option<Operand>>,
+    ssa: &'a Ssa,
+    graph: &'a mut ExprGraph,
+    uses: Uses,
+    values: IndexVec<DefId, Option<Operand>>,
     program: Program,
-    /// Opposites that have been computed.
+    /// Negated values that have been computed.
     negated: FastMap<DefId, Operand>,
     namer: &'a mut Namer,
-    prepare: Option<&'a mut Prepare>,
+    hoisted: Option<&'a mut Hoisted>,
+    hoisted_nodes: HoistedNodes,
 }
 
 impl Schedule<'_> {
-    fn emit(&mut self, id: DefId) {
-        if self.values[id as usize].is_some() {
-            return;
+    /// Emits all definitions in order, and the roots as outputs.
+    fn emit_roots(&mut self, order: &[DefId], results: &[String]) {
+        let mut outputs: IndexVec<DefId, Vec<usize>> = self.ssa.side_table(Vec::new());
+        for (k, &(_, root)) in self.ssa.roots.iter().enumerate() {
+            outputs[root].push(k);
         }
-        let def = &self.dag.defs[id as usize];
-        let leaf = match def {
-            Def::Leaf(symbol) => Some(leaf(*symbol)),
-            Def::Constant(number) => Some(Operand::Constant(number.value())),
-            _ => None,
-        };
-        if leaf.is_some() {
-            self.values[id as usize] = leaf;
-            return;
+        let mut operands = vec![None; self.ssa.roots.len()];
+        for &id in order {
+            self.emit(id);
+            for &k in &outputs[id] {
+                operands[k] = Some(self.root(self.ssa.roots[k], results.get(k)));
+            }
         }
-        if self.dag.facts[id as usize].fixed
-            && let Some(prepare) = self.prepare.as_deref_mut()
+        // every root is in the order
+        self.program.outputs = operands.into_iter().flatten().collect();
+        assert_eq!(self.program.outputs.len(), self.ssa.roots.len());
+    }
+
+    /// A value of parameters alone that is computed before the flight, with its name here.
+    fn hoist(&mut self, signed: Signed) -> Option<Operand> {
+        let hoisted = self.hoisted.as_deref_mut()?;
+        let operand = hoisted.operand(self.ssa, self.graph, &mut self.hoisted_nodes, signed);
+        if let Operand::Prepared(slot) = operand
+            && !signed.0
         {
-            // only what the flight needs gets a place
-            if self.uses[id as usize] > 0 {
-                let operand = prepare.operand(self.dag, self.graph, id, false);
-                if let Operand::Prepared(slot) = operand {
-                    // names made of other names are to say what the constant is called
-                    self.namer.give(id, &prepare.names()[slot as usize]);
-                }
-                self.values[id as usize] = Some(operand);
-            }
+            self.namer.give(signed.1, &hoisted.names()[slot as usize]);
+        }
+        Some(operand)
+    }
+
+    fn is_hoisted(&self, id: DefId) -> bool {
+        self.hoisted.is_some() && self.ssa.facts[id].fixed
+    }
+
+    /// Emits a definition after its operands, unless it has been emitted.
+    fn emit(&mut self, id: DefId) {
+        if self.values[id].is_some() {
             return;
         }
-        let value = match def {
-            Def::Leaf(_) | Def::Constant(_) => return,
-            Def::Sum(terms) => self.sum(terms, id),
-            Def::Product(factors) => self.product(factors, id),
-            Def::Root(x) => {
-                let x = self.value(*x);
-                self.finish(Op::Unary(Unary::Call(MathFunction::Sqrt), x), id)
-            }
-            Def::Recip(x) => {
-                if self.divides(id) {
-                    return;
+        let ssa = self.ssa;
+        let value = match &ssa.defs[id] {
+            SsaDef::Leaf(symbol) => leaf(*symbol),
+            SsaDef::Constant(number) => Operand::Constant(number.value()),
+            _ if self.is_hoisted(id) => {
+                // a value that hoisted values alone use needs no slot
+                if self.uses.count[id] > 0 {
+                    self.values[id] = self.hoist((false, id));
                 }
-                let never = self.dag.facts[*x as usize].nonzero;
-                let x = self.value(*x);
-                self.finish(
-                    Op::Unary(
-                        if never {
-                            Unary::Recip
-                        } else {
-                            Unary::RecipOrZero
-                        },
-                        x,
-                    ),
-                    id,
-                )
+                return;
             }
-            Def::Call(function, x) => self.call(*function, *x, id),
-            Def::Atan2(a, b) => self.binary(Binary::Atan2, *a, *b, id),
-            Def::Min(a, b) => self.binary(Binary::Min, *a, *b, id),
-            Def::Max(a, b) => self.binary(Binary::Max, *a, *b, id),
-            Def::IfZero(c, a, b) => {
+            SsaDef::Recip(_) if self.divides(id) => return,
+            def => self.operation(def, id),
+        };
+        self.values[id] = Some(value);
+    }
+
+    fn operation(&mut self, def: &SsaDef, id: DefId) -> Operand {
+        match def {
+            SsaDef::Leaf(symbol) => leaf(*symbol),
+            SsaDef::Constant(number) => Operand::Constant(number.value()),
+            SsaDef::Sum(terms) => self.sum(terms, id),
+            SsaDef::Product(factors) => self.product(factors, id),
+            SsaDef::Root(x) => self.unary(Unary::Call(MathFunction::Sqrt), (false, *x), id),
+            SsaDef::Recip(x) if self.ssa.facts[*x].nonzero => {
+                self.unary(Unary::Recip, (false, *x), id)
+            }
+            SsaDef::Recip(x) => self.unary(Unary::RecipOrZero, (false, *x), id),
+            SsaDef::Call(function, x) => self.unary(Unary::Call(*function), *x, id),
+            SsaDef::Atan2(a, b) => self.binary(Binary::Atan2, *a, *b, id),
+            SsaDef::Min(a, b) => self.binary(Binary::Min, *a, *b, id),
+            SsaDef::Max(a, b) => self.binary(Binary::Max, *a, *b, id),
+            SsaDef::IfZero(c, a, b) => {
                 let (c, a, b) = (self.value(*c), self.signed(*a), self.signed(*b));
                 self.finish(Op::IfZero(c, a, b), id)
             }
-        };
-        self.values[id as usize] = Some(value);
-    }
-
-    /// A reciprocal of something never zero that is used once is a division where it is used.
-    fn divides(&self, id: DefId) -> bool {
-        match &self.dag.defs[id as usize] {
-            Def::Recip(x) => {
-                self.uses[id as usize] == 1
-                    && self.dag.facts[*x as usize].nonzero
-                    && !self.dag.roots.iter().any(|&(_, root)| root == id)
-                    && !(self.prepare.is_some() && self.dag.facts[id as usize].fixed)
-                    && self.used_in_product(id)
-            }
-            _ => false,
         }
     }
 
-    fn used_in_product(&self, id: DefId) -> bool {
-        self.dag.defs.iter().enumerate().any(|(user, def)| {
-            matches!(def, Def::Product(factors) if factors.contains(&id) && factors.len() > 1)
-                && self.uses[user] > 0
-        })
+    /// Whether it is a reciprocal that is written as a division where it is used, once, in a product.
+    fn divides(&self, id: DefId) -> bool {
+        let SsaDef::Recip(x) = self.ssa.defs[id] else {
+            return false;
+        };
+        self.uses.count[id] == 1
+            && self.ssa.facts[x].nonzero
+            && !self.uses.is_root[id]
+            && !self.is_hoisted(id)
+            && self.uses.in_product[id]
     }
 
     fn value(&mut self, id: DefId) -> Operand {
         self.emit(id);
-        self.values[id as usize].unwrap_or(Operand::Constant(f64::NAN))
+        self.values[id]
+            .expect("a value that is used is emitted, and divisors are used by products alone")
     }
 
     fn push(&mut self, op: Op) -> Operand {
@@ -209,18 +225,18 @@ impl Schedule<'_> {
     /// The last operation of a definition: it carries the name.
     fn finish(&mut self, op: Op, id: DefId) -> Operand {
         let value = self.push(op);
-        let about: Option<About> = self.namer.about(self.dag, self.graph, id);
-        let named = self.namer.has_own_name(self.dag, self.graph, id);
+        let about: Option<About> = self.namer.about(self.ssa, self.graph, id);
+        let named = self.namer.has_own_name(self.ssa, self.graph, id);
         let last = self.program.statements.len() - 1;
         self.program.statements[last].about = about;
         if named
-            || self.uses[id as usize] > 1
+            || self.uses.count[id] > 1
             || !matches!(
                 op,
                 Op::Binary(Binary::Add | Binary::Sub | Binary::Mul | Binary::Div, ..)
             )
         {
-            let name = self.namer.name(self.dag, self.graph, id);
+            let name = self.namer.name(self.ssa, self.graph, id);
             self.program.statements[last].name = Some(name);
         }
         value
@@ -235,17 +251,14 @@ impl Schedule<'_> {
         match value {
             _ if !minus => value,
             Operand::Constant(c) => Operand::Constant(-c),
-            Operand::Prepared(_) => match self.prepare.as_deref_mut() {
-                Some(prepare) => prepare.operand(self.dag, self.graph, id, true),
-                None => value,
-            },
+            Operand::Prepared(_) => self.hoist((true, id)).unwrap_or(value),
             _ => {
                 if let Some(&known) = self.negated.get(&id) {
                     return known;
                 }
                 let negated = self.push(Op::Unary(Unary::Neg, value));
                 self.negated.insert(id, negated);
-                let name = self.namer.negated(self.dag, self.graph, id);
+                let name = self.namer.negated(self.ssa, self.graph, id);
                 let last = self.program.statements.len() - 1;
                 self.program.statements[last].name = Some(name);
                 negated
@@ -268,9 +281,9 @@ impl Schedule<'_> {
         self.finish(Op::Binary(binary, a, b), id)
     }
 
-    fn call(&mut self, function: MathFunction, x: Signed, id: DefId) -> Operand {
+    fn unary(&mut self, unary: Unary, x: Signed, id: DefId) -> Operand {
         let x = self.signed(x);
-        self.finish(Op::Unary(Unary::Call(function), x), id)
+        self.finish(Op::Unary(unary, x), id)
     }
 
     fn sum(&mut self, terms: &[Signed], id: DefId) -> Operand {
@@ -316,13 +329,13 @@ impl Schedule<'_> {
         let mut above = Vec::new();
         let mut below = Vec::new();
         for &factor in factors {
-            match &self.dag.defs[factor as usize] {
-                Def::Recip(x) if self.divides(factor) => below.push(*x),
+            match &self.ssa.defs[factor] {
+                SsaDef::Recip(x) if self.divides(factor) => below.push(*x),
                 _ => above.push(factor),
             }
         }
         // what does not change comes first, so that it can be prepared or kept
-        above.sort_by_key(|&f| !self.dag.facts[f as usize].fixed);
+        above.sort_by_key(|&f| !self.ssa.facts[f].fixed);
         let mut steps: Vec<(Binary, Operand)> = Vec::new();
         for factor in above {
             let value = self.value(factor);
@@ -362,7 +375,6 @@ fn leaf(symbol: Symbol) -> Operand {
         Symbol::State(k) => Operand::State(k),
         Symbol::Parameter(k) => Operand::Parameter(k),
         Symbol::Marker(k) => Operand::Marker(k),
-        // locals are looked through on import
-        Symbol::Local(_) => Operand::Constant(f64::NAN),
+        Symbol::Local(k) => unreachable!("shared value {k} has been replaced by its definition"),
     }
 }

@@ -15,8 +15,8 @@ pub fn prepare<T: Real>(parameters: &[T; 3], prepared: &mut [T; 13]) {
     let c_sq = c * c;
     prepared[1] = c_sq;
     prepared[3] = T::splat(std::f64::consts::PI) * T::splat(0.5);
-    let inv_tau_sq = inv_tau * inv_tau;
-    prepared[11] = inv_tau_sq;
+    let d_minus_inv_tau_d_tau = inv_tau * inv_tau;
+    prepared[11] = d_minus_inv_tau_d_tau;
     prepared[5] = inv_tau * T::splat(2.0);
     let k = parameters[0];
     let k_inv_tau = inv_tau * k;
@@ -27,8 +27,8 @@ pub fn prepare<T: Real>(parameters: &[T; 3], prepared: &mut [T; 13]) {
     prepared[10] = inv_tau * T::splat(0.05555555555555555);
     let minus_inv_tau = -inv_tau;
     prepared[2] = minus_inv_tau;
-    let minus_inv_tau_c = -(inv_tau * c);
-    prepared[4] = minus_inv_tau_c;
-    let minus_inv_tau_sq = -inv_tau_sq;
+    let minus_c_inv_tau = -(inv_tau * c);
+    prepared[4] = minus_c_inv_tau;
+    let minus_inv_tau_sq = -d_minus_inv_tau_d_tau;
     prepared[12] = minus_inv_tau_sq;
 }

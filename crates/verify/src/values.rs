@@ -4,11 +4,7 @@
 use crate::engine::parameters;
 use crate::subject::Equations;
 use codegen::Layout;
-use codegen::derive::derive;
-use codegen::graph::NodeId;
-use codegen::optimise::import;
 use codegen::program::Program;
-use codegen::schedule::{Namer, schedule};
 use codegen::tape::{Inputs, Tape};
 use model_spec::model::Model;
 use nalgebra::Vector3;
@@ -26,14 +22,7 @@ pub struct Values {
 impl Values {
     /// Compiles a model.
     pub fn of(model: &Model) -> Self {
-        let derived = derive(model);
-        let seen = derived.observation.iter().flatten();
-        let wanted: Vec<NodeId> = derived.dx.iter().chain(seen).copied().collect();
-        let mut dag = import(&derived.graph, &wanted);
-        dag.optimise();
-        let layout = derived.layout;
-        let mut namer = Namer::new(&layout.states, &layout.parameters, &[]);
-        let program = schedule(&dag, &derived.graph, &mut namer, None);
+        let (layout, program) = codegen::compile_values(model);
         let tape = Tape::new(&program);
         Self {
             layout,

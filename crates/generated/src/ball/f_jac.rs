@@ -12,7 +12,7 @@ pub fn f_jac<T: Real>(
     _time: T,
     state: &[T; 6],
     parameters: &[T; 11],
-    prepared: &[T; 8],
+    prepared: &[T; 7],
     dx: &mut [T; 6],
     j: &mut [T; 12],
 ) {

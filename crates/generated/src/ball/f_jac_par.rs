@@ -6,13 +6,13 @@ use lanes::Real;
 /// Computes `dx`, `j`, and the nonzero entries `jp` of ∂dx/∂parameters; `JP_PATTERN` gives their positions.
 ///
 /// 53 operations: 9 add, 33 mul, 1 div, 9 neg, 1 sqrt.
-/// Hoisted into `prepare`: 11 operations.
+/// Hoisted into `prepare`: 10 operations.
 #[inline(always)]
 pub fn f_jac_par<T: Real>(
     _time: T,
     state: &[T; 6],
     parameters: &[T; 11],
-    prepared: &[T; 8],
+    prepared: &[T; 7],
     dx: &mut [T; 6],
     j: &mut [T; 12],
     jp: &mut [T; 22],
@@ -36,20 +36,18 @@ pub fn f_jac_par<T: Real>(
     // ball.hyz:42  let V = norm(air_velocity);
     let V = (part_of_V + minus_air_velocity_z_sq).sqrt();
     let inv_V = V.recip_or_zero();
-    let C_D_rho_pi_radius_inv_part = prepared[3];
-    let V_C_D_rho_pi_radius_inv_part = C_D_rho_pi_radius_inv_part * V;
-    let radius_half = prepared[1];
-    let V_radius_half = radius_half * V;
+    let C_D_pi_radius_inv_m = prepared[1];
+    let V_C_D_pi_radius_inv_m = C_D_pi_radius_inv_m * V;
     let half_pi_C_D_rho_product = prepared[0];
     let V_half_part_part_product = half_pi_C_D_rho_product * V;
-    let half_radius_inv_m = prepared[4];
-    let V_C_D_rho_pi_radius_product = half_radius_inv_m * V_C_D_rho_pi_radius_inv_part;
-    let d_vx_dot_d_radius = minus_air_velocity_x * V_C_D_rho_pi_radius_inv_part;
-    jp[1] = d_vx_dot_d_radius;
-    let C_D_pi_radius_inv_m = prepared[5];
-    let V_radius_half_C_D_product = C_D_pi_radius_inv_m * V_radius_half;
-    let rho_pi_radius_inv_m = prepared[2];
-    let rho_pi_radius_inv_m_product = rho_pi_radius_inv_m * V_radius_half;
+    let half_radius_C_D_pi_part_part = prepared[3];
+    let V_half_radius_C_D_product = half_radius_C_D_pi_part_part * V;
+    let rho_half_radius_pi_product = prepared[4];
+    let V_rho_half_radius_pi_product = rho_half_radius_pi_product * V;
+    let radius_inv_m_rho_half = prepared[2];
+    let V_C_D_pi_radius_inv_product = radius_inv_m_rho_half * V_C_D_pi_radius_inv_m;
+    let rho = parameters[2];
+    let rho_V_C_D_pi_radius_inv_m = rho * V_C_D_pi_radius_inv_m;
     dx[3] = minus_air_velocity_x * V_half_part_part_product;
     dx[4] = minus_air_velocity_y * V_half_part_part_product;
     let g = parameters[3];
@@ -57,23 +55,25 @@ pub fn f_jac_par<T: Real>(
     // ball.hyz:30  velocity (vx, vy, vz) in N;
     let vz_dot = minus_air_velocity_z.mul_sub(V_half_part_part_product, g);
     dx[5] = vz_dot;
-    let d_vy_dot_d_radius = minus_air_velocity_y * V_C_D_rho_pi_radius_inv_part;
+    jp[2] = minus_air_velocity_x * V_half_radius_C_D_product; // d_vx_dot_d_rho
+    jp[3] = minus_air_velocity_x * V_rho_half_radius_pi_product; // d_vx_dot_d_C_D
+    jp[9] = minus_air_velocity_y * V_half_radius_C_D_product; // d_vy_dot_d_rho
+    jp[16] = minus_air_velocity_z * V_half_radius_C_D_product; // d_vz_dot_d_rho
+    let d_vx_dot_d_radius = minus_air_velocity_x * rho_V_C_D_pi_radius_inv_m;
+    jp[1] = d_vx_dot_d_radius;
+    let d_vy_dot_d_radius = minus_air_velocity_y * rho_V_C_D_pi_radius_inv_m;
     jp[8] = d_vy_dot_d_radius;
-    let d_vz_dot_d_radius = minus_air_velocity_z * V_C_D_rho_pi_radius_inv_part;
+    let d_vz_dot_d_radius = minus_air_velocity_z * rho_V_C_D_pi_radius_inv_m;
     jp[15] = d_vz_dot_d_radius;
-    jp[2] = minus_air_velocity_x * V_radius_half_C_D_product; // d_vx_dot_d_rho
-    jp[3] = minus_air_velocity_x * rho_pi_radius_inv_m_product; // d_vx_dot_d_C_D
-    jp[9] = minus_air_velocity_y * V_radius_half_C_D_product; // d_vy_dot_d_rho
-    jp[16] = minus_air_velocity_z * V_radius_half_C_D_product; // d_vz_dot_d_rho
-    jp[10] = minus_air_velocity_y * rho_pi_radius_inv_m_product; // d_vy_dot_d_C_D
-    jp[18] = minus_air_velocity_z * rho_pi_radius_inv_m_product; // d_vz_dot_d_C_D
-    let d_vx_dot_d_m = -(minus_air_velocity_x * V_C_D_rho_pi_radius_product);
+    jp[10] = minus_air_velocity_y * V_rho_half_radius_pi_product; // d_vy_dot_d_C_D
+    jp[18] = minus_air_velocity_z * V_rho_half_radius_pi_product; // d_vz_dot_d_C_D
+    let d_vx_dot_d_m = -(minus_air_velocity_x * V_C_D_pi_radius_inv_product);
     jp[0] = d_vx_dot_d_m;
-    let d_vy_dot_d_m = -(minus_air_velocity_y * V_C_D_rho_pi_radius_product);
+    let d_vy_dot_d_m = -(minus_air_velocity_y * V_C_D_pi_radius_inv_product);
     jp[7] = d_vy_dot_d_m;
-    let inv_V_half_pi_C_D_product = half_pi_C_D_rho_product * inv_V;
-    let d_vz_dot_d_m = -(minus_air_velocity_z * V_C_D_rho_pi_radius_product);
+    let d_vz_dot_d_m = -(minus_air_velocity_z * V_C_D_pi_radius_inv_product);
     jp[14] = d_vz_dot_d_m;
+    let inv_V_half_pi_C_D_product = half_pi_C_D_rho_product * inv_V;
     let minus_air_velocity_product = minus_air_velocity_x * inv_V_half_pi_C_D_product;
     let minus_d_vy_dot_d_vy = minus_air_velocity_y_sq
         .mul_add(inv_V_half_pi_C_D_product, V_half_part_part_product);

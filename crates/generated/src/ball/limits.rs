@@ -11,6 +11,6 @@ pub fn limits<T: Real>(
     _time: T,
     _state: &[T; 6],
     _parameters: &[T; 11],
-    _prepared: &[T; 8],
+    _prepared: &[T; 7],
     _margins: &mut [T; 0],
 ) {}

@@ -6,7 +6,7 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 13 operations: 12 mul, 1 div |
+//! | `prepare` | 12 operations: 11 mul, 1 div |
 //! | `f` | 14 operations: 6 add, 7 mul, 1 sqrt |
 //! | `f_jac` | 32 operations: 9 add, 16 mul, 1 div, 5 neg, 1 sqrt |
 //! | `f_jac_par` | 53 operations: 9 add, 33 mul, 1 div, 9 neg, 1 sqrt |
@@ -56,9 +56,9 @@ pub const PARAMS: usize = 4;
 pub const COEFFICIENTS: usize = 1;
 
 /// Names of the invariants that `prepare` computes.
-pub const PREPARED: [&str; 8] = [
-    "half_pi_C_D_rho_product", "radius_half", "rho_pi_radius_inv_m", "C_D_rho_pi_radius_inv_part",
-    "half_radius_inv_m", "C_D_pi_radius_inv_m", "A", "C_D_half_pi_radius_product",
+pub const PREPARED: [&str; 7] = [
+    "half_pi_C_D_rho_product", "C_D_pi_radius_inv_m", "radius_inv_m_rho_half",
+    "half_radius_C_D_pi_part_part", "rho_half_radius_pi_product", "A", "C_D_half_pi_radius_product",
 ];
 
 /// Names of the auxiliary variables that `quantities` computes.

@@ -11,7 +11,7 @@ pub fn observe<T: Real>(
     _time: T,
     state: &[T; 6],
     _parameters: &[T; 11],
-    _prepared: &[T; 8],
+    _prepared: &[T; 7],
     marker: &[T; 3],
     observed: &mut [T; 3],
 ) {

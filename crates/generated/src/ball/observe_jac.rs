@@ -11,24 +11,24 @@ pub fn observe_jac<T: Real>(
     _time: T,
     state: &[T; 6],
     _parameters: &[T; 11],
-    _prepared: &[T; 8],
+    _prepared: &[T; 7],
     marker: &[T; 3],
     observed: &mut [T; 3],
     dy_dx: &mut [T; 3],
     _dy_dp: &mut [T; 0],
     dy_dmarker: &mut [T; 3],
 ) {
-    let x = state[0];
     let mark_x = marker[0];
-    let mark_x_2 = x + mark_x;
+    let x = state[0];
+    let mark_x_2 = mark_x + x;
     observed[0] = mark_x_2;
-    let y = state[1];
     let mark_y = marker[1];
-    let mark_y_2 = y + mark_y;
+    let y = state[1];
+    let mark_y_2 = mark_y + y;
     observed[1] = mark_y_2;
-    let z = state[2];
     let mark_z = marker[2];
-    let mark_z_2 = z + mark_z;
+    let z = state[2];
+    let mark_z_2 = mark_z + z;
     observed[2] = mark_z_2;
 
     dy_dx[0] = T::splat(1.0); // d_seen_x_d_x

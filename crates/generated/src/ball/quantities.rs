@@ -12,7 +12,7 @@ pub fn quantities<T: Real>(
     _time: T,
     state: &[T; 6],
     parameters: &[T; 11],
-    prepared: &[T; 8],
+    prepared: &[T; 7],
     values: &mut [T; 11],
 ) {
     let vz = state[5];
@@ -36,7 +36,7 @@ pub fn quantities<T: Real>(
     // ball.hyz:42  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     values[8] = V;
-    let C_D_half_pi_radius_product = prepared[7];
+    let C_D_half_pi_radius_product = prepared[6];
     values[10] = C_D_half_pi_radius_product * V_sq;
 
     values[0] = wind_x;
@@ -46,6 +46,6 @@ pub fn quantities<T: Real>(
     values[3] = rho;
     let g = parameters[3];
     values[4] = g;
-    let A = prepared[6];
+    let A = prepared[5];
     values[9] = A;
 }

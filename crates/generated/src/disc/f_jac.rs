@@ -18,8 +18,8 @@ pub fn f_jac<T: Real>(
 ) {
     let phi = state[6];
     let (sin_phi, cos_phi) = phi.sin_cos();
-    j[4] = cos_phi; // d_y_dot_d_v
     j[9] = sin_phi; // d_z_dot_d_v
+    j[4] = cos_phi; // d_y_dot_d_v
     let theta = state[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
     j[0] = cos_theta; // d_x_dot_d_u
@@ -37,9 +37,9 @@ pub fn f_jac<T: Real>(
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
-    let minus_wind_y = prepared[5];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z
-        .neg_mul_add(sin_phi, minus_wind_y * cos_phi);
+    let minus_wind_z = prepared[5];
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_y
+        .neg_mul_add(cos_phi, minus_wind_z * sin_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
     let gammadot = state[11];
@@ -48,7 +48,7 @@ pub fn f_jac<T: Real>(
     let r = gammadot + sin_theta_phidot;
     let part_of_d_thetadot_dot_d_r = inv_I_d_I_a * cos_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, cos_theta * w);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = sin_theta.neg_mul_add(u, w * cos_theta);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let sin_phi_g = g * sin_phi;
@@ -64,7 +64,7 @@ pub fn f_jac<T: Real>(
     let sin_theta_d_minus_product = sin_theta * d_minus_sin_phi_wind_y_sum_d_phi;
 
     // disc.hyz:55  position (x, y, z) in N;
-    let x_dot = w.mul_add(sin_theta, u * cos_theta);
+    let x_dot = cos_theta.mul_add(u, sin_theta * w);
     dx[0] = x_dot;
     let d_y_dot_d_u = sin_theta * sin_phi;
     j[3] = d_y_dot_d_u;
@@ -105,18 +105,18 @@ pub fn f_jac<T: Real>(
     let part_of_cos_theta_phidot_sum_2 = thetadot * r_inv_I_d_I_a_minus_sin_sum;
     let d_phidot_dot_d_thetadot = -(r_inv_I_d_I_a_minus_sin_sum * inv_cos_theta);
     j[42] = d_phidot_dot_d_thetadot;
-    let sin_theta_cos_phi_g_product = sin_theta * cos_phi_g_plus_v_phidot;
+    let d_w_dot_d_theta = sin_theta * cos_phi_g_plus_v_phidot;
     let cos_theta_cos_phi_g_product = cos_theta * cos_phi_g_plus_v_phidot;
     let part_of_d_w_dot_d_phi = air_velocity_2 * sin_phi_wind_y_sum;
     let part_of_d_w_dot_d_phi_2 = air_velocity_1
         .mul_add(sin_theta_d_minus_product, part_of_d_w_dot_d_phi);
     let V_sq_half_rho_A_d_product_3 = C_Rr * V_sq_half_rho_A_d_inv_part;
     let part_of_d_thetadot_dot_d_theta_3 = sin_theta * sin_theta_phidot_minus_sum;
-    let z_dot = cos_phi.mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * sin_phi);
+    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, sin_phi * v);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
-    let y_dot = sin_phi.neg_mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
+    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, cos_phi * v);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_y_dot_d_w = -(cos_theta * sin_phi);
@@ -126,7 +126,8 @@ pub fn f_jac<T: Real>(
     let part_of_d_v_dot_d_phi_3 = air_velocity_2 * d_minus_sin_phi_wind_y_sum_d_phi;
     let d_z_dot_d_theta = -(x_dot * cos_phi);
     j[12] = d_z_dot_d_theta;
-    let d_z_dot_d_u = -(sin_theta * cos_phi);
+    let d_air_velocity_1_d_wind_z = sin_theta * cos_phi;
+    let d_z_dot_d_u = -d_air_velocity_1_d_wind_z;
     j[8] = d_z_dot_d_u;
 
     // disc.hyz:82  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
@@ -169,7 +170,7 @@ pub fn f_jac<T: Real>(
     let alpha_C_Da_two = C_Da_two * alpha;
     let part_of_minus_part_part_air_sum_2 = nonzero_air_velocity_12
         .neg_mul_add(alpha_C_Da_two, part_of_minus_part_part_air_sum);
-    let C_La_air_velocity_12_sum = minus_air_velocity_3
+    let air_velocity_12_C_La_sum = minus_air_velocity_3
         .mul_add(alpha_C_Da_two, C_La * air_velocity_12);
     let air_velocity_12_C_D_sum = air_velocity_12
         .mul_sub(C_D, minus_air_velocity_3 * C_L);
@@ -218,9 +219,9 @@ pub fn f_jac<T: Real>(
     let part_of_V_inv_m_half_rho_A_sum_2 = nonzero_air_velocity_12
         .mul_add(air_velocity_12_C_D_product_2, part_of_V_inv_m_half_rho_A_sum);
     let part_of_d_w_dot_d_air_velocity = inv_V_sq
-        .neg_mul_add(minus_air_velocity_3 * C_La_air_velocity_12_sum, C_L);
+        .neg_mul_add(minus_air_velocity_3 * air_velocity_12_C_La_sum, C_L);
     let part_of_d_w_dot_d_minus_air = V_inv_m_half_rho_A
-        * C_La_air_velocity_12_sum.mul_add(air_velocity_12_inv_V_sq, C_D);
+        * air_velocity_12_C_La_sum.mul_add(air_velocity_12_inv_V_sq, C_D);
 
     // disc.hyz:56  velocity (u, v, w) in B;
     let v_dot = air_velocity_2.neg_mul_add(V_inv_m_half_rho_A_product, part_of_v_dot)
@@ -337,15 +338,15 @@ pub fn f_jac<T: Real>(
     let part_of_d_w_dot_d_phi_4 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12;
     let d_w_dot_d_u = thetadot + d_w_dot_d_air_velocity_1;
     j[26] = d_w_dot_d_u;
-    let part_of_d_w_dot_d_theta = d_air_velocity_1_d_theta
-        .mul_add(d_w_dot_d_air_velocity_1, sin_theta_cos_phi_g_product);
-    let d_w_dot_d_theta = d_minus_air_velocity_3_d_theta
-        .mul_add(d_w_dot_d_minus_air_velocity_3, part_of_d_w_dot_d_theta);
-    j[30] = d_w_dot_d_theta;
+    let part_of_d_w_dot_d_theta_2 = d_air_velocity_1_d_theta
+        .mul_add(d_w_dot_d_air_velocity_1, d_w_dot_d_theta);
+    let d_w_dot_d_theta_2 = d_minus_air_velocity_3_d_theta
+        .mul_add(d_w_dot_d_minus_air_velocity_3, part_of_d_w_dot_d_theta_2);
+    j[30] = d_w_dot_d_theta_2; // d_w_dot_d_theta
     let part_of_d_w_dot_d_phi_3 = d_minus_sin_phi_wind_y_sum_d_phi
         .mul_add(d_w_dot_d_minus_air_velocity_3, sin_phi_g);
     let part_of_u_dot = air_velocity_1
-        .neg_mul_add(V_inv_m_half_rho_A_product, sin_theta_cos_phi_g_product);
+        .neg_mul_add(V_inv_m_half_rho_A_product, d_w_dot_d_theta);
     let u_dot = w.neg_mul_add(thetadot, part_of_u_dot);
     dx[3] = u_dot;
     let part_of_d_w_dot_d_phi_5 = cos_theta * part_of_d_w_dot_d_phi_3;
@@ -365,7 +366,7 @@ pub fn f_jac<T: Real>(
     j[40] = d_cos_theta_phidot_product_d_theta; // d_phidot_dot_d_theta
     let inv_air_velocity_12_product_4 = inv_air_velocity_12 * inv_cos_theta;
     let part_of_d_gammadot_dot_d_theta = cos_theta
-        * C_Nr_inv_I_a.mul_sub(phidot, cos_theta_phidot_product);
+        * C_Nr_inv_I_a.neg_mul_add(phidot, cos_theta_phidot_product);
     let inv_air_velocity_12_product_6 = inv_air_velocity_12 * sin_theta_inv_cos_theta;
     let d_gammadot_dot_d_w = -(V_sq_half_rho_A_d_sum * sin_theta_inv_cos_theta);
     j[54] = d_gammadot_dot_d_w;
@@ -375,9 +376,9 @@ pub fn f_jac<T: Real>(
         .mul_sub(part_of_d_cos_theta_phidot_2, part_of_d_cos_theta_phidot_8);
     j[39] = d_cos_theta_phidot_product_d_phi; // d_phidot_dot_d_phi
     let part_of_d_gammadot_dot_d_theta_2 = phidot
-        .neg_mul_add(thetadot, d_cos_theta_phidot_product_d_theta);
+        .mul_sub(thetadot, d_cos_theta_phidot_product_d_theta);
     let d_gammadot_dot_d_theta = sin_theta
-        .neg_mul_add(part_of_d_gammadot_dot_d_theta_2, part_of_d_gammadot_dot_d_theta);
+        .mul_sub(part_of_d_gammadot_dot_d_theta_2, part_of_d_gammadot_dot_d_theta);
     j[56] = d_gammadot_dot_d_theta;
     let part_of_d_gammadot_dot_d_phidot = C_Nr_inv_I_a
         - d_cos_theta_phidot_product_d_phidot;

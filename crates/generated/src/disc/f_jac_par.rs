@@ -19,8 +19,8 @@ pub fn f_jac_par<T: Real>(
 ) {
     let phi = state[6];
     let (sin_phi, cos_phi) = phi.sin_cos();
-    j[4] = cos_phi; // d_y_dot_d_v
     j[9] = sin_phi; // d_z_dot_d_v
+    j[4] = cos_phi; // d_y_dot_d_v
     let theta = state[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
     j[0] = cos_theta; // d_x_dot_d_u
@@ -37,9 +37,9 @@ pub fn f_jac_par<T: Real>(
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
-    let minus_wind_y = prepared[5];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z
-        .neg_mul_add(sin_phi, minus_wind_y * cos_phi);
+    let minus_wind_z = prepared[5];
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_y
+        .neg_mul_add(cos_phi, minus_wind_z * sin_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
     let gammadot = state[11];
@@ -50,7 +50,7 @@ pub fn f_jac_par<T: Real>(
     let inv_I_d_I_a = prepared[3];
     let cos_theta_phidot_inv_I_d_I_a = inv_I_d_I_a * cos_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, cos_theta * w);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = sin_theta.neg_mul_add(u, w * cos_theta);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let wind_x = parameters[15];
@@ -60,7 +60,7 @@ pub fn f_jac_par<T: Real>(
         .neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
 
     // disc.hyz:55  position (x, y, z) in N;
-    let x_dot = w.mul_add(sin_theta, u * cos_theta);
+    let x_dot = cos_theta.mul_add(u, sin_theta * w);
     dx[0] = x_dot;
     let d_y_dot_d_u = sin_theta * sin_phi;
     j[3] = d_y_dot_d_u;
@@ -101,7 +101,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_thetadot_dot_d_I_d = r_inv_I_d * cos_theta_phidot_inv_I_d_I_a;
     let d_phidot_dot_d_I_a = -r_inv_I_d_thetadot_product;
     jp[33] = d_phidot_dot_d_I_a;
-    let part_of_d_cos_theta_phidot_5 = inv_I_d_I_a * r_inv_I_d_thetadot_product;
+    let part_of_d_cos_theta_phidot_4 = inv_I_d_I_a * r_inv_I_d_thetadot_product;
     let part_of_cos_theta_phidot_sum_2 = thetadot * r_inv_I_d_I_a_minus_sin_sum;
 
     // disc.hyz:77  let V = norm(air_velocity);
@@ -111,9 +111,9 @@ pub fn f_jac_par<T: Real>(
     let half_rho_A_inv_I_d = prepared[18];
     let V_sq_half_rho_A_inv_I_d = half_rho_A_inv_I_d * V_sq;
     let sin_theta_inv_cos_theta = sin_theta * inv_cos_theta;
-    let inv_I_a_d_gammadot_dot_d_r = prepared[20];
+    let inv_I_a_C_Nr_inv_I_a = prepared[20];
     let part_of_d_gammadot_dot_d_I_a = sin_theta_inv_cos_theta
-        .mul_sub(inv_I_d * thetadot, inv_I_a_d_gammadot_dot_d_r);
+        .mul_sub(inv_I_d * thetadot, inv_I_a_C_Nr_inv_I_a);
     let d_gammadot_dot_d_I_a = r * part_of_d_gammadot_dot_d_I_a;
     jp[55] = d_gammadot_dot_d_I_a;
     let d_gammadot_dot_d_thetadot = r_inv_I_d_I_a_minus_sin_sum
@@ -132,14 +132,14 @@ pub fn f_jac_par<T: Real>(
     let part_of_v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot;
     let V_sq_half_rho_A_d_product = V_sq_half_rho_A_d_inv_part * inv_cos_theta;
     let part_of_d_thetadot_dot_d_air_3 = V_sq_half_rho_A_d_inv_part * r_C_Rr;
-    let sin_theta_cos_phi_g_product = sin_theta * cos_phi_g_plus_v_phidot;
+    let d_w_dot_d_theta = sin_theta * cos_phi_g_plus_v_phidot;
     let cos_theta_cos_phi_g_product = cos_theta * cos_phi_g_plus_v_phidot;
     let sin_phi_g = g * sin_phi;
     let C_Nr_inv_I_a = prepared[4];
     let part_of_gammadot_dot = C_Nr_inv_I_a.mul_sub(r, thetadot * cos_theta_phidot);
-    let d_minus_air_velocity_3_d_wind_z = cos_theta * cos_phi;
-    j[10] = d_minus_air_velocity_3_d_wind_z; // d_z_dot_d_w
-    let d_w_dot_d_g = -d_minus_air_velocity_3_d_wind_z;
+    let d_z_dot_d_w = cos_theta * cos_phi;
+    j[10] = d_z_dot_d_w;
+    let d_w_dot_d_g = -d_z_dot_d_w;
     jp[25] = d_w_dot_d_g;
     let sin_phi_air_velocity_2 = sin_phi * air_velocity_2;
 
@@ -151,7 +151,7 @@ pub fn f_jac_par<T: Real>(
         * inv_air_velocity_12;
     let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
     let air_velocity_12_two_product = two_d_half_rho_A_inv_I_d * air_velocity_12;
-    let z_dot = cos_phi.mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * sin_phi);
+    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, sin_phi * v);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
@@ -172,7 +172,7 @@ pub fn f_jac_par<T: Real>(
     let d_thetadot_dot_d_thetadot = V_sq_half_rho_A_d_inv_part
         * nonzero_air_velocity_12_C_Mq;
     j[50] = d_thetadot_dot_d_thetadot;
-    let y_dot = sin_phi.neg_mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
+    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, cos_phi * v);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let part_of_thetadot_dot = cos_theta_phidot * sin_theta_phidot_minus_sum;
@@ -196,9 +196,9 @@ pub fn f_jac_par<T: Real>(
     let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part * inv_V;
     let V_sq_half_rho_A_d_product_3 = V_sq_half_rho_A_d_inv_part
         * air_velocity_1_inv_product;
-    let part_of_d_cos_theta_phidot = inv_cos_theta
+    let d_cos_theta_phidot_product_d_r = inv_cos_theta
         * C_Rr.mul_sub(V_sq_half_rho_A_d_product_3, inv_I_d_I_a * thetadot);
-    j[43] = part_of_d_cos_theta_phidot; // d_phidot_dot_d_gammadot
+    j[43] = d_cos_theta_phidot_product_d_r; // d_phidot_dot_d_gammadot
     let d_thetadot_dot_d_C_Ma = alpha * V_sq_half_rho_A_d_product_3;
     jp[49] = d_thetadot_dot_d_C_Ma;
     let d_gammadot_dot_d_C_Rr = -(r * sin_theta_inv_cos_theta
@@ -207,15 +207,15 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_2_C_Ma_inv_V = air_velocity_2 * C_Ma_inv_V;
     let air_velocity_1_C_Ma_inv_V = air_velocity_1 * C_Ma_inv_V;
     let air_velocity_12_inv_V = air_velocity_12 * inv_V;
-    let sin_theta_d_cos_product = sin_theta * part_of_d_cos_theta_phidot;
-    let part_of_d_cos_theta_phidot_2 = phidot
-        * cos_theta.mul_add(part_of_d_cos_theta_phidot, thetadot_two);
+    let sin_theta_d_cos_product = sin_theta * d_cos_theta_phidot_product_d_r;
+    let part_of_d_cos_theta_phidot = phidot
+        * cos_theta.mul_add(d_cos_theta_phidot_product_d_r, thetadot_two);
     let d_gammadot_dot_d_gammadot = C_Nr_inv_I_a - sin_theta_d_cos_product;
     j[59] = d_gammadot_dot_d_gammadot;
-    let part_of_d_cos_theta_phidot_3 = sin_theta_d_cos_product
+    let part_of_d_cos_theta_phidot_2 = sin_theta_d_cos_product
         + d_thetadot_dot_d_thetadot;
     let d_cos_theta_phidot_product_d_phidot = thetadot_two
-        .mul_add(sin_theta_inv_cos_theta, part_of_d_cos_theta_phidot_3);
+        .mul_add(sin_theta_inv_cos_theta, part_of_d_cos_theta_phidot_2);
     j[41] = d_cos_theta_phidot_product_d_phidot; // d_phidot_dot_d_phidot
     let part_of_d_gammadot_dot_d_phidot = C_Nr_inv_I_a
         - d_cos_theta_phidot_product_d_phidot;
@@ -255,7 +255,7 @@ pub fn f_jac_par<T: Real>(
     jp[27] = d_w_dot_d_C_La;
     let part_of_d_w_dot_d_wind_y = sin_phi
         .mul_add(sin_theta_air_velocity_1, cos_phi_air_velocity_2);
-    let part_of_d_w_dot_d_wind_z_2 = cos_phi
+    let part_of_d_w_dot_d_wind_z = cos_phi
         .mul_sub(sin_theta_air_velocity_1, sin_phi_air_velocity_2);
     let d_cos_theta_phidot_product_d_C_Mq = nonzero_air_velocity_12 * cos_theta_phidot
         * V_sq_half_rho_A_d_product;
@@ -307,10 +307,10 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_phidot_dot_d_w_3 = inv_cos_theta * part_of_d_phidot_dot_d_w_2;
     let d_thetadot_dot_d_w = -air_velocity_1_C_Ma_sum;
     j[46] = d_thetadot_dot_d_w;
-    let part_of_d_cos_theta_phidot_4 = phidot
+    let part_of_d_cos_theta_phidot_3 = phidot
         .neg_mul_add(d_thetadot_dot_d_thetadot, cos_theta_phidot_product);
     let d_cos_theta_phidot_product_d_theta = sin_theta_inv_cos_theta
-        .mul_add(part_of_d_cos_theta_phidot_4, part_of_d_cos_theta_phidot_2);
+        .mul_add(part_of_d_cos_theta_phidot_3, part_of_d_cos_theta_phidot);
     let d_cos_theta_phidot_product_d_d = inv_cos_theta * cos_theta_phidot_product_3;
     jp[35] = d_cos_theta_phidot_product_d_d; // d_phidot_dot_d_d
     let d_gammadot_dot_d_d = -(sin_theta_inv_cos_theta * cos_theta_phidot_product_3);
@@ -378,9 +378,9 @@ pub fn f_jac_par<T: Real>(
         .mul_add(d_thetadot_dot_d_air_velocity_12, part_of_d_thetadot_dot_d_air_5);
     let inv_cos_theta_cos_product_2 = inv_cos_theta * cos_theta_phidot_product_2;
     let sin_theta_inv_cos_product = sin_theta_inv_cos_theta * cos_theta_phidot_product_2;
-    let rho_half = prepared[14];
+    let rho_half = prepared[11];
     jp[47] = rho_half * thetadot_nonzero_product; // d_thetadot_dot_d_A
-    let A_half = prepared[11];
+    let A_half = prepared[15];
     jp[48] = A_half * thetadot_nonzero_product; // d_thetadot_dot_d_rho
     let d_phidot_dot_d_v = inv_air_velocity_12 * part_of_d_phidot_dot_d_v_2;
     j[37] = d_phidot_dot_d_v;
@@ -391,11 +391,11 @@ pub fn f_jac_par<T: Real>(
         * part_of_d_thetadot_dot_d_air_6;
     j[44] = d_thetadot_dot_d_air_velocity_1; // d_thetadot_dot_d_u
     let d_cos_theta_phidot_product_d_I_d = half_rho_A_inv_I_d
-        .neg_mul_add(inv_cos_theta_cos_product_2, part_of_d_cos_theta_phidot_5);
+        .neg_mul_add(inv_cos_theta_cos_product_2, part_of_d_cos_theta_phidot_4);
     jp[34] = d_cos_theta_phidot_product_d_I_d; // d_phidot_dot_d_I_d
     jp[36] = rho_half * inv_cos_theta_cos_product_2; // d_phidot_dot_d_A
     jp[37] = A_half * inv_cos_theta_cos_product_2; // d_phidot_dot_d_rho
-    let minus_rho_half = prepared[15];
+    let minus_rho_half = prepared[14];
     jp[58] = minus_rho_half * sin_theta_inv_cos_product; // d_gammadot_dot_d_A
     let minus_A_half = prepared[16];
     jp[59] = minus_A_half * sin_theta_inv_cos_product; // d_gammadot_dot_d_rho
@@ -414,9 +414,9 @@ pub fn f_jac_par<T: Real>(
     let part_of_minus_V_inv_m_half_rho_4 = nonzero_air_velocity_12
         .neg_mul_add(air_velocity_12_C_D_product_2, part_of_minus_V_inv_m_half_rho_3);
     let part_of_minus_V_inv_m_half_rho_5 = inv_V * part_of_minus_V_inv_m_half_rho_4;
-    let C_L_V_inv_m_half_rho_A = C_L * V_inv_m_half_rho_A;
+    let d_w_dot_d_air_velocity_12 = C_L * V_inv_m_half_rho_A;
     let part_of_part_part_inv_V_air_sum_2 = minus_air_velocity_3_inv_V
-        .neg_mul_add(air_velocity_12_C_D_product_2, C_L_V_inv_m_half_rho_A);
+        .neg_mul_add(air_velocity_12_C_D_product_2, d_w_dot_d_air_velocity_12);
     let part_part_inv_V_air_sum = inv_air_velocity_12
         .neg_mul_add(
             part_of_part_part_inv_V_air_sum_2,
@@ -438,9 +438,9 @@ pub fn f_jac_par<T: Real>(
         .neg_mul_add(minus_air_velocity_product, part_of_d_w_dot_d_air_velocity);
     let part_of_d_w_dot_d_minus_air_2 = minus_air_velocity_3
         .mul_add(minus_air_velocity_product, part_of_d_w_dot_d_minus_air);
-    let d_w_dot_d_air_velocity_12 = inv_V
-        .neg_mul_add(part_of_d_w_dot_d_air_velocity_2, C_L_V_inv_m_half_rho_A);
-    let d_w_dot_d_v = d_w_dot_d_air_velocity_12
+    let d_w_dot_d_air_velocity_12_2 = inv_V
+        .neg_mul_add(part_of_d_w_dot_d_air_velocity_2, d_w_dot_d_air_velocity_12);
+    let d_w_dot_d_v = d_w_dot_d_air_velocity_12_2
         .mul_sub(air_velocity_2_inv_product, cos_theta_phidot);
     j[27] = d_w_dot_d_v;
     let part_of_w_dot = V_inv_m_half_rho_A
@@ -449,8 +449,9 @@ pub fn f_jac_par<T: Real>(
     // disc.hyz:56  velocity (u, v, w) in B;
     let w_dot = u.mul_add(thetadot, part_of_w_dot);
     dx[5] = w_dot;
-    let inv_air_velocity_12_product_3 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12;
-    let d_w_dot_d_air_velocity_1 = d_w_dot_d_air_velocity_12
+    let inv_air_velocity_12_product_3 = inv_air_velocity_12
+        * d_w_dot_d_air_velocity_12_2;
+    let d_w_dot_d_air_velocity_1 = d_w_dot_d_air_velocity_12_2
         * air_velocity_1_inv_product;
     let part_of_d_w_dot_d_phi_4 = part_of_d_w_dot_d_phi_2
         * inv_air_velocity_12_product_3;
@@ -460,22 +461,22 @@ pub fn f_jac_par<T: Real>(
     let minus_V_inv_m_half_rho_sum = part_of_minus_V_inv_m_half_rho_6
         .neg_mul_add(part_of_minus_V_inv_m_half_rho_7, part_of_minus_V_inv_m_half_rho_5);
     let V_inv_m_half_rho_A_product = V_inv_m_half_rho_A * air_velocity_12_C_D_product;
-    let d_w_dot_d_minus_air_velocity_3 = inv_V
-        .mul_add(part_of_d_w_dot_d_minus_air_2, C_D * V_inv_m_half_rho_A);
+    let d_w_dot_d_minus_air_velocity_3 = C_D * V_inv_m_half_rho_A;
+    let d_w_dot_d_minus_air_velocity_3_2 = inv_V
+        .mul_add(part_of_d_w_dot_d_minus_air_2, d_w_dot_d_minus_air_velocity_3);
     let v_dot = air_velocity_2.neg_mul_add(V_inv_m_half_rho_A_product, part_of_v_dot)
         - sin_phi_g;
     dx[4] = v_dot;
-    let part_of_d_w_dot_d_wind_z = d_minus_air_velocity_3_d_wind_z
-        * d_w_dot_d_minus_air_velocity_3;
+    let part_of_d_w_dot_d_wind_z_2 = d_z_dot_d_w * d_w_dot_d_minus_air_velocity_3_2;
     let d_w_dot_d_wind_z = inv_air_velocity_12_product_3
-        .mul_add(part_of_d_w_dot_d_wind_z_2, part_of_d_w_dot_d_wind_z);
+        .mul_add(part_of_d_w_dot_d_wind_z, part_of_d_w_dot_d_wind_z_2);
     jp[32] = d_w_dot_d_wind_z;
     let part_of_d_w_dot_d_wind_y_2 = -(cos_theta_sin_phi
-        * d_w_dot_d_minus_air_velocity_3);
+        * d_w_dot_d_minus_air_velocity_3_2);
     let d_w_dot_d_wind_y = inv_air_velocity_12_product_3
         .neg_mul_add(part_of_d_w_dot_d_wind_y, part_of_d_w_dot_d_wind_y_2);
     jp[31] = d_w_dot_d_wind_y;
-    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3;
+    let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3_2;
     j[28] = d_w_dot_d_w;
     let cos_theta_part_part_product = cos_theta * part_part_inv_V_air_sum;
     let part_of_d_phidot_dot_d_theta = d_minus_air_velocity_3_d_theta
@@ -531,14 +532,14 @@ pub fn f_jac_par<T: Real>(
         .mul_sub(minus_V_inv_m_half_product, V_inv_m_half_rho_A_product);
     j[13] = d_u_dot_d_air_velocity_1; // d_u_dot_d_u
     let part_of_u_dot = air_velocity_1
-        .neg_mul_add(V_inv_m_half_rho_A_product, sin_theta_cos_phi_g_product);
+        .neg_mul_add(V_inv_m_half_rho_A_product, d_w_dot_d_theta);
     let u_dot = w.neg_mul_add(thetadot, part_of_u_dot);
     dx[3] = u_dot;
-    let part_of_d_w_dot_d_theta = d_air_velocity_1_d_theta
-        .mul_add(d_w_dot_d_air_velocity_1, sin_theta_cos_phi_g_product);
-    let d_w_dot_d_theta = d_minus_air_velocity_3_d_theta
-        .mul_add(d_w_dot_d_minus_air_velocity_3, part_of_d_w_dot_d_theta);
-    j[30] = d_w_dot_d_theta;
+    let part_of_d_w_dot_d_theta_2 = d_air_velocity_1_d_theta
+        .mul_add(d_w_dot_d_air_velocity_1, d_w_dot_d_theta);
+    let d_w_dot_d_theta_2 = d_minus_air_velocity_3_d_theta
+        .mul_add(d_w_dot_d_minus_air_velocity_3_2, part_of_d_w_dot_d_theta_2);
+    j[30] = d_w_dot_d_theta_2; // d_w_dot_d_theta
     let part_of_d_u_dot_d_theta = d_u_dot_d_air_velocity_1
         .mul_add(d_air_velocity_1_d_theta, cos_theta_cos_phi_g_product);
     let part_of_d_phidot_dot_d_phi = sin_phi_wind_y_sum * d_phidot_dot_d_v;
@@ -615,11 +616,11 @@ pub fn f_jac_par<T: Real>(
         .mul_sub(part_of_d_u_dot_d_phi_3, air_velocity_1 * part_of_d_u_dot_d_phi_2);
     j[16] = d_u_dot_d_phi;
     let part_of_d_w_dot_d_phi_3 = d_minus_sin_phi_wind_y_sum_d_phi
-        .mul_add(d_w_dot_d_minus_air_velocity_3, sin_phi_g);
+        .mul_add(d_w_dot_d_minus_air_velocity_3_2, sin_phi_g);
     let d_w_dot_d_phi = cos_theta
         .mul_add(part_of_d_w_dot_d_phi_3, part_of_d_w_dot_d_phi_4);
     j[29] = d_w_dot_d_phi;
-    let part_of_d_w_dot_d_wind_x = sin_theta * d_w_dot_d_minus_air_velocity_3;
+    let part_of_d_w_dot_d_wind_x = sin_theta * d_w_dot_d_minus_air_velocity_3_2;
     let part_of_d_u_dot_d_wind_z = sin_phi_air_velocity_2 * minus_V_inv_m_half_product;
     let part_of_d_v_dot_d_wind_y = minus_sin_theta_minus_V_sum * sin_phi_air_velocity_2;
     let part_of_d_u_dot_d_wind_x = -(cos_theta * d_u_dot_d_air_velocity_1);

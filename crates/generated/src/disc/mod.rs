@@ -67,10 +67,10 @@ pub const COEFFICIENTS: usize = 8;
 /// Names of the invariants that `prepare` computes.
 pub const PREPARED: [&str; 22] = [
     "inv_m_half_rho_A", "minus_g", "half_rho_A_d_inv_I_d", "inv_I_d_I_a", "C_Nr_inv_I_a",
-    "minus_wind_y", "C_Da_two", "two_d_half_rho_A_inv_I_d", "inv_m", "inv_I_d", "inv_I_a", "A_half",
-    "half_rho_A", "inv_I_d_d", "rho_half", "minus_rho_half", "minus_A_half",
+    "minus_wind_z", "C_Da_two", "two_d_half_rho_A_inv_I_d", "inv_m", "inv_I_d", "inv_I_a",
+    "rho_half", "half_rho_A", "inv_I_d_d", "minus_rho_half", "A_half", "minus_A_half",
     "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d", "minus_half_rho_A_inv_I_d",
-    "inv_I_a_d_gammadot_dot_d_r", "half_d",
+    "inv_I_a_C_Nr_inv_I_a", "half_d",
 ];
 
 /// Names of the auxiliary variables that `quantities` computes.

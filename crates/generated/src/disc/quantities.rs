@@ -64,7 +64,7 @@ pub fn quantities<T: Real>(
     values[15] = V;
     let half_rho_A = prepared[12];
     let V_sq_half_rho_A = half_rho_A * V_sq;
-    let rho_half = prepared[14];
+    let rho_half = prepared[11];
     values[23] = rho_half * V_sq;
     let d = parameters[3];
     let d_V_sq_half_rho_A = d * V_sq_half_rho_A;

@@ -36,9 +36,9 @@ pub fn f_jac<T: Real>(
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
-    let minus_wind_y = prepared[6];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z
-        .neg_mul_add(sin_phi, minus_wind_y * cos_phi);
+    let minus_wind_z = prepared[6];
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_y
+        .neg_mul_add(cos_phi, minus_wind_z * sin_phi);
     let sin_phi_g_m = g_m * sin_phi;
     let gammadot = state[11];
 
@@ -59,10 +59,13 @@ pub fn f_jac<T: Real>(
     let u = state[3];
 
     // disc_appendix.hyz:122  der(x) = u*cos(theta) + w*sin(theta);
-    let x_dot = w.mul_add(sin_theta, u * cos_theta);
+    let x_dot = cos_theta.mul_add(u, sin_theta * w);
     dx[0] = x_dot;
-    let d_w_cos_theta_minus_sin_sum_d_theta = -x_dot;
-    let d_z_dot_d_theta = cos_phi * d_w_cos_theta_minus_sin_sum_d_theta;
+    let w_cos_theta_minus_sin_sum = sin_theta.neg_mul_add(u, w * cos_theta);
+    j[2] = w_cos_theta_minus_sin_sum; // d_x_dot_d_theta
+    j[25] = w_cos_theta_minus_sin_sum; // d_v_dot_d_phidot
+    let minus_x_dot = -x_dot;
+    let d_z_dot_d_theta = cos_phi * minus_x_dot;
     j[12] = d_z_dot_d_theta;
 
     // disc_appendix.hyz:67  let air_velocity = velocity - in_B(wind);
@@ -71,9 +74,6 @@ pub fn f_jac<T: Real>(
     let minus_air_velocity_3 = d_air_velocity_1_d_theta - w;
     let I_a = parameters[1];
     let angular_velocity_3_I_a = I_a * angular_velocity_3;
-    let w_cos_theta_minus_sin_sum = u.neg_mul_add(sin_theta, cos_theta * w);
-    j[2] = w_cos_theta_minus_sin_sum; // d_x_dot_d_theta
-    j[25] = w_cos_theta_minus_sin_sum; // d_v_dot_d_phidot
     let cos_theta_cos_phi_g_m = cos_theta * cos_phi_g_m;
     let air_velocity_12_sq = air_velocity_1
         .mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
@@ -96,7 +96,7 @@ pub fn f_jac<T: Real>(
     let part_of_air_velocity_1_product_3 = thetadot * angular_velocity_3_I_a_sum;
     let part_of_d_thetadot_dot_d_theta = sin_theta * angular_velocity_3_I_a_sum_2;
     let inv_I_d = prepared[1];
-    let inv_cos_theta_inv_I_d = inv_I_d * inv_cos_theta;
+    let inv_I_d_inv_cos_theta = inv_I_d * inv_cos_theta;
 
     // disc_appendix.hyz:69  let V = norm(air_velocity);
     let V = V_sq.sqrt();
@@ -119,28 +119,28 @@ pub fn f_jac<T: Real>(
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
-    let sin_theta_inv_cos_product = sin_theta * inv_cos_theta_inv_I_d;
+    let sin_theta_inv_I_d_product = sin_theta * inv_I_d_inv_cos_theta;
     let d_gammadot_dot_d_thetadot = angular_velocity_3_I_a_sum
-        .mul_sub(sin_theta_inv_cos_product, cos_theta_phidot);
+        .mul_sub(sin_theta_inv_I_d_product, cos_theta_phidot);
     j[58] = d_gammadot_dot_d_thetadot;
-    let d_phidot_dot_d_thetadot = -(angular_velocity_3_I_a_sum * inv_cos_theta_inv_I_d);
+    let d_phidot_dot_d_thetadot = -(angular_velocity_3_I_a_sum * inv_I_d_inv_cos_theta);
     j[42] = d_phidot_dot_d_thetadot;
 
     // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
-    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, v * cos_phi);
+    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, cos_phi * v);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
-    let d_z_dot_d_u = -(sin_theta * cos_phi);
+    let d_u_dot_d_g = sin_theta * cos_phi;
+    let d_z_dot_d_u = -d_u_dot_d_g;
     j[8] = d_z_dot_d_u;
+    let d_y_dot_d_theta = -(sin_phi * minus_x_dot);
+    j[7] = d_y_dot_d_theta;
+    let d_y_dot_d_w = -(cos_theta * sin_phi);
+    j[5] = d_y_dot_d_w;
 
     // disc_appendix.hyz:74  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
-    let part_of_d_v_dot_d_theta_3 = phidot * d_w_cos_theta_minus_sin_sum_d_theta;
-    let d_y_dot_d_theta = -(sin_phi * d_w_cos_theta_minus_sin_sum_d_theta);
-    j[7] = d_y_dot_d_theta;
-    let d_y_dot_d_w = -(cos_theta * sin_phi);
-    j[5] = d_y_dot_d_w;
     let inv_V = V.recip_or_zero();
     let C_Mq = parameters[12];
     let inv_air_velocity_12_C_Mq = C_Mq * inv_air_velocity_12;
@@ -163,8 +163,6 @@ pub fn f_jac<T: Real>(
     let d_thetadot_dot_d_thetadot = inv_I_d * inv_air_velocity_12_product_8;
     j[50] = d_thetadot_dot_d_thetadot;
     let part_of_air_velocity_1_product_2 = air_velocity_1 * thetadot_air_product_sum;
-    let two_d = prepared[10];
-    let inv_air_velocity_12_product_5 = two_d * inv_air_velocity_12_product;
     let part_of_air_velocity_1_product = thetadot_air_product_sum
         + inv_air_velocity_12_product_6;
     let part_of_air_velocity_2_product = thetadot_air_product_sum
@@ -174,6 +172,23 @@ pub fn f_jac<T: Real>(
         * inv_air_velocity_12_product_3_2;
     let part_of_air_velocity_2_product_7 = part_of_air_velocity_2_product
         * inv_air_velocity_12_product_3_2;
+    let two_d = prepared[10];
+    let inv_air_velocity_12_product_5 = two_d * inv_air_velocity_12_product;
+    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12_product_3_2;
+    let C_Rr_air_velocity_2_sum = C_Rr
+        .mul_add(air_velocity_2_inv_product_2, I_a * cos_theta_phidot);
+    let d_thetadot_dot_d_gammadot = inv_I_d * C_Rr_air_velocity_2_sum;
+    j[51] = d_thetadot_dot_d_gammadot;
+    let minus_C_Rr_air_velocity_sum = I_d
+        .mul_sub(cos_theta_phidot, C_Rr_air_velocity_2_sum);
+    let part_of_d_thetadot_dot_d_theta_2 = cos_theta
+        .mul_add(minus_C_Rr_air_velocity_sum, part_of_d_thetadot_dot_d_theta);
+    let part_of_d_thetadot_dot_d_phidot_2 = sin_theta
+        .mul_sub(minus_C_Rr_air_velocity_sum, part_of_d_thetadot_dot_d_phidot);
+    let minus_inv_I_d = prepared[11];
+    j[49] = minus_inv_I_d * part_of_d_thetadot_dot_d_phidot_2; // d_thetadot_dot_d_phidot
+    let part_of_d_thetadot_dot_d_theta_3 = phidot * part_of_d_thetadot_dot_d_theta_2;
+    let inv_V_sq = inv_V * inv_V;
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
     let part_of_minus_C_Ma_minus_air_sum = inv_air_velocity_12
         * minus_thetadot_air_product;
@@ -191,51 +206,36 @@ pub fn f_jac<T: Real>(
     // disc_appendix.hyz:115  der(thetadot) = (M_b2 - I_d*phidot^2*cos(theta)*sin(theta) + I_a*phid …
     let thetadot_dot = inv_I_d * air_velocity_2_product_sum_2;
     dx[10] = thetadot_dot;
-    let inv_V_sq = inv_V * inv_V;
+    let minus_air_velocity_product = minus_air_velocity_3 * inv_V_sq;
+    let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
+    let minus_C_Ma_minus_air_sum = C_Ma
+        .neg_mul_add(minus_air_velocity_product, part_of_minus_C_Ma_minus_air_sum);
     let part_of_air_velocity_1_product_4 = inv_air_velocity_12_product_3
         * air_velocity_1_inv_product;
+    let part_of_air_velocity_1_product_5 = air_velocity_2
+        .mul_add(minus_C_Ma_minus_air_sum, part_of_air_velocity_1_product_4);
+    let part_of_air_velocity_1_product_6 = part_of_air_velocity_1_product_5
+        * inv_air_velocity_12_product_3_2;
     let part_of_minus_inv_air_velocity = air_velocity_12 * inv_air_velocity_12_product_5;
     let minus_air_velocity_product_4 = minus_air_velocity_3
         * inv_air_velocity_12_product_5;
     let minus_inv_air_velocity_sum = inv_air_velocity_12
         .neg_mul_add(inv_air_velocity_12_product_3_2, part_of_minus_inv_air_velocity);
-    let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12_product_3_2;
-    let C_Rr_air_velocity_2_sum = C_Rr
-        .mul_add(air_velocity_2_inv_product_2, I_a * cos_theta_phidot);
-    let d_thetadot_dot_d_gammadot = inv_I_d * C_Rr_air_velocity_2_sum;
-    j[51] = d_thetadot_dot_d_gammadot;
-    let minus_C_Rr_air_velocity_sum = I_d
-        .mul_sub(cos_theta_phidot, C_Rr_air_velocity_2_sum);
-    let part_of_d_thetadot_dot_d_theta_2 = cos_theta
-        .mul_add(minus_C_Rr_air_velocity_sum, part_of_d_thetadot_dot_d_theta);
-    let part_of_d_thetadot_dot_d_phidot_2 = sin_theta
-        .mul_sub(minus_C_Rr_air_velocity_sum, part_of_d_thetadot_dot_d_phidot);
-    let minus_inv_I_d = prepared[11];
-    j[49] = minus_inv_I_d * part_of_d_thetadot_dot_d_phidot_2; // d_thetadot_dot_d_phidot
-    let part_of_d_thetadot_dot_d_theta_3 = phidot * part_of_d_thetadot_dot_d_theta_2;
-    let minus_air_velocity_product = minus_air_velocity_3 * inv_V_sq;
-    let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
-    let minus_C_Ma_minus_air_sum = C_Ma
-        .neg_mul_add(minus_air_velocity_product, part_of_minus_C_Ma_minus_air_sum);
-    let part_of_air_velocity_1_product_5 = air_velocity_2
-        .mul_add(minus_C_Ma_minus_air_sum, part_of_air_velocity_1_product_4);
-    let part_of_air_velocity_1_product_6 = part_of_air_velocity_1_product_5
-        * inv_air_velocity_12_product_3_2;
     let air_velocity_1_product_sum_3 = air_velocity_1_product_sum
         .mul_sub(minus_inv_air_velocity_sum, part_of_air_velocity_1_product_6);
     let air_velocity_1_product_sum_4 = air_velocity_1_product_sum_3
         .mul_add(air_velocity_1_inv_product, part_of_air_velocity_1_product_7);
-    let d_phidot_dot_d_u = air_velocity_1_product_sum_4 * inv_cos_theta_inv_I_d;
+    let d_phidot_dot_d_u = air_velocity_1_product_sum_4 * inv_I_d_inv_cos_theta;
     j[36] = d_phidot_dot_d_u;
-    let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
-    let air_velocity_12_inv_V = air_velocity_12 * inv_V;
     let C_Ma_air_velocity_product = C_Ma * air_velocity_12_inv_V_sq;
     let part_of_minus_air_velocity_2_sum = air_velocity_2_inv_product_2
         * C_Ma_air_velocity_product;
     let minus_air_velocity_2_sum = air_velocity_1_product_sum
         .mul_sub(minus_air_velocity_product_4, part_of_minus_air_velocity_2_sum);
-    let d_gammadot_dot_d_w = minus_air_velocity_2_sum * sin_theta_inv_cos_product;
+    let d_gammadot_dot_d_w = minus_air_velocity_2_sum * sin_theta_inv_I_d_product;
     j[54] = d_gammadot_dot_d_w;
+    let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
+    let air_velocity_12_inv_V = air_velocity_12 * inv_V;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12;
     let part_of_air_velocity_2_product_4 = inv_air_velocity_12_product_3
         * air_velocity_2_inv_product;
@@ -258,12 +258,12 @@ pub fn f_jac<T: Real>(
         * C_Ma_air_velocity_product;
     let air_velocity_1_inv_sum = air_velocity_2_product_sum
         .mul_add(minus_air_velocity_product_4, part_of_air_velocity_1_inv_sum);
-    let d_phidot_dot_d_gammadot = C_Rr_air_velocity_1_sum * inv_cos_theta_inv_I_d;
+    let d_phidot_dot_d_gammadot = C_Rr_air_velocity_1_sum * inv_I_d_inv_cos_theta;
     j[43] = d_phidot_dot_d_gammadot;
     j[46] = minus_inv_I_d * air_velocity_1_inv_sum; // d_thetadot_dot_d_w
     let d_gammadot_dot_d_angular_velocity_3 = prepared[12];
     let d_gammadot_dot_d_gammadot = C_Rr_air_velocity_1_sum
-        .neg_mul_add(sin_theta_inv_cos_product, d_gammadot_dot_d_angular_velocity_3);
+        .neg_mul_add(sin_theta_inv_I_d_product, d_gammadot_dot_d_angular_velocity_3);
     j[59] = d_gammadot_dot_d_gammadot;
     let C_Rr_air_velocity_1_sum_sum = I_d_two.mul_add(thetadot, C_Rr_air_velocity_1_sum);
     let part_of_d_phidot_dot_d_theta = d_minus_air_velocity_3_d_theta
@@ -278,7 +278,7 @@ pub fn f_jac<T: Real>(
         .mul_add(part_of_d_phidot_dot_d_theta_4, part_of_d_phidot_dot_d_theta_2);
     let part_of_d_phidot_dot_d_phidot_2 = sin_theta
         .mul_add(C_Rr_air_velocity_1_sum_sum, part_of_d_phidot_dot_d_phidot);
-    let d_phidot_dot_d_phidot = part_of_d_phidot_dot_d_phidot_2 * inv_cos_theta_inv_I_d;
+    let d_phidot_dot_d_phidot = part_of_d_phidot_dot_d_phidot_2 * inv_I_d_inv_cos_theta;
     j[41] = d_phidot_dot_d_phidot;
     let part_of_d_gammadot_dot_d_phidot = d_gammadot_dot_d_angular_velocity_3
         - d_phidot_dot_d_phidot;
@@ -310,7 +310,7 @@ pub fn f_jac<T: Real>(
     j[44] = d_thetadot_dot_d_air_velocity_1; // d_thetadot_dot_d_u
     let d_thetadot_dot_d_phi = inv_I_d * part_of_d_thetadot_dot_d_phi_3;
     j[47] = d_thetadot_dot_d_phi;
-    let d_phidot_dot_d_v = air_velocity_1_product_sum_5 * inv_cos_theta_inv_I_d;
+    let d_phidot_dot_d_v = air_velocity_1_product_sum_5 * inv_I_d_inv_cos_theta;
     j[37] = d_phidot_dot_d_v;
     let C_La = parameters[8];
     let C_L0 = parameters[7];
@@ -333,7 +333,7 @@ pub fn f_jac<T: Real>(
         .mul_add(part_of_d_phidot_dot_d_theta_6, part_of_d_phidot_dot_d_theta_5);
 
     // disc_appendix.hyz:112  der(phidot) = (M_b1 + 2*I_d*phidot*thetadot*sin(theta) - I_a*thetadot …
-    let der_phidot = air_velocity_1_product_sum_2 * inv_cos_theta_inv_I_d;
+    let der_phidot = air_velocity_1_product_sum_2 * inv_I_d_inv_cos_theta;
     dx[9] = der_phidot;
     let thetadot_cos_theta_sum = sin_theta
         .mul_add(der_phidot, thetadot * cos_theta_phidot);
@@ -343,14 +343,14 @@ pub fn f_jac<T: Real>(
     // disc_appendix.hyz:119  der(gammadot) = (M_b3 - I_a*(der(phidot)*sin(theta) + phidot*thetadot …
     let gammadot_dot = inv_I_a * minus_I_a_thetadot_cos_sum;
     dx[11] = gammadot_dot;
-    let d_phidot_dot_d_theta = part_of_d_phidot_dot_d_theta_7 * inv_cos_theta_inv_I_d;
+    let d_phidot_dot_d_theta = part_of_d_phidot_dot_d_theta_7 * inv_I_d_inv_cos_theta;
     j[40] = d_phidot_dot_d_theta;
+    let part_of_d_gammadot_dot_d_theta_2 = phidot
+        .mul_sub(thetadot, d_phidot_dot_d_theta);
     let part_of_d_gammadot_dot_d_theta = cos_theta
-        * d_gammadot_dot_d_angular_velocity_3.mul_sub(phidot, der_phidot);
-    let part_of_d_gammadot_dot_d_theta_2 = thetadot
-        .neg_mul_add(phidot, d_phidot_dot_d_theta);
+        * d_gammadot_dot_d_angular_velocity_3.neg_mul_add(phidot, der_phidot);
     let d_gammadot_dot_d_theta = sin_theta
-        .neg_mul_add(part_of_d_gammadot_dot_d_theta_2, part_of_d_gammadot_dot_d_theta);
+        .mul_sub(part_of_d_gammadot_dot_d_theta_2, part_of_d_gammadot_dot_d_theta);
     j[56] = d_gammadot_dot_d_theta;
     let air_velocity_12_C_D_sum = air_velocity_12
         .mul_sub(C_D, minus_air_velocity_3 * C_L);
@@ -362,7 +362,7 @@ pub fn f_jac<T: Real>(
         .mul_sub(half_rho_A * V, cos_theta_cos_phi_g_m);
 
     // disc_appendix.hyz:106  der(w) = F_b3/m + u*thetadot - v*phidot*cos(theta);
-    let w_dot = v.neg_mul_add(cos_theta_phidot, inv_m.mul_add(force_b_3, u * thetadot));
+    let w_dot = u.mul_add(thetadot, inv_m.mul_sub(force_b_3, v * cos_theta_phidot));
     dx[5] = w_dot;
     let part_of_minus_air_velocity_12_C = d_air_velocity_12_C_D_sum_d_alpha
         .neg_mul_add(minus_air_velocity_product, C_D);
@@ -397,11 +397,11 @@ pub fn f_jac<T: Real>(
     let d_v_dot_d_w = inv_air_velocity_12_product_4
         .mul_add(air_velocity_2_inv_m, cos_theta_phidot);
     j[22] = d_v_dot_d_w;
+    let d_force_b_3_d_air_velocity_12 = half_rho_A
+        * V.mul_add(part_of_d_force_b_3_d_air, part_of_d_force_b_3_d_air_2);
     let part_of_d_w_dot_d_phi_3 = half_rho_A * cos_theta * minus_air_velocity_sum;
     let half_rho_A_inv_m = prepared[9];
     let d_w_dot_d_minus_air_velocity_3 = half_rho_A_inv_m * minus_air_velocity_sum;
-    let d_force_b_3_d_air_velocity_12 = half_rho_A
-        * V.mul_add(part_of_d_force_b_3_d_air, part_of_d_force_b_3_d_air_2);
     let minus_force_b_1 = air_velocity_1
         .mul_sub(inv_air_velocity_12_product_2, sin_theta * cos_phi_g_m);
 
@@ -456,42 +456,42 @@ pub fn f_jac<T: Real>(
     let part_of_d_v_dot_d_theta_2 = d_air_velocity_1_d_theta
         .neg_mul_add(minus_air_velocity_product_2, part_of_d_v_dot_d_theta);
     let d_v_dot_d_theta = air_velocity_2_inv_m
-        .neg_mul_add(part_of_d_v_dot_d_theta_2, part_of_d_v_dot_d_theta_3);
+        .neg_mul_add(part_of_d_v_dot_d_theta_2, phidot * minus_x_dot);
     j[24] = d_v_dot_d_theta;
     let minus_air_velocity_product_3 = minus_air_velocity_product_2
         * air_velocity_2_inv_m;
-    let d_phidot_dot_d_w = -(minus_air_velocity_2_sum * inv_cos_theta_inv_I_d);
+    let d_phidot_dot_d_w = -(minus_air_velocity_2_sum * inv_I_d_inv_cos_theta);
     j[38] = d_phidot_dot_d_w;
     let part_of_d_air_velocity_2_d_sum = sin_theta
         .mul_add(air_velocity_1_product_sum_4, cos_theta * minus_air_velocity_2_sum);
-    let d_gammadot_dot_d_u = -(air_velocity_1_product_sum_4 * sin_theta_inv_cos_product);
-    j[52] = d_gammadot_dot_d_u;
     let part_of_d_v_dot_d_phi_6 = d_minus_sin_phi_wind_y_sum_d_phi
         * part_of_d_v_dot_d_phi_5;
     let d_v_dot_d_phi = air_velocity_2_inv_m
         .neg_mul_add(part_of_d_v_dot_d_phi_6, part_of_d_v_dot_d_phi_3);
     j[23] = d_v_dot_d_phi;
     let inv_m_d_force_b_3_d_product = inv_m * d_force_b_3_d_air_velocity_12;
+    let d_w_dot_d_v = air_velocity_2_inv_product
+        .mul_sub(inv_m_d_force_b_3_d_product, cos_theta_phidot);
+    j[27] = d_w_dot_d_v;
     let part_of_d_w_dot_d_phi = sin_phi_wind_y_sum * d_force_b_3_d_air_velocity_12;
     let part_of_d_w_dot_d_phi_2 = air_velocity_2_inv_product
         .mul_add(part_of_d_w_dot_d_phi, cos_theta * sin_phi_g_m);
     let part_of_d_w_dot_d_phi_4 = sin_theta * d_force_b_3_d_air_velocity_12;
     let part_of_d_air_velocity_2_d_sum_2 = sin_phi_wind_y_sum
         * air_velocity_1_product_sum_5;
-    let d_u_dot_d_v = sin_theta_phidot + minus_air_velocity_product_3;
-    j[14] = d_u_dot_d_v;
     let d_w_dot_d_air_velocity_1 = air_velocity_1_inv_product
         * inv_m_d_force_b_3_d_product;
-    let d_w_dot_d_v = air_velocity_2_inv_product
-        .mul_sub(inv_m_d_force_b_3_d_product, cos_theta_phidot);
-    j[27] = d_w_dot_d_v;
+    let d_u_dot_d_v = sin_theta_phidot + minus_air_velocity_product_3;
+    j[14] = d_u_dot_d_v;
     let d_v_dot_d_u = minus_air_velocity_product_3 - sin_theta_phidot;
     j[20] = d_v_dot_d_u;
     let part_of_d_w_dot_d_phi_5 = air_velocity_1_inv_product
         .mul_add(part_of_d_w_dot_d_phi_4, part_of_d_w_dot_d_phi_3);
     let d_air_velocity_2_d_sum = d_minus_sin_phi_wind_y_sum_d_phi
         .mul_add(part_of_d_air_velocity_2_d_sum, part_of_d_air_velocity_2_d_sum_2);
-    let d_gammadot_dot_d_v = -(air_velocity_1_product_sum_5 * sin_theta_inv_cos_product);
+    let d_gammadot_dot_d_u = -(air_velocity_1_product_sum_4 * sin_theta_inv_I_d_product);
+    j[52] = d_gammadot_dot_d_u;
+    let d_gammadot_dot_d_v = -(air_velocity_1_product_sum_5 * sin_theta_inv_I_d_product);
     j[53] = d_gammadot_dot_d_v;
     let part_of_d_w_dot_d_theta_2 = d_air_velocity_1_d_theta
         .mul_add(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_theta);
@@ -499,14 +499,14 @@ pub fn f_jac<T: Real>(
     j[26] = d_w_dot_d_u;
     let part_of_d_w_dot_d_phi_6 = d_minus_sin_phi_wind_y_sum_d_phi
         .mul_add(part_of_d_w_dot_d_phi_5, part_of_d_w_dot_d_phi_2);
-    let d_phidot_dot_d_phi = d_air_velocity_2_d_sum * inv_cos_theta_inv_I_d;
+    let d_phidot_dot_d_phi = d_air_velocity_2_d_sum * inv_I_d_inv_cos_theta;
     j[39] = d_phidot_dot_d_phi;
     let d_w_dot_d_theta = sin_theta
         .mul_add(inv_m.mul_add(cos_phi_g_m, v * phidot), part_of_d_w_dot_d_theta_2);
     j[30] = d_w_dot_d_theta;
     let d_w_dot_d_phi = inv_m * part_of_d_w_dot_d_phi_6;
     j[29] = d_w_dot_d_phi;
-    let d_gammadot_dot_d_phi = -(d_air_velocity_2_d_sum * sin_theta_inv_cos_product);
+    let d_gammadot_dot_d_phi = -(d_air_velocity_2_d_sum * sin_theta_inv_I_d_product);
     j[55] = d_gammadot_dot_d_phi;
 
     dx[6] = phidot;

@@ -37,18 +37,15 @@ pub fn f_jac_par<T: Real>(
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
-    let minus_wind_y = prepared[6];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z
-        .neg_mul_add(sin_phi, minus_wind_y * cos_phi);
+    let minus_wind_z = prepared[6];
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_y
+        .neg_mul_add(cos_phi, minus_wind_z * sin_phi);
     let inv_I_d = prepared[1];
     let cos_theta_phidot_inv_I_d = inv_I_d * cos_theta_phidot;
     let gammadot = state[11];
 
     // disc_appendix.hyz:64  let angular_velocity = (phidot*cos(theta), thetadot, phidot*sin(theta) …
     let angular_velocity_3 = sin_theta_phidot + gammadot;
-    let inv_m = prepared[0];
-    let v = state[4];
-    let v_phidot_plus_cos_phi_g_sum = inv_m.mul_add(cos_phi_g_m, v * phidot);
     let wind_x = parameters[15];
     let d_minus_air_velocity_3_d_theta = sin_theta
         .mul_add(sin_phi_wind_y_sum, wind_x * cos_theta);
@@ -57,20 +54,23 @@ pub fn f_jac_par<T: Real>(
     let u = state[3];
 
     // disc_appendix.hyz:122  der(x) = u*cos(theta) + w*sin(theta);
-    let x_dot = w.mul_add(sin_theta, u * cos_theta);
+    let x_dot = cos_theta.mul_add(u, sin_theta * w);
     dx[0] = x_dot;
+    let inv_m = prepared[0];
+    let v = state[4];
+    let cos_phi_g_m_inv_m_plus_sum = inv_m.mul_add(cos_phi_g_m, v * phidot);
     let d_u_dot_d_phidot = sin_theta * v;
     j[18] = d_u_dot_d_phidot;
-    let d_v_dot_d_g = -sin_phi;
-    jp[14] = d_v_dot_d_g;
-    let d_w_cos_theta_minus_sin_sum_d_theta = -x_dot;
-    let d_z_dot_d_theta = cos_phi * d_w_cos_theta_minus_sin_sum_d_theta;
-    j[12] = d_z_dot_d_theta;
     let d_thetadot_dot_d_I_a = angular_velocity_3 * cos_theta_phidot_inv_I_d;
     jp[44] = d_thetadot_dot_d_I_a;
     let inv_I_a = prepared[2];
     let d_gammadot_dot_d_C_Nr = inv_I_a * angular_velocity_3;
     jp[63] = d_gammadot_dot_d_C_Nr;
+    let d_v_dot_d_g = -sin_phi;
+    jp[14] = d_v_dot_d_g;
+    let minus_x_dot = -x_dot;
+    let d_z_dot_d_theta = cos_phi * minus_x_dot;
+    j[12] = d_z_dot_d_theta;
 
     // disc_appendix.hyz:67  let air_velocity = velocity - in_B(wind);
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
@@ -80,6 +80,9 @@ pub fn f_jac_par<T: Real>(
     let part_of_thetadot_air_product_sum = C_Rr * angular_velocity_3;
     let I_a = parameters[1];
     let angular_velocity_3_I_a = I_a * angular_velocity_3;
+    let inv_I_d_inv_cos_theta = inv_I_d * inv_cos_theta;
+    let d_thetadot_dot_d_angular_velocity_3 = I_a * cos_theta_phidot_inv_I_d;
+    let part_of_d_thetadot_dot_d_I_d = sin_theta_phidot * cos_theta_phidot_inv_I_d;
     let air_velocity_12_sq = air_velocity_1
         .mul_add(air_velocity_1, air_velocity_2 * air_velocity_2);
     let air_velocity_1_cos_product = air_velocity_1 * cos_theta_phidot;
@@ -87,18 +90,18 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_2_thetadot = air_velocity_2 * thetadot;
     let air_velocity_2_cos_product = air_velocity_2 * cos_theta_phidot;
     let air_velocity_1_thetadot = air_velocity_1 * thetadot;
-    let inv_cos_theta_inv_I_d = inv_I_d * inv_cos_theta;
-    let air_velocity_12 = air_velocity_12_sq.sqrt();
-    let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
-    let thetadot_air_velocity_2_sum = air_velocity_1_cos_product
-        + air_velocity_2_thetadot;
-    let minus_thetadot_air_sum = air_velocity_2_cos_product - air_velocity_1_thetadot;
     let I_d_two = prepared[5];
     let angular_velocity_3_I_a_sum = I_d_two
         .neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
     let I_d = parameters[2];
     let angular_velocity_3_I_a_sum_2 = I_d
         .neg_mul_add(sin_theta_phidot, angular_velocity_3_I_a);
+    let air_velocity_12 = air_velocity_12_sq.sqrt();
+    let V_sq = minus_air_velocity_3.mul_add(minus_air_velocity_3, air_velocity_12_sq);
+    let thetadot_air_velocity_2_sum = air_velocity_1_cos_product
+        + air_velocity_2_thetadot;
+    let minus_thetadot_air_sum = air_velocity_2_cos_product - air_velocity_1_thetadot;
+    let thetadot_inv_I_d_product = thetadot * inv_I_d_inv_cos_theta;
 
     // disc_appendix.hyz:69  let V = norm(air_velocity);
     let V = V_sq.sqrt();
@@ -110,19 +113,17 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_thetadot_dot_d_C_Mq = air_velocity_2 * thetadot_air_velocity_2_sum;
     let part_of_d_thetadot_dot_d_C_Mq_2 = air_velocity_1
         .neg_mul_add(minus_thetadot_air_sum, part_of_d_thetadot_dot_d_C_Mq);
-    let thetadot_inv_cos_product = thetadot * inv_cos_theta_inv_I_d;
     let part_of_air_velocity_1_product_2 = thetadot * angular_velocity_3_I_a_sum;
-    let angular_velocity_3_product = angular_velocity_3_I_a_sum * inv_cos_theta_inv_I_d;
+    let angular_velocity_3_product = angular_velocity_3_I_a_sum * inv_I_d_inv_cos_theta;
     let d_gammadot_dot_d_thetadot = sin_theta
         .mul_sub(angular_velocity_3_product, cos_theta_phidot);
     j[58] = d_gammadot_dot_d_thetadot;
     let d_phidot_dot_d_thetadot = -angular_velocity_3_product;
     j[42] = d_phidot_dot_d_thetadot;
     let air_velocity_1_inv_m = inv_m * air_velocity_1;
-    let part_of_d_thetadot_dot_d_I_d = sin_theta_phidot * cos_theta_phidot_inv_I_d;
     let air_velocity_2_inv_m = inv_m * air_velocity_2;
     let part_of_d_der_phidot_d_I_d = T::splat(2.0) * sin_theta_phidot
-        * thetadot_inv_cos_product;
+        * thetadot_inv_I_d_product;
     let g = parameters[6];
     let sin_phi_g_m_inv_m = g * sin_phi;
     let part_of_d_w_dot_d_phi_2 = sin_theta * air_velocity_1;
@@ -133,9 +134,12 @@ pub fn f_jac_par<T: Real>(
     let part_of_air_velocity_2_product_2 = cos_theta_phidot
         * angular_velocity_3_I_a_sum_2;
     let sin_theta_angular_velocity_3 = sin_theta * angular_velocity_3;
-    let w_cos_theta_minus_sin_sum = u.neg_mul_add(sin_theta, cos_theta * w);
+    let w_cos_theta_minus_sin_sum = sin_theta.neg_mul_add(u, w * cos_theta);
     j[2] = w_cos_theta_minus_sin_sum; // d_x_dot_d_theta
     j[25] = w_cos_theta_minus_sin_sum; // d_v_dot_d_phidot
+    let cos_theta_sin_phi = cos_theta * sin_phi;
+    let d_y_dot_d_w = -cos_theta_sin_phi;
+    j[5] = d_y_dot_d_w;
 
     // disc_appendix.hyz:74  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));
     let alpha = minus_air_velocity_3.atan2(air_velocity_12);
@@ -144,37 +148,34 @@ pub fn f_jac_par<T: Real>(
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
     let C_La = parameters[8];
     let air_velocity_12_C_La = C_La * air_velocity_12;
-    let cos_theta_sin_phi = cos_theta * sin_phi;
-    let d_y_dot_d_w = -cos_theta_sin_phi;
-    j[5] = d_y_dot_d_w;
     let C_Nr = parameters[14];
 
     // disc_appendix.hyz:88  let spin_down = C_Nr*r;
     let spin_down = C_Nr * angular_velocity_3;
-    let inv_V = V.recip_or_zero();
-    let C_La_half_rho_A_inv_m = prepared[15];
-    let part_of_d_w_dot_d_minus_air_2 = C_La_half_rho_A_inv_m * air_velocity_12_sq
-        * inv_V;
-    let V_inv_m = inv_m * V;
     let d_y_dot_d_u = sin_theta * sin_phi;
     j[3] = d_y_dot_d_u;
     let d_u_dot_d_g = sin_theta * cos_phi;
     jp[3] = d_u_dot_d_g;
     let d_z_dot_d_u = -d_u_dot_d_g;
     j[8] = d_z_dot_d_u;
-    let d_minus_air_velocity_3_d_wind_z = cos_theta * cos_phi;
-    j[10] = d_minus_air_velocity_3_d_wind_z; // d_z_dot_d_w
-    let d_w_dot_d_g = -d_minus_air_velocity_3_d_wind_z;
+    let inv_V = V.recip_or_zero();
+    let C_La_half_rho_A_inv_m = prepared[15];
+    let part_of_d_w_dot_d_minus_air_2 = C_La_half_rho_A_inv_m * air_velocity_12_sq
+        * inv_V;
+    let V_inv_m = inv_m * V;
+    let d_z_dot_d_w = cos_theta * cos_phi;
+    j[10] = d_z_dot_d_w;
+    let d_w_dot_d_g = -d_z_dot_d_w;
     jp[25] = d_w_dot_d_g;
     let part_of_d_thetadot_dot_d_theta = sin_theta * inv_I_d_angular_product;
     let part_of_d_thetadot_dot_d_phidot = cos_theta * inv_I_d_angular_product;
     let part_of_d_w_dot_d_wind_y = air_velocity_1
         .mul_add(d_y_dot_d_u, cos_phi * air_velocity_2);
-    let part_of_d_w_dot_d_wind_z_2 = air_velocity_1
+    let part_of_d_w_dot_d_wind_z = air_velocity_1
         .mul_sub(d_u_dot_d_g, sin_phi * air_velocity_2);
-    let part_of_d_gammadot_dot_d_I_a = thetadot_inv_cos_product
+    let part_of_d_gammadot_dot_d_I_a = thetadot_inv_I_d_product
         * sin_theta_angular_velocity_3;
-    let d_phidot_dot_d_I_a = -(angular_velocity_3 * thetadot_inv_cos_product);
+    let d_phidot_dot_d_I_a = -(angular_velocity_3 * thetadot_inv_I_d_product);
     jp[33] = d_phidot_dot_d_I_a;
 
     // disc_appendix.hyz:124  der(z) = -u*sin(theta)*cos(phi) + v*sin(phi) + w*cos(theta)*cos(phi);
@@ -182,6 +183,13 @@ pub fn f_jac_par<T: Real>(
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
+
+    // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
+    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, cos_phi * v);
+    dx[1] = y_dot;
+    j[11] = y_dot; // d_z_dot_d_phi
+    let d_y_dot_d_theta = -(sin_phi * minus_x_dot);
+    j[7] = d_y_dot_d_theta;
     let half_rho_A = prepared[4];
     let inv_air_velocity_12_product = half_rho_A * inv_air_velocity_12;
     let V_sq_inv_air_product = V_sq * inv_air_velocity_12_product;
@@ -208,7 +216,7 @@ pub fn f_jac_par<T: Real>(
         .mul_sub(air_velocity_1_product_sum, part_of_air_velocity_1_product_2);
 
     // disc_appendix.hyz:112  der(phidot) = (M_b1 + 2*I_d*phidot*thetadot*sin(theta) - I_a*thetadot …
-    let der_phidot = air_velocity_1_product_sum_2 * inv_cos_theta_inv_I_d;
+    let der_phidot = air_velocity_1_product_sum_2 * inv_I_d_inv_cos_theta;
     dx[9] = der_phidot;
     let thetadot_cos_theta_sum = sin_theta
         .mul_add(der_phidot, thetadot * cos_theta_phidot);
@@ -228,7 +236,7 @@ pub fn f_jac_par<T: Real>(
     let d_gammadot_dot_d_I_d = -(sin_theta * d_der_phidot_d_I_d);
     jp[56] = d_gammadot_dot_d_I_d;
     let inv_air_velocity_12_product_6 = inv_air_velocity_12_product_3
-        * inv_cos_theta_inv_I_d;
+        * inv_I_d_inv_cos_theta;
     let d_der_phidot_d_C_Mq = inv_air_velocity_12
         * (part_of_d_der_phidot_d_C_Mq_2 * inv_air_velocity_12_product_6);
     jp[39] = d_der_phidot_d_C_Mq; // d_phidot_dot_d_C_Mq
@@ -245,7 +253,7 @@ pub fn f_jac_par<T: Real>(
         .mul_sub(inv_air_velocity_12_product_7, part_of_minus_inv_air_velocity);
     let part_of_d_der_phidot_d_air_2 = air_velocity_1_product_sum
         .mul_add(minus_inv_air_velocity_sum_3, part_of_d_der_phidot_d_air);
-    let air_velocity_1_product = air_velocity_1_product_sum * inv_cos_theta_inv_I_d;
+    let air_velocity_1_product = air_velocity_1_product_sum * inv_I_d_inv_cos_theta;
     let minus_air_velocity_product_2 = minus_air_velocity_3
         * inv_air_velocity_12_product_7;
     let air_velocity_2_inv_product_3 = air_velocity_2 * inv_air_velocity_12_product_6;
@@ -280,7 +288,7 @@ pub fn f_jac_par<T: Real>(
     let d_gammadot_dot_d_d = -(sin_theta * d_der_phidot_d_d);
     jp[57] = d_gammadot_dot_d_d;
     let part_of_d_der_phidot_d_air_3 = inv_air_velocity_12_C_Mq * d_der_phidot_d_C_Mq;
-    let d_der_phidot_d_air_velocity_12 = inv_cos_theta_inv_I_d
+    let d_der_phidot_d_air_velocity_12 = inv_I_d_inv_cos_theta
         .mul_sub(part_of_d_der_phidot_d_air_2, part_of_d_der_phidot_d_air_3);
     let d_gammadot_dot_d_C_Mq = -(sin_theta * d_der_phidot_d_C_Mq);
     jp[61] = d_gammadot_dot_d_C_Mq;
@@ -301,16 +309,16 @@ pub fn f_jac_par<T: Real>(
     let inv_air_velocity_12_product_13 = inv_air_velocity_12_V_sq_d
         * inv_I_d_air_product;
     let alpha_air_velocity_product = alpha * air_velocity_2_inv_product_3;
-    let rho_half = prepared[17];
+    let rho_half = prepared[13];
     jp[36] = rho_half * inv_air_velocity_12_product_12; // d_phidot_dot_d_A
-    let A_half = prepared[13];
+    let A_half = prepared[18];
     jp[37] = A_half * inv_air_velocity_12_product_12; // d_phidot_dot_d_rho
     let sin_theta_inv_air_product = sin_theta * inv_air_velocity_12_product_12;
     let d_phidot_dot_d_w = -d_der_phidot_d_minus_air_velocity_3;
     j[38] = d_phidot_dot_d_w;
     jp[47] = rho_half * inv_air_velocity_12_product_13; // d_thetadot_dot_d_A
     jp[48] = A_half * inv_air_velocity_12_product_13; // d_thetadot_dot_d_rho
-    let minus_rho_half = prepared[18];
+    let minus_rho_half = prepared[17];
     jp[58] = minus_rho_half * sin_theta_inv_air_product; // d_gammadot_dot_d_A
     let minus_A_half = prepared[19];
     jp[59] = minus_A_half * sin_theta_inv_air_product; // d_gammadot_dot_d_rho
@@ -363,7 +371,7 @@ pub fn f_jac_par<T: Real>(
         .mul_sub(half_rho_A * V, cos_theta * cos_phi_g_m);
 
     // disc_appendix.hyz:106  der(w) = F_b3/m + u*thetadot - v*phidot*cos(theta);
-    let w_dot = v.neg_mul_add(cos_theta_phidot, inv_m.mul_add(force_b_3, u * thetadot));
+    let w_dot = u.mul_add(thetadot, inv_m.mul_sub(force_b_3, v * cos_theta_phidot));
     dx[5] = w_dot;
     let part_of_minus_inv_air_velocity_6 = air_velocity_12_C_D_sum
         - air_velocity_12_C_La;
@@ -414,8 +422,8 @@ pub fn f_jac_par<T: Real>(
     let alpha_air_velocity_12_alpha = alpha * air_velocity_12_alpha;
     let d_w_dot_d_C_D = minus_air_velocity_3 * half_rho_A_V_inv_m;
     jp[28] = d_w_dot_d_C_D; // d_w_dot_d_C_D0
-    let d_v_dot_d_m = inv_m * g.neg_mul_add(sin_phi, inv_m_minus_force_b_2);
-    jp[11] = d_v_dot_d_m;
+    let minus_inv_m = prepared[7];
+    jp[11] = minus_inv_m * g.mul_sub(sin_phi, inv_m_minus_force_b_2); // d_v_dot_d_m
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
     let d_der_phidot_d_air_velocity_1 = d_der_phidot_d_air_velocity_12
         .mul_add(air_velocity_1_inv_product, part_of_d_der_phidot_d_air_5);
@@ -431,17 +439,14 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_1_inv_product_2 = air_velocity_1 * inv_air_velocity_12_product_6;
     let air_velocity_1_inv_product_5 = air_velocity_1 * inv_air_velocity_12_product_11;
     let air_velocity_2_inv_product_6 = air_velocity_2 * inv_air_velocity_12_product_11;
-    let d_der_phidot_d_angular_velocity_3 = C_Rr
-        .mul_sub(air_velocity_1_inv_product_2, I_a * thetadot_inv_cos_product);
-    j[43] = d_der_phidot_d_angular_velocity_3; // d_phidot_dot_d_gammadot
+    let d_der_phidot_d_gammadot = C_Rr
+        .mul_sub(air_velocity_1_inv_product_2, I_a * thetadot_inv_I_d_product);
+    j[43] = d_der_phidot_d_gammadot; // d_phidot_dot_d_gammadot
     let d_der_phidot_d_sin_theta_phidot = inv_cos_theta
-        .mul_add(T::splat(2.0) * thetadot, d_der_phidot_d_angular_velocity_3);
+        .mul_add(T::splat(2.0) * thetadot, d_der_phidot_d_gammadot);
     let d_gammadot_dot_d_angular_velocity_3 = prepared[12];
     let d_gammadot_dot_d_gammadot = sin_theta
-        .neg_mul_add(
-            d_der_phidot_d_angular_velocity_3,
-            d_gammadot_dot_d_angular_velocity_3,
-        );
+        .neg_mul_add(d_der_phidot_d_gammadot, d_gammadot_dot_d_angular_velocity_3);
     j[59] = d_gammadot_dot_d_gammadot;
     let d_der_phidot_d_C_Rr = angular_velocity_3 * air_velocity_1_inv_product_2;
     jp[40] = d_der_phidot_d_C_Rr; // d_phidot_dot_d_C_Rr
@@ -474,9 +479,9 @@ pub fn f_jac_par<T: Real>(
     let air_velocity_2_inv_product_4 = air_velocity_2 * inv_air_velocity_12_product_10;
     let d_thetadot_dot_d_C_Rr = angular_velocity_3 * air_velocity_2_inv_product_4;
     jp[51] = d_thetadot_dot_d_C_Rr;
-    let d_thetadot_dot_d_angular_velocity_3 = C_Rr
-        .mul_add(air_velocity_2_inv_product_4, I_a * cos_theta_phidot_inv_I_d);
-    j[51] = d_thetadot_dot_d_angular_velocity_3; // d_thetadot_dot_d_gammadot
+    let d_thetadot_dot_d_gammadot = C_Rr
+        .mul_add(air_velocity_2_inv_product_4, d_thetadot_dot_d_angular_velocity_3);
+    j[51] = d_thetadot_dot_d_gammadot;
     let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
     let minus_d_der_phidot_d_air_velocity_2 = d_der_phidot_d_air_velocity_12
         .neg_mul_add(air_velocity_2_inv_product_2, part_of_minus_d_der_phidot_d_2);
@@ -487,8 +492,7 @@ pub fn f_jac_par<T: Real>(
     let d_thetadot_dot_d_air_velocity_2 = d_thetadot_dot_d_air_velocity_12
         .mul_add(air_velocity_2_inv_product_2, part_of_d_thetadot_dot_d_air_6);
     j[45] = d_thetadot_dot_d_air_velocity_2; // d_thetadot_dot_d_v
-    let d_thetadot_dot_d_sin_theta_phidot = d_thetadot_dot_d_angular_velocity_3
-        - cos_theta_phidot;
+    let d_thetadot_dot_d_sin_theta_phidot = d_thetadot_dot_d_gammadot - cos_theta_phidot;
     let d_thetadot_dot_d_phidot = sin_theta
         .mul_add(d_thetadot_dot_d_sin_theta_phidot, part_of_d_thetadot_dot_d_phidot);
     j[49] = d_thetadot_dot_d_phidot;
@@ -532,12 +536,12 @@ pub fn f_jac_par<T: Real>(
     let d_der_phidot_d_phidot = sin_theta
         .mul_add(d_der_phidot_d_sin_theta_phidot, part_of_d_der_phidot_d_phidot);
     j[41] = d_der_phidot_d_phidot; // d_phidot_dot_d_phidot
+    let part_of_d_gammadot_dot_d_theta_2 = phidot
+        .mul_sub(thetadot, d_der_phidot_d_theta);
     let part_of_d_gammadot_dot_d_theta = cos_theta
-        * d_gammadot_dot_d_angular_velocity_3.mul_sub(phidot, der_phidot);
-    let part_of_d_gammadot_dot_d_theta_2 = thetadot
-        .neg_mul_add(phidot, d_der_phidot_d_theta);
+        * d_gammadot_dot_d_angular_velocity_3.neg_mul_add(phidot, der_phidot);
     let d_gammadot_dot_d_theta = sin_theta
-        .neg_mul_add(part_of_d_gammadot_dot_d_theta_2, part_of_d_gammadot_dot_d_theta);
+        .mul_sub(part_of_d_gammadot_dot_d_theta_2, part_of_d_gammadot_dot_d_theta);
     j[56] = d_gammadot_dot_d_theta;
     let part_of_d_gammadot_dot_d_phidot = d_gammadot_dot_d_angular_velocity_3
         - d_der_phidot_d_phidot;
@@ -615,12 +619,15 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_u_dot_d_theta_2 = d_minus_air_velocity_3_d_theta
         .neg_mul_add(minus_inv_air_product_2, part_of_d_u_dot_d_theta);
     let d_u_dot_d_theta = cos_theta
-        .mul_add(v_phidot_plus_cos_phi_g_sum, part_of_d_u_dot_d_theta_2);
+        .mul_add(cos_phi_g_m_inv_m_plus_sum, part_of_d_u_dot_d_theta_2);
     j[17] = d_u_dot_d_theta;
     let part_of_d_v_dot_d_theta = d_air_velocity_1_d_theta * minus_inv_air_product;
     let air_velocity_2_inv_product = air_velocity_2_inv_m * minus_inv_air_product;
     let part_of_d_v_dot_d_theta_2 = minus_inv_air_velocity_sum_2
         .mul_sub(d_minus_air_velocity_3_d_theta, part_of_d_v_dot_d_theta);
+    let d_v_dot_d_theta = air_velocity_2_inv_m
+        .neg_mul_add(part_of_d_v_dot_d_theta_2, phidot * minus_x_dot);
+    j[24] = d_v_dot_d_theta;
     let d_u_dot_d_v = sin_theta_phidot + air_velocity_2_inv_product;
     j[14] = d_u_dot_d_v;
     let d_v_dot_d_u = air_velocity_2_inv_product - sin_theta_phidot;
@@ -632,7 +639,7 @@ pub fn f_jac_par<T: Real>(
     dx[3] = u_dot;
     let d_u_dot_d_m = inv_m * g.mul_add(d_u_dot_d_g, minus_force_b_1_inv_m);
     jp[0] = d_u_dot_d_m;
-    let part_of_d_u_dot_d_wind_z_3 = d_u_dot_d_g * d_u_dot_d_air_velocity_1;
+    let part_of_d_u_dot_d_wind_z_2 = d_u_dot_d_g * d_u_dot_d_air_velocity_1;
     let d_u_dot_d_wind_x = sin_theta
         .neg_mul_add(minus_inv_air_product_2, -(cos_theta * d_u_dot_d_air_velocity_1));
     jp[8] = d_u_dot_d_wind_x;
@@ -643,7 +650,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_w_dot_d_theta_2 = d_air_velocity_1_d_theta
         .mul_add(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_theta);
     let d_w_dot_d_theta = sin_theta
-        .mul_add(v_phidot_plus_cos_phi_g_sum, part_of_d_w_dot_d_theta_2);
+        .mul_add(cos_phi_g_m_inv_m_plus_sum, part_of_d_w_dot_d_theta_2);
     j[30] = d_w_dot_d_theta;
     let part_of_d_thetadot_dot_d_theta_4 = d_air_velocity_1_d_theta
         .mul_add(d_thetadot_dot_d_air_velocity_1, part_of_d_thetadot_dot_d_theta_3);
@@ -661,16 +668,15 @@ pub fn f_jac_par<T: Real>(
         .mul_add(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_phi);
     j[47] = d_thetadot_dot_d_phi;
     let part_of_d_u_dot_d_wind_y = cos_phi * minus_inv_air_product_3;
-    let part_of_d_u_dot_d_wind_z = sin_phi * minus_inv_air_product_3;
     let part_of_d_u_dot_d_wind_y_2 = cos_theta_sin_phi
         .mul_sub(minus_inv_air_velocity_sum_2, part_of_d_u_dot_d_wind_y);
     let d_u_dot_d_wind_y = air_velocity_1_inv_m
         .mul_sub(part_of_d_u_dot_d_wind_y_2, part_of_d_u_dot_d_wind_y_3);
     jp[9] = d_u_dot_d_wind_y;
-    let part_of_d_u_dot_d_wind_z_2 = d_minus_air_velocity_3_d_wind_z
-        .mul_add(minus_inv_air_velocity_sum_2, part_of_d_u_dot_d_wind_z);
+    let part_of_d_u_dot_d_wind_z = d_z_dot_d_w
+        .mul_add(minus_inv_air_velocity_sum_2, sin_phi * minus_inv_air_product_3);
     let d_u_dot_d_wind_z = air_velocity_1_inv_m
-        .neg_mul_add(part_of_d_u_dot_d_wind_z_2, part_of_d_u_dot_d_wind_z_3);
+        .neg_mul_add(part_of_d_u_dot_d_wind_z, part_of_d_u_dot_d_wind_z_2);
     jp[10] = d_u_dot_d_wind_z;
     let part_of_d_w_dot_d_wind_y_2 = -(cos_theta_sin_phi
         * d_w_dot_d_minus_air_velocity_3);
@@ -680,32 +686,22 @@ pub fn f_jac_par<T: Real>(
     let d_v_dot_d_wind_y = sin_phi
         .mul_sub(minus_sin_theta_product, cos_phi * d_v_dot_d_air_velocity_2);
     jp[20] = d_v_dot_d_wind_y;
-    let d_v_dot_d_wind_z = cos_phi
-        .neg_mul_add(minus_sin_theta_product, -(sin_phi * d_v_dot_d_air_velocity_2));
-    jp[21] = d_v_dot_d_wind_z;
     let d_thetadot_dot_d_wind_z = cos_phi
         .mul_sub(sin_theta_d_product_sum, sin_phi * d_thetadot_dot_d_air_velocity_2);
     jp[54] = d_thetadot_dot_d_wind_z;
-
-    // disc_appendix.hyz:123  der(y) = u*sin(theta)*sin(phi) + v*cos(phi) - w*cos(theta)*sin(phi);
-    let y_dot = w_cos_theta_minus_sin_sum.neg_mul_add(sin_phi, v * cos_phi);
-    dx[1] = y_dot;
-    j[11] = y_dot; // d_z_dot_d_phi
-    let part_of_d_v_dot_d_theta_3 = phidot * d_w_cos_theta_minus_sin_sum_d_theta;
-    let d_v_dot_d_theta = air_velocity_2_inv_m
-        .neg_mul_add(part_of_d_v_dot_d_theta_2, part_of_d_v_dot_d_theta_3);
-    j[24] = d_v_dot_d_theta;
-    let part_of_d_w_dot_d_wind_z = d_minus_air_velocity_3_d_wind_z
-        * d_w_dot_d_minus_air_velocity_3;
-    let part_of_d_w_dot_d_wind_x = sin_theta * d_w_dot_d_minus_air_velocity_3;
     let d_gammadot_dot_d_phidot = sin_theta
         .mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
     j[57] = d_gammadot_dot_d_phidot;
+    let part_of_d_w_dot_d_wind_x = sin_theta * d_w_dot_d_minus_air_velocity_3;
+    let part_of_d_w_dot_d_wind_z_2 = d_z_dot_d_w * d_w_dot_d_minus_air_velocity_3;
+    let d_v_dot_d_wind_z = cos_phi
+        .neg_mul_add(minus_sin_theta_product, -(sin_phi * d_v_dot_d_air_velocity_2));
+    jp[21] = d_v_dot_d_wind_z;
     let d_w_dot_d_wind_x = cos_theta
         .neg_mul_add(d_w_dot_d_air_velocity_1, part_of_d_w_dot_d_wind_x);
     jp[30] = d_w_dot_d_wind_x;
     let d_w_dot_d_wind_z = inv_air_velocity_12_product_5
-        .mul_add(part_of_d_w_dot_d_wind_z_2, part_of_d_w_dot_d_wind_z);
+        .mul_add(part_of_d_w_dot_d_wind_z, part_of_d_w_dot_d_wind_z_2);
     jp[32] = d_w_dot_d_wind_z;
     let d_thetadot_dot_d_wind_y = sin_phi
         .neg_mul_add(
@@ -715,11 +711,8 @@ pub fn f_jac_par<T: Real>(
     jp[53] = d_thetadot_dot_d_wind_y;
     let inv_m_sq = prepared[21];
     let minus_g_inv_m = prepared[20];
-    let d_w_dot_d_m = inv_m_sq
-        .neg_mul_add(force_b_3, minus_g_inv_m * d_minus_air_velocity_3_d_wind_z);
+    let d_w_dot_d_m = inv_m_sq.neg_mul_add(force_b_3, minus_g_inv_m * d_z_dot_d_w);
     jp[22] = d_w_dot_d_m;
-    let d_y_dot_d_theta = -(sin_phi * d_w_cos_theta_minus_sin_sum_d_theta);
-    j[7] = d_y_dot_d_theta;
     let d_w_dot_d_phidot = -(cos_theta * v);
     j[31] = d_w_dot_d_phidot;
     let d_u_dot_d_C_D0 = -(air_velocity_12 * air_velocity_1_inv_product_5);

@@ -6,7 +6,7 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 30 operations: 18 mul, 3 div, 9 neg |
+//! | `prepare` | 29 operations: 17 mul, 3 div, 9 neg |
 //! | `f` | 123 operations: 38 add, 76 mul, 2 div, 2 sqrt, 5 call |
 //! | `f_jac` | 394 operations: 116 add, 255 mul, 3 div, 13 neg, 2 sqrt, 5 call |
 //! | `f_jac_par` | 552 operations: 144 add, 363 mul, 3 div, 35 neg, 2 sqrt, 5 call |
@@ -63,11 +63,11 @@ pub const COEFFICIENTS: usize = 8;
 
 /// Names of the invariants that `prepare` computes.
 pub const PREPARED: [&str; 25] = [
-    "inv_m", "inv_I_d", "inv_I_a", "g_m", "half_rho_A", "I_d_two", "minus_wind_y", "minus_inv_m",
+    "inv_m", "inv_I_d", "inv_I_a", "g_m", "half_rho_A", "I_d_two", "minus_wind_z", "minus_inv_m",
     "C_Da_two", "half_rho_A_inv_m", "two_d", "minus_inv_I_d", "d_gammadot_dot_d_angular_velocity_3",
-    "A_half", "minus_C_Da_two", "C_La_half_rho_A_inv_m", "C_Da_two_half_rho_A_inv_m", "rho_half",
-    "minus_rho_half", "minus_A_half", "minus_g_inv_m", "inv_m_sq", "minus_inv_I_d_sq", "inv_I_a_sq",
-    "minus_g_m",
+    "rho_half", "minus_C_Da_two", "C_La_half_rho_A_inv_m", "C_Da_two_half_rho_A_inv_m",
+    "minus_rho_half", "A_half", "minus_A_half", "minus_g_inv_m", "inv_m_sq", "minus_inv_I_d_sq",
+    "inv_I_a_sq", "minus_g_m",
 ];
 
 /// Names of the auxiliary variables that `quantities` computes.

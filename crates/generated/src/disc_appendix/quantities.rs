@@ -74,7 +74,7 @@ pub fn quantities<T: Real>(
     // disc_appendix.hyz:69  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     values[12] = V;
-    let rho_half = prepared[17];
+    let rho_half = prepared[13];
     values[20] = rho_half * V_sq;
     let d = parameters[3];
     let d_V_sq_half_rho_A = d * V_sq_half_rho_A;

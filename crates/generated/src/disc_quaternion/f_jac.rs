@@ -163,7 +163,7 @@ pub fn f_jac<T: Real>(
     let part_of_nonzero_air_product_sum = d_rho_A_inv_I_d * nonzero_air_velocity_12
         * nonzero_V;
     let C_Mq = parameters[12];
-    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
+    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let d_air_velocity_2_d_q3 = minus_vy_minus_wind_y
         .mul_add(T::splat(4.0) * q3, part_of_d_air_velocity_2_d_q3);
     let p = state[10];
@@ -171,10 +171,10 @@ pub fn f_jac<T: Real>(
     let q = state[11];
     let part_of_d_q_dot_d_air_velocity = q * air_velocity_12_C_product;
     let minus_air_velocity_product_6 = d_rho_A_inv_I_d * minus_air_velocity_3;
-    let part_of_d_p_dot_d_minus_air = p * C_Mq_nonzero_air_velocity_12;
-    let part_of_d_q_dot_d_minus_air = q * C_Mq_nonzero_air_velocity_12;
+    let part_of_d_p_dot_d_minus_air = p * nonzero_air_velocity_12_C_Mq;
+    let part_of_d_q_dot_d_minus_air = q * nonzero_air_velocity_12_C_Mq;
     let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A
-        * C_Mq_nonzero_air_velocity_12;
+        * nonzero_air_velocity_12_C_Mq;
     j[55] = V_sq_half_d_inv_product; // d_p_dot_d_p
     j[66] = V_sq_half_d_inv_product; // d_q_dot_d_q
     let inv_air_velocity_12_product = inv_air_velocity_12 * V_sq_half_d_inv_part_rho_A;
@@ -183,13 +183,13 @@ pub fn f_jac<T: Real>(
     let inv_air_velocity_12_product_2 = inv_air_velocity_12_product * r_C_Rr;
     let V_inv_m_rho_A_inv_product = V_inv_m_rho_A * inv_air_velocity_12;
     let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
-    let q3_r_plus_q2_q_plus_q1_p = q3.mul_add(r, q2.mul_add(q, q1 * p));
+    let q3_r_plus_q2_q_plus_q1_p = q1.mul_add(p, q2.mul_add(q, q3 * r));
     dx[6] = T::splat(-0.5) * q3_r_plus_q2_q_plus_q1_p;
     let inv_V_sq = inv_V * inv_V;
     let inv_V_inv_m_rho_A = inv_m_rho_A * inv_V;
     let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
-    let q3_q_minus_q2_r_minus_q0_p = q2.neg_mul_add(r, q0.neg_mul_add(p, q3 * q));
+    let q3_q_minus_q2_r_minus_q0_p = q0.neg_mul_add(p, q2.neg_mul_add(r, q3 * q));
     dx[7] = T::splat(-0.5) * q3_q_minus_q2_r_minus_q0_p;
     let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_sq;
     let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
@@ -205,9 +205,9 @@ pub fn f_jac<T: Real>(
         .mul_add(minus_air_velocity_product_7, part_of_d_q_dot_d_air_velocity);
     let part_of_d_q_dot_d_minus_air_3 = air_velocity_12_inv_V_sq
         * minus_air_velocity_product_7;
-    let q1_r_minus_q3_p_minus_q0_q = q3.neg_mul_add(p, q0.neg_mul_add(q, q1 * r));
+    let q1_r_minus_q3_p_minus_q0_q = q0.neg_mul_add(q, q3.neg_mul_add(p, q1 * r));
     dx[8] = T::splat(-0.5) * q1_r_minus_q3_p_minus_q0_q;
-    let q2_p_minus_q1_q_minus_q0_r = q1.neg_mul_add(q, q0.neg_mul_add(r, q2 * p));
+    let q2_p_minus_q1_q_minus_q0_r = q0.neg_mul_add(r, q1.neg_mul_add(q, q2 * p));
     dx[9] = T::splat(-0.5) * q2_p_minus_q1_q_minus_q0_r;
     let one_minus_inv_I_d_I_a = prepared[2];
     let minus_C_Rr_minus_air_sum = C_Rr
@@ -499,10 +499,10 @@ pub fn f_jac<T: Real>(
     let part_of_d_vz_dot_d_air_velocity = q1_q0_plus_q3_q2 * V_inv_m_rho_A_minus_product;
     let d_vz_dot_d_air_velocity_2 = air_velocity_2
         .mul_add(minus_q1_sq_two_product_sum, part_of_d_vz_dot_d_air_velocity);
-    let part_of_d_vz_dot_d_minus_air_4 = minus_q0_q2_plus_q1_q3
+    let minus_d_vz_dot_d_minus_air_velocity_1 = minus_q0_q2_plus_q1_q3
         * V_inv_m_rho_A_minus_product;
     let d_vz_dot_d_minus_air_velocity_1 = minus_air_velocity_1
-        .mul_sub(minus_q1_sq_two_product_sum, part_of_d_vz_dot_d_minus_air_4);
+        .mul_sub(minus_q1_sq_two_product_sum, minus_d_vz_dot_d_minus_air_velocity_1);
     let part_of_d_vz_dot_d_q1_3 = d_air_velocity_2_d_q1
         .mul_add(d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q1_2);
     let part_of_d_vz_dot_d_q2_3 = d_air_velocity_2_d_q2

@@ -79,8 +79,8 @@ pub fn f_jac_par<T: Real>(
     j[47] = d_q1_dot_d_p; // d_q3_dot_d_r
     let vy_minus_wind_y_product_sum = q1_q0_plus_q3_q2
         .mul_add(minus_vy_minus_wind_y, vx_minus_wind_x * q0_q2_plus_q1_q3);
-    let minus_inv_I_a_d_r_dot_d_r = prepared[14];
-    jp[53] = minus_inv_I_a_d_r_dot_d_r * r; // d_r_dot_d_I_a
+    let minus_inv_I_a_C_Nr_inv_I_a = prepared[14];
+    jp[53] = minus_inv_I_a_C_Nr_inv_I_a * r; // d_r_dot_d_I_a
     let inv_I_a = prepared[9];
     let d_r_dot_d_C_Nr = inv_I_a * r;
     jp[54] = d_r_dot_d_C_Nr;
@@ -102,30 +102,30 @@ pub fn f_jac_par<T: Real>(
     let minus_q1_q0_plus_q3_q2_sum = q1_q0_plus_q3_q2_2
         .neg_mul_add(air_velocity_2, part_of_minus_q1_q0_plus_q3_q2);
     let q1_sq_two_minus_one_sum_half = T::splat(0.5) * q1_sq_two_minus_one_sum;
-    let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
+    let q0_two = T::splat(2.0) * q0;
 
     // disc_quaternion.hyz:70  let V = norm(air_velocity);
     let V = V_sq.sqrt();
     let V_sq_half = T::splat(0.5) * V_sq;
-    let q0_two = T::splat(2.0) * q0;
-    let part_of_d_minus_air_velocity_3 = vz_minus_wind_z
-        .mul_add(T::splat(4.0) * q2, minus_vy_minus_wind_y_q3_two);
+    let minus_vy_minus_wind_y_q3_two = minus_vy_minus_wind_y * q3_two;
     let vx_minus_wind_x_q3_two = vx_minus_wind_x * q3_two;
     let vz_minus_wind_z_q2_two = vz_minus_wind_z * q2_two;
-    let d_minus_air_velocity_1_d_q0 = minus_vy_minus_wind_y_q3_two
-        + vz_minus_wind_z_q2_two;
+    let q1_n4 = T::splat(4.0) * q1;
+    let vx_minus_wind_x_q0_two = vx_minus_wind_x * q0_two;
+    let minus_vy_minus_wind_y_q2_two = minus_vy_minus_wind_y * q2_two;
     let d_rho_A_inv_I_d = prepared[4];
     let V_sq_half_d_inv_part_rho_A = d_rho_A_inv_I_d * V_sq_half;
-    let q1_n4 = T::splat(4.0) * q1;
-    let minus_vy_minus_wind_y_q2_two = minus_vy_minus_wind_y * q2_two;
-    let vx_minus_wind_x_q0_two = vx_minus_wind_x * q0_two;
-    let d_minus_air_velocity_3_d_q2 = part_of_d_minus_air_velocity_3
-        - vx_minus_wind_x_q0_two;
-    let part_of_d_air_velocity_2_d_q3 = vz_minus_wind_z_q2_two - vx_minus_wind_x_q0_two;
     let vx_minus_wind_x_q1_two = vx_minus_wind_x * q1_two;
     let vx_minus_wind_x_q2_two = vx_minus_wind_x * q2_two;
     let vx_minus_wind_x_n4 = T::splat(4.0) * vx_minus_wind_x;
     let minus_vy_minus_wind_y_q1_two = minus_vy_minus_wind_y * q1_two;
+    let part_of_d_minus_air_velocity_3 = minus_vy_minus_wind_y_q3_two
+        - vx_minus_wind_x_q0_two;
+    let d_minus_air_velocity_3_d_q2 = vz_minus_wind_z
+        .mul_add(T::splat(4.0) * q2, part_of_d_minus_air_velocity_3);
+    let part_of_d_air_velocity_2_d_q3 = vz_minus_wind_z_q2_two - vx_minus_wind_x_q0_two;
+    let d_minus_air_velocity_1_d_q0 = minus_vy_minus_wind_y_q3_two
+        + vz_minus_wind_z_q2_two;
     let vz_minus_wind_z_q1_two = vz_minus_wind_z * q1_two;
     let minus_vy_minus_wind_y_q0_two = minus_vy_minus_wind_y * q0_two;
     let vz_minus_wind_z_q0_two = vz_minus_wind_z * q0_two;
@@ -163,7 +163,7 @@ pub fn f_jac_par<T: Real>(
     let d_minus_air_velocity_1_d_q1 = minus_vy_minus_wind_y_q2_two
         - vz_minus_wind_z_q3_two;
     let C_Mq = parameters[12];
-    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
+    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let d_air_velocity_2_d_q3 = minus_vy_minus_wind_y
         .mul_add(T::splat(4.0) * q3, part_of_d_air_velocity_2_d_q3);
     let V_sq_half_d_inv_product = V_sq_half_d_inv_part_rho_A * nonzero_air_velocity_12;
@@ -178,42 +178,38 @@ pub fn f_jac_par<T: Real>(
     let V_sq_half_d_inv_product_2 = C_Mq * V_sq_half_d_inv_product;
     j[55] = V_sq_half_d_inv_product_2; // d_p_dot_d_p
     j[66] = V_sq_half_d_inv_product_2; // d_q_dot_d_q
-    let part_of_minus_inv_air_velocity = p * C_Mq_nonzero_air_velocity_12;
-    let part_of_inv_air_velocity_12_sum = q * C_Mq_nonzero_air_velocity_12;
+    let part_of_minus_inv_air_velocity = p * nonzero_air_velocity_12_C_Mq;
+    let part_of_inv_air_velocity_12_sum = q * nonzero_air_velocity_12_C_Mq;
     let two_q0_q3_plus_q1_q2 = T::splat(2.0) * q0_q3_plus_q1_q2;
     let minus_air_velocity_product = minus_air_velocity_1 * inv_air_velocity_12_product;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12_product;
     let d_q_dot_d_C_Rr = r * air_velocity_2_inv_product;
     jp[49] = d_q_dot_d_C_Rr;
-    let q3_r_plus_q2_q_plus_q1_p = q3.mul_add(r, q2.mul_add(q, q1 * p));
+    let q3_r_plus_q2_q_plus_q1_p = q1.mul_add(p, q2.mul_add(q, q3 * r));
     dx[6] = T::splat(-0.5) * q3_r_plus_q2_q_plus_q1_p;
     let minus_air_velocity_product_3 = minus_air_velocity_3 * inv_air_velocity_12;
+    let inv_air_velocity_12_product_2 = inv_air_velocity_12
+        * inv_air_velocity_12_product;
+    let V_inv_m_rho_A_inv_product = V_inv_m_rho_A * inv_air_velocity_12;
+    let inv_V_sq = inv_V * inv_V;
+    let inv_V_inv_m_rho_A = inv_m_rho_A * inv_V;
     let C_Ma = parameters[11];
     let C_Ma_air_velocity_2_product = C_Ma * air_velocity_2_inv_product;
     let minus_air_velocity_product_7 = C_Ma * minus_air_velocity_product;
-    let inv_V_sq = inv_V * inv_V;
-    let inv_V_inv_m_rho_A = inv_m_rho_A * inv_V;
-    let V_inv_m_rho_A_inv_product = V_inv_m_rho_A * inv_air_velocity_12;
-    let inv_air_velocity_12_product_2 = inv_air_velocity_12
-        * inv_air_velocity_12_product;
     let minus_air_velocity_product_6 = minus_air_velocity_1 * inv_air_velocity_12;
     let air_velocity_2_inv_product_2 = air_velocity_2 * inv_air_velocity_12;
-    let q3_q_minus_q2_r_minus_q0_p = q2.neg_mul_add(r, q0.neg_mul_add(p, q3 * q));
+    let q3_q_minus_q2_r_minus_q0_p = q0.neg_mul_add(p, q2.neg_mul_add(r, q3 * q));
     dx[7] = T::splat(-0.5) * q3_q_minus_q2_r_minus_q0_p;
     let air_velocity_12_inv_V_sq = air_velocity_12 * inv_V_sq;
     let minus_air_velocity_product_4 = minus_air_velocity_3 * inv_V_sq;
     let minus_air_velocity_product_2 = minus_air_velocity_3 * inv_V_inv_m_rho_A;
-    let q1_r_minus_q3_p_minus_q0_q = q3.neg_mul_add(p, q0.neg_mul_add(q, q1 * r));
+    let q1_r_minus_q3_p_minus_q0_q = q0.neg_mul_add(q, q3.neg_mul_add(p, q1 * r));
     dx[8] = T::splat(-0.5) * q1_r_minus_q3_p_minus_q0_q;
     let part_of_d_p_dot_d_minus_air = air_velocity_12_inv_V_sq
         * C_Ma_air_velocity_2_product;
-    let part_of_d_p_dot_d_air_velocity = minus_air_velocity_product_4
-        * C_Ma_air_velocity_2_product;
-    let part_of_d_q_dot_d_air_velocity = minus_air_velocity_product_4
-        * minus_air_velocity_product_7;
     let part_of_d_q_dot_d_minus_air = air_velocity_12_inv_V_sq
         * minus_air_velocity_product_7;
-    let q2_p_minus_q1_q_minus_q0_r = q1.neg_mul_add(q, q0.neg_mul_add(r, q2 * p));
+    let q2_p_minus_q1_q_minus_q0_r = q0.neg_mul_add(r, q1.neg_mul_add(q, q2 * p));
     dx[9] = T::splat(-0.5) * q2_p_minus_q1_q_minus_q0_r;
     let one_minus_inv_I_d_I_a = prepared[2];
     let minus_C_Rr_minus_air_sum = C_Rr
@@ -274,6 +270,10 @@ pub fn f_jac_par<T: Real>(
     let q1_q0_plus_q3_q2_two = T::splat(2.0) * q1_q0_plus_q3_q2;
     let two_q1_q0_plus_q3_q2_2 = T::splat(2.0) * q1_q0_plus_q3_q2_2;
     let inv_m_rho_A_V_inv_m = inv_m_rho_A * V_inv_m;
+    let rho = parameters[5];
+    let rho_V_inv_m = rho * V_inv_m;
+    let A = parameters[4];
+    let A_V_inv_m = A * V_inv_m;
     let C_La = parameters[8];
     let C_L0 = parameters[7];
 
@@ -306,6 +306,10 @@ pub fn f_jac_par<T: Real>(
         .neg_mul_add(air_velocity_2_alpha_C_sum, part_of_minus_inv_air_velocity);
     let inv_air_velocity_12_sum = inv_air_velocity_12
         .mul_add(air_velocity_2_r_C_Rr_sum, part_of_inv_air_velocity_12_sum);
+    let part_of_d_p_dot_d_air_velocity = air_velocity_2_alpha_C_sum
+        * inv_air_velocity_12_product_2;
+    let part_of_d_q_dot_d_air_velocity = air_velocity_2_r_C_Rr_sum
+        * inv_air_velocity_12_product_2;
     let air_velocity_12_C_D_sum = air_velocity_12
         .mul_sub(C_D, minus_air_velocity_3 * C_L);
     let air_velocity_12_C_D_product = air_velocity_12_C_D_sum * inv_air_velocity_12;
@@ -329,17 +333,27 @@ pub fn f_jac_par<T: Real>(
     // disc_quaternion.hyz:50  velocity (vx, vy, vz) in N;
     let vx_dot = V_inv_m_rho_A * q0_q2_plus_q1_q3_sum;
     dx[3] = vx_dot;
+    let d_vx_dot_d_A = q0_q2_plus_q1_q3_sum * rho_V_inv_m;
+    jp[1] = d_vx_dot_d_A;
+    let d_vx_dot_d_rho = q0_q2_plus_q1_q3_sum * A_V_inv_m;
+    jp[2] = d_vx_dot_d_rho;
     let part_of_minus_q1_q0_plus_q3_sum_2 = q1_q0_plus_q3_q2
         * minus_air_velocity_3_C_sum;
     let minus_q1_q0_plus_q3_sum = air_velocity_12_C_D_product
         .mul_sub(q0_q3_plus_q1_q2_sum, part_of_minus_q1_q0_plus_q3_sum_2);
     let vy_dot = V_inv_m_rho_A * minus_q1_q0_plus_q3_sum;
     dx[4] = vy_dot;
+    let d_vy_dot_d_A = minus_q1_q0_plus_q3_sum * rho_V_inv_m;
+    jp[11] = d_vy_dot_d_A;
+    let d_vy_dot_d_rho = minus_q1_q0_plus_q3_sum * A_V_inv_m;
+    jp[12] = d_vy_dot_d_rho;
     let part_of_minus_q1_sq_two_minus = minus_air_velocity_3_C_sum
         * q1_sq_two_minus_one_sum_half;
     let V_inv_m_rho_A_minus_product = V_inv_m_rho_A * minus_air_velocity_3_C_sum;
     let minus_q1_sq_two_minus_one_sum_2 = air_velocity_12_C_D_product
         .mul_sub(minus_q1_q0_plus_q3_q2_sum, part_of_minus_q1_sq_two_minus);
+    jp[21] = minus_q1_sq_two_minus_one_sum_2 * rho_V_inv_m; // d_vz_dot_d_A
+    jp[22] = minus_q1_sq_two_minus_one_sum_2 * A_V_inv_m; // d_vz_dot_d_rho
     let V_inv_m_rho_A_air_product = V_inv_m_rho_A * air_velocity_12_C_D_product;
     let part_of_d_vx_dot_d_air_velocity = minus_q0_q3_plus_q1_q2
         * V_inv_m_rho_A_air_product;
@@ -349,11 +363,11 @@ pub fn f_jac_par<T: Real>(
         * q1_sq_two_plus_q3_product;
     let d_vz_dot_d_minus_air_velocity_1 = minus_q0_q2_plus_q1_q3
         * V_inv_m_rho_A_air_product;
-    let part_of_d_vy_dot_d_minus_air_4 = q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product;
-    let part_of_minus_d_vz_dot_d_air = q1_q0_plus_q3_q2_2 * V_inv_m_rho_A_air_product;
     let g = parameters[6];
     let vz_dot = V_inv_m_rho_A.mul_sub(minus_q1_sq_two_minus_one_sum_2, g);
     dx[5] = vz_dot;
+    let part_of_d_vy_dot_d_minus_air_4 = q0_q3_plus_q1_q2 * V_inv_m_rho_A_air_product;
+    let part_of_minus_d_vz_dot_d_air = q1_q0_plus_q3_q2_2 * V_inv_m_rho_A_air_product;
     let part_of_d_vx_dot_d_minus_air = q0_q2_plus_q1_q3 * C_D_plus_air_velocity_sum;
     let part_of_q0_q2_plus_q1_q3_sum_2 = q0_q2_plus_q1_q3 * C_L_minus_air_velocity_sum;
     let part_of_d_vx_dot_d_minus_air_2 = minus_q0_q3_plus_q1_sum
@@ -367,6 +381,8 @@ pub fn f_jac_par<T: Real>(
     let part_of_q0_q2_plus_q1_q3_sum_2_3 = q0_q2_plus_q1_q3_sum * inv_V_inv_m_rho_A;
     let q0_q2_plus_q1_q3_sum_2 = V_inv_m_rho_A_inv_product
         .mul_add(part_of_q0_q2_plus_q1_q3_sum_2_2, part_of_q0_q2_plus_q1_q3_sum_2_3);
+    let d_vx_dot_d_m = -(q0_q2_plus_q1_q3_sum * inv_m_rho_A_V_inv_m);
+    jp[0] = d_vx_dot_d_m;
     let d_vx_dot_d_air_velocity_2 = air_velocity_2
         .mul_sub(q0_q2_plus_q1_q3_sum_2, part_of_d_vx_dot_d_air_velocity);
     let d_vx_dot_d_minus_air_velocity_1 = minus_air_velocity_1
@@ -393,15 +409,15 @@ pub fn f_jac_par<T: Real>(
     jp[32] = d_p_dot_d_I_d;
     let part_of_d_p_dot_d_air_velocity_2 = air_velocity_12
         .mul_add(minus_inv_air_product, part_of_d_p_dot_d_air_velocity);
-    let d_p_dot_d_air_velocity_12 = air_velocity_2_alpha_C_sum
-        .mul_add(inv_air_velocity_12_product_2, part_of_d_p_dot_d_air_velocity_2);
+    let d_p_dot_d_air_velocity_12 = minus_air_velocity_product_4
+        .mul_add(C_Ma_air_velocity_2_product, part_of_d_p_dot_d_air_velocity_2);
     let d_p_dot_d_minus_air_velocity_3 = minus_air_velocity_3
         .mul_sub(minus_inv_air_product, part_of_d_p_dot_d_minus_air);
     let inv_air_velocity_12_product_5 = d_rho_A_inv_I_d * inv_air_velocity_12_sum;
     let part_of_d_q_dot_d_air_velocity_2 = air_velocity_12
-        .mul_add(inv_air_velocity_12_product_5, part_of_d_q_dot_d_air_velocity);
-    let d_q_dot_d_air_velocity_12 = air_velocity_2_r_C_Rr_sum
-        .neg_mul_add(inv_air_velocity_12_product_2, part_of_d_q_dot_d_air_velocity_2);
+        .mul_sub(inv_air_velocity_12_product_5, part_of_d_q_dot_d_air_velocity);
+    let d_q_dot_d_air_velocity_12 = minus_air_velocity_product_4
+        .mul_add(minus_air_velocity_product_7, part_of_d_q_dot_d_air_velocity_2);
     let d_q_dot_d_minus_air_velocity_3 = minus_air_velocity_3
         .mul_sub(inv_air_velocity_12_product_5, part_of_d_q_dot_d_minus_air);
     let d_q_dot_d_I_d = inv_I_d_V_sq_half
@@ -445,6 +461,11 @@ pub fn f_jac_par<T: Real>(
         * inv_V_inv_m_rho_A;
     let minus_minus_q1_sq_two_sum = V_inv_m_rho_A_inv_product
         .mul_sub(part_of_minus_minus_q1_sq_two_2, part_of_minus_minus_q1_sq_two_3);
+    let minus_d_vz_dot_d_m = minus_q1_sq_two_minus_one_sum_2 * inv_m_rho_A_V_inv_m;
+    let d_vy_dot_d_m = -(minus_q1_q0_plus_q3_sum * inv_m_rho_A_V_inv_m);
+    jp[10] = d_vy_dot_d_m;
+    let d_vz_dot_d_m = -minus_d_vz_dot_d_m;
+    jp[20] = d_vz_dot_d_m;
     let d_vy_dot_d_air_velocity_2 = air_velocity_2
         .mul_add(minus_q1_q0_plus_q3_sum_2, part_of_d_vy_dot_d_air_velocity);
     let d_vy_dot_d_minus_air_velocity_1 = minus_air_velocity_1
@@ -470,16 +491,6 @@ pub fn f_jac_par<T: Real>(
         .mul_add(d_minus_air_velocity_1_d_q3, part_of_d_vx_dot_d_q3_2);
     let q0_air_velocity_2_V_product = q0 * air_velocity_2_V_product;
     let q3_minus_air_product = q3 * minus_air_velocity_product_5;
-    let part_of_d_vz_dot_d_q1 = q3_minus_air_product - q0_air_velocity_2_V_product;
-    let part_of_d_vz_dot_d_q1_2 = d_minus_air_velocity_3_d_q1
-        .mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q1);
-    let part_of_d_vz_dot_d_q1_3 = d_air_velocity_2_d_q1
-        .neg_mul_add(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q1_2);
-    let part_of_d_vz_dot_d_q1_4 = d_minus_air_velocity_1_d_q1
-        .mul_add(d_vz_dot_d_minus_air_velocity_1_2, part_of_d_vz_dot_d_q1_3);
-    let d_vz_dot_d_q1 = q1_two
-        .neg_mul_add(V_inv_m_rho_A_minus_product, part_of_d_vz_dot_d_q1_4);
-    j[21] = d_vz_dot_d_q1;
     let q2_minus_air_product = q2 * minus_air_velocity_product_5;
     let part_of_d_vy_dot_d_q1 = q2_minus_air_product - q0_V_inv_m_rho_A_product;
     let part_of_d_vy_dot_d_q1_2 = d_minus_air_velocity_3_d_q1
@@ -541,18 +552,28 @@ pub fn f_jac_par<T: Real>(
     j[20] = d_vz_dot_d_q0;
     let q1_V_inv_m_rho_A_product = q1 * V_inv_m_rho_A_minus_product;
     let part_of_d_vy_dot_d_q0 = q3_minus_air_product - q1_V_inv_m_rho_A_product;
-    let part_of_d_vx_dot_d_q3_4 = part_of_d_vx_dot_d_q3_3 + q0_air_velocity_2_V_product
-        + q1_V_inv_m_rho_A_product;
+    let part_of_d_vz_dot_d_q1 = q3_minus_air_product - q0_air_velocity_2_V_product;
+    let part_of_d_vx_dot_d_q3_4 = part_of_d_vx_dot_d_q3_3 + q1_V_inv_m_rho_A_product
+        + q0_air_velocity_2_V_product;
     let d_vx_dot_d_q3 = q3_two
         .neg_mul_add(minus_air_velocity_product_5, part_of_d_vx_dot_d_q3_4);
     j[9] = d_vx_dot_d_q3;
+    let part_of_d_vz_dot_d_q1_2 = d_minus_air_velocity_3_d_q1
+        .mul_add(d_vz_dot_d_minus_air_velocity_3, part_of_d_vz_dot_d_q1);
     let part_of_d_vy_dot_d_q0_2 = minus_d_minus_air_velocity_3_d_q0
         .neg_mul_add(d_vy_dot_d_minus_air_velocity_3, part_of_d_vy_dot_d_q0);
+    let part_of_d_vz_dot_d_q1_3 = d_air_velocity_2_d_q1
+        .neg_mul_add(minus_d_vz_dot_d_air_velocity_2, part_of_d_vz_dot_d_q1_2);
     let part_of_d_vy_dot_d_q0_3 = d_air_velocity_2_d_q0
         .mul_add(d_vy_dot_d_air_velocity_2, part_of_d_vy_dot_d_q0_2);
     let d_vy_dot_d_q0 = d_minus_air_velocity_1_d_q0
         .mul_add(d_vy_dot_d_minus_air_velocity_1, part_of_d_vy_dot_d_q0_3);
     j[13] = d_vy_dot_d_q0;
+    let part_of_d_vz_dot_d_q1_4 = d_minus_air_velocity_1_d_q1
+        .mul_add(d_vz_dot_d_minus_air_velocity_1_2, part_of_d_vz_dot_d_q1_3);
+    let d_vz_dot_d_q1 = q1_two
+        .neg_mul_add(V_inv_m_rho_A_minus_product, part_of_d_vz_dot_d_q1_4);
+    j[21] = d_vz_dot_d_q1;
     let q1_minus_air_product = q1 * minus_air_velocity_product_5;
     let d_vy_dot_d_q2 = part_of_d_vy_dot_d_q2_3 + q1_minus_air_product;
     j[15] = d_vy_dot_d_q2;
@@ -729,16 +750,6 @@ pub fn f_jac_par<T: Real>(
         * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_q1 = d_minus_air_velocity_3_d_q1
         * d_q_dot_d_minus_air_velocity_3;
-    let part_of_d_p_dot_d_q1_2 = d_air_velocity_2_d_q1
-        .mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_q1);
-    let part_of_d_q_dot_d_q1_2 = d_air_velocity_2_d_q1
-        .mul_add(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_q1);
-    let d_p_dot_d_q1 = d_minus_air_velocity_1_d_q1
-        .mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q1_2);
-    j[52] = d_p_dot_d_q1;
-    let d_q_dot_d_q1 = d_minus_air_velocity_1_d_q1
-        .mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_q1_2);
-    j[62] = d_q_dot_d_q1;
     let part_of_d_p_dot_d_q2 = d_minus_air_velocity_3_d_q2
         * d_p_dot_d_minus_air_velocity_3;
     let part_of_d_p_dot_d_q3 = d_minus_air_velocity_3_d_q3
@@ -747,90 +758,79 @@ pub fn f_jac_par<T: Real>(
         * d_q_dot_d_minus_air_velocity_3;
     let part_of_d_q_dot_d_q3 = d_minus_air_velocity_3_d_q3
         * d_q_dot_d_minus_air_velocity_3;
+    let rho_inv_I_d_d_V_sq_half = rho * inv_I_d_d_V_sq_half;
+    let A_inv_I_d_d_V_sq_half = A * inv_I_d_d_V_sq_half;
+    let part_of_d_p_dot_d_q1_2 = d_air_velocity_2_d_q1
+        .mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_q1);
+    let part_of_d_q_dot_d_q1_2 = d_air_velocity_2_d_q1
+        .mul_add(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_q1);
     let part_of_d_p_dot_d_q2_2 = d_air_velocity_2_d_q2
         .mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_q2);
     let part_of_d_p_dot_d_q3_2 = d_air_velocity_2_d_q3
         .mul_add(d_p_dot_d_air_velocity_2, part_of_d_p_dot_d_q3);
-    let rho = parameters[5];
-    let rho_V_inv_m = rho * V_inv_m;
     let part_of_d_q_dot_d_q2_2 = d_air_velocity_2_d_q2
         .mul_add(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_q2);
-    let A = parameters[4];
-    let A_V_inv_m = A * V_inv_m;
-    let rho_inv_I_d_d_V_sq_half = rho * inv_I_d_d_V_sq_half;
     let part_of_d_q_dot_d_q3_2 = d_air_velocity_2_d_q3
         .mul_add(d_q_dot_d_air_velocity_2, part_of_d_q_dot_d_q3);
-    let A_inv_I_d_d_V_sq_half = A * inv_I_d_d_V_sq_half;
-    let minus_d_q3_dot_d_q2 = T::splat(0.5) * p;
-    j[30] = minus_d_q3_dot_d_q2; // d_q1_dot_d_q0
-    j[38] = minus_d_q3_dot_d_q2; // d_q2_dot_d_q3
-    let minus_d_q1_dot_d_q3 = T::splat(0.5) * q;
-    j[36] = minus_d_q1_dot_d_q3; // d_q2_dot_d_q0
-    j[43] = minus_d_q1_dot_d_q3; // d_q3_dot_d_q1
+    let minus_d_q0_dot_d_q1 = T::splat(0.5) * p;
+    j[30] = minus_d_q0_dot_d_q1; // d_q1_dot_d_q0
+    j[38] = minus_d_q0_dot_d_q1; // d_q2_dot_d_q3
+    let minus_d_q0_dot_d_q2 = T::splat(0.5) * q;
+    j[36] = minus_d_q0_dot_d_q2; // d_q2_dot_d_q0
+    j[43] = minus_d_q0_dot_d_q2; // d_q3_dot_d_q1
+    let minus_d_q0_dot_d_q3 = T::splat(0.5) * r;
+    j[31] = minus_d_q0_dot_d_q3; // d_q1_dot_d_q2
+    j[42] = minus_d_q0_dot_d_q3; // d_q3_dot_d_q0
+    let minus_d_q0_dot_d_p = T::splat(0.5) * q1;
+    j[46] = minus_d_q0_dot_d_p; // d_q3_dot_d_q
+    let minus_d_q0_dot_d_q = T::splat(0.5) * q2;
+    j[35] = minus_d_q0_dot_d_q; // d_q1_dot_d_r
+    let d_p_dot_d_q1 = d_minus_air_velocity_1_d_q1
+        .mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q1_2);
+    j[52] = d_p_dot_d_q1;
+    let minus_d_q0_dot_d_r = T::splat(0.5) * q3;
+    j[39] = minus_d_q0_dot_d_r; // d_q2_dot_d_p
+    let d_q_dot_d_q1 = d_minus_air_velocity_1_d_q1
+        .mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_q1_2);
+    j[62] = d_q_dot_d_q1;
+    let d_p_dot_d_q = one_minus_inv_I_d_I_a * r;
+    j[56] = d_p_dot_d_q;
     let d_p_dot_d_q2 = d_minus_air_velocity_1_d_q2
         .mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q2_2);
     j[53] = d_p_dot_d_q2;
-    let minus_d_q2_dot_d_q1 = T::splat(0.5) * r;
-    j[31] = minus_d_q2_dot_d_q1; // d_q1_dot_d_q2
-    j[42] = minus_d_q2_dot_d_q1; // d_q3_dot_d_q0
     let d_p_dot_d_q3 = d_minus_air_velocity_1_d_q3
         .mul_add(d_p_dot_d_minus_air_velocity_1, part_of_d_p_dot_d_q3_2);
     j[54] = d_p_dot_d_q3;
-    let minus_d_q2_dot_d_r = T::splat(0.5) * q1;
-    j[46] = minus_d_q2_dot_d_r; // d_q3_dot_d_q
-    let minus_d_q3_dot_d_p = T::splat(0.5) * q2;
-    j[35] = minus_d_q3_dot_d_p; // d_q1_dot_d_r
     let d_q_dot_d_q2 = d_minus_air_velocity_1_d_q2
         .mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_q2_2);
     j[63] = d_q_dot_d_q2;
-    let minus_d_q1_dot_d_q = T::splat(0.5) * q3;
-    j[39] = minus_d_q1_dot_d_q; // d_q2_dot_d_p
-    let d_p_dot_d_q = one_minus_inv_I_d_I_a * r;
-    j[56] = d_p_dot_d_q;
     let d_q_dot_d_q3 = d_minus_air_velocity_1_d_q3
         .mul_add(d_q_dot_d_minus_air_velocity_1, part_of_d_q_dot_d_q3_2);
     j[64] = d_q_dot_d_q3;
-    let minus_d_vz_dot_d_m = minus_q1_sq_two_minus_one_sum_2 * inv_m_rho_A_V_inv_m;
-    let d_vx_dot_d_A = q0_q2_plus_q1_q3_sum * rho_V_inv_m;
-    jp[1] = d_vx_dot_d_A;
-    let d_vx_dot_d_rho = q0_q2_plus_q1_q3_sum * A_V_inv_m;
-    jp[2] = d_vx_dot_d_rho;
-    let d_vy_dot_d_A = minus_q1_q0_plus_q3_sum * rho_V_inv_m;
-    jp[11] = d_vy_dot_d_A;
-    let d_vy_dot_d_rho = minus_q1_q0_plus_q3_sum * A_V_inv_m;
-    jp[12] = d_vy_dot_d_rho;
-    jp[21] = minus_q1_sq_two_minus_one_sum_2 * rho_V_inv_m; // d_vz_dot_d_A
-    jp[22] = minus_q1_sq_two_minus_one_sum_2 * A_V_inv_m; // d_vz_dot_d_rho
     jp[34] = minus_inv_air_velocity_sum * rho_inv_I_d_d_V_sq_half; // d_p_dot_d_A
     jp[35] = minus_inv_air_velocity_sum * A_inv_I_d_d_V_sq_half; // d_p_dot_d_rho
     jp[45] = inv_air_velocity_12_sum * rho_inv_I_d_d_V_sq_half; // d_q_dot_d_A
     jp[46] = inv_air_velocity_12_sum * A_inv_I_d_d_V_sq_half; // d_q_dot_d_rho
-    let d_q0_dot_d_q1 = -minus_d_q3_dot_d_q2;
+    let d_q0_dot_d_q1 = -minus_d_q0_dot_d_q1;
     j[24] = d_q0_dot_d_q1;
     j[44] = d_q0_dot_d_q1; // d_q3_dot_d_q2
-    let d_q0_dot_d_q2 = -minus_d_q1_dot_d_q3;
+    let d_q0_dot_d_q2 = -minus_d_q0_dot_d_q2;
     j[25] = d_q0_dot_d_q2;
     j[32] = d_q0_dot_d_q2; // d_q1_dot_d_q3
-    let d_q0_dot_d_q3 = -minus_d_q2_dot_d_q1;
+    let d_q0_dot_d_q3 = -minus_d_q0_dot_d_q3;
     j[26] = d_q0_dot_d_q3;
     j[37] = d_q0_dot_d_q3; // d_q2_dot_d_q1
-    let d_q0_dot_d_p = -minus_d_q2_dot_d_r;
+    let d_q0_dot_d_p = -minus_d_q0_dot_d_p;
     j[27] = d_q0_dot_d_p;
     j[41] = d_q0_dot_d_p; // d_q2_dot_d_r
-    let d_q0_dot_d_q = -minus_d_q3_dot_d_p;
+    let d_q0_dot_d_q = -minus_d_q0_dot_d_q;
     j[28] = d_q0_dot_d_q;
     j[45] = d_q0_dot_d_q; // d_q3_dot_d_p
-    let d_q0_dot_d_r = -minus_d_q1_dot_d_q;
+    let d_q0_dot_d_r = -minus_d_q0_dot_d_r;
     j[29] = d_q0_dot_d_r;
     j[34] = d_q0_dot_d_r; // d_q1_dot_d_q
     let d_q_dot_d_p = -d_p_dot_d_q;
     j[65] = d_q_dot_d_p;
-    let d_vx_dot_d_m = -(q0_q2_plus_q1_q3_sum * inv_m_rho_A_V_inv_m);
-    jp[0] = d_vx_dot_d_m;
-    let d_vy_dot_d_m = -(minus_q1_q0_plus_q3_sum * inv_m_rho_A_V_inv_m);
-    jp[10] = d_vy_dot_d_m;
-    let d_vz_dot_d_m = -minus_d_vz_dot_d_m;
-    jp[20] = d_vz_dot_d_m;
 
     dx[0] = vx;
     dx[1] = vy;

@@ -64,7 +64,7 @@ pub const COEFFICIENTS: usize = 8;
 pub const PREPARED: [&str; 18] = [
     "inv_m_rho_A", "half_d_inv_I_d_rho_A", "one_minus_inv_I_d_I_a", "C_Nr_inv_I_a",
     "d_rho_A_inv_I_d", "two_C_Da", "C_Mq_d_rho_A_inv_I_d", "inv_m", "inv_I_d", "inv_I_a", "rho_A",
-    "I_a_inv_I_d", "inv_I_d_d", "minus_I_a_inv_I_d", "minus_inv_I_a_d_r_dot_d_r", "rho_half",
+    "I_a_inv_I_d", "inv_I_d_d", "minus_I_a_inv_I_d", "minus_inv_I_a_C_Nr_inv_I_a", "rho_half",
     "A_rho_half", "half_d",
 ];
 

@@ -17,9 +17,9 @@ pub fn prepare<T: Real>(parameters: &[T; 18], prepared: &mut [T; 18]) {
     let m = parameters[0];
     let inv_m = T::splat(1.0) / m;
     prepared[7] = inv_m;
-    let A = parameters[4];
     let rho = parameters[5];
-    let rho_A = A * rho;
+    let A = parameters[4];
+    let rho_A = rho * A;
     prepared[10] = rho_A;
     let C_Da = parameters[10];
     prepared[5] = C_Da * T::splat(2.0);

@@ -6,7 +6,7 @@ use lanes::Real;
 /// Computes `dx` and the nonzero entries `j` of ∂dx/∂state; `J_PATTERN` gives their positions.
 ///
 /// 350 operations: 104 add, 218 mul, 4 div, 14 neg, 2 sqrt, 7 call, 1 select.
-/// Hoisted into `prepare`: 20 operations.
+/// Hoisted into `prepare`: 19 operations.
 #[inline(always)]
 pub fn f_jac<T: Real>(
     _time: T,
@@ -18,8 +18,8 @@ pub fn f_jac<T: Real>(
 ) {
     let phi = state[6];
     let (sin_phi, cos_phi) = phi.sin_cos();
-    j[4] = cos_phi; // d_y_dot_d_v
     j[9] = sin_phi; // d_z_dot_d_v
+    j[4] = cos_phi; // d_y_dot_d_v
     let theta = state[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
     j[0] = cos_theta; // d_x_dot_d_u
@@ -37,9 +37,9 @@ pub fn f_jac<T: Real>(
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
-    let minus_wind_y = prepared[7];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z
-        .neg_mul_add(sin_phi, minus_wind_y * cos_phi);
+    let minus_wind_z = prepared[7];
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_y
+        .neg_mul_add(cos_phi, minus_wind_z * sin_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
     let cos_theta_phidot = cos_theta * phidot;
@@ -50,7 +50,7 @@ pub fn f_jac<T: Real>(
     let u = state[3];
 
     // discus.hyz:64  position (x, y, z) in N;
-    let x_dot = w.mul_add(sin_theta, u * cos_theta);
+    let x_dot = cos_theta.mul_add(u, sin_theta * w);
     dx[0] = x_dot;
     let wind_x = parameters[15];
     let d_minus_air_velocity_3_d_theta = sin_theta
@@ -61,7 +61,7 @@ pub fn f_jac<T: Real>(
     let air_velocity_2 = v + d_minus_sin_phi_wind_y_sum_d_phi;
     let d_air_velocity_1_d_theta = cos_theta
         .neg_mul_add(sin_phi_wind_y_sum, wind_x * sin_theta);
-    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, cos_theta * w);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = sin_theta.neg_mul_add(u, w * cos_theta);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let cos_phi_g_plus_v_phidot = v.mul_add(phidot, cos_phi_g);
@@ -103,7 +103,7 @@ pub fn f_jac<T: Real>(
     let V = V_sq.sqrt();
     let half_rho_A_d_inv_I_d = prepared[5];
     let V_sq_half_rho_A_d_inv_part = half_rho_A_d_inv_I_d * V_sq;
-    let sin_theta_cos_phi_g_product = sin_theta * cos_phi_g_plus_v_phidot;
+    let d_w_dot_d_theta = sin_theta * cos_phi_g_plus_v_phidot;
     let cos_theta_cos_phi_g_product = cos_theta * cos_phi_g_plus_v_phidot;
     let part_of_v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot;
     let sin_phi_g = g * sin_phi;
@@ -118,16 +118,17 @@ pub fn f_jac<T: Real>(
     j[49] = d_thetadot_dot_d_phidot;
     let part_of_d_thetadot_dot_d_theta = sin_theta
         .mul_add(sin_theta_phidot_minus_sum, cos_theta * cos_theta_phidot_product);
-    let z_dot = cos_phi.mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * sin_phi);
+    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, sin_phi * v);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
-    let y_dot = sin_phi.neg_mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
+    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, cos_phi * v);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_y_dot_d_w = -(cos_theta * sin_phi);
     j[5] = d_y_dot_d_w;
-    let d_z_dot_d_u = -(sin_theta * cos_phi);
+    let d_air_velocity_1_d_wind_z = sin_theta * cos_phi;
+    let d_z_dot_d_u = -d_air_velocity_1_d_wind_z;
     j[8] = d_z_dot_d_u;
     let minus_r_inv_I_d_I_a_sum = sin_theta_phidot.mul_sub(T::splat(2.0), r_inv_I_d_I_a);
     let d_phidot_dot_d_thetadot = inv_cos_theta * minus_r_inv_I_d_I_a_sum;
@@ -139,9 +140,9 @@ pub fn f_jac<T: Real>(
     let inv_air_velocity_12 = air_velocity_12.recip_or_zero();
     let nonzero_air_velocity_12 = air_velocity_12.if_zero(T::splat(0.0), T::splat(1.0));
     let C_Mq = parameters[13];
-    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
+    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let V_sq_half_rho_A_d_product_2 = V_sq_half_rho_A_d_inv_part
-        * C_Mq_nonzero_air_velocity_12;
+        * nonzero_air_velocity_12_C_Mq;
     j[50] = V_sq_half_rho_A_d_product_2; // d_thetadot_dot_d_thetadot
     let sin_theta_two_thetadot_sum = cos_theta
         .mul_add(V_sq_half_rho_A_d_product_2, T::splat(2.0) * sin_theta * thetadot);
@@ -281,9 +282,9 @@ pub fn f_jac<T: Real>(
     let v_dot = part_of_v_dot_2 - sin_phi_g;
     dx[4] = v_dot;
     let part_of_minus_air_velocity_2_sum = phidot
-        .mul_sub(C_Mq_nonzero_air_velocity_12, sin_alpha_two_C_Ms_product);
+        .mul_sub(nonzero_air_velocity_12_C_Mq, sin_alpha_two_C_Ms_product);
     let part_of_air_velocity_1_inv_sum = thetadot
-        .mul_add(C_Mq_nonzero_air_velocity_12, air_velocity_1_inv_product_4);
+        .mul_add(nonzero_air_velocity_12_C_Mq, air_velocity_1_inv_product_4);
     let part_of_minus_air_velocity_2_sum_2 = part_of_minus_air_velocity_2_sum
         * minus_air_velocity_product_3;
     let minus_air_velocity_2_sum = air_velocity_2_inv_product_3
@@ -329,7 +330,7 @@ pub fn f_jac<T: Real>(
     let C_D_air_velocity_12_product_2 = C_D_air_velocity_12_product
         * inv_air_velocity_12;
     let part_of_u_dot = C_D_air_velocity_12_product
-        .neg_mul_add(air_velocity_1_inv_product, sin_theta_cos_phi_g_product);
+        .neg_mul_add(air_velocity_1_inv_product, d_w_dot_d_theta);
     let u_dot = w.neg_mul_add(thetadot, part_of_u_dot);
     dx[3] = u_dot;
     let minus_d_C_D_air_sum = C_D_air_velocity_12_product_2
@@ -339,7 +340,7 @@ pub fn f_jac<T: Real>(
         .neg_mul_add(V_inv_m_half_rho_A_product, part_of_d_w_dot_d_V);
     let part_of_d_w_dot_d_air_velocity = d_w_dot_d_V
         .mul_sub(air_velocity_12_inv_V, air_velocity_12_V_product);
-    let d_w_dot_d_air_velocity_12 = V_inv_m_half_rho_A
+    let d_w_dot_d_air_velocity_12_2 = V_inv_m_half_rho_A
         .mul_add(sin_alpha_two_C_Lp_product, part_of_d_w_dot_d_air_velocity);
     let part_of_d_w_dot_d_minus_air_4 = minus_air_velocity_3_inv_V * d_w_dot_d_V;
     let d_w_dot_d_minus_air_velocity_3 = V_inv_m_half_rho_A
@@ -348,23 +349,23 @@ pub fn f_jac<T: Real>(
         .mul_sub(minus_air_velocity_3_C_sum, cos_theta_cos_phi_g_product);
     let w_dot = u.mul_add(thetadot, part_of_w_dot);
     dx[5] = w_dot;
-    let part_of_d_w_dot_d_phi_4 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12
+    let part_of_d_w_dot_d_phi_4 = inv_air_velocity_12 * d_w_dot_d_air_velocity_12_2
         * part_of_d_w_dot_d_phi_3;
     let d_w_dot_d_u = air_velocity_1_inv_product
-        .mul_add(d_w_dot_d_air_velocity_12, thetadot);
+        .mul_add(d_w_dot_d_air_velocity_12_2, thetadot);
     j[26] = d_w_dot_d_u;
     let d_w_dot_d_v = air_velocity_2_inv_product
-        .mul_sub(d_w_dot_d_air_velocity_12, cos_theta_phidot);
+        .mul_sub(d_w_dot_d_air_velocity_12_2, cos_theta_phidot);
     j[27] = d_w_dot_d_v;
     let d_w_dot_d_w = -d_w_dot_d_minus_air_velocity_3;
     j[28] = d_w_dot_d_w;
     let air_velocity_1_inv_product_3 = air_velocity_1_inv_product
         * d_air_velocity_1_d_theta;
-    let part_of_d_w_dot_d_theta = d_w_dot_d_air_velocity_12
-        .mul_add(air_velocity_1_inv_product_3, sin_theta_cos_phi_g_product);
-    let d_w_dot_d_theta = d_minus_air_velocity_3_d_theta
-        .mul_add(d_w_dot_d_minus_air_velocity_3, part_of_d_w_dot_d_theta);
-    j[30] = d_w_dot_d_theta;
+    let part_of_d_w_dot_d_theta_2 = d_w_dot_d_air_velocity_12_2
+        .mul_add(air_velocity_1_inv_product_3, d_w_dot_d_theta);
+    let d_w_dot_d_theta_2 = d_minus_air_velocity_3_d_theta
+        .mul_add(d_w_dot_d_minus_air_velocity_3, part_of_d_w_dot_d_theta_2);
+    j[30] = d_w_dot_d_theta_2; // d_w_dot_d_theta
     let part_of_d_w_dot_d_phi_5 = d_minus_sin_phi_wind_y_sum_d_phi
         .mul_add(d_w_dot_d_minus_air_velocity_3, sin_phi_g);
     let d_w_dot_d_phi = cos_theta

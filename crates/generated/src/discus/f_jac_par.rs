@@ -19,8 +19,8 @@ pub fn f_jac_par<T: Real>(
 ) {
     let phi = state[6];
     let (sin_phi, cos_phi) = phi.sin_cos();
-    j[4] = cos_phi; // d_y_dot_d_v
     j[9] = sin_phi; // d_z_dot_d_v
+    j[4] = cos_phi; // d_y_dot_d_v
     let theta = state[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
     j[0] = cos_theta; // d_x_dot_d_u
@@ -36,9 +36,9 @@ pub fn f_jac_par<T: Real>(
     let wind_z = parameters[17];
     let wind_y = parameters[16];
     let sin_phi_wind_y_sum = wind_z.neg_mul_add(cos_phi, wind_y * sin_phi);
-    let minus_wind_y = prepared[7];
-    let d_minus_sin_phi_wind_y_sum_d_phi = wind_z
-        .neg_mul_add(sin_phi, minus_wind_y * cos_phi);
+    let minus_wind_z = prepared[7];
+    let d_minus_sin_phi_wind_y_sum_d_phi = wind_y
+        .neg_mul_add(cos_phi, minus_wind_z * sin_phi);
     let g = parameters[6];
     let cos_phi_g = g * cos_phi;
     let cos_theta_phidot = cos_theta * phidot;
@@ -48,7 +48,7 @@ pub fn f_jac_par<T: Real>(
     // discus.hyz:102  let r = dot(angular_velocity, d3);
     let r = gammadot + sin_theta_phidot;
     let u = state[3];
-    let minus_sin_theta_u_minus_w_cos_sum_2 = u.neg_mul_add(sin_theta, cos_theta * w);
+    let minus_sin_theta_u_minus_w_cos_sum_2 = sin_theta.neg_mul_add(u, w * cos_theta);
     j[2] = minus_sin_theta_u_minus_w_cos_sum_2; // d_x_dot_d_theta
     j[25] = minus_sin_theta_u_minus_w_cos_sum_2; // d_v_dot_d_phidot
     let wind_x = parameters[15];
@@ -93,7 +93,7 @@ pub fn f_jac_par<T: Real>(
     let sin_theta_phidot_minus_sum = sin_theta_phidot - r_inv_I_d_I_a;
 
     // discus.hyz:64  position (x, y, z) in N;
-    let x_dot = w.mul_add(sin_theta, u * cos_theta);
+    let x_dot = cos_theta.mul_add(u, sin_theta * w);
     dx[0] = x_dot;
     let d_y_dot_d_theta = x_dot * sin_phi;
     j[7] = d_y_dot_d_theta;
@@ -114,10 +114,9 @@ pub fn f_jac_par<T: Real>(
     let half_rho_A = prepared[17];
     let V_sq_half_rho_A_d_inv_part = half_rho_A * V_sq_d_inv_I_d;
     let inv_I_d_I_a_product = inv_I_d_I_a * thetadot_sin_theta_product;
-    let inv_I_a_d_gammadot_dot_d_r = prepared[26];
-    let part_of_d_gammadot_dot_d_I_a = inv_I_d
-        .mul_sub(thetadot_sin_theta_product, inv_I_a_d_gammadot_dot_d_r);
-    let d_gammadot_dot_d_I_a = r * part_of_d_gammadot_dot_d_I_a;
+    let inv_I_a_C_Nr_inv_I_a = prepared[26];
+    let d_gammadot_dot_d_I_a = r
+        * inv_I_d.mul_sub(thetadot_sin_theta_product, inv_I_a_C_Nr_inv_I_a);
     jp[56] = d_gammadot_dot_d_I_a;
     let C_Nr_inv_I_a = prepared[6];
     let d_gammadot_dot_d_gammadot = inv_I_d_I_a_product + C_Nr_inv_I_a;
@@ -131,9 +130,9 @@ pub fn f_jac_par<T: Real>(
     let part_of_v_dot = minus_sin_theta_u_minus_w_cos_sum_2 * phidot;
     let part_of_thetadot_dot = cos_theta_phidot * sin_theta_phidot_minus_sum;
     let part_of_gammadot_dot = C_Nr_inv_I_a.mul_sub(r, thetadot * cos_theta_phidot);
-    let d_minus_air_velocity_3_d_wind_z = cos_theta * cos_phi;
-    j[10] = d_minus_air_velocity_3_d_wind_z; // d_z_dot_d_w
-    let d_w_dot_d_g = -d_minus_air_velocity_3_d_wind_z;
+    let d_z_dot_d_w = cos_theta * cos_phi;
+    j[10] = d_z_dot_d_w;
+    let d_w_dot_d_g = -d_z_dot_d_w;
     jp[27] = d_w_dot_d_g;
     let sin_theta_air_velocity_1 = sin_theta * air_velocity_1;
     let part_of_d_w_dot_d_phi = air_velocity_2 * sin_phi_wind_y_sum;
@@ -158,15 +157,15 @@ pub fn f_jac_par<T: Real>(
     let (sin_alpha_two, cos_alpha_two) = alpha_two.sin_cos();
     let nonzero_air_product = nonzero_air_velocity_12 * V_sq_half_rho_A_d_inv_part;
     let C_Mq = parameters[13];
-    let C_Mq_nonzero_air_velocity_12 = C_Mq * nonzero_air_velocity_12;
+    let nonzero_air_velocity_12_C_Mq = C_Mq * nonzero_air_velocity_12;
     let d_minus_thetadot_r_product_d_C_Mq = phidot * nonzero_air_product;
     jp[42] = d_minus_thetadot_r_product_d_C_Mq; // d_phidot_dot_d_C_Mq
     let d_thetadot_dot_d_C_Mq = thetadot * nonzero_air_product;
     jp[52] = d_thetadot_dot_d_C_Mq;
     let V_inv_m_half_rho_A = half_rho_A * V_inv_m;
-    let d_thetadot_dot_d_gammadot = inv_I_d_I_a * cos_theta_phidot;
-    j[51] = d_thetadot_dot_d_gammadot;
-    let part_of_d_thetadot_dot_d_I_d = inv_I_d_r * d_thetadot_dot_d_gammadot;
+    let d_thetadot_dot_d_r = inv_I_d_I_a * cos_theta_phidot;
+    j[51] = d_thetadot_dot_d_r; // d_thetadot_dot_d_gammadot
+    let part_of_d_thetadot_dot_d_I_d = inv_I_d_r * d_thetadot_dot_d_r;
     let part_of_d_w_dot_d_wind_y = sin_phi
         .mul_add(sin_theta_air_velocity_1, cos_phi * air_velocity_2);
     let V_sq_half_rho_A_d_product_2 = C_Mq * nonzero_air_product;
@@ -185,7 +184,7 @@ pub fn f_jac_par<T: Real>(
         - d_minus_thetadot_r_product_d_phidot;
     let air_velocity_2_inv_product = air_velocity_2 * inv_air_velocity_12;
     let air_velocity_1_inv_product = air_velocity_1 * inv_air_velocity_12;
-    let part_of_minus_C_Ms_inv_cos_sum = phidot * C_Mq_nonzero_air_velocity_12;
+    let part_of_minus_C_Ms_inv_cos_sum = phidot * nonzero_air_velocity_12_C_Mq;
     let air_velocity_12_V_product = air_velocity_12 * V_inv_m_half_rho_A;
     let minus_air_velocity_3_inv_V = minus_air_velocity_3 * inv_V;
     let inv_V_two = T::splat(2.0) * inv_V;
@@ -204,7 +203,7 @@ pub fn f_jac_par<T: Real>(
     jp[32] = d_w_dot_d_C_Ds;
     let minus_air_velocity_product_2 = minus_air_velocity_3_inv_V * inv_V_two;
     let inv_V_two_air_product = inv_V_two * air_velocity_12_inv_V;
-    let z_dot = cos_phi.mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * sin_phi);
+    let z_dot = minus_sin_theta_u_minus_w_cos_sum_2.mul_add(cos_phi, sin_phi * v);
     dx[2] = z_dot;
     let d_y_dot_d_phi = -z_dot;
     j[6] = d_y_dot_d_phi;
@@ -267,7 +266,7 @@ pub fn f_jac_par<T: Real>(
     let sin_alpha_two_air_product = sin_alpha_two * air_velocity_2_inv_product;
     let minus_C_Ms_inv_cos_sum = sin_alpha_two_air_product
         .neg_mul_add(part_of_minus_C_Ms_inv_cos_sum_2, part_of_minus_C_Ms_inv_cos_sum);
-    let inv_air_velocity_12_product_2 = inv_air_velocity_12
+    let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12
         * V_sq_half_rho_A_d_product_3;
     let air_velocity_2_inv_product_3 = air_velocity_2_inv_product
         * cos_alpha_two_V_sq_product;
@@ -275,7 +274,7 @@ pub fn f_jac_par<T: Real>(
         * cos_alpha_two_V_sq_product;
     let sin_alpha_two_air_product_2 = sin_alpha_two * air_velocity_1_inv_product;
     let C_Ms_sin_alpha_two_sum = C_Ms
-        .mul_add(sin_alpha_two_air_product_2, thetadot * C_Mq_nonzero_air_velocity_12);
+        .mul_add(sin_alpha_two_air_product_2, thetadot * nonzero_air_velocity_12_C_Mq);
     let d_thetadot_dot_d_d = C_Ms_sin_alpha_two_sum * V_sq_half_rho_A_inv_I_d;
     jp[48] = d_thetadot_dot_d_d;
     let d_minus_thetadot_r_product_d_d = minus_C_Ms_inv_cos_sum
@@ -345,7 +344,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_w_dot_d_air_velocity = minus_air_velocity_product
         .neg_mul_add(C_Ds_minus_air_product, part_of_minus_C_D_air_velocity_3);
     let part_of_minus_C_Ms_inv_cos_sum_2_2 = air_velocity_2_inv_product
-        * inv_air_velocity_12_product_2;
+        * d_thetadot_dot_d_air_velocity_1;
     let part_of_minus_C_Ms_inv_cos_sum_2_3 = minus_air_velocity_product_2
         .mul_add(air_velocity_2_inv_product_3, part_of_minus_C_Ms_inv_cos_sum_2_2);
     let part_of_minus_inv_cos_theta_air_2 = inv_cos_theta * air_velocity_2_inv_product_3;
@@ -374,8 +373,7 @@ pub fn f_jac_par<T: Real>(
         .mul_add(d_C_D_d_minus_air_velocity_3, minus_air_velocity_product_3);
     let d_w_dot_d_minus_air_velocity_3_2 = minus_air_velocity_3
         .mul_add(part_of_d_w_dot_d_minus_air_2, part_of_d_w_dot_d_minus_air);
-    let part_of_d_w_dot_d_wind_z_2 = d_minus_air_velocity_3_d_wind_z
-        * d_w_dot_d_minus_air_velocity_3_2;
+    let part_of_d_w_dot_d_wind_z_2 = d_z_dot_d_w * d_w_dot_d_minus_air_velocity_3_2;
     let part_of_d_w_dot_d_wind_y_2 = -(cos_theta_sin_phi
         * d_w_dot_d_minus_air_velocity_3_2);
     let d_w_dot_d_v = air_velocity_2_inv_product
@@ -390,7 +388,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_thetadot_dot_d_air = C_Ms_sin_alpha_two_sum
         * air_velocity_12_two_product;
     let part_of_d_thetadot_dot_d_air_2 = air_velocity_1_inv_product
-        .neg_mul_add(inv_air_velocity_12_product_2, part_of_d_thetadot_dot_d_air);
+        .neg_mul_add(d_thetadot_dot_d_air_velocity_1, part_of_d_thetadot_dot_d_air);
     let d_thetadot_dot_d_air_velocity_12 = minus_air_velocity_product_2
         .neg_mul_add(air_velocity_1_inv_product_3, part_of_d_thetadot_dot_d_air_2);
     let part_of_d_phidot_dot_d_v = V_sq_half_rho_A_d_product_3 * inv_cos_theta;
@@ -420,9 +418,9 @@ pub fn f_jac_par<T: Real>(
     let d_thetadot_dot_d_I_d = minus_half_rho_A_inv_I_d
         .mul_sub(C_Ms_sin_alpha_two_product, part_of_d_thetadot_dot_d_I_d);
     jp[47] = d_thetadot_dot_d_I_d;
-    let d_thetadot_dot_d_air_velocity_1 = inv_air_velocity_12
+    let d_thetadot_dot_d_air_velocity_1_2 = inv_air_velocity_12
         * part_of_d_thetadot_dot_d_air_3;
-    j[44] = d_thetadot_dot_d_air_velocity_1; // d_thetadot_dot_d_u
+    j[44] = d_thetadot_dot_d_air_velocity_1_2; // d_thetadot_dot_d_u
     let d_thetadot_dot_d_w = -air_velocity_1_inv_sum;
     j[46] = d_thetadot_dot_d_w;
     let d_phidot_dot_d_w = -minus_inv_cos_theta_air_sum;
@@ -430,16 +428,16 @@ pub fn f_jac_par<T: Real>(
     let d_minus_thetadot_r_product_d_I_d = half_rho_A_inv_I_d
         .neg_mul_add(minus_C_Ms_inv_cos_product, part_of_d_minus_thetadot_r_2);
     jp[37] = d_minus_thetadot_r_product_d_I_d; // d_phidot_dot_d_I_d
-    let rho_half = prepared[20];
+    let rho_half = prepared[16];
     jp[39] = rho_half * minus_C_Ms_inv_cos_product; // d_phidot_dot_d_A
-    let A_half = prepared[16];
+    let A_half = prepared[21];
     jp[40] = A_half * minus_C_Ms_inv_cos_product; // d_phidot_dot_d_rho
     let sin_theta_minus_C_product = sin_theta * minus_C_Ms_inv_cos_product;
     jp[49] = rho_half * C_Ms_sin_alpha_two_product; // d_thetadot_dot_d_A
     jp[50] = A_half * C_Ms_sin_alpha_two_product; // d_thetadot_dot_d_rho
     let d_gammadot_dot_d_I_d = -(sin_theta * d_minus_thetadot_r_product_d_I_d);
     jp[57] = d_gammadot_dot_d_I_d;
-    let minus_rho_half = prepared[21];
+    let minus_rho_half = prepared[20];
     jp[59] = minus_rho_half * sin_theta_minus_C_product; // d_gammadot_dot_d_A
     let minus_A_half = prepared[22];
     jp[60] = minus_A_half * sin_theta_minus_C_product; // d_gammadot_dot_d_rho
@@ -611,7 +609,7 @@ pub fn f_jac_par<T: Real>(
     let part_of_d_v_dot_d_theta_2 = d_air_velocity_1_d_theta
         .mul_add(part_of_d_u_dot_d_v, part_of_d_v_dot_d_theta);
     let part_of_d_thetadot_dot_d_theta_3 = d_air_velocity_1_d_theta
-        .mul_add(d_thetadot_dot_d_air_velocity_1, part_of_d_thetadot_dot_d_theta_2);
+        .mul_add(d_thetadot_dot_d_air_velocity_1_2, part_of_d_thetadot_dot_d_theta_2);
     let d_thetadot_dot_d_theta = phidot
         .mul_add(part_of_d_thetadot_dot_d_theta, part_of_d_thetadot_dot_d_theta_3);
     j[48] = d_thetadot_dot_d_theta;
@@ -624,12 +622,12 @@ pub fn f_jac_par<T: Real>(
         .mul_sub(sin_theta_d_u_dot_d_sum_2, sin_phi * part_of_d_u_dot_d_v);
     jp[11] = d_u_dot_d_wind_z;
     let sin_theta_d_product_sum = sin_theta
-        .mul_add(d_thetadot_dot_d_air_velocity_1, part_of_sin_theta_d_product_sum);
+        .mul_add(d_thetadot_dot_d_air_velocity_1_2, part_of_sin_theta_d_product_sum);
     let d_thetadot_dot_d_phi = d_minus_sin_phi_wind_y_sum_d_phi
         .mul_add(sin_theta_d_product_sum, part_of_d_thetadot_dot_d_phi);
     j[47] = d_thetadot_dot_d_phi;
     let part_of_d_thetadot_dot_d_wind_x = sin_theta * air_velocity_1_inv_sum;
-    let y_dot = sin_phi.neg_mul_add(minus_sin_theta_u_minus_w_cos_sum_2, v * cos_phi);
+    let y_dot = minus_sin_theta_u_minus_w_cos_sum_2.neg_mul_add(sin_phi, cos_phi * v);
     dx[1] = y_dot;
     j[11] = y_dot; // d_z_dot_d_phi
     let d_air_velocity_1_d_wind_z = sin_theta * cos_phi;
@@ -638,7 +636,7 @@ pub fn f_jac_par<T: Real>(
         .mul_sub(part_of_d_gammadot_dot_d_phidot, cos_theta * thetadot);
     j[57] = d_gammadot_dot_d_phidot;
     let d_thetadot_dot_d_wind_x = cos_theta
-        .neg_mul_add(d_thetadot_dot_d_air_velocity_1, part_of_d_thetadot_dot_d_wind_x);
+        .neg_mul_add(d_thetadot_dot_d_air_velocity_1_2, part_of_d_thetadot_dot_d_wind_x);
     jp[53] = d_thetadot_dot_d_wind_x;
     let d_u_dot_d_wind_y = sin_phi
         .neg_mul_add(sin_theta_d_u_dot_d_sum_2, -(cos_phi * part_of_d_u_dot_d_v));

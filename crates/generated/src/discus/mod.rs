@@ -18,7 +18,7 @@
 //!
 //! | function | operations |
 //! |---|---|
-//! | `prepare` | 32 operations: 4 add, 18 mul, 4 div, 6 neg |
+//! | `prepare` | 31 operations: 3 add, 18 mul, 4 div, 6 neg |
 //! | `f` | 114 operations: 34 add, 67 mul, 4 div, 2 sqrt, 6 call, 1 select |
 //! | `f_jac` | 350 operations: 104 add, 218 mul, 4 div, 14 neg, 2 sqrt, 7 call, 1 select |
 //! | `f_jac_par` | 503 operations: 126 add, 330 mul, 4 div, 33 neg, 2 sqrt, 7 call, 1 select |
@@ -76,11 +76,11 @@ pub const COEFFICIENTS: usize = 8;
 /// Names of the invariants that `prepare` computes.
 pub const PREPARED: [&str; 29] = [
     "inv_s_stall", "minus_C_Lp_plus_C_Ls", "inv_m_half_rho_A", "minus_g", "inv_I_d_I_a",
-    "half_rho_A_d_inv_I_d", "C_Nr_inv_I_a", "minus_wind_y", "two_C_Ds", "n8_inv_s_stall_product",
+    "half_rho_A_d_inv_I_d", "C_Nr_inv_I_a", "minus_wind_z", "two_C_Ds", "n8_inv_s_stall_product",
     "two_inv_I_d_half_rho_A_d", "two_minus_inv_I_d_I_a", "minus_one_plus_inv_I_d_I_a", "inv_m",
-    "inv_I_d", "inv_I_a", "A_half", "half_rho_A", "d_inv_I_d", "minus_C_Lp_plus_C_Ls_n8",
-    "rho_half", "minus_rho_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d",
-    "minus_half_rho_A_inv_I_d", "inv_I_a_d_gammadot_dot_d_r", "half_d", "d_C_Mq",
+    "inv_I_d", "inv_I_a", "rho_half", "half_rho_A", "d_inv_I_d", "minus_C_Lp_plus_C_Ls_n8",
+    "minus_rho_half", "A_half", "minus_A_half", "minus_half_rho_A_inv_m", "half_rho_A_inv_I_d",
+    "minus_half_rho_A_inv_I_d", "inv_I_a_C_Nr_inv_I_a", "half_d", "d_C_Mq",
 ];
 
 /// Names of the auxiliary variables that `quantities` computes.

@@ -19,7 +19,7 @@ pub fn observe_jac<T: Real>(
     dy_dmarker: &mut [T; 9],
 ) {
     let gamma = state[8];
-    let (sin_gamma, cos_gamma) = gamma.sin_cos();
+    let (sin_gamma_2, cos_gamma_2) = gamma.sin_cos();
     let theta = state[7];
     let (sin_theta, cos_theta) = theta.sin_cos();
     dy_dmarker[2] = sin_theta; // d_seen_x_d_mark_z
@@ -29,47 +29,50 @@ pub fn observe_jac<T: Real>(
     let sin_theta_cos_phi = sin_theta * cos_phi;
     let mark_y = marker[1];
     let mark_x = marker[0];
-    let minus_sin_gamma_mark_y_sum = mark_y.neg_mul_add(sin_gamma, mark_x * cos_gamma);
-    let sin_gamma_mark_x_plus_sum = mark_x.mul_add(sin_gamma, cos_gamma * mark_y);
-    let d_seen_y_d_mark_x = cos_gamma.mul_add(sin_theta_sin_phi, sin_gamma * cos_phi);
+    let minus_sin_gamma_2_mark_sum = sin_gamma_2
+        .neg_mul_add(mark_y, cos_gamma_2 * mark_x);
+    let sin_gamma_2_mark_x_plus_sum = mark_y.mul_add(cos_gamma_2, sin_gamma_2 * mark_x);
+    let d_seen_y_d_mark_x = cos_gamma_2
+        .mul_add(sin_theta_sin_phi, sin_gamma_2 * cos_phi);
     dy_dmarker[3] = d_seen_y_d_mark_x;
-    let d_seen_y_d_mark_y = sin_gamma
-        .neg_mul_add(sin_theta_sin_phi, cos_gamma * cos_phi);
+    let d_seen_y_d_mark_y = sin_gamma_2
+        .neg_mul_add(sin_theta_sin_phi, cos_gamma_2 * cos_phi);
     dy_dmarker[4] = d_seen_y_d_mark_y;
     let mark_z = marker[2];
-    let minus_sin_theta_minus_sum = minus_sin_gamma_mark_y_sum
+    let minus_sin_theta_minus_sum = minus_sin_gamma_2_mark_sum
         .neg_mul_add(sin_theta, cos_theta * mark_z);
     dy_dx[1] = minus_sin_theta_minus_sum; // d_seen_x_d_theta
-    let minus_d_minus_sin_theta_minus_sum_d_theta = cos_theta
-        .mul_add(minus_sin_gamma_mark_y_sum, sin_theta * mark_z);
-    let part_of_d_seen_y_d_gamma = minus_sin_gamma_mark_y_sum * cos_phi;
-    let part_of_d_seen_z_d_gamma = minus_sin_gamma_mark_y_sum * sin_phi;
-    let minus_sin_gamma_mark_x_sum = -sin_gamma_mark_x_plus_sum;
-    let d_seen_z_d_mark_y = sin_gamma.mul_add(sin_theta_cos_phi, cos_gamma * sin_phi);
+    let minus_d_minus_sin_theta_minus_sum_d_theta = minus_sin_gamma_2_mark_sum
+        .mul_add(cos_theta, mark_z * sin_theta);
+    let part_of_d_seen_y_d_gamma = minus_sin_gamma_2_mark_sum * cos_phi;
+    let part_of_d_seen_z_d_gamma = minus_sin_gamma_2_mark_sum * sin_phi;
+    let minus_sin_gamma_2_mark_sum_2 = -sin_gamma_2_mark_x_plus_sum;
+    let d_seen_z_d_mark_y = sin_gamma_2
+        .mul_add(sin_theta_cos_phi, cos_gamma_2 * sin_phi);
     dy_dmarker[7] = d_seen_z_d_mark_y;
-    let d_seen_z_d_mark_x = cos_gamma
-        .neg_mul_add(sin_theta_cos_phi, sin_gamma * sin_phi);
+    let d_seen_z_d_mark_x = cos_gamma_2
+        .neg_mul_add(sin_theta_cos_phi, sin_gamma_2 * sin_phi);
     dy_dmarker[6] = d_seen_z_d_mark_x;
     let minus_d_seen_z_d_theta = cos_phi * minus_d_minus_sin_theta_minus_sum_d_theta;
-    let d_mark_z_2_d_phi = sin_phi
-        .neg_mul_add(minus_sin_theta_minus_sum, cos_phi * sin_gamma_mark_x_plus_sum);
+    let d_mark_z_2_d_phi = minus_sin_theta_minus_sum
+        .neg_mul_add(sin_phi, sin_gamma_2_mark_x_plus_sum * cos_phi);
     dy_dx[8] = d_mark_z_2_d_phi; // d_seen_z_d_phi
-    let d_seen_y_d_gamma = minus_sin_gamma_mark_x_sum
+    let d_seen_y_d_gamma = minus_sin_gamma_2_mark_sum_2
         .mul_add(sin_theta_sin_phi, part_of_d_seen_y_d_gamma);
     dy_dx[6] = d_seen_y_d_gamma;
-    let d_seen_z_d_gamma = minus_sin_gamma_mark_x_sum
+    let d_seen_z_d_gamma = minus_sin_gamma_2_mark_sum_2
         .neg_mul_add(sin_theta_cos_phi, part_of_d_seen_z_d_gamma);
     dy_dx[10] = d_seen_z_d_gamma;
-    let d_seen_x_d_gamma = cos_theta * minus_sin_gamma_mark_x_sum;
+    let d_seen_x_d_gamma = cos_theta * minus_sin_gamma_2_mark_sum_2;
     dy_dx[2] = d_seen_x_d_gamma;
-    let d_seen_x_d_mark_x = cos_theta * cos_gamma;
+    let d_seen_x_d_mark_x = cos_gamma_2 * cos_theta;
     dy_dmarker[0] = d_seen_x_d_mark_x;
-    let d_seen_z_d_mark_z = cos_theta * cos_phi;
-    dy_dmarker[8] = d_seen_z_d_mark_z;
+    let d_z_dot_d_w = cos_theta * cos_phi;
+    dy_dmarker[8] = d_z_dot_d_w; // d_seen_z_d_mark_z
     let x = state[0];
     let mark_x_2 = x + minus_d_minus_sin_theta_minus_sum_d_theta;
     observed[0] = mark_x_2;
-    let d_mark_y_2_d_phi = sin_gamma_mark_x_plus_sum
+    let d_mark_y_2_d_phi = sin_gamma_2_mark_x_plus_sum
         .neg_mul_add(sin_phi, -(cos_phi * minus_sin_theta_minus_sum));
     dy_dx[4] = d_mark_y_2_d_phi; // d_seen_y_d_phi
     dy_dx[5] = sin_phi * minus_d_minus_sin_theta_minus_sum_d_theta; // d_seen_y_d_theta
@@ -78,7 +81,7 @@ pub fn observe_jac<T: Real>(
     observed[1] = mark_y_2;
     let d_seen_z_d_theta = -minus_d_seen_z_d_theta;
     dy_dx[9] = d_seen_z_d_theta;
-    let d_seen_x_d_mark_y = -(cos_theta * sin_gamma);
+    let d_seen_x_d_mark_y = -(sin_gamma_2 * cos_theta);
     dy_dmarker[1] = d_seen_x_d_mark_y;
     let d_seen_y_d_mark_z = -(cos_theta * sin_phi);
     dy_dmarker[5] = d_seen_y_d_mark_z;

@@ -64,7 +64,7 @@ pub fn quantities<T: Real>(
     values[15] = V;
     let half_rho_A = prepared[17];
     let V_sq_half_rho_A = half_rho_A * V_sq;
-    let rho_half = prepared[20];
+    let rho_half = prepared[16];
     values[23] = rho_half * V_sq;
 
     // discus.hyz:91  let alpha = atan2(-dot(air_velocity, d3), dot(air_velocity, d1));

@@ -6,8 +6,7 @@ mod inertia;
 mod motion;
 mod solve;
 
-use crate::differentiate::{Substituted, Values};
-use crate::graph::{Graph, NodeId, Symbol};
+use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::layout::Layout;
 use frames::Vector;
 use model_spec::diagnostic::Span;
@@ -15,7 +14,7 @@ use model_spec::model::{ExprKind, Model};
 
 /// Where a named node comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Origin {
+pub struct Provenance {
     /// Its name in generated code.
     pub name: String,
     /// Place in the model.
@@ -30,9 +29,9 @@ pub struct Origin {
 
 /// A model as scalar nodes.
 #[derive(Clone, Debug)]
-pub struct Derived {
+pub struct Lowered {
     /// The nodes.
-    pub graph: Graph,
+    pub graph: ExprGraph,
     /// States, parameters, marker.
     pub layout: Layout,
     /// Derivatives of the states, in order.
@@ -44,7 +43,7 @@ pub struct Derived {
     /// Left sides of the limits.
     pub limits: Vec<NodeId>,
     /// Named nodes of the model, in order of declaration.
-    pub origins: Vec<Origin>,
+    pub provenance: Vec<Provenance>,
     /// Values of the named quantities: one node, or three.
     pub lets: Vec<Vec<NodeId>>,
 }
@@ -56,38 +55,38 @@ pub(crate) enum Value {
     Vector(Vector),
 }
 
-pub(crate) struct Deriver<'a> {
+pub(crate) struct Lowering<'a> {
     pub(crate) model: &'a Model,
-    pub(crate) graph: Graph,
+    pub(crate) graph: ExprGraph,
     pub(crate) layout: Layout,
     pub(crate) lets: Vec<Value>,
-    pub(crate) origins: Vec<Origin>,
+    pub(crate) provenance: Vec<Provenance>,
 }
 
 /// Derives the equations of motion and everything else that a model says, as nodes.
-pub fn derive(model: &Model) -> Derived {
+pub fn lower(model: &Model) -> Lowered {
     let layout = Layout::new(model);
-    let mut deriver = Deriver {
+    let mut lowering = Lowering {
         model,
-        graph: Graph::new(),
+        graph: ExprGraph::new(),
         layout,
         lets: Vec::new(),
-        origins: Vec::new(),
+        provenance: Vec::new(),
     };
-    deriver.leaves();
-    deriver.assumptions();
+    lowering.leaves();
+    lowering.assumptions();
     for quantity in &model.aux_variables {
-        let value = deriver.evaluate(&quantity.value);
-        deriver.lets.push(value);
+        let value = lowering.evaluate(&quantity.value);
+        lowering.lets.push(value);
     }
     let mut quantities = Vec::new();
-    let names = deriver.layout.quantities.clone();
+    let names = lowering.layout.quantities.clone();
     let mut next = names.iter();
     let of_marker = crate::layout::depends_on_marker(model);
     for ((quantity, value), of_marker) in model
         .aux_variables
         .iter()
-        .zip(deriver.lets.clone())
+        .zip(lowering.lets.clone())
         .zip(of_marker)
     {
         // `quantities` is not handed a marker.
@@ -97,16 +96,16 @@ pub fn derive(model: &Model) -> Derived {
         let nodes = nodes(value);
         for node in nodes {
             if let Some(name) = next.next() {
-                deriver.record(node, name, quantity.span);
+                lowering.record(node, name, quantity.span);
                 quantities.push((name.clone(), node));
             }
         }
     }
-    let dx = deriver.motion();
+    let dx = lowering.motion();
     let observation = model.observation.as_ref().map(|observation| {
-        let vector = deriver.vector(&observation.value);
+        let vector = lowering.vector(&observation.value);
         for (k, &component) in vector.iter().enumerate() {
-            deriver.record(
+            lowering.record(
                 component,
                 &format!("{}_{}", observation.name, ["x", "y", "z"][k]),
                 observation.span,
@@ -117,41 +116,47 @@ pub fn derive(model: &Model) -> Derived {
     let limits = model
         .limits
         .iter()
-        .map(|limit| deriver.scalar(&limit.value))
+        .map(|limit| lowering.scalar(&limit.value))
         .collect();
-    let lets = deriver.lets.iter().map(|&value| nodes(value)).collect();
-    let Deriver {
+    let lets = lowering.lets.iter().map(|&value| nodes(value)).collect();
+    let Lowering {
         graph,
         layout,
-        origins,
+        provenance,
         ..
-    } = deriver;
-    Derived {
+    } = lowering;
+    Lowered {
         graph,
         layout,
         dx,
         observation,
         quantities,
         limits,
-        origins,
+        provenance,
         lets,
     }
 }
 
-impl Derived {
-    /// Puts numbers in the place of symbols.
-    pub fn put_in(&mut self, values: &Values) {
+impl Lowered {
+    /// The nodes of all values.
+    pub(crate) fn nodes(&mut self) -> Vec<NodeId> {
+        let mut nodes = Vec::new();
+        self.replace_nodes(|node| {
+            nodes.push(node);
+            node
+        });
+        nodes
+    }
+
+    /// Replaces the nodes of all values.
+    pub(crate) fn replace_nodes(&mut self, mut replace: impl FnMut(NodeId) -> NodeId) {
         let lets = self.lets.iter_mut().flatten();
         let quantities = self.quantities.iter_mut().map(|(_, node)| node);
-        let seen = self.observation.iter_mut().flatten();
-        let all = self.dx.iter_mut().chain(&mut self.limits);
-        let mut all: Vec<&mut NodeId> = all.chain(seen).chain(quantities).chain(lets).collect();
-        let roots: Vec<NodeId> = all.iter().map(|node| **node).collect();
-        let mut new = Substituted::new(&self.graph, &roots, values);
-        for node in &mut all {
-            **node = new.image(**node);
+        let observed = self.observation.iter_mut().flatten();
+        let values = self.dx.iter_mut().chain(&mut self.limits);
+        for node in values.chain(observed).chain(quantities).chain(lets) {
+            *node = replace(*node);
         }
-        self.graph = new.graph;
     }
 }
 
@@ -162,7 +167,7 @@ fn nodes(value: Value) -> Vec<NodeId> {
     }
 }
 
-impl Deriver<'_> {
+impl Lowering<'_> {
     /// States and parameters come first, so that the order of terms follows the layout.
     fn leaves(&mut self) {
         for k in 0..self.layout.states.len() {
@@ -198,7 +203,7 @@ impl Deriver<'_> {
             return;
         }
         self.graph.name(node, name);
-        if self.origins.iter().any(|origin| origin.name == name) {
+        if self.provenance.iter().any(|known| known.name == name) {
             return;
         }
         let source = self.model.sources.get(usize::from(span.source));
@@ -206,7 +211,7 @@ impl Deriver<'_> {
             line_of(&source.text, span.start as usize)
         });
         let source = source.map_or_else(|| self.model.name.clone(), |source| source.name.clone());
-        self.origins.push(Origin {
+        self.provenance.push(Provenance {
             name: name.to_string(),
             span,
             source,

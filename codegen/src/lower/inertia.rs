@@ -3,7 +3,7 @@
 //! They are split in two: a part that is symmetric about the axis of the turn between the frames, and is the same in
 //! both, and the rest, which turns. Where the rest is 0 nothing of the turn is left in the equations.
 
-use super::Deriver;
+use super::Lowering;
 use super::frames::{self, Vector};
 use model_spec::model::{FrameKind, Model, Rotation};
 
@@ -21,7 +21,7 @@ pub(super) struct Turned {
     relative: Vector,
 }
 
-impl Deriver<'_> {
+impl Lowering<'_> {
     /// Moments of inertia seen from the frame of the angular velocity.
     pub(super) fn turned_inertia(&mut self, rotation: &Rotation, given: Matrix) -> Turned {
         let model = self.model;

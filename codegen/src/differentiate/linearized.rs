@@ -1,38 +1,48 @@
-//! The linearised graph: every leaf-like node a vertex, its partial derivatives the edges to the vertices below it.
+//! The linearized computational graph: a vertex for every value that is neither sum nor product, and the partial
+//! derivatives by the vertices below it on its edges.
 
 use super::partials;
-use crate::graph::{FastMap, Graph, Node, NodeId, Symbol};
+use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 
-/// A vertex: a result, a symbol that derivatives are taken by, or what lies between.
+/// Items with their names in generated code.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Labelled<'a, T> {
+    pub items: &'a [T],
+    pub names: &'a [String],
+}
+
+/// A result, a symbol that derivatives are taken by, or a value between them.
 #[derive(Clone, Debug)]
 pub(super) struct Vertex {
-    /// The column it stands for.
+    /// The column of the Jacobian, for a symbol.
     pub column: Option<u32>,
     pub name: Option<String>,
-    /// Vertices it depends on, with the partial derivative.
+    /// Vertices it depends on, with the partial derivatives.
     pub down: Vec<(usize, NodeId)>,
     /// Vertices that depend on it.
     pub up: Vec<usize>,
 }
 
-/// Vertices, and what is wanted of them.
+/// Vertices and edges between results and symbols.
 #[derive(Clone, Debug)]
-pub struct Edges {
-    /// The results come first, as vertices that nothing depends on.
+pub(crate) struct LinearizedGraph {
+    /// The results first, in order.
     pub(super) vertices: Vec<Vertex>,
-    /// The names of the results.
+    /// Names of the results.
     pub(super) rows: Vec<String>,
-    /// The names of the symbols.
-    pub(super) names: Vec<String>,
+    /// Names of the symbols.
+    pub(super) columns: Vec<String>,
 }
 
-impl Edges {
-    /// Of the roots and all that they depend on, towards the symbols; both come with their names, for the derivatives'.
+impl LinearizedGraph {
+    /// The graph between `results` and `symbols`.
     pub fn new(
-        graph: &mut Graph,
-        (roots, rows): (&[NodeId], &[String]),
-        (by, names): (&[Symbol], &[String]),
-    ) -> Edges {
+        graph: &mut ExprGraph,
+        results: Labelled<'_, NodeId>,
+        symbols: Labelled<'_, Symbol>,
+    ) -> LinearizedGraph {
+        let (roots, rows) = (results.items, results.names);
+        let (by, names) = (symbols.items, symbols.names);
         for (&symbol, name) in by.iter().zip(names) {
             let node = graph.symbol(symbol);
             graph.name(node, name.as_str());
@@ -56,36 +66,60 @@ impl Edges {
             let partials = partials::of_expression(graph, root);
             attach(graph, at, partials, &columns, &mut vertices, &mut index);
         }
-        let mut edges = Edges {
+        let mut linearized = LinearizedGraph {
             vertices,
             rows: rows.to_vec(),
-            names: names.to_vec(),
+            columns: names.to_vec(),
         };
-        edges.prune();
-        edges
+        linearized.prune();
+        linearized
     }
 
-    /// The partial derivatives on all edges.
+    /// The partial derivatives on all edges, by vertex.
     pub fn partials(&self) -> Vec<NodeId> {
         let edges = self.vertices.iter().flat_map(|vertex| &vertex.down);
         edges.map(|&(_, partial)| partial).collect()
     }
 
-    /// Puts others in their place, in the same order, nodes of `graph`; edges that are 0 there are dropped.
-    pub fn replace(&mut self, graph: &Graph, partials: &[NodeId]) {
+    /// Puts other partial derivatives in their place, in the order of [`partials`](Self::partials), and drops the edges
+    /// on which they are 0.
+    pub fn set_partials(&mut self, graph: &ExprGraph, partials: &[NodeId]) {
         let mut next = partials.iter().copied();
-        let mut gone = Vec::new();
+        self.retain_edges(|_, partial| {
+            *partial = next.next().unwrap_or(*partial);
+            !graph.is_zero(*partial)
+        });
+    }
+
+    /// The graph towards the first `columns` symbols alone.
+    pub fn towards_first(mut self, columns: usize) -> LinearizedGraph {
+        let beyond: Vec<bool> = self
+            .vertices
+            .iter()
+            .map(|vertex| {
+                vertex
+                    .column
+                    .is_some_and(|column| column as usize >= columns)
+            })
+            .collect();
+        self.retain_edges(|to, _| !beyond[to]);
+        self.columns.truncate(columns);
+        self
+    }
+
+    /// Drops edges, and vertices from which no symbol can be reached without them.
+    fn retain_edges(&mut self, mut keep: impl FnMut(usize, &mut NodeId) -> bool) {
+        let mut dropped = Vec::new();
         for (from, vertex) in self.vertices.iter_mut().enumerate() {
             vertex.down.retain_mut(|(to, partial)| {
-                *partial = next.next().unwrap_or(*partial);
-                let vanishes = graph.is_zero(*partial);
-                if vanishes {
-                    gone.push((from, *to));
+                let kept = keep(*to, partial);
+                if !kept {
+                    dropped.push((from, *to));
                 }
-                !vanishes
+                kept
             });
         }
-        for (from, to) in gone {
+        for (from, to) in dropped {
             self.vertices[to].up.retain(|&user| user != from);
         }
         self.prune();
@@ -115,7 +149,7 @@ impl Edges {
 
 /// Adds edges, and the vertices below them.
 fn attach(
-    graph: &mut Graph,
+    graph: &mut ExprGraph,
     from: usize,
     partials: Vec<(NodeId, NodeId)>,
     columns: &FastMap<NodeId, u32>,
@@ -157,7 +191,7 @@ fn attach(
 }
 
 /// Partial derivatives of a vertex by the vertices below it.
-fn partials_of_vertex(graph: &mut Graph, node: NodeId) -> Vec<(NodeId, NodeId)> {
+fn partials_of_vertex(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, NodeId)> {
     if let Node::Symbol(Symbol::Local(k)) = graph.node(node) {
         let definition = graph.definition(*k);
         return partials::of_expression(graph, definition);
@@ -176,7 +210,7 @@ fn partials_of_vertex(graph: &mut Graph, node: NodeId) -> Vec<(NodeId, NodeId)> 
 }
 
 pub(super) fn add_edge(
-    graph: &mut Graph,
+    graph: &mut ExprGraph,
     vertices: &mut [Vertex],
     from: usize,
     to: usize,

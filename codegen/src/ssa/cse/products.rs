@@ -1,29 +1,30 @@
 //! Products that several products contain are computed once: greedily, the most frequent pair first.
 
-use super::greedy::{Candidates, Score};
-use super::{Dag, Def, DefId};
+use super::candidates::{Candidates, Score};
 use crate::graph::FastMap;
+use crate::ssa::{DefId, Ssa, SsaDef};
+use model_spec::index::IndexVec;
 
 type Pair = (DefId, DefId);
 
 /// Splits all products into pairs, sharing them.
-pub fn share(dag: &mut Dag) {
-    let uses = dag.uses();
+pub fn share(ssa: &mut Ssa) {
+    let uses = ssa.uses();
     let mut candidates = Candidates::new();
-    for id in 0..dag.defs.len() as DefId {
-        if uses[id as usize] > 0 {
-            register(dag, id, &mut candidates);
+    for id in ssa.defs.indices() {
+        if uses[id] > 0 {
+            register(ssa, id, &mut candidates);
         }
     }
-    candidates.rate(|pair, users| score(dag, pair, users));
-    while let Some((pair, mut users)) = candidates.next(|pair, users| score(dag, pair, users)) {
-        users.retain(|&id| count(factors(dag, id), pair) > 0);
-        let shared = dag.product(vec![pair.0, pair.1]);
+    candidates.rate(|pair, users| score(ssa, pair, users));
+    while let Some((pair, mut users)) = candidates.next(|pair, users| score(ssa, pair, users)) {
+        users.retain(|&id| count(factors(ssa, id), pair) > 0);
+        let shared = ssa.product(vec![pair.0, pair.1]);
         for id in users {
             if id == shared {
                 continue;
             }
-            let Def::Product(list) = &mut dag.defs[id as usize] else {
+            let SsaDef::Product(list) = &mut ssa.defs[id] else {
                 continue;
             };
             let times = count(list, pair);
@@ -36,22 +37,22 @@ pub fn share(dag: &mut Dag) {
                 list.push(shared);
             }
             list.sort_unstable();
-            register(dag, id, &mut candidates);
+            register(ssa, id, &mut candidates);
         }
-        candidates.rate(|pair, users| score(dag, pair, users));
+        candidates.rate(|pair, users| score(ssa, pair, users));
     }
-    alias(dag);
+    alias(ssa);
 }
 
-fn factors(dag: &Dag, id: DefId) -> &[DefId] {
-    match &dag.defs[id as usize] {
-        Def::Product(factors) => factors,
+fn factors(ssa: &Ssa, id: DefId) -> &[DefId] {
+    match &ssa.defs[id] {
+        SsaDef::Product(factors) => factors,
         _ => &[],
     }
 }
 
-fn register(dag: &Dag, id: DefId, candidates: &mut Candidates<Pair>) {
-    let list = factors(dag, id);
+fn register(ssa: &Ssa, id: DefId, candidates: &mut Candidates<Pair>) {
+    let list = factors(ssa, id);
     for a in 0..list.len() {
         for b in a + 1..list.len() {
             candidates.hold((list[a], list[b]), id);
@@ -71,15 +72,15 @@ fn count(list: &[DefId], pair: Pair) -> usize {
 
 /// What a pair saves: one multiplication at each place but one, at every place where it depends on
 /// parameters alone.
-fn score(dag: &Dag, pair: Pair, users: &[DefId]) -> Option<Score> {
+fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let (mut places, mut whole) = (0, 0);
     for &id in users {
-        let list = factors(dag, id);
+        let list = factors(ssa, id);
         let times = count(list, pair);
         places += times;
         whole += usize::from(times == 1 && list.len() == 2);
     }
-    let fixed = dag.facts[pair.0 as usize].fixed && dag.facts[pair.1 as usize].fixed;
+    let fixed = ssa.facts[pair.0].fixed && ssa.facts[pair.1].fixed;
     // a product that is nothing but the pair is no place where it is to be replaced
     let saved = if fixed {
         places - whole
@@ -90,16 +91,16 @@ fn score(dag: &Dag, pair: Pair, users: &[DefId]) -> Option<Score> {
 }
 
 /// Products that have become a single factor, or equal to each other, are one definition.
-fn alias(dag: &mut Dag) {
+fn alias(ssa: &mut Ssa) {
     let mut canonical: FastMap<Vec<DefId>, DefId> = FastMap::default();
-    let mut target: Vec<DefId> = (0..dag.defs.len() as DefId).collect();
-    for (id, def) in dag.defs.iter().enumerate() {
-        if let Def::Product(list) = def {
+    let mut target: IndexVec<DefId, DefId> = ssa.defs.indices().collect();
+    for (id, def) in ssa.defs.iter_enumerated() {
+        if let SsaDef::Product(list) = def {
             match list.as_slice() {
                 [single] => target[id] = *single,
-                _ => target[id] = *canonical.entry(list.clone()).or_insert(id as DefId),
+                _ => target[id] = *canonical.entry(list.clone()).or_insert(id),
             }
         }
     }
-    dag.redirect(&target);
+    ssa.redirect(&target);
 }

@@ -3,7 +3,7 @@
 use crate::program::{Binary, Fused, Op, Operand, Program};
 
 /// The program with fused operations. Its operations are as many as before, a fused one counted as two.
-pub(super) fn fuse(mut program: Program) -> Program {
+pub(super) fn contract_fma(mut program: Program) -> Program {
     let mut uses = vec![0_u32; program.statements.len()];
     let operands = program.statements.iter().flat_map(|s| s.op.operands());
     for operand in operands.chain(program.outputs.iter().copied()) {

@@ -1,33 +1,33 @@
-//! Numbers in the place of symbols: what vanishes with them is gone from the graph.
+//! Partial evaluation: symbols replaced by constants, and everything simplified that depends on them.
 //!
-//! Every node is made anew by the constructors of another graph, so that it simplifies. What was known of a node holds of
-//! what it has become: it is a statement about its value, whatever the symbols are.
+//! Every node is built anew by the constructors of another graph. Value facts carry over to the specialized node, since
+//! they hold for all values of the symbols.
 
-use crate::graph::{Facts, FastMap, Graph, Node, NodeId, Symbol};
+use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
 
-/// Values of symbols.
+/// Constants by symbol.
 pub type Values = FastMap<Symbol, Number>;
 
-/// A graph in which some symbols are numbers.
+/// A graph in which some symbols have become constants.
 #[derive(Debug)]
-pub struct Substituted {
+pub struct Specialized {
     /// The new graph.
-    pub graph: Graph,
+    pub graph: ExprGraph,
     images: Vec<Option<NodeId>>,
 }
 
-impl Substituted {
-    /// What the roots need of a graph, with these values put in.
-    pub fn new(old: &Graph, roots: &[NodeId], values: &Values) -> Substituted {
-        let mut new = Substituted {
-            graph: Graph::new(),
+impl Specialized {
+    /// The part of `old` that `roots` need, with `values` in the place of symbols.
+    pub fn new(old: &ExprGraph, roots: &[NodeId], values: &Values) -> Specialized {
+        let mut new = Specialized {
+            graph: ExprGraph::new(),
             images: vec![None; old.len()],
         };
         let mut locals: FastMap<NodeId, NodeId> = FastMap::default();
         for (k, needed) in needed(old, roots).into_iter().enumerate() {
             if needed {
-                let id = NodeId(k as u32);
+                let id = NodeId::new(k);
                 let image = new.node(old, id, values, &mut locals);
                 if new.graph.as_number(image).is_none() {
                     new.graph.know(image, old.facts(id));
@@ -43,7 +43,7 @@ impl Substituted {
         new
     }
 
-    /// What has become of a node that the roots need; of any other, 0.
+    /// The specialized node of a node that the roots need; 0 for any other.
     pub fn image(&mut self, id: NodeId) -> NodeId {
         match self.images[id.index()] {
             Some(image) => image,
@@ -57,7 +57,7 @@ impl Substituted {
 
     fn node(
         &mut self,
-        old: &Graph,
+        old: &ExprGraph,
         id: NodeId,
         values: &Values,
         locals: &mut FastMap<NodeId, NodeId>,
@@ -110,10 +110,10 @@ impl Substituted {
         }
     }
 
-    /// What was shared stays shared while there is something to share.
+    /// A shared value stays shared unless it has become a leaf or a constant.
     fn local(
         &mut self,
-        old: &Graph,
+        old: &ExprGraph,
         (id, local): (NodeId, u32),
         locals: &mut FastMap<NodeId, NodeId>,
     ) -> NodeId {
@@ -126,9 +126,9 @@ impl Substituted {
                 }
                 _ => {
                     // what a root was taken of without a guard is not negative
-                    let facts = Facts {
+                    let facts = ValueFacts {
                         nonneg: true,
-                        ..Facts::default()
+                        ..ValueFacts::default()
                     };
                     if self.graph.as_number(sum).is_none() {
                         self.graph.know(sum, facts);
@@ -157,7 +157,7 @@ impl Substituted {
 }
 
 /// Which nodes the roots need, through the definitions of locals.
-fn needed(graph: &Graph, roots: &[NodeId]) -> Vec<bool> {
+fn needed(graph: &ExprGraph, roots: &[NodeId]) -> Vec<bool> {
     let mut needed = vec![false; graph.len()];
     for root in roots {
         needed[root.index()] = true;
@@ -165,7 +165,7 @@ fn needed(graph: &Graph, roots: &[NodeId]) -> Vec<bool> {
     // operands and definitions are created before their users
     for k in (0..graph.len()).rev() {
         if needed[k] {
-            let id = NodeId(k as u32);
+            let id = NodeId::new(k);
             graph.for_operands(id, |operand| needed[operand.index()] = true);
             if let Node::Symbol(Symbol::Local(local)) = graph.node(id) {
                 needed[graph.definition(*local).index()] = true;

@@ -1,51 +1,51 @@
 //! From nodes to definitions: powers become repeated factors, coefficients become factors, signs move out.
 
-use super::{Dag, Def, DefId, Signed};
+use super::{DefId, Signed, Ssa, SsaDef};
 use crate::functions::MathFunction;
-use crate::graph::{Facts, FastMap, Graph, Node, NodeId, Symbol};
+use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
 
 /// The definitions that the roots need.
-pub fn import(graph: &Graph, roots: &[NodeId]) -> Dag {
-    let mut import = Import {
+pub fn build(graph: &ExprGraph, roots: &[NodeId]) -> Ssa {
+    let mut builder = Builder {
         graph,
-        dag: Dag::default(),
+        ssa: Ssa::default(),
         known: FastMap::default(),
         rooted: Vec::new(),
         opposite: FastMap::default(),
     };
-    let needed = import.needed(roots);
-    import.rooted = vec![false; graph.len()];
+    let needed = builder.needed(roots);
+    builder.rooted = vec![false; graph.len()];
     for &id in &needed {
         match graph.node(id) {
             Node::Product(factors) => {
                 for &(base, exponent) in factors {
-                    import.rooted[base.index()] |= exponent % 2 != 0;
+                    builder.rooted[base.index()] |= exponent % 2 != 0;
                     if let Some(sum) = graph.rooted_sum(base) {
-                        import.rooted[sum.index()] = true;
+                        builder.rooted[sum.index()] = true;
                     }
                 }
             }
             // the argument of a function sets the sign of a sum
-            Node::Call(_, x) => import.orient(*x),
+            Node::Call(_, x) => builder.orient(*x),
             Node::Atan2(y, x) => {
-                import.orient(*y);
-                import.orient(*x);
+                builder.orient(*y);
+                builder.orient(*x);
             }
             _ => {}
         }
     }
     for &id in &needed {
-        import.signed(id);
+        builder.signed(id);
     }
-    let roots = roots.iter().map(|&root| import.signed(root)).collect();
-    import.dag.roots = roots;
-    import.dag
+    let roots = roots.iter().map(|&root| builder.signed(root)).collect();
+    builder.ssa.roots = roots;
+    builder.ssa
 }
 
-struct Import<'a> {
-    graph: &'a Graph,
-    dag: Dag,
+struct Builder<'a> {
+    graph: &'a ExprGraph,
+    ssa: Ssa,
     known: FastMap<NodeId, Signed>,
     /// Bases whose square root is taken somewhere.
     rooted: Vec<bool>,
@@ -53,7 +53,7 @@ struct Import<'a> {
     opposite: FastMap<Vec<(Number, NodeId)>, NodeId>,
 }
 
-impl Import<'_> {
+impl Builder<'_> {
     /// Needed nodes, operands first, looking through locals.
     fn needed(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut order = Vec::new();
@@ -100,12 +100,12 @@ impl Import<'_> {
     }
 
     fn constant(&mut self, number: Number) -> DefId {
-        let facts = Facts {
+        let facts = ValueFacts {
             fixed: true,
             nonneg: true,
             nonzero: !number.is_zero(),
         };
-        self.dag.define(Def::Constant(number), facts, None)
+        self.ssa.define(SsaDef::Constant(number), facts, None)
     }
 
     fn convert(&mut self, id: NodeId) -> Signed {
@@ -117,14 +117,14 @@ impl Import<'_> {
                 let signed = self.signed(self.graph.definition(*k));
                 // the local's name and facts are the better ones
                 if self.graph.name_of(id).is_some() {
-                    self.dag.origin[signed.1 as usize] = Some((signed.0, id));
+                    self.ssa.origin[signed.1] = Some((signed.0, id));
                 }
                 if !signed.0 {
-                    self.dag.facts[signed.1 as usize] = facts;
+                    self.ssa.facts[signed.1] = facts;
                 }
                 signed
             }
-            Node::Symbol(symbol) => (false, self.dag.define(Def::Leaf(*symbol), facts, origin)),
+            Node::Symbol(symbol) => (false, self.ssa.define(SsaDef::Leaf(*symbol), facts, origin)),
             Node::Sum(terms, constant) => self.sum(id, terms, *constant),
             Node::Product(factors) => self.product(Number::ONE, factors, id),
             Node::Call(function, base) => {
@@ -134,33 +134,33 @@ impl Import<'_> {
                     let root = self.graph.root_node(*base).map(|node| (false, node));
                     x = (
                         false,
-                        self.dag
-                            .define(Def::Root(x.1), self.graph.facts(*base), root),
+                        self.ssa
+                            .define(SsaDef::Root(x.1), self.graph.facts(*base), root),
                     );
                 }
                 (
                     false,
-                    self.dag.define(Def::Call(*function, x), facts, origin),
+                    self.ssa.define(SsaDef::Call(*function, x), facts, origin),
                 )
             }
             Node::Atan2(y, x) => {
                 let (y, x) = (self.signed(*y), self.signed(*x));
-                (false, self.dag.define(Def::Atan2(y, x), facts, origin))
+                (false, self.ssa.define(SsaDef::Atan2(y, x), facts, origin))
             }
             Node::Min(a, b) => {
                 let (a, b) = (self.signed(*a), self.signed(*b));
-                (false, self.dag.define(Def::Min(a, b), facts, origin))
+                (false, self.ssa.define(SsaDef::Min(a, b), facts, origin))
             }
             Node::Max(a, b) => {
                 let (a, b) = (self.signed(*a), self.signed(*b));
-                (false, self.dag.define(Def::Max(a, b), facts, origin))
+                (false, self.ssa.define(SsaDef::Max(a, b), facts, origin))
             }
             Node::IfZero(condition, a, b) => {
                 let (condition, a, b) = (self.signed(*condition), self.signed(*a), self.signed(*b));
                 (
                     false,
-                    self.dag
-                        .define(Def::IfZero(condition.1, a, b), facts, origin),
+                    self.ssa
+                        .define(SsaDef::IfZero(condition.1, a, b), facts, origin),
                 )
             }
         }
@@ -185,8 +185,8 @@ impl Import<'_> {
         signed.sort_unstable_by_key(|&(minus, def)| (def, minus));
         (
             false,
-            self.dag
-                .define(Def::Sum(signed), self.graph.facts(id), Some((false, id))),
+            self.ssa
+                .define(SsaDef::Sum(signed), self.graph.facts(id), Some((false, id))),
         )
     }
 
@@ -217,24 +217,24 @@ impl Import<'_> {
             minus ^= negated && exponent % 4 != 0;
             let facts = self.graph.facts(base);
             let times = exponent.unsigned_abs() as usize;
-            let root = |dag: &mut Dag| {
-                dag.define(
-                    Def::Root(def),
+            let root = |ssa: &mut Ssa| {
+                ssa.define(
+                    SsaDef::Root(def),
                     facts,
                     self.graph.root_node(base).map(|n| (false, n)),
                 )
             };
             if exponent < 0 {
                 let (x, times) = if self.rooted[base.index()] {
-                    (root(&mut self.dag), times)
+                    (root(&mut self.ssa), times)
                 } else {
                     (def, times / 2)
                 };
-                let recip = self.dag.define(Def::Recip(x), facts, None);
+                let recip = self.ssa.define(SsaDef::Recip(x), facts, None);
                 flat.extend(std::iter::repeat_n(recip, times));
             } else {
                 if exponent % 2 != 0 {
-                    flat.push(root(&mut self.dag));
+                    flat.push(root(&mut self.ssa));
                 }
                 flat.extend(std::iter::repeat_n(def, times / 2));
             }
@@ -243,9 +243,9 @@ impl Import<'_> {
         if let [single] = flat.as_slice() {
             return (minus, *single);
         }
-        let facts = self.dag.product_facts(&flat);
+        let facts = self.ssa.product_facts(&flat);
         // a coefficient makes it another quantity than the node
         let origin = coefficient.abs().is_one().then_some((minus, id));
-        (minus, self.dag.define(Def::Product(flat), facts, origin))
+        (minus, self.ssa.define(SsaDef::Product(flat), facts, origin))
     }
 }

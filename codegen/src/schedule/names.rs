@@ -1,8 +1,8 @@
 //! Names for statements: the model's own where there is one, else what the expression says.
 
-use crate::graph::{FastMap, Graph, Symbol, opposite_name};
-use crate::optimise::{Dag, Def, DefId};
+use crate::graph::{ExprGraph, FastMap, Symbol, opposite_name};
 use crate::program::About;
+use crate::ssa::{DefId, Ssa, SsaDef};
 use std::collections::BTreeSet;
 
 /// Arguments of generated functions.
@@ -65,8 +65,8 @@ impl Namer {
         self.taken.extend(names.iter().cloned());
     }
 
-    fn own(&self, dag: &Dag, graph: &Graph, id: DefId) -> Option<String> {
-        let (minus, node) = dag.origin[id as usize]?;
+    fn own(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> Option<String> {
+        let (minus, node) = ssa.origin[id]?;
         let name = graph.name_of(node)?;
         Some(if minus {
             opposite_name(name)
@@ -76,13 +76,13 @@ impl Namer {
     }
 
     /// Whether the model (or a derivative of its quantities) names it.
-    pub fn has_own_name(&self, dag: &Dag, graph: &Graph, id: DefId) -> bool {
-        self.own(dag, graph, id).is_some()
+    pub fn has_own_name(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> bool {
+        self.own(ssa, graph, id).is_some()
     }
 
     /// Which quantity of the model it is, if any.
-    pub fn about(&self, dag: &Dag, graph: &Graph, id: DefId) -> Option<About> {
-        let own = self.own(dag, graph, id)?;
+    pub fn about(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> Option<About> {
+        let own = self.own(ssa, graph, id)?;
         let origin = *self.origins.get(own.trim_start_matches("minus_"))?;
         Some(About {
             origin,
@@ -91,23 +91,23 @@ impl Namer {
     }
 
     /// A name that is not taken yet.
-    pub fn name(&mut self, dag: &Dag, graph: &Graph, id: DefId) -> String {
+    pub fn name(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         if let Some(known) = self.given.get(&id) {
             return known.clone();
         }
-        let wanted = self.describe(dag, graph, id, 3);
+        let wanted = self.describe(ssa, graph, id, 3);
         let name = self.unique(&wanted);
         self.given.insert(id, name.clone());
         name
     }
 
     /// Names a definition after the result that it is, unless it has a name.
-    pub fn suggest(&mut self, dag: &Dag, graph: &Graph, id: DefId, name: &str) {
+    pub fn suggest(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId, name: &str) {
         let leaf = matches!(
-            dag.defs[id as usize],
-            Def::Leaf(_) | Def::Constant(_) | Def::Call(..)
+            ssa.defs[id],
+            SsaDef::Leaf(_) | SsaDef::Constant(_) | SsaDef::Call(..)
         );
-        if !leaf && !self.given.contains_key(&id) && !self.has_own_name(dag, graph, id) {
+        if !leaf && !self.given.contains_key(&id) && !self.has_own_name(ssa, graph, id) {
             let name = self.unique(name);
             self.given.insert(id, name);
         }
@@ -128,8 +128,8 @@ impl Namer {
     }
 
     /// A name for the opposite of a definition.
-    pub fn negated(&mut self, dag: &Dag, graph: &Graph, id: DefId) -> String {
-        let wanted = opposite_name(&self.describe(dag, graph, id, 3));
+    pub fn negated(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
+        let wanted = opposite_name(&self.describe(ssa, graph, id, 3));
         self.unique(&wanted)
     }
 
@@ -149,7 +149,7 @@ impl Namer {
     }
 
     /// A name for a constant of the flight.
-    pub fn constant_name(parameters: &[String], dag: &Dag, graph: &Graph, id: DefId) -> String {
+    pub fn constant_name(parameters: &[String], ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let namer = Namer {
             taken: BTreeSet::new(),
             given: FastMap::default(),
@@ -157,49 +157,49 @@ impl Namer {
             parameters: parameters.to_vec(),
             origins: FastMap::default(),
         };
-        namer.describe(dag, graph, id, 4)
+        namer.describe(ssa, graph, id, 4)
     }
 
-    fn describe(&self, dag: &Dag, graph: &Graph, id: DefId, depth: u32) -> String {
+    fn describe(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId, depth: u32) -> String {
         if let Some(given) = self.given.get(&id) {
             return given.clone();
         }
-        if let Some(own) = self.own(dag, graph, id) {
+        if let Some(own) = self.own(ssa, graph, id) {
             return own;
         }
         let inner = |id: DefId| {
             if depth == 0 {
                 String::from("part")
             } else {
-                self.describe(dag, graph, id, depth - 1)
+                self.describe(ssa, graph, id, depth - 1)
             }
         };
-        if let Some(name) = self.norm(dag, graph, id, depth) {
+        if let Some(name) = self.norm(ssa, graph, id, depth) {
             return name;
         }
-        let name = match &dag.defs[id as usize] {
-            Def::Leaf(Symbol::Time) => "time".into(),
-            Def::Leaf(Symbol::Pi) => "pi".into(),
-            Def::Leaf(Symbol::State(k)) => self
+        let name = match &ssa.defs[id] {
+            SsaDef::Leaf(Symbol::Time) => "time".into(),
+            SsaDef::Leaf(Symbol::Pi) => "pi".into(),
+            SsaDef::Leaf(Symbol::State(k)) => self
                 .states
                 .get(*k as usize)
                 .cloned()
                 .unwrap_or_else(|| format!("x{k}")),
-            Def::Leaf(Symbol::Parameter(k)) => self
+            SsaDef::Leaf(Symbol::Parameter(k)) => self
                 .parameters
                 .get(*k as usize)
                 .cloned()
                 .unwrap_or_else(|| format!("p{k}")),
-            Def::Leaf(Symbol::Marker(k)) => format!("mark_{}", ["x", "y", "z"][*k as usize % 3]),
-            Def::Leaf(Symbol::Local(k)) => format!("local_{k}"),
-            Def::Constant(number) => match number.value() {
+            SsaDef::Leaf(Symbol::Marker(k)) => format!("mark_{}", ["x", "y", "z"][*k as usize % 3]),
+            SsaDef::Leaf(Symbol::Local(k)) => format!("local_{k}"),
+            SsaDef::Constant(number) => match number.value() {
                 0.5 => "half".into(),
                 1.0 => "one".into(),
                 2.0 => "two".into(),
                 value if value.fract() == 0.0 && value < 1e6 => format!("n{value}"),
                 _ => "const".into(),
             },
-            Def::Sum(terms) => {
+            SsaDef::Sum(terms) => {
                 let mut name = String::new();
                 for (k, &(minus, term)) in terms.iter().enumerate() {
                     name.push_str(match (k, minus) {
@@ -212,7 +212,7 @@ impl Namer {
                 }
                 name
             }
-            Def::Product(factors) => {
+            SsaDef::Product(factors) => {
                 let mut name = String::new();
                 for group in factors.chunk_by(|a, b| a == b) {
                     if !name.is_empty() {
@@ -227,48 +227,48 @@ impl Namer {
                 }
                 name
             }
-            Def::Root(x) => format!("sqrt_{}", inner(*x)),
-            Def::Recip(x) => format!("inv_{}", inner(*x)),
-            Def::Call(function, (minus, x)) => {
+            SsaDef::Root(x) => format!("sqrt_{}", inner(*x)),
+            SsaDef::Recip(x) => format!("inv_{}", inner(*x)),
+            SsaDef::Call(function, (minus, x)) => {
                 let sign = if *minus { "minus_" } else { "" };
                 format!("{}_{sign}{}", function.name(), inner(*x))
             }
-            Def::Atan2((_, y), (_, x)) => format!("angle_{}_{}", inner(*y), inner(*x)),
-            Def::Min((_, a), (_, b)) => format!("min_{}_{}", inner(*a), inner(*b)),
-            Def::Max((_, a), (_, b)) => format!("max_{}_{}", inner(*a), inner(*b)),
-            Def::IfZero(c, ..) => format!("unless_{}", inner(*c)),
+            SsaDef::Atan2((_, y), (_, x)) => format!("angle_{}_{}", inner(*y), inner(*x)),
+            SsaDef::Min((_, a), (_, b)) => format!("min_{}_{}", inner(*a), inner(*b)),
+            SsaDef::Max((_, a), (_, b)) => format!("max_{}_{}", inner(*a), inner(*b)),
+            SsaDef::IfZero(c, ..) => format!("unless_{}", inner(*c)),
         };
         if name.len() <= LONGEST {
             name
         } else {
-            shorten(dag, &name, id)
+            shorten(ssa, &name, id)
         }
     }
 
     /// Names for sums of squares and their roots: `V_sq`, `air_velocity_12`.
-    fn norm(&self, dag: &Dag, graph: &Graph, id: DefId, depth: u32) -> Option<String> {
-        match &dag.defs[id as usize] {
-            Def::Root(x) => {
-                let name = self.norm(dag, graph, *x, depth)?;
+    fn norm(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId, depth: u32) -> Option<String> {
+        match &ssa.defs[id] {
+            SsaDef::Root(x) => {
+                let name = self.norm(ssa, graph, *x, depth)?;
                 name.strip_suffix("_sq").map(str::to_string)
             }
-            Def::Sum(terms) => {
-                let root = dag.defs.iter().position(|def| *def == Def::Root(id));
-                if let Some(name) = root.and_then(|root| self.own(dag, graph, root as DefId)) {
+            SsaDef::Sum(terms) => {
+                let root = ssa.find(&SsaDef::Root(id));
+                if let Some(name) = root.and_then(|root| self.own(ssa, graph, root)) {
                     return Some(format!("{name}_sq"));
                 }
                 let mut prefix: Option<String> = None;
                 let mut suffixes = Vec::new();
                 for &(minus, term) in terms {
-                    let factor = match &dag.defs[term as usize] {
-                        Def::Product(factors)
+                    let factor = match &ssa.defs[term] {
+                        SsaDef::Product(factors)
                             if !minus && factors.len() == 2 && factors[0] == factors[1] =>
                         {
                             factors[0]
                         }
                         _ => return None,
                     };
-                    let name = self.describe(dag, graph, factor, depth.min(1));
+                    let name = self.describe(ssa, graph, factor, depth.min(1));
                     let name = name.trim_start_matches("minus_");
                     let (head, tail) = name.rsplit_once('_')?;
                     if prefix.get_or_insert_with(|| head.to_string()) != head {
@@ -284,10 +284,10 @@ impl Namer {
     }
 }
 
-fn shorten(dag: &Dag, name: &str, id: DefId) -> String {
-    let kind = match dag.defs[id as usize] {
-        Def::Sum(_) => "sum",
-        Def::Product(_) => "product",
+fn shorten(ssa: &Ssa, name: &str, id: DefId) -> String {
+    let kind = match ssa.defs[id] {
+        SsaDef::Sum(_) => "sum",
+        SsaDef::Product(_) => "product",
         _ => "of",
     };
     let mut end = LONGEST - kind.len() - 1;

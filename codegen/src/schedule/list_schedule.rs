@@ -1,6 +1,6 @@
 //! The order of statements: as a machine that does several at once, but has few registers, would start them.
 
-use super::fuse::latency;
+use super::contract_fma::latency;
 use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Statement, Unary};
 use std::cmp::Reverse;
@@ -14,7 +14,7 @@ const MOST: usize = 20;
 
 /// The same statements in another order: each when what it needs is there, and of those that could start, first the one
 /// that the longest chain waits for.
-pub(super) fn order(program: Program) -> Program {
+pub(super) fn list_schedule(program: Program) -> Program {
     let sequence = Order::new(&program).sequence();
     permuted(program, &sequence)
 }

@@ -1,7 +1,7 @@
 //! Vectors as three components, and rotations along the tree of frames.
 
 use crate::functions::MathFunction;
-use crate::graph::{Graph, NodeId, Symbol};
+use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
 use model_spec::model::{FrameKind, Model};
 
@@ -9,17 +9,17 @@ use model_spec::model::{FrameKind, Model};
 pub type Vector = [NodeId; 3];
 
 /// `a + b`.
-pub fn add(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
+pub fn add(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|k| graph.add(a[k], b[k]))
 }
 
 /// `a - b`.
-pub fn sub(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
+pub fn sub(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|k| graph.sub(a[k], b[k]))
 }
 
 /// `s a`.
-pub fn scale(graph: &mut Graph, s: NodeId, a: Vector) -> Vector {
+pub fn scale(graph: &mut ExprGraph, s: NodeId, a: Vector) -> Vector {
     match graph.is_one(s) {
         true => a,
         false => a.map(|component| graph.mul(s, component)),
@@ -27,13 +27,13 @@ pub fn scale(graph: &mut Graph, s: NodeId, a: Vector) -> Vector {
 }
 
 /// `a · b`.
-pub fn dot(graph: &mut Graph, a: Vector, b: Vector) -> NodeId {
+pub fn dot(graph: &mut ExprGraph, a: Vector, b: Vector) -> NodeId {
     let terms = [0, 1, 2].map(|k| (Number::ONE, graph.mul(a[k], b[k])));
     graph.sum(terms.to_vec(), Number::ZERO)
 }
 
 /// `a × b`.
-pub fn cross(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
+pub fn cross(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
         let (first, second) = (graph.mul(a[i], b[j]), graph.mul(a[j], b[i]));
         graph.sub(first, second)
@@ -41,13 +41,13 @@ pub fn cross(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
 }
 
 /// The zero vector.
-pub fn zero(graph: &mut Graph) -> Vector {
+pub fn zero(graph: &mut ExprGraph) -> Vector {
     let zero = graph.whole(0);
     [zero; 3]
 }
 
 /// Unit vector along an axis, 1 to 3.
-pub fn axis(graph: &mut Graph, axis: u8) -> Vector {
+pub fn axis(graph: &mut ExprGraph, axis: u8) -> Vector {
     [1, 2, 3].map(|k| graph.whole(i64::from(k == axis)))
 }
 
@@ -73,7 +73,7 @@ pub fn path(model: &Model, frame: usize) -> Vec<usize> {
 
 /// The same vector with components in another frame.
 pub fn reexpress(
-    graph: &mut Graph,
+    graph: &mut ExprGraph,
     model: &Model,
     vector: Vector,
     from: usize,
@@ -92,7 +92,7 @@ pub fn reexpress(
 }
 
 /// From a frame to its parent (`up`) or from the parent to it.
-pub fn turn(graph: &mut Graph, model: &Model, v: Vector, frame: usize, up: bool) -> Vector {
+pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: bool) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Inertial => v,
         FrameKind::Turned { angle, axis, .. } => {
@@ -129,7 +129,7 @@ pub fn turn(graph: &mut Graph, model: &Model, v: Vector, frame: usize, up: bool)
 }
 
 /// Rotation matrix of a unit quaternion, from the turned frame to its parent.
-fn quaternion_matrix(graph: &mut Graph, states: [usize; 4]) -> [Vector; 3] {
+fn quaternion_matrix(graph: &mut ExprGraph, states: [usize; 4]) -> [Vector; 3] {
     let q = states.map(|state| graph.symbol(Symbol::State(state as u32)));
     let two = Number::whole(2);
     let mut diagonal = |i: usize, j: usize| {
@@ -153,7 +153,7 @@ fn quaternion_matrix(graph: &mut Graph, states: [usize; 4]) -> [Vector; 3] {
 }
 
 /// Angular velocity of a frame relative to the inertial one, with components in `within`.
-pub fn angular_velocity(graph: &mut Graph, model: &Model, of: usize, within: usize) -> Vector {
+pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within: usize) -> Vector {
     let chain = path(model, of);
     // where a quaternion places a frame of the body, the angular velocity is a state
     if let Some(rotation) = model.body.as_ref().and_then(|body| body.rotation.as_ref())
@@ -207,7 +207,7 @@ pub fn angular_velocity(graph: &mut Graph, model: &Model, of: usize, within: usi
 }
 
 /// Angular velocity of a turned frame relative to its parent, with components in `within`.
-fn turning(graph: &mut Graph, model: &Model, frame: usize, within: usize) -> Vector {
+fn turning(graph: &mut ExprGraph, model: &Model, frame: usize, within: usize) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Turned {
             parent,

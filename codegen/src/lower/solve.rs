@@ -1,10 +1,10 @@
 //! Small symbolic linear systems, sparse first.
 
-use crate::graph::{Graph, NodeId};
+use crate::graph::{ExprGraph, NodeId};
 use crate::number::Number;
 
 /// Inverse of a 3×3 matrix of parameters, by cofactors: zeros and diagonals simplify by themselves.
-pub fn inverse(graph: &mut Graph, m: [[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
+pub fn inverse(graph: &mut ExprGraph, m: [[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
     let mut cofactor = |i: usize, j: usize| {
         let (r, c) = ([(1, 2), (2, 0), (0, 1)][i], [(1, 2), (2, 0), (0, 1)][j]);
         let (first, second) = (
@@ -29,7 +29,7 @@ pub fn inverse(graph: &mut Graph, m: [[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| graph.div(cofactors[j][i], determinant)))
 }
 
-fn determinant_has(graph: &Graph, determinant: NodeId, entry: NodeId) -> bool {
+fn determinant_has(graph: &ExprGraph, determinant: NodeId, entry: NodeId) -> bool {
     match graph.node(determinant) {
         crate::graph::Node::Product(factors) => factors.iter().any(|&(factor, _)| factor == entry),
         _ => determinant == entry,
@@ -37,14 +37,14 @@ fn determinant_has(graph: &Graph, determinant: NodeId, entry: NodeId) -> bool {
 }
 
 /// Solves `matrix · unknowns = right`: rows with a single unknown first, what is left by Cramer's rule.
-pub fn solve(graph: &mut Graph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) -> Vec<NodeId> {
+pub fn solve(graph: &mut ExprGraph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) -> Vec<NodeId> {
     let columns = matrix.first().map_or(0, Vec::len);
     let zero = graph.whole(0);
     let mut found: Vec<Option<NodeId>> = vec![None; columns];
     let mut right = right;
     let mut rows: Vec<usize> = (0..matrix.len()).collect();
     loop {
-        let open = |row: usize, found: &[Option<NodeId>], graph: &Graph| -> Vec<usize> {
+        let open = |row: usize, found: &[Option<NodeId>], graph: &ExprGraph| -> Vec<usize> {
             (0..columns)
                 .filter(|&c| found[c].is_none() && !graph.is_zero(matrix[row][c]))
                 .collect()
@@ -91,7 +91,7 @@ pub fn solve(graph: &mut Graph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) ->
 }
 
 /// Determinant by expansion along the first row.
-fn determinant(graph: &mut Graph, m: &[Vec<NodeId>]) -> NodeId {
+fn determinant(graph: &mut ExprGraph, m: &[Vec<NodeId>]) -> NodeId {
     if m.len() == 1 {
         return m[0][0];
     }

@@ -1,37 +1,39 @@
 //! Factoring: `a b + a c` becomes `a (b + c)` where that saves operations.
 
-use super::{Dag, Def, DefId, Signed, cancel};
+use super::{DefId, Signed, Ssa, SsaDef, cancel};
 use crate::number::Number;
+use model_spec::index::IndexVec;
 
 /// Factors every sum.
-pub fn factor(dag: &mut Dag) {
-    let mut uses = dag.uses();
+pub fn factor(ssa: &mut Ssa) {
+    let mut uses = ssa.uses();
     let mut k = 0;
-    // sums that factoring makes are looked at in turn
-    while k < dag.defs.len() {
-        if uses.get(k).is_none_or(|&n| n > 0) && matches!(dag.defs[k], Def::Sum(_)) {
-            while factor_once(dag, k as DefId, &mut uses) {}
+    // factoring appends sums, which are factored in turn
+    while k < ssa.defs.len() {
+        let id = DefId::new(k);
+        if uses.get(id).is_none_or(|&n| n > 0) && matches!(ssa.defs[id], SsaDef::Sum(_)) {
+            while factor_once(ssa, id, &mut uses) {}
         }
         k += 1;
     }
 }
 
-fn list(dag: &Dag, id: DefId) -> Vec<DefId> {
-    match &dag.defs[id as usize] {
-        Def::Product(factors) => factors.clone(),
+fn list(ssa: &Ssa, id: DefId) -> Vec<DefId> {
+    match &ssa.defs[id] {
+        SsaDef::Product(factors) => factors.clone(),
         _ => vec![id],
     }
 }
 
-fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
-    let Def::Sum(terms) = &dag.defs[id as usize] else {
+fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> bool {
+    let SsaDef::Sum(terms) = &ssa.defs[id] else {
         return false;
     };
     let terms = terms.clone();
-    let lists: Vec<Vec<DefId>> = terms.iter().map(|&(_, term)| list(dag, term)).collect();
+    let lists: Vec<Vec<DefId>> = terms.iter().map(|&(_, term)| list(ssa, term)).collect();
     // a 1 is a factor of everything, its own sum included
     let mut candidates: Vec<DefId> = lists.iter().flatten().copied().collect();
-    candidates.retain(|&factor| dag.defs[factor as usize] != Def::Constant(Number::ONE));
+    candidates.retain(|&factor| ssa.defs[factor] != SsaDef::Constant(Number::ONE));
     candidates.sort_unstable();
     candidates.dedup();
     let mut best: Option<(i64, DefId)> = None;
@@ -43,12 +45,9 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
             continue;
         }
         let common = common(&lists, &with);
-        let private = |t: usize| uses.get(terms[t].1 as usize).is_none_or(|&n| n <= 1);
+        let private = |t: usize| uses.get(terms[t].1).is_none_or(|&n| n <= 1);
         let runtime = |factors: &[DefId]| {
-            let moving = factors
-                .iter()
-                .filter(|&&f| !dag.facts[f as usize].fixed)
-                .count();
+            let moving = factors.iter().filter(|&&f| !ssa.facts[f].fixed).count();
             let fixed = usize::from(moving < factors.len());
             (moving + fixed).saturating_sub(1) as i64
         };
@@ -64,7 +63,7 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
         let all_fixed = with.iter().all(|&t| {
             without(&lists[t], &common)
                 .iter()
-                .all(|&f| dag.facts[f as usize].fixed)
+                .all(|&f| ssa.facts[f].fixed)
         });
         let mut outside = common.clone();
         outside.push(id);
@@ -85,18 +84,18 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
     for &t in &with {
         let rest = without(&lists[t], &common);
         let rest = if rest.is_empty() {
-            one(dag)
+            one(ssa)
         } else {
-            dag.product(rest)
+            ssa.product(rest)
         };
         inner.push((terms[t].0, rest));
     }
     cancel(&mut inner);
     let others = (0..terms.len()).filter(|t| !with.contains(t));
     let mut rest: Vec<Signed> = others.map(|t| terms[t]).collect();
-    let number = number(dag, &inner);
+    let number = number(ssa, &inner);
     if number.is_some_and(Number::is_zero) {
-        replace(dag, id, rest, uses);
+        replace(ssa, id, rest, uses);
         return true;
     }
     // a sum inside a product starts with plus
@@ -105,57 +104,59 @@ fn factor_once(dag: &mut Dag, id: DefId, uses: &mut Vec<u32>) -> bool {
         inner.iter_mut().for_each(|(minus, _)| *minus = !*minus);
     }
     let inner = match number {
-        Some(number) => constant(dag, number.abs()),
+        Some(number) => constant(ssa, number.abs()),
         None => {
-            let facts = dag.sum_facts(&inner);
-            dag.define(Def::Sum(inner), facts, None)
+            let facts = ssa.sum_facts(&inner);
+            ssa.define(SsaDef::Sum(inner), facts, None)
         }
     };
     let mut outside = common;
-    outside.extend(list(dag, inner));
-    let product = dag.product(outside);
+    outside.extend(list(ssa, inner));
+    let product = ssa.product(outside);
     rest.push((flip, product));
-    replace(dag, id, rest, uses);
+    replace(ssa, id, rest, uses);
     true
 }
 
 /// Makes a definition the sum of these terms, and counts uses anew where they change.
-fn replace(dag: &mut Dag, id: DefId, mut terms: Vec<Signed>, uses: &mut Vec<u32>) {
+fn replace(ssa: &mut Ssa, id: DefId, mut terms: Vec<Signed>, uses: &mut IndexVec<DefId, u32>) {
     cancel(&mut terms);
     let new = match terms.as_slice() {
-        [] => Def::Constant(Number::ZERO),
-        [(false, single)] => dag.defs[*single as usize].clone(),
-        _ => Def::Sum(terms),
+        [] => SsaDef::Constant(Number::ZERO),
+        [(false, single)] => ssa.defs[*single].clone(),
+        _ => SsaDef::Sum(terms),
     };
-    uses.resize(dag.defs.len(), 0);
-    let old = std::mem::replace(&mut dag.defs[id as usize], new);
-    for operand in dag.defs[id as usize].operands() {
-        take(dag, operand, uses);
+    while uses.len() < ssa.defs.len() {
+        uses.push(0);
+    }
+    let old = std::mem::replace(&mut ssa.defs[id], new);
+    for operand in ssa.defs[id].operands() {
+        take(ssa, operand, uses);
     }
     for operand in old.operands() {
-        leave(dag, operand, uses);
+        leave(ssa, operand, uses);
     }
 }
 
-fn take(dag: &Dag, id: DefId, uses: &mut [u32]) {
-    uses[id as usize] += 1;
-    if uses[id as usize] == 1 {
-        dag.defs[id as usize].for_operands(|operand| take(dag, operand, uses));
+fn take(ssa: &Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) {
+    uses[id] += 1;
+    if uses[id] == 1 {
+        ssa.defs[id].for_operands(|operand| take(ssa, operand, uses));
     }
 }
 
-fn leave(dag: &Dag, id: DefId, uses: &mut [u32]) {
-    uses[id as usize] = uses[id as usize].saturating_sub(1);
-    if uses[id as usize] == 0 {
-        dag.defs[id as usize].for_operands(|operand| leave(dag, operand, uses));
+fn leave(ssa: &Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) {
+    uses[id] = uses[id].saturating_sub(1);
+    if uses[id] == 0 {
+        ssa.defs[id].for_operands(|operand| leave(ssa, operand, uses));
     }
 }
 
 /// The sum of terms that are all constants.
-fn number(dag: &Dag, terms: &[Signed]) -> Option<Number> {
+fn number(ssa: &Ssa, terms: &[Signed]) -> Option<Number> {
     let mut sum = Number::ZERO;
     for &(minus, id) in terms {
-        let Def::Constant(number) = dag.defs[id as usize] else {
+        let SsaDef::Constant(number) = ssa.defs[id] else {
             return None;
         };
         sum = sum.plus(if minus { number.opposite() } else { number });
@@ -163,18 +164,18 @@ fn number(dag: &Dag, terms: &[Signed]) -> Option<Number> {
     Some(sum)
 }
 
-fn one(dag: &mut Dag) -> DefId {
-    constant(dag, Number::ONE)
+fn one(ssa: &mut Ssa) -> DefId {
+    constant(ssa, Number::ONE)
 }
 
 /// A constant above 0.
-fn constant(dag: &mut Dag, number: Number) -> DefId {
-    let facts = crate::graph::Facts {
+fn constant(ssa: &mut Ssa, number: Number) -> DefId {
+    let facts = crate::graph::ValueFacts {
         fixed: true,
         nonneg: true,
         nonzero: true,
     };
-    dag.define(Def::Constant(number), facts, None)
+    ssa.define(SsaDef::Constant(number), facts, None)
 }
 
 fn common(lists: &[Vec<DefId>], with: &[usize]) -> Vec<DefId> {

@@ -1,13 +1,13 @@
 //! Equations of motion: Newton's and Euler's laws for a body, or the equations as stated.
 
 use super::frames::{self, Vector};
-use super::{Deriver, solve};
+use super::{Lowering, solve};
 use crate::differentiate::partials;
 use crate::graph::{NodeId, Symbol};
 use crate::number::Number;
 use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
 
-impl Deriver<'_> {
+impl Lowering<'_> {
     /// Derivatives of all states by the time that is measured.
     pub(crate) fn motion(&mut self) -> Vec<NodeId> {
         let model = self.model;

@@ -1,7 +1,7 @@
 //! The best pair first, again and again, without looking at every pair each time.
 
-use super::DefId;
 use crate::graph::FastMap;
+use crate::ssa::DefId;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::hash::Hash;

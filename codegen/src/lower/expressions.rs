@@ -1,13 +1,13 @@
 //! Expressions of the model, one case each.
 
 use super::frames::{self, Vector};
-use super::{Deriver, Value};
-use crate::functions::{Lowered, MathFunction};
+use super::{Lowering, Value};
+use crate::functions::{FunctionLowering, MathFunction};
 use crate::graph::{NodeId, Symbol};
 use crate::number::Number;
 use model_spec::model::{Expr, ExprKind, Function as Named, Shape};
 
-impl Deriver<'_> {
+impl Lowering<'_> {
     pub(crate) fn scalar(&mut self, expr: &Expr) -> NodeId {
         match self.evaluate(expr) {
             Value::Scalar(node) => node,
@@ -198,20 +198,20 @@ impl Deriver<'_> {
 
     fn named(&mut self, function: Named, x: NodeId) -> NodeId {
         let graph = &mut self.graph;
-        match Lowered::of(function) {
-            Lowered::Call(function) => graph.call(function, x),
-            Lowered::Tan => {
+        match FunctionLowering::of(function) {
+            FunctionLowering::Call(function) => graph.call(function, x),
+            FunctionLowering::Tan => {
                 let sin = graph.call(MathFunction::Sin, x);
                 let cos = graph.call(MathFunction::Cos, x);
                 graph.div(sin, cos)
             }
-            Lowered::Acos => {
+            FunctionLowering::Acos => {
                 let asin = graph.call(MathFunction::Asin, x);
                 let pi = graph.symbol(Symbol::Pi);
                 let terms = vec![(Number::fraction(1, 2), pi), (Number::MINUS_ONE, asin)];
                 graph.sum(terms, Number::ZERO)
             }
-            Lowered::Atan => {
+            FunctionLowering::Atan => {
                 let one = graph.whole(1);
                 graph.atan2(x, one)
             }

@@ -1,0 +1,359 @@
+//! Expressions as a flat list of definitions, one value each, and the passes that reduce their operations:
+//! factoring, common-subexpression elimination, placement of signs.
+//!
+//! Sums carry signs, products none (theirs goes to the user), so that most negations disappear.
+
+mod build;
+mod cse;
+mod factor;
+mod signs;
+
+pub use build::build;
+
+use crate::functions::MathFunction;
+use crate::graph::{ExprGraph, FastMap, NodeId, Symbol, ValueFacts};
+use crate::number::Number;
+use model_spec::index::IndexVec;
+
+model_spec::index_type!(
+    /// Index of a definition in an [`Ssa`].
+    pub struct DefId;
+);
+
+/// A reference with a sign: true for minus.
+pub type Signed = (bool, DefId);
+
+/// What a definition computes.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum SsaDef {
+    /// A leaf.
+    Leaf(Symbol),
+    /// A constant above 0 (or 0 itself).
+    Constant(Number),
+    /// Terms, each once, ordered by definition.
+    Sum(Vec<Signed>),
+    /// Factors, repeated for powers, ordered.
+    Product(Vec<DefId>),
+    /// Square root of something that is never negative.
+    Root(DefId),
+    /// Reciprocal, 0 at 0 unless the argument is known not to be 0.
+    Recip(DefId),
+    /// A function.
+    Call(MathFunction, Signed),
+    /// Angle of the point (second, first).
+    Atan2(Signed, Signed),
+    /// The smaller.
+    Min(Signed, Signed),
+    /// The greater.
+    Max(Signed, Signed),
+    /// The second where the first is 0, else the third.
+    IfZero(DefId, Signed, Signed),
+}
+
+impl SsaDef {
+    /// Calls `visit` with every operand, as often as it is used.
+    pub fn for_operands(&self, mut visit: impl FnMut(DefId)) {
+        match self {
+            SsaDef::Leaf(_) | SsaDef::Constant(_) => {}
+            SsaDef::Sum(terms) => terms.iter().for_each(|&(_, id)| visit(id)),
+            SsaDef::Product(factors) => factors.iter().for_each(|&id| visit(id)),
+            SsaDef::Root(x) | SsaDef::Recip(x) | SsaDef::Call(_, (_, x)) => visit(*x),
+            SsaDef::Atan2((_, a), (_, b))
+            | SsaDef::Min((_, a), (_, b))
+            | SsaDef::Max((_, a), (_, b)) => {
+                visit(*a);
+                visit(*b);
+            }
+            SsaDef::IfZero(a, (_, b), (_, c)) => {
+                visit(*a);
+                visit(*b);
+                visit(*c);
+            }
+        }
+    }
+
+    /// Every operand, repeated as often as it is used.
+    pub fn operands(&self) -> Vec<DefId> {
+        let mut operands = Vec::new();
+        self.for_operands(|id| operands.push(id));
+        operands
+    }
+}
+
+/// Definitions and what is wanted of them.
+#[derive(Clone, Debug, Default)]
+pub struct Ssa {
+    /// The definitions; operands need not come first.
+    pub defs: IndexVec<DefId, SsaDef>,
+    /// What is known about each.
+    pub facts: IndexVec<DefId, ValueFacts>,
+    /// The node each stands for, where there is one, and whether with opposite sign.
+    pub origin: IndexVec<DefId, Option<(bool, NodeId)>>,
+    /// What is wanted, in the order asked for.
+    pub roots: Vec<Signed>,
+    index: FastMap<SsaDef, DefId>,
+}
+
+impl Ssa {
+    /// A definition, shared if it is there already.
+    pub fn define(
+        &mut self,
+        def: SsaDef,
+        facts: ValueFacts,
+        origin: Option<(bool, NodeId)>,
+    ) -> DefId {
+        if let Some(id) = self.find(&def) {
+            return id;
+        }
+        self.index.insert(def.clone(), self.defs.next_index());
+        let id = self.defs.push(def);
+        self.facts.push(facts);
+        self.origin.push(origin);
+        id
+    }
+
+    /// A table with an entry for every definition.
+    pub fn side_table<T: Clone>(&self, entry: T) -> IndexVec<DefId, T> {
+        vec![entry; self.defs.len()].into()
+    }
+
+    /// The definition of a value, if there is one.
+    pub fn find(&self, def: &SsaDef) -> Option<DefId> {
+        // passes change definitions in place: the one found may be another by now
+        let &id = self.index.get(def)?;
+        (self.defs[id] == *def).then_some(id)
+    }
+
+    /// ValueFacts of a product.
+    fn product_facts(&self, factors: &[DefId]) -> ValueFacts {
+        let of = |id: &DefId| self.facts[*id];
+        let square = factors.len() == 2 && factors[0] == factors[1];
+        ValueFacts {
+            fixed: factors.iter().all(|f| of(f).fixed),
+            nonneg: square || factors.iter().all(|f| of(f).nonneg),
+            nonzero: factors.iter().all(|f| of(f).nonzero),
+        }
+    }
+
+    /// ValueFacts of a sum.
+    fn sum_facts(&self, terms: &[Signed]) -> ValueFacts {
+        let of = |id: DefId| self.facts[id];
+        let nonneg = terms.iter().all(|&(minus, t)| !minus && of(t).nonneg);
+        ValueFacts {
+            fixed: terms.iter().all(|&(_, t)| of(t).fixed),
+            nonneg,
+            nonzero: nonneg && terms.iter().any(|&(_, t)| of(t).nonzero),
+        }
+    }
+
+    /// A product of these factors; with one factor, the factor itself.
+    fn product(&mut self, mut factors: Vec<DefId>) -> DefId {
+        factors.sort_unstable();
+        match factors.as_slice() {
+            [single] => *single,
+            _ => {
+                let facts = self.product_facts(&factors);
+                self.define(SsaDef::Product(factors), facts, None)
+            }
+        }
+    }
+
+    /// The expression of a definition over the expressions of its operands.
+    pub fn expression(
+        &self,
+        id: DefId,
+        graph: &mut ExprGraph,
+        of: &dyn Fn(DefId) -> NodeId,
+    ) -> NodeId {
+        let signed = |graph: &mut ExprGraph, (minus, x): Signed| {
+            let node = of(x);
+            if minus { graph.neg(node) } else { node }
+        };
+        match &self.defs[id] {
+            SsaDef::Leaf(symbol) => graph.symbol(*symbol),
+            SsaDef::Constant(number) => graph.number(*number),
+            SsaDef::Sum(terms) => {
+                let sign = |minus| {
+                    if minus {
+                        Number::MINUS_ONE
+                    } else {
+                        Number::ONE
+                    }
+                };
+                let terms = terms.iter().map(|&(minus, term)| (sign(minus), of(term)));
+                graph.sum(terms.collect(), Number::ZERO)
+            }
+            SsaDef::Product(factors) => {
+                graph.product(factors.iter().map(|&factor| (of(factor), 2)).collect())
+            }
+            SsaDef::Root(x) => graph.sqrt(of(*x)),
+            SsaDef::Recip(x) => {
+                let x_node = of(*x);
+                if self.facts[id].nonzero || self.facts[*x].nonzero {
+                    graph.assume_nonzero(x_node);
+                }
+                graph.power(x_node, -2)
+            }
+            SsaDef::Call(function, x) => {
+                let x = signed(graph, *x);
+                graph.call(*function, x)
+            }
+            SsaDef::Atan2(y, x) => {
+                let (y, x) = (signed(graph, *y), signed(graph, *x));
+                graph.atan2(y, x)
+            }
+            SsaDef::Min(a, b) => {
+                let (a, b) = (signed(graph, *a), signed(graph, *b));
+                graph.min(a, b)
+            }
+            SsaDef::Max(a, b) => {
+                let (a, b) = (signed(graph, *a), signed(graph, *b));
+                graph.max(a, b)
+            }
+            SsaDef::IfZero(condition, a, b) => {
+                let (a, b) = (signed(graph, *a), signed(graph, *b));
+                graph.if_zero(of(*condition), a, b)
+            }
+        }
+    }
+
+    /// How often each definition is used, roots included.
+    pub fn uses(&self) -> IndexVec<DefId, u32> {
+        let mut uses = self.side_table(0);
+        let mut live = self.side_table(false);
+        let mut stack: Vec<DefId> = Vec::new();
+        for &(_, root) in &self.roots {
+            uses[root] += 1;
+            stack.push(root);
+        }
+        while let Some(id) = stack.pop() {
+            if std::mem::replace(&mut live[id], true) {
+                continue;
+            }
+            self.defs[id].for_operands(|operand| {
+                uses[operand] += 1;
+                stack.push(operand);
+            });
+        }
+        uses
+    }
+
+    /// Operations left for the flight, about: what is prepared costs a little too.
+    pub fn cost(&self) -> usize {
+        let tenths = |id: DefId| {
+            let operations = match &self.defs[id] {
+                SsaDef::Leaf(_) | SsaDef::Constant(_) => 0,
+                SsaDef::Sum(terms) => (terms.len() - 1).max(usize::from(terms.iter().all(|t| t.0))),
+                SsaDef::Product(factors) => factors.len() - 1,
+                _ => 1,
+            };
+            let weight = if self.facts[id].fixed { 1 } else { 10 };
+            weight * operations
+        };
+        let negated = self.roots.iter().filter(|(minus, _)| *minus).count();
+        10 * negated + self.order().into_iter().map(tenths).sum::<usize>()
+    }
+
+    /// All passes, until nothing gets smaller.
+    pub fn optimise(&mut self) {
+        for _ in 0..4 {
+            let before = self.defs.clone();
+            factor::factor(self);
+            cse::share_products(self);
+            cse::share_sums(self);
+            if self.defs == before {
+                break;
+            }
+        }
+        signs::settle(self);
+    }
+
+    /// Definitions that the roots need, operands first, depth first from each root in turn.
+    pub fn order(&self) -> Vec<DefId> {
+        let mut order = Vec::new();
+        let mut state = self.side_table(0_u8);
+        for &(_, root) in &self.roots {
+            let mut stack = vec![(root, false)];
+            while let Some((id, done)) = stack.pop() {
+                if done {
+                    order.push(id);
+                } else if state[id] == 0 {
+                    state[id] = 1;
+                    stack.push((id, true));
+                    let first = stack.len();
+                    self.defs[id].for_operands(|operand| {
+                        if state[operand] == 0 {
+                            stack.push((operand, false));
+                        }
+                    });
+                    stack[first..].reverse();
+                }
+            }
+        }
+        order
+    }
+}
+
+impl Ssa {
+    /// Replaces every reference by its target, following chains.
+    fn redirect(&mut self, target: &IndexVec<DefId, DefId>) {
+        let end = |mut id: DefId| {
+            while target[id] != id {
+                id = target[id];
+            }
+            id
+        };
+        for def in self.defs.iter_mut() {
+            match def {
+                SsaDef::Leaf(_) | SsaDef::Constant(_) => {}
+                SsaDef::Sum(terms) => {
+                    terms.iter_mut().for_each(|(_, id)| *id = end(*id));
+                    cancel(terms);
+                    if terms.is_empty() {
+                        *def = SsaDef::Constant(Number::ZERO);
+                    }
+                }
+                SsaDef::Product(factors) => {
+                    factors.iter_mut().for_each(|id| *id = end(*id));
+                    factors.sort_unstable();
+                }
+                SsaDef::Root(x) | SsaDef::Recip(x) | SsaDef::Call(_, (_, x)) => *x = end(*x),
+                SsaDef::Atan2((_, a), (_, b))
+                | SsaDef::Min((_, a), (_, b))
+                | SsaDef::Max((_, a), (_, b)) => {
+                    *a = end(*a);
+                    *b = end(*b);
+                }
+                SsaDef::IfZero(a, (_, b), (_, c)) => {
+                    *a = end(*a);
+                    *b = end(*b);
+                    *c = end(*c);
+                }
+            }
+        }
+        for (_, root) in &mut self.roots {
+            *root = end(*root);
+        }
+        for id in self.defs.indices() {
+            let to = end(id);
+            if to != id && self.origin[to].is_none() {
+                self.origin[to] = self.origin[id];
+            }
+        }
+    }
+}
+
+/// Sorts terms by definition, plus before minus, and removes pairs that differ in sign alone.
+fn cancel(terms: &mut Vec<Signed>) {
+    terms.sort_unstable_by_key(|&(minus, def)| (def, minus));
+    let mut remaining: Vec<Signed> = Vec::with_capacity(terms.len());
+    for &term in terms.iter() {
+        match remaining.last() {
+            Some(last) if last.1 == term.1 && last.0 != term.0 => {
+                remaining.pop();
+            }
+            _ => remaining.push(term),
+        }
+    }
+    *terms = remaining;
+}

@@ -1,0 +1,262 @@
+//! Signs: sums are turned around where that leaves fewer negations.
+//!
+//! Turning a sum costs nothing where it is a term of another sum; a product passes the sign on to its
+//! users. What is left to pay for: negative results, negative arguments of functions, sums of nothing
+//! but negative terms.
+
+use super::{DefId, Ssa, SsaDef};
+use model_spec::index::IndexVec;
+
+/// Turns sums as long as negations disappear.
+pub fn settle(ssa: &mut Ssa) {
+    absorb_fixed(ssa);
+    let mut users = users(ssa);
+    let mut improved = true;
+    while improved {
+        improved = false;
+        for id in ssa.defs.indices() {
+            if !matches!(ssa.defs[id], SsaDef::Sum(_)) || users[id].is_empty() {
+                continue;
+            }
+            let mut touched = Vec::new();
+            if !turn(ssa, &users, id, &mut touched) {
+                undo(ssa, touched);
+                continue;
+            }
+            let after: i64 = distinct(&touched)
+                .iter()
+                .map(|&place| price(ssa, place))
+                .sum();
+            let now = touched.clone();
+            undo(ssa, touched);
+            let before: i64 = distinct(&now).iter().map(|&place| price(ssa, place)).sum();
+            if after < before {
+                let mut again = Vec::new();
+                turn(ssa, &users, id, &mut again);
+                improved = true;
+            }
+        }
+        users = self::users(ssa);
+    }
+}
+
+/// A place where a sign stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    /// All terms of a sum.
+    Terms(DefId),
+    /// A product or reciprocal, which has none of its own.
+    Through(DefId),
+    /// One term of a sum, or an argument: the k-th operand.
+    Operand(DefId, usize),
+    /// A result.
+    Root(usize),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum User {
+    SsaDef(DefId),
+    Root(usize),
+}
+
+/// Users of each definition.
+type Users = IndexVec<DefId, Vec<User>>;
+
+fn users(ssa: &Ssa) -> Users {
+    let mut users: Users = ssa.side_table(Vec::new());
+    for id in ssa.order() {
+        let mut operands = ssa.defs[id].operands();
+        operands.sort_unstable();
+        operands.dedup();
+        for operand in operands {
+            users[operand].push(User::SsaDef(id));
+        }
+    }
+    for (k, &(_, root)) in ssa.roots.iter().enumerate() {
+        users[root].push(User::Root(k));
+    }
+    users
+}
+
+/// Turns a sum and whatever that passes through; false where it cannot be.
+fn turn(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
+    if ssa.facts[id].nonneg {
+        return false;
+    }
+    flip(ssa, Place::Terms(id));
+    touched.push(Place::Terms(id));
+    pass(ssa, users, id, touched)
+}
+
+fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
+    for &user in &users[id] {
+        match user {
+            User::Root(k) => {
+                flip(ssa, Place::Root(k));
+                touched.push(Place::Root(k));
+            }
+            User::SsaDef(user) => match &ssa.defs[user] {
+                SsaDef::Product(factors) => {
+                    let odd = factors.iter().filter(|&&f| f == id).count() % 2 == 1;
+                    if odd && !through(ssa, users, user, touched) {
+                        return false;
+                    }
+                }
+                SsaDef::Recip(_) => {
+                    if !through(ssa, users, user, touched) {
+                        return false;
+                    }
+                }
+                SsaDef::Root(_) => return false,
+                def => {
+                    let condition = matches!(def, SsaDef::IfZero(..));
+                    for (k, operand) in def.operands().into_iter().enumerate() {
+                        if operand == id && !(condition && k == 0) {
+                            flip(ssa, Place::Operand(user, k));
+                            touched.push(Place::Operand(user, k));
+                        }
+                    }
+                }
+            },
+        }
+    }
+    true
+}
+
+/// A product or reciprocal takes the sign and hands it on.
+fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
+    if ssa.facts[id].nonneg {
+        return false;
+    }
+    flip(ssa, Place::Through(id));
+    touched.push(Place::Through(id));
+    pass(ssa, users, id, touched)
+}
+
+fn undo(ssa: &mut Ssa, touched: Vec<Place>) {
+    for place in touched {
+        flip(ssa, place);
+    }
+}
+
+fn flip(ssa: &mut Ssa, place: Place) {
+    match place {
+        Place::Root(k) => ssa.roots[k].0 = !ssa.roots[k].0,
+        Place::Terms(id) => {
+            if let SsaDef::Sum(terms) = &mut ssa.defs[id] {
+                terms.iter_mut().for_each(|(minus, _)| *minus = !*minus);
+            }
+            flip(ssa, Place::Through(id));
+        }
+        Place::Through(id) => {
+            if let Some((minus, _)) = &mut ssa.origin[id] {
+                *minus = !*minus;
+            }
+        }
+        Place::Operand(id, k) => match &mut ssa.defs[id] {
+            SsaDef::Sum(terms) => terms[k].0 = !terms[k].0,
+            SsaDef::Call(_, (minus, _)) => *minus = !*minus,
+            SsaDef::Atan2(a, b) | SsaDef::Min(a, b) | SsaDef::Max(a, b) => {
+                let part = if k == 0 { a } else { b };
+                part.0 = !part.0;
+            }
+            SsaDef::IfZero(_, a, b) => {
+                let part = if k == 1 { a } else { b };
+                part.0 = !part.0;
+            }
+            _ => {}
+        },
+    }
+}
+
+/// Places whose price may have changed, each once.
+fn distinct(touched: &[Place]) -> Vec<Place> {
+    let mut places: Vec<Place> = touched.to_vec();
+    places.sort_unstable();
+    places.dedup();
+    places
+}
+
+/// Negations that a place costs.
+fn price(ssa: &Ssa, place: Place) -> i64 {
+    let sum = |terms: &[(bool, DefId)]| -> i64 {
+        let plus = terms
+            .iter()
+            .any(|&(minus, id)| !minus || ssa.facts[id].fixed && is_leaf(ssa, id));
+        if plus { 0 } else { 1 }
+    };
+    match place {
+        Place::Through(_) => 0,
+        Place::Root(k) => i64::from(ssa.roots[k].0 && !ssa.facts[ssa.roots[k].1].fixed),
+        Place::Terms(id) => match &ssa.defs[id] {
+            SsaDef::Sum(terms) => sum(terms),
+            _ => 0,
+        },
+        Place::Operand(id, k) => match &ssa.defs[id] {
+            SsaDef::Sum(terms) => sum(terms),
+            SsaDef::Call(_, (minus, _)) => i64::from(*minus),
+            SsaDef::Atan2(a, b) | SsaDef::Min(a, b) | SsaDef::Max(a, b) => {
+                i64::from(if k == 0 { a.0 } else { b.0 })
+            }
+            SsaDef::IfZero(_, a, b) => i64::from(if k == 1 { a.0 } else { b.0 }),
+            _ => 0,
+        },
+    }
+}
+
+fn is_leaf(ssa: &Ssa, id: DefId) -> bool {
+    matches!(ssa.defs[id], SsaDef::Constant(_))
+}
+
+/// A negative result that is a product with a factor that is prepared anyway takes that factor's opposite.
+fn absorb_fixed(ssa: &mut Ssa) {
+    let uses = ssa.uses();
+    for k in 0..ssa.roots.len() {
+        let (minus, id) = ssa.roots[k];
+        if minus && uses[id] == 1 && absorb(ssa, id, &uses) {
+            ssa.roots[k].0 = false;
+        }
+    }
+    for id in uses.indices() {
+        let SsaDef::Sum(terms) = &ssa.defs[id] else {
+            continue;
+        };
+        if uses[id] == 0 || ssa.facts[id].fixed || terms.iter().any(|&(minus, _)| !minus) {
+            continue;
+        }
+        let terms = terms.clone();
+        for (at, &(_, term)) in terms.iter().enumerate() {
+            if uses[term] == 1 && absorb(ssa, term, &uses) {
+                if let SsaDef::Sum(terms) = &mut ssa.defs[id] {
+                    terms[at].0 = false;
+                }
+                break;
+            }
+        }
+    }
+}
+
+fn absorb(ssa: &mut Ssa, id: DefId, uses: &IndexVec<DefId, u32>) -> bool {
+    let SsaDef::Product(factors) = ssa.defs[id].clone() else {
+        return false;
+    };
+    for (at, &factor) in factors.iter().enumerate() {
+        if ssa.facts[factor].fixed {
+            let facts = super::ValueFacts {
+                nonneg: false,
+                ..ssa.facts[factor]
+            };
+            let opposite = ssa.define(SsaDef::Sum(vec![(true, factor)]), facts, None);
+            if let SsaDef::Product(factors) = &mut ssa.defs[id] {
+                factors[at] = opposite;
+            }
+            ssa.origin[id] = None;
+            return true;
+        }
+        if uses.get(factor) == Some(&1) && absorb(ssa, factor, uses) {
+            ssa.origin[id] = None;
+            return true;
+        }
+    }
+    false
+}
