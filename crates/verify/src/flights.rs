@@ -4,7 +4,6 @@
 use crate::Options;
 use crate::random::Random;
 use crate::report::{Row, Worst};
-use crate::same_motion::carry;
 use crate::subject::Subject;
 use nalgebra::{Matrix3, Vector3};
 use ode::Method;
@@ -16,7 +15,7 @@ use oracle::{
 /// Name of the check without air.
 pub const INVARIANTS: &str = "flight without air";
 /// Name of the check against the flight of the oracle.
-pub const MOMENTA: &str = "flight by momenta";
+pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name of the comparison of two models.
 const FLIGHTS: &str = "flights";
 
@@ -33,7 +32,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     let mut worst = Worst::default();
     for _ in 0..RELEASES {
         let Some(mut point) = release(subject, &mut random) else {
-            return Row::skipped(INVARIANTS, "which state stands for what is not known");
+            return Row::skipped(INVARIANTS, "the meaning of the states is unknown");
         };
         airless(subject, &mut point);
         if subject.clock(&point) != 1.0 {
@@ -50,7 +49,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
             held(subject, &point, &properties),
             held(subject, &end, &properties),
         ) else {
-            return Row::skipped(INVARIANTS, "which state stands for what is not known");
+            return Row::skipped(INVARIANTS, "the meaning of the states is unknown");
         };
         worst.see(moment.norm(), || {
             String::from("a moment is left where there is no air")
@@ -71,11 +70,11 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(reference) = &subject.reference else {
         return Row::skipped(MOMENTA, "the model claims no reference");
     };
-    let mut random = Random::new(options.seed, MOMENTA);
+    let mut random = Random::new(options.seed, "flight by momenta");
     let mut worst = Worst::default();
     for _ in 0..RELEASES {
         let Some(point) = release(subject, &mut random) else {
-            return Row::skipped(MOMENTA, "which state stands for what is not known");
+            return Row::skipped(MOMENTA, "the meaning of the states is unknown");
         };
         let point = subject.without_extras(point);
         if subject.clock(&point) != 1.0 {
@@ -96,7 +95,9 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     let mut worst = Worst::default();
     for _ in 0..RELEASES {
         let here = release(a, &mut random);
-        let there = here.as_ref().and_then(|here| carry(a, b, here));
+        let there = here
+            .as_ref()
+            .and_then(|here| a.corresponding_point(b, here));
         let (Some(here), Some(there), Some(chart_a), Some(chart_b)) =
             (here, there, &a.chart, &b.chart)
         else {

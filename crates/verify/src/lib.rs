@@ -1,5 +1,5 @@
-//! Every independent check of a model: oracles, identities, symmetries, derivatives, exact arithmetic,
-//! mutants, backends. [`run`] makes them all and reports.
+//! Every independent check of a model: reference implementations, identities, metamorphic relations, derivatives, exact arithmetic,
+//! mutants, backends. [`run`] runs them all and reports.
 //!
 //! ```
 //! let ball = model_spec::load::inspect("ball", &[]).unwrap();
@@ -106,10 +106,13 @@ fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => [
             checks::effects::check(&without, &with, options),
-            checks::by_hand::check(&with, options),
+            checks::effect_reference::check(&with, options),
         ],
-        None => [checks::effects::EFFECTS, checks::by_hand::BY_HAND]
-            .map(|name| Row::skipped(name, "the model is refused")),
+        None => [
+            checks::effects::EFFECTS,
+            checks::effect_reference::EFFECT_REFERENCE,
+        ]
+        .map(|name| Row::skipped(name, "the model is refused")),
     }
 }
 
@@ -136,7 +139,7 @@ fn every_check(
         checks::identities::check(subject, options),
         flights::invariants(subject, options),
         flights::momenta(subject, options),
-        checks::symmetries::check(subject, options),
+        checks::metamorphic::check(subject, options),
     ];
     rows.extend(checks::derivatives::check(subject, engine, options));
     rows.push(checks::exact::check(subject, options));
@@ -147,7 +150,7 @@ fn every_check(
         .collect();
     let runs = checks::backends::runs(model, compiled, &points);
     rows.push(checks::backends::check(compiled, &runs));
-    rows.push(checks::backends::check_fused(compiled, &runs));
+    rows.push(checks::backends::check_fma(compiled, &runs));
     let singular = checks::singular::points(model);
     let points: Vec<_> = singular.iter().map(|(_, point)| point.clone()).collect();
     let runs = checks::backends::runs(model, compiled, &points);

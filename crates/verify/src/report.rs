@@ -141,7 +141,7 @@ pub struct Report {
     /// Stated equations that the reference refuses, and the terms that are at fault.
     pub refuted: Vec<Refutation>,
     /// What became of the mutants, where they were made.
-    pub mutants: Option<crate::mutants::KillTable>,
+    pub mutants: Option<crate::mutants::MutationMatrix>,
 }
 
 impl Report {

@@ -7,7 +7,7 @@ use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
 use nalgebra::Vector3;
-use oracle::{PhysicalRate, Point};
+use oracle::PhysicalRate;
 use serde::Serialize;
 
 /// One pair of models.
@@ -78,13 +78,13 @@ pub fn compare(subjects: &[Subject<'_>], options: &Options) -> SameMotion {
 fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
     const NAME: &str = "accelerations";
     let (Some(chart_a), Some(chart_b)) = (&a.chart, &b.chart) else {
-        return Row::skipped(NAME, "which state stands for what is not known");
+        return Row::skipped(NAME, "the meaning of the states is unknown");
     };
     let mut random = Random::new(options.seed, NAME);
     let mut worst = Worst::default();
     for _ in 0..options.cases {
         let here = sample::point(a.model, &mut random);
-        let Some(there) = carry(a, b, &here) else {
+        let Some(there) = a.corresponding_point(b, &here) else {
             return Row::skipped(NAME, "the states of one cannot be found from the other's");
         };
         let one = chart_a.physical_rate(&here.states, &a.equations.rates(&here));
@@ -109,44 +109,4 @@ fn parts(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, Vector3<f64>, Ve
             b.angular_acceleration,
         ),
     ]
-}
-
-/// The same physical state, constants (by name) and inputs for another model.
-pub fn carry(a: &Subject<'_>, b: &Subject<'_>, here: &Point<f64>) -> Option<Point<f64>> {
-    let physical = a.chart.as_ref()?.physical(&here.states);
-    let mut there = Point::defaults(b.model);
-    there.states = b.chart.as_ref()?.states(&physical)?;
-    for state in b.model.added_states() {
-        let name = &b.model.states[state].name;
-        if let Some(same) = a.model.states.iter().position(|s| s.name == *name) {
-            there.states[state] = here.states[same];
-        }
-    }
-    there.time = here.time;
-    there.marker = here.marker;
-    let value = |name: &str| {
-        let param = a
-            .model
-            .params
-            .iter()
-            .position(|c| c.name == name)
-            .map(|i| here.params[i]);
-        let coefficient = a.model.coefficients.iter().position(|c| c.name == name);
-        param.or_else(|| coefficient.map(|i| here.coefficients[i]))
-    };
-    for (constant, to) in b.model.params.iter().zip(&mut there.params) {
-        *to = value(&constant.name).unwrap_or(*to);
-    }
-    for (constant, to) in b.model.coefficients.iter().zip(&mut there.coefficients) {
-        *to = value(&constant.name).unwrap_or(*to);
-    }
-    for (input, to) in b.model.inputs.iter().zip(&mut there.inputs) {
-        *to = a
-            .model
-            .inputs
-            .iter()
-            .position(|i| i.name == input.name)
-            .map_or(*to, |i| here.inputs[i]);
-    }
-    Some(there)
 }

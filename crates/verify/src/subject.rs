@@ -62,6 +62,51 @@ impl<'a> Subject<'a> {
         rates.into_iter().map(|rate| rate / pace).collect()
     }
 
+    /// The point of another model with the same physical state, time, marker, and constants and inputs of equal names;
+    /// `None` if a chart is missing or cannot represent the attitude.
+    pub fn corresponding_point(
+        &self,
+        other: &Subject<'_>,
+        here: &Point<f64>,
+    ) -> Option<Point<f64>> {
+        let physical = self.chart.as_ref()?.physical(&here.states);
+        let mut there = Point::defaults(other.model);
+        there.states = other.chart.as_ref()?.states(&physical)?;
+        for state in other.model.added_states() {
+            let name = &other.model.states[state].name;
+            if let Some(same) = self.model.states.iter().position(|s| s.name == *name) {
+                there.states[state] = here.states[same];
+            }
+        }
+        there.time = here.time;
+        there.marker = here.marker;
+        let value = |name: &str| {
+            let param = self
+                .model
+                .params
+                .iter()
+                .position(|c| c.name == name)
+                .map(|i| here.params[i]);
+            let coefficient = self.model.coefficients.iter().position(|c| c.name == name);
+            param.or_else(|| coefficient.map(|i| here.coefficients[i]))
+        };
+        for (constant, to) in other.model.params.iter().zip(&mut there.params) {
+            *to = value(&constant.name).unwrap_or(*to);
+        }
+        for (constant, to) in other.model.coefficients.iter().zip(&mut there.coefficients) {
+            *to = value(&constant.name).unwrap_or(*to);
+        }
+        for (input, to) in other.model.inputs.iter().zip(&mut there.inputs) {
+            *to = self
+                .model
+                .inputs
+                .iter()
+                .position(|i| i.name == input.name)
+                .map_or(*to, |i| here.inputs[i]);
+        }
+        Some(there)
+    }
+
     /// Coefficients that the reference does not know, or those of effects where there is no reference,
     /// each with the value at which it leaves the law as it is.
     pub fn extras(&self) -> Vec<(usize, f64)> {

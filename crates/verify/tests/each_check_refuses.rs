@@ -8,7 +8,7 @@ use support::{QUICK, built_in, edited, row, verdict, with_lines};
 use verify::checks::{
     backends, cases, derivatives, effects, exact, identities, reference, singular,
 };
-use verify::checks::{symmetries, units};
+use verify::checks::{metamorphic, units};
 use verify::engine::Engine;
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::random::Random;
@@ -57,7 +57,7 @@ fn frames() {
 }
 
 #[test]
-fn the_law_by_hand() {
+fn the_reference_implementation() {
     refuses(reference::REFERENCE, "-m*g_here*N.3", "m*g_here*N.3");
     refuses(
         reference::REFERENCE,
@@ -68,7 +68,7 @@ fn the_law_by_hand() {
     let report = verify::run(&edited("disc", "rate_2)", "rate_1)"), &QUICK);
     assert_eq!(
         row(&report, reference::REFERENCE).detail,
-        "differ from the law by hand: der(phidot), der(thetadot), der(gammadot)"
+        "differ from the reference implementation: der(phidot), der(thetadot), der(gammadot)"
     );
 }
 
@@ -140,18 +140,18 @@ fn flight_by_momenta() {
 }
 
 #[test]
-fn symmetries() {
+fn metamorphic_relations() {
     let broken = |line: &str| {
         let loaded = with_lines("disc", line);
         assert!(loaded.model.is_some(), "{:#?}", loaded.diagnostics);
         let report = verify::run(&loaded, &QUICK);
         assert_eq!(
-            row(&report, symmetries::SYMMETRIES).verdict,
+            row(&report, metamorphic::METAMORPHIC).verdict,
             Verdict::Refuted,
             "{:?}",
             loaded.diagnostics
         );
-        row(&report, symmetries::SYMMETRIES).detail.clone()
+        row(&report, metamorphic::METAMORPHIC).detail.clone()
     };
     assert_eq!(broken("force spring = -0.1 [N/m]*position;"), "translation");
     assert_eq!(broken("force north = 0.1 [N]*N.1;"), "heading");
@@ -235,12 +235,12 @@ fn fused_and_not() {
         return;
     };
     assert_eq!(
-        backends::check_fused(&compiled, &runs).verdict,
+        backends::check_fma(&compiled, &runs).verdict,
         Verdict::Holds
     );
     let last = runs[fused].results[0].last_mut().unwrap();
     *last *= 1.0 + 1e-11;
-    let row = backends::check_fused(&compiled, &runs);
+    let row = backends::check_fma(&compiled, &runs);
     assert_eq!(
         (row.verdict, row.detail.as_str()),
         (Verdict::Refuted, "limits")

@@ -4,11 +4,11 @@ mod support;
 
 use support::{QUICK, built_in, with_lines};
 use verify::Options;
-use verify::mutants::judge::Fate;
-use verify::mutants::{KillTable, mutants};
+use verify::mutants::status::MutantStatus;
+use verify::mutants::{MutationMatrix, mutants};
 use verify::report::Verdict;
 
-fn table(loaded: &model_spec::load::Loaded) -> KillTable {
+fn table(loaded: &model_spec::load::Loaded) -> MutationMatrix {
     verify::run(
         loaded,
         &Options {
@@ -25,7 +25,7 @@ fn every_mutant_of_the_disc_is_killed() {
     let table = table(&built_in("disc"));
     assert!(table.mutants() >= 200, "{}", table.table());
     assert_eq!(table.killed(), table.mutants(), "{}", table.table());
-    assert!(table.unwatched.is_empty(), "{}", table.table());
+    assert!(table.not_covered.is_empty(), "{}", table.table());
     // Each check that mutants are put to is of use, and each kind of mistake is made.
     for (k, check) in table.checks.iter().enumerate() {
         assert!(table.rows.iter().any(|row| row.noticed[k] > 0), "{check}");
@@ -74,10 +74,13 @@ fn what_is_the_same_is_proved_to_be() {
 fn a_survivor_is_a_failure() {
     let loaded = built_in("ball");
     let made = mutants(&loaded.file, &loaded.sources);
-    let mut fates = vec![Fate::Killed(vec![0]); made.len()];
-    assert_eq!(KillTable::of(&made, &fates).row().verdict, Verdict::Holds);
-    fates[3] = Fate::Survived;
-    let table = KillTable::of(&made, &fates);
+    let mut statuses = vec![MutantStatus::Killed(vec![0]); made.len()];
+    assert_eq!(
+        MutationMatrix::of(&made, &statuses).row().verdict,
+        Verdict::Holds
+    );
+    statuses[3] = MutantStatus::Survived;
+    let table = MutationMatrix::of(&made, &statuses);
     assert_eq!(table.row().verdict, Verdict::Refuted);
     assert!(table.table().contains("SURVIVED"), "{}", table.table());
 }
@@ -88,14 +91,14 @@ fn mistakes_in_a_term_of_ones_own_are_told_apart() {
     let table = table(&with_lines("disc", own));
     // Nobody but its author knows what it should be; what the law knows is watched as before.
     assert!(
-        !table.unwatched.is_empty() && table.survivors.is_empty(),
+        !table.not_covered.is_empty() && table.survivors.is_empty(),
         "{}",
         table.table()
     );
     let its_own = |name: &String| name.contains("side") || name.contains("C_Y");
     assert!(
-        table.unwatched.iter().all(its_own),
+        table.not_covered.iter().all(its_own),
         "{:#?}",
-        table.unwatched
+        table.not_covered
     );
 }

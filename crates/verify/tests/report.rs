@@ -3,7 +3,7 @@
 mod support;
 
 use support::{QUICK, built_in, refuted, row, with_lines};
-use verify::checks::{reference, symmetries};
+use verify::checks::{metamorphic, reference};
 use verify::report::{Measure, Report, Verdict};
 use verify::{Options, run};
 
@@ -22,7 +22,7 @@ fn stable(report: &Report) -> String {
         .iter()
         .filter(|row| !support::KNOWN.contains(&row.check))
         // Not made on a machine that fuses nothing.
-        .filter(|row| row.check != verify::checks::backends::FUSED)
+        .filter(|row| row.check != verify::checks::backends::FMA)
         .map(line)
         .collect::<Vec<_>>()
         .join("\n")
@@ -44,8 +44,8 @@ fn the_disc_is_verified() {
     vector tree: Holds, at most 1e-12
     momentum and energy: Holds, at most 1e-12
     flight without air: Holds, at most 1e-8
-    flight by momenta: Holds, at most 1e-8
-    symmetries: Holds, at most 1e-10
+    flight: reference in momenta: Holds, at most 1e-8
+    metamorphic relations: Holds, at most 1e-10
     derivatives: num-dual: Holds, at most 1e-12
     derivatives: complex step: Holds, at most 1e-12
     derivatives: dual numbers: Holds, at most 1e-12
@@ -53,9 +53,9 @@ fn the_disc_is_verified() {
     rigid body, exact: Holds, at most 0 faults
     backends: Holds, at most 0 ulp
     singular points: Holds, at most 0 faults
-    the model's own cases: Holds, at most 0 faults
-    effects off: Holds, at most 1e-12
-    effects by hand: Holds, at most 1e-12
+    check cases of the model: Holds, at most 0 faults
+    effects at null values: Holds, at most 1e-12
+    effects: reference: Holds, at most 1e-12
     mutants: Holds, at most 0 faults
     ");
 }
@@ -105,15 +105,18 @@ fn a_term_of_ones_own_is_verified_against_the_tree() {
     let report = run(&with_lines("disc", own), &QUICK);
     assert!(refuted(&report).is_empty(), "{}", report.table());
     assert_eq!(row(&report, reference::TREE).verdict, Verdict::Holds);
-    assert_eq!(row(&report, symmetries::SYMMETRIES).verdict, Verdict::Holds);
+    assert_eq!(
+        row(&report, metamorphic::METAMORPHIC).verdict,
+        Verdict::Holds
+    );
 
     // One that always pushes to the left is a law with a handedness, and that is told.
     let handed = "coefficient C_Y = 0.1; let side = q*A*C_Y; force side = side*d2;";
     let report = run(&with_lines("disc", handed), &QUICK);
     assert!(refuted(&report).is_empty(), "{}", report.table());
-    let told = &row(&report, symmetries::SYMMETRIES).detail;
+    let told = &row(&report, metamorphic::METAMORPHIC).detail;
     assert!(
-        told.contains("C_Y breaks by its nature: mirror image with opposite spin"),
+        told.contains("C_Y breaks: mirror image with opposite spin"),
         "{told}"
     );
 }

@@ -1,4 +1,4 @@
-//! The cases that the model file itself states.
+//! Check cases stated in the model file.
 
 use crate::report::Row;
 use crate::subject::Subject;
@@ -6,9 +6,9 @@ use model_spec::model::{Model, Observable, Target};
 use oracle::{Point, Tree, Value};
 
 /// Name of the check.
-pub const CASES: &str = "the model's own cases";
+pub const CASES: &str = "check cases of the model";
 
-/// Every case: derivatives by the equations, named quantities by the tree.
+/// Every case: derivatives by the equations, auxiliary variables by the tree.
 pub fn check(subject: &Subject<'_>) -> Row {
     let model = subject.model;
     if model.checks.is_empty() {
@@ -43,7 +43,7 @@ pub fn check(subject: &Subject<'_>) -> Row {
     Row::counted(CASES, model.checks.len(), &faults, "")
 }
 
-/// The point that a case sets: defaults but for what it says.
+/// The point of a case: default values except those it sets.
 pub fn set(model: &Model, settings: &[(Target, f64)]) -> Point<f64> {
     let mut point = Point::defaults(model);
     for &(target, value) in settings {

@@ -16,7 +16,7 @@ use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
 
 /// Name of the check.
-pub const EFFECTS: &str = "effects off";
+pub const EFFECTS: &str = "effects at null values";
 
 /// The effects that a model could have, each switched on by itself: those of its own file and those that
 /// are built in, and those that are built in all at once; or those that it has, where it has any. The second is the
@@ -62,7 +62,7 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
         return Row::skipped(EFFECTS, "no effects for this model");
     }
     let plain = Values::of(without);
-    let mut random = Random::new(options.seed, EFFECTS);
+    let mut random = Random::new(options.seed, "effects off");
     let mut worst = Worst::default();
     let mut faults = Vec::new();
     for model in with {

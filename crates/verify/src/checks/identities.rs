@@ -86,9 +86,9 @@ fn loads(
     point: &Point<ErrorBound>,
 ) -> Option<(Motion<ErrorBound>, MassProperties<ErrorBound>)> {
     let reference = subject.reference.as_ref();
-    let by_hand = || Some((reference?.motion(point), reference?.mass_properties(point)));
+    let of_reference = || Some((reference?.motion(point), reference?.mass_properties(point)));
     let Some(body) = &subject.model.body else {
-        return by_hand();
+        return of_reference();
     };
     let tree = Tree::new(subject.model, point);
     let motion = Motion {

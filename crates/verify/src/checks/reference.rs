@@ -1,4 +1,4 @@
-//! The oracles: the law written by hand, and the model's own vector tree.
+//! Derivatives and observation against the reference implementation and against the vector tree of the model.
 
 use crate::random::Random;
 use crate::report::{Row, Worst};
@@ -8,13 +8,13 @@ use crate::{Options, TOLERANCE};
 use oracle::scalar::ErrorBound;
 use oracle::{Tree, derivatives_of};
 
-/// Name of the check against the law written by hand.
+/// Name of the check against the reference implementation.
 pub const REFERENCE: &str = "reference";
 /// Name of the check against the vector tree.
 pub const TREE: &str = "vector tree";
 
-/// Derivatives and observation against the law that the model claims, coefficients that the law does
-/// not know at the value where they vanish.
+/// Derivatives and observation against the reference law that the model claims, extra coefficients at their null
+/// values.
 pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if let Some(why) = &subject.unbound {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");
@@ -23,7 +23,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
         return Row::skipped(REFERENCE, "the model claims no reference");
     };
     let model = subject.model;
-    // The law knows nothing of states that were added; the vector tree does.
+    // The law does not contain added states; the vector tree does.
     let added = model.added_states();
     let mut random = Random::new(options.seed, REFERENCE);
     let mut worst = Worst::default();
@@ -58,7 +58,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
         return row;
     }
     row.saying(format!(
-        "differ from the law by hand: {}",
+        "differ from the reference implementation: {}",
         refused.join(", ")
     ))
 }
@@ -70,7 +70,7 @@ fn note(worst: &mut Worst, refused: &mut Vec<String>, error: f64, name: String) 
     worst.see(error, || name);
 }
 
-/// Derivatives and observation against the model's own vector tree, every coefficient at work.
+/// Derivatives and observation against the vector tree of the model, with all coefficients nonzero.
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);

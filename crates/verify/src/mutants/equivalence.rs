@@ -1,4 +1,4 @@
-//! When a mutant is the same model after all: its compiled equations are the same, node for node.
+//! Equivalent mutants: those whose compiled equations are proved equal to those of the model.
 
 use crate::checks::exact::Spot;
 use crate::field::Machine;
@@ -17,8 +17,8 @@ const EQUAL: &str = "derivatives and observation equal at 4 random points of the
 
 /// Points at which two programs are compared.
 const POINTS: usize = 4;
-/// A point is good where every root is one of a square: one in two for each root.
-const TRIALS: usize = 4096;
+/// Trial points, at most; a point is usable if the argument of every root is a square, one in two for each root.
+const MAX_TRIALS: usize = 4096;
 
 /// The model that mutants are compared with.
 pub struct Original<'a> {
@@ -30,7 +30,7 @@ pub struct Original<'a> {
 }
 
 impl<'a> Original<'a> {
-    /// Takes note of a model and what it compiles to.
+    /// Compiles the model.
     pub fn new(subject: &'a Subject<'a>) -> Self {
         let values = Values::of(subject.model);
         let mut interner = Interner::default();
@@ -43,7 +43,7 @@ impl<'a> Original<'a> {
         }
     }
 
-    /// A proof that a mutant is the same model, by its reason.
+    /// Kind of proof that a mutant is equivalent; `None` if it is not proved.
     pub fn same(&self, mutant: &Values) -> Option<&'static str> {
         let (here, there) = (&self.values.layout, &mutant.layout);
         let named = here.states == there.states && here.parameters == there.parameters;
@@ -70,7 +70,7 @@ impl<'a> Original<'a> {
     fn equal_in_field(&self, mutant: &Values) -> bool {
         let mut random = Random::new(0, "equivalence");
         let mut good = 0;
-        for _ in 0..TRIALS {
+        for _ in 0..MAX_TRIALS {
             let spot = Spot::random(self.subject.model, &mut random);
             let machine = Machine::new(&spot.point, &spot.circles, true);
             let here = machine.run(&self.values.program);
@@ -88,8 +88,8 @@ impl<'a> Original<'a> {
         false
     }
 
-    /// Whether there are terms that no reference knows, so that nobody says what is right.
-    pub fn unwatched(&self) -> bool {
+    /// Whether the model has terms that no reference implementation contains.
+    pub fn has_uncovered_terms(&self) -> bool {
         self.subject
             .reference
             .as_ref()
@@ -97,7 +97,7 @@ impl<'a> Original<'a> {
     }
 }
 
-/// Expressions by their structure: equal expressions have equal numbers.
+/// Hash-consed expressions: equal expressions have equal numbers.
 #[derive(Clone, Debug, Default)]
 struct Interner {
     numbers: HashMap<Key, u32>,

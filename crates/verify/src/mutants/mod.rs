@@ -1,49 +1,49 @@
-//! Mutants: the model with one plausible mistake each, every one of which must be noticed.
+//! Mutation testing: the model with one plausible mistake each, every one of which must be killed by a check.
 
 pub mod equivalence;
-pub mod judge;
+mod matrix;
 mod names;
 mod rewrite;
 mod run;
 mod sites;
 mod statement;
-mod table;
+pub mod status;
 
+pub use matrix::{MutationMatrix, MutationRow};
 use model_spec::model::Source;
 use model_spec::syntax::ast::{File, FrameKind, ItemKind, Name};
 use names::Names;
 pub use run::run;
-pub use table::{KillRow, KillTable};
 
-/// The kinds of mistake.
+/// Mutation operators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Operator {
-    /// A sign changed.
+    /// Sign changed.
     Sign,
-    /// A factor 2, 0.5 or 1.1.
+    /// Factor 2, 0.5 or 1.1 inserted.
     Factor,
-    /// Another frame.
+    /// Frame replaced.
     Frame,
-    /// Another axis, or two components interchanged.
+    /// Axis replaced, or two components interchanged.
     Axis,
-    /// Another axis, parent or angle of a turn.
+    /// Axis, parent or angle of a rotated frame replaced.
     Turn,
-    /// Sine for cosine, a function left out.
+    /// Sine and cosine interchanged, or a function deleted.
     Function,
-    /// A term, factor or load left out.
+    /// Term, factor or load deleted.
     Dropped,
-    /// Another exponent.
+    /// Exponent changed.
     Exponent,
-    /// One name for another.
+    /// Name replaced by another.
     Exchanged,
-    /// Another unit.
+    /// Unit changed.
     Unit,
     /// Arguments interchanged.
     Order,
 }
 
 impl Operator {
-    /// All of them, in the order of the table.
+    /// All operators, in the order of the matrix.
     pub const ALL: [Self; 11] = [
         Self::Sign,
         Self::Factor,
@@ -58,7 +58,7 @@ impl Operator {
         Self::Unit,
     ];
 
-    /// In a word or two.
+    /// Name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign flipped",
@@ -76,16 +76,16 @@ impl Operator {
     }
 }
 
-/// A model with one mistake.
+/// A model with one mutation.
 #[derive(Clone, Debug)]
 pub struct Mutant {
-    /// Kind of the mistake.
+    /// Operator that made it.
     pub operator: Operator,
-    /// The statement it is in.
+    /// Mutated statement.
     pub place: String,
-    /// What was done to what.
+    /// Description of the change.
     pub change: String,
-    /// The file with the mistake.
+    /// Syntax tree of the mutated model.
     pub file: File,
 }
 

@@ -1,30 +1,30 @@
-//! All mutants, on all cores; the outcome does not depend on how many there are.
+//! All mutants of a model, in parallel; the result does not depend on the number of threads.
 
 use super::equivalence::Original;
-use super::judge::judge;
-use super::{KillTable, mutants};
+use super::status::evaluate;
+use super::{MutationMatrix, mutants};
 use crate::Options;
 use flight::batch;
 use model_spec::model::Source;
 use model_spec::syntax::ast::File;
 
-/// Random points for each check of a mutant: a fault shows at almost every one.
-const CASES: usize = 6;
+/// Random points per check of a mutant, at most.
+const MAX_CASES: usize = 6;
 
-/// Makes every mutant of a file and puts each to every check.
+/// Runs every check on every mutant of a model file.
 pub fn run(
     file: &File,
     sources: &[Source],
     original: &Original<'_>,
     options: &Options,
-) -> KillTable {
+) -> MutationMatrix {
     let options = Options {
-        cases: options.cases.min(CASES),
+        cases: options.cases.min(MAX_CASES),
         ..*options
     };
     let mutants = mutants(file, sources);
-    let fates = batch::each(mutants.len(), |index| {
-        judge(&mutants[index], sources, original, &options)
+    let statuses = batch::each(mutants.len(), |index| {
+        evaluate(&mutants[index], sources, original, &options)
     });
-    KillTable::of(&mutants, &fates)
+    MutationMatrix::of(&mutants, &statuses)
 }

@@ -16,18 +16,18 @@ use oracle::Point;
 /// Name of the check.
 pub const BACKENDS: &str = "backends";
 
-/// Name of the check of those that fuse against those that do not.
-pub const FUSED: &str = "fused and not";
+/// Name of the check of fusing backends against non-fusing ones.
+pub const FMA: &str = "FMA and non-FMA";
 
-/// How far these may be apart, of the greatest result of a function: 1e4 roundings, for what cancels.
-const FUSED_TOLERANCE: f64 = 1e-12;
+/// Largest error relative to the largest result of a function: 1e4 roundings, because of cancellation.
+const FMA_TOLERANCE: f64 = 1e-12;
 
-/// What one backend gives at a list of points: for each the results of every function, end to end.
+/// Results of one backend at a list of points: for each point those of every function, end to end.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// The backend.
     pub backend: String,
-    /// Whether it fuses a product and a sum.
+    /// Whether it fuses multiply and add.
     pub fuses: bool,
     /// Results at each point.
     pub results: Vec<Vec<f64>>,
@@ -123,10 +123,10 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     }
 }
 
-/// A run that fuses against one that does not, each result by the greatest of its function.
-pub fn check_fused(compiled: &Compiled, runs: &[Run]) -> Row {
+/// A fusing run against a non-fusing one; errors relative to the largest result of the function.
+pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
-        return Row::skipped(FUSED, "nothing fuses here");
+        return Row::skipped(FMA, "no backend fuses on this machine");
     };
     let mut worst = Worst::default();
     for (plain, fused) in plain.results.iter().zip(&fused.results) {
@@ -142,7 +142,7 @@ pub fn check_fused(compiled: &Compiled, runs: &[Run]) -> Row {
             }
         }
     }
-    Row::judged(FUSED, plain.results.len(), &worst, FUSED_TOLERANCE)
+    Row::judged(FMA, plain.results.len(), &worst, FMA_TOLERANCE)
 }
 
 /// The function that a result belongs to.

@@ -1,16 +1,16 @@
-//! Every effect of the catalogue is written by hand too, and agrees; a wrong sign in its text does not.
+//! Every built-in effect agrees with its reference implementation; one with a changed sign does not.
 
 use model_spec::load::{EFFECTS, from_text, load};
 use model_spec::model::Model;
 use oracle::effect;
 use verify::Options;
-use verify::checks::by_hand::compare;
+use verify::checks::effect_reference::compare;
 use verify::values::Values;
 
 mod support;
 use support::QUICK;
 
-/// Models with a law by hand, and effects of their own.
+/// Models with a reference law.
 const MODELS: [&str; 4] = ["disc", "disc_quaternion", "discus", "ball"];
 
 fn error(model: &Model, options: &Options) -> f64 {
@@ -19,7 +19,7 @@ fn error(model: &Model, options: &Options) -> f64 {
 }
 
 #[test]
-fn every_effect_is_written_by_hand_and_agrees() {
+fn every_effect_has_a_reference_that_agrees() {
     for (name, _) in EFFECTS {
         assert!(effect::by_name(name).is_some(), "{name} is not");
         let mut models = 0;

@@ -1,71 +1,72 @@
-//! The kill table: what each kind of mistake was noticed by.
+//! Mutation matrix: mutants by operator and by the checks that kill them.
 
-use super::judge::{CHECKS, Fate};
+use super::status::{CHECKS, MutantStatus};
 use super::{Mutant, Operator};
 use crate::report::{Row, plain_table};
 use serde::Serialize;
 
-/// What became of the mutants of a model.
+/// Mutation matrix of a model.
 #[derive(Clone, Debug, Default, Serialize)]
-pub struct KillTable {
-    /// The checks, in the order in which they were asked.
+pub struct MutationMatrix {
+    /// Names of the checks, cheapest first.
     pub checks: Vec<&'static str>,
-    /// One row a kind of mistake.
-    pub rows: Vec<KillRow>,
-    /// Mutants that nobody noticed.
+    /// One row per mutation operator.
+    pub rows: Vec<MutationRow>,
+    /// Mutants that no check kills.
     pub survivors: Vec<String>,
-    /// Mutants of terms that the reference does not know, and that nothing else noticed.
-    pub unwatched: Vec<String>,
-    /// Mutants shown to be the same model: each with the proof.
+    /// Surviving mutants of terms that the reference implementation does not contain.
+    #[serde(rename = "unwatched")]
+    pub not_covered: Vec<String>,
+    /// Mutants proved equivalent to the model, each with the kind of proof.
     pub equivalent: Vec<(String, &'static str)>,
 }
 
-/// Mutants of one kind.
+/// Mutants of one operator.
 #[derive(Clone, Debug, Default, Serialize)]
-pub struct KillRow {
-    /// The kind of mistake.
+pub struct MutationRow {
+    /// Name of the mutation operator.
     pub operator: &'static str,
-    /// How many there are that change the physics.
+    /// Number of mutants, without equivalent and not covered ones.
     pub mutants: usize,
-    /// How many of them were noticed.
+    /// Number of killed mutants.
     pub killed: usize,
-    /// How many each check was the first to notice.
+    /// Number of mutants that each check is the first to kill.
     pub first: Vec<usize>,
-    /// How many each check noticed.
+    /// Number of mutants that each check kills.
     pub noticed: Vec<usize>,
 }
 
-impl KillTable {
-    /// Counts the fates of mutants.
-    pub fn of(mutants: &[Mutant], fates: &[Fate]) -> Self {
+impl MutationMatrix {
+    /// Counts the statuses of mutants.
+    pub fn of(mutants: &[Mutant], statuses: &[MutantStatus]) -> Self {
         let mut table = Self {
             checks: CHECKS.to_vec(),
             ..Self::default()
         };
         for operator in Operator::ALL {
-            let mut row = KillRow {
+            let mut row = MutationRow {
                 operator: operator.name(),
                 first: vec![0; CHECKS.len()],
                 noticed: vec![0; CHECKS.len()],
-                ..KillRow::default()
+                ..MutationRow::default()
             };
             for (mutant, fate) in mutants
                 .iter()
-                .zip(fates)
+                .zip(statuses)
                 .filter(|(m, _)| m.operator == operator)
             {
                 let name = || format!("{}: {}", mutant.place, mutant.change);
                 match fate {
-                    Fate::Equivalent(reason) => {
+                    MutantStatus::Equivalent(reason) => {
                         table.equivalent.push((name(), reason));
                         continue;
                     }
-                    Fate::Unwatched => {
-                        table.unwatched.push(name());
+                    MutantStatus::NotCovered => {
+                        table.not_covered.push(name());
                         continue;
                     }
-                    Fate::Survived => table.survivors.push(name()),
-                    Fate::Killed(by) => {
+                    MutantStatus::Survived => table.survivors.push(name()),
+                    MutantStatus::Killed(by) => {
                         row.killed += 1;
                         row.first[by[0]] += 1;
                         by.iter().for_each(|&check| row.noticed[check] += 1);
@@ -78,34 +79,33 @@ impl KillTable {
         table
     }
 
-    /// How many mutants change the physics.
+    /// Number of mutants, without equivalent and not covered ones.
     pub fn mutants(&self) -> usize {
         self.rows.iter().map(|row| row.mutants).sum()
     }
 
-    /// How many of them were noticed.
+    /// Number of killed mutants.
     pub fn killed(&self) -> usize {
         self.rows.iter().map(|row| row.killed).sum()
     }
 
-    /// One row for the report.
+    /// Summary as a row of the report; it holds if no mutant survives.
     pub fn row(&self) -> Row {
         let (mutants, killed, same) = (self.mutants(), self.killed(), self.equivalent.len());
-        let unwatched = match self.unwatched.len() {
+        let not_covered = match self.not_covered.len() {
             0 => String::new(),
-            n => format!("; {n} in terms that no reference knows, noticed by nothing else"),
+            n => format!("; {n} not covered by the reference"),
         };
-        let says =
-            format!("{killed} of {mutants} killed; {same} more are the same model{unwatched}");
+        let says = format!("{killed} of {mutants} killed; {same} more are equivalent{not_covered}");
         Row::counted("mutants", mutants, &self.survivors, "").saying(says)
     }
 
-    /// The table for people: `first/all` by each check.
+    /// The matrix as text; each cell is `first/all`: killed by this check first, and killed by it at all.
     pub fn table(&self) -> String {
-        let mut header = vec!["mistake", "mutants", "killed"];
+        let mut header = vec!["mutation operator", "mutants", "killed"];
         header.extend(&self.checks);
         let mut table = plain_table(&header);
-        let sum = |pick: fn(&KillRow) -> &Vec<usize>, k: usize| -> usize {
+        let sum = |pick: fn(&MutationRow) -> &Vec<usize>, k: usize| -> usize {
             self.rows.iter().map(|row| pick(row)[k]).sum()
         };
         for row in self.rows.iter().filter(|row| row.mutants > 0) {
@@ -132,12 +132,12 @@ impl KillTable {
                 .map(|k| format!("{}/{}", sum(|r| &r.first, k), sum(|r| &r.noticed, k))),
         );
         table.add_row(cells);
-        let mut text = format!("{table}\nEach cell: killed first by this check / noticed by it.\n");
+        let mut text = format!("{table}\nEach cell: killed by this check first / killed by it.\n");
         for (mutant, reason) in &self.equivalent {
             text.push_str(&format!("equivalent: {mutant} ({reason})\n"));
         }
-        for mutant in &self.unwatched {
-            text.push_str(&format!("not watched by the reference: {mutant}\n"));
+        for mutant in &self.not_covered {
+            text.push_str(&format!("not covered by the reference: {mutant}\n"));
         }
         for mutant in &self.survivors {
             text.push_str(&format!("SURVIVED: {mutant}\n"));

@@ -1,9 +1,9 @@
-//! What becomes of one mutant.
+//! Status of a mutant: killed, survived, equivalent, not covered.
 
 use super::Mutant;
 use super::equivalence::Original;
 use crate::Options;
-use crate::checks::{cases, identities, reference, symmetries};
+use crate::checks::{cases, identities, metamorphic, reference};
 use crate::report::{Row, Verdict};
 use crate::subject::{Interpreted, Subject};
 use crate::values::Values;
@@ -11,14 +11,14 @@ use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
-/// Kill by the checker's units.
+/// Killed by the unit check of the language.
 pub const UNITS: &str = "units";
-/// Kill by the checker's frames.
+/// Killed by the frame check of the language.
 pub const FRAMES: &str = "frames";
-/// Kill by anything else that the checker refuses.
+/// Killed by any other check of the language.
 pub const GRAMMAR: &str = "names and shapes";
 
-/// Every check that mutants are put to, cheapest first: the first that refuses one is said to kill it.
+/// Checks that are run on mutants, cheapest first.
 pub const CHECKS: [&str; 7] = [
     UNITS,
     FRAMES,
@@ -26,29 +26,29 @@ pub const CHECKS: [&str; 7] = [
     cases::CASES,
     reference::REFERENCE,
     identities::IDENTITIES,
-    symmetries::SYMMETRIES,
+    metamorphic::METAMORPHIC,
 ];
 
-/// What became of a mutant.
+/// Status of a mutant.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Fate {
-    /// Refused by these checks, as indices into [`CHECKS`]; never empty.
+pub enum MutantStatus {
+    /// Killed by these checks, as indices into [`CHECKS`]; never empty.
     Killed(Vec<usize>),
-    /// Shown to be the same model, and how.
+    /// Proved equivalent to the model, with the kind of proof.
     Equivalent(&'static str),
-    /// Changes nothing where the terms that the reference does not know vanish: nobody says what is right.
-    Unwatched,
-    /// Noticed by nobody.
+    /// Survives in a model with terms that the reference implementation does not contain.
+    NotCovered,
+    /// Killed by no check.
     Survived,
 }
 
-/// Puts a mutant to every check.
-pub fn judge(
+/// Runs every check on a mutant.
+pub fn evaluate(
     mutant: &Mutant,
     sources: &[Source],
     original: &Original<'_>,
     options: &Options,
-) -> Fate {
+) -> MutantStatus {
     let checked = check(&mutant.file, sources);
     let mut killers: Vec<usize> = checked.diagnostics.iter().map(killer).collect();
     if let Some(model) = &checked.model {
@@ -57,15 +57,15 @@ pub fn judge(
     killers.sort_unstable();
     killers.dedup();
     if !killers.is_empty() {
-        return Fate::Killed(killers);
+        return MutantStatus::Killed(killers);
     }
     match checked
         .model
         .and_then(|model| original.same(&Values::of(&model)))
     {
-        Some(reason) => Fate::Equivalent(reason),
-        None if original.unwatched() => Fate::Unwatched,
-        None => Fate::Survived,
+        Some(reason) => MutantStatus::Equivalent(reason),
+        None if original.has_uncovered_terms() => MutantStatus::NotCovered,
+        None => MutantStatus::Survived,
     }
 }
 
@@ -77,14 +77,14 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Checks that refuse a mutant's equations, as the vector tree gives them: whether the compiler follows
-/// the tree is another question, and another check.
+/// Checks that refute the equations of a mutant by its vector tree. Whether the compiler follows the tree is checked
+/// separately.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];
     };
     let mut subject = Subject::new(model, &equations);
-    // A mutant cannot change what it claims to be, nor what its states stand for.
+    // A mutation must not change the meaning of the states.
     if subject.reference.is_none() {
         subject.chart.clone_from(&original.subject.chart);
     }
@@ -92,7 +92,7 @@ fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<us
         cases::check(&subject),
         reference::reference(&subject, options),
         identities::check(&subject, options),
-        symmetries::check(&subject, options),
+        metamorphic::check(&subject, options),
     ];
     rows.iter()
         .enumerate()

@@ -1,6 +1,6 @@
-//! Effects of the catalogue against the same effects written by hand: derivatives and observation, each effect alone
-//! and all at once, its coefficients anywhere within half their bounds. Coefficients of the model's own that the law
-//! does not know vanish, and states that were added to it by itself are at their defaults.
+//! Built-in effects against their reference implementations: derivatives and observation, each effect alone and all
+//! together, with coefficients anywhere within half their bounds. Coefficients of the model that the law does not
+//! contain are at their null values, states that the model adds at their defaults.
 
 use crate::random::Random;
 use crate::report::{Row, Worst};
@@ -15,35 +15,37 @@ use oracle::scalar::ErrorBound;
 use oracle::{BindError, Point};
 
 /// Name of the check.
-pub const BY_HAND: &str = "effects by hand";
+pub const EFFECT_REFERENCE: &str = "effects: reference";
 
-/// Each model, as far as its effects are the catalogue's own.
+/// Checks each model whose effects are all built in.
 pub fn check(with: &[Model], options: &Options) -> Row {
     let catalogued: Vec<&Model> = with.iter().filter(|model| catalogued(model)).collect();
     if catalogued.is_empty() {
-        return Row::skipped(BY_HAND, "no effects of the catalogue for this model");
+        return Row::skipped(EFFECT_REFERENCE, "no built-in effects for this model");
     }
     let mut worst = Worst::default();
     for model in &catalogued {
         let engine = Values::of(model);
         match compare(model, &engine, options) {
             Some(Ok(one)) => worst.see(one.error, || one.place),
-            Some(Err(why)) => return Row::counted(BY_HAND, 1, &[why.to_string()], ""),
-            None => return Row::skipped(BY_HAND, "the model claims no reference"),
+            Some(Err(why)) => return Row::counted(EFFECT_REFERENCE, 1, &[why.to_string()], ""),
+            None => return Row::skipped(EFFECT_REFERENCE, "the model claims no reference"),
         }
     }
-    Row::judged(BY_HAND, catalogued.len(), &worst, TOLERANCE)
+    Row::judged(EFFECT_REFERENCE, catalogued.len(), &worst, TOLERANCE)
 }
 
-/// The worst of a model with effects against its law with the effects by hand; an error where one of them is not written
-/// by hand, nothing where the model claims no law.
+/// Largest error of a model with effects against its reference implementation; `None` if the model claims no law.
+///
+/// # Errors
+/// As [`ExtendedReference::bind`].
 pub fn compare(
     model: &Model,
     equations: &dyn Equations,
     options: &Options,
 ) -> Option<Result<Worst, BindError>> {
-    let by_hand = match ExtendedReference::bind(model)? {
-        Ok(by_hand) => by_hand,
+    let reference = match ExtendedReference::bind(model)? {
+        Ok(reference) => reference,
         Err(why) => return Some(Err(why)),
     };
     let names: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
@@ -55,12 +57,12 @@ pub fn compare(
         .collect();
     let mut own = model.added_states();
     own.retain(|state| !of_effects.contains(state));
-    let mut random = Random::new(options.seed, BY_HAND);
+    let mut random = Random::new(options.seed, "effects by hand");
     let mut worst = Worst::default();
     for _ in 0..options.cases.div_ceil(10) {
         let mut point = sample::point(model, &mut random);
         // Terms of the model's own are nothing the law knows.
-        for (index, null_value) in by_hand.reference.null_values(model) {
+        for (index, null_value) in reference.reference.null_values(model) {
             point.coefficients[index] = null_value;
         }
         for &state in &own {
@@ -69,7 +71,7 @@ pub fn compare(
         let point = at_work(model, point, &mut random);
         let lifted = point.lift::<ErrorBound>();
         let got = equations.rates(&point);
-        for (i, expected) in by_hand.derivatives(&lifted).into_iter().enumerate() {
+        for (i, expected) in reference.derivatives(&lifted).into_iter().enumerate() {
             if own.contains(&i) {
                 continue;
             }
@@ -83,7 +85,7 @@ pub fn compare(
         let Some(seen) = equations.observation(&point) else {
             continue;
         };
-        for (expected, got) in by_hand.observation(&lifted).iter().zip(seen.iter()) {
+        for (expected, got) in reference.observation(&lifted).iter().zip(seen.iter()) {
             let error = expected.relative_error(*got);
             worst.see(error, || format!("the observation with {names}"));
         }

@@ -1,9 +1,9 @@
-//! Symmetries: the laws of motion do not care where a body is, which way it heads, how fast the observer
-//! moves, how far a body of revolution has turned about its axis, or whether they are seen in a mirror.
+//! Metamorphic relations: the laws of motion are invariant under translation, heading, Galilean boosts, rotation of a
+//! body of revolution about its axis, and reflection.
 //!
-//! In the mirror that reverses y, positions, velocities, forces and wind reverse y; spins and moments
-//! reverse x and z. No coefficient changes its sign: one that had to would stand for a law with a
-//! handedness, and is named.
+//! Under the reflection of y, the y components of positions, velocities, forces and wind change sign, and so do the x
+//! and z components of angular velocities and moments. No coefficient changes sign; one that would have to describes a
+//! law with handedness and is reported.
 
 use crate::Options;
 use crate::random::Random;
@@ -16,15 +16,14 @@ use nalgebra::{Matrix3, Vector3};
 use oracle::{Chart, Physical, PhysicalRate, Point, Quaternion, Tree};
 
 /// Name of the check.
-pub const SYMMETRIES: &str = "symmetries";
+pub const METAMORPHIC: &str = "metamorphic relations";
 
-/// States are found again from the changed physical state through arcsines, which lose digits near
-/// their ends; a law that is broken is off by far more.
+/// Largest relative error; the states of a physical state are found through arcsines, which lose digits near ±1.
 const TOLERANCE: f64 = 1e-10;
 
-/// A change of the view that changes nothing.
+/// A transformation under which the laws are invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Symmetry {
+enum Relation {
     Translation,
     Delay,
     Heading,
@@ -33,7 +32,7 @@ enum Symmetry {
     SpinAngle,
 }
 
-impl Symmetry {
+impl Relation {
     const ALL: [(Self, &'static str); 6] = [
         (Self::Translation, "translation"),
         (Self::Delay, "delay"),
@@ -44,40 +43,40 @@ impl Symmetry {
     ];
 }
 
-/// Every symmetry without the coefficients that the law does not know; then each of those at work, by
-/// which symmetries it breaks. The first must hold; the second is told.
+/// Checks every relation with the extra coefficients at their null values, which must hold; and reports the relations
+/// that each extra coefficient breaks.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(chart) = &subject.chart else {
-        return Row::skipped(SYMMETRIES, "which state stands for what is not known");
+        return Row::skipped(METAMORPHIC, "the meaning of the states is unknown");
     };
     let axis = axis_of_revolution(subject.model) || subject.reference.is_some();
-    let apply: Vec<_> = Symmetry::ALL
+    let apply: Vec<_> = Relation::ALL
         .into_iter()
         .filter(|(symmetry, _)| match symmetry {
-            Symmetry::SpinAngle => chart.has_attitude() && axis,
+            Relation::SpinAngle => chart.has_attitude() && axis,
             _ => true,
         })
         .collect();
-    let mut random = Random::new(options.seed, SYMMETRIES);
+    let mut random = Random::new(options.seed, "symmetries");
     let mut worst = Worst::default();
     let mut broken: Vec<(usize, Vec<&'static str>)> = subject
         .extras()
         .into_iter()
         .map(|(index, _)| (index, Vec::new()))
         .collect();
-    let mut lopsided = false;
+    let mut asymmetric = false;
     for _ in 0..options.cases {
         let full = sample::point(subject.model, &mut random);
         let core = subject.without_extras(full.clone());
         let draw = Draw::new(&mut random);
-        let own_image = is_own_image(subject.model, &core);
-        lopsided |= !own_image;
+        let symmetric = is_symmetric(subject.model, &core);
+        asymmetric |= !symmetric;
         for &(symmetry, name) in &apply {
-            if symmetry == Symmetry::Mirror && !own_image {
+            if symmetry == Relation::Mirror && !symmetric {
                 continue;
             }
             let Some(error) = error(subject, chart, &core, symmetry, &draw) else {
-                return Row::skipped(SYMMETRIES, "its angles are not turns about 1, 2 and 3");
+                return Row::skipped(METAMORPHIC, "its angles are not rotations about 1, 2 and 3");
             };
             worst.see(error, || name.to_owned());
             for (index, names) in &mut broken {
@@ -90,22 +89,19 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             }
         }
     }
-    let row = Row::judged(SYMMETRIES, options.cases, &worst, TOLERANCE);
+    let row = Row::judged(METAMORPHIC, options.cases, &worst, TOLERANCE);
     let mut lines = vec![row.detail.clone()];
-    if lopsided {
-        lines.push("no mirror image: the body is not its own".to_owned());
+    if asymmetric {
+        lines.push("reflection skipped: the body is not symmetric".to_owned());
     }
     for (index, names) in broken.into_iter().filter(|(_, names)| !names.is_empty()) {
         let coefficient = &subject.model.coefficients[index].name;
-        lines.push(format!(
-            "{coefficient} breaks by its nature: {}",
-            names.join(", ")
-        ));
+        lines.push(format!("{coefficient} breaks: {}", names.join(", ")));
     }
     row.saying(lines.join("\n").trim().to_owned())
 }
 
-/// What a symmetry moves by.
+/// Random parameters of the transformations.
 struct Draw {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
@@ -124,12 +120,12 @@ impl Draw {
     }
 }
 
-/// How far the motion seen after the change is from the changed motion, against the larger of both.
+/// Largest relative difference between the motion of the transformed state and the transformed motion.
 fn error(
     subject: &Subject<'_>,
     chart: &Chart,
     point: &Point<f64>,
-    symmetry: Symmetry,
+    symmetry: Relation,
     draw: &Draw,
 ) -> Option<f64> {
     let model = subject.model;
@@ -139,7 +135,7 @@ fn error(
     let mut seen = point.clone();
     seen.inputs = inputs;
     seen.states = chart.states(&moved)?;
-    if symmetry == Symmetry::Delay {
+    if symmetry == Relation::Delay {
         seen.time += draw.delay;
     }
     let got = chart.physical_rate(&seen.states, &subject.flight_rates(&seen));
@@ -164,21 +160,21 @@ fn transform(
     point: &Point<f64>,
     p: &Physical<f64>,
     change: &PhysicalRate,
-    symmetry: Symmetry,
+    symmetry: Relation,
     draw: &Draw,
 ) -> (Physical<f64>, Vec<Vector3<f64>>, PhysicalRate) {
     let (mut p, mut change, mut inputs) = (*p, *change, point.inputs.clone());
     let heading = Quaternion::turn(3, draw.angle);
     match symmetry {
-        Symmetry::Delay => {}
-        Symmetry::Translation => p.position += draw.shift,
-        Symmetry::Heading => {
+        Relation::Delay => {}
+        Relation::Translation => p.position += draw.shift,
+        Relation::Heading => {
             let turn = heading.matrix();
             p = map(&p, &turn, &turn, heading.times(p.attitude));
             change = map_change(&change, &turn, &turn);
             inputs.iter_mut().for_each(|v| *v = turn * *v);
         }
-        Symmetry::Mirror => {
+        Relation::Mirror => {
             let polar = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
             // The mirror image of a turn is a turn; a body that is its own image stays itself.
             let attitude = Quaternion::from_matrix(&(polar * p.attitude.matrix() * polar));
@@ -192,7 +188,7 @@ fn transform(
                 };
             }
         }
-        Symmetry::Galilean => {
+        Relation::Galilean => {
             p.velocity += draw.boost;
             change.velocity += draw.boost;
             for (input, v) in model.inputs.iter().zip(&mut inputs) {
@@ -202,7 +198,7 @@ fn transform(
                 }
             }
         }
-        Symmetry::SpinAngle => p.attitude = p.attitude.times(heading),
+        Relation::SpinAngle => p.attitude = p.attitude.times(heading),
     }
     (p, inputs, change)
 }
@@ -230,8 +226,8 @@ fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> P
     }
 }
 
-/// Whether a body's moments of inertia stay the same in the mirror that reverses its second axis.
-fn is_own_image(model: &Model, point: &Point<f64>) -> bool {
+/// Whether the inertia is invariant under reflection of the second axis.
+fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
     rotation.is_none_or(|rotation| {
         let tree = Tree::new(model, point);
