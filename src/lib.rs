@@ -38,7 +38,7 @@ pub use identify::dataset::{Dataset, Flight as MeasuredFlight, KnownValue, Marke
 
 // Fits.
 pub use fit::{Estimate, Fit, fit};
-pub use identify::{FitOptions, FitReport, Prior, Stop, Watch};
+pub use identify::{CancellationToken, FitOptions, FitReport, FlightOutcome, Prior, Progress};
 
 // Diagnoses.
 pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};

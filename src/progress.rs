@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
 use std::time::Duration;
 
-use identify::Watch;
+use identify::CancellationToken;
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Nothing is being written: an interruption ends the program at once.
@@ -24,6 +24,7 @@ pub const INTERRUPTED: u8 = 130;
 #[derive(Debug)]
 pub struct Progress {
     phase: Arc<AtomicU8>,
+    cancellation: CancellationToken,
     bar: ProgressBar,
     stage: Mutex<String>,
     parts: AtomicUsize,
@@ -35,8 +36,13 @@ impl Progress {
     pub fn new() -> anyhow::Result<Self> {
         let phase = Arc::new(AtomicU8::new(READING));
         let heard = Arc::clone(&phase);
+        let cancellation = CancellationToken::default();
+        let token = cancellation.clone();
         ctrlc::set_handler(move || {
             let was = heard.compare_exchange(WORKING, STOPPED, Ordering::SeqCst, Ordering::SeqCst);
+            if was.is_ok() {
+                token.cancel();
+            }
             if was == Err(READING) {
                 eprintln!("interrupted; nothing was written");
                 std::process::exit(INTERRUPTED.into());
@@ -49,11 +55,17 @@ impl Progress {
         );
         Ok(Self {
             phase,
+            cancellation,
             bar,
             stage: Mutex::default(),
             parts: AtomicUsize::new(0),
             done: AtomicUsize::new(0),
         })
+    }
+
+    /// The token that Ctrl-C cancels while work is under way.
+    pub fn cancellation(&self) -> &CancellationToken {
+        &self.cancellation
     }
 
     /// Work begins that looks whether it is to stop.
@@ -71,8 +83,8 @@ impl Progress {
     }
 }
 
-impl Watch for Progress {
-    fn begins(&self, stage: &str, parts: usize) {
+impl identify::Progress for Progress {
+    fn stage_started(&self, stage: &str, parts: usize) {
         *self
             .stage
             .lock()
@@ -84,7 +96,7 @@ impl Watch for Progress {
         self.bar.set_message(stage.to_owned());
     }
 
-    fn part_done(&self) {
+    fn flight_done(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         let parts = self.parts.load(Ordering::Relaxed).max(1);
         // A stage goes over its flights again and again until nothing more is gained.
@@ -98,9 +110,5 @@ impl Watch for Progress {
                 .set_message(format!("{stage}, iteration {}", done / parts + 1));
         }
         self.bar.set_position(((done - 1) % parts + 1) as u64);
-    }
-
-    fn is_stopped(&self) -> bool {
-        self.phase.load(Ordering::Relaxed) == STOPPED
     }
 }

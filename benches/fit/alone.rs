@@ -29,7 +29,7 @@ fn main() -> Result<(), Failure> {
     let model = model_spec::load::load(&dataset.model, &[])?;
     let fitted = fit(&model, &dataset, &options)?;
     let observation_sets: Vec<&Observations> = (0..dataset.flights.len())
-        .filter_map(|flight| Some(fitted.flight(flight)?.0))
+        .filter_map(|flight| Some(fitted.flight(identify::FlightId::new(flight))?.0))
         .collect();
     let each = observation_sets
         .iter()
@@ -63,7 +63,7 @@ fn main() -> Result<(), Failure> {
         let values: Values = named
             .map(|(name, &value)| ((*name).clone(), value))
             .collect();
-        let (steps, converged) = (found.iterations, found.converged);
+        let (steps, converged) = (found.iterations, found.converged());
         say(
             &json!({"seconds": seconds, "steps": steps, "converged": converged, "coefficients": values}),
         )?;

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use flight::batch;
 use identify::dataset::{Dataset, Role};
-use identify::{Fit, FlightEvidence, Iterate, fit};
+use identify::{Fit, FlightEvidence, FlightId, Iterate, fit};
 use model_spec::model::Model;
 
 use crate::consensus::consensus;
@@ -417,7 +417,7 @@ fn measure<R: Send>(
 fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
     let flights = context.dataset.flights.iter().enumerate();
     let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);
-    let fitted: Vec<usize> = fitted.map(|(index, _)| index).collect();
+    let fitted: Vec<FlightId> = fitted.map(|(index, _)| FlightId::new(index)).collect();
     let threads = context.options.fit.threads();
     let each = batch::each_on(threads, fitted.len(), |k| fit.evidence(fitted[k]));
     each.into_iter().flatten().collect()

@@ -1,23 +1,26 @@
-//! The first touch of the ground: where the velocity jumps.
+//! Impact detection: a flight is truncated before its first upward jump of velocity.
 
 use nalgebra::Vector3;
 
-use crate::noise::median;
 use crate::observations::Observations;
-use crate::pose::{Pose, pose};
+use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
+use crate::statistics::median;
 
-/// Samples on either side of a jump that its velocities are taken from.
+/// Samples on either side of a jump from which velocities are estimated.
 const SIDE: usize = 5;
 
-/// A jump below this is none, m/s.
-const LEAST: f64 = 1.0;
+/// Least jump of velocity of an impact, m/s.
+const MIN_JUMP: f64 = 1.0;
 
-/// How far a jump must stand out from the scatter of the velocities.
-const CLEAR: f64 = 10.0;
+/// Least ratio of an impact's jump to the median change of velocity.
+const MIN_RATIO: f64 = 10.0;
 
-/// Cuts a track before its first jump of velocity with a rise: nothing but the ground throws a body up at once. Gives the
-/// poses in the samples that are left, of a body that turns.
+/// Least vertical part of an impact's jump.
+const MIN_VERTICAL_PART: f64 = 0.3;
+
+/// Truncates a flight before its first upward jump of velocity: only the ground reverses a body at once. Gives the poses in
+/// the remaining samples of a body with an attitude.
 pub fn truncate_at_impact(
     problem: &FitProblem,
     observations: &mut Observations,
@@ -30,17 +33,12 @@ pub fn truncate_at_impact(
             .collect(),
         false => Vec::new(),
     };
-    let place = |sample: usize| match problem.has_attitude {
+    let position = |sample: usize| match problem.has_attitude {
         true => poses[sample].map(|pose| pose.position),
-        false => observations
-            .points(sample)
-            .iter()
-            .flatten()
-            .next()
-            .map(|&seen| seen.into()),
+        false => point_position(&problem.markers, observations.points(sample)),
     };
     let path: Vec<(usize, f64, Vector3<f64>)> = samples
-        .filter_map(|sample| Some((sample, observations.times[sample], place(sample)?)))
+        .filter_map(|sample| Some((sample, observations.times[sample], position(sample)?)))
         .collect();
     if let Some((index, jump)) = jump(&path) {
         let (sample, time, _) = path[index];
@@ -57,7 +55,7 @@ pub fn truncate_at_impact(
     poses
 }
 
-/// The first sample after a jump, and the jump, m/s.
+/// The first sample after an impact, and the jump of velocity there, m/s.
 fn jump(path: &[(usize, f64, Vector3<f64>)]) -> Option<(usize, Vector3<f64>)> {
     if path.len() < 2 * SIDE + 1 {
         return None;
@@ -65,20 +63,20 @@ fn jump(path: &[(usize, f64, Vector3<f64>)]) -> Option<(usize, Vector3<f64>)> {
     let velocities: Vec<Vector3<f64>> = path.windows(SIDE).map(velocity).collect();
     let pairs = velocities[SIDE..].iter().zip(&velocities);
     let jumps: Vec<Vector3<f64>> = pairs.map(|(after, before)| after - before).collect();
-    // Gravity and drag change the velocity too, but by much the same everywhere.
+    // Gravity and drag change the velocity too, but almost evenly.
     let usual = [0, 1, 2].map(|axis| {
         let mut values: Vec<f64> = jumps.iter().map(|jump| jump[axis]).collect();
         median(&mut values)
     });
     let usual = Vector3::from(usual);
     let mut sizes: Vec<f64> = jumps.iter().map(|jump| (jump - usual).norm()).collect();
-    let limit = LEAST.max(CLEAR * median(&mut sizes));
+    let limit = MIN_JUMP.max(MIN_RATIO * median(&mut sizes));
     let beyond = |jump: &Vector3<f64>| {
         let extra = jump - usual;
-        extra.z > LEAST.max(0.3 * extra.norm()) && extra.norm() > limit
+        extra.z > MIN_JUMP.max(MIN_VERTICAL_PART * extra.norm()) && extra.norm() > limit
     };
     let first = jumps.iter().position(beyond)?;
-    // Windows that only reach over the edge see a part of the jump: the whole of it is where it is greatest.
+    // Windows that only overlap the impact contain a part of the jump; the full jump is the greatest.
     let around = &jumps[first..(first + SIDE).min(jumps.len())];
     let size = |jump: &Vector3<f64>| (jump - usual).norm();
     let (offset, jump) = around
@@ -88,7 +86,7 @@ fn jump(path: &[(usize, f64, Vector3<f64>)]) -> Option<(usize, Vector3<f64>)> {
     Some((first + offset + SIDE, *jump))
 }
 
-/// Velocity by the median of the slopes between all pairs of samples, `SIDE` at most, which one outlier does not move.
+/// Velocity, m/s, by the median slope of all pairs among `SIDE` samples, which one outlier does not change.
 fn velocity(path: &[(usize, f64, Vector3<f64>)]) -> Vector3<f64> {
     let slope = |axis: usize| {
         let mut slopes = [0.0; SIDE * (SIDE - 1) / 2];

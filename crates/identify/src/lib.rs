@@ -6,7 +6,9 @@
 //! [`synthesize`] makes datasets whose true coefficients are known.
 
 pub mod dataset;
+mod error;
 mod fit;
+mod ids;
 mod impact_detection;
 mod initial_state;
 mod input_error;
@@ -21,25 +23,30 @@ mod predict;
 mod problem;
 mod report;
 mod state_manifold;
+mod statistics;
 pub mod synthesize;
+mod tolerance;
 mod uncertainty;
 pub mod wording;
 
 // Fitting a dataset.
-pub use fit::{CONDITIONING_FRACTION, Fit, FitError, fit};
+pub use error::{ExcludedFlight, FitError, FlightError, NameSource};
+pub use fit::{CONDITIONING_FRACTION, Fit, fit};
+pub use ids::{FlightId, GlobalId, LocalId};
 pub use input_error::InputError;
-pub use options::{FitOptions, Prior, Stop, Watch};
+pub use options::{CancellationToken, FitOptions, Prior, Progress};
 
-// What a fit reports.
+// The report of a fit.
 pub use report::{
-    AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FlightEvidence, FlightReport,
-    Iterations, NoiseReport, NonIdentifiable, Profile, Truncation,
+    AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
+    FlightOutcome, FlightReport, Iterations, NoiseReport, NonIdentifiable, Profile, Truncation,
 };
+pub use statistics::{median, robust_sigma};
 pub use uncertainty::interval;
 
 // The estimation problem, and predictions with their derivatives.
 pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
-pub use noise::{Moments, NoiseModel, median, robust_sigma};
+pub use noise::{Moments, NoiseModel};
 pub use observations::Observations;
 pub use predict::{
     Loss, PointResidual, Residuals, Unknowns, each_residual, linearise, linearise_with,
@@ -50,5 +57,6 @@ pub use state_manifold::StateManifold;
 // Least squares over many flights.
 pub use least_squares::{
     Constraint, Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, Solution, SolveError,
-    StoppingCriteria, UndeterminedFlight, constrained_step, eliminate, solve,
+    StopReason, StoppingCriteria, UndeterminedFlight, constrained_step, eliminate, pseudo_inverse,
+    solve,
 };

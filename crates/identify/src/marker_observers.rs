@@ -1,16 +1,17 @@
-//! How each marker is seen: by one observer for all, or by one each where the model asks which marker it is.
+//! Measurement equations of the markers: one for all, or one for each where the model has a parameter per marker.
 
 use flight::{BoundModel, CompiledModel, ModelObserver, ObservationJacobians};
 use model_spec::layout::ParamId;
 
-/// The input that says which marker is observed, `marker_is`: 1 in the place of the first, second or third.
+/// Components of the input `marker_is`, by which effects refer to single markers: component k is 1 for marker k and 0 for
+/// all others.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
-/// The conditions of a flight under which each marker is observed.
+/// Parameters of a flight for the measurement equation of each marker.
 pub struct MarkerConditions<'a>(Vec<BoundModel<'a>>);
 
 impl<'a> MarkerConditions<'a> {
-    /// One for all of `markers`, unless the model has the input `marker_is`.
+    /// The same parameters for all `markers`, unless the model has the input `marker_is`.
     pub fn new(body: &'a CompiledModel, parameters: &[f64], markers: usize) -> Self {
         let places = MARKER_IS.map(|name| body.layout().parameter(name).map(ParamId::index));
         if places.iter().all(Option::is_none) {
@@ -28,13 +29,13 @@ impl<'a> MarkerConditions<'a> {
         Self(each.collect())
     }
 
-    /// What is seen under them.
+    /// Evaluators of the measurement equations.
     pub fn observers(&self) -> MarkerObservers<'_> {
         MarkerObservers(self.0.iter().map(BoundModel::observer).collect())
     }
 }
 
-/// Observers, of which each marker has its own.
+/// Evaluators of the markers' measurement equations.
 pub struct MarkerObservers<'a>(Vec<ModelObserver<'a>>);
 
 impl<'a> MarkerObservers<'a> {
@@ -43,7 +44,8 @@ impl<'a> MarkerObservers<'a> {
         &mut self.0[marker.min(last)]
     }
 
-    /// Where a marker is seen in the inertial frame, m; `position` is its place in the frame that it is fixed in, m.
+    /// Predicted position of a marker in the inertial frame, m, at time `t` (s) and state `x`; `position` is its position in the
+    /// frame that it is fixed in, m.
     pub fn position(
         &mut self,
         t: f64,
@@ -63,7 +65,7 @@ impl<'a> MarkerObservers<'a> {
         self.of(marker).position_with_jacobians(t, x, position)
     }
 
-    /// The model's named quantities, in the order of the layout.
+    /// Values of the model's auxiliary quantities, in the order of the layout.
     pub fn quantities(&mut self, t: f64, x: &[f64]) -> Vec<f64> {
         self.of(0).quantities(t, x)
     }

@@ -1,18 +1,21 @@
-//! The noise of measured coordinates: along each axis a stationary first-order process, and outliers beside it.
+//! Noise of measured coordinates: a stationary AR(1) process along each axis.
 
-/// The noise along each axis of the inertial frame.
+/// Noise along each axis of the inertial frame: a stationary AR(1) process.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoiseModel {
     /// Standard deviation along each axis, m.
     pub sigma: [f64; 3],
-    /// Correlation between samples `interval` apart, along each axis.
+    /// Autocorrelation of samples `interval` apart, along each axis.
     pub ar1: [f64; 3],
-    /// The time that `ar1` holds for, s.
+    /// Time between samples to which `ar1` refers, s.
     pub interval: f64,
 }
 
-/// Greatest correlation that is believed: beyond it a residual is a misfit and no noise.
-const MOST_CORRELATION: f64 = 0.9;
+/// Greatest autocorrelation of noise: residuals of greater correlation are model error.
+const MAX_AR1: f64 = 0.9;
+
+/// Pairs of neighbouring residuals below which no autocorrelation is estimated.
+const MIN_PAIRS: usize = 20;
 
 impl NoiseModel {
     /// White noise of this standard deviation along every axis.
@@ -24,33 +27,33 @@ impl NoiseModel {
         }
     }
 
-    /// What a residual keeps of the one before it, `gap` seconds earlier, along an axis; and the standard deviation
-    /// of what is new in it, m.
+    /// Autocorrelation φ of residuals `gap` seconds apart along an axis, and the standard deviation of the innovation
+    /// r − φ r_previous, m.
     pub fn innovation(&self, axis: usize, gap: f64) -> (f64, f64) {
         let intervals = gap / self.interval;
         let ar1 = self.ar1[axis];
-        let kept = if self.is_one_interval(gap) {
+        let phi = if self.is_one_interval(gap) {
             ar1
         } else if ar1 >= 0.0 {
             ar1.powf(intervals)
         } else {
-            // Only a whole number of intervals has a sign.
+            // A negative autocorrelation is defined over whole numbers of intervals alone.
             ar1.powi(intervals.round().clamp(1.0, 1e6) as i32)
         };
-        (kept, self.sigma[axis] * (1.0 - kept * kept).sqrt())
+        (phi, self.sigma[axis] * (1.0 - phi * phi).sqrt())
     }
 
-    /// Whether a time, s, is the interval that the correlation holds for.
+    /// Whether a time, s, is within 1 % of `interval`.
     pub fn is_one_interval(&self, gap: f64) -> bool {
         (gap / self.interval - 1.0).abs() < 0.01
     }
 
-    /// Root of the mean of the axes' variances, m.
+    /// Root mean square of the axes' standard deviations, m.
     pub fn overall(&self) -> f64 {
         (self.sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
     }
 
-    /// Whether another estimate of the same noise says the same for all purposes.
+    /// Whether standard deviations agree within 0.5 % and autocorrelations within 0.005.
     pub fn is_close_to(&self, other: &NoiseModel) -> bool {
         let same = |a: f64, b: f64| (a / b - 1.0).abs() < 0.005;
         (0..3).all(|axis| {
@@ -60,18 +63,18 @@ impl NoiseModel {
     }
 }
 
-/// Sums over residuals from which the noise is estimated; those of several flights are added.
+/// Sums over residuals from which the noise is estimated; sums of several flights are joined.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
     /// Sum of squares along each axis, m².
     pub squares: [f64; 3],
-    /// Sum of products of neighbours along each axis, m².
+    /// Sum of products of neighbouring residuals along each axis, m².
     pub products: [f64; 3],
-    /// Sum of the mean squares of the same neighbours, m².
+    /// Sum of the mean squares of those pairs along each axis, m².
     pub neighbours: [f64; 3],
-    /// How many residuals along each axis.
+    /// Number of residuals along each axis.
     pub count: usize,
-    /// How many pairs of neighbours.
+    /// Number of pairs of neighbouring residuals.
     pub pairs: usize,
 }
 
@@ -109,8 +112,8 @@ impl Moments {
         self.pairs += other.pairs;
     }
 
-    /// The noise that leaves such residuals where `unknowns` were fitted to them; a standard deviation that is
-    /// `given` (m) is taken as it is.
+    /// Estimates the noise from residuals to which `unknowns` were fitted; a `given` standard deviation (m) replaces the
+    /// estimated one.
     pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> NoiseModel {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;
@@ -119,12 +122,12 @@ impl Moments {
             given.unwrap_or(estimated).max(f64::MIN_POSITIVE.sqrt())
         });
         let ar1 = [0, 1, 2].map(|axis| {
-            // Few pairs tell nothing of a correlation.
-            if self.pairs < 20 || self.neighbours[axis] <= 0.0 {
+            // Few pairs do not determine an autocorrelation.
+            if self.pairs < MIN_PAIRS || self.neighbours[axis] <= 0.0 {
                 return 0.0;
             }
             let correlation = self.products[axis] / self.neighbours[axis];
-            correlation.clamp(-MOST_CORRELATION, MOST_CORRELATION)
+            correlation.clamp(-MAX_AR1, MAX_AR1)
         });
         NoiseModel {
             sigma,
@@ -134,42 +137,25 @@ impl Moments {
     }
 }
 
-/// How far from its neighbours a residual may lie before its point is an outlier, over the standard deviation: of a million
-/// normal residuals 7 lie farther.
-pub const OUTLIER: f64 = 4.5;
+/// Distance of an outlier from the line through neighbouring residuals, over the standard deviation: 7 of a million
+/// normal residuals lie farther.
+pub const OUTLIER_LIMIT: f64 = 4.5;
 
-/// How far from 0 a residual counts by its square before the noise is known, over a first guess of it; beyond it
-/// counts by its size alone.
-pub const HUBER: f64 = 2.0;
-
-/// Standard deviation by the median of the sizes, which outliers do not move; 0 for none.
-pub fn robust_sigma(sizes: &mut [f64]) -> f64 {
-    1.4826 * median(sizes)
-}
-
-/// The median; 0 for none.
-pub fn median(values: &mut [f64]) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
-}
+/// Limit of Huber's loss over its scale: quadratic below, linear above.
+pub const HUBER_LIMIT: f64 = 2.0;
 
 #[cfg(test)]
 mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha12Rng;
+    use rand_distr::StandardNormal;
+
     use super::*;
 
-    /// A stationary first-order process from a fixed generator.
+    /// A stationary AR(1) process.
     fn process(count: usize, sigma: f64, ar1: f64) -> Vec<Option<[f64; 3]>> {
-        let mut seed = 7_u64;
-        let mut uniform = || {
-            seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        let mut normal = || (0..12).map(|_| uniform()).sum::<f64>() - 6.0;
+        let mut random = ChaCha12Rng::seed_from_u64(7);
+        let mut normal = || -> f64 { random.sample(StandardNormal) };
         let mut state = [0; 3].map(|_| sigma * normal());
         (0..count)
             .map(|_| {
@@ -191,9 +177,9 @@ mod tests {
             assert!((noise.sigma[axis] / 0.002 - 1.0).abs() < 0.03, "{noise:?}");
             assert!((noise.ar1[axis] - 0.6).abs() < 0.02, "{noise:?}");
         }
-        let (kept, fresh) = noise.innovation(0, 2.0 / 120.0);
-        assert!((kept - noise.ar1[0].powi(2)).abs() < 1e-12);
-        assert!((fresh - noise.sigma[0] * (1.0 - kept * kept).sqrt()).abs() < 1e-12);
+        let (phi, sigma) = noise.innovation(0, 2.0 / 120.0);
+        assert!((phi - noise.ar1[0].powi(2)).abs() < 1e-12);
+        assert!((sigma - noise.sigma[0] * (1.0 - phi * phi).sqrt()).abs() < 1e-12);
     }
 
     #[test]
@@ -206,11 +192,5 @@ mod tests {
         let noise = moments.noise(15, 1.0, None);
         assert!((noise.sigma[0].powi(2) - 0.2).abs() < 1e-12);
         assert_eq!(moments.noise(15, 1.0, Some(0.3)).sigma, [0.3; 3]);
-    }
-
-    #[test]
-    fn the_median_is_not_moved_by_outliers() {
-        let mut sizes = vec![1.0, 1.1, 0.9, 1e9, 1.0];
-        assert_eq!(median(&mut sizes), 1.0);
     }
 }

@@ -1,151 +1,156 @@
-//! A flight made ready to be fitted: its samples from the first that shows something, with what is known of it.
+//! Observations of one flight: its usable samples, its known values, and the directions of its initial state.
 
+use model_spec::layout::StateId;
 use nalgebra::DVector;
 
 use crate::dataset::{Flight, Role};
-use crate::noise::median;
+use crate::error::FlightError;
 use crate::problem::FitProblem;
 use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
+use crate::statistics::median;
 
-/// One flight's samples.
+/// Samples of one flight from the first to the last with a measured marker, and what is known of the flight.
 #[derive(Clone, Debug)]
 pub struct Observations {
-    /// Its file.
+    /// File of the flight.
     pub file: String,
-    /// What it is for.
+    /// Whether the flight is fitted or held out.
     pub role: Role,
-    /// Time of the first sample used, s, as in the table.
+    /// Time of the first sample in the table, s.
     pub origin: f64,
-    /// Times since then, s.
+    /// Times of the samples since the first, s.
     pub times: Vec<f64>,
-    /// `seen[sample * markers + marker]`, m.
+    /// `measured[sample * markers + marker]`: position, m, inertial frame; `None` for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,
-    /// Whether the point is left out as an outlier.
+    /// `outlier[sample * markers + marker]`: whether the point is excluded as an outlier.
     pub outlier: Vec<bool>,
-    /// How many markers there are.
+    /// Number of markers.
     pub markers: usize,
-    /// Parameters before the shared unknowns are put in.
+    /// Parameters of the flight in the order of the layout, SI; global parameters still have their initial values.
     pub parameters: Vec<f64>,
-    /// States that are known, and their values.
-    pub known_states: Vec<(usize, f64)>,
-    /// How its initial state may be varied.
+    /// Known states at the first sample, SI.
+    pub known_states: Vec<(StateId, f64)>,
+    /// Directions in which the initial state may be varied.
     pub manifold: StateManifold,
-    /// Samples in its table.
+    /// Number of samples in the table.
     pub samples: usize,
-    /// Where the table was cut.
+    /// Where and why the samples were truncated, if they were.
     pub truncation: Option<Truncation>,
-    /// What has to be said of it.
+    /// Messages for the report.
     pub notes: Vec<String>,
 }
 
 impl Observations {
-    /// Takes a flight's samples, from the first in which a marker was seen to the last.
+    /// Takes the samples of a flight, without those before the first and after the last measured marker.
     ///
     /// # Errors
-    /// In words, where nothing was seen.
-    pub fn new(problem: &FitProblem, flight: &Flight) -> Result<Self, String> {
-        let shows = |row: &Vec<Option<[f64; 3]>>| row.iter().any(Option::is_some);
-        let first = flight.positions.iter().position(shows);
-        let first = first.ok_or("no marker was seen in it")?;
-        let last = flight.positions.iter().rposition(shows).unwrap_or(first);
+    /// [`FlightError::NoMeasurement`]; [`FlightError::UnknownKnownValue`] or [`FlightError::KnownAndEstimated`] for
+    /// known values that do not match the problem.
+    pub fn new(problem: &FitProblem, flight: &Flight) -> Result<Self, FlightError> {
+        let has_measurement = |row: &Vec<Option<[f64; 3]>>| row.iter().any(Option::is_some);
+        let first = flight.positions.iter().position(has_measurement);
+        let first = first.ok_or(FlightError::NoMeasurement)?;
+        let last = flight.positions.iter().rposition(has_measurement);
+        let last = last.unwrap_or(first);
         let origin = flight.times[first];
-        let [places, states] = problem.known(&flight.known)?;
+        let known = problem.known_values(&flight.known)?;
         let mut parameters = problem.parameters.clone();
-        for (place, value) in places {
-            parameters[place] = value;
+        for (id, value) in known.parameters {
+            parameters[id.index()] = value;
         }
-        let known: Vec<usize> = states.iter().map(|(state, _)| *state).collect();
-        let seen: Vec<_> = flight.positions[first..=last]
-            .iter()
-            .flatten()
-            .copied()
-            .collect();
+        let known_states: Vec<StateId> = known.states.iter().map(|(state, _)| *state).collect();
+        let rows = &flight.positions[first..=last];
+        let measured: Vec<_> = rows.iter().flatten().copied().collect();
+        let times = flight.times[first..=last].iter();
         let mut notes = Vec::new();
         if first > 0 {
-            notes.push(format!("nothing was seen in its first {first} samples"));
+            notes.push(format!(
+                "no marker is measured in its first {first} samples"
+            ));
         }
         Ok(Self {
             file: flight.file.clone(),
             role: flight.role,
             origin,
-            times: flight.times[first..=last]
-                .iter()
-                .map(|t| t - origin)
-                .collect(),
-            outlier: vec![false; seen.len()],
-            measured: seen,
+            times: times.map(|t| t - origin).collect(),
+            outlier: vec![false; measured.len()],
+            measured,
             markers: problem.markers.len(),
             parameters,
-            manifold: StateManifold::new(&problem.model, &known),
-            known_states: states,
+            manifold: StateManifold::new(&problem.model, &known_states),
+            known_states: known.states,
             samples: flight.times.len(),
             truncation: None,
             notes,
         })
     }
 
-    /// The points of one sample.
+    /// Measured positions of all markers in one sample, m.
     pub fn points(&self, sample: usize) -> &[Option<[f64; 3]>] {
         &self.measured[sample * self.markers..][..self.markers]
     }
 
-    /// A point that was seen and is no outlier.
+    /// A measured position, m, unless it is an outlier.
     pub fn inlier(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
         let index = sample * self.markers + marker;
         self.measured[index].filter(|_| !self.outlier[index])
     }
 
-    /// How many samples begin the flight, up to a time (s).
+    /// Number of points that are excluded as outliers.
+    pub fn outliers(&self) -> usize {
+        self.outlier.iter().filter(|outlier| **outlier).count()
+    }
+
+    /// Number of samples up to a time since the first, s.
     pub fn samples_until(&self, time: f64) -> usize {
         self.times.partition_point(|t| *t <= time)
     }
 
-    /// The usual time between samples, s; none for a single one.
+    /// Median time between neighbouring samples, s; none for a single sample.
     pub fn interval(&self) -> Option<f64> {
-        let mut gaps: Vec<f64> = self
-            .times
-            .windows(2)
-            .map(|pair| pair[1] - pair[0])
-            .collect();
-        (!gaps.is_empty()).then(|| median(&mut gaps))
+        let pairs = self.times.windows(2);
+        let mut intervals: Vec<f64> = pairs.map(|pair| pair[1] - pair[0]).collect();
+        (!intervals.is_empty()).then(|| median(&mut intervals))
     }
 
-    /// Drops the samples from this one on.
+    /// Keeps the first samples, and records why.
     pub fn truncate(&mut self, samples: usize, why: String) {
-        let left_out = self.times.len() - samples;
-        self.times.truncate(samples);
-        self.measured.truncate(samples * self.markers);
-        self.outlier.truncate(samples * self.markers);
+        let dropped = self.times.len() - samples;
+        self.keep(samples);
         self.truncation = Some(Truncation {
             t: self.origin + self.times.last().copied().unwrap_or(0.0),
-            samples: left_out,
+            samples: dropped,
             why,
         });
     }
 
-    /// The first samples of it as a flight of their own.
+    /// A copy with the first samples alone.
     pub fn first_samples(&self, samples: usize) -> Observations {
-        let mut head = self.clone();
-        head.times.truncate(samples);
-        head.measured.truncate(samples * self.markers);
-        head.outlier.truncate(samples * self.markers);
-        head
+        let mut first = self.clone();
+        first.keep(samples);
+        first
     }
 
-    /// Puts what is known of the initial state into it.
+    fn keep(&mut self, samples: usize) {
+        self.times.truncate(samples);
+        self.measured.truncate(samples * self.markers);
+        self.outlier.truncate(samples * self.markers);
+    }
+
+    /// An initial state with the known states set.
     pub fn with_known_states(&self, mut state: DVector<f64>) -> DVector<f64> {
-        for &(place, value) in &self.known_states {
-            state[place] = value;
+        for &(id, value) in &self.known_states {
+            state[id.index()] = value;
         }
         state
     }
 
-    /// The parameters of the flight with these values of the shared unknowns.
+    /// Parameters of the flight at values of the global parameters.
     pub fn parameters(&self, problem: &FitProblem, global: &DVector<f64>) -> Vec<f64> {
         let mut parameters = self.parameters.clone();
-        for (unknown, &value) in problem.globals.iter().zip(global.iter()) {
-            parameters[unknown.param] = value;
+        for (parameter, &value) in problem.globals.iter().zip(global.iter()) {
+            parameters[parameter.param.index()] = value;
         }
         parameters
     }

@@ -1,86 +1,170 @@
-//! What is asked of a fit.
+//! Options of a fit, its progress and its cancellation.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What is asked of a fit beside its dataset and its model.
+use crate::error::FitError;
+
+/// Options of a fit. The default estimates every coefficient of the model within the model's bounds, without priors and
+/// profiles, on all processors.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FitOptions<'a> {
-    /// Coefficients that are held: at a value (SI), or at that of the model's file.
+    /// Coefficients that are fixed: at a value (SI), or at the model's value.
     pub fixed: &'a [(String, Option<f64>)],
-    /// Parameters and components of inputs (`wind_x`) that are estimated too, one value for all flights.
+    /// Constants and components of inputs (`wind_x`) that are estimated too, one value for all flights.
     pub free: &'a [String],
-    /// What is known of coefficients beforehand.
+    /// Gaussian priors of global parameters.
     pub priors: &'a [Prior],
-    /// Coefficients may leave the bounds of the model's file.
+    /// Whether coefficients may leave the bounds of the model.
     pub unbounded: bool,
-    /// Coefficients whose likelihood is profiled.
+    /// Global parameters whose likelihood is profiled.
     pub profiles: &'a [String],
-    /// Flights that are worked on at once: as many as the machine has processors, unless said otherwise. The result
-    /// does not depend on it.
+    /// Number of threads; none for the number of processors. The result does not depend on it.
     pub threads: Option<usize>,
-    /// Who looks on.
-    pub watch: Option<&'a dyn Watch>,
+    /// Receives the progress.
+    pub progress: Option<&'a dyn Progress>,
+    /// Cancels the fit.
+    pub cancellation: Option<&'a CancellationToken>,
 }
 
-/// A coefficient known beforehand, with a normal error.
+/// Gaussian prior of a global parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prior {
-    /// Which.
+    /// Name of the parameter.
     pub name: String,
-    /// Its value, SI.
+    /// Mean, SI.
     pub value: f64,
-    /// Its standard deviation, SI.
+    /// Standard deviation, SI.
     pub sigma: f64,
 }
 
-/// Somebody who watches a fit, and may stop it.
-pub trait Watch: std::fmt::Debug + Sync {
-    /// A stage of the work begins, of so many parts.
-    fn begins(&self, stage: &str, parts: usize);
-    /// One part of the stage is done.
-    fn part_done(&self);
-    /// Whether the work is to be given up.
-    fn is_stopped(&self) -> bool;
+/// Receives the progress of a fit, from any thread.
+pub trait Progress: std::fmt::Debug + Sync {
+    /// A stage starts, which works on this number of flights. It may go over them several times.
+    fn stage_started(&self, stage: &str, flights: usize);
+    /// The stage has finished work on one flight.
+    fn flight_done(&self);
+}
+
+/// Cancels work from another thread; clones cancel the same work.
+#[derive(Clone, Debug, Default)]
+pub struct CancellationToken(Arc<AtomicBool>);
+
+impl CancellationToken {
+    /// Cancels the work.
+    pub fn cancel(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the work is cancelled.
+    pub fn is_cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
 }
 
 impl FitOptions<'_> {
-    pub(crate) fn begins(&self, stage: &str, parts: usize) {
-        if let Some(watch) = self.watch {
-            watch.begins(stage, parts);
+    /// Checks the numbers in the options: finite values, positive standard deviations, at least one thread.
+    ///
+    /// # Errors
+    /// [`FitError::InvalidOption`].
+    pub fn validate(&self) -> Result<(), FitError> {
+        let invalid = |option, name: &str, value, expected| {
+            Err(FitError::InvalidOption {
+                option,
+                name: name.to_owned(),
+                value,
+                expected,
+            })
+        };
+        for (name, value) in self.fixed {
+            if let Some(value) = *value
+                && !value.is_finite()
+            {
+                return invalid("the fixed value", name, value, "a finite number");
+            }
+        }
+        for prior in self.priors {
+            if !prior.value.is_finite() {
+                return invalid(
+                    "the prior mean",
+                    &prior.name,
+                    prior.value,
+                    "a finite number",
+                );
+            }
+            if !(prior.sigma.is_finite() && prior.sigma > 0.0) {
+                let expected = "a positive number";
+                return invalid(
+                    "the prior standard deviation",
+                    &prior.name,
+                    prior.sigma,
+                    expected,
+                );
+            }
+        }
+        match self.threads {
+            Some(0) => invalid("the number", "threads", 0.0, "at least 1"),
+            _ => Ok(()),
         }
     }
 
-    pub(crate) fn part_done(&self) {
-        if let Some(watch) = self.watch {
-            watch.part_done();
+    pub(crate) fn stage_started(&self, stage: &str, flights: usize) {
+        if let Some(progress) = self.progress {
+            progress.stage_started(stage, flights);
         }
     }
 
-    pub(crate) fn is_stopped(&self) -> bool {
-        self.watch.is_some_and(Watch::is_stopped)
+    pub(crate) fn flight_done(&self) {
+        if let Some(progress) = self.progress {
+            progress.flight_done();
+        }
     }
 
-    /// How many flights are worked on at once.
+    /// Whether the work is cancelled.
+    pub fn is_cancelled(&self) -> bool {
+        let token = self.cancellation;
+        token.is_some_and(CancellationToken::is_cancelled)
+    }
+
+    /// Number of threads, at least 1.
     pub fn threads(&self) -> usize {
         self.threads.unwrap_or_else(flight::batch::threads).max(1)
     }
 }
 
-/// A watch that only says when to stop.
-#[derive(Debug, Default)]
-pub struct Stop(AtomicBool);
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl Stop {
-    /// Gives the work up.
-    pub fn stop(&self) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-}
-
-impl Watch for Stop {
-    fn begins(&self, _: &str, _: usize) {}
-    fn part_done(&self) {}
-    fn is_stopped(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
+    #[test]
+    fn defaults_are_valid_and_impossible_numbers_are_not() {
+        assert_eq!(FitOptions::default().validate(), Ok(()));
+        let prior = |value, sigma| {
+            [Prior {
+                name: "C_La".into(),
+                value,
+                sigma,
+            }]
+        };
+        for priors in [
+            prior(f64::NAN, 1.0),
+            prior(1.0, 0.0),
+            prior(1.0, -1.0),
+            prior(1.0, f64::INFINITY),
+        ] {
+            let options = FitOptions {
+                priors: &priors,
+                ..FitOptions::default()
+            };
+            assert!(matches!(
+                options.validate(),
+                Err(FitError::InvalidOption { .. })
+            ));
+        }
+        let options = FitOptions {
+            threads: Some(0),
+            ..FitOptions::default()
+        };
+        assert!(options.validate().is_err());
     }
 }

@@ -1,34 +1,35 @@
-//! Outliers: points whose residual stands out from those around it.
+//! Outliers: points whose residual is far from the line through neighbouring residuals.
 //!
-//! A model's own error is smooth in time and must not be taken for outliers: so a residual is held against
-//! a line through its neighbours, and not against 0.
+//! Model error is smooth in time and is no outlier; a line through the neighbours removes it, as 0 would not.
 
-use crate::noise::{OUTLIER, median, robust_sigma};
+use crate::noise::OUTLIER_LIMIT;
+use crate::statistics::{median, robust_sigma};
 
-/// Neighbours on either side that a residual is held against: two of all may be outliers too.
+/// Neighbours on either side through which the line is drawn: two of all may be outliers.
 const SIDE: usize = 4;
 
-/// Neighbours, with the point itself, that are needed to judge it.
-const LEAST: usize = 5;
+/// Points of a marker, below which none is judged.
+const MIN_POINTS: usize = 5;
 
-/// Residuals of a flight by marker and sample, m.
+/// Residuals `[marker][sample]` of a flight, m; `None` for a missing value.
 pub type Residuals = [Vec<Option<[f64; 3]>>];
 
-/// How far each point's residual lies from where its neighbours would have it, by marker and sample, m. Where they
-/// lie to one side, and say less, the distance counts for less.
+/// Local-linear residuals `[marker][sample]`, m: each residual minus the line through its neighbours at its time, over the
+/// ratio of the standard deviation of that difference to that of a residual. The line is a least-squares line, and a
+/// Theil–Sen line for points that may be outliers.
 pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
-    let seen: Vec<Series> = residuals
+    let all: Vec<Series> = residuals
         .iter()
         .map(|series| Series::of(times, series))
         .collect();
-    let mut local_residuals: Vec<Vec<Option<[f64; 3]>>> = seen
+    let mut local_residuals: Vec<Vec<Option<[f64; 3]>>> = all
         .iter()
         .map(|series| series.local_residuals(residuals[0].len()))
         .collect();
-    // Only what may be an outlier deserves the line that outliers do not move.
-    let limit = scale(&local_residuals).map(|scale| SUSPECT * scale);
+    // The Theil–Sen line costs more, and only outliers need it.
+    let limit = robust_scale(&local_residuals).map(|scale| THEIL_SEN_LIMIT * scale);
     let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
-    for (series, local_residuals) in seen.iter().zip(&mut local_residuals) {
+    for (series, local_residuals) in all.iter().zip(&mut local_residuals) {
         for (index, &(_, sample, _)) in series.0.iter().enumerate() {
             let Some(local_residual) = &mut local_residuals[sample] else {
                 continue;
@@ -43,10 +44,10 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
     local_residuals
 }
 
-/// A departure by least squares beyond this many times the usual one is looked at again.
-const SUSPECT: f64 = 2.5;
+/// Local residual by least squares over its robust scale above which the Theil–Sen line is used.
+const THEIL_SEN_LIMIT: f64 = 2.5;
 
-/// Times, samples and residuals of a marker where it was seen.
+/// Time, sample and residual of each measured point of a marker.
 struct Series(Vec<(f64, usize, [f64; 3])>);
 
 impl Series {
@@ -57,10 +58,10 @@ impl Series {
         Self(seen)
     }
 
-    /// By lines of least squares.
+    /// Local residuals by least-squares lines, by sample.
     fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
         let mut local_residuals = vec![None; samples];
-        if self.0.len() < LEAST {
+        if self.0.len() < MIN_POINTS {
             return local_residuals;
         }
         let mut line = Line::default();
@@ -75,10 +76,10 @@ impl Series {
         local_residuals
     }
 
-    /// The neighbours that a point is held against.
+    /// Neighbours of a point through which the line is drawn.
     fn neighbours(&self, index: usize) -> impl Iterator<Item = &(f64, usize, [f64; 3])> + Clone {
         let seen = &self.0;
-        // As many neighbours at the ends, all to one side.
+        // At the ends there are as many neighbours, on one side.
         let first = index
             .saturating_sub(SIDE)
             .min(seen.len().saturating_sub(2 * SIDE + 1));
@@ -86,7 +87,7 @@ impl Series {
         seen[first..index].iter().chain(&seen[index + 1..last])
     }
 
-    /// How far a point lies along an axis from the line that outliers do not move.
+    /// Local residual of a point along an axis by the Theil–Sen line.
     fn local_residual(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
         let (time, _, value) = self.0[index];
         let mut points = [(0.0, 0.0); 2 * SIDE];
@@ -102,23 +103,23 @@ impl Series {
     }
 }
 
-/// Where a line of least squares through points at some times passes time 0.
+/// Value at time 0 of the least-squares line through points at some times, as weights of their values.
 #[derive(Default)]
 struct Line {
     times: [f64; 2 * SIDE],
     count: usize,
     weights: [f64; 2 * SIDE],
-    /// The standard deviation of a new value at time 0 less that of the line there, over that of one value.
+    /// Standard deviation of the difference between a value at time 0 and the line, over that of a value.
     spread: f64,
 }
 
-/// Times that differ by less than this part of the first are the same: samples at an even rate have the same lines.
-const SAME: f64 = 1e-9;
+/// Relative difference up to which times count as equal: samples at an even rate have the same lines.
+const SAME_TIME: f64 = 1e-9;
 
 impl Line {
-    /// Draws it through points at these times, no more than twice as many as stand on a side.
+    /// Computes the weights for at most 2 `SIDE` points at these times.
     fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
-        let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME * drawn.abs();
+        let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME_TIME * drawn.abs();
         if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {
             return;
         }
@@ -137,14 +138,13 @@ impl Line {
         self.spread = (1.0 + 1.0 / count + middle * part).sqrt();
     }
 
-    /// What each point's value counts for.
+    /// Weights of the points' values.
     fn weights(&self) -> &[f64] {
         &self.weights[..self.count]
     }
 }
 
-/// Where a line through points (time, value) passes time 0: by the medians of all slopes and of all intercepts, which
-/// outliers do not move (Theil and Sen).
+/// Value at time 0 of the Theil–Sen line through points (time, value): median slope of all pairs, median intercept.
 fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     space.clear();
     for (i, (earlier, from)) in points.iter().enumerate() {
@@ -157,8 +157,8 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     median(space)
 }
 
-/// The usual size of departures along each axis, m.
-pub fn scale(local_residuals: &Residuals) -> [f64; 3] {
+/// Robust standard deviation of local residuals along each axis, m.
+pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     let mut sizes = Vec::with_capacity(local_residuals.iter().map(Vec::len).sum());
     [0, 1, 2].map(|axis| {
         let all = local_residuals.iter().flatten().flatten();
@@ -168,8 +168,8 @@ pub fn scale(local_residuals: &Residuals) -> [f64; 3] {
     })
 }
 
-/// The scale that is usual over flights.
-pub fn usual(scales: &[[f64; 3]]) -> [f64; 3] {
+/// Median over flights of their scales along each axis.
+pub fn median_scale(scales: &[[f64; 3]]) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
         let mut values: Vec<f64> = scales.iter().map(|scale| scale[axis]).collect();
         median(&mut values)
@@ -192,9 +192,9 @@ pub fn outlier_candidates(local_residuals: &Residuals, scale: [f64; 3]) -> Vec<(
     outlier_candidates
 }
 
-/// Whether a departure is an outlier's.
+/// Whether a point with this local residual (m) is an outlier at a scale (m).
 pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
-    (0..3).any(|axis| local_residual[axis].abs() > OUTLIER * scale[axis])
+    (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
 }
 
 /// Which points stand out, by sample and marker as [`Observations::outlier`](crate::track::Track::outlier) has them.
@@ -224,7 +224,7 @@ mod tests {
         series[79].as_mut().unwrap()[0] -= 0.05;
         let times: Vec<f64> = (0..80).map(f64::from).collect();
         let local_residuals = local_residuals(&times, &[series]);
-        let scale = scale(&local_residuals);
+        let scale = robust_scale(&local_residuals);
         let outlier_mask = outlier_mask(&local_residuals, scale);
         let found: Vec<usize> = (0..80).filter(|&i| outlier_mask[i]).collect();
         assert_eq!(found, [0, 20, 22, 79]);

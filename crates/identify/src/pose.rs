@@ -1,39 +1,39 @@
-//! Where a rigid body is and how it is turned, from its markers in one frame.
+//! Position and attitude of a rigid body from its markers in one sample.
 //!
 //! B. K. P. Horn, "Closed-form solution of absolute orientation using unit quaternions", Journal of the Optical Society of
 //! America A 4 (1987); the greatest eigenvalue by D. L. Theobald, Acta Crystallographica A 61 (2005).
 
 use nalgebra::{Matrix3, Matrix4, Quaternion, UnitQuaternion, Vector3};
 
-/// A body as seen in one frame.
+/// Position and attitude of a rigid body in one sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Where its origin is, m.
+    /// Position of its origin, m, inertial frame.
     pub position: Vector3<f64>,
-    /// How it is turned: body-fixed components become inertial ones.
+    /// Attitude: rotates body components into inertial ones.
     pub attitude: UnitQuaternion<f64>,
-    /// Sum of the squared distances of the markers from where a rigid body would have them, m².
+    /// Sum of the squared distances between measured markers and those of the rigid body, m².
     pub squares: f64,
-    /// Markers that were seen.
-    pub seen: usize,
+    /// Number of measured markers.
+    pub markers: usize,
 }
 
 impl Pose {
-    /// The squares over the degrees of freedom that are left, m².
+    /// Variance of one coordinate by the squares over their degrees of freedom, m².
     pub fn variance(&self) -> f64 {
-        self.squares / (3.0 * self.seen as f64 - 6.0)
+        self.squares / (3.0 * self.markers as f64 - 6.0)
     }
 }
 
-/// Markers whose spread across their best line is less than this part of their spread are in line.
-const IN_LINE: f64 = 0.02;
+/// Ratio of the spread across the best line to the whole spread below which markers are collinear.
+const COLLINEAR: f64 = 0.02;
 
-/// Whether markers fix the attitude of a body: three of them at least, and not in line.
+/// Whether markers determine the attitude of a body: at least three, not collinear.
 pub fn fix_attitude(markers: &[[f64; 3]]) -> bool {
-    are_not_in_line(markers.iter().map(|&marker| marker.into()))
+    are_not_collinear(markers.iter().map(|&marker| marker.into()))
 }
 
-fn are_not_in_line(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool {
+fn are_not_collinear(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool {
     let count = points.clone().count();
     if count < 3 {
         return false;
@@ -42,19 +42,19 @@ fn are_not_in_line(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool {
     let scatter: Matrix3<f64> = points
         .map(|p| (p - centre) * (p - centre).transpose())
         .sum();
-    // Along times across, and along plus across: in line one of the eigenvalues is all of their sum.
+    // Sum and second symmetric function of the eigenvalues: for collinear points only one of them differs from 0.
     let sum = scatter.trace();
     let product = (sum * sum - scatter.norm_squared()) / 2.0;
-    sum > 0.0 && product > (IN_LINE * sum).powi(2)
+    sum > 0.0 && product > (COLLINEAR * sum).powi(2)
 }
 
-/// The pose that brings the markers nearest to where they were seen; none where what was seen does not fix it.
+/// The pose of least squared distances to the measured markers; none if these do not determine the attitude.
 pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     let pairs = markers.iter().zip(seen).filter_map(|(&marker, &seen)| {
         let pair: (Vector3<f64>, Vector3<f64>) = (marker.into(), seen?.into());
         Some(pair)
     });
-    if !are_not_in_line(pairs.clone().map(|(marker, _)| marker)) {
+    if !are_not_collinear(pairs.clone().map(|(marker, _)| marker)) {
         return None;
     }
     let seen = pairs.clone().count();
@@ -65,7 +65,7 @@ pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     let about = pairs.clone().map(|(b, s)| (b - body, s - space));
     let covariance = about.clone().map(|(b, s)| s * b.transpose()).sum();
     let spread = about.map(|(b, s)| b.norm_squared() + s.norm_squared());
-    let attitude = nearest_turn(&covariance, spread.sum::<f64>() / 2.0)?;
+    let attitude = nearest_rotation(&covariance, spread.sum::<f64>() / 2.0)?;
     let position = space - attitude * body;
     let squares = pairs
         .map(|(b, s)| (position + attitude * b - s).norm_squared())
@@ -74,16 +74,29 @@ pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
         position,
         attitude,
         squares,
-        seen,
+        markers: seen,
     })
 }
 
-/// Most steps to an eigenvalue: they end where one no longer lessens it.
-const STEPS: usize = 100;
+/// Position of a point mass, m: the mean over measured markers of marker − its offset, in the inertial frame. None without
+/// a measured marker.
+pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Option<Vector3<f64>> {
+    let pairs = measured.iter().zip(markers);
+    let origins = pairs.filter_map(|(measured, marker)| {
+        Some(Vector3::from((*measured)?) - Vector3::from(*marker))
+    });
+    let (sum, count) = origins.fold((Vector3::zeros(), 0_usize), |(sum, count), origin| {
+        (sum + origin, count + 1)
+    });
+    (count > 0).then(|| sum / count as f64)
+}
 
-/// The turn that brings vectors nearest to others, by the sum of the products (other, vector) and half the sum of all their
-/// squares. None where the vectors are in line.
-fn nearest_turn(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
+/// Most Newton steps to the eigenvalue; they stop when it no longer decreases.
+const MAX_STEPS: usize = 100;
+
+/// The rotation of least squared distances between two sets of vectors, from the sum of their products s bᵀ and half the
+/// sum of all squares, which bounds the eigenvalue. None for collinear vectors.
+fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
     #[rustfmt::skip]
     let key = Matrix4::new(
         c[(0, 0)] + c[(1, 1)] + c[(2, 2)], c[(2, 1)] - c[(1, 2)], c[(0, 2)] - c[(2, 0)], c[(1, 0)] - c[(0, 1)],
@@ -91,11 +104,11 @@ fn nearest_turn(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
         c[(0, 2)] - c[(2, 0)], c[(1, 0)] + c[(0, 1)], c[(1, 1)] - c[(0, 0)] - c[(2, 2)], c[(2, 1)] + c[(1, 2)],
         c[(1, 0)] - c[(0, 1)], c[(0, 2)] + c[(2, 0)], c[(2, 1)] + c[(1, 2)], c[(2, 2)] - c[(0, 0)] - c[(1, 1)],
     );
-    // The greatest root of its characteristic polynomial, by Newton's steps from above.
+    // The greatest root of the characteristic polynomial by Newton's method from above.
     let (two, one) = (-2.0 * c.norm_squared(), -8.0 * c.determinant());
     let none = key.determinant();
     let mut greatest = bound;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let value = ((greatest * greatest + two) * greatest + one) * greatest + none;
         let slope = (4.0 * greatest * greatest + 2.0 * two) * greatest + one;
         let next = greatest - value / slope;
@@ -104,7 +117,7 @@ fn nearest_turn(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
         }
         greatest = next;
     }
-    // Every column of the adjugate is the eigenvector, times one of its components: the greatest is the most certain.
+    // Each column of the adjugate is the eigenvector times one of its components; the greatest is the most accurate.
     let rest = key - Matrix4::from_diagonal_element(greatest);
     let cofactor = |row: usize, column: usize| {
         let sign = if (row + column).is_multiple_of(2) {

@@ -1,92 +1,100 @@
-//! How an initial state is varied: freely, but for a quaternion's length and for states that are known.
+//! The manifold of initial states: unit quaternions vary by three angles, known states do not vary.
 
+use model_spec::layout::StateId;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
-/// The directions in which an initial state may be moved.
+use crate::ids::LocalId;
+
+/// Directions in which an initial state may be varied: one per free state, three per quaternion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateManifold {
-    /// States that stand for themselves.
-    plain: Vec<usize>,
-    /// Groups of four that are unit quaternions, moved by three angles each.
+    /// States that are coordinates themselves; the first directions.
+    direct: Vec<usize>,
+    /// Components of each unit quaternion, which varies in three directions.
     quaternions: Vec<[usize; 4]>,
     states: usize,
 }
 
 impl StateManifold {
-    /// The chart of a model's state, with some states known.
-    pub fn new(model: &Model, known: &[usize]) -> Self {
-        // A quaternion is known as a whole or not at all.
-        let quaternions: Vec<[usize; 4]> = model
-            .quaternions()
-            .filter(|states| !states.iter().any(|state| known.contains(state)))
+    /// The manifold of a model's states of which some are known. A quaternion with a known component does not vary at all,
+    /// so that its norm is kept.
+    pub fn new(model: &Model, known: &[StateId]) -> Self {
+        let is_known = |state: usize| known.contains(&StateId::new(state));
+        let all: Vec<[usize; 4]> = model.quaternions().collect();
+        let in_quaternion: Vec<usize> = all.iter().flatten().copied().collect();
+        let direct = (0..model.states.len())
+            .filter(|&state| !is_known(state) && !in_quaternion.contains(&state))
             .collect();
-        let turned: Vec<usize> = quaternions.iter().flatten().copied().collect();
-        let plain = (0..model.states.len())
-            .filter(|state| !known.contains(state) && !turned.contains(state))
-            .collect();
+        let free = |states: &[usize; 4]| !states.iter().any(|&state| is_known(state));
         Self {
-            plain,
-            quaternions,
+            direct,
+            quaternions: all.into_iter().filter(free).collect(),
             states: model.states.len(),
         }
     }
 
-    /// How many directions there are.
+    /// Number of directions.
     pub fn dimension(&self) -> usize {
-        self.plain.len() + 3 * self.quaternions.len()
+        self.direct.len() + 3 * self.quaternions.len()
     }
 
-    /// How many states there are.
+    /// Number of states.
     pub fn states(&self) -> usize {
         self.states
     }
 
-    /// The entries (state, direction, value) of the derivative of the state by the directions, at `state`.
+    /// Entries (state, direction, value) of the derivative of the state by the directions, at `state`.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
-        let plain = self.plain.iter().enumerate();
-        plain
-            .map(|(column, &row)| (row, column, 1.0))
-            .chain(self.turning(state))
+        let direct = self.direct.iter().enumerate();
+        direct
+            .map(|(direction, &state)| (state, direction, 1.0))
+            .chain(self.quaternion_tangent(state))
             .collect()
     }
 
-    /// Those of the entries that turn quaternions.
-    fn turning(&self, state: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
+    /// The entries of [`tangent`](Self::tangent) that belong to quaternions.
+    fn quaternion_tangent(&self, state: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
         let each = self.quaternions.iter().enumerate();
-        each.flat_map(move |(index, &places)| {
-            let [q0, q1, q2, q3] = places.map(|place| state[place]);
+        each.flat_map(move |(index, &components)| {
+            let [q0, q1, q2, q3] = components.map(|component| state[component]);
             // Half the product of the quaternion with each imaginary unit.
             let columns = [[-q1, q0, q3, -q2], [-q2, -q3, q0, q1], [-q3, q2, -q1, q0]];
-            let first = self.plain.len() + 3 * index;
+            let first = self.direct.len() + 3 * index;
             (0..12).map(move |entry| {
-                let (k, place) = (entry / 4, entry % 4);
-                (places[place], first + k, columns[k][place] / 2.0)
+                let (k, component) = (entry / 4, entry % 4);
+                (
+                    components[component],
+                    first + k,
+                    columns[k][component] / 2.0,
+                )
             })
         })
     }
 
-    /// The state that a direction moves, where it moves no other.
-    pub fn plain(&self, direction: usize) -> Option<usize> {
-        self.plain.get(direction).copied()
+    /// The state that a direction varies alone; none for a direction of a quaternion.
+    pub fn direct_state(&self, direction: LocalId) -> Option<StateId> {
+        let state = self.direct.get(direction.index())?;
+        Some(StateId::new(*state))
     }
 
-    /// The state after a step along the directions.
+    /// The retraction: the state after a step along the directions, its quaternions normalised.
     pub fn plus(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
-        let mut plus = state.clone();
-        for (&row, step) in self.plain.iter().zip(step.iter()) {
-            plus[row] += step;
+        let mut moved = state.clone();
+        for (&row, step) in self.direct.iter().zip(step.iter()) {
+            moved[row] += step;
         }
-        for (row, column, value) in self.turning(state.as_slice()) {
-            plus[row] += value * step[column];
+        for (row, direction, value) in self.quaternion_tangent(state.as_slice()) {
+            moved[row] += value * step[direction];
         }
-        for places in &self.quaternions {
-            let length = places.map(|place| plus[place].powi(2)).iter().sum::<f64>();
-            for &place in places {
-                plus[place] /= length.sqrt();
+        for components in &self.quaternions {
+            let squares = components.map(|component| moved[component].powi(2));
+            let length = squares.iter().sum::<f64>().sqrt();
+            for &component in components {
+                moved[component] /= length;
             }
         }
-        plus
+        moved
     }
 }
 
@@ -100,28 +108,43 @@ mod tests {
         let manifold = StateManifold::new(&model, &[]);
         assert_eq!((manifold.states(), manifold.dimension()), (13, 12));
         let mut state = DVector::zeros(13);
-        let places = manifold.quaternions[0];
-        for (place, value) in places.iter().zip([0.5, -0.5, 0.1, 0.7]) {
-            state[*place] = value;
+        let components = manifold.quaternions[0];
+        for (component, value) in components.iter().zip([0.5, -0.5, 0.1, 0.7]) {
+            state[*component] = value;
         }
         let state = manifold.plus(&state, &DVector::zeros(12));
         let step = DVector::from_fn(12, |i, _| 1e-6 * (i as f64 - 5.0));
-        let plus = manifold.plus(&state, &step);
-        let length: f64 = places.iter().map(|&place| plus[place].powi(2)).sum();
-        assert!((length - 1.0).abs() < 1e-14);
+        let moved = manifold.plus(&state, &step);
+        let squares = components.iter().map(|&component| moved[component].powi(2));
+        assert!((squares.sum::<f64>() - 1.0).abs() < 1e-14);
         let mut linear = state.clone();
-        for (row, column, value) in manifold.tangent(state.as_slice()) {
-            linear[row] += value * step[column];
+        for (row, direction, value) in manifold.tangent(state.as_slice()) {
+            linear[row] += value * step[direction];
         }
-        assert!((plus - linear).norm() < 1e-10);
+        assert!((moved - linear).norm() < 1e-10);
     }
 
     #[test]
-    fn known_states_stay() {
+    fn one_known_component_fixes_the_quaternion() {
+        let model = model_spec::load::load("disc_quaternion", &[]).unwrap();
+        let components = model.quaternions().next().unwrap();
+        let manifold = StateManifold::new(&model, &[StateId::new(components[2])]);
+        assert_eq!(manifold.dimension(), 9);
+        let mut state = DVector::zeros(13);
+        state[components[0]] = 1.0;
+        let moved = manifold.plus(&state, &DVector::from_element(9, 1.0));
+        assert_eq!(
+            components.map(|component| moved[component]),
+            [1.0, 0.0, 0.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn known_states_do_not_vary() {
         let model = model_spec::load::load("disc", &[]).unwrap();
-        let manifold = StateManifold::new(&model, &[11]);
+        let manifold = StateManifold::new(&model, &[StateId::new(11)]);
         assert_eq!(manifold.dimension(), 11);
-        let plus = manifold.plus(&DVector::zeros(12), &DVector::from_element(11, 1.0));
-        assert_eq!(plus[11], 0.0);
+        let moved = manifold.plus(&DVector::zeros(12), &DVector::from_element(11, 1.0));
+        assert_eq!(moved[11], 0.0);
     }
 }

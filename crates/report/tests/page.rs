@@ -180,7 +180,7 @@ fn what_is_no_number_breaks_nothing() {
         report.correlations.values_mut().for_each(|row| {
             row.values_mut().for_each(|v| *v = bad);
         });
-        report.flights.iter_mut().for_each(|f| f.rms_m = bad);
+        report.flights.iter_mut().for_each(|f| f.rms_m = Some(bad));
         report.undetermined[0].relative_error = bad;
         report.undetermined[0].weights.insert("C_L0".into(), bad);
         for profile in &mut report.profiles {
@@ -286,7 +286,7 @@ fn alarms_are_said() {
         .get_mut("y")
         .unwrap()
         .whitened_autocorrelation[1] = 0.4;
-    report.flights[7].rms_m = 0.01;
+    report.flights[7].rms_m = Some(0.01);
     let (html, _) = made(&report, &[]);
     for text in [
         "1 held-out flight was predicted worse than 3 times",
@@ -311,7 +311,10 @@ fn what_was_left_out_is_counted_by_itself() {
         let kept = ["throw01.csv", "throw02.csv", "throw04.csv"];
         if !kept.contains(&flight.file.as_str()) {
             flight.initial.clear();
-            flight.rms_m = 0.0;
+            flight.rms_m = None;
+            flight.outcome = identify::FlightOutcome::Excluded {
+                reason: String::new(),
+            };
         }
     }
     let (html, figures) = made(&report, &[]);

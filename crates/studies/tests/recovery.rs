@@ -2,7 +2,7 @@
 
 use identify::dataset::{Dataset, KnownValue, Role};
 use identify::synthesize::{Corruption, corrupt};
-use identify::{Fit, FitError, FitOptions, FitReport, Prior, Stop, fit};
+use identify::{CancellationToken, Fit, FitError, FitOptions, FitReport, Prior, fit};
 use studies::identification::coverage;
 use studies::oracle_flights::{
     Plan, TRUTH, TWELVE, Throws, disc, flights, noise_conditions, paper_flight,
@@ -149,7 +149,7 @@ fn a_slow_camera_does_not_hide_turns() {
             flight.file,
             flight.notes
         );
-        assert!(flight.rms_m < 0.003, "{}: {}", flight.file, flight.rms_m);
+        assert!(flight.rms() < 0.003, "{}: {}", flight.file, flight.rms());
         assert!(
             flight.notes.iter().any(|note| note.contains("turns")),
             "{:?}",
@@ -237,8 +237,8 @@ fn held_out_flights_are_predicted_to_their_noise() {
     for index in [10, 11] {
         let flight = &fitted.report.flights[index];
         assert_eq!(flight.role, Role::HeldOut);
-        assert!((0.001..0.006).contains(&flight.rms_m), "{}", flight.rms_m);
-        assert!(fitted.evidence(index).is_some());
+        assert!((0.001..0.006).contains(&flight.rms()), "{}", flight.rms());
+        assert!(fitted.evidence(identify::FlightId::new(index)).is_some());
     }
 }
 
@@ -411,10 +411,10 @@ fn what_is_known_of_a_flight_is_taken_as_given() {
 #[test]
 fn a_fit_stops_when_told() {
     let dataset = noisy(&TWELVE, &WHITE, 15);
-    let stop = Stop::default();
-    stop.stop();
+    let token = CancellationToken::default();
+    token.cancel();
     let options = FitOptions {
-        watch: Some(&stop),
+        cancellation: Some(&token),
         ..FitOptions::default()
     };
     let begun = std::time::Instant::now();

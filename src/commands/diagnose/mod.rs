@@ -42,7 +42,8 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
             free: &options.free,
             priors: &priors,
             threads: options.threads,
-            watch: Some(&progress),
+            progress: Some(&progress),
+            cancellation: Some(progress.cancellation()),
             ..FitOptions::default()
         },
         ..DiagnosisOptions::default()
@@ -123,7 +124,9 @@ fn extended(text: &str) -> anyhow::Result<Extended> {
 
 fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosis) -> anyhow::Result<()> {
     let evidence = |fitted: &Fit, flights: &[usize]| {
-        let each = flights.iter().filter_map(|&flight| fitted.evidence(flight));
+        let each = flights
+            .iter()
+            .filter_map(|&flight| fitted.evidence(identify::FlightId::new(flight)));
         each.collect::<Vec<_>>()
     };
     let flights = drawn(&found.before);

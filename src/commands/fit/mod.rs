@@ -31,7 +31,8 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         unbounded: options.unbounded,
         profiles: &options.profile,
         threads: options.threads,
-        watch: Some(&progress),
+        progress: Some(&progress),
+        cancellation: Some(progress.cancellation()),
     };
     progress.working();
     let fitted = identify::fit(&model, &dataset, &asked);
@@ -61,7 +62,7 @@ pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     };
     let mut drawn: Vec<usize> = of_role(Role::Fit).take(DRAWN.0).collect();
     let mut worst: Vec<usize> = of_role(Role::Fit).skip(DRAWN.0).collect();
-    worst.sort_by(|&a, &b| flights[b].rms_m.total_cmp(&flights[a].rms_m));
+    worst.sort_by(|&a, &b| flights[b].rms().total_cmp(&flights[a].rms()));
     drawn.extend(worst.into_iter().take(DRAWN.1));
     drawn.extend(of_role(Role::HeldOut).take(DRAWN.2));
     drawn.sort_unstable();
@@ -81,7 +82,7 @@ fn write(
     );
     let evidence: Vec<_> = drawn(fitted)
         .into_iter()
-        .filter_map(|flight| fitted.evidence(flight))
+        .filter_map(|flight| fitted.evidence(identify::FlightId::new(flight)))
         .collect();
     let page = FitPage {
         report: &fitted.report,

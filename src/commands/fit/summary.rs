@@ -15,7 +15,7 @@ const LISTED: usize = 20;
 
 /// The whole summary.
 pub fn summary(model: &Model, report: &FitReport) -> String {
-    let left_out = report.left_out().count();
+    let left_out = report.excluded().count();
     let mut text = format!(
         "{}{}: {} flights fitted, {} held out",
         report.model,
@@ -163,7 +163,7 @@ fn flights(report: &FitReport) -> String {
     let mut order: Vec<&FlightReport> = report.flights.iter().collect();
     let mut text = String::new();
     if order.len() > LISTED {
-        order.sort_by(|a, b| b.rms_m.total_cmp(&a.rms_m));
+        order.sort_by(|a, b| b.rms().total_cmp(&a.rms()));
         order.truncate(LISTED);
         let _ = writeln!(
             text,
@@ -178,7 +178,7 @@ fn flights(report: &FitReport) -> String {
             .map(|cut| format!("cut at {:.3} s: {}", cut.t, cut.why));
         let remarks: Vec<String> = cut.chain(flight.notes.iter().cloned()).collect();
         let rms = match flight.is_used() {
-            true => format!("{:.2}", 1e3 * flight.rms_m),
+            true => format!("{:.2}", 1e3 * flight.rms()),
             false => String::new(),
         };
         table.add_row([

@@ -58,7 +58,7 @@ pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
             flight.file.as_str(),
             role(flight.role),
             &flight.samples.to_string(),
-            &flight.rms_m.to_string(),
+            &flight.rms_m.map(|rms| rms.to_string()).unwrap_or_default(),
             &flight.outliers.to_string(),
             &cut.unwrap_or_default(),
             &flight.notes.join("; "),
@@ -76,7 +76,7 @@ pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     table.write_record(["file", "t_s", "marker", "x_m", "y_m", "z_m", "outlier"])?;
     let mut rows = 0;
     for index in 0..dataset.flights.len() {
-        let Some(flight) = fitted.evidence(index) else {
+        let Some(flight) = fitted.evidence(identify::FlightId::new(index)) else {
             continue;
         };
         for (sample, time) in flight.times.iter().enumerate() {

@@ -3,9 +3,10 @@
 use flight::BoundModel;
 use flight::batch;
 use identify::{
-    FitError, FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, PointResidual,
-    Unknowns, each_residual, linearise, linearise_with,
+    FitError, FitProblem, FlightError, Iterate, Loss, NoiseModel, NormalBlock, Observations,
+    PointResidual, Unknowns, each_residual, linearise, linearise_with,
 };
+use model_spec::layout::ParamId;
 use nalgebra::DVector;
 use ode::DifferentiableRhs;
 
@@ -123,7 +124,7 @@ impl ScoreTestModel {
     }
 
     /// An error of one flight.
-    pub fn flight_error(&self, flight: usize, reason: String) -> FitError {
+    pub fn flight_error(&self, flight: usize, reason: FlightError) -> FitError {
         FitError::Flight {
             file: self.flights[flight].file.clone(),
             reason,
@@ -132,7 +133,7 @@ impl ScoreTestModel {
 
     fn each_flight<R: Send>(
         &self,
-        work: impl Fn(usize) -> Result<R, String> + Sync,
+        work: impl Fn(usize) -> Result<R, FlightError> + Sync,
     ) -> Result<Vec<R>, FitError> {
         let done = batch::each_on(self.threads, self.flights.len(), |flight| {
             work(flight).map_err(|reason| self.flight_error(flight, reason))
@@ -140,7 +141,7 @@ impl ScoreTestModel {
         done.into_iter().collect()
     }
 
-    fn global_parameters(&self) -> Vec<usize> {
+    fn global_parameters(&self) -> Vec<ParamId> {
         let globals = self.problem.globals.iter();
         globals.map(|global| global.param).collect()
     }
@@ -150,10 +151,10 @@ impl ScoreTestModel {
         &self,
         conditions: &'c BoundModel<'c>,
         terms: &'c LibraryTerms,
-    ) -> (impl DifferentiableRhs + use<'c>, Vec<usize>) {
+    ) -> (impl DifferentiableRhs + use<'c>, Vec<ParamId>) {
         let first = self.problem.body.layout().parameters.len();
         let mut parameters = self.global_parameters();
-        parameters.extend(first..first + terms.terms.len());
+        parameters.extend((first..first + terms.terms.len()).map(ParamId::new));
         (terms.motion(conditions, first), parameters)
     }
 }

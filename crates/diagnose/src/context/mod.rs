@@ -47,9 +47,9 @@ impl Context<'_> {
 
     /// Stops the diagnosis where the caller asked for it.
     pub fn check_cancelled(&self) -> Result<(), identify::FitError> {
-        match self.options.fit.watch {
-            Some(watch) if watch.is_stopped() => Err(identify::FitError::Interrupted),
-            _ => Ok(()),
+        match self.options.fit.is_cancelled() {
+            true => Err(identify::FitError::Interrupted),
+            false => Ok(()),
         }
     }
 }

@@ -2,10 +2,11 @@
 
 use flight::batch;
 use identify::{
-    Constraint, FitProblem, Iterate, LeastSquaresProblem, Loss, NoiseModel, NormalBlock,
-    Observations, Solution, SolveError, StateManifold, StoppingCriteria, Unknowns,
+    Constraint, FitProblem, FlightError, Iterate, LeastSquaresProblem, Loss, NoiseModel,
+    NormalBlock, Observations, Solution, SolveError, StateManifold, StoppingCriteria, Unknowns,
     constrained_step, eliminate, linearise, solve,
 };
+use model_spec::layout::StateId;
 use nalgebra::DVector;
 
 use super::ids::{CandidateId, ColumnId};
@@ -83,10 +84,10 @@ impl<'a> Refit<'a> {
         let null_states = model.null_states(effects);
         let flights = model.flights.iter().map(|observations| {
             let known = observations.known_states.iter().map(|(state, _)| *state);
-            let known: Vec<usize> = known.chain(null_states.iter().map(|s| s.index())).collect();
+            let known: Vec<StateId> = known.chain(null_states.iter().copied()).collect();
             let mut parameters = observations.parameters.clone();
             for (global, value) in model.problem.globals.iter().zip(from.global.iter()) {
-                parameters[global.param] = *value;
+                parameters[global.param.index()] = *value;
             }
             Observations {
                 parameters,
@@ -134,7 +135,7 @@ impl LeastSquaresProblem for Refit<'_> {
         flight: usize,
         global: &DVector<f64>,
         local: &DVector<f64>,
-    ) -> Result<NormalBlock, String> {
+    ) -> Result<NormalBlock, FlightError> {
         let observations = &self.flights[flight];
         let samples = observations.times.len();
         let loss = Loss::Whitened(self.noise);

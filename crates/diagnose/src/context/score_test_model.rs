@@ -5,7 +5,7 @@ use std::sync::Arc;
 use codegen::Layout;
 use flight::CompiledModel;
 use identify::dataset::Role;
-use identify::{Fit, FitError, FitOptions, FitProblem, Iterate, Observations};
+use identify::{Fit, FitError, FitOptions, FitProblem, FlightId, Iterate, LocalId, Observations};
 use model_spec::index::IndexVec;
 use model_spec::layout::{ParamId, StateId};
 use nalgebra::DVector;
@@ -49,7 +49,7 @@ impl ScoreTestModel {
         let layout = problem.body.layout();
         let column = |parameter: &CandidateParameter<ParamId>| {
             let mut globals = problem.globals.iter();
-            let found = globals.position(|global| global.param == parameter.id.index());
+            let found = globals.position(|global| global.param == parameter.id);
             found.map(ColumnId::new)
         };
         let columns: IndexVec<CandidateId, Vec<ColumnId>> = encompassing
@@ -143,8 +143,8 @@ impl ScoreTestModel {
         let null = self.null_states(conditioned_on);
         let manifold = &self.flights[flight].manifold;
         let is_null = |direction: &DirectionId| {
-            let state = manifold.plain(direction.index());
-            state.is_some_and(|state| null.contains(&StateId::new(state)))
+            let state = manifold.direct_state(LocalId::new(direction.index()));
+            state.is_some_and(|state| null.contains(&state))
         };
         (0..manifold.dimension())
             .map(DirectionId::new)
@@ -243,7 +243,9 @@ fn fitted_flights(
     let sources: Vec<Option<StateId>> = layout.states.iter().map(|s| before.state(s)).collect();
     let (mut flights, mut locals) = (Vec::new(), Vec::new());
     for (index, flight) in context.dataset.flights.iter().enumerate() {
-        let fitted = fit.flight(index).filter(|_| flight.role == Role::Fit);
+        let fitted = fit
+            .flight(FlightId::new(index))
+            .filter(|_| flight.role == Role::Fit);
         let Some((observations, state)) = fitted else {
             continue;
         };

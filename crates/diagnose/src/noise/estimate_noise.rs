@@ -2,7 +2,7 @@
 
 use flight::batch;
 use identify::NormalBlock;
-use identify::outliers::{local_residuals, outlier_mask, scale, usual};
+use identify::outliers::{local_residuals, median_scale, outlier_mask, robust_scale};
 use identify::{FitError, Moments, NoiseModel, PointResidual, Residuals, eliminate};
 use nalgebra::DVector;
 
@@ -127,8 +127,8 @@ impl ScoreTestModel {
         let local: Vec<_> = pairs
             .map(|(observations, residuals)| local_residuals(&observations.times, residuals))
             .collect();
-        let scales: Vec<[f64; 3]> = local.iter().map(|local| scale(local)).collect();
-        let typical = usual(&scales);
+        let scales: Vec<[f64; 3]> = local.iter().map(|local| robust_scale(local)).collect();
+        let typical = median_scale(&scales);
         let mut sum = Moments::default();
         for (index, observations) in self.flights.iter_mut().enumerate() {
             let scale = [0, 1, 2].map(|axis| typical[axis].max(scales[index][axis]));

@@ -159,7 +159,8 @@ impl FlightLoads {
                 *value = hat(&knots, index % count, t);
             }
         });
-        let parameters: Vec<usize> = (first..first + loads.len()).collect();
+        let parameters = first..first + loads.len();
+        let parameters: Vec<ParamId> = parameters.map(ParamId::new).collect();
         let unknowns = (&at.global, &at.local[flight]);
         let samples = observations.times.len();
         let loss = Loss::Whitened(noise);

@@ -110,7 +110,7 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
         role: flight.role,
         outcome: Some(outcome.to_owned()),
         reason: reasons.last().cloned(),
-        rms_before_m: flight.is_used().then_some(flight.rms_m),
+        rms_before_m: flight.rms_m,
         rms_after_m: None,
     }
 }
@@ -296,7 +296,7 @@ pub(crate) fn add_extension(
     after: &Fit,
 ) {
     for (flight, after) in report.flights.iter_mut().zip(&after.report.flights) {
-        flight.rms_after_m = after.is_used().then_some(after.rms_m);
+        flight.rms_after_m = after.rms_m;
     }
     report.coefficients = coefficients(after, Some(before));
     note_convergence(report, after, "the extended model");

@@ -1,6 +1,6 @@
 //! Each flight's local unknowns eliminated from its normal equations.
 
-use identify::{NormalBlock, eliminate};
+use identify::{LocalId, NormalBlock, eliminate};
 use model_spec::index::IndexVec;
 use nalgebra::{DMatrix, DVector};
 
@@ -103,9 +103,9 @@ impl LocalElimination {
         for (total, (_, candidate)) in self.candidates.iter_mut().zip(model.candidates()) {
             let Some(total) = total else { continue };
             let is_its_state = |direction: DirectionId| {
-                let state = manifold.plain(direction.index());
+                let state = manifold.direct_state(LocalId::new(direction.index()));
                 let mut states = candidate.states.iter();
-                state.is_some_and(|state| states.any(|own| own.id.index() == state))
+                state.is_some_and(|state| states.any(|own| own.id == state))
             };
             let rows = (0..first).filter(|&row| is_its_state(null[row]));
             let rows: Vec<DirectionId> = rows.map(DirectionId::new).collect();

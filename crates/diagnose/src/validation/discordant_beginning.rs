@@ -34,7 +34,7 @@ struct SegmentSquares {
 
 impl SegmentSquares {
     fn new(fit: &Fit, flight: usize) -> Option<Self> {
-        let evidence = fit.evidence(flight)?;
+        let evidence = fit.evidence(identify::FlightId::new(flight))?;
         let samples = (evidence.times.len() as f64 * CONDITIONING_FRACTION).ceil() as usize;
         let mut segment = Self::default();
         for sample in 0..samples.min(evidence.times.len()) {

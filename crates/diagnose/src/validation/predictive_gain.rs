@@ -80,12 +80,12 @@ pub(super) fn errors(
         .map(|(flight, (before, after))| {
             let is_applied = !not_applied.contains(&flight);
             let after = if is_applied {
-                after.rms_m
+                after.rms()
             } else {
-                before.rms_m
+                before.rms()
             };
             FlightErrors {
-                before: before.rms_m.powi(2),
+                before: before.rms().powi(2),
                 after: after.powi(2),
                 is_applied,
             }

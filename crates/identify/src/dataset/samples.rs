@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{Flight, Marker};
 use crate::input_error::InputError;
-use crate::noise::median;
+use crate::statistics::median;
 
 /// Farthest coordinate, m.
 const FARTHEST: f64 = 1e4;

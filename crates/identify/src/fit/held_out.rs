@@ -1,97 +1,129 @@
-//! Flights that are kept to judge predictions: their initial state is fitted on their first part with the
-//! coefficients held, and the rest is predicted.
+//! Held-out flights: the initial state is fitted to the conditioning segment with the global parameters fixed, and the
+//! rest of the flight is predicted.
 
 use flight::batch;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::horizon_continuation::{fit_initial_state, solve_local};
-use super::initial_guess::{fitted_guesses, observations};
-use super::outcome::{initial, left_out};
-use super::{FitError, State};
-use crate::dataset::Dataset;
+use super::initial_guess::{observations, refined_guesses};
+use super::outcome::{excluded_report, initial_state_report};
+use super::{FitError, FittedFlight, State};
+use crate::dataset::{Dataset, Flight};
+use crate::error::FlightError;
+use crate::ids::FlightId;
 use crate::least_squares::eliminate;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::outliers;
-use crate::predict::{Loss, residuals};
+use crate::predict::{Loss, Residuals, residuals};
 use crate::problem::FitProblem;
-use crate::report::FlightReport;
+use crate::report::{FlightOutcome, FlightReport};
 
-/// The part of a held-out flight's samples that its initial state is fitted on.
+/// Fraction of a held-out flight's samples to which its initial state is fitted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
 /// A held-out flight.
 pub struct HeldOut {
-    /// What is reported of it.
+    /// Its report.
     pub report: FlightReport,
-    /// Its samples and its initial state; none where it was left out.
-    pub observations: Option<(Observations, DVector<f64>)>,
+    /// Its observations and initial state; none if it is excluded.
+    pub fitted: Option<FittedFlight>,
 }
 
-/// Fits and predicts these flights.
+/// Fits and predicts held-out flights.
 ///
 /// # Errors
 /// [`FitError::Interrupted`].
 pub fn held_out(
     problem: &FitProblem,
     dataset: &Dataset,
-    flights: &[usize],
+    flights: &[FlightId],
     state: &State,
     noise: &NoiseModel,
     options: &FitOptions<'_>,
 ) -> Result<Vec<HeldOut>, FitError> {
     if !flights.is_empty() {
-        options.begins("held-out flights", flights.len());
+        options.stage_started("held-out flights", flights.len());
     }
     let found = batch::each_on(options.threads(), flights.len(), |index| {
-        let flight = &dataset.flights[flights[index]];
-        let found = one(problem, flight, state, noise, options);
-        options.part_done();
+        let flight = &dataset.flights[flights[index].index()];
+        let found = predict(problem, flight, state, noise, options);
+        options.flight_done();
         found.unwrap_or_else(|reason| HeldOut {
-            report: left_out(flight, reason),
-            observations: None,
+            report: excluded_report(flight, &reason),
+            fitted: None,
         })
     });
-    if options.is_stopped() {
-        return Err(FitError::Interrupted);
+    match options.is_cancelled() {
+        true => Err(FitError::Interrupted),
+        false => Ok(found),
     }
-    Ok(found)
 }
 
-fn one(
+fn predict(
     problem: &FitProblem,
-    flight: &crate::dataset::Flight,
+    flight: &Flight,
     state: &State,
     noise: &NoiseModel,
     options: &FitOptions<'_>,
-) -> Result<HeldOut, String> {
+) -> Result<HeldOut, FlightError> {
     let mut observations = observations(problem, flight)?;
     let all = observations.times.len();
-    let first = ((all as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, all);
-    if first == all {
-        return Err("too short for a part of it to be predicted".into());
+    let samples = ((all as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, all);
+    if samples == all {
+        return Err(FlightError::NothingToPredict { samples });
     }
-    let head = observations.first_samples(first);
+    let segment = observations.first_samples(samples);
     let global = &state.global;
-    let starts = fitted_guesses(problem, &head, global, options)?;
-    let best = starts.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-    let (_, start) = best.ok_or("it has no start")?;
-    let (_, local) = fit_initial_state(problem, &head, first, global, start.state, options)?;
-    mark(problem, &mut observations, global, &local)?;
-    // Few samples, whose correlation may be the model's own error: as white, which misleads least.
+    let guesses = refined_guesses(problem, &segment, global, options)?;
+    let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    let (_, guess) = best.ok_or(FlightError::NoMatchingState)?;
+    let (_, local) = fit_initial_state(problem, &segment, samples, global, guess.state, options)?;
+    mark_outliers(problem, &mut observations, global, &local)?;
+    // Autocorrelation of few residuals may be model error: white noise then misleads least.
     let white = NoiseModel {
         ar1: [0.0; 3],
         ..*noise
     };
     let loss = Loss::Whitened(&white);
-    let (local, solution) =
-        solve_local(problem, &observations, first, global, local, loss, options)?;
-    let system = eliminate(&solution.blocks, 0.0).map_err(|flight| flight.to_string())?;
-    let covariance = system.local_covariance(0, &nalgebra::DMatrix::zeros(0, 0));
-    let rest = residuals(problem, &observations, (global, &local), all)?;
+    let (local, solution) = solve_local(
+        problem,
+        &observations,
+        samples,
+        global,
+        local,
+        loss,
+        options,
+    )?;
+    let system = eliminate(&solution.blocks, 0.0);
+    let system = system.map_err(|_| FlightError::SingularInitialState)?;
+    let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));
+    let residuals = residuals(problem, &observations, (global, &local), all)?;
+    let rms = rms_from(&observations, &residuals, samples);
+    let rms = rms.ok_or(FlightError::NothingMeasuredToPredict)?;
+    let report = FlightReport {
+        file: observations.file.clone(),
+        role: observations.role,
+        outcome: FlightOutcome::HeldOut,
+        samples: observations.samples,
+        rms_m: Some(rms),
+        outliers: observations.outliers(),
+        initial: initial_state_report(problem, &observations, &local, &covariance),
+        cut: observations.truncation.clone(),
+        notes: observations.notes.clone(),
+    };
+    let fitted = Some(FittedFlight {
+        observations,
+        state: local,
+    });
+    Ok(HeldOut { report, fitted })
+}
+
+/// Root mean square residual of one coordinate from a sample on, outliers excluded, m; none without residuals.
+fn rms_from(observations: &Observations, residuals: &Residuals, first: usize) -> Option<f64> {
     let (mut squares, mut count) = (0.0, 0_usize);
-    for (marker, series) in rest.iter().enumerate() {
+    for (marker, series) in residuals.iter().enumerate() {
         for (sample, residual) in series.iter().enumerate().skip(first) {
             let Some(residual) = residual else { continue };
             if !observations.outlier[sample * observations.markers + marker] {
@@ -100,45 +132,20 @@ fn one(
             }
         }
     }
-    if count == 0 {
-        return Err("nothing was seen of the part that is to be predicted".into());
-    }
-    let initial = initial(problem, &observations, &local, &covariance);
-    let report = FlightReport {
-        file: observations.file.clone(),
-        role: observations.role,
-        samples: observations.samples,
-        rms_m: (squares / count as f64).sqrt(),
-        outliers: observations
-            .outlier
-            .iter()
-            .filter(|outlier| **outlier)
-            .count(),
-        initial,
-        cut: observations.truncation.clone(),
-        notes: observations.notes.clone(),
-    };
-    Ok(HeldOut {
-        report,
-        observations: Some((observations, local)),
-    })
+    (count > 0).then(|| (squares / count as f64).sqrt())
 }
 
-/// Marks the outliers: by how they stand out from their neighbours, so that a wrong prediction is not taken for them.
-fn mark(
+/// Marks outliers by their distance from neighbouring residuals, so that a wrong prediction does not count as one.
+fn mark_outliers(
     problem: &FitProblem,
     observations: &mut Observations,
     global: &DVector<f64>,
     local: &DVector<f64>,
-) -> Result<(), String> {
-    let residuals = residuals(
-        problem,
-        observations,
-        (global, local),
-        observations.times.len(),
-    )?;
+) -> Result<(), FlightError> {
+    let samples = observations.times.len();
+    let residuals = residuals(problem, observations, (global, local), samples)?;
     let local_residuals = outliers::local_residuals(&observations.times, &residuals);
-    observations.outlier =
-        outliers::outlier_mask(&local_residuals, outliers::scale(&local_residuals));
+    let scale = outliers::robust_scale(&local_residuals);
+    observations.outlier = outliers::outlier_mask(&local_residuals, scale);
     Ok(())
 }

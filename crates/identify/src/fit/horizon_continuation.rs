@@ -1,187 +1,203 @@
-//! From starts to the neighbourhood of the solution: by a robust loss whose scale shrinks, over a growing horizon.
+//! From initial guesses to the neighbourhood of the solution: robust losses of shrinking scale over a growing horizon.
 
 use nalgebra::DVector;
 
-use super::output_error::{OutputError, whole};
-use super::residual_cache::{ResidualCache, size};
-use super::{FitError, State, told};
+use super::output_error::{OutputError, all_samples};
+use super::residual_cache::{ResidualCache, residual_scale};
+use super::{FitError, State, solve_error};
+use crate::error::FlightError;
 use crate::least_squares::{Constraint, Iterate, Solution, SolveError, StoppingCriteria, solve};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
-/// The first horizon, s, and by how much the next is longer.
-const HORIZON: (f64, f64) = (0.4, 2.5);
+/// First horizon, s.
+const FIRST_HORIZON: f64 = 0.4;
 
-/// How often the scale of the loss may shrink.
-const SHRINKS: usize = 8;
+/// Ratio of each horizon to the one before.
+const HORIZON_GROWTH: f64 = 2.5;
 
-/// Over how many times the noise's floor a scale is fine enough while the horizon still grows.
-const FINE: f64 = 5.0;
+/// Ratio of the longest flight to a horizon below which whole flights are fitted at once.
+const MIN_REMAINING_GROWTH: f64 = 1.2;
 
-/// Over how many times the noise's floor residuals are more than noise: the usual ones, and those of any flight.
-const NOISE: (f64, f64) = (1.1, 2.0);
+/// Most scales of the robust loss over one horizon.
+const MAX_SCALES: usize = 8;
 
-/// Residuals that grew by more than this made a flight worse, and not only less certain.
-const WORSE: f64 = 1.1;
+/// Ratio of the next scale to the present one above which the scale shrinks no more.
+const MAX_SHRINKAGE: f64 = 0.7;
 
-/// Fits all flights over a horizon that grows to their whole length: far from the solution a long flight has wrong
-/// minima that a short one has not.
+/// Scale over `sigma0` below which a horizon shorter than the flights is fitted well enough.
+const HORIZON_SCALE: f64 = 5.0;
+
+/// Median residual scale over `sigma0` up to which residuals are noise.
+const MAX_MEDIAN_NOISE: f64 = 1.1;
+
+/// Residual scale of one flight over `sigma0` up to which its residuals are noise.
+const MAX_FLIGHT_NOISE: f64 = 2.0;
+
+/// Ratio of the median residual scale to that before a step above which the step is rejected.
+const MAX_GROWTH: f64 = 1.1;
+
+/// Fits all flights over a horizon that grows to their whole length: far from the solution, long flights have minima
+/// that short ones do not have.
 ///
 /// # Errors
-/// [`FitError::Flight`] where a flight becomes impossible, [`FitError::Interrupted`].
+/// [`FitError::Flight`] if a trajectory cannot be computed; [`FitError::Interrupted`].
 pub fn continue_horizon(
     problem: &FitProblem,
     state: &mut State,
     options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
-    let longest = state
-        .observation_sets
+    let lengths = state
+        .flights
         .iter()
-        .filter_map(|observations| observations.times.last());
-    let longest = longest.copied().fold(0.0, f64::max);
-    let mut horizon = HORIZON.0;
-    while horizon < longest / 1.2 {
-        options.begins(
-            &format!("first {horizon:.1} s"),
-            state.observation_sets.len(),
-        );
-        let samples: Vec<usize> = state
-            .observation_sets
-            .iter()
-            .map(|observations| observations.samples_until(horizon))
+        .filter_map(|flight| flight.times.last());
+    let longest = lengths.copied().fold(0.0, f64::max);
+    let mut horizon = FIRST_HORIZON;
+    while horizon < longest / MIN_REMAINING_GROWTH {
+        options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
+        let flights = state.flights.iter();
+        let samples: Vec<usize> = flights
+            .map(|flight| flight.samples_until(horizon))
             .collect();
-        approach(problem, state, &samples, options)?;
-        horizon *= HORIZON.1;
+        fit_horizon(problem, state, &samples, options)?;
+        horizon *= HORIZON_GROWTH;
     }
-    options.begins("whole flights", state.observation_sets.len());
-    if horizon > HORIZON.0
-        && let Some(cache) = one_step(problem, state, options)?
+    options.stage_started("whole flights", state.flights.len());
+    if horizon > FIRST_HORIZON
+        && let Some(cache) = step_to_noise(problem, state, options)?
     {
         return Ok(cache);
     }
     anneal_scale(problem, state, options)
 }
 
-/// Steps all flights once over their whole length; gives them as they then are where that leaves no more than the noise.
-fn one_step(
+/// One step over whole flights; gives the residuals after it if they are no more than the noise.
+fn step_to_noise(
     problem: &FitProblem,
     state: &mut State,
     options: &FitOptions<'_>,
 ) -> Result<Option<ResidualCache>, FitError> {
-    let cache = ResidualCache::new(problem, state, &whole(&state.observation_sets), options);
-    let loss = Loss::Huber(cache.usual().max(problem.sigma0));
-    let stepped = accept_unevaluated(problem, state, loss, &cache, options)?;
-    let limit = NOISE.1 * problem.sigma0;
-    let good = |size: &Option<f64>| size.is_some_and(|size| size <= limit);
-    Ok(stepped.map(|(cache, _)| cache).filter(|cache| {
-        cache.usual() <= NOISE.0 * problem.sigma0 && cache.sizes().iter().all(good)
-    }))
+    let cache = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
+    let loss = Loss::Huber(cache.median_scale().max(problem.sigma0));
+    let stepped = unevaluated_step(problem, state, loss, &cache, options)?;
+    let is_noise = |cache: &ResidualCache| {
+        let limit = MAX_FLIGHT_NOISE * problem.sigma0;
+        let mut scales = cache.scales().into_iter();
+        cache.median_scale() <= MAX_MEDIAN_NOISE * problem.sigma0
+            && scales.all(|scale| scale.is_some_and(|scale| scale <= limit))
+    };
+    Ok(stepped.map(|step| step.cache).filter(is_noise))
 }
 
-/// Steps all flights once, and judges the step by flying them, which costs far less than their derivatives would: gives
-/// them as they then are, and what the step had promised. None where it made them worse, and was taken back.
-pub fn accept_unevaluated(
+/// A step that was accepted by its residuals alone.
+pub struct AcceptedStep {
+    /// Residuals after the step.
+    pub cache: ResidualCache,
+    /// Its predicted reduction of the sum of squares.
+    pub predicted_reduction: Option<f64>,
+}
+
+/// One step of all unknowns, judged by the residuals after it, which cost far less than derivatives. None if residuals
+/// became greater; the state is then as before.
+pub fn unevaluated_step(
     problem: &FitProblem,
     state: &mut State,
     loss: Loss<'_>,
     before: &ResidualCache,
     options: &FitOptions<'_>,
-) -> Result<Option<(ResidualCache, Option<f64>)>, FitError> {
-    let objective = OutputError::of_all(problem, &state.observation_sets, loss, options);
-    let start = state.point();
+) -> Result<Option<AcceptedStep>, FitError> {
+    let objective = OutputError::of_all(problem, &state.flights, loss, options);
+    let start = state.iterate();
     let solution = solve(&objective, start.clone(), StoppingCriteria::SINGLE_STEP);
-    let solution = solution.map_err(|failure| told(failure, &state.observation_sets))?;
+    let solution = solution.map_err(|error| solve_error(error, &state.flights))?;
     state.take(&solution);
-    let cache = ResidualCache::new(problem, state, &whole(&state.observation_sets), options);
-    let flies = cache.sizes().iter().all(Option::is_some);
-    if flies && cache.usual() <= WORSE * before.usual() {
-        return Ok(Some((cache, solution.predicted_reduction)));
+    let cache = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
+    let is_predicted = cache.scales().iter().all(Option::is_some);
+    if is_predicted && cache.median_scale() <= MAX_GROWTH * before.median_scale() {
+        let predicted_reduction = solution.predicted_reduction;
+        return Ok(Some(AcceptedStep {
+            cache,
+            predicted_reduction,
+        }));
     }
     (state.global, state.local) = (start.global, start.local);
     Ok(None)
 }
 
-/// Fits the first samples of all flights, until residuals are as fine as they need be on the way. Short horizons leave
-/// coefficients open, which must not run away before the long ones are seen.
-fn approach(
+/// Fits the first samples of all flights until the residuals are small enough for a longer horizon. Parameters without a
+/// prior get a weak one, since short horizons leave some undetermined.
+fn fit_horizon(
     problem: &FitProblem,
     state: &mut State,
     samples: &[usize],
     options: &FitOptions<'_>,
 ) -> Result<(), FitError> {
-    let mut constraints: Vec<Constraint> = problem
-        .globals
-        .iter()
-        .map(|global| global.constraint)
-        .collect();
-    for (constraint, global) in constraints.iter_mut().zip(&problem.globals) {
-        constraint.prior = constraint
-            .prior
-            .or(Some((global.model_value, global.x_scale)));
-    }
+    let constraints = problem.globals.iter().map(|global| {
+        let weak = Some((global.model_value, global.x_scale));
+        let prior = global.constraint.prior.or(weak);
+        Constraint {
+            prior,
+            ..global.constraint
+        }
+    });
+    let constraints: Vec<Constraint> = constraints.collect();
     let mut scale = f64::INFINITY;
-    for _ in 0..SHRINKS {
+    for _ in 0..MAX_SCALES {
         let cache = ResidualCache::new(problem, state, samples, options);
-        let shrunk = cache.usual().max(problem.sigma0);
-        if shrunk > 0.7 * scale {
+        let next = cache.median_scale().max(problem.sigma0);
+        if next > MAX_SHRINKAGE * scale {
             break;
         }
-        scale = shrunk;
-        let mut objective = OutputError::of_all(
-            problem,
-            &state.observation_sets,
-            Loss::Huber(scale),
-            options,
-        );
+        scale = next;
+        let loss = Loss::Huber(scale);
+        let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
         objective.samples.copy_from_slice(samples);
         objective.constraints.clone_from(&constraints);
-        let solution = solve(&objective, state.point(), StoppingCriteria::HORIZON);
-        let solution = solution.map_err(|failure| told(failure, &state.observation_sets))?;
+        let solution = solve(&objective, state.iterate(), StoppingCriteria::HORIZON);
+        let solution = solution.map_err(|error| solve_error(error, &state.flights))?;
         state.take(&solution);
-        if scale < FINE * problem.sigma0 {
+        if scale < HORIZON_SCALE * problem.sigma0 {
             break;
         }
     }
     Ok(())
 }
 
-/// Fits all flights over their whole length by a loss whose scale shrinks to that of the residuals; and flies them as they
-/// then are.
+/// Fits whole flights by a robust loss whose scale shrinks to that of the residuals; gives the residuals after it.
+///
+/// # Errors
+/// As [`continue_horizon`].
 pub fn anneal_scale(
     problem: &FitProblem,
     state: &mut State,
     options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
-    let samples = whole(&state.observation_sets);
+    let samples = all_samples(&state.flights);
     let mut scale = f64::INFINITY;
     let mut cache = ResidualCache::new(problem, state, &samples, options);
-    for _ in 0..SHRINKS {
-        let shrunk = cache.usual().max(problem.sigma0);
-        if shrunk > 0.7 * scale {
+    for _ in 0..MAX_SCALES {
+        let next = cache.median_scale().max(problem.sigma0);
+        if next > MAX_SHRINKAGE * scale {
             break;
         }
-        scale = shrunk;
-        let objective = OutputError::of_all(
-            problem,
-            &state.observation_sets,
-            Loss::Huber(scale),
-            options,
-        );
-        let solution = solve(&objective, state.point(), StoppingCriteria::COARSE);
-        let solution = solution.map_err(|failure| told(failure, &state.observation_sets))?;
+        scale = next;
+        let loss = Loss::Huber(scale);
+        let objective = OutputError::of_all(problem, &state.flights, loss, options);
+        let solution = solve(&objective, state.iterate(), StoppingCriteria::COARSE);
+        let solution = solution.map_err(|error| solve_error(error, &state.flights))?;
         state.take(&solution);
         cache = ResidualCache::new(problem, state, &samples, options);
     }
     Ok(cache)
 }
 
-/// Fits the first samples of one flight by its own unknowns; the loss that is left, over the noise's floor, and the
-/// initial state.
+/// Fits the initial state of one flight to its first samples with the global parameters fixed. Gives the loss at scale
+/// `sigma0`, and the initial state.
 ///
 /// # Errors
-/// In words, where the samples do not determine the state, or the flight is impossible.
+/// [`FlightError::SingularInitialState`]; [`FlightError::Integration`] if the trajectory cannot be computed.
 pub fn fit_initial_state(
     problem: &FitProblem,
     observations: &Observations,
@@ -189,43 +205,33 @@ pub fn fit_initial_state(
     global: &DVector<f64>,
     start: DVector<f64>,
     options: &FitOptions<'_>,
-) -> Result<(f64, DVector<f64>), String> {
+) -> Result<(f64, DVector<f64>), FlightError> {
+    let solve = |local: DVector<f64>, scale: f64| {
+        let loss = Loss::Huber(scale);
+        solve_local(problem, observations, samples, global, local, loss, options)
+    };
     let (mut local, mut scale) = (start, f64::INFINITY);
-    for _ in 0..SHRINKS {
-        let shrunk = size(problem, observations, (global, &local), samples).unwrap_or(1.0);
-        let shrunk = shrunk.max(problem.sigma0);
-        // The last fit is by the floor's own scale.
-        if shrunk > 0.7 * scale || 0.7 * shrunk < problem.sigma0 {
+    for _ in 0..MAX_SCALES {
+        let next = residual_scale(problem, observations, (global, &local), samples);
+        let next = next.unwrap_or(1.0).max(problem.sigma0);
+        // The last fit has the scale sigma0.
+        if next > MAX_SHRINKAGE * scale || MAX_SHRINKAGE * next < problem.sigma0 {
             break;
         }
-        scale = shrunk;
-        local = solve_local(
-            problem,
-            observations,
-            samples,
-            global,
-            local,
-            Loss::Huber(scale),
-            options,
-        )?
-        .0;
+        scale = next;
+        local = solve(local, scale)?.0;
     }
-    let (local, solution) = solve_local(
-        problem,
-        observations,
-        samples,
-        global,
-        local,
-        Loss::Huber(problem.sigma0),
-        options,
-    )?;
+    let (local, solution) = solve(local, problem.sigma0)?;
     if !solution.blocks[0].determines_local() {
-        return Err("its samples do not determine its initial state".into());
+        return Err(FlightError::SingularInitialState);
     }
     Ok((solution.squares, local))
 }
 
-/// One fit of one flight's own unknowns.
+/// Fits the initial state of one flight to its first samples by one loss.
+///
+/// # Errors
+/// As [`fit_initial_state`].
 pub fn solve_local(
     problem: &FitProblem,
     observations: &Observations,
@@ -234,16 +240,17 @@ pub fn solve_local(
     local: DVector<f64>,
     loss: Loss<'_>,
     options: &FitOptions<'_>,
-) -> Result<(DVector<f64>, Solution), String> {
+) -> Result<(DVector<f64>, Solution), FlightError> {
     let objective = OutputError::of_local(problem, observations, samples, loss, global, options);
     let start = Iterate {
         global: DVector::zeros(0),
         local: vec![local],
     };
-    let solution =
-        solve(&objective, start, StoppingCriteria::COARSE).map_err(|failure| match failure {
-            SolveError::InitialGuess { reason, .. } => reason,
-            other => other.to_string(),
-        })?;
+    let solution = solve(&objective, start, StoppingCriteria::COARSE);
+    let solution = solution.map_err(|error| match error {
+        SolveError::Start { reason, .. } => reason,
+        SolveError::Undetermined(_) => FlightError::SingularInitialState,
+        SolveError::Cancelled => FlightError::Interrupted,
+    })?;
     Ok((solution.iterate.local[0].clone(), solution))
 }

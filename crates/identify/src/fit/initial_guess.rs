@@ -1,4 +1,4 @@
-//! Tracks and starts of the flights, each on its own: which can be fitted, and from where.
+//! Observations and initial guesses of the flights, one by one, and which flights are excluded.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -6,191 +6,207 @@ use nalgebra::DVector;
 use super::horizon_continuation::fit_initial_state;
 use super::{FitError, State};
 use crate::dataset::{Dataset, Flight};
+use crate::error::{ExcludedFlight, FlightError};
+use crate::ids::FlightId;
 use crate::impact_detection;
 use crate::initial_state::{self, InitialGuess};
-use crate::noise::median;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::pose::Pose;
 use crate::problem::FitProblem;
+use crate::statistics::median;
 
-/// The first part of a flight that its start is judged on, s and samples.
-pub const FIRST: (f64, usize) = (0.15, 12);
+/// Length of the first segment of a flight, on which its initial guess is refined, s.
+const FIRST_SEGMENT: f64 = 0.15;
 
-/// The least that is believed of noise, m: as much as a table of rounded numbers has.
-const LEAST_FLOOR: f64 = 1e-7;
+/// Samples that the first segment has at least.
+const MIN_FIRST_SAMPLES: usize = 12;
 
-/// What the flights begin with.
+/// Least initial estimate of the noise, m: the rounding of a table of numbers.
+const MIN_SIGMA0: f64 = 1e-7;
+
+/// Flights that can be fitted, with their initial guesses.
 pub struct InitialGuesses {
-    /// The flights that can be fitted, with their starts.
+    /// The flights, each with its first guess.
     pub state: State,
     /// Their indices in the dataset.
-    pub flights: Vec<usize>,
-    /// Every start of each: more than one where the samples are too far apart to tell its spin.
+    pub flights: Vec<FlightId>,
+    /// All guesses of each flight: several where the samples are too far apart to determine its spin.
     pub alternatives: Vec<Vec<InitialGuess>>,
-    /// Flights that cannot, and why.
-    pub left_out: Vec<(usize, String)>,
+    /// Flights that cannot be fitted.
+    pub excluded: Vec<ExcludedFlight>,
 }
 
-/// Tracks of flights by index, and the flights that have none, with why.
-pub type Tracks = (Vec<(usize, Observations)>, Vec<(usize, String)>);
+/// Observations of the usable flights, and the excluded flights.
+pub struct ObservedFlights {
+    /// Usable flights.
+    pub usable: Vec<(FlightId, Observations)>,
+    /// Flights that cannot be used.
+    pub excluded: Vec<ExcludedFlight>,
+    /// Initial estimate of the noise of one coordinate, m, if the samples show it.
+    pub sigma0: Option<f64>,
+}
 
-/// Makes tracks of these flights, and a first estimate of their noise, m.
-pub fn observation_sets(
+/// Number of samples in the first segment of a flight.
+pub fn first_segment(observations: &Observations) -> usize {
+    let samples = observations.samples_until(FIRST_SEGMENT);
+    samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
+}
+
+/// Takes the observations of these flights and estimates their noise.
+pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
-    flights: &[usize],
+    flights: &[FlightId],
     options: &FitOptions<'_>,
-) -> (Tracks, f64) {
-    let made = batch::each_on(options.threads(), flights.len(), |index| {
-        let (observations, poses) = track_and_poses(problem, &dataset.flights[flights[index]])?;
+) -> ObservedFlights {
+    let each = batch::each_on(options.threads(), flights.len(), |index| {
+        let flight = &dataset.flights[flights[index].index()];
+        let (observations, poses) = observations_and_poses(problem, flight)?;
         let sigma0 = initial_state::sigma0(problem, &observations, &poses);
         Ok((observations, sigma0))
     });
-    let (mut observation_sets, mut left_out) = (Vec::with_capacity(flights.len()), Vec::new());
-    let mut floors = Vec::with_capacity(flights.len());
-    for (&flight, made) in flights.iter().zip(made) {
-        match made {
+    let (mut usable, mut excluded) = (Vec::with_capacity(flights.len()), Vec::new());
+    let mut estimates = Vec::with_capacity(flights.len());
+    for (&flight, found) in flights.iter().zip(each) {
+        match found {
             Ok((observations, sigma0)) => {
-                observation_sets.push((flight, observations));
-                floors.extend(sigma0);
+                usable.push((flight, observations));
+                estimates.extend(sigma0);
             }
-            Err(reason) => left_out.push((flight, reason)),
+            Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    let sigma0 = match floors.is_empty() {
-        true => problem.sigma0,
-        false => median(&mut floors).max(LEAST_FLOOR),
-    };
-    ((observation_sets, left_out), sigma0)
+    let sigma0 = (!estimates.is_empty()).then(|| median(&mut estimates).max(MIN_SIGMA0));
+    ObservedFlights {
+        usable,
+        excluded,
+        sigma0,
+    }
 }
 
-/// Finds starts of these flights.
+fn exclude(dataset: &Dataset, flight: FlightId, reason: FlightError) -> ExcludedFlight {
+    ExcludedFlight {
+        flight,
+        file: dataset.flights[flight.index()].file.clone(),
+        reason,
+    }
+}
+
+/// Finds initial guesses of the flights.
 ///
 /// # Errors
-/// Where none of them can be fitted.
+/// [`FitError::NoUsableFlight`] if no flight has one; [`FitError::Interrupted`].
 pub fn initial_guesses(
     problem: &FitProblem,
     dataset: &Dataset,
-    (observation_sets, mut left_out): Tracks,
+    observed: ObservedFlights,
     options: &FitOptions<'_>,
 ) -> Result<InitialGuesses, FitError> {
-    options.begins("starts", observation_sets.len());
-    let mut intervals: Vec<f64> = observation_sets
-        .iter()
-        .filter_map(|(_, observations)| observations.interval())
-        .collect();
-    let global = DVector::from_iterator(
-        problem.globals.len(),
-        problem.globals.iter().map(|global| global.model_value),
-    );
-    let found = batch::each_on(options.threads(), observation_sets.len(), |index| {
-        if options.is_stopped() {
-            return Err("interrupted".to_owned());
+    let ObservedFlights {
+        usable,
+        mut excluded,
+        ..
+    } = observed;
+    options.stage_started("starts", usable.len());
+    let intervals = usable.iter();
+    let mut intervals: Vec<f64> = intervals.filter_map(|(_, o)| o.interval()).collect();
+    let values = problem.globals.iter().map(|global| global.model_value);
+    let global = DVector::from_iterator(problem.globals.len(), values);
+    let found = batch::each_on(options.threads(), usable.len(), |index| {
+        if options.is_cancelled() {
+            return Err(FlightError::Interrupted);
         }
-        let found = fitted_guesses(problem, &observation_sets[index].1, &global, options);
-        options.part_done();
+        let found = refined_guesses(problem, &usable[index].1, &global, options);
+        options.flight_done();
         found
     });
-    if options.is_stopped() {
+    if options.is_cancelled() {
         return Err(FitError::Interrupted);
     }
-    let mut state = State {
-        observation_sets: Vec::with_capacity(observation_sets.len()),
-        global,
-        local: Vec::with_capacity(observation_sets.len()),
-        interval: if intervals.is_empty() {
-            1.0
-        } else {
-            median(&mut intervals)
-        },
-        steps: 0,
-        rounds: 0,
+    let interval = if intervals.is_empty() {
+        1.0
+    } else {
+        median(&mut intervals)
     };
-    let mut usable = Vec::with_capacity(observation_sets.len());
-    let mut alternatives = Vec::with_capacity(observation_sets.len());
-    for ((flight, observations), found) in observation_sets.into_iter().zip(found) {
+    let mut state = State::new(global, interval);
+    let (mut flights, mut alternatives) = (Vec::new(), Vec::new());
+    for ((flight, observations), found) in usable.into_iter().zip(found) {
         match found {
-            Ok(starts) => {
-                let starts: Vec<InitialGuess> =
-                    starts.into_iter().map(|(_, start)| start).collect();
-                usable.push(flight);
-                state.local.push(starts[0].state.clone());
-                state.observation_sets.push(observations);
-                alternatives.push(starts);
+            Ok(guesses) => {
+                let guesses: Vec<_> = guesses.into_iter().map(|(_, guess)| guess).collect();
+                flights.push(flight);
+                state.local.push(guesses[0].state.clone());
+                state.flights.push(observations);
+                alternatives.push(guesses);
             }
-            Err(reason) => left_out.push((flight, reason)),
+            Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    if usable.is_empty() {
-        left_out.sort_unstable();
-        let each = left_out.iter().take(10);
-        let reasons: Vec<String> = each
-            .map(|(flight, reason)| format!("  {}: {reason}", dataset.flights[*flight].file))
-            .collect();
-        return Err(FitError::NoFlight(reasons.join("\n")));
+    if flights.is_empty() {
+        excluded.sort_unstable_by_key(|excluded| excluded.flight);
+        return Err(FitError::NoUsableFlight(excluded));
     }
     Ok(InitialGuesses {
         state,
         alternatives,
-        flights: usable,
-        left_out,
+        flights,
+        excluded,
     })
 }
 
-/// What is said of a flight whose spin was not the least that its samples allow.
+/// Note for the report of a flight whose spin is not the slowest that its samples allow.
 pub fn spin_note(turns: i32) -> String {
     format!(
-        "between samples it makes whole turns ({turns:+}) beside what neighbouring samples show"
+        "between samples it makes whole turns ({turns:+}) beyond what neighbouring samples show"
     )
 }
 
-/// A track of a flight, cut at the ground.
-pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observations, String> {
-    Ok(track_and_poses(problem, flight)?.0)
+/// Observations of a flight, truncated at an impact.
+///
+/// # Errors
+/// As [`Observations::new`]; [`FlightError::TooFewCoordinates`].
+pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observations, FlightError> {
+    Ok(observations_and_poses(problem, flight)?.0)
 }
 
-/// The same with the poses in its samples, of a body that turns.
-fn track_and_poses(
+/// As [`observations`], with the pose in each sample of a body that has an attitude.
+fn observations_and_poses(
     problem: &FitProblem,
     flight: &Flight,
-) -> Result<(Observations, Vec<Option<Pose>>), String> {
+) -> Result<(Observations, Vec<Option<Pose>>), FlightError> {
     let mut observations = Observations::new(problem, flight)?;
     let poses = impact_detection::truncate_at_impact(problem, &mut observations);
-    let points = observations.measured.iter().flatten().count();
+    let measured = 3 * observations.measured.iter().flatten().count();
     let unknowns = observations.manifold.dimension();
-    if 3 * points < unknowns {
-        let measured = 3 * points;
-        return Err(format!(
-            "{measured} measured coordinates do not determine the {unknowns} unknowns of its initial state"
-        ));
+    if measured < unknowns {
+        return Err(FlightError::TooFewCoordinates { measured, unknowns });
     }
     Ok((observations, poses))
 }
 
-/// Starts whose first samples were fitted with the shared unknowns held, the one of least spin first; and how well each
-/// met them.
-pub fn fitted_guesses(
+/// Initial guesses refined by a fit to the first segment with the global parameters fixed, each with its sum of squares;
+/// the guess of slowest spin first.
+///
+/// # Errors
+/// [`FlightError`] if no guess can be found or refined.
+pub fn refined_guesses(
     problem: &FitProblem,
     observations: &Observations,
     global: &DVector<f64>,
     options: &FitOptions<'_>,
-) -> Result<Vec<(f64, InitialGuess)>, String> {
-    let samples = observations
-        .samples_until(FIRST.0)
-        .max(FIRST.1)
-        .min(observations.times.len());
-    let mut fitted = Vec::new();
-    let mut refused = String::new();
+) -> Result<Vec<(f64, InitialGuess)>, FlightError> {
+    let samples = first_segment(observations);
+    let mut refined = Vec::new();
+    let mut failure = FlightError::NoMatchingState;
     for InitialGuess { state, turns } in initial_state::initial_guesses(problem, observations)? {
         match fit_initial_state(problem, observations, samples, global, state, options) {
-            Ok((squares, state)) => fitted.push((squares, InitialGuess { state, turns })),
-            Err(reason) => refused = reason,
+            Ok((squares, state)) => refined.push((squares, InitialGuess { state, turns })),
+            Err(reason) => failure = reason,
         }
     }
-    if fitted.is_empty() {
-        Err(refused)
-    } else {
-        Ok(fitted)
+    match refined.is_empty() {
+        true => Err(failure),
+        false => Ok(refined),
     }
 }

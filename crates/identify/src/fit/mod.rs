@@ -1,7 +1,8 @@
-//! One set of coefficients for all flights, and each flight's initial state.
+//! Output-error fit of one set of global parameters to all flights, with the initial state of each flight.
 //!
-//! Output error: the differences between observed and predicted markers are made as small as their noise allows,
-//! and the noise (its scale and its first-order correlation along each axis, its outliers) is estimated with them.
+//! Stages: initial guesses, horizon continuation for each possible alias of the spin, multistart of flights in a wrong
+//! minimum, and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
+//! with the unknowns.
 
 mod held_out;
 mod horizon_continuation;
@@ -21,190 +22,234 @@ use std::time::Instant;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
+use self::outcome::Outcome;
 use crate::dataset::{Dataset, Role};
+use crate::error::{ExcludedFlight, FitError, FlightError};
+use crate::ids::FlightId;
 use crate::least_squares::{Iterate, Solution, SolveError};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
-use crate::predict;
-pub use crate::problem::FitError;
 use crate::problem::FitProblem;
-use crate::report::{FitReport, FlightEvidence};
+use crate::report::{FitReport, FlightEvidence, FlightReport};
+use crate::tolerance;
 pub use held_out::CONDITIONING_FRACTION;
 
-/// A dataset that was fitted.
+/// Result of a fit.
 pub struct Fit {
-    /// What was found.
+    /// The report: estimates, uncertainties, residual diagnostics.
     pub report: FitReport,
     problem: FitProblem,
-    names: Vec<String>,
-    /// Tracks of the flights by index in the dataset; none for those that were left out.
-    observation_sets: Vec<Option<(Observations, DVector<f64>)>>,
+    marker_names: Vec<String>,
+    /// By [`FlightId`]; none for excluded flights.
+    flights: Vec<Option<FittedFlight>>,
     global: DVector<f64>,
     noise: NoiseModel,
 }
 
-/// What the stages of a fit work on.
+/// A fitted or held-out flight.
+#[derive(Clone)]
+struct FittedFlight {
+    observations: Observations,
+    /// Its initial state, SI.
+    state: DVector<f64>,
+}
+
+/// What the stages of a fit pass on.
 #[derive(Clone)]
 pub(crate) struct State {
-    /// The flights that are fitted.
-    pub observation_sets: Vec<Observations>,
-    /// The shared unknowns.
+    /// Observations of the flights that are fitted.
+    pub flights: Vec<Observations>,
+    /// Global parameters.
     pub global: DVector<f64>,
-    /// Each flight's initial state.
+    /// Initial state of each flight.
     pub local: Vec<DVector<f64>>,
-    /// The usual time between samples, s.
+    /// Median time between samples, s.
     pub interval: f64,
     /// Steps tried so far.
     pub steps: usize,
-    /// Estimates of the noise so far.
+    /// Number of noise estimates so far.
     pub rounds: usize,
 }
 
-/// Fits a model to a dataset's flights.
+/// Fits a model to the flights of a dataset.
 ///
 /// # Errors
-/// See [`FitError`].
+/// [`FitError::InvalidOption`] for impossible options; [`FitError::UnknownName`], [`FitError::NotEstimated`],
+/// [`FitError::NoObservation`] and [`FitError::AttitudeNotObservable`] if model, dataset and options do not match;
+/// [`FitError::NothingToFit`] and [`FitError::NoUsableFlight`] without usable flights; [`FitError::Flight`] if a
+/// trajectory cannot be computed; [`FitError::Interrupted`].
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
     let clock = Instant::now();
+    options.validate()?;
     let mut problem = FitProblem::new(model, dataset, options)?;
-    let of_role = |role: Role| move |flight: &usize| dataset.flights[*flight].role == role;
-    let all = 0..dataset.flights.len();
-    let fitted: Vec<usize> = all.clone().filter(of_role(Role::Fit)).collect();
+    let fitted = flights_of(dataset, Role::Fit);
     if fitted.is_empty() {
-        let reason = "every flight is held out: none is left to fit".to_owned();
-        return Err(FitError::Mismatch(reason));
+        return Err(FitError::NothingToFit);
     }
-    let (observation_sets, sigma0) =
-        initial_guess::observation_sets(&problem, dataset, &fitted, options);
-    problem.sigma0 = sigma0;
-    problem.tolerance = predict::tolerance(model, fitted.len());
-    let mut begun = initial_guess::initial_guesses(&problem, dataset, observation_sets, options)?;
-    let (used, left_out) = (
-        std::mem::take(&mut begun.flights),
-        std::mem::take(&mut begun.left_out),
-    );
+    let observed = initial_guess::observe(&problem, dataset, &fitted, options);
+    problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
+    problem.tolerance = tolerance::whitened(model, fitted.len());
+    let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
     let started = clock.elapsed().as_secs_f64();
 
-    let (mut state, cache) = spin_aliases::resolve_spin_aliases(&problem, begun, options)?;
+    let (state, alternatives) = (guesses.state, &guesses.alternatives);
+    let (mut state, cache) =
+        spin_aliases::resolve_spin_aliases(&problem, state, alternatives, options)?;
     let cache = multistart::multistart(&problem, &mut state, cache, options)?;
-    let (noise, solution, cache) = reweighting::reweight(&problem, &mut state, cache, options)?;
+    let reweighted = reweighting::reweight(&problem, &mut state, cache, options)?;
     let solved = clock.elapsed().as_secs_f64();
 
-    let outcome = outcome::Outcome::new(&problem, &state, cache, &noise, &solution, options)?;
+    let outcome = Outcome::new(&problem, &state, &reweighted, options)?;
     let mut report = outcome.report();
-    let reports: Vec<_> = (0..used.len()).map(|index| outcome.flight(index)).collect();
+    let reports: Vec<_> = (0..guesses.flights.len())
+        .map(|i| outcome.flight(i))
+        .collect();
     drop(outcome);
-    let held_out: Vec<usize> = all.clone().filter(of_role(Role::HeldOut)).collect();
-    let held = held_out::held_out(&problem, dataset, &held_out, &state, &noise, options)?;
-    let mut observation_sets: Vec<Option<(Observations, DVector<f64>)>> =
-        vec![None; dataset.flights.len()];
-    let mut flights = vec![None; dataset.flights.len()];
-    for (flight, reason) in left_out {
-        flights[flight] = Some(outcome::left_out(&dataset.flights[flight], reason));
+    let reweighting::Reweighted {
+        noise, solution, ..
+    } = reweighted;
+    let held_out = flights_of(dataset, Role::HeldOut);
+    let predicted = held_out::held_out(&problem, dataset, &held_out, &state, &noise, options)?;
+    let mut flights = FlightTable::new(dataset.flights.len());
+    for excluded in &guesses.excluded {
+        flights.exclude(dataset, excluded);
     }
-    let solved_tracks = state
-        .observation_sets
-        .into_iter()
-        .zip(solution.iterate.local);
-    for ((flight, report), observations) in used.into_iter().zip(reports).zip(solved_tracks) {
-        flights[flight] = Some(report);
-        observation_sets[flight] = Some(observations);
+    let states = state.flights.into_iter().zip(solution.iterate.local);
+    for ((&flight, report), (observations, state)) in
+        guesses.flights.iter().zip(reports).zip(states)
+    {
+        flights.set(
+            flight,
+            report,
+            Some(FittedFlight {
+                observations,
+                state,
+            }),
+        );
     }
-    for (flight, held) in held_out.into_iter().zip(held) {
-        flights[flight] = Some(held.report);
-        observation_sets[flight] = held.observations;
+    for (&flight, predicted) in held_out.iter().zip(predicted) {
+        flights.set(flight, predicted.report, predicted.fitted);
     }
-    report.flights = flights.into_iter().flatten().collect();
-    report.seconds.insert("start".into(), started);
-    report.seconds.insert("fit".into(), solved - started);
-    report
-        .seconds
-        .insert("total".into(), clock.elapsed().as_secs_f64());
+    report.flights = flights.reports.into_iter().flatten().collect();
+    let total = clock.elapsed().as_secs_f64();
+    let seconds = [
+        ("start", started),
+        ("fit", solved - started),
+        ("total", total),
+    ];
+    report.seconds = seconds.map(|(name, value)| (name.to_owned(), value)).into();
     Ok(Fit {
         report,
         global: solution.iterate.global,
         problem,
         noise,
-        names: dataset
-            .markers
-            .iter()
-            .map(|marker| marker.name.clone())
-            .collect(),
-        observation_sets,
+        marker_names: dataset.markers.iter().map(|m| m.name.clone()).collect(),
+        flights: flights.fitted,
     })
 }
 
+fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {
+    let flights = dataset.flights.iter().enumerate();
+    let of_role = flights.filter(|(_, flight)| flight.role == role);
+    of_role.map(|(index, _)| FlightId::new(index)).collect()
+}
+
+/// Reports and fits of all flights, in the dataset's order.
+struct FlightTable {
+    reports: Vec<Option<FlightReport>>,
+    fitted: Vec<Option<FittedFlight>>,
+}
+
+impl FlightTable {
+    fn new(flights: usize) -> Self {
+        Self {
+            reports: vec![None; flights],
+            fitted: vec![None; flights],
+        }
+    }
+
+    fn set(&mut self, flight: FlightId, report: FlightReport, fitted: Option<FittedFlight>) {
+        self.reports[flight.index()] = Some(report);
+        self.fitted[flight.index()] = fitted;
+    }
+
+    fn exclude(&mut self, dataset: &Dataset, excluded: &ExcludedFlight) {
+        let flight = &dataset.flights[excluded.flight.index()];
+        let report = outcome::excluded_report(flight, &excluded.reason);
+        self.set(excluded.flight, report, None);
+    }
+}
+
 impl Fit {
-    /// The model with what was estimated of it.
+    /// The estimation problem that was solved.
     pub fn problem(&self) -> &FitProblem {
         &self.problem
     }
 
-    /// The shared unknowns, in the order of [`FitProblem::shared`].
+    /// Estimated global parameters, in the order of [`FitProblem::globals`], SI.
     pub fn global(&self) -> &DVector<f64> {
         &self.global
     }
 
-    /// The noise that residuals were weighed by.
+    /// The noise by which residuals were weighted.
     pub fn noise(&self) -> &NoiseModel {
         &self.noise
     }
 
-    /// Samples and initial state of a flight of the dataset, by index; none where it was left out.
-    pub fn flight(&self, flight: usize) -> Option<(&Observations, &DVector<f64>)> {
-        let (observations, local) = self.observation_sets.get(flight)?.as_ref()?;
-        Some((observations, local))
+    /// Observations and initial state of a flight; none if it is excluded.
+    pub fn flight(&self, flight: FlightId) -> Option<(&Observations, &DVector<f64>)> {
+        let fitted = self.flights.get(flight.index())?.as_ref()?;
+        Some((&fitted.observations, &fitted.state))
     }
 
-    /// A flight of the dataset, by index, as measured and as predicted; none where it was left out.
-    pub fn evidence(&self, flight: usize) -> Option<FlightEvidence> {
-        let (observations, local) = self.observation_sets.get(flight)?.as_ref()?;
-        post_fit::evidence(
-            &self.problem,
-            &self.names,
-            observations,
-            (&self.global, local),
-        )
+    /// A flight as measured and as predicted; none if it is excluded.
+    pub fn evidence(&self, flight: FlightId) -> Option<FlightEvidence> {
+        let (observations, local) = self.flight(flight)?;
+        let unknowns = (&self.global, local);
+        post_fit::evidence(&self.problem, &self.marker_names, observations, unknowns)
     }
 }
 
-/// A failure of the least squares over these tracks, for the user.
-fn told(failure: SolveError, observation_sets: &[impl Borrow<Observations>]) -> FitError {
-    let file = |flight: usize| observation_sets[flight].borrow().file.clone();
-    match failure {
-        SolveError::InitialGuess { flight, reason } => FitError::Flight {
-            file: file(flight),
-            reason,
-        },
-        SolveError::UndeterminedFlight(crate::least_squares::UndeterminedFlight(flight)) => {
-            FitError::Flight {
-                file: file(flight),
-                reason: "its samples do not determine its initial state".into(),
-            }
+/// An error of the least squares over these flights.
+fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
+    let (flight, reason) = match error {
+        SolveError::Start { flight, reason } => (flight, reason),
+        SolveError::Undetermined(undetermined) => {
+            (undetermined.0, FlightError::SingularInitialState)
         }
-        SolveError::Stopped => FitError::Interrupted,
+        SolveError::Cancelled => return FitError::Interrupted,
+    };
+    FitError::Flight {
+        file: flights[flight].borrow().file.clone(),
+        reason,
     }
 }
 
 impl State {
-    /// Where the unknowns are.
-    fn point(&self) -> Iterate {
+    /// No flights yet.
+    fn new(global: DVector<f64>, interval: f64) -> Self {
+        Self {
+            flights: Vec::new(),
+            global,
+            local: Vec::new(),
+            interval,
+            steps: 0,
+            rounds: 0,
+        }
+    }
+
+    fn iterate(&self) -> Iterate {
         Iterate {
             global: self.global.clone(),
             local: self.local.clone(),
         }
     }
 
-    /// Takes over where an iteration ended.
+    /// Continues from a solution.
     fn take(&mut self, solution: &Solution) {
         self.global.clone_from(&solution.iterate.global);
         self.local.clone_from(&solution.iterate.local);
         self.steps += solution.iterations;
     }
-}
-
-/// White noise of this size, where nothing better is known.
-fn white(problem: &FitProblem, state: &State) -> NoiseModel {
-    NoiseModel::white(problem.sigma0, state.interval)
 }

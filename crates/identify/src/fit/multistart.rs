@@ -1,109 +1,109 @@
-//! Flights that landed in a wrong minimum are noticed, and started anew.
+//! Flights that converged to a wrong minimum are detected and fitted again from other initial guesses.
 
 use flight::batch;
 use nalgebra::DVector;
 
 use super::horizon_continuation::{anneal_scale, fit_initial_state};
-use super::initial_guess::{FIRST, spin_note};
-use super::residual_cache::{ResidualCache, size};
+use super::initial_guess::{first_segment, spin_note};
+use super::residual_cache::{ResidualCache, residual_scale};
 use super::{FitError, State};
 use crate::initial_state;
-use crate::noise::median;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
+use crate::statistics::median;
 
-/// A flight whose residuals are so much greater than is usual is suspected.
-const SUSPECT: f64 = 3.0;
+/// Ratio of a flight's residual scale to the reference scale above which it is fitted again.
+const SUSPECT_RATIO: f64 = 3.0;
 
-/// A new start is taken where it leaves residuals smaller than this part of the old.
-const BETTER: f64 = 0.7;
+/// Ratio of the new residual scale to the old below which the new minimum is accepted.
+const ACCEPTED_RATIO: f64 = 0.7;
 
-/// Starts flights anew whose residuals are far greater than the others' and than the noise, and fits all again where
-/// that helped. Takes and gives the flights as they are flown.
+/// Median residual scale over `sigma0` above which the model, or most initial guesses, are wrong, so that `sigma0` is
+/// the reference scale and not the median.
+const MISFIT_RATIO: f64 = 10.0;
+
+/// Fits flights again whose residuals are far greater than those of the others and than the noise, and then all flights
+/// together if that helped. Takes and gives the residuals at the state.
 ///
 /// # Errors
-/// As [`settle`](super::settle::settle).
+/// As [`anneal_scale`].
 pub fn multistart(
     problem: &FitProblem,
     state: &mut State,
     cache: ResidualCache,
     options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
-    let sizes: Vec<f64> = cache
-        .sizes()
-        .into_iter()
-        .map(|size| size.unwrap_or(f64::INFINITY))
-        .collect();
-    let usual = median(&mut sizes.clone());
-    // Where most flights are far off the model is wrong, or most starts are: the noise's floor tells that.
-    let limit = SUSPECT
-        * if usual > 10.0 * problem.sigma0 {
-            problem.sigma0
-        } else {
-            usual.max(problem.sigma0)
-        };
-    let outlier_candidates: Vec<usize> = (0..sizes.len())
-        .filter(|&flight| sizes[flight] > limit)
-        .collect();
-    if outlier_candidates.is_empty() {
+    let scales = cache.scales().into_iter();
+    let scales: Vec<f64> = scales.map(|s| s.unwrap_or(f64::INFINITY)).collect();
+    let limit = SUSPECT_RATIO * reference_scale(&scales, problem.sigma0);
+    let suspects: Vec<usize> = (0..scales.len()).filter(|&f| scales[f] > limit).collect();
+    if suspects.is_empty() {
         return Ok(cache);
     }
-    options.begins("flights that stand out", outlier_candidates.len());
-    let found = batch::each_on(options.threads(), outlier_candidates.len(), |index| {
-        let flight = outlier_candidates[index];
-        let found = again(problem, state, flight, sizes[flight], options);
-        options.part_done();
+    options.stage_started("flights that stand out", suspects.len());
+    let found = batch::each_on(options.threads(), suspects.len(), |index| {
+        let flight = suspects[index];
+        let found = restart(problem, state, flight, scales[flight], options);
+        options.flight_done();
         found
     });
-    if options.is_stopped() {
+    if options.is_cancelled() {
         return Err(FitError::Interrupted);
     }
-    let mut helped = false;
-    for (&flight, found) in outlier_candidates.iter().zip(found) {
+    let mut has_improved = false;
+    for (&flight, found) in suspects.iter().zip(found) {
         if let Some((local, note)) = found {
             state.local[flight] = local;
-            state.observation_sets[flight].notes.push(note);
-            helped = true;
+            state.flights[flight].notes.push(note);
+            has_improved = true;
         }
     }
-    if helped {
-        return anneal_scale(problem, state, options);
+    match has_improved {
+        true => anneal_scale(problem, state, options),
+        false => Ok(cache),
     }
-    Ok(cache)
 }
 
-/// A better initial state of a flight, with the coefficients as they are, and what is to be said of it.
-fn again(
+/// The residual scale that flights are compared with, m.
+fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
+    let median = median(&mut scales.to_vec());
+    match median > MISFIT_RATIO * sigma0 {
+        true => sigma0,
+        false => median.max(sigma0),
+    }
+}
+
+/// A better initial state of a flight at the present global parameters, with a note for the report; none if all initial
+/// guesses lead to a minimum that is hardly better than one of residual scale `before`, m.
+fn restart(
     problem: &FitProblem,
     state: &State,
     flight: usize,
     before: f64,
     options: &FitOptions<'_>,
 ) -> Option<(DVector<f64>, String)> {
-    let observations = &state.observation_sets[flight];
+    let observations = &state.flights[flight];
+    let samples = observations.times.len();
     let mut best: Option<(f64, DVector<f64>, i32)> = None;
-    for start in initial_state::initial_guesses(problem, observations).ok()? {
-        let Some(local) = continued(problem, state, observations, start.state, options) else {
+    for guess in initial_state::initial_guesses(problem, observations).ok()? {
+        let Some(local) = continue_horizon(problem, state, observations, guess.state, options)
+        else {
             continue;
         };
-        let Some(size) = size(
-            problem,
-            observations,
-            (&state.global, &local),
-            observations.times.len(),
-        ) else {
+        let unknowns = (&state.global, &local);
+        let Some(scale) = residual_scale(problem, observations, unknowns, samples) else {
             continue;
         };
-        if best.as_ref().is_none_or(|(least, ..)| size < *least) {
-            best = Some((size, local, start.turns));
+        if best.as_ref().is_none_or(|(least, ..)| scale < *least) {
+            best = Some((scale, local, guess.turns));
         }
     }
-    let (size, local, turns) = best.filter(|(size, ..)| *size < BETTER * before)?;
+    let (scale, local, turns) = best.filter(|(scale, ..)| *scale < ACCEPTED_RATIO * before)?;
     let mut note = format!(
         "its first fit had ended in a wrong minimum (residuals of {:.1} mm, now {:.1} mm); it was started anew",
         1e3 * before,
-        1e3 * size
+        1e3 * scale
     );
     if turns != 0 {
         note = format!("{note}; {}", spin_note(turns));
@@ -111,8 +111,8 @@ fn again(
     Some((local, note))
 }
 
-/// Fits one flight over a horizon that doubles.
-fn continued(
+/// Fits the initial state of one flight over a horizon that doubles up to its whole length.
+fn continue_horizon(
     problem: &FitProblem,
     state: &State,
     observations: &Observations,
@@ -120,17 +120,11 @@ fn continued(
     options: &FitOptions<'_>,
 ) -> Option<DVector<f64>> {
     let all = observations.times.len();
-    let mut samples = observations.samples_until(FIRST.0).max(FIRST.1).min(all);
+    let mut samples = first_segment(observations);
     let mut local = start;
     loop {
-        let fitted = fit_initial_state(
-            problem,
-            observations,
-            samples,
-            &state.global,
-            local,
-            options,
-        );
+        let global = &state.global;
+        let fitted = fit_initial_state(problem, observations, samples, global, local, options);
         local = fitted.ok()?.1;
         if samples == all {
             return Some(local);

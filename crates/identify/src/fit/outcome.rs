@@ -1,207 +1,161 @@
-//! What a fit found, put in order.
+//! The report of a fit.
 
 use std::collections::BTreeMap;
 
+use flight::batch;
 use nalgebra::{DMatrix, DVector};
 
 use super::output_error::OutputError;
-use super::post_fit::{NOTHING, PostFit, joined, post_fit};
-use super::residual_cache::ResidualCache;
-use super::{FitError, State, told};
+use super::post_fit::{EMPTY_RANGE, PostFit, joined, post_fit};
+use super::reweighting::Reweighted;
+use super::{FitError, State, solve_error};
 use crate::dataset::Flight;
-use crate::least_squares::Solution;
-use crate::least_squares::eliminate;
-use crate::noise::{NoiseModel, median};
+use crate::error::FlightError;
+use crate::ids::GlobalId;
+use crate::least_squares::{ReducedSystem, eliminate};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 use crate::report::{
-    AxisNoise, Coefficient, Estimate, FitReport, FlightReport, Iterations, Profile,
-    residuals::ResidualPool,
+    AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
+    NoiseReport, Profile, ResidualPool,
 };
+use crate::statistics::median;
 use crate::uncertainty::{Covariance, ExcitationRange, interval, non_identifiable, profile};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A solution with what it is worth.
+/// Ratio of a flight's rms residual to the median of all flights above which the report mentions it.
+const MISFIT_RATIO: f64 = 4.0;
+
+/// A solution with its uncertainties and residual statistics.
 pub struct Outcome<'a> {
     problem: &'a FitProblem,
     state: &'a State,
-    noise: &'a NoiseModel,
-    solution: &'a Solution,
+    fitted: &'a Reweighted,
     covariance: Covariance,
-    flights: Vec<One>,
-    /// The median of those root mean squares, m.
-    usual: f64,
+    flights: Vec<FlightOutcomeData>,
+    /// Median of the flights' rms residuals, m.
+    median_rms: f64,
     pool: ResidualPool,
-    support: ExcitationRange,
+    ranges: ExcitationRange,
     profiles: Vec<Profile>,
 }
 
-/// One flight.
-struct One {
-    /// Root mean square of its residuals, m.
+struct FlightOutcomeData {
+    /// Root mean square residual of one coordinate, m.
     rms: f64,
-    /// Points that were left out of it.
     outliers: usize,
     initial: BTreeMap<String, Estimate>,
 }
 
 impl<'a> Outcome<'a> {
-    /// Works out what a solution is worth, from the flights as it flies them.
+    /// Computes uncertainties, profiles and residual statistics of a solution.
     ///
     /// # Errors
-    /// [`FitError`] where a flight does not determine its initial state, or is impossible.
+    /// [`FitError::Flight`] if a flight does not determine its initial state or its trajectory cannot be computed;
+    /// [`FitError::Interrupted`].
     pub fn new(
         problem: &'a FitProblem,
         state: &'a State,
-        cache: ResidualCache,
-        noise: &'a NoiseModel,
-        solution: &'a Solution,
+        fitted: &'a Reweighted,
         options: &FitOptions<'_>,
     ) -> Result<Self, FitError> {
-        let system = eliminate(&solution.blocks, 0.0)
-            .map_err(|flight| told(flight.into(), &state.observation_sets))?;
-        let covariance = Covariance::new(&system, state.observation_sets.len(), &problem.globals);
-        let mut profiles = Vec::new();
-        let errors = covariance.errors();
-        for name in options.profiles {
-            let index = problem
-                .globals
-                .iter()
-                .position(|global| global.name == *name);
-            let Some(index) = index else { continue };
-            options.begins(&format!("profile of {name}"), state.observation_sets.len());
-            let loss = Loss::Whitened(noise);
-            let objective = OutputError::of_all(problem, &state.observation_sets, loss, options);
-            let found = profile(&objective, solution, &problem.globals, index, errors[index]);
-            profiles.push(found.map_err(|failure| told(failure, &state.observation_sets))?);
-        }
-        let looked =
-            flight::batch::each_on(options.threads(), state.observation_sets.len(), |index| {
-                let (observations, path) = (
-                    &state.observation_sets[index],
-                    cache.path(&state.observation_sets, index)?,
-                );
-                let looked = post_fit(problem, observations, noise, &state.global, path);
-                let covariance = system.local_covariance(index, &covariance.model);
-                let initial = initial(
-                    problem,
-                    observations,
-                    &solution.iterate.local[index],
-                    &covariance,
-                );
-                Ok((looked, initial))
-            });
+        let system = eliminate(&fitted.solution.blocks, 0.0)
+            .map_err(|error| solve_error(error.into(), &state.flights))?;
+        let covariance = Covariance::new(&system, state.flights.len(), &problem.globals);
+        let profiles = profiles(problem, state, fitted, &covariance, options)?;
+        let evaluated = evaluate(problem, state, fitted, &system, &covariance, options)?;
         let mut pool = ResidualPool::default();
         let layout = problem.body.layout();
-        let names = layout.quantities.iter().chain(&layout.states);
-        let mut support = vec![NOTHING; layout.quantities.len() + layout.states.len()];
-        let mut flights = Vec::with_capacity(looked.len());
-        for looked in looked {
-            let (looked, initial): (PostFit, _) = looked?;
-            pool.join(looked.pool);
-            for (range, seen) in support.iter_mut().zip(looked.support) {
-                *range = joined(*range, seen);
+        let names = layout.quantities.iter().chain(&layout.states).cloned();
+        let mut ranges = vec![EMPTY_RANGE; layout.quantities.len() + layout.states.len()];
+        let mut flights = Vec::with_capacity(evaluated.len());
+        for (post_fit, initial) in evaluated {
+            pool.join(post_fit.pool);
+            for (range, of_flight) in ranges.iter_mut().zip(post_fit.ranges) {
+                *range = joined(*range, of_flight);
             }
-            flights.push(One {
-                rms: looked.rms,
-                outliers: looked.outliers,
+            flights.push(FlightOutcomeData {
+                rms: post_fit.rms,
+                outliers: post_fit.outliers,
                 initial,
             });
         }
-        let mut sizes: Vec<f64> = flights.iter().map(|flight| flight.rms).collect();
+        let mut rms: Vec<f64> = flights.iter().map(|flight| flight.rms).collect();
+        let ranges = names.zip(ranges).filter(|(_, range)| *range != EMPTY_RANGE);
         Ok(Self {
             problem,
             state,
-            noise,
-            solution,
+            fitted,
             covariance,
             flights,
-            usual: median(&mut sizes),
+            median_rms: median(&mut rms),
             pool,
-            support: names
-                .cloned()
-                .zip(support)
-                .filter(|(_, seen)| *seen != NOTHING)
-                .collect(),
+            ranges: ranges.collect(),
             profiles,
         })
     }
 
     /// The report, without its flights.
     pub fn report(&self) -> FitReport {
-        let problem = self.problem;
-        let names: Vec<&str> = problem
-            .globals
-            .iter()
-            .map(|global| global.name.as_str())
-            .collect();
-        let matrix = self.covariance.correlations();
-        let correlations = (0..names.len()).map(|i| {
-            let row = names
-                .iter()
-                .enumerate()
-                .map(|(j, name)| ((*name).to_owned(), matrix[(i, j)]));
-            (names[i].to_owned(), row.collect())
-        });
-        let points: usize = self
-            .state
-            .observation_sets
-            .iter()
-            .map(|observations| observations.measured.iter().flatten().count())
-            .sum();
-        let all: usize = self
-            .state
-            .observation_sets
-            .iter()
-            .map(|observations| observations.measured.len())
-            .sum();
-        let outliers = self.flights.iter().map(|flight| flight.outliers).sum();
+        let (problem, globals) = (self.problem, &self.problem.globals);
+        let effects = problem.model.effects.iter();
         FitReport {
             schema: "hyzer.fit/1".into(),
             model: problem.model.name.clone(),
-            effects: problem
-                .model
-                .effects
-                .iter()
-                .map(|effect| effect.name.clone())
-                .collect(),
+            effects: effects.map(|effect| effect.name.clone()).collect(),
             rms_m: self.pool.rms(),
-            noise: self.noise_report(points, outliers, all - points),
+            noise: self.noise_report(),
             coefficients: self.coefficients(),
-            correlations: correlations.collect(),
+            correlations: self.correlations(),
             flights: Vec::new(),
             undetermined: non_identifiable(
                 &problem.model,
-                &problem.globals,
+                globals,
                 &self.covariance.model,
-                &self.support,
+                &self.ranges,
             ),
             profiles: self.profiles.clone(),
             residuals: self.pool.axes(),
             iterations: Iterations {
                 steps: self.state.steps,
                 rounds: self.state.rounds,
-                converged: self.solution.converged,
+                converged: self.fitted.status.converged(),
+                status: self.fitted.status,
             },
             seconds: BTreeMap::new(),
         }
     }
 
-    fn noise_report(
-        &self,
-        points: usize,
-        outliers: usize,
-        dropouts: usize,
-    ) -> crate::report::NoiseReport {
-        let noise = self.noise;
+    fn correlations(&self) -> BTreeMap<String, BTreeMap<String, f64>> {
+        let names = || {
+            self.problem
+                .globals
+                .iter()
+                .map(|global| global.name.clone())
+        };
+        let matrix = self.covariance.correlations();
+        let rows = names().enumerate().map(|(i, name)| {
+            let row = names().enumerate().map(|(j, name)| (name, matrix[(i, j)]));
+            (name, row.collect())
+        });
+        rows.collect()
+    }
+
+    fn noise_report(&self) -> NoiseReport {
+        let noise = &self.fitted.noise;
+        let flights = &self.state.flights;
+        let measured = flights.iter().map(|f| f.measured.iter().flatten().count());
+        let points: usize = measured.sum();
+        let all: usize = flights.iter().map(|f| f.measured.len()).sum();
+        let outliers: usize = self.flights.iter().map(|flight| flight.outliers).sum();
         let axis = |(k, name): (usize, &&str)| {
             let (sigma_m, ar1) = (noise.sigma[k], noise.ar1[k]);
             ((*name).to_owned(), AxisNoise { sigma_m, ar1 })
         };
-        crate::report::NoiseReport {
+        NoiseReport {
             sigma_m: noise.overall(),
             ar1: noise.ar1.iter().sum::<f64>() / 3.0,
             estimated: self.problem.sigma.is_none(),
@@ -210,7 +164,7 @@ impl<'a> Outcome<'a> {
             points,
             outliers,
             outlier_fraction: outliers as f64 / points.max(1) as f64,
-            dropouts,
+            dropouts: all - points,
         }
     }
 
@@ -218,8 +172,9 @@ impl<'a> Outcome<'a> {
         let errors = self.covariance.errors();
         let clustered = self.covariance.clustered_errors();
         let estimated = self.problem.globals.iter().enumerate().map(|(i, global)| {
-            let value = self.solution.iterate.global[i];
+            let value = self.fitted.solution.iterate.global[i];
             let (low, high) = global.constraint.bounds;
+            let prior = global.constraint.prior;
             let coefficient = Coefficient {
                 value,
                 std_error: errors[i],
@@ -229,73 +184,123 @@ impl<'a> Outcome<'a> {
                 at_bound: value <= low || value >= high,
                 held: false,
                 model_value: global.model_value,
-                prior: global.constraint.prior.map(|(value, sigma)| [value, sigma]),
+                prior: prior.map(|(value, sigma)| [value, sigma]),
             };
             (global.name.clone(), coefficient)
         });
-        let constants = &self.problem.model.coefficients;
-        let held = self.problem.fixed.iter().map(|(name, value)| {
-            let constant = constants.iter().find(|constant| constant.name == *name);
-            let coefficient = Coefficient {
-                value: *value,
-                std_error: 0.0,
-                std_error_clustered: None,
-                interval: [*value; 2],
-                unit: constant.map(|c| c.unit_text.clone()).unwrap_or_default(),
-                at_bound: false,
-                held: true,
-                model_value: constant.map_or(*value, |constant| constant.value),
-                prior: None,
-            };
-            (name.clone(), coefficient)
-        });
-        estimated.chain(held).collect()
+        let fixed = self.problem.fixed.iter();
+        let fixed = fixed.map(|(name, value)| (name.clone(), self.fixed_coefficient(name, *value)));
+        estimated.chain(fixed).collect()
     }
 
-    /// One of the fitted flights.
+    fn fixed_coefficient(&self, name: &str, value: f64) -> Coefficient {
+        let mut all = self.problem.model.coefficients.iter();
+        let of_model = all.find(|coefficient| coefficient.name == name);
+        Coefficient {
+            value,
+            std_error: 0.0,
+            std_error_clustered: None,
+            interval: [value; 2],
+            unit: of_model.map(|c| c.unit_text.clone()).unwrap_or_default(),
+            at_bound: false,
+            held: true,
+            model_value: of_model.map_or(value, |c| c.value),
+            prior: None,
+        }
+    }
+
+    /// Report of one of the fitted flights, by its position in the state.
     pub fn flight(&self, index: usize) -> FlightReport {
-        let observations = &self.state.observation_sets[index];
+        let observations = &self.state.flights[index];
         let flight = &self.flights[index];
         let mut notes = observations.notes.clone();
-        if let Some(note) = self.is_outlier(flight.rms) {
-            notes.push(note);
+        if flight.rms > MISFIT_RATIO * self.median_rms {
+            notes.push(format!(
+                "its residuals are {:.0} times the usual: look at it before you rely on this fit",
+                flight.rms / self.median_rms
+            ));
         }
         FlightReport {
             file: observations.file.clone(),
             role: observations.role,
+            outcome: FlightOutcome::Fitted,
             samples: observations.samples,
-            rms_m: flight.rms,
+            rms_m: Some(flight.rms),
             outliers: flight.outliers,
             initial: flight.initial.clone(),
             cut: observations.truncation.clone(),
             notes,
         }
     }
-
-    /// What is said of a flight that is fitted far worse than the others.
-    fn is_outlier(&self, rms: f64) -> Option<String> {
-        (rms > 4.0 * self.usual).then(|| {
-            format!(
-                "its residuals are {:.0} times the usual: look at it before you rely on this fit",
-                rms / self.usual
-            )
-        })
-    }
 }
 
-/// The initial state of a flight with the standard errors by its chart's directions.
-pub fn initial(
+/// Profile likelihoods that the options ask for.
+fn profiles(
+    problem: &FitProblem,
+    state: &State,
+    fitted: &Reweighted,
+    covariance: &Covariance,
+    options: &FitOptions<'_>,
+) -> Result<Vec<Profile>, FitError> {
+    let errors = covariance.errors();
+    let mut profiles = Vec::new();
+    for name in options.profiles {
+        let index = problem
+            .globals
+            .iter()
+            .position(|global| global.name == *name);
+        let Some(index) = index else { continue };
+        options.stage_started(&format!("profile of {name}"), state.flights.len());
+        let loss = Loss::Whitened(&fitted.noise);
+        let objective = OutputError::of_all(problem, &state.flights, loss, options);
+        let id = GlobalId::new(index);
+        let found = profile(
+            &objective,
+            &fitted.solution,
+            &problem.globals,
+            id,
+            errors[index],
+        );
+        profiles.push(found.map_err(|error| solve_error(error, &state.flights))?);
+    }
+    Ok(profiles)
+}
+
+/// Residual statistics and initial state of every flight.
+fn evaluate(
+    problem: &FitProblem,
+    state: &State,
+    fitted: &Reweighted,
+    system: &ReducedSystem<'_>,
+    covariance: &Covariance,
+    options: &FitOptions<'_>,
+) -> Result<Vec<(PostFit, BTreeMap<String, Estimate>)>, FitError> {
+    let each = batch::each_on(options.threads(), state.flights.len(), |index| {
+        let observations = &state.flights[index];
+        let path = fitted.cache.path(&state.flights, index)?;
+        let post_fit = post_fit(problem, observations, &fitted.noise, &state.global, path);
+        let covariance = system.local_covariance(index, &covariance.model);
+        let local = &fitted.solution.iterate.local[index];
+        let initial = initial_state_report(problem, observations, local, &covariance);
+        Ok((post_fit, initial))
+    });
+    each.into_iter().collect()
+}
+
+/// Initial state of a flight with standard errors, from the covariance of the directions of its manifold.
+pub fn initial_state_report(
     problem: &FitProblem,
     observations: &Observations,
     local: &DVector<f64>,
     covariance: &DMatrix<f64>,
 ) -> BTreeMap<String, Estimate> {
     let names = &problem.body.layout().states;
-    let mut along = DMatrix::zeros(names.len(), observations.manifold.dimension());
-    for (state, direction, value) in observations.manifold.tangent(local.as_slice()) {
-        along[(state, direction)] = value;
+    let manifold = &observations.manifold;
+    let mut tangent = DMatrix::zeros(names.len(), manifold.dimension());
+    for (state, direction, value) in manifold.tangent(local.as_slice()) {
+        tangent[(state, direction)] = value;
     }
-    let covariance = &along * covariance * along.transpose();
+    let covariance = &tangent * covariance * tangent.transpose();
     let estimate = |(i, name): (usize, &String)| {
         let std_error = covariance[(i, i)].max(0.0).sqrt();
         let value = local[i];
@@ -304,16 +309,18 @@ pub fn initial(
     names.iter().enumerate().map(estimate).collect()
 }
 
-/// A flight that was left out.
-pub fn left_out(flight: &Flight, reason: String) -> FlightReport {
+/// Report of an excluded flight.
+pub fn excluded_report(flight: &Flight, reason: &FlightError) -> FlightReport {
+    let reason = reason.to_string();
     FlightReport {
         file: flight.file.clone(),
         role: flight.role,
         samples: flight.times.len(),
-        rms_m: 0.0,
+        rms_m: None,
         outliers: 0,
         initial: BTreeMap::new(),
         cut: None,
         notes: vec![format!("left out: {reason}")],
+        outcome: FlightOutcome::Excluded { reason },
     }
 }

@@ -1,71 +1,62 @@
-//! The least squares of some flights, or of their first samples.
+//! The output-error sum of squares of some flights, or of their first samples.
 
 use nalgebra::DVector;
 
-use crate::least_squares::NormalBlock;
-use crate::least_squares::{Constraint, LeastSquaresProblem};
+use crate::error::FlightError;
+use crate::least_squares::{Constraint, LeastSquaresProblem, NormalBlock};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::{Loss, Unknowns, linearise};
 use crate::problem::FitProblem;
 
-/// The sum of squares over the first samples of some flights.
+/// Sum of squared residuals of the predicted marker positions over the first samples of some flights.
 pub struct OutputError<'a> {
-    /// The model.
+    /// The estimation problem.
     pub problem: &'a FitProblem,
     /// The flights.
-    pub observation_sets: Vec<&'a Observations>,
-    /// How many samples of each count.
+    pub flights: Vec<&'a Observations>,
+    /// Number of samples of each flight that are used.
     pub samples: Vec<usize>,
-    /// How residuals count.
+    /// Loss of the residuals.
     pub loss: Loss<'a>,
-    /// The shared unknowns where they are held, and not among the unknowns.
-    pub held: Option<&'a DVector<f64>>,
-    /// What is known of the shared unknowns.
+    /// Values of the global parameters if they are fixed.
+    pub fixed_global: Option<&'a DVector<f64>>,
+    /// Constraints of the global parameters that are estimated.
     pub constraints: Vec<Constraint>,
-    /// Flights worked on at once.
+    /// Number of threads.
     pub threads: usize,
-    /// Who looks on.
+    /// Options, for progress and cancellation.
     pub options: &'a FitOptions<'a>,
 }
 
-/// How many samples each flight has.
-pub fn whole(observation_sets: &[Observations]) -> Vec<usize> {
-    observation_sets
-        .iter()
-        .map(|observations| observations.times.len())
-        .collect()
+/// Number of samples of each flight.
+pub fn all_samples(flights: &[Observations]) -> Vec<usize> {
+    flights.iter().map(|flight| flight.times.len()).collect()
 }
 
 impl<'a> OutputError<'a> {
-    /// All samples of all flights, by all unknowns.
+    /// All samples of some flights, by global and local parameters.
     pub fn of_all(
         problem: &'a FitProblem,
-        observation_sets: impl IntoIterator<Item = &'a Observations>,
+        flights: impl IntoIterator<Item = &'a Observations>,
         loss: Loss<'a>,
         options: &'a FitOptions<'a>,
     ) -> Self {
-        let observation_sets: Vec<&Observations> = observation_sets.into_iter().collect();
+        let flights: Vec<&Observations> = flights.into_iter().collect();
+        let globals = problem.globals.iter();
         Self {
             problem,
-            samples: observation_sets
-                .iter()
-                .map(|observations| observations.times.len())
-                .collect(),
-            observation_sets,
+            samples: flights.iter().map(|flight| flight.times.len()).collect(),
+            flights,
             loss,
-            held: None,
-            constraints: problem
-                .globals
-                .iter()
-                .map(|global| global.constraint)
-                .collect(),
+            fixed_global: None,
+            constraints: globals.map(|global| global.constraint).collect(),
             threads: options.threads(),
             options,
         }
     }
 
-    /// The first samples of one flight, by its own unknowns.
+    /// The first samples of one flight, by its local parameters.
     pub fn of_local(
         problem: &'a FitProblem,
         observations: &'a Observations,
@@ -76,10 +67,10 @@ impl<'a> OutputError<'a> {
     ) -> Self {
         Self {
             problem,
-            observation_sets: vec![observations],
+            flights: vec![observations],
             samples: vec![samples],
             loss,
-            held: Some(global),
+            fixed_global: Some(global),
             constraints: Vec::new(),
             threads: 1,
             options,
@@ -89,7 +80,7 @@ impl<'a> OutputError<'a> {
 
 impl LeastSquaresProblem for OutputError<'_> {
     fn flights(&self) -> usize {
-        self.observation_sets.len()
+        self.flights.len()
     }
 
     fn linearise(
@@ -97,29 +88,22 @@ impl LeastSquaresProblem for OutputError<'_> {
         flight: usize,
         global: &DVector<f64>,
         local: &DVector<f64>,
-    ) -> Result<NormalBlock, String> {
-        let (global, by) = match self.held {
-            Some(held) => (held, Unknowns::Local),
+    ) -> Result<NormalBlock, FlightError> {
+        let (global, by) = match self.fixed_global {
+            Some(fixed) => (fixed, Unknowns::Local),
             None => (global, Unknowns::All),
         };
-        let samples = self.samples[flight];
-        let observations = self.observation_sets[flight];
-        let block = linearise(
-            self.problem,
-            observations,
-            (global, local),
-            samples,
-            by,
-            self.loss,
-        );
-        if self.held.is_none() {
-            self.options.part_done();
+        let (observations, samples) = (self.flights[flight], self.samples[flight]);
+        let unknowns = (global, local);
+        let block = linearise(self.problem, observations, unknowns, samples, by, self.loss);
+        if self.fixed_global.is_none() {
+            self.options.flight_done();
         }
         block
     }
 
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
-        self.observation_sets[flight].manifold.plus(local, step)
+        self.flights[flight].manifold.plus(local, step)
     }
 
     fn constraints(&self) -> &[Constraint] {
@@ -130,7 +114,7 @@ impl LeastSquaresProblem for OutputError<'_> {
         self.threads
     }
 
-    fn is_stopped(&self) -> bool {
-        self.options.is_stopped()
+    fn is_cancelled(&self) -> bool {
+        self.options.is_cancelled()
     }
 }

@@ -1,4 +1,4 @@
-//! One flight once it is fitted: its residuals, where it went, and what figures are drawn from.
+//! Quantities of one flight after the fit: residual statistics, excitation ranges, and the evidence for figures.
 
 use nalgebra::DVector;
 
@@ -8,32 +8,32 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::states;
 use crate::problem::FitProblem;
-use crate::report::{FlightEvidence, residuals::ResidualPool};
+use crate::report::{FlightEvidence, ResidualPool};
 
-/// What one flight shows.
+/// Residual statistics and excitation ranges of one flight.
 pub struct PostFit {
-    /// Root mean square of its residuals, m.
+    /// Root mean square residual of one coordinate, m.
     pub rms: f64,
-    /// Points that were left out of it.
+    /// Number of outliers.
     pub outliers: usize,
-    /// Its residuals.
+    /// Sums over its residuals.
     pub pool: ResidualPool,
-    /// The least and the greatest of each of the model's quantities, and then of its states.
-    pub support: Vec<(f64, f64)>,
+    /// Least and greatest value of each of the model's quantities, and then of its states.
+    pub ranges: Vec<(f64, f64)>,
 }
 
-/// Samples of which the quantities are looked at, in each flight.
-const LOOKS: usize = 12;
+/// Number of samples at which quantities are evaluated.
+const EVALUATED_SAMPLES: usize = 12;
 
 /// The range of no values.
-pub const NOTHING: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+pub const EMPTY_RANGE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
-/// The range over two.
+/// The range that holds two others.
 pub fn joined(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
     (one.0.min(other.0), one.1.max(other.1))
 }
 
-/// Looks at a flight by its states, sample after sample.
+/// Evaluates a flight on its trajectory.
 pub fn post_fit(
     problem: &FitProblem,
     observations: &Observations,
@@ -43,23 +43,24 @@ pub fn post_fit(
 ) -> PostFit {
     let mut pool = ResidualPool::default();
     for (marker, series) in path.residuals.iter().enumerate() {
-        let outlier = |sample: usize| observations.outlier[sample * observations.markers + marker];
-        let good = series.iter().enumerate();
-        let good: Vec<_> = good
-            .map(|(sample, r)| r.filter(|_| !outlier(sample)))
+        let is_outlier =
+            |sample: usize| observations.outlier[sample * observations.markers + marker];
+        let inliers = series.iter().enumerate();
+        let inliers: Vec<_> = inliers
+            .map(|(sample, residual)| residual.filter(|_| !is_outlier(sample)))
             .collect();
-        pool.add(&observations.times, &good, noise);
+        pool.add(&observations.times, &inliers, noise);
     }
     let conditions = problem.body.bind(observations.parameters(problem, global));
     let mut observer = conditions.observer();
     let layout = problem.body.layout();
-    let mut support = vec![NOTHING; layout.quantities.len() + layout.states.len()];
+    let mut ranges = vec![EMPTY_RANGE; layout.quantities.len() + layout.states.len()];
     let width = observations.manifold.states();
-    let every = (observations.times.len() / LOOKS).max(1);
+    let every = (observations.times.len() / EVALUATED_SAMPLES).max(1);
     for (sample, state) in path.states.chunks(width).enumerate().step_by(every) {
         let quantities = observer.quantities(observations.times[sample], state);
         let values = quantities.iter().chain(state);
-        for (range, &value) in support.iter_mut().zip(values) {
+        for (range, &value) in ranges.iter_mut().zip(values) {
             if value.is_finite() {
                 *range = joined(*range, (value, value));
             }
@@ -67,37 +68,35 @@ pub fn post_fit(
     }
     PostFit {
         rms: pool.rms(),
-        outliers: observations
-            .outlier
-            .iter()
-            .filter(|outlier| **outlier)
-            .count(),
+        outliers: observations.outliers(),
         pool,
-        support,
+        ranges,
     }
 }
 
-/// A flight as measured and as predicted; none where it cannot be flown.
+/// A flight as measured and as predicted; none if its trajectory cannot be computed.
 pub fn evidence(
     problem: &FitProblem,
-    names: &[String],
+    marker_names: &[String],
     observations: &Observations,
-    unknowns: (&DVector<f64>, &DVector<f64>),
+    (global, local): (&DVector<f64>, &DVector<f64>),
 ) -> Option<FlightEvidence> {
-    let cache = states(problem, observations, unknowns, observations.times.len()).ok()?;
-    let parameters = observations.parameters(problem, unknowns.0);
-    let sight = MarkerConditions::new(&problem.body, &parameters, observations.markers);
-    let mut observers = sight.observers();
+    let samples = observations.times.len();
+    let trajectory = states(problem, observations, (global, local), samples).ok()?;
+    let parameters = observations.parameters(problem, global);
+    let conditions = MarkerConditions::new(&problem.body, &parameters, observations.markers);
+    let mut observers = conditions.observers();
     let layout = problem.body.layout();
+    let rows = |points: &[Option<[f64; 3]>]| points.to_vec();
     let mut evidence = FlightEvidence {
         file: observations.file.clone(),
         role: observations.role,
-        markers: names.to_vec(),
+        markers: marker_names.to_vec(),
         times: observations.times.clone(),
         measured: observations
             .measured
             .chunks(observations.markers)
-            .map(<[_]>::to_vec)
+            .map(rows)
             .collect(),
         outlier: observations
             .outlier
@@ -110,11 +109,8 @@ pub fn evidence(
         quantity_names: layout.quantities.clone(),
         quantities: Vec::new(),
     };
-    for (&time, state) in observations
-        .times
-        .iter()
-        .zip(cache.chunks(observations.manifold.states()))
-    {
+    let states = trajectory.chunks(observations.manifold.states());
+    for (&time, state) in observations.times.iter().zip(states) {
         let markers = problem.markers.iter().enumerate();
         let predicted = markers.map(|marker| observers.position(time, state, marker));
         evidence.predicted.push(predicted.collect());

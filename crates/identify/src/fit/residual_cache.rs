@@ -1,96 +1,92 @@
-//! All flights as the unknowns of the moment have them: flown once, and looked at as often as is needed.
+//! Trajectories and residuals of all flights at an iterate, computed once for all stages that use them.
 
 use flight::batch;
 use nalgebra::DVector;
 
 use super::{FitError, State};
-use crate::noise::{median, robust_sigma};
+use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::{Residuals, residuals, residuals_of, states};
 use crate::problem::FitProblem;
+use crate::statistics::{median, robust_sigma};
 
-/// Every flight, flown.
-pub struct ResidualCache(Vec<One>);
+/// Trajectories and residuals of all flights at one iterate.
+pub struct ResidualCache(Vec<CachedFlight>);
 
-/// One flight, flown.
-struct One {
-    /// What was flown; in words why it is impossible.
-    path: Result<Path, String>,
-    /// The usual size of its residuals, m; none where it is impossible or nothing was seen.
-    size: Option<f64>,
+struct CachedFlight {
+    path: Result<Path, FlightError>,
+    /// Robust standard deviation of its residuals, m; none without residuals.
+    scale: Option<f64>,
 }
 
-/// Where a flight went.
+/// Trajectory and residuals of one flight.
 pub struct Path {
-    /// The states at its first samples, sample after sample.
+    /// ModelState at its first samples, sample by sample.
     pub states: Vec<f64>,
-    /// Predicted less measured there.
+    /// Residuals there.
     pub residuals: Residuals,
 }
 
 impl ResidualCache {
-    /// Flies the first samples of all flights.
+    /// Integrates the first samples of all flights.
     pub fn new(
         problem: &FitProblem,
         state: &State,
         samples: &[usize],
         options: &FitOptions<'_>,
     ) -> Self {
-        let count = state.observation_sets.len();
+        let count = state.flights.len();
         Self(batch::each_on(options.threads(), count, |flight| {
-            let (observations, global) = (&state.observation_sets[flight], &state.global);
+            let (observations, global) = (&state.flights[flight], &state.global);
             let unknowns = (global, &state.local[flight]);
             let path =
                 states(problem, observations, unknowns, samples[flight]).map(|states| Path {
                     residuals: residuals_of(problem, observations, global, &states),
                     states,
                 });
-            let size = path.as_ref().ok().and_then(|path| usual(&path.residuals));
-            One { path, size }
+            let scale = path.as_ref().ok();
+            let scale = scale.and_then(|path| robust_scale(&path.residuals));
+            CachedFlight { path, scale }
         }))
     }
 
-    /// The usual size of the residuals of each flight, m; none where it is impossible or nothing was seen.
-    pub fn sizes(&self) -> Vec<Option<f64>> {
-        self.0.iter().map(|one| one.size).collect()
+    /// Robust standard deviation of each flight's residuals, m; none if it cannot be integrated or has no residuals.
+    pub fn scales(&self) -> Vec<Option<f64>> {
+        self.0.iter().map(|flight| flight.scale).collect()
     }
 
-    /// The usual size over the flights, m; 0 where there is none.
-    pub fn usual(&self) -> f64 {
-        let mut sizes: Vec<f64> = self.0.iter().filter_map(|one| one.size).collect();
-        median(&mut sizes)
+    /// Median of the flights' scales, m; 0 without any.
+    pub fn median_scale(&self) -> f64 {
+        let scales = self.0.iter().filter_map(|flight| flight.scale);
+        median(&mut scales.collect::<Vec<f64>>())
     }
 
-    /// Where a flight of these tracks went.
+    /// Trajectory of a flight.
     ///
     /// # Errors
-    /// Where it is impossible.
-    pub fn path(
-        &self,
-        observation_sets: &[Observations],
-        flight: usize,
-    ) -> Result<&Path, FitError> {
+    /// [`FitError::Flight`] if it cannot be integrated.
+    pub fn path(&self, flights: &[Observations], flight: usize) -> Result<&Path, FitError> {
         let path = self.0[flight].path.as_ref();
         path.map_err(|reason| FitError::Flight {
-            file: observation_sets[flight].file.clone(),
+            file: flights[flight].file.clone(),
             reason: reason.clone(),
         })
     }
 }
 
-/// The usual size of one flight's residuals, m; none where it cannot be flown.
-pub fn size(
+/// Robust standard deviation of one flight's residuals over its first samples, m; none if it cannot be integrated or has
+/// no residuals.
+pub fn residual_scale(
     problem: &FitProblem,
     observations: &Observations,
     unknowns: (&DVector<f64>, &DVector<f64>),
     samples: usize,
 ) -> Option<f64> {
-    usual(&residuals(problem, observations, unknowns, samples).ok()?)
+    robust_scale(&residuals(problem, observations, unknowns, samples).ok()?)
 }
 
-/// The usual size of residuals, m; none where there are none.
-fn usual(residuals: &Residuals) -> Option<f64> {
+fn robust_scale(residuals: &Residuals) -> Option<f64> {
     let all = residuals.iter().flatten().flatten().flatten();
     let mut sizes = Vec::with_capacity(3 * residuals.iter().map(Vec::len).sum::<usize>());
     sizes.extend(all.map(|residual| residual.abs()));

@@ -1,134 +1,168 @@
-//! The noise is estimated from the residuals, and the residuals are weighed by the noise, in turn.
+//! Relaxation between noise and unknowns (iterated feasible generalised least squares): the noise is estimated from the
+//! residuals, and the residuals are weighted by the noise.
 
 use flight::batch;
 
-use super::horizon_continuation::accept_unevaluated;
-use super::output_error::{OutputError, whole};
+use super::horizon_continuation::unevaluated_step;
+use super::output_error::{OutputError, all_samples};
 use super::residual_cache::ResidualCache;
-use super::{FitError, State, told, white};
+use super::{FitError, State, solve_error};
 use crate::least_squares::{Solution, StoppingCriteria, solve_after};
 use crate::noise::{Moments, NoiseModel};
 use crate::options::FitOptions;
 use crate::outliers;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
+use crate::report::FitStatus;
 
-/// One changed mark in so many points is none.
-const MANY: usize = 10_000;
+/// Fraction 1/n of points whose outlier marks may change between agreeing estimates: among very many points, a few always
+/// lie at the limit.
+const POINTS_PER_CHANGED_MARK: usize = 10_000;
 
-/// How often the noise is estimated at most.
-const ROUNDS: usize = 8;
+/// Most estimates of the noise.
+const MAX_ROUNDS: usize = 8;
 
-/// Brings noise and unknowns to agree. Takes and gives the flights as they are flown.
+/// Noise and unknowns that agree, or the last ones.
+pub struct Reweighted {
+    /// The noise by which residuals are weighted.
+    pub noise: NoiseModel,
+    /// The least-squares solution with this noise.
+    pub solution: Solution,
+    /// Residuals of the solution.
+    pub cache: ResidualCache,
+    /// Whether the least squares converged and the noise agrees with the residuals.
+    pub status: FitStatus,
+}
+
+/// Iterates noise and unknowns until they agree. Takes the residuals at the state.
 ///
 /// # Errors
-/// [`FitError::Flight`] where a flight becomes impossible, [`FitError::Interrupted`].
+/// [`FitError::Flight`] if a trajectory cannot be computed; [`FitError::Interrupted`].
 pub fn reweight(
     problem: &FitProblem,
     state: &mut State,
     mut cache: ResidualCache,
     options: &FitOptions<'_>,
-) -> Result<(NoiseModel, Solution, ResidualCache), FitError> {
-    let mut noise = white(problem, state);
+) -> Result<Reweighted, FitError> {
+    let mut noise = NoiseModel::white(problem.sigma0, state.interval);
     let mut solution: Option<Solution> = None;
     let mut predicted_reduction = None;
-    for round in 0..ROUNDS {
-        let (estimated, marks_changed) = estimate(problem, state, &cache, options)?;
-        let settled = !marks_changed && estimated.is_close_to(&noise);
-        if let Some(solution) = solution.take_if(|_| settled) {
-            return Ok((noise, solution, cache));
+    for round in 0..MAX_ROUNDS {
+        let (estimated, marks_changed) = estimate_noise(problem, state, &cache, options)?;
+        let agrees = !marks_changed && estimated.is_close_to(&noise);
+        if let Some(solution) = solution.take_if(|_| agrees) {
+            return Ok(Reweighted::new(noise, solution, cache, true));
         }
         noise = estimated;
         state.rounds = round + 1;
-        options.begins(
-            &format!("noise, round {}", round + 1),
-            state.observation_sets.len(),
-        );
+        options.stage_started(&format!("noise, round {}", round + 1), state.flights.len());
         let loss = Loss::Whitened(&noise);
-        // The noise is known better after one step, and that step need not be seen for it.
+        // One step improves the estimate of the noise; its residuals suffice for that.
         if round == 0
-            && let Some(there) = accept_unevaluated(problem, state, loss, &cache, options)?
+            && let Some(step) = unevaluated_step(problem, state, loss, &cache, options)?
         {
-            (cache, predicted_reduction) = there;
+            (cache, predicted_reduction) = (step.cache, step.predicted_reduction);
             continue;
         }
-        let objective = OutputError::of_all(problem, &state.observation_sets, loss, options);
+        let objective = OutputError::of_all(problem, &state.flights, loss, options);
+        let criteria = StoppingCriteria::CONVERGED;
         let found = solve_after(
             &objective,
-            state.point(),
-            StoppingCriteria::CONVERGED,
+            state.iterate(),
+            criteria,
             predicted_reduction.take(),
         );
-        let found = found.map_err(|failure| told(failure, &state.observation_sets))?;
+        let found = found.map_err(|error| solve_error(error, &state.flights))?;
         state.take(&found);
-        // Where nothing was left to gain another look would show the same residuals, and the same noise in them.
-        if found.iterations == 1 && found.is_there(StoppingCriteria::CONVERGED) {
-            return Ok((noise, found, cache));
+        // After a negligible step the residuals, and the noise in them, are the same.
+        if found.iterations == 1 && found.last_step_is_negligible(criteria) {
+            return Ok(Reweighted::new(noise, found, cache, true));
         }
-        cache = ResidualCache::new(problem, state, &whole(&state.observation_sets), options);
+        cache = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
         solution = Some(found);
     }
-    solution
-        .map(|solution| (noise, solution, cache))
-        .ok_or(FitError::Interrupted)
+    let solution = solution.ok_or(FitError::Interrupted)?;
+    Ok(Reweighted::new(noise, solution, cache, false))
 }
 
-/// Marks outliers and estimates the noise of the rest; and whether marks changed.
-fn estimate(
+impl Reweighted {
+    fn new(noise: NoiseModel, solution: Solution, cache: ResidualCache, agrees: bool) -> Self {
+        Self {
+            status: FitStatus::of(solution.stop_reason, agrees),
+            noise,
+            solution,
+            cache,
+        }
+    }
+}
+
+/// Marks outliers and estimates the noise of the other points; gives the noise, and whether marks changed.
+fn estimate_noise(
     problem: &FitProblem,
     state: &mut State,
     cache: &ResidualCache,
     options: &FitOptions<'_>,
 ) -> Result<(NoiseModel, bool), FitError> {
-    let scales = batch::each_on(options.threads(), state.observation_sets.len(), |flight| {
-        let residuals = &cache.path(&state.observation_sets, flight)?.residuals;
-        let local_residuals =
-            outliers::local_residuals(&state.observation_sets[flight].times, residuals);
-        // What does not stand out in its own flight will not at a scale that is no smaller.
-        let scale = outliers::scale(&local_residuals);
-        Ok((scale, outliers::outlier_candidates(&local_residuals, scale)))
-    });
-    let judged: Vec<_> = scales.into_iter().collect::<Result<_, FitError>>()?;
-    let scales: Vec<[f64; 3]> = judged.iter().map(|(scale, _)| *scale).collect();
-    let usual = outliers::usual(&scales);
-    let marked = batch::each_on(options.threads(), state.observation_sets.len(), |flight| {
-        let residuals = &cache.path(&state.observation_sets, flight)?.residuals;
-        let observations = &state.observation_sets[flight];
-        // A flight that is noisier than the others is judged by its own noise.
-        let (local, outlier_candidates) = &judged[flight];
-        let scale = [0, 1, 2].map(|axis| usual[axis].max(local[axis]));
+    let judged = outlier_candidates(state, cache, options)?;
+    let scales: Vec<[f64; 3]> = judged.iter().map(|flight| flight.scale).collect();
+    let median_scale = outliers::median_scale(&scales);
+    let marked = batch::each_on(options.threads(), state.flights.len(), |flight| {
+        let residuals = &cache.path(&state.flights, flight)?.residuals;
+        let observations = &state.flights[flight];
+        // A flight that is noisier than the others is judged by its scale.
+        let FlightOutliers { scale, candidates } = &judged[flight];
+        let scale = [0, 1, 2].map(|axis| median_scale[axis].max(scale[axis]));
         let mut outlier = vec![false; observations.measured.len()];
-        for (place, local_residual) in outlier_candidates {
-            outlier[*place] = outliers::is_outlier(local_residual, scale);
+        for (point, local_residual) in candidates {
+            outlier[*point] = outliers::is_outlier(local_residual, scale);
         }
         let mut moments = Moments::default();
         for (marker, series) in residuals.iter().enumerate() {
-            let good = series.iter().enumerate().map(|(sample, residual)| {
+            let inliers = series.iter().enumerate().map(|(sample, residual)| {
                 residual.filter(|_| !outlier[sample * observations.markers + marker])
             });
-            let good: Vec<Option<[f64; 3]>> = good.collect();
-            moments.add(&observations.times, &good, state.interval);
+            let inliers: Vec<Option<[f64; 3]>> = inliers.collect();
+            moments.add(&observations.times, &inliers, state.interval);
         }
         Ok((outlier, moments))
     });
     let mut sum = Moments::default();
     let mut changed = 0;
-    for (observations, marked) in state.observation_sets.iter_mut().zip(marked) {
+    for (observations, marked) in state.flights.iter_mut().zip(marked) {
         let (outlier, moments) = marked?;
-        let outlier_mask = observations.outlier.iter().zip(&outlier);
-        changed += outlier_mask.filter(|(before, now)| before != now).count();
+        let marks = observations.outlier.iter().zip(&outlier);
+        changed += marks.filter(|(before, now)| before != now).count();
         observations.outlier = outlier;
         sum.join(&moments);
     }
-    let local: usize = state
-        .observation_sets
-        .iter()
-        .map(|observations| observations.manifold.dimension())
-        .sum();
+    let flights = state.flights.iter();
+    let local: usize = flights.map(|flight| flight.manifold.dimension()).sum();
     let unknowns = local + problem.globals.len();
     Ok((
         sum.noise(unknowns, state.interval, problem.sigma),
-        // Among very many points a few always lie at the limit.
-        changed > sum.count / MANY,
+        changed > sum.count / POINTS_PER_CHANGED_MARK,
     ))
+}
+
+/// Possible outliers of one flight.
+struct FlightOutliers {
+    /// Scale of its local residuals along each axis, m.
+    scale: [f64; 3],
+    /// Points that are outliers at this scale, and their local residuals, m. No other point is one at a greater scale.
+    candidates: Vec<(usize, [f64; 3])>,
+}
+
+fn outlier_candidates(
+    state: &State,
+    cache: &ResidualCache,
+    options: &FitOptions<'_>,
+) -> Result<Vec<FlightOutliers>, FitError> {
+    let each = batch::each_on(options.threads(), state.flights.len(), |flight| {
+        let residuals = &cache.path(&state.flights, flight)?.residuals;
+        let local_residuals = outliers::local_residuals(&state.flights[flight].times, residuals);
+        let scale = outliers::robust_scale(&local_residuals);
+        let candidates = outliers::outlier_candidates(&local_residuals, scale);
+        Ok(FlightOutliers { scale, candidates })
+    });
+    each.into_iter().collect()
 }

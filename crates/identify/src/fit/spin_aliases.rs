@@ -1,84 +1,81 @@
-//! How fast the bodies spin where the samples are too far apart to tell: all flights are fitted by the least spin, and by
-//! a whole turn more or less between samples, and the fit that meets them best is taken.
+//! Aliasing of the spin: where samples are far apart, all flights are fitted with the slowest spin that the samples
+//! allow and with one turn per interval more or less, and the fit of smallest residuals is taken.
 
 use super::horizon_continuation::continue_horizon;
-use super::initial_guess::{InitialGuesses, spin_note};
+use super::initial_guess::spin_note;
 use super::residual_cache::ResidualCache;
 use super::{FitError, State};
+use crate::initial_state::InitialGuess;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Whole turns that are tried, the likeliest first.
-const TURNS: [i32; 3] = [0, -1, 1];
+/// Turns per sampling interval beyond the slowest spin, the likeliest first.
+const ALIASES: [i32; 3] = [0, -1, 1];
 
-/// A less likely spin is taken where its residuals are smaller than this part of those of a likelier one.
-const CLEARLY: f64 = 0.9;
+/// Ratio of residuals to those of a likelier alias below which an alias is taken.
+const ACCEPTED_RATIO: f64 = 0.9;
 
-/// Fits all flights over a growing horizon, from the starts that lead to the smallest residuals.
+/// Fits all flights over a growing horizon, from the guesses that lead to the smallest residuals.
 ///
 /// # Errors
-/// As [`grow`].
+/// As [`continue_horizon`], if every alias fails.
 pub fn resolve_spin_aliases(
     problem: &FitProblem,
-    begun: InitialGuesses,
+    mut state: State,
+    alternatives: &[Vec<InitialGuess>],
     options: &FitOptions<'_>,
 ) -> Result<(State, ResidualCache), FitError> {
-    let InitialGuesses {
-        state,
-        alternatives,
-        ..
-    } = begun;
-    let has = |turns: i32| {
-        alternatives
-            .iter()
-            .flatten()
-            .any(|start| start.turns == turns)
-    };
-    let hypotheses: Vec<i32> = TURNS.into_iter().filter(|&turns| has(turns)).collect();
-    if hypotheses.is_empty() || hypotheses == [0] {
-        let mut state = state;
+    let guesses = || alternatives.iter().flatten();
+    let exists = |alias: &i32| guesses().any(|guess| guess.turns == *alias);
+    let aliases: Vec<i32> = ALIASES.into_iter().filter(exists).collect();
+    if aliases.is_empty() || aliases == [0] {
         let cache = continue_horizon(problem, &mut state, options)?;
         return Ok((state, cache));
     }
     let mut best: Option<(f64, State, ResidualCache)> = None;
-    let mut failed = None;
-    for turns in hypotheses {
-        let mut tried = state.clone();
-        for (index, starts) in alternatives.iter().enumerate() {
-            if let Some(start) = starts
-                .iter()
-                .find(|start| start.turns == turns && turns != 0)
-            {
-                tried.local[index].clone_from(&start.state);
-                tried.observation_sets[index].notes.push(spin_note(turns));
-            }
-        }
+    let mut failure = None;
+    for alias in aliases {
+        let mut tried = with_alias(&state, alternatives, alias);
         let cache = match continue_horizon(problem, &mut tried, options) {
             Ok(cache) => cache,
             Err(FitError::Interrupted) => return Err(FitError::Interrupted),
             Err(error) => {
-                failed = failed.or(Some(error));
+                failure.get_or_insert(error);
                 continue;
             }
         };
-        let left = left(&cache);
+        let scale = rms_scale(&cache);
         if best
             .as_ref()
-            .is_none_or(|(least, ..)| left < CLEARLY * least)
+            .is_none_or(|(least, ..)| scale < ACCEPTED_RATIO * least)
         {
-            best = Some((left, tried, cache));
+            best = Some((scale, tried, cache));
         }
     }
-    match (best, failed) {
-        (Some((_, state, cache)), _) => Ok((state, cache)),
-        (None, failed) => Err(failed.unwrap_or(FitError::Interrupted)),
+    match best {
+        Some((_, state, cache)) => Ok((state, cache)),
+        None => Err(failure.unwrap_or(FitError::Interrupted)),
     }
 }
 
-/// Root of the mean squared size of the flights' residuals, m.
-fn left(cache: &ResidualCache) -> f64 {
-    let sizes = cache.sizes();
-    let all = sizes.iter().map(|size| size.unwrap_or(f64::INFINITY));
-    let squares: f64 = all.map(|size| size * size).sum();
-    (squares / sizes.len().max(1) as f64).sqrt()
+/// The state with the initial guesses of an alias, for flights that have one.
+fn with_alias(state: &State, alternatives: &[Vec<InitialGuess>], alias: i32) -> State {
+    let mut state = state.clone();
+    for (index, guesses) in alternatives.iter().enumerate() {
+        let mut guesses = guesses.iter();
+        let guess = guesses.find(|guess| guess.turns == alias && alias != 0);
+        if let Some(guess) = guess {
+            state.local[index].clone_from(&guess.state);
+            state.flights[index].notes.push(spin_note(alias));
+        }
+    }
+    state
+}
+
+/// Root mean square of the flights' residual scales, m; infinite if a flight cannot be integrated.
+fn rms_scale(cache: &ResidualCache) -> f64 {
+    let scales = cache.scales();
+    let all = scales.iter().map(|scale| scale.unwrap_or(f64::INFINITY));
+    let squares: f64 = all.map(|scale| scale * scale).sum();
+    (squares / scales.len().max(1) as f64).sqrt()
 }

@@ -1,9 +1,9 @@
-//! The least squares alone, from values of one's own: starts, noise and outliers are what they are said to be.
+//! Least squares from given values, with given noise and the outliers of a fit.
 
 use nalgebra::DVector;
 
 use super::output_error::OutputError;
-use super::{Fit, FitError, told};
+use super::{Fit, FitError, solve_error};
 use crate::dataset::Role;
 use crate::least_squares::{Iterate, Solution, StoppingCriteria, solve};
 use crate::noise::NoiseModel;
@@ -11,14 +11,15 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 
 impl Fit {
-    /// Minimises the sum of squares over the flights that were fitted, weighed by this noise, until a step would be
-    /// negligible. It begins at these values of the shared unknowns, in the order of [`FitProblem::shared`], and at these
-    /// initial states, a flight each, in the dataset's order. Points that the fit had left out as outliers stay out.
+    /// Minimises the whitened sum of squares over the fitted flights, from values of the global parameters (in the order
+    /// of [`FitProblem::globals`]) and initial states of the fitted flights (in the dataset's order). Outliers of the fit
+    /// stay excluded.
     ///
-    /// [`FitProblem::shared`]: crate::setting::Setting::shared
+    /// [`FitProblem::globals`]: crate::FitProblem::globals
     ///
     /// # Errors
-    /// [`FitError::Mismatch`] where the values are not as many as the unknowns, else as [`fit`](super::fit).
+    /// [`FitError::WarmStartSize`] if the values do not match the unknowns in number; [`FitError::Flight`] if a flight
+    /// cannot be predicted from them; [`FitError::Interrupted`].
     pub fn warm_start(
         &self,
         global: &DVector<f64>,
@@ -26,27 +27,21 @@ impl Fit {
         noise: &NoiseModel,
         options: &FitOptions<'_>,
     ) -> Result<Solution, FitError> {
-        let fitted = self
-            .observation_sets
-            .iter()
-            .flatten()
-            .map(|(observations, _)| observations);
+        let fitted = self.flights.iter().flatten();
+        let fitted = fitted.map(|flight| &flight.observations);
         let fitted = fitted.filter(|observations| observations.role == Role::Fit);
         let objective = OutputError::of_all(&self.problem, fitted, Loss::Whitened(noise), options);
-        let states = objective
-            .observation_sets
-            .iter()
-            .map(|observations| observations.manifold.states());
-        if global.len() != objective.constraints.len() || !local.iter().map(DVector::len).eq(states)
-        {
-            let reason = "values to begin from are not as many as the unknowns".to_owned();
-            return Err(FitError::Mismatch(reason));
+        let flights = objective.flights.iter();
+        let states: Vec<usize> = flights.map(|flight| flight.manifold.states()).collect();
+        let globals = objective.constraints.len();
+        if global.len() != globals || !local.iter().map(DVector::len).eq(states.iter().copied()) {
+            return Err(FitError::WarmStartSize { globals, states });
         }
         let start = Iterate {
             global: global.clone(),
             local: local.to_vec(),
         };
-        let found = solve(&objective, start, StoppingCriteria::CONVERGED);
-        found.map_err(|failure| told(failure, &objective.observation_sets))
+        let solution = solve(&objective, start, StoppingCriteria::CONVERGED);
+        solution.map_err(|error| solve_error(error, &objective.flights))
     }
 }

@@ -1,7 +1,7 @@
-//! Where a fit starts, from the samples alone.
+//! Initial guess of a flight's state from its samples alone.
 //!
-//! The markers' poses, frame by frame, give where the body is and how it moves at its first sample; the state that
-//! shows its markers so is found by the model's own observation, whatever its states are.
+//! The poses of the first samples give the rigid-body motion at the first one; the state with this motion is found by
+//! inverting the model's measurement equation, whatever the states are.
 
 mod observation_inverse;
 mod rigid_motion;
@@ -10,42 +10,44 @@ use nalgebra::DVector;
 
 pub use rigid_motion::{RigidMotion, sigma0};
 
+use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// A start with how it was made.
+/// An initial guess of a flight's state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InitialGuess {
     /// The state at the first sample.
     pub state: DVector<f64>,
-    /// Whole turns between samples that were added to the least spin.
+    /// Turns per sampling interval that were added to the slowest spin.
     pub turns: i32,
 }
 
-/// Spins beyond this are not believed, rad/s: a strong arm reaches about 160.
-const FASTEST: f64 = 400.0;
+/// Greatest spin of an alias, rad/s; strong throws reach about 160.
+const MAX_SPIN: f64 = 400.0;
 
-/// The state in which a body moves so, at the beginning of a track whose samples need not show anything.
+/// The state of a body with a given motion. The observations provide parameters and known states; their samples are not used.
 ///
 /// # Errors
-/// In words, where the model has no such state.
+/// [`FlightError::NoMatchingState`].
 pub fn state_for_motion(
     problem: &FitProblem,
     observations: &Observations,
     motion: &RigidMotion,
-) -> Result<DVector<f64>, String> {
+) -> Result<DVector<f64>, FlightError> {
     observation_inverse::state(problem, observations, motion)
 }
 
-/// Starts for a track, the likeliest first: more than one where the samples are too far apart to tell by how many
-/// turns the body spun between them.
+/// Initial guesses of a flight, the likeliest first: several where the samples are too far apart to determine the number of
+/// turns between them (aliasing).
 ///
 /// # Errors
-/// In words, where the samples do not show how the body moves, or the model cannot move so.
+/// [`FlightError::TooFewPoses`], [`FlightError::TooFewPositions`] or [`FlightError::NoNeighbouringPoses`] if the samples do not
+/// show the motion; [`FlightError::NoMatchingState`] if the model has no state with it.
 pub fn initial_guesses(
     problem: &FitProblem,
     observations: &Observations,
-) -> Result<Vec<InitialGuess>, String> {
+) -> Result<Vec<InitialGuess>, FlightError> {
     let motion = rigid_motion::of(problem, observations)?;
     let whole = observations
         .interval()
@@ -56,21 +58,21 @@ pub fn initial_guesses(
     } else {
         &[0, -1, 1][..]
     };
-    let mut starts = Vec::new();
-    let mut refused = String::new();
+    let mut guesses = Vec::new();
+    let mut failure = FlightError::NoMatchingState;
     for &turns in aliases {
         let motion = motion.with_turns(turns, whole);
-        if turns != 0 && motion.rates.is_none_or(|rates| rates.norm() > FASTEST) {
+        if turns != 0 && motion.rates.is_none_or(|rates| rates.norm() > MAX_SPIN) {
             continue;
         }
         match observation_inverse::state(problem, observations, &motion) {
-            Ok(state) => starts.push(InitialGuess { state, turns }),
-            Err(reason) => refused = reason,
+            Ok(state) => guesses.push(InitialGuess { state, turns }),
+            Err(reason) => failure = reason,
         }
     }
-    if starts.is_empty() {
-        Err(refused)
+    if guesses.is_empty() {
+        Err(failure)
     } else {
-        Ok(starts)
+        Ok(guesses)
     }
 }

@@ -1,37 +1,39 @@
-//! The state that moves in a given way: Gauss–Newton on the model's own observation.
+//! The state with a given rigid-body motion: Levenberg–Marquardt on the model's measurement equation.
 
 use flight::{BoundModel, ModelState};
 use nalgebra::{DMatrix, DVector, Vector3};
 use ode::OdeRhs;
 
 use super::RigidMotion;
+use crate::error::FlightError;
+use crate::ids::LocalId;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Points that show where a body is, how it is turned and how it moves: beside its origin one on each axis, m.
+/// CompiledModel-fixed points whose positions and velocities determine the motion: the origin and one on each axis, m.
 const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
 
-/// How near the points must come, m, and their velocities, over the time below.
-const NEAR: f64 = 1e-6;
+/// Distance of the points from their targets at which the search ends, m; velocities count times `VELOCITY_WEIGHT`.
+const MAX_DISTANCE: f64 = 1e-6;
 
-/// How many guesses are followed.
-const TRIED: usize = 8;
+/// Most guesses from which the search starts.
+const MAX_GUESSES: usize = 8;
 
-/// Derivatives are by differences over so much of an unknown, to one side: they serve to descend, and for nothing else.
-const STEP: f64 = 1e-6;
+/// Step of the one-sided differences by which the Jacobian is computed.
+const DIFFERENCE_STEP: f64 = 1e-6;
 
-/// Velocities are weighed against positions by this time, s.
-const WEIGHT: f64 = 0.02;
+/// Weight of velocities against positions, s.
+const VELOCITY_WEIGHT: f64 = 0.02;
 
-/// The state at which the model's markers are where the motion has them, and move as it has them move.
+/// The state at which points of the body have the positions and velocities of the motion.
 ///
 /// # Errors
-/// In words, where there is none within the model's limits.
+/// [`FlightError::NoMatchingState`] if there is none within the model's domain of validity.
 pub fn state(
     problem: &FitProblem,
     observations: &Observations,
     motion: &RigidMotion,
-) -> Result<DVector<f64>, String> {
+) -> Result<DVector<f64>, FlightError> {
     let global = DVector::from_iterator(
         problem.globals.len(),
         problem.globals.iter().map(|global| global.model_value),
@@ -44,15 +46,15 @@ pub fn state(
     };
     let target = target(motion, probes);
     let states = problem.body.layout().states.len();
-    let mut shown = Shown::new(&conditions, states, probes);
-    // The nearest first, by where the probes are; ties stay in order.
+    let mut shown = ProbeMotion::new(&conditions, states, probes);
+    // In the order of the distance of the points; the sort is stable.
     let mut guesses: Vec<(f64, DVector<f64>)> = guesses(problem, observations)
         .into_iter()
         .map(|guess| (shown.distance(&guess, &target), guess))
         .collect();
     guesses.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut best: Option<(f64, DVector<f64>)> = None;
-    for (_, guess) in guesses.into_iter().take(TRIED) {
+    for (_, guess) in guesses.into_iter().take(MAX_GUESSES) {
         let Some((distance, state)) =
             descend(problem, observations, &conditions, probes, &target, guess)
         else {
@@ -64,20 +66,19 @@ pub fn state(
                 .observer()
                 .is_within_limits(0.0, state.as_slice())
         {
-            let near = distance < NEAR;
+            let near = distance < MAX_DISTANCE;
             best = Some((distance, state));
             if near {
                 break;
             }
         }
     }
-    // What is known of the state may stand in the way of a better one: that is the fit's to judge.
-    let (_, state) =
-        best.ok_or("the model has no state within its limits that moves as the markers do")?;
+    // Known states may prevent an exact match; the fit judges that.
+    let (_, state) = best.ok_or(FlightError::NoMatchingState)?;
     Ok(state)
 }
 
-/// Positions of the probes, then their velocities by the weight.
+/// Target positions of the points, m, then their velocities times the weight, m.
 fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     let arm = |probe: &[f64; 3]| {
         let probe = Vector3::from(*probe);
@@ -87,7 +88,7 @@ fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     let positions = probes.iter().map(|probe| motion.position + arm(probe));
     let velocities = probes
         .iter()
-        .map(|probe| (motion.velocity + rates.cross(&arm(probe))) * WEIGHT);
+        .map(|probe| (motion.velocity + rates.cross(&arm(probe))) * VELOCITY_WEIGHT);
     let all: Vec<f64> = positions
         .chain(velocities)
         .flat_map(|v| [v.x, v.y, v.z])
@@ -95,7 +96,7 @@ fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     DVector::from_vec(all)
 }
 
-/// Where the descent may start: the model's own initial state, turned every way that its states allow.
+/// Initial states of the search: the model's default, in every orientation by quarter turns of its frames.
 fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64>> {
     use model_spec::model::FrameKind;
     let plain =
@@ -128,7 +129,7 @@ fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64
     guesses
 }
 
-/// Quaternions of the turns by quarters about each axis, two deep: every way to lay a cube.
+/// Unit quaternions of the 24 rotations of a cube.
 fn quarter_turns() -> Vec<[f64; 4]> {
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let mut all = vec![
@@ -158,7 +159,7 @@ fn quarter_turns() -> Vec<[f64; 4]> {
     all
 }
 
-/// Descends from a guess; the distance that is left, and the state. None where it does not descend.
+/// Levenberg–Marquardt from a guess: the remaining distance, m, and the state; none if it fails.
 fn descend(
     problem: &FitProblem,
     observations: &Observations,
@@ -167,8 +168,8 @@ fn descend(
     target: &DVector<f64>,
     mut state: DVector<f64>,
 ) -> Option<(f64, DVector<f64>)> {
-    let mut shown = Shown::new(conditions, problem.body.layout().states.len(), probes);
-    // What the motion does not say stays as it is.
+    let mut shown = ProbeMotion::new(conditions, problem.body.layout().states.len(), probes);
+    // ModelState of effects do not follow from the motion and keep their values.
     let added = problem.model.added_states();
     let mut residual = shown.at(&state) - target;
     let mut damping = 1e-6;
@@ -177,21 +178,21 @@ fn descend(
         if !before.is_finite() {
             return None;
         }
-        if before < NEAR * 1e-3 {
+        if before < MAX_DISTANCE * 1e-3 {
             break;
         }
         let dimension = observations.manifold.dimension();
         let mut jacobian = DMatrix::zeros(target.len(), dimension);
         let mut step = DVector::zeros(dimension);
         for column in 0..dimension {
-            let moves = observations.manifold.plain(column);
-            if moves.is_some_and(|state| added.contains(&state)) {
+            let varied = observations.manifold.direct_state(LocalId::new(column));
+            if varied.is_some_and(|state| added.contains(&state.index())) {
                 continue;
             }
-            step[column] = STEP;
+            step[column] = DIFFERENCE_STEP;
             let ahead = shown.at(&observations.manifold.plus(&state, &step)) - target;
             step[column] = 0.0;
-            jacobian.set_column(column, &((ahead - &residual) / STEP));
+            jacobian.set_column(column, &((ahead - &residual) / DIFFERENCE_STEP));
         }
         let mut normal = jacobian.tr_mul(&jacobian);
         for i in 0..dimension {
@@ -217,8 +218,8 @@ fn descend(
     distance.is_finite().then_some((distance, state))
 }
 
-/// Where the model shows the probes, and how they move.
-struct Shown<'a> {
+/// Positions and velocities of the points at a state of the model.
+struct ProbeMotion<'a> {
     observer: flight::ModelObserver<'a>,
     motion: flight::ModelRhs<'a>,
     state: ModelState,
@@ -226,7 +227,7 @@ struct Shown<'a> {
     probes: &'a [[f64; 3]],
 }
 
-impl<'a> Shown<'a> {
+impl<'a> ProbeMotion<'a> {
     fn new(conditions: &'a BoundModel<'a>, states: usize, probes: &'a [[f64; 3]]) -> Self {
         Self {
             observer: conditions.observer(),
@@ -237,7 +238,7 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// How far the probes are from where they should be, m.
+    /// Distance of the points from their target positions, m.
     fn distance(&mut self, state: &DVector<f64>, target: &DVector<f64>) -> f64 {
         let mut squares = 0.0;
         for (probe, wanted) in self.probes.iter().zip(target.as_slice().chunks(3)) {
@@ -268,7 +269,7 @@ impl<'a> Shown<'a> {
                 .iter()
                 .zip(derivatives.by_state);
             for (&(axis, state), value) in entries {
-                shown[count + 3 * probe + axis] += value * self.rates[state] * WEIGHT;
+                shown[count + 3 * probe + axis] += value * self.rates[state] * VELOCITY_WEIGHT;
             }
         }
         shown

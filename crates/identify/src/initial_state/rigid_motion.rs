@@ -1,27 +1,29 @@
-//! How a body moves at its first sample, from its poses in the samples after it.
+//! Rigid-body motion at the first sample, from the poses in the first samples.
 
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
-use crate::noise::median;
+use crate::error::FlightError;
 use crate::observations::Observations;
-use crate::pose::{Pose, pose};
+use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
+use crate::statistics::median;
 
-/// How a body moves at one instant, in inertial components.
+/// Rigid-body motion at one instant, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidMotion {
-    /// Where its origin is, m.
+    /// Position of the body's origin, m.
     pub position: Vector3<f64>,
-    /// Its velocity, m/s.
+    /// Velocity of the origin, m/s.
     pub velocity: Vector3<f64>,
-    /// How it is turned; none for a point.
+    /// Attitude, which rotates body components into inertial ones; none for a point mass.
     pub attitude: Option<UnitQuaternion<f64>>,
-    /// Its angular velocity, rad/s; none for a point.
+    /// Angular velocity, rad/s; none for a point mass.
     pub rates: Option<Vector3<f64>>,
 }
 
 impl RigidMotion {
-    /// The same with so many whole turns more between samples; `whole` is the rate of one, rad/s.
+    /// The motion with `turns` turns more per sampling interval about its axis of rotation; `whole` is the angular rate of one
+    /// turn per interval, rad/s.
     pub fn with_turns(&self, turns: i32, whole: f64) -> RigidMotion {
         let rates = self.rates.map(|rates| {
             let axis = rates.try_normalize(1e-9).unwrap_or_else(Vector3::z);
@@ -35,21 +37,22 @@ impl RigidMotion {
     }
 }
 
-/// Samples that the motion is taken from: enough to average the noise, few enough for a parabola.
-const SAMPLES: usize = 16;
+/// Samples from which the motion is estimated: enough to average the noise, few enough for a parabola.
+const MAX_SAMPLES: usize = 16;
 
-/// Poses further apart than this many intervals do not tell a rate.
-const GAP: f64 = 3.5;
+/// Greatest time between poses that give an angular velocity, in sampling intervals.
+const MAX_GAP: f64 = 3.5;
 
-/// What was seen of a body in one sample.
+/// Position and attitude of a body in one sample.
 struct SeenFrame {
     time: f64,
     position: Vector3<f64>,
     attitude: Option<UnitQuaternion<f64>>,
-    squares: f64,
+    /// Variance of a coordinate about the rigid body, m²; 0 for a point mass.
+    variance: f64,
 }
 
-/// The first samples that show the body's pose, or the point's position.
+/// The first samples in which the pose of a body, or the position of a point mass, is measured.
 fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<SeenFrame> {
     let rows = (0..observations.times.len()).filter_map(|sample| {
         let (time, row) = (observations.times[sample], observations.points(sample));
@@ -59,42 +62,37 @@ fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<S
                 time,
                 position: pose.position,
                 attitude: Some(pose.attitude),
-                squares: pose.variance(),
+                variance: pose.variance(),
             });
         }
-        let points = row.iter().zip(&problem.markers);
-        let points = points
-            .filter_map(|(seen, marker)| Some(Vector3::from((*seen)?) - Vector3::from(*marker)));
-        let points: Vec<Vector3<f64>> = points.collect();
-        let position = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
-        (!points.is_empty()).then_some(SeenFrame {
+        Some(SeenFrame {
             time,
-            position,
+            position: point_position(&problem.markers, row)?,
             attitude: None,
-            squares: 0.0,
+            variance: 0.0,
         })
     });
     rows.take(most).collect()
 }
 
-/// Samples that the noise is first estimated from, at most.
-const FLOOR_SAMPLES: usize = 400;
+/// Most samples from which the noise is estimated at first.
+const MAX_NOISE_SAMPLES: usize = 400;
 
-/// A first estimate of the noise of one coordinate, m: by how far the markers are from a rigid body in these poses, or for a
-/// point by how rough its path is. None where too little was seen.
+/// Initial estimate of the noise of one coordinate, m: from the distances between markers and the rigid body in these poses,
+/// or for a point mass from third differences of its path. None from too few samples.
 pub fn sigma0(
     problem: &FitProblem,
     observations: &Observations,
     poses: &[Option<Pose>],
 ) -> Option<f64> {
     if problem.has_attitude && problem.markers.len() >= 3 {
-        let poses = poses.iter().flatten().take(FLOOR_SAMPLES);
+        let poses = poses.iter().flatten().take(MAX_NOISE_SAMPLES);
         let mut squares: Vec<f64> = poses.map(Pose::variance).collect();
-        // Of three squares of normal numbers the median sum is 2.366.
+        // The median of χ² with 3 degrees of freedom is 2.366.
         return (squares.len() >= 3).then(|| (median(&mut squares) * 3.0 / 2.366).sqrt());
     }
-    let seen = seen(problem, observations, FLOOR_SAMPLES);
-    // Third differences: what is left of a smooth path is far below the noise, whose variance they multiply by 20.
+    let seen = seen(problem, observations, MAX_NOISE_SAMPLES);
+    // Third differences of a smooth path are far below the noise, whose variance they multiply by 20.
     let mut rough: Vec<f64> = seen
         .windows(4)
         .flat_map(|w| {
@@ -105,36 +103,28 @@ pub fn sigma0(
     (rough.len() >= 3).then(|| 1.4826 * median(&mut rough) / 20.0_f64.sqrt())
 }
 
-/// The motion at the track's first sample.
+/// The motion at the first sample of a flight.
 ///
 /// # Errors
-/// In words, where too few samples show it.
-pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMotion, String> {
-    let mut seen = seen(problem, observations, SAMPLES);
+/// [`FlightError::TooFewPoses`], [`FlightError::TooFewPositions`], [`FlightError::NoNeighbouringPoses`].
+pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMotion, FlightError> {
+    let mut seen = seen(problem, observations, MAX_SAMPLES);
     let least = if problem.has_attitude { 3 } else { 4 };
     if seen.len() < least {
-        let what = if problem.has_attitude {
-            "show three markers that are not in line"
-        } else {
-            "show it"
-        };
-        return Err(format!(
-            "only {} of its samples {what}, and a start needs {least}",
-            seen.len()
-        ));
+        let (found, needed) = (seen.len(), least);
+        return Err(match problem.has_attitude {
+            true => FlightError::TooFewPoses { found, needed },
+            false => FlightError::TooFewPositions { found, needed },
+        });
     }
-    // A frame whose markers are far from rigid has an outlier among them.
-    let mut sizes: Vec<f64> = seen.iter().map(|seen| seen.squares).collect();
-    let usual = median(&mut sizes);
-    if seen
-        .iter()
-        .filter(|seen| seen.squares <= 25.0 * usual)
-        .count()
-        >= least
-    {
-        seen.retain(|seen| seen.squares <= 25.0 * usual);
+    // A sample whose markers are far from rigid contains an outlier.
+    let mut variances: Vec<f64> = seen.iter().map(|frame| frame.variance).collect();
+    let limit = MAX_VARIANCE_RATIO * median(&mut variances);
+    let is_rigid = |frame: &SeenFrame| frame.variance <= limit;
+    if seen.iter().filter(|frame| is_rigid(frame)).count() >= least {
+        seen.retain(is_rigid);
     }
-    let (position, velocity) = path(&seen)?;
+    let (position, velocity) = path(&seen);
     let mut motion = RigidMotion {
         position,
         velocity,
@@ -149,58 +139,91 @@ pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMoti
     Ok(motion)
 }
 
-/// Position and velocity at time 0 by a parabola through the positions; points far from it are left out and it is
-/// drawn again.
-fn path(seen: &[SeenFrame]) -> Result<(Vector3<f64>, Vector3<f64>), String> {
+/// Variance about the rigid body over the median, above which a sample contains an outlier.
+const MAX_VARIANCE_RATIO: f64 = 25.0;
+
+/// Squared distance from the parabola over the median, above which a position is dropped.
+const MAX_SQUARES_RATIO: f64 = 16.0;
+
+/// Most refits of the parabola without the positions far from it.
+const MAX_PATH_REFITS: usize = 2;
+
+/// Least number of positions for a parabola without some.
+const MIN_PATH_POINTS: usize = 4;
+
+/// Position and velocity at time 0 by a least-squares parabola, which is fitted again without points far from it.
+fn path(seen: &[SeenFrame]) -> (Vector3<f64>, Vector3<f64>) {
     let mut kept: Vec<&SeenFrame> = seen.iter().collect();
-    for last in [false, false, true] {
-        let powers = kept.len().min(3);
-        let design = DMatrix::from_fn(kept.len(), powers, |row, power| {
-            kept[row].time.powi(power as i32)
-        });
-        let factor = design.clone().svd(true, true);
-        let (mut position, mut velocity) = (Vector3::zeros(), Vector3::zeros());
-        let mut distances = vec![0.0_f64; kept.len()];
-        for axis in 0..3 {
-            let heights = DVector::from_fn(kept.len(), |row, _| kept[row].position[axis]);
-            let parabola = factor.solve(&heights, 1e-12).map_err(str::to_owned)?;
-            let residuals = &design * &parabola - heights;
-            for (distance, residual) in distances.iter_mut().zip(residuals.iter()) {
-                *distance += residual * residual;
-            }
-            position[axis] = parabola[0];
-            velocity[axis] = if powers > 1 { parabola[1] } else { 0.0 };
-        }
-        let usual = median(&mut distances.clone());
-        let near: Vec<&SeenFrame> = kept
-            .iter()
-            .zip(&distances)
-            .filter(|(_, distance)| **distance <= 16.0 * usual)
-            .map(|(seen, _)| *seen)
-            .collect();
-        if last || near.len() == kept.len() || near.len() < 4 {
-            return Ok((position, velocity));
+    let mut parabola = Parabola::through(&kept);
+    for _ in 0..MAX_PATH_REFITS {
+        let limit = MAX_SQUARES_RATIO * median(&mut parabola.squares.clone());
+        let distances = kept.iter().zip(&parabola.squares);
+        let near = distances.filter(|(_, squares)| **squares <= limit);
+        let near: Vec<&SeenFrame> = near.map(|(frame, _)| *frame).collect();
+        if near.len() == kept.len() || near.len() < MIN_PATH_POINTS {
+            break;
         }
         kept = near;
+        parabola = Parabola::through(&kept);
     }
-    Err("no parabola".into())
+    (parabola.position, parabola.velocity)
 }
 
-/// The angular velocity: the median over neighbouring poses, which a nutation and an outlier leave alone.
-fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>, String> {
+/// A least-squares parabola in time through positions.
+struct Parabola {
+    /// Position at time 0, m.
+    position: Vector3<f64>,
+    /// Velocity at time 0, m/s.
+    velocity: Vector3<f64>,
+    /// Squared distance of each position, m².
+    squares: Vec<f64>,
+}
+
+impl Parabola {
+    /// Fits positions by a parabola, or by a polynomial of lower order where there are fewer than three.
+    fn through(frames: &[&SeenFrame]) -> Self {
+        let powers = frames.len().min(3);
+        let design = DMatrix::from_fn(frames.len(), powers, |row, power| {
+            frames[row].time.powi(power as i32)
+        });
+        let svd = design.clone().svd(true, true);
+        let (mut position, mut velocity) = (Vector3::zeros(), Vector3::zeros());
+        let mut squares = vec![0.0_f64; frames.len()];
+        for axis in 0..3 {
+            let values = DVector::from_fn(frames.len(), |row, _| frames[row].position[axis]);
+            // Both factors were computed, so that there is a solution.
+            let solved = svd.solve(&values, 1e-12);
+            let polynomial = solved.unwrap_or_else(|_| DVector::zeros(powers));
+            let residuals = &design * &polynomial - values;
+            for (sum, residual) in squares.iter_mut().zip(residuals.iter()) {
+                *sum += residual * residual;
+            }
+            position[axis] = polynomial[0];
+            velocity[axis] = if powers > 1 { polynomial[1] } else { 0.0 };
+        }
+        Self {
+            position,
+            velocity,
+            squares,
+        }
+    }
+}
+
+/// Angular velocity: the median over pairs of neighbouring poses, robust to nutation and outliers.
+fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>, FlightError> {
     let usual = observations.interval().unwrap_or(f64::INFINITY);
     let pairs: Vec<Vector3<f64>> = seen
         .windows(2)
         .filter_map(|pair| {
             let gap = pair[1].time - pair[0].time;
             let turn = pair[1].attitude? * pair[0].attitude?.inverse();
-            (gap <= GAP * usual).then(|| turn.scaled_axis() / gap)
+            (gap <= MAX_GAP * usual).then(|| turn.scaled_axis() / gap)
         })
         .collect();
     if pairs.is_empty() {
-        return Err("no two neighbouring samples of it show three markers each".into());
+        return Err(FlightError::NoNeighbouringPoses);
     }
-    // A gap of several intervals hides whole turns that one interval would not.
+    // A gap of several intervals may hide whole turns that one interval would not.
     let rates = [0, 1, 2].map(|axis| {
         let mut values: Vec<f64> = pairs.iter().map(|pair| pair[axis]).collect();
         median(&mut values)
@@ -208,7 +231,7 @@ fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>
     Ok(rates.into())
 }
 
-/// The attitude at time 0: of those that the first poses say, turned back, the one that is nearest to the others.
+/// Attitude at time 0: the first poses are rotated back to it, and the one nearest to all others is taken.
 fn attitude(seen: &[SeenFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
     let back = |seen: &SeenFrame| {

@@ -1,12 +1,13 @@
-//! One step of the shared unknowns within their bounds.
+//! One step of the global parameters within their bounds.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::Constraint;
+use super::scaled_cholesky::ScaledCholesky;
 
-/// The step of the shared unknowns that minimises the quadratic left after the elimination, with priors added and
-/// without leaving the bounds; and by how much it decreases the priors' part of the sum of squares. An unknown that
-/// wants to leave its bound is held there, and the others step for themselves. None where the matrix is singular.
+/// Minimises the reduced quadratic with the priors added, within the bounds (active-set method): a parameter that would
+/// leave its bound is set there, and the others are solved for again. Gives the step, and the decrease of the priors'
+/// part of the sum of squares; none where the matrix is singular.
 pub fn constrained_step(
     reduced: &DMatrix<f64>,
     gradient: &DVector<f64>,
@@ -17,83 +18,79 @@ pub fn constrained_step(
     let size = values.len();
     let (mut matrix, mut gradient) = (reduced.clone(), gradient.clone());
     for (i, constraint) in constraints.iter().enumerate() {
-        if let Some((centre, sigma)) = constraint.prior {
+        if let Some((mean, sigma)) = constraint.prior {
             matrix[(i, i)] += sigma.powi(-2);
-            gradient[i] += (values[i] - centre) / (sigma * sigma);
+            gradient[i] += (values[i] - mean) / (sigma * sigma);
         }
     }
     let mut step = DVector::zeros(size);
-    let mut held: Vec<bool> = (0..size)
+    let mut active: Vec<bool> = (0..size)
         .map(|i| {
             let (low, high) = constraints[i].bounds;
             (values[i] <= low && gradient[i] > 0.0) || (values[i] >= high && gradient[i] < 0.0)
         })
         .collect();
-    // Each pass holds one more unknown, so there are at most as many as unknowns.
+    // Each pass adds a parameter to the active set, so there are at most as many passes as parameters.
     loop {
-        let free: Vec<usize> = (0..size).filter(|&i| !held[i]).collect();
-        let solved = solve(&matrix, &gradient, &step, &held, &free, damping)?;
+        let free: Vec<usize> = (0..size).filter(|&i| !active[i]).collect();
+        let solved = free_step(&matrix, &gradient, &step, &active, &free, damping)?;
         for (&i, &value) in free.iter().zip(solved.iter()) {
             step[i] = value;
         }
-        let beyond = free.iter().filter_map(|&i| {
-            let (low, high) = constraints[i].bounds;
-            let target = values[i] + step[i];
-            let bound = if target < low {
-                low
-            } else if target > high {
-                high
-            } else {
-                return None;
-            };
-            // The part of the step that stays within.
-            let part = (bound - values[i]) / step[i];
-            Some((part, i, bound))
-        });
-        let Some((_, i, bound)) = beyond.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        let Some((i, bound)) = first_bound(&free, values, &step, constraints) else {
             break;
         };
-        held[i] = true;
+        active[i] = true;
         step[i] = bound - values[i];
     }
-    let gain = constraints.iter().enumerate();
-    let gain = gain.map(|(i, constraint)| {
+    let reductions = constraints.iter().enumerate().map(|(i, constraint)| {
         constraint.squares(values[i]) - constraint.squares(values[i] + step[i])
     });
-    Some((step.clone(), gain.sum()))
+    let reduction = reductions.sum();
+    Some((step, reduction))
 }
 
-/// The step of the free unknowns, where the held ones step as they do.
-fn solve(
+/// The bound that is met first along a step: the parameter, and the bound.
+fn first_bound(
+    free: &[usize],
+    values: &DVector<f64>,
+    step: &DVector<f64>,
+    constraints: &[Constraint],
+) -> Option<(usize, f64)> {
+    let crossed = free.iter().filter_map(|&i| {
+        let (low, high) = constraints[i].bounds;
+        let target = values[i] + step[i];
+        let bound = match target {
+            _ if target < low => low,
+            _ if target > high => high,
+            _ => return None,
+        };
+        let fraction = (bound - values[i]) / step[i];
+        Some((fraction, i, bound))
+    });
+    let (_, i, bound) = crossed.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some((i, bound))
+}
+
+/// The step of the free parameters, given that of the active ones.
+fn free_step(
     matrix: &DMatrix<f64>,
     gradient: &DVector<f64>,
     step: &DVector<f64>,
-    held: &[bool],
+    active: &[bool],
     free: &[usize],
     damping: f64,
 ) -> Option<DVector<f64>> {
-    let scale = |i: usize| {
-        let root = matrix[(i, i)].max(0.0).sqrt();
-        if root > 1e-150 { 1.0 / root } else { 1.0 }
-    };
     let size = free.len();
-    let mut left = DMatrix::from_fn(size, size, |i, j| {
-        matrix[(free[i], free[j])] * scale(free[i]) * scale(free[j])
-    });
-    for i in 0..size {
-        left[(i, i)] += damping;
-    }
+    let selected = DMatrix::from_fn(size, size, |i, j| matrix[(free[i], free[j])]);
     let right = DVector::from_fn(size, |i, _| {
-        let plus = (0..held.len()).filter(|&j| held[j]);
-        let plus: f64 = plus.map(|j| matrix[(free[i], j)] * step[j]).sum();
-        -(gradient[free[i]] + plus) * scale(free[i])
+        let active = (0..active.len()).filter(|&j| active[j]);
+        let moved: f64 = active.map(|j| matrix[(free[i], j)] * step[j]).sum();
+        -(gradient[free[i]] + moved)
     });
-    let solved = left.cholesky()?.solve(&right);
-    let solved = DVector::from_fn(size, |i, _| solved[i] * scale(free[i]));
-    solved
-        .iter()
-        .all(|value| value.is_finite())
-        .then_some(solved)
+    let solved = ScaledCholesky::new(&selected, damping)?.solve(&right);
+    let finite = solved.iter().all(|value| value.is_finite());
+    finite.then_some(solved)
 }
 
 #[cfg(test)]

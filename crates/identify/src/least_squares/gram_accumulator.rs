@@ -1,35 +1,35 @@
-//! Residuals with their derivatives, a row each, summed to normal equations.
+//! Gram matrix of Jacobian rows, accumulated with SIMD lanes.
 
 use lanes::{Kernel, Lanes};
 use nalgebra::{DMatrix, DVector};
 
 use crate::least_squares::NormalBlock;
 
-/// Rows are summed this many at a time, which stay in the nearest memory.
+/// Rows that are summed at a time; they stay in the first-level cache.
 const BATCH: usize = 64;
 
-/// Widest lanes there are: rows are padded to whole ones.
+/// Number of lanes of the widest vectors, to which rows are padded.
 const PADDING: usize = 8;
 
 /// Rows of one flight being summed. A row holds the derivatives by the flight's own unknowns and by the shared ones, each
 /// in its place, then the residual, and zeros up to [`width`](Rows::width).
 pub struct GramAccumulator {
-    /// Where the derivatives by the own unknowns stand.
+    /// Columns of the local parameters.
     local: Vec<usize>,
-    /// Where those by the shared ones do.
+    /// Columns of the global parameters.
     global: Vec<usize>,
     width: usize,
-    /// Rows that wait to be summed, and how long they are together.
+    /// Rows that are not summed yet, and their length.
     batch: Vec<f64>,
     filled: usize,
     sums: Vec<f64>,
-    /// What robust losses add to the sum of squares.
+    /// Part of the sum of squares that robust losses add.
     extra: f64,
     count: usize,
 }
 
 impl GramAccumulator {
-    /// No rows yet, with each unknown's place in a row; the places are those from 0 on.
+    /// No rows yet; `local` and `global` are the columns of the parameters, together all from 0 on.
     pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
         let width = (local.len() + global.len() + 1).next_multiple_of(PADDING);
         Self {
@@ -44,17 +44,17 @@ impl GramAccumulator {
         }
     }
 
-    /// How long a row is.
+    /// Length of a row.
     pub fn width(&self) -> usize {
         self.width
     }
 
-    /// Where the residual stands in a row.
+    /// Column of the residual.
     pub fn residual(&self) -> usize {
         self.local.len() + self.global.len()
     }
 
-    /// Adds `scale * (row - kept * before)`; and `extra` to the sum of squares.
+    /// Adds the row `scale * (row − phi * previous)`, with (phi, previous) = `before`, and `extra` to the sum of squares.
     pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
         let to = &mut self.batch[self.filled..][..self.width];
         let row = &row[..self.width];
@@ -83,7 +83,7 @@ impl GramAccumulator {
         self.filled = 0;
     }
 
-    /// The normal equations of all rows.
+    /// Normal equations of all rows.
     pub fn block(mut self) -> NormalBlock {
         self.sum();
         let (local, global, last) = (&self.local, &self.global, self.residual());
@@ -101,7 +101,7 @@ impl GramAccumulator {
     }
 }
 
-/// `to = scale (row - kept before)`
+/// `to = scale (row − kept before)`
 struct AddInnovation<'a> {
     to: &'a mut [f64],
     row: &'a [f64],
@@ -124,15 +124,15 @@ impl Kernel for AddInnovation<'_> {
     }
 }
 
-/// `sums += rowsᵀ rows`, the upper triangle at least.
+/// `sums += rowsᵀ rows`, at least its upper triangle.
 struct AddSquares<'a> {
     rows: &'a [f64],
     width: usize,
     sums: &'a mut [f64],
 }
 
-/// Rows of the sums that are computed together, and the most vectors of each, so that each load is used several times.
-const TOGETHER: (usize, usize) = (4, 3);
+/// Rows and vectors of the sums that are computed together, so that each load is used several times.
+const TILE: (usize, usize) = (4, 3);
 
 impl Kernel for AddSquares<'_> {
     type Output = ();
@@ -141,21 +141,21 @@ impl Kernel for AddSquares<'_> {
     fn run<T: Lanes>(self) {
         const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
         let AddSquares { rows, width, sums } = self;
-        for first in (0..width).step_by(TOGETHER.0) {
+        for first in (0..width).step_by(TILE.0) {
             // Whole lanes that reach the diagonal.
             let mut column = first / T::WIDTH * T::WIDTH;
             while column < width {
                 column += match (width - column) / T::WIDTH {
                     1 => add_block::<T, 1>(rows, width, sums, (first, column)),
                     2 => add_block::<T, 2>(rows, width, sums, (first, column)),
-                    _ => add_block::<T, { TOGETHER.1 }>(rows, width, sums, (first, column)),
+                    _ => add_block::<T, { TILE.1 }>(rows, width, sums, (first, column)),
                 };
             }
         }
     }
 }
 
-/// Adds to some rows of the sums, `VECTORS` of each from a column on; gives how many columns these are.
+/// Adds to a tile of the sums, `VECTORS` vectors wide from a column on; gives its number of columns.
 #[inline(always)]
 fn add_block<T: Lanes, const VECTORS: usize>(
     rows: &[f64],
@@ -164,17 +164,17 @@ fn add_block<T: Lanes, const VECTORS: usize>(
     (first, column): (usize, usize),
 ) -> usize {
     let columns = VECTORS * T::WIDTH;
-    let mut block = [[T::splat(0.0); VECTORS]; TOGETHER.0];
+    let mut block = [[T::splat(0.0); VECTORS]; TILE.0];
     for row in rows.chunks_exact(width) {
-        let (left, right) = (&row[first..][..TOGETHER.0], &row[column..][..columns]);
-        for k in 0..TOGETHER.0 {
+        let (left, right) = (&row[first..][..TILE.0], &row[column..][..columns]);
+        for k in 0..TILE.0 {
             let left = T::splat(left[k]);
             for v in 0..VECTORS {
                 block[k][v] = left.mul_add(T::load(&right[v * T::WIDTH..]), block[k][v]);
             }
         }
     }
-    for k in 0..TOGETHER.0 {
+    for k in 0..TILE.0 {
         let places = &mut sums[(first + k) * width + column..][..columns];
         for v in 0..VECTORS {
             let place = &mut places[v * T::WIDTH..];
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn sums_are_those_of_plain_loops() {
         let (local, global) = (5, 4);
-        // The own ones from place 4 on, the shared ones first.
+        // The global parameters come first.
         let mut rows = GramAccumulator::new((4..9).collect(), (0..4).collect());
         let mut plain = NormalBlock::zero(local, global);
         for k in 0..150 {

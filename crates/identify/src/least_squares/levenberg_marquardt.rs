@@ -1,190 +1,121 @@
-//! Levenberg–Marquardt over all flights at once, within bounds.
+//! Levenberg–Marquardt iteration over all flights, within bounds.
 
 use flight::batch;
 use nalgebra::DVector;
 
-use super::{NormalBlock, ReducedSystem, SchurComplement, UndeterminedFlight, constrained_step};
+use super::{
+    Constraint, NormalBlock, ReducedSystem, SchurComplement, StopReason, StoppingCriteria,
+    UndeterminedFlight, constrained_step,
+};
+use crate::error::FlightError;
 
-/// A sum of squares with unknowns shared by all flights and unknowns of each flight.
+/// A sum of squares over flights, by global parameters and local parameters of each flight.
 pub trait LeastSquaresProblem: Sync {
-    /// How many flights there are.
+    /// Number of flights.
     fn flights(&self) -> usize;
 
-    /// Residuals of a flight and their derivatives, as normal equations.
+    /// Normal equations of a flight's residuals.
     ///
     /// # Errors
-    /// In words, where the flight cannot be predicted from these values.
+    /// [`FlightError`] if the flight cannot be predicted from these values.
     fn linearise(
         &self,
         flight: usize,
         global: &DVector<f64>,
         local: &DVector<f64>,
-    ) -> Result<NormalBlock, String>;
+    ) -> Result<NormalBlock, FlightError>;
 
-    /// A flight's own unknowns after a step.
+    /// A flight's local parameters after a step (the retraction of its manifold).
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
 
-    /// What is known of each shared unknown beforehand.
+    /// Bounds and prior of each global parameter.
     fn constraints(&self) -> &[Constraint];
 
-    /// How many flights may be worked on at once.
+    /// Number of threads.
     fn threads(&self) -> usize {
         1
     }
 
-    /// Whether the work is to be given up.
-    fn is_stopped(&self) -> bool {
+    /// Whether the iteration is to be cancelled.
+    fn is_cancelled(&self) -> bool {
         false
-    }
-}
-
-/// What is known of a shared unknown beforehand.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Constraint {
-    /// Least and greatest value.
-    pub bounds: (f64, f64),
-    /// Value and standard deviation of a normal prior.
-    pub prior: Option<(f64, f64)>,
-}
-
-impl Constraint {
-    /// Nothing.
-    pub const NONE: Constraint = Constraint {
-        bounds: (f64::NEG_INFINITY, f64::INFINITY),
-        prior: None,
-    };
-
-    /// What the prior adds to the sum of squares.
-    pub(super) fn squares(&self, value: f64) -> f64 {
-        self.prior
-            .map_or(0.0, |(centre, sigma)| ((value - centre) / sigma).powi(2))
     }
 }
 
 /// Values of all unknowns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Iterate {
-    /// Shared by all flights.
+    /// Global parameters, SI.
     pub global: DVector<f64>,
-    /// Each flight's own.
+    /// Local parameters of each flight: its initial state, SI.
     pub local: Vec<DVector<f64>>,
 }
 
-/// Where the iteration ended.
+/// Result of an iteration.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// The unknowns.
+    /// The last accepted iterate.
     pub iterate: Iterate,
-    /// Normal equations there, but for a negligible last step.
+    /// Normal equations at the last iterate whose residuals were evaluated.
     pub blocks: Vec<NormalBlock>,
-    /// The sum of squares with that of the priors; of a last step that nobody saw, as it promised.
+    /// Sum of squares with that of the priors; after an unevaluated last step, the predicted one.
     pub squares: f64,
-    /// Steps that were tried.
+    /// Steps tried.
     pub iterations: usize,
-    /// Whether the steps had become negligible.
-    pub converged: bool,
-    /// By how much the last step that was not held back was to decrease the sum of squares.
+    /// Why the iteration stopped.
+    pub stop_reason: StopReason,
+    /// Predicted reduction of the last step that damping did not shorten.
     pub predicted_reduction: Option<f64>,
 }
 
 impl Solution {
-    /// Whether the last step, which nobody saw, was negligible in itself.
-    pub fn is_there(&self, criteria: StoppingCriteria) -> bool {
-        let negligible =
-            |predicted_reduction| criteria.is_negligible(predicted_reduction, self.squares);
-        self.converged && self.predicted_reduction.is_some_and(negligible)
+    /// Whether the iteration stopped because its last step was negligible.
+    pub fn converged(&self) -> bool {
+        self.stop_reason == StopReason::Converged
+    }
+
+    /// Whether the last, unevaluated step was itself negligible, so that another evaluation would change nothing.
+    pub(crate) fn last_step_is_negligible(&self, criteria: StoppingCriteria) -> bool {
+        let negligible = |reduction| criteria.is_negligible(reduction, self.squares);
+        self.converged() && self.predicted_reduction.is_some_and(negligible)
     }
 }
 
 /// Why there is no solution.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SolveError {
-    /// A flight cannot be predicted from its starting values.
-    #[error("flight {flight} cannot be predicted from its starting values: {reason}")]
-    InitialGuess {
-        /// Index of the flight.
+    /// A flight cannot be predicted from its initial values.
+    #[error("flight {flight} cannot be predicted from its initial values: {reason}")]
+    Start {
+        /// Position of the flight in the problem.
         flight: usize,
-        /// In words.
-        reason: String,
+        /// Why.
+        reason: FlightError,
     },
-    /// A flight's own unknowns are not determined.
+    /// The local normal equations of a flight are singular.
     #[error(transparent)]
-    UndeterminedFlight(#[from] UndeterminedFlight),
-    /// It was told to stop.
+    Undetermined(#[from] UndeterminedFlight),
+    /// The iteration was cancelled.
     #[error("interrupted")]
-    Stopped,
+    Cancelled,
 }
 
-/// When the iteration ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StoppingCriteria {
-    /// A step that promises no more of the sum of squares is negligible.
-    pub ftol_abs: f64,
-    /// A step that promises no more than this part of it is negligible.
-    pub ftol_rel: f64,
-    /// A step that promises up to so many times more is taken unseen where the next would be negligible.
-    pub accept_unevaluated: f64,
-    /// Steps after which the iteration is given up.
-    pub max_steps: usize,
-}
+/// Damping at the start.
+const INITIAL_DAMPING: f64 = 1e-9;
 
-impl StoppingCriteria {
-    /// Whitened residuals: the step that is then taken unseen is a standard error at most, and what it leaves a thirtieth.
-    pub const CONVERGED: StoppingCriteria = StoppingCriteria {
-        ftol_abs: 1e-3,
-        ftol_rel: 1e-11,
-        accept_unevaluated: 1e3,
-        max_steps: 100,
-    };
-    /// On the way, where the weights will change anyway.
-    pub const COARSE: StoppingCriteria = StoppingCriteria {
-        ftol_abs: 1e-2,
-        ftol_rel: 1e-3,
-        accept_unevaluated: 1e3,
-        max_steps: 30,
-    };
-    /// On the way to longer flights, which will tell more than is left here.
-    pub const HORIZON: StoppingCriteria = StoppingCriteria {
-        ftol_rel: 1e-2,
-        accept_unevaluated: f64::INFINITY,
-        ..StoppingCriteria::COARSE
-    };
-    /// After one step, unseen.
-    pub const SINGLE_STEP: StoppingCriteria = StoppingCriteria {
-        ftol_abs: f64::INFINITY,
-        max_steps: 1,
-        ..StoppingCriteria::COARSE
-    };
+/// Damping above which no step is tried.
+const MAX_DAMPING: f64 = 1e8;
 
-    /// Whether a step promises so little of what is left that it is negligible.
-    fn is_negligible(&self, predicted_reduction: f64, squares: f64) -> bool {
-        predicted_reduction <= self.ftol_abs.max(self.ftol_rel * squares)
-    }
+/// Damping up to which a step has practically its full length.
+const NEGLIGIBLE_DAMPING: f64 = 1e-6;
 
-    /// Whether a step need not be seen: it is negligible, or the next will be, as the promises shrink from the one `before`.
-    fn is_reached(&self, predicted_reduction: f64, before: Option<f64>, squares: f64) -> bool {
-        let next = before.map_or(f64::INFINITY, |before| {
-            predicted_reduction * (predicted_reduction / before)
-        });
-        self.is_negligible(predicted_reduction, squares)
-            || self.is_negligible(predicted_reduction / self.accept_unevaluated, squares)
-                && self.is_negligible(next, squares)
-    }
-}
-
-/// Damping at which no step is tried any more.
-const MOST_DAMPING: f64 = 1e8;
-
-/// Damping up to which a step is as long as it would be without.
-const FREE_DAMPING: f64 = 1e-6;
-
-/// Damping below which it makes no difference.
-const LEAST_DAMPING: f64 = 1e-12;
+/// Damping below which a reduction has no effect.
+const MIN_DAMPING: f64 = 1e-12;
 
 /// Minimises the sum of squares from a starting point.
 ///
 /// # Errors
-/// See [`SolveError`].
+/// [`SolveError::Start`] if a flight cannot be predicted at `start`; [`SolveError::Cancelled`].
 pub fn solve(
     problem: &impl LeastSquaresProblem,
     start: Iterate,
@@ -193,139 +124,167 @@ pub fn solve(
     solve_after(problem, start, criteria, None)
 }
 
-/// The same from where another iteration ended, by what its last step had promised of nearly the same sum of squares.
+/// As [`solve`], continuing an iteration whose last step had the predicted reduction `previous` in nearly the same
+/// problem.
 ///
 /// # Errors
-/// See [`SolveError`].
+/// As [`solve`].
 pub fn solve_after(
     problem: &impl LeastSquaresProblem,
     start: Iterate,
     criteria: StoppingCriteria,
-    mut last_promised: Option<f64>,
+    mut previous: Option<f64>,
 ) -> Result<Solution, SolveError> {
-    let mut point = start;
-    let mut damping = 1e-9;
-    let mut linearization = linearise_all(problem, &point, damping)?;
-    let mut before = squares(problem, &point, &linearization.blocks);
+    let mut iterate = start;
+    let mut damping = INITIAL_DAMPING;
+    let mut linearization = Linearization::new(problem, &iterate, damping)?;
+    let mut squares = linearization.squares(problem, &iterate);
     let mut iterations = 0;
-    let mut converged = false;
+    let mut stop_reason = StopReason::MaxSteps;
     while iterations < criteria.max_steps {
         iterations += 1;
-        let Some((candidate, predicted_reduction)) =
-            stepped(problem, &point, &mut linearization, damping)
-        else {
-            if damping >= MOST_DAMPING {
+        let Some(step) = linearization.step(problem, &iterate, damping) else {
+            if damping >= MAX_DAMPING {
+                stop_reason = StopReason::NoDescent;
                 break;
             }
             damping *= 10.0;
             continue;
         };
-        // A negligible step is taken, and is not worth the look that it would cost.
-        if criteria.is_reached(predicted_reduction, last_promised, before) {
-            point = candidate;
-            before -= predicted_reduction;
-            last_promised = Some(predicted_reduction);
-            converged = true;
+        let Step {
+            candidate,
+            predicted_reduction,
+        } = step;
+        if criteria.is_reached(predicted_reduction, previous, squares) {
+            iterate = candidate;
+            squares -= predicted_reduction;
+            previous = Some(predicted_reduction);
+            stop_reason = StopReason::Converged;
             break;
         }
-        let less = (damping * 0.1).max(LEAST_DAMPING);
-        let there = match linearise_all(problem, &candidate, less) {
-            Ok(there) => Some(there),
-            Err(SolveError::Stopped) => return Err(SolveError::Stopped),
-            Err(_) => None,
-        };
-        let after = there.as_ref().map_or(f64::INFINITY, |there| {
-            squares(problem, &candidate, &there.blocks)
-        });
-        match there {
-            Some(there) if after < before => {
-                (point, linearization, before) = (candidate, there, after);
-                // Where steps are held back, how they shrink says nothing of what is left.
-                last_promised = Some(predicted_reduction).filter(|_| damping <= FREE_DAMPING);
-                damping = less;
+        let less_damping = (damping * 0.1).max(MIN_DAMPING);
+        match evaluate(problem, &candidate, less_damping)? {
+            Some((at_candidate, after)) if after < squares => {
+                (iterate, linearization, squares) = (candidate, at_candidate, after);
+                // Damped steps do not show the rate of convergence.
+                previous = (damping <= NEGLIGIBLE_DAMPING).then_some(predicted_reduction);
+                damping = less_damping;
             }
-            _ if damping < MOST_DAMPING => damping = (damping * 10.0).max(1e-6),
-            _ => break,
+            _ if damping < MAX_DAMPING => damping = (damping * 10.0).max(1e-6),
+            _ => {
+                stop_reason = StopReason::NoDescent;
+                break;
+            }
         }
     }
     Ok(Solution {
-        iterate: point,
+        iterate,
         blocks: linearization.blocks,
-        squares: before,
+        squares,
         iterations,
-        converged,
-        predicted_reduction: last_promised,
+        stop_reason,
+        predicted_reduction: previous,
     })
 }
 
-/// The flights at a point.
+/// Normal equations and sum of squares at a candidate; none if a flight cannot be predicted there.
+fn evaluate(
+    problem: &impl LeastSquaresProblem,
+    candidate: &Iterate,
+    damping: f64,
+) -> Result<Option<(Linearization, f64)>, SolveError> {
+    match Linearization::new(problem, candidate, damping) {
+        Ok(linearization) => {
+            let squares = linearization.squares(problem, candidate);
+            Ok(Some((linearization, squares)))
+        }
+        Err(SolveError::Cancelled) => Err(SolveError::Cancelled),
+        Err(_) => Ok(None),
+    }
+}
+
+/// Normal equations of all flights at an iterate.
 struct Linearization {
     blocks: Vec<NormalBlock>,
-    /// What is left of each once its own unknowns are eliminated, by this damping; taken by the first who steps.
+    /// A damping, and the Schur complements for it, which the first step with that damping takes.
     complements: (f64, Option<Vec<Option<SchurComplement>>>),
 }
 
-fn linearise_all(
-    problem: &impl LeastSquaresProblem,
-    point: &Iterate,
-    damping: f64,
-) -> Result<Linearization, SolveError> {
-    let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
-        if problem.is_stopped() {
-            return Err(SolveError::Stopped);
-        }
-        let block = problem.linearise(flight, &point.global, &point.local[flight]);
-        let block = block.map_err(|reason| SolveError::InitialGuess { flight, reason })?;
-        let complement = SchurComplement::new(&block, damping);
-        Ok((block, complement))
-    });
-    let (blocks, complements) = each.into_iter().collect::<Result<_, _>>()?;
-    Ok(Linearization {
-        blocks,
-        complements: (damping, Some(complements)),
-    })
+/// A step that was not evaluated yet.
+struct Step {
+    candidate: Iterate,
+    /// Predicted decrease of the sum of squares.
+    predicted_reduction: f64,
 }
 
-fn squares(problem: &impl LeastSquaresProblem, point: &Iterate, blocks: &[NormalBlock]) -> f64 {
-    let constraints = problem.constraints().iter().zip(point.global.iter());
-    let priors: f64 = constraints
-        .map(|(constraint, &value)| constraint.squares(value))
-        .sum();
-    let sum = blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
-    if sum.is_nan() { f64::INFINITY } else { sum }
-}
+impl Linearization {
+    fn new(
+        problem: &impl LeastSquaresProblem,
+        iterate: &Iterate,
+        damping: f64,
+    ) -> Result<Self, SolveError> {
+        let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
+            if problem.is_cancelled() {
+                return Err(SolveError::Cancelled);
+            }
+            let block = problem.linearise(flight, &iterate.global, &iterate.local[flight]);
+            let block = block.map_err(|reason| SolveError::Start { flight, reason })?;
+            let complement = SchurComplement::new(&block, damping);
+            Ok((block, complement))
+        });
+        let (blocks, complements) = each.into_iter().collect::<Result<_, _>>()?;
+        Ok(Self {
+            blocks,
+            complements: (damping, Some(complements)),
+        })
+    }
 
-/// The point after a step, and the decrease of the squares that the step promises; none where the damping is too
-/// small for there to be a step.
-fn stepped(
-    problem: &impl LeastSquaresProblem,
-    point: &Iterate,
-    linearization: &mut Linearization,
-    damping: f64,
-) -> Option<(Iterate, f64)> {
-    let made = linearization
-        .complements
-        .1
-        .take_if(|_| linearization.complements.0 == damping);
-    let anew = || {
-        let each = linearization.blocks.iter();
-        each.map(|block| SchurComplement::new(block, damping))
-            .collect()
-    };
-    let system = ReducedSystem::new(&linearization.blocks, made.unwrap_or_else(anew)).ok()?;
-    let (step, prior_gain) = constrained_step(
-        &system.reduced,
-        &system.gradient,
-        &point.global,
-        problem.constraints(),
-        damping,
-    )?;
-    let back_substitute = system.back_substitute(&step);
-    let predicted_reduction = system.predicted_reduction(&step, &back_substitute) + prior_gain;
-    let steps = back_substitute.iter().zip(&point.local).enumerate();
-    let local = steps
-        .map(|(flight, (step, local))| problem.plus(flight, local, step))
-        .collect();
-    let global = &point.global + step;
-    Some((Iterate { global, local }, predicted_reduction))
+    /// Sum of squares with that of the priors; infinite where it is not a number.
+    fn squares(&self, problem: &impl LeastSquaresProblem, iterate: &Iterate) -> f64 {
+        let constraints = problem.constraints().iter().zip(iterate.global.iter());
+        let priors: f64 = constraints
+            .map(|(constraint, &value)| constraint.squares(value))
+            .sum();
+        let sum = self.blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
+        if sum.is_nan() { f64::INFINITY } else { sum }
+    }
+
+    /// A damped step; none if the normal equations are singular at this damping.
+    fn step(
+        &mut self,
+        problem: &impl LeastSquaresProblem,
+        iterate: &Iterate,
+        damping: f64,
+    ) -> Option<Step> {
+        let computed = self
+            .complements
+            .1
+            .take_if(|_| self.complements.0 == damping);
+        let complements = computed.unwrap_or_else(|| {
+            let blocks = self.blocks.iter();
+            blocks
+                .map(|block| SchurComplement::new(block, damping))
+                .collect()
+        });
+        let system = ReducedSystem::new(&self.blocks, complements).ok()?;
+        let constraints = problem.constraints();
+        let (global_step, prior_reduction) = constrained_step(
+            &system.reduced,
+            &system.gradient,
+            &iterate.global,
+            constraints,
+            damping,
+        )?;
+        let local_steps = system.back_substitute(&global_step);
+        let predicted = system.predicted_reduction(&global_step, &local_steps);
+        let steps = local_steps.iter().zip(&iterate.local).enumerate();
+        let local = steps
+            .map(|(flight, (step, local))| problem.plus(flight, local, step))
+            .collect();
+        let global = &iterate.global + global_step;
+        Some(Step {
+            candidate: Iterate { global, local },
+            predicted_reduction: predicted + prior_reduction,
+        })
+    }
 }

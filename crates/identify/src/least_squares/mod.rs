@@ -1,19 +1,24 @@
-//! Nonlinear least squares with parameters global to all flights and parameters local to each.
+//! Nonlinear least squares with global parameters of all flights and local parameters of each.
 
 mod constrained_step;
+mod constraint;
 mod gram_accumulator;
 mod levenberg_marquardt;
 mod normal_equations;
+mod scaled_cholesky;
+mod stopping_criteria;
 
 pub use constrained_step::constrained_step;
-pub use gram_accumulator::GramAccumulator;
+pub use constraint::Constraint;
+pub(crate) use gram_accumulator::GramAccumulator;
 pub use levenberg_marquardt::{
-    Constraint, Iterate, LeastSquaresProblem, Solution, SolveError, StoppingCriteria, solve,
-    solve_after,
+    Iterate, LeastSquaresProblem, Solution, SolveError, solve, solve_after,
 };
-pub use normal_equations::{
-    NormalBlock, ReducedSystem, SchurComplement, UndeterminedFlight, eliminate,
-};
+pub(crate) use normal_equations::SchurComplement;
+pub use normal_equations::{NormalBlock, ReducedSystem, UndeterminedFlight, eliminate};
+pub(crate) use scaled_cholesky::floored_inverse;
+pub use scaled_cholesky::pseudo_inverse;
+pub use stopping_criteria::{StopReason, StoppingCriteria};
 
 #[cfg(test)]
 mod tests;

@@ -1,32 +1,34 @@
-//! Normal equations of many flights, with each flight's own unknowns eliminated.
+//! Normal equations of many flights, with the local parameters of each eliminated.
 //!
-//! Every flight has unknowns of its own (its initial state) and all share the coefficients. Eliminating the
-//! former flight by flight leaves a system as small as the coefficients, so that the work grows with the
-//! number of flights and no faster.
+//! The local parameters of a flight (its initial state) occur in its residuals alone. Eliminating them flight by flight
+//! leaves a system of the size of the global parameters, so that the work is linear in the number of flights.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector};
 
-/// The normal equations of one flight: second derivatives and gradient of half the sum of squares.
+use super::scaled_cholesky::ScaledCholesky;
+use crate::ids::{GlobalId, LocalId};
+
+/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, by local and global parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalBlock {
-    /// Own by own.
+    /// JᵀJ, local by local.
     pub local: DMatrix<f64>,
-    /// Own by shared.
+    /// JᵀJ, local by global.
     pub cross: DMatrix<f64>,
-    /// Shared by shared.
+    /// JᵀJ, global by global.
     pub global: DMatrix<f64>,
-    /// Gradient for the flight's own unknowns.
+    /// Jᵀr by the local parameters.
     pub local_gradient: DVector<f64>,
-    /// Gradient for the shared unknowns.
+    /// Jᵀr by the global parameters.
     pub global_gradient: DVector<f64>,
     /// Sum of squared residuals.
     pub squares: f64,
-    /// How many residuals were summed.
+    /// Number of residuals.
     pub count: usize,
 }
 
 impl NormalBlock {
-    /// No residuals yet, of `own` and `shared` unknowns.
+    /// Normal equations without residuals, of some numbers of local and global parameters.
     pub fn zero(local: usize, global: usize) -> Self {
         Self {
             local: DMatrix::zeros(local, local),
@@ -39,7 +41,7 @@ impl NormalBlock {
         }
     }
 
-    /// Adds one residual with its derivatives.
+    /// Adds one residual with its derivatives by the local and the global parameters.
     pub fn add(&mut self, residual: f64, by_local: &DVector<f64>, by_global: &DVector<f64>) {
         self.local.ger(1.0, by_local, by_local, 1.0);
         self.cross.ger(1.0, by_local, by_global, 1.0);
@@ -50,30 +52,80 @@ impl NormalBlock {
         self.count += 1;
     }
 
-    /// Whether the flight determines its own unknowns where the shared ones are known.
+    /// Whether the local parameters are determined where the global ones are fixed.
     pub fn determines_local(&self) -> bool {
-        factor(&self.local, 0.0).is_some()
+        ScaledCholesky::independent(&self.local, 0.0).is_some()
+    }
+
+    /// The normal equations where only some of the unknowns are estimated and all others are fixed: block selection of
+    /// JᵀJ and Jᵀr, in the order given.
+    pub fn select(&self, local: &[LocalId], global: &[GlobalId]) -> NormalBlock {
+        let (l, g) = (|i: usize| local[i].index(), |i: usize| global[i].index());
+        let (locals, globals) = (local.len(), global.len());
+        NormalBlock {
+            local: DMatrix::from_fn(locals, locals, |i, j| self.local[(l(i), l(j))]),
+            cross: DMatrix::from_fn(locals, globals, |i, j| self.cross[(l(i), g(j))]),
+            global: DMatrix::from_fn(globals, globals, |i, j| self.global[(g(i), g(j))]),
+            local_gradient: DVector::from_fn(locals, |i, _| self.local_gradient[l(i)]),
+            global_gradient: DVector::from_fn(globals, |i, _| self.global_gradient[g(i)]),
+            ..*self
+        }
+    }
+
+    /// The normal equations with some local parameters treated as global ones, which come first, so that elimination
+    /// of the `remaining` local parameters leaves them.
+    pub fn promote(&self, promoted: &[LocalId], remaining: &[LocalId]) -> NormalBlock {
+        let first = promoted.len();
+        let size = first + self.global.nrows();
+        let (p, r) = (
+            |i: usize| promoted[i].index(),
+            |i: usize| remaining[i].index(),
+        );
+        let entry = |i: usize, j: usize| match (i < first, j < first) {
+            (true, true) => self.local[(p(i), p(j))],
+            (true, false) => self.cross[(p(i), j - first)],
+            (false, true) => self.cross[(p(j), i - first)],
+            (false, false) => self.global[(i - first, j - first)],
+        };
+        let cross = |i: usize, j: usize| match j < first {
+            true => self.local[(r(i), p(j))],
+            false => self.cross[(r(i), j - first)],
+        };
+        let gradient = |i: usize| match i < first {
+            true => self.local_gradient[p(i)],
+            false => self.global_gradient[i - first],
+        };
+        let locals = remaining.len();
+        NormalBlock {
+            local: DMatrix::from_fn(locals, locals, |i, j| self.local[(r(i), r(j))]),
+            cross: DMatrix::from_fn(locals, size, cross),
+            global: DMatrix::from_fn(size, size, entry),
+            local_gradient: DVector::from_fn(locals, |i, _| self.local_gradient[r(i)]),
+            global_gradient: DVector::from_fn(size, |i, _| gradient(i)),
+            ..*self
+        }
     }
 }
 
-/// The flight whose own unknowns its samples do not determine.
+/// A flight whose samples do not determine its local parameters: its position among the blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the samples of flight {0} do not determine its initial state")]
 pub struct UndeterminedFlight(pub usize);
 
-/// What is left of one flight's block once its own unknowns are eliminated.
-pub struct SchurComplement {
+/// Schur complement of a flight's normal equations, its local parameters eliminated.
+pub(crate) struct SchurComplement {
     factor: ScaledCholesky,
     reduced: DMatrix<f64>,
     gradient: DVector<f64>,
 }
 
 impl SchurComplement {
-    /// With Levenberg's damping relative to the diagonal; none where the block is not positive definite.
+    /// Eliminates the local parameters, with damping relative to the diagonal of JᵀJ; none where they are not
+    /// determined.
     pub fn new(block: &NormalBlock, damping: f64) -> Option<Self> {
-        let factor = factor(&block.local, damping)?;
+        let factor = ScaledCholesky::independent(&block.local, damping)?;
         let through = block.cross.tr_mul(&factor.solve_matrix(&block.cross));
-        let gradient = score(block, &factor);
+        let gradient = reduced_gradient(block, &factor);
         Some(Self {
             factor,
             reduced: &block.global - through,
@@ -82,99 +134,49 @@ impl SchurComplement {
     }
 }
 
-/// The eliminated system, kept for the back-substitution.
+/// The normal equations of the global parameters once all local ones are eliminated, with the factors that
+/// back-substitution needs.
 pub struct ReducedSystem<'a> {
     blocks: &'a [NormalBlock],
     factors: Vec<ScaledCholesky>,
-    /// What is left for the shared unknowns: second derivatives of half the sum of squares.
+    /// Sum of the Schur complements: JᵀJ of the global parameters.
     pub reduced: DMatrix<f64>,
-    /// And its gradient.
+    /// Reduced gradient Jᵀr of the global parameters.
     pub gradient: DVector<f64>,
 }
 
-/// The factor of a symmetric matrix whose diagonal was scaled to 1: unknowns have sizes from 1e-5 to 1e2.
-struct ScaledCholesky {
-    scale: DVector<f64>,
-    cholesky: Cholesky<f64, Dyn>,
-}
-
-/// Parts of a squared column that are left of it once the others are allowed for, below which it is not determined.
-const DEPENDENT: f64 = 1e-11;
-
-fn factor(matrix: &DMatrix<f64>, damping: f64) -> Option<ScaledCholesky> {
-    let scale = matrix.diagonal().map(|value| {
-        let root = value.max(0.0).sqrt();
-        if root > 1e-150 { 1.0 / root } else { 1.0 }
-    });
-    let size = matrix.nrows();
-    let mut scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
-    for i in 0..size {
-        scaled[(i, i)] += damping;
-    }
-    let cholesky = scaled.cholesky()?;
-    let least = cholesky.l_dirty().diagonal().min();
-    (size == 0 || least * least > DEPENDENT).then_some(ScaledCholesky { scale, cholesky })
-}
-
-impl ScaledCholesky {
-    fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
-        let scaled = right.component_mul(&self.scale);
-        self.cholesky.solve(&scaled).component_mul(&self.scale)
-    }
-
-    fn solve_matrix(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut solved = right.clone();
-        for (mut row, scale) in solved.row_iter_mut().zip(self.scale.iter()) {
-            row *= *scale;
-        }
-        self.cholesky.solve_mut(&mut solved);
-        for (mut row, scale) in solved.row_iter_mut().zip(self.scale.iter()) {
-            row *= *scale;
-        }
-        solved
-    }
-
-    fn inverse(&self) -> DMatrix<f64> {
-        let inverse = self.cholesky.inverse();
-        let size = self.scale.len();
-        DMatrix::from_fn(size, size, |i, j| {
-            inverse[(i, j)] * self.scale[i] * self.scale[j]
-        })
-    }
-}
-
-/// Eliminates every flight's own unknowns, with Levenberg's damping relative to the diagonal.
+/// Eliminates the local parameters of every flight, with damping relative to the diagonal of JᵀJ.
 ///
 /// # Errors
-/// [`UndeterminedFlight`] where a flight's block is not positive definite.
+/// [`UndeterminedFlight`] if a flight does not determine its local parameters.
 pub fn eliminate(
     blocks: &[NormalBlock],
     damping: f64,
 ) -> Result<ReducedSystem<'_>, UndeterminedFlight> {
-    let rests = blocks
+    let complements = blocks
         .iter()
         .map(|block| SchurComplement::new(block, damping));
-    ReducedSystem::new(blocks, rests)
+    ReducedSystem::new(blocks, complements)
 }
 
 impl<'a> ReducedSystem<'a> {
-    /// The same by what is left of each block.
+    /// Sums the Schur complements of the blocks.
     ///
     /// # Errors
-    /// [`UndeterminedFlight`] where nothing is.
-    pub fn new(
+    /// [`UndeterminedFlight`] for the first flight without one.
+    pub(crate) fn new(
         blocks: &'a [NormalBlock],
-        rests: impl IntoIterator<Item = Option<SchurComplement>>,
+        complements: impl IntoIterator<Item = Option<SchurComplement>>,
     ) -> Result<Self, UndeterminedFlight> {
         let size = blocks.first().map_or(0, |block| block.global.nrows());
         let mut reduced = DMatrix::zeros(size, size);
         let mut gradient = DVector::zeros(size);
         let mut factors = Vec::with_capacity(blocks.len());
-        for (index, rest) in rests.into_iter().enumerate() {
-            let rest = rest.ok_or(UndeterminedFlight(index))?;
-            reduced += rest.reduced;
-            gradient += rest.gradient;
-            factors.push(rest.factor);
+        for (index, complement) in complements.into_iter().enumerate() {
+            let complement = complement.ok_or(UndeterminedFlight(index))?;
+            reduced += complement.reduced;
+            gradient += complement.gradient;
+            factors.push(complement.factor);
         }
         Ok(Self {
             blocks,
@@ -186,7 +188,7 @@ impl<'a> ReducedSystem<'a> {
 }
 
 impl ReducedSystem<'_> {
-    /// The steps of each flight's own unknowns for a given step of the shared ones.
+    /// Steps of the local parameters of each flight for a step of the global ones.
     pub fn back_substitute(&self, global: &DVector<f64>) -> Vec<DVector<f64>> {
         let blocks = self.blocks.iter().zip(&self.factors);
         blocks
@@ -194,7 +196,7 @@ impl ReducedSystem<'_> {
             .collect()
     }
 
-    /// By how much a step decreases the sum of squares, to the second order.
+    /// Decrease of the sum of squares by a step, to second order.
     pub fn predicted_reduction(&self, global: &DVector<f64>, local: &[DVector<f64>]) -> f64 {
         let each = self.blocks.iter().zip(local).map(|(block, local)| {
             let slope = block.local_gradient.dot(local) + block.global_gradient.dot(global);
@@ -206,27 +208,30 @@ impl ReducedSystem<'_> {
         each.sum()
     }
 
-    /// The covariance of one flight's own unknowns for residuals of variance 1, where the shared ones have this one.
+    /// Covariance of a flight's local parameters for residuals of variance 1, given the covariance of the global ones.
     pub fn local_covariance(&self, flight: usize, global: &DMatrix<f64>) -> DMatrix<f64> {
         let factor = &self.factors[flight];
         let through = factor.solve_matrix(&self.blocks[flight].cross);
         factor.inverse() + &through * global * through.transpose()
     }
 
-    /// What one flight adds to the gradient of the shared unknowns.
+    /// Contribution of one flight to the reduced gradient.
     pub fn score(&self, flight: usize) -> DVector<f64> {
-        score(&self.blocks[flight], &self.factors[flight])
+        reduced_gradient(&self.blocks[flight], &self.factors[flight])
     }
 }
 
-/// What a block adds to the gradient of the shared unknowns once its own are eliminated.
-fn score(block: &NormalBlock, factor: &ScaledCholesky) -> DVector<f64> {
+/// Gradient of a flight by the global parameters, its local parameters eliminated.
+fn reduced_gradient(block: &NormalBlock, factor: &ScaledCholesky) -> DVector<f64> {
     let local = factor.solve(&block.local_gradient);
     &block.global_gradient - block.cross.tr_mul(&local)
 }
 
 #[cfg(test)]
 mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha12Rng;
+
     use super::*;
 
     /// Blocks of pseudo-random rows, and the same rows as one dense system.
@@ -235,13 +240,8 @@ mod tests {
         let size = global + flights * local;
         let mut matrix = DMatrix::zeros(flights * rows, size);
         let mut residuals = DVector::zeros(flights * rows);
-        let mut seed = 1_u64;
-        let mut next = || {
-            seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        let mut random = ChaCha12Rng::seed_from_u64(1);
+        let mut next = || random.random::<f64>() - 0.5;
         let mut blocks = vec![NormalBlock::zero(local, global); flights];
         for (flight, block) in blocks.iter_mut().enumerate() {
             for row in 0..rows {
@@ -298,6 +298,22 @@ mod tests {
         let eliminated = eliminate(&blocks, 0.0).unwrap();
         let sum: DVector<f64> = (0..3).map(|flight| eliminated.score(flight)).sum();
         approx_eq(sum.as_slice(), eliminated.gradient.as_slice());
+    }
+
+    #[test]
+    fn selection_and_promotion_give_the_blocks_of_the_same_rows() {
+        let (blocks, ..) = example();
+        let (l, g) = (LocalId::new, GlobalId::new);
+        let selected = blocks[0].select(&[l(1)], &[g(1), g(0)]);
+        assert_eq!(selected.local[(0, 0)], blocks[0].local[(1, 1)]);
+        assert_eq!(selected.cross[(0, 0)], blocks[0].cross[(1, 1)]);
+        assert_eq!(selected.global[(0, 1)], blocks[0].global[(1, 0)]);
+        let promoted = blocks[0].promote(&[l(1)], &[l(0)]);
+        assert_eq!(promoted.global[(0, 0)], blocks[0].local[(1, 1)]);
+        assert_eq!(promoted.global[(2, 0)], blocks[0].cross[(1, 1)]);
+        assert_eq!(promoted.cross[(0, 0)], blocks[0].local[(0, 1)]);
+        assert_eq!(promoted.global_gradient[0], blocks[0].local_gradient[1]);
+        assert_eq!(promoted.squares, blocks[0].squares);
     }
 
     #[test]

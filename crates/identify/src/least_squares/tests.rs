@@ -18,7 +18,7 @@ impl LeastSquaresProblem for Decay {
         flight: usize,
         global: &DVector<f64>,
         local: &DVector<f64>,
-    ) -> Result<NormalBlock, String> {
+    ) -> Result<NormalBlock, crate::error::FlightError> {
         let mut block = NormalBlock::zero(1, 1);
         for &(t, y) in &self.data[flight] {
             let e = (-global[0] * t).exp();
@@ -70,7 +70,7 @@ const EXACT: StoppingCriteria = StoppingCriteria {
 #[test]
 fn exact_data_give_the_exact_unknowns() {
     let solution = solve(&decay((-10.0, 10.0)), start(), EXACT).unwrap();
-    assert!(solution.converged);
+    assert!(solution.converged());
     assert!((solution.iterate.global[0] - 1.3).abs() < 1e-8);
     assert!((solution.iterate.local[1][0] + 5.0).abs() < 1e-8);
 }
@@ -78,7 +78,7 @@ fn exact_data_give_the_exact_unknowns() {
 #[test]
 fn bounds_hold() {
     let solution = solve(&decay((-10.0, 1.0)), start(), EXACT).unwrap();
-    assert!(solution.converged);
+    assert!(solution.converged());
     assert_eq!(solution.iterate.global[0], 1.0);
 }
 

@@ -1,82 +1,103 @@
-//! Where each unknown stands in a row.
+//! Columns of the Jacobian of a residual.
 
 use flight::ObservationJacobians;
 use lanes::{Kernel, Lanes};
+use model_spec::layout::ParamId;
 
+use crate::ids::LocalId;
 use crate::least_squares::GramAccumulator;
 use crate::observations::Observations;
 
-/// Where the derivatives by each unknown stand in a row. A state that no rate depends on keeps its derivative of 1, and
-/// need not be flown: its column stands behind those that are.
-pub(super) struct JacobianColumns {
-    /// Directions of the chart that are flown, which come first; the shared unknowns follow.
-    pub moving: usize,
-    /// Place of each direction.
-    pub local: Vec<usize>,
-    /// Of each state the place of the direction that is it and is not flown.
-    still: Vec<Option<usize>>,
-    /// How many shared unknowns.
-    pub global: usize,
+/// Columns of a Jacobian row: directions whose sensitivities are integrated, then parameters, then directions whose
+/// sensitivity is constant. A state that no rate depends on keeps its derivative of 1 by its own initial value.
+pub(super) struct JacobianColumns<'p> {
+    /// Number of directions that are integrated.
+    pub integrated: usize,
+    /// Column of each direction of the manifold.
+    local: Vec<usize>,
+    /// For each state, the column of the direction that varies it with a constant sensitivity.
+    constant: Vec<Option<usize>>,
+    /// Parameters by which residuals are differentiated.
+    pub parameters: &'p [ParamId],
 }
 
-impl JacobianColumns {
-    pub fn new(observations: &Observations, pattern: &[(usize, usize)], global: usize) -> Self {
-        let dimension = observations.manifold.dimension();
-        let still: Vec<(usize, usize)> = (0..dimension)
-            .filter_map(|direction| Some((direction, observations.manifold.plain(direction)?)))
+impl<'p> JacobianColumns<'p> {
+    /// The columns for a flight, given the entries (rate, state) of the sparsity pattern of ∂f/∂x.
+    pub fn new(
+        observations: &Observations,
+        pattern: &[(usize, usize)],
+        parameters: &'p [ParamId],
+    ) -> Self {
+        let manifold = &observations.manifold;
+        let dimension = manifold.dimension();
+        let constant: Vec<(usize, usize)> = (0..dimension)
+            .filter_map(|direction| {
+                let state = manifold.direct_state(LocalId::new(direction))?;
+                Some((direction, state.index()))
+            })
             .filter(|(_, state)| pattern.iter().all(|(_, column)| column != state))
             .collect();
-        let moving = dimension - still.len();
-        let (mut next, mut behind) = (0, moving + global);
+        let integrated = dimension - constant.len();
+        let (mut next, mut next_constant) = (0, integrated + parameters.len());
         let local = (0..dimension).map(|direction| {
-            let place = if still.iter().any(|(d, _)| *d == direction) {
-                &mut behind
+            let is_constant = constant.iter().any(|(d, _)| *d == direction);
+            let column = if is_constant {
+                &mut next_constant
             } else {
                 &mut next
             };
-            *place += 1;
-            *place - 1
+            *column += 1;
+            *column - 1
         });
         let local: Vec<usize> = local.collect();
-        let mut place_of = vec![None; observations.manifold.states()];
-        for (direction, state) in still {
-            place_of[state] = Some(local[direction]);
+        let mut column_of = vec![None; manifold.states()];
+        for (direction, state) in constant {
+            column_of[state] = Some(local[direction]);
         }
         Self {
-            moving,
+            integrated,
             local,
-            still: place_of,
-            global,
+            constant: column_of,
+            parameters,
         }
     }
 
-    pub fn rows(&self) -> GramAccumulator {
-        let global = self.moving..self.moving + self.global;
-        GramAccumulator::new(self.local.clone(), global.collect())
+    fn parameter_columns(&self) -> std::ops::Range<usize> {
+        self.integrated..self.integrated + self.parameters.len()
     }
 
-    /// The entries of the chart's tangent in the columns that are flown.
+    /// An empty accumulator of normal equations for rows with these columns.
+    pub fn accumulator(&self) -> GramAccumulator {
+        GramAccumulator::new(self.local.clone(), self.parameter_columns().collect())
+    }
+
+    /// Columns of the directions, and then of the parameters.
+    pub fn local_then_parameters(&self) -> Vec<usize> {
+        let local = self.local.iter().copied();
+        local.chain(self.parameter_columns()).collect()
+    }
+
+    /// Entries (state, column, value) of the manifold's tangent in the integrated columns.
     pub fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
-        let placed = entries
-            .iter()
-            .map(|&(state, direction, value)| (state, self.local[direction], value));
-        placed
-            .filter(|(_, place, _)| *place < self.moving)
+        let columns = entries.iter();
+        let columns =
+            columns.map(|&(state, direction, value)| (state, self.local[direction], value));
+        columns
+            .filter(|(_, column, _)| *column < self.integrated)
             .collect()
     }
 
-    /// Rows of x, y and z of one marker, of zeros.
+    /// Rows of zeros for the three axes of a marker.
     pub fn empty_rows(&self) -> [Vec<f64>; 3] {
-        let width = self.rows().width();
+        let width = self.accumulator().width();
         [0; 3].map(|_| vec![0.0; width])
     }
 
-    /// Puts the derivatives of a marker's position by the unknowns into the rows of its axes.
+    /// Writes the derivatives of a marker's position by the unknowns into the rows of its axes.
     pub fn derive<'s>(
         &self,
         derivatives: &ObservationJacobians<'_>,
         row_of: impl Fn(usize) -> &'s [f64],
-        constants: &[usize],
         rows: &mut [Vec<f64>; 3],
     ) {
         lanes::dispatch(Chain {
@@ -89,26 +110,27 @@ impl JacobianColumns {
             .iter()
             .zip(derivatives.by_state);
         for (&(axis, state), &value) in entries {
-            if let Some(place) = self.still[state] {
-                rows[axis][place] += value;
+            if let Some(column) = self.constant[state] {
+                rows[axis][column] += value;
             }
         }
         let entries = derivatives
             .by_parameter_pattern
             .iter()
             .zip(derivatives.by_parameter);
-        for (&(axis, place), &value) in entries {
-            if let Some(column) = constants.iter().position(|constant| *constant == place) {
-                rows[axis][self.moving + column] += value;
+        for (&(axis, parameter), &value) in entries {
+            let mut parameters = self.parameters.iter();
+            if let Some(k) = parameters.position(|id| id.index() == parameter) {
+                rows[axis][self.integrated + k] += value;
             }
         }
     }
 }
 
-/// Rows of a marker by what is flown: its derivatives by the states, times how those change.
+/// Chain rule: derivatives of a marker's position by the states, times the sensitivities of those.
 struct Chain<'a, R> {
     derivatives: &'a ObservationJacobians<'a>,
-    /// How a state changes, padded with zeros to whole lanes.
+    /// Sensitivities of a state, padded with zeros to whole lanes.
     row_of: R,
     rows: &'a mut [Vec<f64>; 3],
 }

@@ -1,4 +1,4 @@
-//! What figures are drawn from: the samples of each flight with what is predicted of them.
+//! Measured and predicted samples of a flight, from which figures are drawn.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +7,7 @@ use crate::dataset::Role;
 /// A flight as measured and as predicted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightEvidence {
-    /// Its file.
+    /// File of the flight.
     pub file: String,
     /// Whether it was fitted or held out.
     pub role: Role,
@@ -15,9 +15,9 @@ pub struct FlightEvidence {
     pub markers: Vec<String>,
     /// Times of the samples, s, from the first.
     pub times: Vec<f64>,
-    /// `measured[sample][marker]`, m; `None` where it was not seen.
+    /// `measured[sample][marker]`, m; `None` for a missing value.
     pub measured: Vec<Vec<Option<[f64; 3]>>>,
-    /// `outlier[sample][marker]`: measured, and taken for an outlier.
+    /// `outlier[sample][marker]`: whether a measured point is excluded as an outlier.
     pub outlier: Vec<Vec<bool>>,
     /// `predicted[sample][marker]`, m.
     pub predicted: Vec<Vec<[f64; 3]>>,
@@ -25,14 +25,14 @@ pub struct FlightEvidence {
     pub state_names: Vec<String>,
     /// `states[sample][state]`, SI.
     pub states: Vec<Vec<f64>>,
-    /// Names of the model's quantities, vectors by component.
+    /// Names of the model's auxiliary quantities, vectors by component.
     pub quantity_names: Vec<String>,
     /// `quantities[sample][quantity]`, SI.
     pub quantities: Vec<Vec<f64>>,
 }
 
 impl FlightEvidence {
-    /// Measured less predicted, m; `None` where nothing was seen or it was taken for an outlier.
+    /// Residual, measured − predicted, m; `None` for a missing value or an outlier.
     pub fn residual(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
         let seen = self.measured[sample][marker].filter(|_| !self.outlier[sample][marker])?;
         let predicted = self.predicted[sample][marker];
@@ -40,15 +40,15 @@ impl FlightEvidence {
     }
 }
 
-/// The residuals along one axis, over all fitted flights and markers.
+/// Residual diagnostics along one axis, over all fitted flights and markers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AxisResiduals {
     /// Autocorrelation of the residuals at lags of 0, 1, 2 … samples.
     pub autocorrelation: Vec<f64>,
-    /// The same once the noise's own correlation is taken out: within ±`band` of 0 where nothing is left.
+    /// Autocorrelation of the whitened residuals at the same lags: within ±`band` of 0 if they are white.
     pub whitened_autocorrelation: Vec<f64>,
-    /// 1.96 over the root of the number of residuals.
+    /// 95 % band of the autocorrelation of white residuals: 1.96 over the root of their number.
     pub band: f64,
-    /// Quantiles of the whitened residuals over their standard deviation: what a normal distribution has, what was found.
+    /// Pairs (normal quantile, quantile of the whitened residuals over their standard deviation).
     pub quantiles: Vec<[f64; 2]>,
 }

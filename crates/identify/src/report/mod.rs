@@ -1,13 +1,16 @@
-//! What a fit found: [`FitReport`] is `report.json`, [`FlightEvidence`] is what figures are drawn from.
+//! The report of a fit: [`FitReport`] is `report.json`; figures are drawn from [`FlightEvidence`].
 
 mod evidence;
-pub(crate) mod residuals;
+mod outcome;
+mod residuals;
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
 pub use evidence::{AxisResiduals, FlightEvidence};
+pub use outcome::{FitStatus, FlightOutcome, Iterations};
+pub(crate) use residuals::ResidualPool;
 
 use crate::dataset::Role;
 
@@ -18,178 +21,175 @@ pub struct FitReport {
     pub schema: String,
     /// Name of the model.
     pub model: String,
-    /// Effects that were switched on.
+    /// Effects that the model includes.
     pub effects: Vec<String>,
-    /// Root of the mean squared residual of one coordinate over the fitted flights, outliers left out, m.
+    /// Root mean square residual of one coordinate over the fitted flights, outliers excluded, m.
     pub rms_m: f64,
-    /// What was found of the noise.
+    /// Estimated noise.
     pub noise: NoiseReport,
-    /// What was estimated for all flights together, by name: the coefficients, and parameters that were freed.
+    /// Coefficients, and other global parameters, by name.
     pub coefficients: BTreeMap<String, Coefficient>,
-    /// Their correlations, by name and name.
+    /// Correlations of the estimated global parameters, by name and name.
     pub correlations: BTreeMap<String, BTreeMap<String, f64>>,
     /// Every flight, in the dataset's order.
     pub flights: Vec<FlightReport>,
-    /// Coefficients and combinations of them that the flights do not determine, the least determined first.
+    /// Non-identifiable coefficients and combinations, the least determined first.
     pub undetermined: Vec<NonIdentifiable>,
-    /// Profiles of the likelihood, where they were asked for.
+    /// Profile likelihoods that the options ask for.
     pub profiles: Vec<Profile>,
-    /// Residuals along each axis: `x`, `y`, `z`.
+    /// Residual diagnostics along each axis: `x`, `y`, `z`.
     pub residuals: BTreeMap<String, AxisResiduals>,
-    /// Steps of the iteration, and whether it converged.
+    /// Steps of the iteration and its status.
     pub iterations: Iterations,
-    /// Time taken, s, by what it was taken for; `total` is all of it.
+    /// Computing time by stage, s; `total` is that of all stages.
     pub seconds: BTreeMap<String, f64>,
 }
 
-/// The noise of the measured coordinates: along each axis a stationary first-order process.
+/// Noise of the measured coordinates: a stationary AR(1) process along each axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NoiseReport {
-    /// Standard deviation of one coordinate, over all axes, m: given by the dataset, or estimated.
+    /// Root mean square of the axes' standard deviations, m: given by the dataset, or estimated.
     pub sigma_m: f64,
-    /// First-order correlation between neighbouring samples, over all axes.
+    /// Lag-1 autocorrelation, mean of the axes.
     pub ar1: f64,
     /// Whether `sigma_m` was estimated.
     pub estimated: bool,
-    /// Each axis: `x`, `y`, `z`.
+    /// Noise along each axis: `x`, `y`, `z`.
     pub axes: BTreeMap<String, AxisNoise>,
-    /// The time between neighbouring samples that `ar1` holds for, s.
+    /// Time between samples to which `ar1` refers, s.
     pub interval_s: f64,
-    /// Points (of a marker, at a time) that were measured in the fitted flights.
+    /// Number of measured points (marker positions) in the fitted flights.
     pub points: usize,
-    /// Points among them that were taken for outliers and left out.
+    /// Number of those that are excluded as outliers.
     pub outliers: usize,
     /// `outliers / points`.
     pub outlier_fraction: f64,
-    /// Points that were not seen.
+    /// Number of missing points.
     pub dropouts: usize,
 }
 
-/// The noise along one axis.
+/// Noise along one axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AxisNoise {
     /// Standard deviation, m.
     pub sigma_m: f64,
-    /// First-order correlation between neighbouring samples.
+    /// Lag-1 autocorrelation.
     pub ar1: f64,
 }
 
-/// One coefficient, or a parameter that was freed.
+/// A coefficient or another global parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coefficient {
-    /// Its value, SI.
+    /// Estimate, or the value at which it is fixed, SI.
     pub value: f64,
-    /// Its standard error under the noise that was found, SI; 0 where it was held.
+    /// Cramér–Rao standard error under the estimated noise, SI; 0 if fixed.
     pub std_error: f64,
-    /// Its standard error from the scatter of the flights alone, whatever their noise; none for fewer than 8 flights.
+    /// Cluster-robust standard error by flight, SI; none for fewer than 8 flights.
     pub std_error_clustered: Option<f64>,
-    /// Interval that holds the true value with a probability of 95 %, SI.
+    /// 95 % confidence interval, SI.
     pub interval: [f64; 2],
-    /// Its unit.
+    /// Unit as the model writes it.
     pub unit: String,
-    /// Whether it rests on a bound.
+    /// Whether the estimate is at a bound.
     pub at_bound: bool,
-    /// Whether it was held at its value.
+    /// Whether it is fixed, and not estimated.
     pub held: bool,
-    /// What the model's file says, SI.
+    /// Initial value, SI: from the prior, the dataset or the model.
     pub model_value: f64,
-    /// Value and standard deviation of the prior, SI, where one was given.
+    /// Mean and standard deviation of the prior, SI.
     pub prior: Option<[f64; 2]>,
 }
 
-/// One flight.
+/// Report of one flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightReport {
-    /// Its file.
+    /// File of the flight.
     pub file: String,
-    /// Whether it was fitted or held out.
+    /// Whether the dataset assigns it to the fit or holds it out.
     pub role: Role,
-    /// Samples in its table.
+    /// Whether it was fitted, predicted or excluded.
+    #[serde(flatten)]
+    pub outcome: FlightOutcome,
+    /// Number of samples in its table.
     pub samples: usize,
-    /// Root of the mean squared residual of one coordinate, m; for a held-out flight with its initial state
-    /// fitted on the first 30 % of its samples, over the rest.
-    pub rms_m: f64,
-    /// Points of it that were taken for outliers.
+    /// Root mean square residual of one coordinate, m; for a held-out flight over the samples after the conditioning
+    /// segment. None if excluded.
+    pub rms_m: Option<f64>,
+    /// Number of its points that are excluded as outliers.
     pub outliers: usize,
-    /// Its initial state, by name.
+    /// Initial state by name; empty if excluded.
     pub initial: BTreeMap<String, Estimate>,
-    /// Where its table was cut, and why.
+    /// Where and why its samples were truncated.
     pub cut: Option<Truncation>,
-    /// What else has to be said of it: why it was left out, how its fit was recovered.
+    /// Messages: why it is excluded, how its fit was repeated.
     pub notes: Vec<String>,
 }
 
 impl FitReport {
-    /// The flights of a role that were not left out, in the dataset's order.
+    /// Flights of a role that are not excluded, in the dataset's order.
     pub fn used(&self, role: Role) -> impl Iterator<Item = &FlightReport> {
         let flights = self.flights.iter();
         flights.filter(move |flight| flight.role == role && flight.is_used())
     }
 
-    /// The flights that were left out, in the dataset's order.
-    pub fn left_out(&self) -> impl Iterator<Item = &FlightReport> {
+    /// Excluded flights, in the dataset's order.
+    pub fn excluded(&self) -> impl Iterator<Item = &FlightReport> {
         self.flights.iter().filter(|flight| !flight.is_used())
     }
 }
 
 impl FlightReport {
-    /// Whether it was fitted, or predicted where it was held out, and not left out.
+    /// Whether it was fitted or predicted, and not excluded.
     pub fn is_used(&self) -> bool {
-        !self.initial.is_empty()
+        !matches!(self.outcome, FlightOutcome::Excluded { .. })
+    }
+
+    /// Root mean square residual of one coordinate, m; not a number if the flight is excluded.
+    pub fn rms(&self) -> f64 {
+        self.rms_m.unwrap_or(f64::NAN)
     }
 }
 
-/// The end of a flight before the end of its table.
+/// Truncation of a flight before the end of its table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Truncation {
     /// Time of the last sample that was used, s, as in the table.
     pub t: f64,
-    /// Samples that were not used.
+    /// Number of dropped samples.
     pub samples: usize,
-    /// What the data show there.
+    /// Reason.
     pub why: String,
 }
 
-/// A number with its standard error.
+/// An estimate with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Value, SI.
     pub value: f64,
-    /// Standard error, SI; 0 where the value was known.
+    /// Standard error, SI; 0 if the value is known.
     pub std_error: f64,
 }
 
-/// What the flights do not determine.
+/// A practically non-identifiable direction of the global parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NonIdentifiable {
-    /// Which coefficients.
+    /// Names of the coefficients in the direction.
     pub combination: Vec<String>,
-    /// Their parts in the direction that is not determined, each over the size that is usual for it.
+    /// Components of the direction by coefficient, each in units of its typical magnitude.
     pub weights: BTreeMap<String, f64>,
-    /// Standard error along that direction, over the usual size.
+    /// Standard error along the direction, in units of the typical magnitudes.
     pub relative_error: f64,
-    /// Why, in words.
+    /// Explanation in words.
     pub why: String,
 }
 
-/// How the likelihood falls off as one coefficient is held and all else is fitted again.
+/// Profile likelihood of one coefficient.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
     /// The coefficient.
     pub name: String,
-    /// Value (SI) and deviance: twice the logarithm of the likelihood's ratio to its greatest.
+    /// Points (value, SI; deviance: twice the log of the ratio of the greatest likelihood to that at the value).
     pub points: Vec<[f64; 2]>,
-    /// Where the deviance is 3.84, on either side: the interval of 95 %; none where it was not reached.
+    /// Values on either side where the deviance is 3.84 (95 % interval); none where it is not reached.
     pub interval: [Option<f64>; 2],
-}
-
-/// How the iteration went.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Iterations {
-    /// Steps tried.
-    pub steps: usize,
-    /// How often the noise was estimated anew.
-    pub rounds: usize,
-    /// Whether the last steps were negligible.
-    pub converged: bool,
 }

@@ -1,4 +1,4 @@
-//! Residuals of many flights, pooled: how they are correlated and how they are distributed.
+//! Residual diagnostics of many flights: autocorrelation and distribution.
 
 use std::collections::BTreeMap;
 
@@ -7,16 +7,19 @@ use lanes::{Kernel, Lanes};
 use super::AxisResiduals;
 use crate::noise::NoiseModel;
 
-/// Lags of the autocorrelations, in samples.
+/// Number of lags of the autocorrelation, in samples.
 const LAGS: usize = 25;
 
-/// Bins of the whitened residuals, and how far they reach, over the standard deviation.
-const BINS: (usize, f64) = (2000, 10.0);
+/// Bins of the histogram of whitened residuals.
+const BINS: usize = 2000;
 
-/// Quantiles that are reported.
+/// Limit of the histogram on either side, in standard deviations.
+const HISTOGRAM_LIMIT: f64 = 10.0;
+
+/// Number of quantiles in the report.
 const QUANTILES: usize = 61;
 
-/// Sums over residuals; those of several flights are joined. Their size does not depend on the number of flights.
+/// Sums over residuals, which are joined over flights and whose size does not depend on their number.
 #[derive(Clone, Debug)]
 pub struct ResidualPool {
     axes: [Axis; 3],
@@ -25,10 +28,10 @@ pub struct ResidualPool {
 
 #[derive(Clone, Debug)]
 struct Axis {
-    /// Sums of products at each lag, and how many.
+    /// Sum and number of products at each lag.
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
-    /// Whitened residuals by size.
+    /// Histogram of the whitened residuals.
     bins: Vec<u32>,
 }
 
@@ -47,7 +50,7 @@ impl Default for ResidualPool {
 }
 
 impl ResidualPool {
-    /// Adds the residuals of one marker of a flight, m; `None` where there is none.
+    /// Adds the residuals of one marker of a flight, m; `None` for a missing value.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &NoiseModel) {
         self.points += residuals.iter().flatten().count();
         for (k, axis) in self.axes.iter_mut().enumerate() {
@@ -68,15 +71,15 @@ impl ResidualPool {
             }
             products(&series, &mut axis.raw);
             products(&whitened, &mut axis.whitened);
-            axis.bins.resize(BINS.0, 0);
+            axis.bins.resize(BINS, 0);
             for value in whitened.into_iter().flatten() {
-                let place = (value / BINS.1 + 1.0) / 2.0 * BINS.0 as f64;
-                axis.bins[(place.max(0.0) as usize).min(BINS.0 - 1)] += 1;
+                let place = (value / HISTOGRAM_LIMIT + 1.0) / 2.0 * BINS as f64;
+                axis.bins[(place.max(0.0) as usize).min(BINS - 1)] += 1;
             }
         }
     }
 
-    /// Adds those of other flights.
+    /// Adds the sums of other flights.
     pub fn join(&mut self, other: ResidualPool) {
         self.points += other.points;
         for (axis, other) in self.axes.iter_mut().zip(other.axes) {
@@ -88,7 +91,7 @@ impl ResidualPool {
                     *sum = (sum.0 + other.0, sum.1 + other.1);
                 }
             }
-            axis.bins.resize(BINS.0, 0);
+            axis.bins.resize(BINS, 0);
             for (bin, other) in axis.bins.iter_mut().zip(other.bins) {
                 *bin += other;
             }
@@ -101,7 +104,7 @@ impl ResidualPool {
         (squares / (3 * self.points).max(1) as f64).sqrt()
     }
 
-    /// What is reported of each axis.
+    /// Diagnostics of each axis.
     pub fn axes(&self) -> BTreeMap<String, AxisResiduals> {
         let names = ["x", "y", "z"].into_iter().map(str::to_owned);
         names.zip(self.axes.iter().map(Axis::report)).collect()
@@ -184,15 +187,16 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
 
 /// The value below which so many lie, searched `from` a bin on with what lies below it: quantiles are asked for in order.
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
-    let width = 2.0 * BINS.1 / BINS.0 as f64;
+    let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {
         let (count, below) = (f64::from(count), from.1);
         if count > 0.0 && below + count >= wanted {
-            return -BINS.1 + width * (index as f64 + ((wanted - below) / count).clamp(0.0, 1.0));
+            return -HISTOGRAM_LIMIT
+                + width * (index as f64 + ((wanted - below) / count).clamp(0.0, 1.0));
         }
         *from = (index + 1, below + count);
     }
-    BINS.1
+    HISTOGRAM_LIMIT
 }
 
 fn normal() -> statrs::distribution::Normal {
@@ -215,10 +219,10 @@ mod tests {
 
     #[test]
     fn even_normal_values_lie_on_the_diagonal() {
-        let mut bins = vec![0; BINS.0];
+        let mut bins = vec![0; BINS];
         for k in 0..20_000 {
             let value = normal_quantile((f64::from(k) + 0.5) / 20_000.0);
-            bins[((value / BINS.1 + 1.0) / 2.0 * BINS.0 as f64) as usize] += 1;
+            bins[((value / HISTOGRAM_LIMIT + 1.0) / 2.0 * BINS as f64) as usize] += 1;
         }
         for [expected, found] in quantiles(&bins) {
             assert!((expected - found).abs() < 0.1, "{expected} {found}");

@@ -1,4 +1,4 @@
-//! Coefficients, and combinations of them, that the flights do not determine: named, and why, in words.
+//! Practical non-identifiability: coefficients and combinations that the flights do not determine.
 
 use std::collections::BTreeMap;
 
@@ -9,25 +9,25 @@ use crate::problem::GlobalParameter;
 use crate::report::NonIdentifiable;
 use crate::wording::listed;
 
-/// A direction whose standard error is more than this part of the usual size is not determined.
-const LOOSE: f64 = 0.5;
+/// Standard error over the typical magnitude above which a direction is not identifiable.
+const MAX_RELATIVE_ERROR: f64 = 0.5;
 
-/// A coefficient belongs to a direction where its part is at least this much of the greatest.
-const PART: f64 = 0.3;
+/// Component over the greatest one from which a coefficient belongs to a direction.
+const MIN_COMPONENT: f64 = 0.3;
 
-/// The least and the greatest that a named quantity was in the flights.
+/// Least and greatest value of each quantity and state in the flights, by name.
 pub type ExcitationRange = BTreeMap<String, (f64, f64)>;
 
-/// The directions that are not determined, the least determined first.
+/// Non-identifiable directions of the global parameters, the least determined first.
 pub fn non_identifiable(
     model: &Model,
     global: &[GlobalParameter],
     covariance: &DMatrix<f64>,
-    support: &ExcitationRange,
+    ranges: &ExcitationRange,
 ) -> Vec<NonIdentifiable> {
     let usual = |i: usize| global[i].x_scale;
     let size = global.len();
-    // Where everything is held nothing is open.
+    // The eigenvalue decomposition needs at least one parameter.
     if size == 0 {
         return Vec::new();
     }
@@ -45,14 +45,14 @@ pub fn non_identifiable(
                 eigen.eigenvectors.column(k),
             )
         })
-        .take_while(|(error, _)| *error > LOOSE)
+        .take_while(|(error, _)| *error > MAX_RELATIVE_ERROR)
         .map(|(error, direction)| {
             let greatest = direction.amax();
             let mut members: Vec<usize> = (0..size)
-                .filter(|&i| direction[i].abs() >= PART * greatest)
+                .filter(|&i| direction[i].abs() >= MIN_COMPONENT * greatest)
                 .collect();
             members.sort_by(|&a, &b| direction[b].abs().total_cmp(&direction[a].abs()));
-            // Which way along the direction is nobody's choice: the first member goes up.
+            // The sign of a direction is arbitrary: the first member is positive.
             let sign = direction[members[0]].signum();
             let weights = members
                 .iter()
@@ -62,7 +62,7 @@ pub fn non_identifiable(
                 combination: members.iter().map(|&i| global[i].name.clone()).collect(),
                 weights,
                 relative_error: error,
-                why: why(model, global, &members, error, support),
+                why: why(model, global, &members, error, ranges),
             }
         })
         .collect()
@@ -73,7 +73,7 @@ fn why(
     global: &[GlobalParameter],
     members: &[usize],
     error: f64,
-    support: &ExcitationRange,
+    ranges: &ExcitationRange,
 ) -> String {
     let names: Vec<&str> = members.iter().map(|&i| global[i].name.as_str()).collect();
     let much = if error > 1e3 {
@@ -90,14 +90,14 @@ fn why(
             listed(&names)
         ),
     };
-    match seen_through(model, &names, support) {
+    match excitation(model, &names, ranges) {
         Some(because) => format!("{told}; {because}"),
         None => told,
     }
 }
 
-/// Ranges of the quantities that the coefficients are multiplied by where the model uses them.
-fn seen_through(model: &Model, names: &[&str], support: &ExcitationRange) -> Option<String> {
+/// Excitation ranges of the quantities that occur in expressions with the coefficients.
+fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option<String> {
     let mut met: Vec<&str> = Vec::new();
     let expressions = model.aux_variables.iter().map(|quantity| &quantity.value);
     let loads = model
@@ -116,7 +116,7 @@ fn seen_through(model: &Model, names: &[&str], support: &ExcitationRange) -> Opt
             .any(|&i| names.contains(&model.coefficients[i].name.as_str()));
         if uses {
             for quantity in found.quantities {
-                if support.contains_key(quantity) && !met.contains(&quantity) {
+                if ranges.contains_key(quantity) && !met.contains(&quantity) {
                     met.push(quantity);
                 }
             }
@@ -126,14 +126,14 @@ fn seen_through(model: &Model, names: &[&str], support: &ExcitationRange) -> Opt
         .iter()
         .take(3)
         .map(|name| {
-            let (low, high) = support[*name];
+            let (low, high) = ranges[*name];
             range(model, name, low, high)
         })
         .collect();
     (!ranges.is_empty()).then(|| format!("in them {}", ranges.join(", ")))
 }
 
-/// A range in its unit, angles in degrees.
+/// A range with its unit, angles in degrees.
 fn range(model: &Model, name: &str, low: f64, high: f64) -> String {
     let angle = model_spec::unit::Unit::RADIAN;
     let quantity = model

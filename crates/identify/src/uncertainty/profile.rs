@@ -1,54 +1,60 @@
-//! How the likelihood falls off as one coefficient is held and all else is fitted again.
+//! Profile likelihood of one global parameter.
 
 use nalgebra::DVector;
 
-use crate::least_squares::NormalBlock;
+use crate::error::FlightError;
+use crate::ids::GlobalId;
 use crate::least_squares::{
-    Constraint, LeastSquaresProblem, Solution, SolveError, StoppingCriteria, solve,
+    Constraint, LeastSquaresProblem, NormalBlock, Solution, SolveError, StoppingCriteria, solve,
 };
 use crate::problem::GlobalParameter;
 use crate::report::Profile;
 
-/// Deviance at the ends of the interval of 95 %.
-const LIMIT: f64 = 3.841_458_820_694_124;
+/// 95 % quantile of χ² with 1 degree of freedom.
+const CHI2_95: f64 = 3.841_458_820_694_124;
 
-/// Points on either side of the estimate, and how far apart they are, over the standard error.
-const POINTS: (usize, f64) = (6, 0.5);
+/// Points on either side of the estimate.
+const POINTS_PER_SIDE: usize = 6;
 
-/// Profiles one shared unknown around a solution.
+/// Distance between points, over the standard error.
+const SPACING: f64 = 0.5;
+
+/// Profiles one global parameter of standard error `error` around a solution: it is fixed at several values, and all other
+/// unknowns are fitted again.
 ///
 /// # Errors
-/// [`SolveError::Stopped`]; a point that cannot be fitted is left out.
+/// [`SolveError::Cancelled`]; the profile ends before a point that cannot be fitted.
 pub fn profile(
     problem: &impl LeastSquaresProblem,
     solution: &Solution,
     global: &[GlobalParameter],
-    index: usize,
+    parameter: GlobalId,
     error: f64,
 ) -> Result<Profile, SolveError> {
+    let index = parameter.index();
     let best = solution.iterate.global[index];
     let (low, high) = global[index].constraint.bounds;
     let mut points = vec![[best, 0.0]];
     for direction in [-1.0, 1.0] {
         let mut point = solution.iterate.clone();
-        for k in 1..=POINTS.0 {
-            let value = best + direction * k as f64 * POINTS.1 * error;
+        for k in 1..=POINTS_PER_SIDE {
+            let value = best + direction * k as f64 * SPACING * error;
             if !(low..=high).contains(&value) {
                 break;
             }
             point.global[index] = value;
             let mut constraints = problem.constraints().to_vec();
             constraints[index].bounds = (value, value);
-            let held = Constrained {
+            let constrained = Constrained {
                 problem,
                 constraints,
             };
-            match solve(&held, point.clone(), StoppingCriteria::CONVERGED) {
+            match solve(&constrained, point.clone(), StoppingCriteria::CONVERGED) {
                 Ok(found) => {
                     points.push([value, (found.squares - solution.squares).max(0.0)]);
                     point = found.iterate;
                 }
-                Err(SolveError::Stopped) => return Err(SolveError::Stopped),
+                Err(SolveError::Cancelled) => return Err(SolveError::Cancelled),
                 Err(_) => break,
             }
         }
@@ -62,7 +68,7 @@ pub fn profile(
     })
 }
 
-/// Where the deviance reaches its limit on one side, by the root of it, which is nearly straight.
+/// Value at which the deviance reaches its 95 % quantile on one side, interpolated in its root, which is nearly linear.
 fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     let mut side: Vec<[f64; 2]> = points
         .iter()
@@ -72,14 +78,14 @@ fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     side.sort_by(|a, b| (a[0] * direction).total_cmp(&(b[0] * direction)));
     side.windows(2).find_map(|pair| {
         let [[from, low], [to, high]] = [pair[0], pair[1]];
-        (low < LIMIT && high >= LIMIT).then(|| {
-            let part = (LIMIT.sqrt() - low.sqrt()) / (high.sqrt() - low.sqrt());
+        (low < CHI2_95 && high >= CHI2_95).then(|| {
+            let part = (CHI2_95.sqrt() - low.sqrt()) / (high.sqrt() - low.sqrt());
             from + part * (to - from)
         })
     })
 }
 
-/// The problem with other things known.
+/// A problem with other constraints.
 struct Constrained<'a, P> {
     problem: &'a P,
     constraints: Vec<Constraint>,
@@ -94,7 +100,7 @@ impl<P: LeastSquaresProblem> LeastSquaresProblem for Constrained<'_, P> {
         flight: usize,
         global: &DVector<f64>,
         local: &DVector<f64>,
-    ) -> Result<NormalBlock, String> {
+    ) -> Result<NormalBlock, FlightError> {
         self.problem.linearise(flight, global, local)
     }
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
@@ -106,8 +112,8 @@ impl<P: LeastSquaresProblem> LeastSquaresProblem for Constrained<'_, P> {
     fn threads(&self) -> usize {
         self.problem.threads()
     }
-    fn is_stopped(&self) -> bool {
-        self.problem.is_stopped()
+    fn is_cancelled(&self) -> bool {
+        self.problem.is_cancelled()
     }
 }
 

@@ -40,10 +40,10 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     if worst {
         // A flight without a number is the worst of all.
         let size = |f: &FlightReport| {
-            if f.rms_m.is_nan() {
+            if f.rms().is_nan() {
                 f64::INFINITY
             } else {
-                f.rms_m
+                f.rms()
             }
         };
         flights.sort_by(|a, b| size(b).total_cmp(&size(a)));
@@ -59,9 +59,9 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
 /// The first of the flights that were left out.
 pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     Table {
-        all: page.report.left_out().count(),
+        all: page.report.excluded().count(),
         worst: false,
-        rows: page.report.left_out().take(MOST_ROWS).map(row).collect(),
+        rows: page.report.excluded().take(MOST_ROWS).map(row).collect(),
     }
 }
 
@@ -77,7 +77,7 @@ fn row(flight: &FlightReport) -> Row {
         file: flight.file.clone(),
         samples: flight.samples,
         rms: if flight.is_used() {
-            millimetres(flight.rms_m)
+            millimetres(flight.rms())
         } else {
             "–".to_owned()
         },

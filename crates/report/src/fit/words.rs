@@ -20,7 +20,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let report = page.report;
     let number = |role: Role| report.used(role).count();
     let (fitted, held_out) = (number(Role::Fit), number(Role::HeldOut));
-    let left_out = report.left_out().count();
+    let left_out = report.excluded().count();
     let noise = &report.noise;
     let mut text = format!("The model ‘{}’", report.model);
     if !report.effects.is_empty() {
@@ -70,7 +70,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
 fn held_out_words(report: &FitReport) -> Option<String> {
     let held_out = report.used(Role::HeldOut);
     let mut rms: Vec<f64> = held_out
-        .map(|f| f.rms_m)
+        .map(|f| f.rms())
         .filter(|v| v.is_finite())
         .collect();
     rms.sort_by(f64::total_cmp);
@@ -177,7 +177,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         ),
     );
     let held_out = report.used(Role::HeldOut);
-    let bad = |f: &&FlightReport| f.rms_m > FAR * noise.sigma_m;
+    let bad = |f: &&FlightReport| f.rms() > FAR * noise.sigma_m;
     let far = held_out.filter(bad).count();
     add(
         far > 0,

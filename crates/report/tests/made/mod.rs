@@ -155,9 +155,16 @@ pub fn report(flights: usize) -> FitReport {
             Role::Fit
         },
         samples: 110 + 10 * (number % 4),
-        rms_m: SIGMA
-            * (1.0 + 0.06 * random.normal().abs())
-            * if number.is_multiple_of(4) { 1.5 } else { 1.0 },
+        outcome: if number.is_multiple_of(4) {
+            FlightOutcome::HeldOut
+        } else {
+            FlightOutcome::Fitted
+        },
+        rms_m: Some(
+            SIGMA
+                * (1.0 + 0.06 * random.normal().abs())
+                * if number.is_multiple_of(4) { 1.5 } else { 1.0 },
+        ),
         outliers: number % 3,
         initial: BTreeMap::from([(
             "z".to_owned(),
@@ -272,6 +279,7 @@ pub fn report(flights: usize) -> FitReport {
             steps: 9,
             rounds: 4,
             converged: true,
+            status: FitStatus::Converged,
         },
         seconds: BTreeMap::from([
             ("total".into(), 0.91),

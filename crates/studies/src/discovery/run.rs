@@ -145,7 +145,7 @@ fn held_out(
 fn prediction_error(fitted: &Fit) -> f64 {
     let flights = fitted.report.flights.iter();
     let held_out = flights.filter(|f| f.role == Role::HeldOut && !f.initial.is_empty());
-    let squares: Vec<f64> = held_out.map(|flight| flight.rms_m.powi(2)).collect();
+    let squares: Vec<f64> = held_out.map(|flight| flight.rms().powi(2)).collect();
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }
 

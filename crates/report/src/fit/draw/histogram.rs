@@ -12,7 +12,7 @@ const LEAST: usize = 8;
 
 /// The rms of the fitted flights, where there are enough.
 pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
-    let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms_m).collect();
+    let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms()).collect();
     rms.retain(|v| v.is_finite());
     if rms.len() < LEAST {
         return None;

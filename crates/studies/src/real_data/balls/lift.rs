@@ -101,7 +101,7 @@ fn lift(
     let initial = &fitted.report.flights[index].initial;
     let (turn_x, turn_z) = (initial.get("turn_x")?.value, initial.get("turn_z")?.value);
     let velocity = mean_velocity(flight)?;
-    let evidence = fitted.evidence(index)?;
+    let evidence = fitted.evidence(identify::FlightId::new(index))?;
     let speed = velocity.norm();
     Some(Lift {
         file: flight.file.clone(),

@@ -1,0 +1,76 @@
+//! Trajectories and residuals without derivatives.
+
+use flight::ModelState;
+use nalgebra::DVector;
+use ode::integrate_at;
+
+use super::trajectory_pass::integration_options;
+use crate::error::FlightError;
+use crate::marker_observers::MarkerConditions;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
+use crate::tolerance::RESIDUAL_TOLERANCE;
+
+/// Residuals `[marker][sample]`, predicted − measured, m; `None` for a missing value. Outliers are included.
+pub type Residuals = Vec<Vec<Option<[f64; 3]>>>;
+
+/// ModelState at the first samples of a flight, sample by sample.
+///
+/// # Errors
+/// [`FlightError::Integration`] if the trajectory cannot be computed.
+pub fn states(
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+) -> Result<Vec<f64>, FlightError> {
+    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let start: ModelState = local.as_slice().into();
+    let times = &observations.times[..samples];
+    let mut states = vec![0.0; start.len() * times.len()];
+    let options = integration_options(RESIDUAL_TOLERANCE * problem.sigma0);
+    let mut motion = conditions.rhs();
+    let from = (times[0], &start);
+    integrate_at(&mut motion, from, times, &options, &mut [], &mut states)?;
+    Ok(states)
+}
+
+/// Residuals at the first samples of a flight.
+///
+/// # Errors
+/// [`FlightError::Integration`] if the trajectory cannot be computed.
+pub fn residuals(
+    problem: &FitProblem,
+    observations: &Observations,
+    unknowns: (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+) -> Result<Residuals, FlightError> {
+    let states = states(problem, observations, unknowns, samples)?;
+    Ok(residuals_of(problem, observations, unknowns.0, &states))
+}
+
+/// Residuals on a trajectory given by its states, sample by sample.
+pub fn residuals_of(
+    problem: &FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+    trajectory: &[f64],
+) -> Residuals {
+    let parameters = observations.parameters(problem, global);
+    let conditions = MarkerConditions::new(&problem.body, &parameters, observations.markers);
+    let mut observers = conditions.observers();
+    let states = observations.manifold.states();
+    let samples = trajectory.len() / states;
+    let mut residuals = vec![Vec::with_capacity(samples); observations.markers];
+    for (sample, state) in trajectory.chunks(states).enumerate() {
+        for (marker, position) in problem.markers.iter().enumerate() {
+            let residual = observations.points(sample)[marker].map(|measured| {
+                let time = observations.times[sample];
+                let y = observers.position(time, state, (marker, position));
+                [0, 1, 2].map(|axis| y[axis] - measured[axis])
+            });
+            residuals[marker].push(residual);
+        }
+    }
+    residuals
+}

@@ -1,0 +1,153 @@
+//! One integration of a flight with sensitivities, which visits every residual with its derivatives.
+
+use std::ops::Range;
+
+use model_spec::layout::ParamId;
+use nalgebra::DVector;
+use ode::{DifferentiableRhs, Sensitivities};
+use ode::{IntegrationOptions, Method, integrate_at, integrate_with_callback};
+
+use super::jacobian_columns::JacobianColumns;
+use crate::error::FlightError;
+use crate::marker_observers::MarkerConditions;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
+
+/// Least tolerance of an integration, m: rounding errors allow no less.
+const MIN_TOLERANCE: f64 = 1e-10;
+
+/// Greatest tolerance of an integration, m.
+const MAX_TOLERANCE: f64 = 1e-3;
+
+/// IntegrationOptions of an integration of a tolerance in m, which is clamped to what is possible.
+pub(super) fn integration_options(tolerance: f64) -> IntegrationOptions {
+    IntegrationOptions {
+        method: Method::Tsit5,
+        ..IntegrationOptions::with_tolerance(tolerance.clamp(MIN_TOLERANCE, MAX_TOLERANCE))
+    }
+}
+
+/// A flight that is integrated with its sensitivities.
+pub(super) struct TrajectoryPass<'a> {
+    pub problem: &'a FitProblem,
+    pub observations: &'a Observations,
+    pub global: &'a DVector<f64>,
+    pub local: &'a DVector<f64>,
+    /// Number of samples from the first.
+    pub samples: usize,
+    /// Tolerance of the integration, m.
+    pub tolerance: f64,
+    /// Whether outliers are visited.
+    pub with_outliers: bool,
+}
+
+/// A measured point on the trajectory.
+pub(super) struct ObservedPoint<'r> {
+    pub marker: usize,
+    pub sample: usize,
+    /// Time since the first sample, s.
+    pub time: f64,
+    /// Predicted − measured, m.
+    pub residual: [f64; 3],
+    /// ObservationJacobians along each axis, in the columns of [`JacobianColumns`].
+    pub rows: &'r mut [Vec<f64>; 3],
+}
+
+impl TrajectoryPass<'_> {
+    /// Integrates the flight, or takes its trajectory from the cache, and calls `each` with every measured point.
+    pub fn each_point<M: DifferentiableRhs>(
+        &self,
+        motion: M,
+        columns: &JacobianColumns<'_>,
+        cache: Option<&mut Option<Vec<f64>>>,
+        mut each: impl FnMut(ObservedPoint<'_>),
+    ) -> Result<(), FlightError> {
+        let (problem, observations) = (self.problem, self.observations);
+        // Only the number of directions matters here; the columns are filled with the tangent of the manifold.
+        let directions: Vec<usize> = (0..columns.integrated).collect();
+        let parameters: Vec<usize> = columns
+            .parameters
+            .iter()
+            .copied()
+            .map(ParamId::index)
+            .collect();
+        let mut variations = Sensitivities::new(motion, &directions, &parameters);
+        let places = variations.layout();
+        let values = observations.parameters(problem, self.global);
+        let conditions = MarkerConditions::new(&problem.body, &values, observations.markers);
+        let mut observers = conditions.observers();
+        let mut rows = columns.empty_rows();
+        let times = &observations.times[..self.samples];
+        let mut visit = |sample: usize, both: &[f64]| {
+            let (time, state) = (times[sample], places.state(both));
+            for (marker, position) in problem.markers.iter().enumerate() {
+                let Some(measured) = self.measured(sample, marker) else {
+                    continue;
+                };
+                let (y, derivatives) = observers.linearise(time, state, (marker, position));
+                let row_of = |state: usize| places.padded_row(both, state);
+                columns.derive(&derivatives, row_of, &mut rows);
+                each(ObservedPoint {
+                    marker,
+                    sample,
+                    time,
+                    residual: [0, 1, 2].map(|axis| y[axis] - measured[axis]),
+                    rows: &mut rows,
+                });
+            }
+        };
+        let length = variations.len();
+        if let Some(Some(trajectory)) = cache {
+            for (sample, both) in trajectory.chunks(length).enumerate() {
+                visit(sample, both);
+            }
+            return Ok(());
+        }
+        let tangent = observations.manifold.tangent(self.local.as_slice());
+        let start =
+            variations.initial_state_with(self.local.as_slice(), &columns.tangent(&tangent));
+        let (from, options) = ((times[0], &start), integration_options(self.tolerance));
+        match cache {
+            Some(cache) => {
+                let mut trajectory = vec![0.0; length * times.len()];
+                integrate_at(
+                    &mut variations,
+                    from,
+                    times,
+                    &options,
+                    &mut [],
+                    &mut trajectory,
+                )?;
+                for (sample, both) in cache.insert(trajectory).chunks(length).enumerate() {
+                    visit(sample, both);
+                }
+            }
+            None => {
+                let observed = problem.body.observed_states().into_iter();
+                let observed = observed.map(|state| places.row_range(state));
+                let shown = joined(std::iter::once(places.state_range()).chain(observed));
+                integrate_with_callback(&mut variations, from, times, &options, &shown, visit)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn measured(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
+        match self.with_outliers {
+            true => self.observations.points(sample)[marker],
+            false => self.observations.inlier(sample, marker),
+        }
+    }
+}
+
+/// Ranges with adjacent ones joined.
+fn joined(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
+    let mut joined: Vec<Range<usize>> = Vec::new();
+    for range in ranges {
+        match joined.last_mut() {
+            Some(last) if last.end == range.start => last.end = range.end,
+            _ => joined.push(range),
+        }
+    }
+    joined
+}

@@ -1,0 +1,77 @@
+//! What became of each flight, and whether the iteration converged.
+
+use serde::{Deserialize, Serialize};
+
+use crate::least_squares::StopReason;
+
+/// What became of a flight.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "outcome", rename_all = "kebab-case")]
+pub enum FlightOutcome {
+    /// Its initial state was fitted together with the global parameters.
+    Fitted,
+    /// Its initial state was fitted to the conditioning segment, and the rest was predicted.
+    HeldOut,
+    /// It was not used.
+    Excluded {
+        /// Why.
+        reason: String,
+    },
+}
+
+/// Whether a fit converged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FitStatus {
+    /// The least squares converged, and the noise agrees with its residuals.
+    Converged,
+    /// The last least squares reached its greatest number of steps.
+    MaxSteps,
+    /// The last least squares found no step that decreases the sum of squares.
+    NoDescent,
+    /// Noise and residuals did not agree after the greatest number of noise estimates.
+    NoiseNotConverged,
+}
+
+impl FitStatus {
+    /// The status after a least squares and a comparison of its residuals with the noise.
+    pub(crate) fn of(least_squares: StopReason, noise_agrees: bool) -> Self {
+        match least_squares {
+            StopReason::MaxSteps => Self::MaxSteps,
+            StopReason::NoDescent => Self::NoDescent,
+            StopReason::Converged if !noise_agrees => Self::NoiseNotConverged,
+            StopReason::Converged => Self::Converged,
+        }
+    }
+
+    /// Whether it is [`Converged`](Self::Converged).
+    pub fn converged(self) -> bool {
+        self == Self::Converged
+    }
+}
+
+/// Steps and status of the iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Iterations {
+    /// Steps tried.
+    pub steps: usize,
+    /// Number of noise estimates.
+    pub rounds: usize,
+    /// Whether the status is converged.
+    pub converged: bool,
+    /// Why the iteration ended.
+    pub status: FitStatus,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fit_whose_noise_does_not_agree_is_not_converged() {
+        assert!(FitStatus::of(StopReason::Converged, true).converged());
+        let status = FitStatus::of(StopReason::Converged, false);
+        assert_eq!(status, FitStatus::NoiseNotConverged);
+        assert!(!status.converged());
+    }
+}
