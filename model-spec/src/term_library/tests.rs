@@ -1,0 +1,82 @@
+use super::*;
+use crate::layout::Layout;
+use crate::load::from_text;
+
+#[test]
+fn every_term_can_be_written_into_its_model() {
+    for (name, terms) in [("disc", 132), ("ball", 40)] {
+        let model = ModelTree::load(name).unwrap();
+        let coefficients = model.check().unwrap().coefficients.len();
+        let (library, with_loads) = TermLibrary::for_model(&model).expect("a library");
+        let layout = Layout::new(&with_loads.check().unwrap());
+        for channel in library.channels.iter() {
+            assert!(
+                layout.parameter(&channel.coefficient).is_some(),
+                "{channel:?}"
+            );
+        }
+        for variable in library.variables.iter() {
+            assert!(
+                layout.quantity(&variable.quantity).is_some(),
+                "{variable:?}"
+            );
+        }
+        assert_eq!(library.terms().count(), terms);
+        for term in library.terms() {
+            let effect = library.effect(term, "Found.");
+            let extended = model.with(&effect).unwrap_or_else(|e| panic!("{e}"));
+            let checked = extended.check().unwrap_or_else(|e| panic!("{e}"));
+            let applied = &checked.effects[0];
+            let coefficient = applied.coefficients[0];
+            assert_eq!(coefficient.index, coefficients);
+            assert_eq!(applied.site, library.channels[term.channel].site);
+            let text = extended.to_text("Extended.");
+            let again = from_text("extended.hyz", &text, &[]);
+            assert_eq!(again.unwrap().coefficients.len(), coefficients + 1);
+        }
+    }
+}
+
+#[test]
+fn a_term_is_written_as_its_formula_is_read() {
+    let model = ModelTree::load("disc").unwrap();
+    let (library, _) = TermLibrary::for_model(&model).expect("a library");
+    for term in library.terms() {
+        let effect = library.effect(term, "One line.\nAnother.");
+        let coefficient = format!("k_{}", effect.name());
+        let value = match library.formula(term).as_str() {
+            "1" => coefficient,
+            formula => format!("{coefficient}*{formula}"),
+        };
+        let text = effect.to_string();
+        let read = EffectTree::parse("term.hyz", &text).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(read.to_string(), text);
+        let channel = &library.channels[term.channel];
+        let statement = channel
+            .template
+            .to_string()
+            .replace("TERM", &format!("({value})"));
+        let statement = statement.replace("NAME", effect.name());
+        let by_text = EffectTree::parse("term.hyz", &statement).unwrap();
+        let last = |effect: &EffectTree| {
+            let text = effect.to_string();
+            text.lines().rev().nth(1).map(str::to_owned)
+        };
+        assert_eq!(last(&by_text), last(&effect));
+    }
+}
+
+#[test]
+fn each_fault_of_a_library_has_its_error() {
+    let (name, text) = TERM_LIBRARIES[0];
+    let faulty = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        TermLibrary::parse(name, &text.replacen(from, to, 1)).unwrap_err()
+    };
+    let error = faulty("[\"spin\"]", "[\"spni\"]");
+    assert!(matches!(error, TermLibraryError::UnknownVariable { factor, .. } if factor == "spni"));
+    let error = faulty("site unknown;", "site unknown");
+    assert!(matches!(error, TermLibraryError::Effect(_)));
+    let error = faulty("products =", "product =");
+    assert!(matches!(error, TermLibraryError::Form { .. }));
+}
