@@ -2,8 +2,6 @@
 
 use crate::compiled_model::{CompiledModel, ModelState};
 use crate::functions::{EvaluationPoint, ModelFunctions, Workspace};
-use crate::observer::ModelObserver;
-use crate::rhs::{DifferentiableModelRhs, ModelRhs};
 use ode::Event;
 
 /// Compiled model with a value for each parameter; made by [`CompiledModel::bind`].
@@ -13,32 +11,20 @@ pub struct BoundModel<'a> {
     prepared: Vec<f64>,
 }
 
-impl<'a> BoundModel<'a> {
-    pub(crate) fn new(model: &'a CompiledModel, parameters: Vec<f64>) -> BoundModel<'a> {
-        let mut prepared = vec![0.0; model.functions.prepared_len()];
-        model.functions.prepare(&parameters, &mut prepared);
+impl CompiledModel {
+    /// The model with these parameters, in the order of the layout.
+    pub fn bind(&self, parameters: Vec<f64>) -> BoundModel<'_> {
+        let mut prepared = vec![0.0; self.functions.prepared_len()];
+        self.functions.prepare(&parameters, &mut prepared);
         BoundModel {
-            model,
+            model: self,
             parameters,
             prepared,
         }
     }
+}
 
-    /// Right-hand side dx/dt = f(t, x).
-    pub fn rhs(&self) -> ModelRhs<'_> {
-        ModelRhs::new(self)
-    }
-
-    /// Right-hand side with its Jacobians by state and parameters, for [`ode::Sensitivities`].
-    pub fn differentiable_rhs(&self) -> DifferentiableModelRhs<'_> {
-        DifferentiableModelRhs::new(self)
-    }
-
-    /// Measurement equation: marker positions and named quantities as functions of time and state.
-    pub fn observer(&self) -> ModelObserver<'_> {
-        ModelObserver::new(self)
-    }
-
+impl BoundModel<'_> {
     /// Limits of validity as events: an integration that reaches one fails with its reason.
     pub fn limits(&self) -> Vec<Event<'_, ModelState>> {
         let limits = self.model.limits.iter().enumerate();

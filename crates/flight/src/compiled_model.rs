@@ -1,6 +1,5 @@
 //! A model compiled for evaluation: by generated code where it was generated from this very model, else by the tape.
 
-use crate::bound_model::BoundModel;
 use crate::functions::{ModelFunctions, SparsityPatterns};
 use crate::release::Release;
 use codegen::Layout;
@@ -131,11 +130,6 @@ impl CompiledModel {
             }
         }
         parameters
-    }
-
-    /// The model with these parameters, in the order of the layout.
-    pub fn bind(&self, parameters: Vec<f64>) -> BoundModel<'_> {
-        BoundModel::new(self, parameters)
     }
 }
 

@@ -24,18 +24,21 @@ pub struct ObservationJacobians<'o> {
     pub by_parameter: &'o [f64],
 }
 
-impl<'a> ModelObserver<'a> {
-    pub(crate) fn new(model: &'a BoundModel<'a>) -> Self {
-        let patterns = &model.model.patterns;
+impl BoundModel<'_> {
+    /// Measurement equation: marker positions and named quantities as functions of time and state.
+    pub fn observer(&self) -> ModelObserver<'_> {
+        let patterns = &self.model.patterns;
         ModelObserver {
-            model,
+            model: self,
             workspace: Workspace::default(),
             by_state: vec![0.0; patterns.observation_by_state.len()],
             by_parameter: vec![0.0; patterns.observation_by_parameter.len()],
             by_marker: vec![0.0; patterns.observation_by_marker_len],
         }
     }
+}
 
+impl ModelObserver<'_> {
     /// Position of a marker in the inertial frame, m; `marker` is its position in the frame it is fixed in, m.
     pub fn position(&mut self, t: f64, x: &[f64], marker: &[f64; 3]) -> [f64; 3] {
         let at = self.model.at(t, x);

@@ -12,10 +12,19 @@ pub struct ModelRhs<'a> {
     workspace: Workspace,
 }
 
-impl<'a> ModelRhs<'a> {
-    pub(crate) fn new(model: &'a BoundModel<'a>) -> Self {
+impl BoundModel<'_> {
+    /// Right-hand side dx/dt = f(t, x).
+    pub fn rhs(&self) -> ModelRhs<'_> {
         ModelRhs {
-            model,
+            model: self,
+            workspace: Workspace::default(),
+        }
+    }
+
+    /// Right-hand side with its Jacobians by state and parameters, for [`ode::Sensitivities`].
+    pub fn differentiable_rhs(&self) -> DifferentiableModelRhs<'_> {
+        DifferentiableModelRhs {
+            model: self,
             workspace: Workspace::default(),
         }
     }
@@ -38,15 +47,6 @@ impl OdeRhs for ModelRhs<'_> {
 pub struct DifferentiableModelRhs<'a> {
     model: &'a BoundModel<'a>,
     workspace: Workspace,
-}
-
-impl<'a> DifferentiableModelRhs<'a> {
-    pub(crate) fn new(model: &'a BoundModel<'a>) -> Self {
-        DifferentiableModelRhs {
-            model,
-            workspace: Workspace::default(),
-        }
-    }
 }
 
 impl DifferentiableRhs for DifferentiableModelRhs<'_> {

@@ -3,7 +3,7 @@
 
 use crate::Options;
 use crate::random::Random;
-use crate::report::{Row, Worst};
+use crate::row::{Row, Worst};
 use crate::subject::Subject;
 use nalgebra::{Matrix3, Vector3};
 use ode::Method;

@@ -19,9 +19,11 @@ pub mod mutants;
 pub mod random;
 pub mod refute;
 pub mod report;
+mod row;
 pub mod same_motion;
 pub mod sample;
 pub mod subject;
+mod table;
 pub mod values;
 
 use codegen::Compiled;

@@ -2,9 +2,10 @@
 //! the same flights from the same releases.
 
 use crate::random::Random;
-use crate::report::{Row, Verdict, Worst, plain_table};
+use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::Subject;
+use crate::table::plain_table;
 use crate::{Options, TOLERANCE};
 use nalgebra::Vector3;
 use oracle::PhysicalRate;

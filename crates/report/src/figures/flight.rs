@@ -1,6 +1,7 @@
 //! A flight, like Figures 5 and 6 of Hubbard & Hummel (2000): its path, and its states in time.
 
-use super::panel::{Line, Mark, Panel, figure};
+use super::figure::figure;
+use super::panel::{Line, Mark, Panel};
 use super::states::{StateLabel, groups, symbol, what};
 use ode::Trajectory;
 

@@ -5,6 +5,7 @@
 //! colours (Okabe & Ito's) are told apart by the colour-blind, and each line bears its name at its end.
 
 pub(crate) mod axis;
+mod figure;
 mod flight;
 mod layout;
 mod names;
@@ -12,8 +13,9 @@ mod panel;
 mod states;
 pub(crate) mod svg;
 
+pub use figure::{figure, figure_of};
 pub use flight::flight;
 pub use layout::Layout;
-pub use panel::{Bar, Dots, Line, Look, Mark, Panel, figure, figure_of};
+pub use panel::{Bar, Dots, Line, Look, Mark, Panel};
 pub use states::StateLabel;
 pub(crate) use states::{groups, symbol, what};

@@ -1,6 +1,6 @@
 //! Check cases stated in the model file.
 
-use crate::report::Row;
+use crate::row::Row;
 use crate::subject::Subject;
 use model_spec::model::{Model, Observable, Target};
 use oracle::{Point, Tree, Value};

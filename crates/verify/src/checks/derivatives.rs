@@ -5,7 +5,7 @@
 //! Quaternions are varied along the unit sphere only: off it they represent no attitude.
 
 use crate::random::Random;
-use crate::report::{Row, Worst};
+use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::{Derivatives, Differentiable, Subject};
 use crate::{Options, TOLERANCE};

@@ -3,7 +3,7 @@
 //! contain are at their null values, states that the model adds at their defaults.
 
 use crate::random::Random;
-use crate::report::{Row, Worst};
+use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Equations;
 use crate::values::Values;

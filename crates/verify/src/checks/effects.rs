@@ -4,7 +4,7 @@
 
 use crate::expressions::{fix_coefficient, fix_state};
 use crate::random::Random;
-use crate::report::{Row, Verdict, Worst};
+use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::Equations;
 use crate::values::Values;

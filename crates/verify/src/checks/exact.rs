@@ -6,7 +6,7 @@
 use crate::Options;
 use crate::field::{Machine, on_circle};
 use crate::random::Random;
-use crate::report::Row;
+use crate::row::Row;
 use crate::subject::Subject;
 use codegen::Compiled;
 use model_spec::diagnostic::Span;

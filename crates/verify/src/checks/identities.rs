@@ -2,7 +2,7 @@
 //! momentum by the moment, the energy by their power, and positions and angles by the velocities.
 
 use crate::random::Random;
-use crate::report::{Row, Worst};
+use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};

@@ -7,7 +7,7 @@
 
 use crate::Options;
 use crate::random::Random;
-use crate::report::{Row, Worst};
+use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use model_spec::model::Model;

@@ -1,7 +1,7 @@
 //! Derivatives and observation against the reference implementation and against the vector tree of the model.
 
 use crate::random::Random;
-use crate::report::{Row, Worst};
+use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};

@@ -1,7 +1,7 @@
 //! Singular points: nothing is ever less than a number, in value or in derivative, in any backend.
 
 use super::backends::{Run, function_at};
-use crate::report::Row;
+use crate::row::Row;
 use codegen::Compiled;
 use model_spec::model::{FrameKind, Model};
 use model_spec::unit::{Base, Unit};

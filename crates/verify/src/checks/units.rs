@@ -1,6 +1,6 @@
 //! Units and frames: what the checker of the language refuses.
 
-use crate::report::Row;
+use crate::row::Row;
 use model_spec::diagnostic::Diagnostic;
 use model_spec::load::Loaded;
 use model_spec::model::Source;

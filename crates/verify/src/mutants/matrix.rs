@@ -2,7 +2,8 @@
 
 use super::status::{CHECKS, MutantStatus};
 use super::{Mutant, Operator};
-use crate::report::{Row, plain_table};
+use crate::row::Row;
+use crate::table::plain_table;
 use serde::Serialize;
 
 /// Mutation matrix of a model.

@@ -4,7 +4,7 @@ use super::Mutant;
 use super::equivalence::Original;
 use crate::Options;
 use crate::checks::{cases, identities, metamorphic, reference};
-use crate::report::{Row, Verdict};
+use crate::row::{Row, Verdict};
 use crate::subject::{Interpreted, Subject};
 use crate::values::Values;
 use model_spec::check;

@@ -5,7 +5,7 @@
 mod evaluate;
 mod record;
 
-use crate::report::{Measure, Row, Verdict, Worst};
+use crate::row::{Measure, Row, Verdict, Worst};
 use codegen::compile::Compiled;
 use codegen::rust::source_hash;
 use evaluate::{Numbers, Tapes, generated_results};

@@ -1,0 +1,115 @@
+//! Figures: panels drawn below one another as SVG.
+
+use super::axis::number;
+use super::layout::{Layout, Scale};
+use super::panel::{Look, Panel};
+use super::svg::{Svg, cut};
+
+/// SVG text of a figure: its panels below one another, in a single column of the default width.
+pub fn figure(title: &str, panels: &[Panel]) -> String {
+    figure_of(Layout::COLUMN, title, panels)
+}
+
+/// SVG text of a figure: its panels below one another, with the width and letter size of `layout`.
+pub fn figure_of(layout: Layout, title: &str, panels: &[Panel]) -> String {
+    let layout = layout.fitted(panels);
+    let mut svg = Svg::new();
+    let shown = cut(title, layout.width - 20.0, 1.25 * layout.letter());
+    svg.text(
+        "title",
+        (layout.margin, 2.0 * layout.letters),
+        "start",
+        &shown,
+    );
+    let mut top = 2.0 * layout.letters + 8.0;
+    for panel in panels {
+        top = panel.draw(&mut svg, &layout, top);
+    }
+    let size = (layout.width, top + 6.0);
+    svg.finish(title, size, layout.most, layout.letters)
+}
+
+impl Panel {
+    /// Draws the panel with its upper edge at `top`, pixels; returns its lower edge.
+    fn draw(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
+        let scale = self.scale(layout, top);
+        let (width, letter) = (layout.width, layout.letter());
+        let title = cut(&self.title, width - 20.0, 1.05 * letter);
+        svg.text("panel", (layout.margin, scale.top - 11.0), "start", &title);
+        self.draw_ground(svg, &scale);
+        self.draw_axes(svg, &scale, layout.letters);
+
+        self.draw_marks(svg, &scale, width, letter);
+        let kind = if self.thin { 't' } else { 'c' };
+        for (i, line) in self.lines.iter().enumerate() {
+            let points = line.points.iter();
+            svg.path(
+                &format!("{kind}{}", i % 4),
+                points.map(|(x, y)| (scale.x(*x), scale.y(*y))),
+            );
+        }
+        for dots in &self.dots {
+            let points = dots.points.iter();
+            let points = points.map(|(x, y)| (scale.x(*x), scale.y(*y)));
+            match dots.look {
+                Look::Colour(i) => svg.dots(&format!("d{}", i % 4), points),
+                Look::Pale => svg.dots("dg", points),
+                Look::Cross => svg.crosses("dx", points),
+            }
+        }
+        self.draw_places(svg, &scale, width, letter);
+        self.draw_names(svg, &scale, width, letter);
+        scale.bottom() + layout.below
+    }
+
+    /// What lies behind the axes.
+    fn draw_ground(&self, svg: &mut Svg, scale: &Scale) {
+        if let Some((low, high)) = self.band {
+            let (top, bottom) = (scale.y(high), scale.y(low));
+            if top.is_finite() && bottom.is_finite() {
+                let top = top.max(scale.top);
+                let size = (scale.width, bottom.min(scale.bottom()) - top);
+                svg.block("band", (scale.left, top), size);
+            }
+        }
+    }
+
+    fn draw_axes(&self, svg: &mut Svg, scale: &Scale, letters: f64) {
+        let (bottom, right) = (scale.bottom(), scale.right());
+        let (at, decimals) = scale.ticks_across();
+        for tick in at {
+            let x = scale.x(tick);
+            svg.line("grid", (x, scale.top), (x, bottom));
+            let place = (x, bottom + 4.0 + letters);
+            svg.text("tick", place, "middle", &number(tick, decimals));
+        }
+        let place = (scale.left + scale.width / 2.0, bottom + 8.0 + 2.0 * letters);
+        svg.text("across", place, "middle", &self.across);
+        let (at, decimals) = scale.ticks_up();
+        for tick in at {
+            let y = scale.y(tick);
+            let class = if tick == 0.0 { "zero" } else { "grid" };
+            svg.line(class, (scale.left, y), (right, y));
+            let place = (scale.left - 7.0, y + 5.0);
+            svg.text("tick", place, "end", &number(tick, decimals));
+        }
+        for bar in &self.bars {
+            let (left, end) = (scale.x(bar.from), scale.x(bar.to));
+            let y = scale.y(bar.height);
+            // A hair of ground between neighbours.
+            svg.block("bar", (left + 0.5, y), (end - left - 1.0, bottom - y));
+        }
+        svg.line("axis", (scale.left, bottom), (right, bottom));
+        svg.line("axis", (scale.left, scale.top), (scale.left, bottom));
+        for level in self.levels.iter().filter(|level| level.is_finite()) {
+            let y = scale.y(*level);
+            svg.line("level", (scale.left, y), (right, y));
+        }
+        if self.diagonal {
+            let low = scale.across.0.max(scale.up.0);
+            let high = scale.across.1.min(scale.up.1);
+            let ends = [low, high].map(|v| (scale.x(v), scale.y(v)));
+            svg.path("diagonal", ends.into_iter());
+        }
+    }
+}

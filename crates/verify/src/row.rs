@@ -1,0 +1,128 @@
+//! Rows of a report: the result of each check.
+
+use serde::Serialize;
+
+/// Outcome of a check.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// Every error is within the tolerance.
+    Holds,
+    /// An error exceeds the tolerance.
+    Refuted,
+    /// The check does not apply to this model; the detail says why.
+    Skipped,
+}
+
+/// Measure of a check's errors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Measure {
+    /// Relative to the sum of the magnitudes of the terms that make up the value.
+    Relative,
+    /// Units in the last place.
+    Ulp,
+    /// Number of faults.
+    Count,
+}
+
+/// Result of one check of a model.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// Name of the check.
+    pub check: &'static str,
+    /// Number of points or cases.
+    pub cases: usize,
+    /// Largest error over the cases, in units of `measure`.
+    pub worst: f64,
+    /// Measure of `worst` and `tolerance`.
+    pub measure: Measure,
+    /// Largest error that is allowed, in units of `measure`.
+    pub tolerance: f64,
+    /// Outcome.
+    pub verdict: Verdict,
+    /// Place of the worst error, or the reason of a skip; may have several lines.
+    pub detail: String,
+}
+
+impl Row {
+    /// Row of a check that holds if its worst error is a number no greater than `tolerance`.
+    pub fn judged(check: &'static str, cases: usize, worst: &Worst, tolerance: f64) -> Self {
+        let holds = worst.error <= tolerance;
+        Self {
+            check,
+            cases,
+            worst: worst.error,
+            measure: Measure::Relative,
+            tolerance,
+            verdict: if holds {
+                Verdict::Holds
+            } else {
+                Verdict::Refuted
+            },
+            detail: worst.place.clone(),
+        }
+    }
+
+    /// Row of a check that holds if it found no faults; its detail is then `holds`.
+    pub fn counted(check: &'static str, cases: usize, faults: &[String], holds: &str) -> Self {
+        Self {
+            check,
+            cases,
+            worst: faults.len() as f64,
+            measure: Measure::Count,
+            tolerance: 0.0,
+            verdict: if faults.is_empty() {
+                Verdict::Holds
+            } else {
+                Verdict::Refuted
+            },
+            detail: if faults.is_empty() {
+                holds.to_owned()
+            } else {
+                faults.join("\n")
+            },
+        }
+    }
+
+    /// Row of a check that does not apply to the model, with the reason.
+    pub fn skipped(check: &'static str, why: impl Into<String>) -> Self {
+        Self {
+            check,
+            cases: 0,
+            worst: 0.0,
+            measure: Measure::Count,
+            tolerance: 0.0,
+            verdict: Verdict::Skipped,
+            detail: why.into(),
+        }
+    }
+
+    /// The row with another detail.
+    pub fn saying(mut self, detail: impl Into<String>) -> Self {
+        self.detail = detail.into();
+        self
+    }
+}
+
+/// Running maximum of an error, with the place where it occurred.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// Largest error; infinite if any was NaN.
+    pub error: f64,
+    /// Place of the largest error.
+    pub place: String,
+}
+
+impl Worst {
+    /// Updates the maximum; `place` is called only for a new maximum.
+    pub fn see(&mut self, error: f64, place: impl FnOnce() -> String) {
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        if error > self.error {
+            *self = Self {
+                error,
+                place: place(),
+            };
+        }
+    }
+}

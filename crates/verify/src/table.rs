@@ -1,0 +1,15 @@
+//! Layout of the printed tables.
+
+use comfy_table::{ContentArrangement, Table};
+
+/// Text table without colours; long cells are wrapped.
+pub(crate) fn plain_table(header: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(comfy_table::presets::ASCII_MARKDOWN);
+    table
+        .set_content_arrangement(ContentArrangement::Dynamic)
+        .set_width(150)
+        .force_no_tty();
+    table.set_header(header.to_vec());
+    table
+}
