@@ -148,25 +148,24 @@ impl ScoreTestModel {
 
 #[cfg(test)]
 mod tests {
-    use crate::context::{LinearizationPoint, TrajectoryCache};
     use crate::test_support::fixture;
 
     #[test]
-    fn the_noise_is_found_where_an_effect_is_missing_from_the_model() {
+    fn the_noise_is_that_of_the_dataset_given_the_missing_effect_and_smaller_than_the_misfit_without()
+     {
         let mut fixture = fixture();
-        let problem = fixture.model.problem.clone();
-        let at = LinearizationPoint {
-            problem: &problem,
-            iterate: &fixture.iterate,
-            cache: &TrajectoryCache::Disabled,
-        };
-        let inflated = fixture.fit.noise().overall();
-        let noise = fixture
-            .model
-            .estimate_noise(at, &[], fixture.fit.noise())
-            .unwrap();
-        // The dataset was made with 1.5 mm; the model under test misfits by more.
+        let misfit = *fixture.fit.noise();
+        let stall = [fixture.candidate("stall")];
+        let mut noise = misfit;
+        // The first fit is weighted by the misfit, the second by what it leaves.
+        for _ in 0..2 {
+            let from = &fixture.iterate;
+            let hypothesis = fixture.model.fit_hypothesis(&stall, from, &noise).unwrap();
+            let at = hypothesis.linearization_point();
+            noise = fixture.model.estimate_noise(at, &stall, &noise).unwrap();
+        }
+        // The dataset was made with 1.5 mm.
         assert!((noise.overall() / 0.0015 - 1.0).abs() < 0.1, "{noise:?}");
-        assert!(inflated > 1.5 * noise.overall(), "{inflated}");
+        assert!(misfit.overall() > 1.5 * noise.overall(), "{misfit:?}");
     }
 }
