@@ -261,7 +261,7 @@ fn a_flight_out_of_the_model_is_named() {
         let error = flights(&model, &[release.clone()], &plan).expect_err("it stands vertical");
         let told = error.to_string();
         assert!(
-            told.starts_with("flight 1: at ") && told.contains("vertical"),
+            told.starts_with("flight 1: integration failed at t = ") && told.contains("vertical"),
             "{told}"
         );
     }
