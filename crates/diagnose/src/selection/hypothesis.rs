@@ -2,7 +2,7 @@
 
 use identify::{FitProblem, Iterate, NoiseModel};
 
-use super::search::Thresholds;
+use super::thresholds::Thresholds;
 use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
 use crate::error::DiagnosisError;
 use crate::score_test::ScoreTests;
@@ -134,7 +134,7 @@ impl ScoreTestModel {
 
 #[cfg(test)]
 mod tests {
-    use crate::selection::search::Thresholds;
+    use crate::selection::thresholds::Thresholds;
     use crate::test_support::fixture;
 
     #[test]

@@ -4,6 +4,7 @@ mod bic;
 mod hypothesis;
 mod search;
 mod stepwise_terms;
+mod thresholds;
 
 pub(crate) use bic::select_by_bic;
 pub(crate) use hypothesis::Hypothesis;

@@ -3,6 +3,7 @@
 use identify::{Iterate, NoiseModel};
 
 use super::hypothesis::Hypothesis;
+use super::thresholds::Thresholds;
 use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, TrajectoryCache};
 use crate::error::DiagnosisError;
 use crate::score_test::{ScoreTest, ScoreTests};
@@ -24,15 +25,6 @@ const NOISE_TOLERANCE: f64 = 0.05;
 
 /// Rejected hypotheses to which effects are added, at most.
 const MAX_PARENTS: usize = 3;
-
-/// Limits of log p-values, familywise over all tests.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Thresholds {
-    /// Below it the model is not adequate.
-    pub detect: f64,
-    /// Below it a hypothesis is rejected.
-    pub reject: f64,
-}
 
 /// State of the search.
 pub(crate) struct Search<'a> {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use csv::StringRecord;
 
-use super::table::Lines;
+use super::lines::Lines;
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 

@@ -8,6 +8,7 @@ mod fields;
 mod file;
 mod header;
 mod in_memory;
+mod lines;
 mod manifest;
 mod names;
 mod number;

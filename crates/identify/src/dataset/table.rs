@@ -5,6 +5,7 @@ use std::path::Path;
 use csv::{ReaderBuilder, StringRecord};
 
 use super::header::{Header, separator};
+use super::lines::Lines;
 use super::place::Places;
 use super::words::shown;
 use super::{number::number, samples};
@@ -50,67 +51,6 @@ pub(super) fn parse(file: &Path, text: &str, markers: &[&str]) -> Result<Table, 
         ));
     }
     Ok(table)
-}
-
-/// The records of a table, with the place of the one that was read last.
-pub(super) struct Lines<'a> {
-    file: &'a Path,
-    places: Places<'a>,
-    quotes: bool,
-    start: usize,
-}
-
-impl Lines<'_> {
-    /// Reads the next record; false at the end.
-    fn next(
-        &mut self,
-        reader: &mut csv::Reader<&[u8]>,
-        record: &mut StringRecord,
-    ) -> Result<bool, InputError> {
-        loop {
-            let read = reader.read_record(record).map_err(|error| {
-                InputError::of_file(self.file, error.to_string(), "a readable table")
-            })?;
-            if !read {
-                return Ok(false);
-            }
-            self.start = record.position().map_or(0, |place| place.byte() as usize);
-            if self.quotes {
-                self.quotes_are_closed(reader.position().byte() as usize, record)?;
-            }
-            let first = record.get(0).unwrap_or_default().trim();
-            // The reader itself skips empty lines, and comments that begin a line.
-            let blank = record.len() == 1 && first.is_empty();
-            if !blank && !first.starts_with('#') {
-                return Ok(true);
-            }
-        }
-    }
-
-    /// A quote that is left open would swallow the rows after it.
-    fn quotes_are_closed(&self, end: usize, record: &StringRecord) -> Result<(), InputError> {
-        let text = self.places.text;
-        let raw = &text[self.places.record(self.start).min(end)..end.min(text.len())];
-        let broken = record.iter().position(|cell| cell.contains(['\n', '\r']));
-        let open = raw.matches('"').count() % 2 == 1;
-        match broken.or(open.then_some(0)) {
-            Some(index) => {
-                Err(self.fault(index, "a quote that is not closed", "a quote at both ends"))
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// A fault at a cell of the record.
-    pub fn fault(
-        &self,
-        index: usize,
-        found: impl Into<String>,
-        expected: impl Into<String>,
-    ) -> InputError {
-        let place = self.places.cell(self.start, index);
-        InputError::at(self.file, place, found, expected)
-    }
 }
 
 fn row(
