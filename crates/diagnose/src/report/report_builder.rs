@@ -392,3 +392,69 @@ pub(crate) fn note_convergence(report: &mut Report, fit: &Fit, what: &str) {
         ));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::context::{DiagnosisOptions, EncompassingModel};
+    use crate::selection::Search;
+    use crate::test_support::mystery;
+
+    /// A report on flights of which the first has no sample, from a fit that did not converge, and the significance of
+    /// what was found before and after the threshold changed.
+    fn report_of_faulty_fit() -> (Report, [bool; 2]) {
+        let mut dataset = mystery(4);
+        dataset.flights[0]
+            .positions
+            .iter_mut()
+            .for_each(|row| row.fill(None));
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let options = DiagnosisOptions::default();
+        let context = Context {
+            model: &model,
+            dataset: &dataset,
+            options: &options,
+        };
+        let mut fit = identify::fit(&model, &dataset, &options.fit).unwrap();
+        fit.report.iterations.converged = false;
+        let encompassing = EncompassingModel::new(&model, &[]).unwrap();
+        let (mut tests, base) = ScoreTestModel::new(encompassing, context, &fit).unwrap();
+        let mut search = Search::new(&mut tests, &base, fit.noise(), context).unwrap();
+        let before = search.is_significant();
+        search.thresholds.detect = f64::NEG_INFINITY;
+        let after = search.is_significant();
+        (
+            build_report(context, &fit, &tests, &search),
+            [before, after],
+        )
+    }
+
+    #[test]
+    fn excluded_flights_unconverged_fits_and_changed_thresholds_are_reported() {
+        let (report, significant) = report_of_faulty_fit();
+        // An excluded flight has no residuals.
+        let [excluded, fitted, ..] = &report.flights[..] else {
+            panic!("four flights");
+        };
+        assert_eq!(excluded.outcome.as_deref(), Some("excluded"));
+        assert!(excluded.rms_before_m.is_none() && excluded.reason.is_some());
+        assert_eq!(fitted.outcome.as_deref(), Some("fitted"));
+        assert!(fitted.rms_before_m.is_some_and(|rms| rms > 0.0));
+        assert!(!report.converged);
+        assert!(
+            report
+                .notes
+                .iter()
+                .any(|note| note.contains("did not converge"))
+        );
+        // The verdict and the candidates' significance follow the same threshold.
+        assert_eq!(significant, [true, false]);
+        assert_eq!(report.verdict, Verdict::None);
+        assert!(
+            report
+                .candidates
+                .iter()
+                .all(|candidate| !candidate.significant)
+        );
+    }
+}
