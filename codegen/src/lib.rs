@@ -16,6 +16,8 @@ pub mod latex;
 pub mod lower;
 pub mod number;
 pub mod program;
+#[cfg(test)]
+mod random_expressions;
 pub mod rust;
 pub mod schedule;
 mod specialize;
