@@ -389,7 +389,7 @@ impl ExprGraph {
         }
         (0..self.len())
             .filter(|&k| needed[k])
-            .map(|k| NodeId::new(k))
+            .map(NodeId::new)
             .collect()
     }
 }

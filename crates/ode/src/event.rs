@@ -19,6 +19,9 @@ pub struct Event<'a, X> {
     pub(crate) action: EventAction,
 }
 
+/// A function of time and state.
+type Scalar<'a, X> = Box<dyn FnMut(f64, &X) -> f64 + 'a>;
+
 /// Event function g(t, x).
 enum EventFunction<'a, X> {
     /// A component of the state, less a level.
@@ -26,7 +29,7 @@ enum EventFunction<'a, X> {
     /// The time derivative of a component of the state.
     Derivative(usize),
     /// A function of time and state.
-    Function(Box<dyn FnMut(f64, &X) -> f64 + 'a>),
+    Function(Scalar<'a, X>),
 }
 
 /// Sign change of g that is an event.

@@ -101,7 +101,7 @@ struct Reader<'m> {
 
 impl Reader<'_> {
     /// A path from the crate's root; none where it leads out of the crate.
-    fn from_root(&self, path: &[String]) -> Option<Vec<String>> {
+    fn absolute(&self, path: &[String]) -> Option<Vec<String>> {
         let mut base = self.here.clone();
         let mut rest = path;
         match rest.first()?.as_str() {
@@ -140,7 +140,7 @@ impl Reader<'_> {
                 self.used(&name, Some(new), prefix, is_public);
             }
             UseTree::Glob(_) => {
-                if let Some(path) = self.from_root(prefix) {
+                if let Some(path) = self.absolute(prefix) {
                     self.module.named.insert(path.clone());
                     self.module.globs.push(path);
                 }
@@ -153,7 +153,7 @@ impl Reader<'_> {
         if name != "self" {
             path.push(name.to_owned());
         }
-        let Some(path) = self.from_root(&path) else {
+        let Some(path) = self.absolute(&path) else {
             return;
         };
         let key = rename.or_else(|| path.last().cloned()).unwrap_or_default();
@@ -187,7 +187,7 @@ impl<'a> Visit<'a> for Reader<'_> {
             .map(|part| part.ident.to_string())
             .collect();
         if parts.len() > 1
-            && let Some(path) = self.from_root(&parts)
+            && let Some(path) = self.absolute(&parts)
         {
             self.module.named.insert(path);
         }

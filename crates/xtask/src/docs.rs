@@ -63,6 +63,6 @@ fn documented(file: &str, text: &str) -> Vec<Documented> {
 /// The lines of an item up to the one that opens its body or ends it.
 fn signature(lines: &[&str]) -> String {
     let ends = |line: &&str| line.ends_with(['{', ';', ',', '}']) && !line.ends_with("(,");
-    let last = lines.iter().position(|line| ends(line)).unwrap_or(0);
+    let last = lines.iter().position(ends).unwrap_or(0);
     lines[..=last].join(" ")
 }

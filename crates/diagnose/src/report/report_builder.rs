@@ -104,12 +104,12 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
         (true, Role::Fit) => "fitted",
         (true, Role::HeldOut) => "held-out",
     };
-    let reasons = flight.notes.iter().filter(|_| !flight.is_used());
+    let reason = flight.notes.last().filter(|_| !flight.is_used());
     FlightGain {
         file: flight.file.clone(),
         role: flight.role,
         outcome: Some(outcome.to_owned()),
-        reason: reasons.last().cloned(),
+        reason: reason.cloned(),
         rms_before_m: flight.rms_m,
         rms_after_m: None,
     }

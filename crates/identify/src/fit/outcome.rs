@@ -266,6 +266,9 @@ fn profiles(
     Ok(profiles)
 }
 
+/// Estimated initial state of a flight, by the names of its states.
+type InitialState = BTreeMap<String, Estimate>;
+
 /// Residual statistics and initial state of every flight.
 fn evaluate(
     problem: &FitProblem,
@@ -274,7 +277,7 @@ fn evaluate(
     system: &ReducedSystem<'_>,
     covariance: &Covariance,
     options: &FitOptions<'_>,
-) -> Result<Vec<(PostFit, BTreeMap<String, Estimate>)>, FitError> {
+) -> Result<Vec<(PostFit, InitialState)>, FitError> {
     let each = batch::each_on(options.threads(), state.flights.len(), |index| {
         let observations = &state.flights[index];
         let path = fitted.cache.path(&state.flights, index)?;
