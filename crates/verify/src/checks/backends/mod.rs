@@ -1,6 +1,6 @@
 //! Every backend against every other: the tape and the generated code, for `f64` and for the lanes of every
 //! instruction set of this machine. Backends that fuse multiply and add must agree to the bit, and so must those that
-//! do not; the two groups differ by rounding. Generated code runs on lanes as recorded programs, see [`record`].
+//! do not; the two groups differ by rounding. Generated code runs on lanes as recorded programs, see `record`.
 
 mod evaluate;
 mod record;
