@@ -1,11 +1,11 @@
-//! Lists the built-in models, effects and term libraries: every file of their folders, in the order of their names.
+//! Embeds the files of the model, effect and term-library folders as tables of name and text, sorted by name.
 
 use std::env;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Constant, its doc comment, folder and file extension.
+/// Tables to generate: name of the constant, doc comment, folder, file extension.
 const TABLES: [(&str, &str, &str, &str); 4] = [
     ("MODELS", "Built-in models: name and text.", "models", "hyz"),
     (
@@ -44,7 +44,7 @@ fn main() {
     fs::write(out.join("library.rs"), code).expect("the list of built-in files is written");
 }
 
-/// Files of a folder with an extension, sorted by name.
+/// Files in a folder with the given extension, sorted by path.
 fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
     let paths = entries.map(|entry| entry.expect("a folder entry").path());

@@ -62,7 +62,7 @@ impl DatasetBuilder {
         self
     }
 
-    /// Sets the standard deviation of one measured coordinate, m; it is estimated where not set.
+    /// Sets the standard deviation of one measured coordinate, m; estimated from the data if never set.
     pub fn sigma(mut self, sigma: f64) -> Self {
         self.dataset.sigma = Some(sigma);
         self
@@ -87,7 +87,7 @@ impl DatasetBuilder {
         self
     }
 
-    /// Sets a quantity of the last flight that was measured by other means, by the model's name for it.
+    /// Sets a quantity of the last added flight that was measured independently, by its name in the model.
     pub fn known(mut self, name: &str, value: KnownValue) -> Self {
         if let Some(flight) = self.dataset.flights.last_mut() {
             flight.known.insert(name.to_owned(), value);
@@ -95,7 +95,7 @@ impl DatasetBuilder {
         self
     }
 
-    /// The dataset, after the checks that a dataset read from files passes.
+    /// Builds the dataset after the checks that a dataset read from files passes.
     ///
     /// # Errors
     /// [`Error::Dataset`].

@@ -31,7 +31,7 @@ pub enum Error {
     /// There is no built-in release of this name.
     #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
     UnknownRelease {
-        /// The name as given.
+        /// Name that was asked for.
         name: String,
         /// Names of the built-in releases.
         known: Vec<&'static str>,
@@ -41,7 +41,7 @@ pub enum Error {
     UnknownName {
         /// Name of the model.
         model: String,
-        /// The name as given.
+        /// Name that the model does not have.
         name: String,
     },
 }

@@ -22,7 +22,7 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Estimate of a coefficient, or of a freed parameter, by its name.
+    /// Estimate of a coefficient, or of a freed parameter, by its name; `None` for an unknown name.
     pub fn coefficient(&self, name: &str) -> Option<Estimate> {
         let coefficient = self.fit.report.coefficients.get(name)?;
         Some(Estimate {
@@ -49,12 +49,12 @@ impl Fit {
         self.fit.report.iterations.converged
     }
 
-    /// The whole report: noise, correlations, flights, coefficients that the flights do not determine.
+    /// Complete report: noise, correlations, flights, coefficients that the flights do not determine.
     pub fn report(&self) -> &FitReport {
         &self.fit.report
     }
 
-    /// The fit with its estimation problem, for predictions and residuals.
+    /// Fit of the `identify` crate with its estimation problem, for predictions and residuals.
     pub fn inner(&self) -> &identify::Fit {
         &self.fit
     }

@@ -55,13 +55,13 @@ impl Flight {
         sampled.collect()
     }
 
-    /// States at any time, events and solver statistics.
+    /// Trajectory of the flight: dense output of the states, events and solver statistics.
     pub fn trajectory(&self) -> &Trajectory {
         &self.trajectory
     }
 
-    /// Table with a header (`t` and the names of the states) and a row per sample, at `rate` samples per second, and
-    /// at the end; SI units.
+    /// CSV table with a header (`t` and the names of the states), `rate` rows per second and a row at the end of the
+    /// flight; SI units.
     ///
     /// # Panics
     /// Where the rate is not positive.

@@ -43,7 +43,7 @@ pub use identify::{CancellationToken, FitOptions, FitReport, FlightOutcome, Prio
 // Diagnoses.
 pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};
 
-/// The crates behind this one, for what it does not offer itself.
+/// Crates of the workspace, for functions that this library does not re-export.
 pub mod crates {
     pub use ::flight;
     pub use {codegen, diagnose, identify, model_spec, ode};

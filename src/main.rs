@@ -1,4 +1,4 @@
-//! The `hyzer` program: a thin door to the rooms behind it.
+//! Command-line program `hyzer`.
 
 mod cli;
 mod commands;
@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-/// What a command answers: yes, or no (a check that failed). Bad input is an error.
+/// Outcome of a command: yes (exit status 0), or no (1), such as a failed check. Bad input is an error (2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Answer {
     Yes,
@@ -22,7 +22,7 @@ fn main() -> ExitCode {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
         Err(error) => {
-            // Whoever closed the pipe has read enough.
+            // A closed pipe on standard output is not an error.
             let closed = error
                 .downcast_ref::<std::io::Error>()
                 .is_some_and(|e| e.kind() == std::io::ErrorKind::BrokenPipe);

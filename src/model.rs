@@ -1,4 +1,4 @@
-//! Models with effects.
+//! Models of flying bodies with effects.
 
 use std::sync::{Arc, OnceLock};
 
@@ -42,7 +42,7 @@ impl Model {
         Model::check(ModelTree::parse(name, text)?)
     }
 
-    /// The model with an effect: one of the model's own file or a built-in one by name, or a file by path.
+    /// Returns the model extended by an effect: a name (in the model's own file or built in) or the path of a file.
     ///
     /// # Errors
     /// [`Error::Load`].
@@ -51,7 +51,7 @@ impl Model {
         Model::check(self.tree.with(&effect)?)
     }
 
-    /// The model with an effect given by its text, `effect NAME { … }`.
+    /// Returns the model extended by an effect given as text, `effect NAME { … }`.
     ///
     /// # Errors
     /// [`Error::Load`].
@@ -84,23 +84,23 @@ impl Model {
         coefficients.map(|coefficient| (&*coefficient.name, coefficient.value))
     }
 
-    /// The model as text, its effects written into its statements.
+    /// Text of the model in the model language, with the effects merged into its statements.
     pub fn text(&self) -> String {
         self.tree.to_text("")
     }
 
-    /// The checked model, for the compiler and other crates of the workspace.
+    /// Checked model, as defined by the model language, for the compiler and other crates of the workspace.
     pub fn checked(&self) -> &model_spec::model::Model {
         &self.checked
     }
 
-    /// The compiled model, for evaluations of its functions; compiled at the first call.
+    /// Compiled model, for evaluation of its functions; compiled at the first call.
     pub fn compiled(&self) -> &CompiledModel {
         self.compiled
             .get_or_init(|| CompiledModel::new(&self.checked))
     }
 
-    /// A built-in release of this model by its name, such as `backhand`.
+    /// Built-in release (initial conditions) of this model by its name, such as `backhand`.
     ///
     /// # Errors
     /// [`Error::UnknownRelease`], or [`Error::Release`] where the release is of a model with other states.
@@ -112,8 +112,8 @@ impl Model {
         self.parse_release(name, text)
     }
 
-    /// A release of this model from the text of a release file (TOML); the model it names is ignored. `name` is the
-    /// file name in error messages.
+    /// Parses a release of this model from the text of a release file (TOML); ignores the model that the text names.
+    /// `name` is the file name in error messages.
     ///
     /// # Errors
     /// [`Error::Release`].

@@ -1,11 +1,11 @@
-//! Where results go: standard output, or files that appear whole or not at all.
+//! Output of the program: standard output, and atomically written files.
 
 use std::io::Write;
 use std::path::Path;
 
 use anyhow::Context;
 
-/// Writes a file, and the folders that it lies in; no reader ever sees half of it.
+/// Writes `contents` to `path` atomically; creates missing parent folders.
 pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
     let whole = || {
         if let Some(folder) = path.parent() {
@@ -16,7 +16,7 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
     whole().with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// Prints to standard output.
+/// Prints text to standard output and flushes it.
 pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_ref().as_bytes())?;
@@ -24,10 +24,10 @@ pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// An error with its causes, as one paragraph.
+/// Formats an error with its chain of causes for the terminal, prefixed by `error: `.
 pub fn told(error: &anyhow::Error) -> String {
     let text = format!("{error:#}");
-    // Faults of a model file bring their own heading.
+    // Rendered diagnostics of a model file have headings of their own.
     if text.contains("] Error:") {
         text
     } else {

@@ -1,4 +1,4 @@
-//! Progress of long work on a terminal, and its interruption.
+//! Progress bar on the terminal, and handling of Ctrl-C.
 
 use std::sync::Arc;
 use std::sync::Mutex;
@@ -8,19 +8,19 @@ use std::time::Duration;
 use identify::CancellationToken;
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Nothing is being written: an interruption ends the program at once.
+/// Phase before any work: Ctrl-C ends the program at once.
 const READING: u8 = 0;
-/// Work is under way, which looks now and then whether it is to stop.
+/// Phase of cancellable work: Ctrl-C cancels the token.
 const WORKING: u8 = 1;
-/// Files are being written, and are written to the end.
+/// Phase in which result files are written: Ctrl-C is ignored.
 const WRITING: u8 = 2;
-/// The work is to stop.
+/// Phase after Ctrl-C during work: the token is cancelled.
 const STOPPED: u8 = 3;
 
-/// The exit status of a program that was interrupted.
+/// Exit status of an interrupted program (128 + SIGINT).
 pub const INTERRUPTED: u8 = 130;
 
-/// A progress bar on standard error where that is a terminal, and Ctrl-C.
+/// Progress bar on standard error (hidden where that is not a terminal) and cancellation by Ctrl-C.
 #[derive(Debug)]
 pub struct Progress {
     phase: Arc<AtomicU8>,
@@ -32,7 +32,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Listens for Ctrl-C, and draws nothing yet.
+    /// Installs the Ctrl-C handler; draws no progress bar yet.
     pub fn new() -> anyhow::Result<Self> {
         let phase = Arc::new(AtomicU8::new(READING));
         let heard = Arc::clone(&phase);
@@ -68,13 +68,13 @@ impl Progress {
         &self.cancellation
     }
 
-    /// Work begins that looks whether it is to stop.
+    /// Enters the phase of cancellable work and starts the progress bar.
     pub fn working(&self) {
         self.phase.store(WORKING, Ordering::SeqCst);
         self.bar.enable_steady_tick(Duration::from_millis(200));
     }
 
-    /// Files are written from now on, to the end.
+    /// Enters the phase of writing files, which Ctrl-C does not interrupt; removes the progress bar.
     pub fn writing(&self) {
         let _ = self
             .phase
@@ -99,7 +99,7 @@ impl identify::Progress for Progress {
     fn flight_done(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         let parts = self.parts.load(Ordering::Relaxed).max(1);
-        // A stage goes over its flights again and again until nothing more is gained.
+        // A stage iterates over all flights repeatedly until convergence.
         if done > parts && done % parts == 1 {
             let stage = self
                 .stage

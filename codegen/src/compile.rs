@@ -13,57 +13,57 @@ use crate::ssa::{Ssa, build};
 use model_spec::layout::Layout;
 use model_spec::model::Model;
 
-/// Which parameters derivatives are taken for.
+/// Parameters by which derivatives are taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Selection {
-    /// All of them.
+    /// All parameters.
     All,
-    /// These, by their place in [`Layout::parameters`].
+    /// Selected parameters, by their index in [`Layout::parameters`].
     Only(Vec<usize>),
 }
 
-/// How much work goes into few operations.
+/// Compile time spent on reducing the operation count of the Jacobians.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// Each Jacobian in the best of several orders, for code that is kept.
+    /// Each Jacobian by the cheapest of several elimination orders; for generated code.
     Full,
-    /// One order, and `f_jac` as what `f_jac_par` computes of it, for a tape that is made for one question.
+    /// One elimination order, and `f_jac` as a subset of `f_jac_par`; for tapes compiled at run time.
     Quick,
 }
 
-/// A model as programs.
+/// Compiled model: its functions as programs, with layout and provenance.
 #[derive(Clone, Debug)]
 pub struct Compiled {
-    /// The model's name.
+    /// Name of the model.
     pub name: String,
-    /// The order of states and parameters.
+    /// Names and order of states, parameters and auxiliary variables.
     pub layout: Layout,
-    /// The model as expressions, with the names and source lines of its quantities.
+    /// Model lowered to scalar expressions, with names and source locations of its auxiliary variables.
     pub lowered: Lowered,
-    /// Places of the parameters that columns of `jp` and `dy_dp` stand for; all unless a selection was made.
+    /// Parameter index of each column of `jp` and `dy_dp`; all parameters unless a [`Selection`] was given.
     pub columns: Vec<usize>,
-    /// Computes the constants of a flight from the parameters; they are an input of every other function.
+    /// Invariants that depend on parameters alone; runs once per flight and is an input of all other functions.
     pub prepare: Function,
-    /// Names of those constants.
+    /// Names of the invariants that `prepare` computes.
     pub prepared: Vec<String>,
-    /// `dx`.
+    /// Time derivatives of the states, section `dx`.
     pub f: Function,
-    /// `dx`, `j`.
+    /// Time derivatives `dx` and their state Jacobian `j`.
     pub f_jac: Function,
-    /// `dx`, `j`, `jp`.
+    /// Time derivatives `dx`, their state Jacobian `j` and their parameter Jacobian `jp`.
     pub f_jac_par: Function,
-    /// `y`: the marker in the inertial frame. Empty where nothing is observed.
+    /// Measurement equation: position `y` of a marker in the inertial frame, m; no outputs if the model has none.
     pub observe: Function,
-    /// `y`, `dy_dx`, `dy_dp`, `dy_dmarker`.
+    /// Marker position `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
     pub observe_jac: Function,
-    /// Every named quantity.
+    /// Values of all auxiliary variables of the model.
     pub quantities: Function,
-    /// Left sides of the limits.
+    /// Left-hand sides of the model's limits of validity.
     pub limits: Function,
 }
 
 impl Compiled {
-    /// All functions, `prepare` first.
+    /// All functions of the model, `prepare` first.
     pub fn functions(&self) -> [&Function; 8] {
         [
             &self.prepare,
@@ -77,14 +77,14 @@ impl Compiled {
         ]
     }
 
-    /// A function by its name.
+    /// Function with a given name; `None` if there is none.
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions()
             .into_iter()
             .find(|function| function.name == name)
     }
 
-    /// Operations of `prepare` that a function relies on: what they would cost it if nothing were prepared.
+    /// Operations of `prepare` that a function depends on, by kind: what hoisting removes from that function.
     pub fn count_prepared(&self, name: &str) -> count::Count {
         let Some(function) = self.function(name) else {
             return count::Count::default();
@@ -101,7 +101,7 @@ impl Compiled {
         count::count_for(&self.prepare.program, &slots)
     }
 
-    /// Operations of a function.
+    /// Operations of a function by kind; all zero for an unknown name.
     pub fn count(&self, name: &str) -> count::Count {
         self.function(name)
             .map_or_else(count::Count::default, |function| {
@@ -110,22 +110,22 @@ impl Compiled {
     }
 }
 
-/// Compiles a model, with derivatives for all parameters.
+/// Compiles a model, with derivatives by all parameters.
 pub fn compile(model: &Model) -> Compiled {
     compile_for(model, &Selection::All)
 }
 
-/// Compiles a model, with derivatives for selected parameters.
+/// Compiles a model, with derivatives by selected parameters.
 pub fn compile_for(model: &Model, selection: &Selection) -> Compiled {
     Compiler::new(model, selection).run(&model.name)
 }
 
-/// Compiles a model at given values of some parameters, by their place in [`Layout::parameters`], of two values for one
-/// the last.
+/// Compiles a model specialized to given values of some parameters, (index in [`Layout::parameters`], value); of two
+/// values for one parameter the last applies.
 ///
-/// Derivatives are taken for all selected parameters, these among them, and then the values are put in, so that nothing is
-/// left of what vanishes there: entries of the Jacobians that are 0 at these values are not in their patterns. All
-/// functions are for these values; what they are handed in those places is not read.
+/// Derivatives are taken by all selected parameters, fixed ones included, before the values are substituted. Entries
+/// of the Jacobians that vanish at these values are not in the sparsity patterns. The functions ignore the fixed
+/// elements of the parameter array.
 pub fn compile_at(
     model: &Model,
     selection: &Selection,
@@ -142,8 +142,8 @@ pub fn compile_at(
     compiler.run(&model.name)
 }
 
-/// Rates of the states, then the observation, without derivatives and with nothing hoisted: a program for models that are
-/// compared by their values alone, in a tenth of the time of [`compile`].
+/// Program of the state derivatives followed by the observation, without Jacobians or hoisting; compiles in a tenth of
+/// the time of [`compile`].
 pub fn compile_values(model: &Model) -> (Layout, Program) {
     let Lowered {
         mut graph,
@@ -165,7 +165,7 @@ pub fn compile_values(model: &Model) -> (Layout, Program) {
 
 struct Compiler {
     lowered: Lowered,
-    /// Constants in the place of parameters.
+    /// Values of the fixed parameters, by symbol.
     fixed: Values,
     effort: Effort,
     columns: Vec<usize>,
@@ -228,14 +228,14 @@ impl Compiler {
         }
     }
 
-    /// The observation as a list: empty where nothing is observed.
+    /// Components of the observed marker position; empty if the model has no measurement equation.
     fn observed(&self) -> Vec<NodeId> {
         self.lowered
             .observation
             .map_or_else(Vec::new, |y| y.to_vec())
     }
 
-    /// Values without derivatives.
+    /// Function with one dense section of values and no derivatives.
     fn values(&mut self, name: &'static str, section: &'static str, values: &[NodeId]) -> Function {
         let ssa = self.optimised(values);
         self.scheduled(name, &ssa, vec![dense(section, values.len())])
@@ -267,7 +267,7 @@ impl Compiler {
         }
     }
 
-    /// What each output is called: `u_dot`, `d_u_dot_d_w`, …
+    /// Names of all outputs of some sections: `u_dot`, `d_u_dot_d_w`, …
     fn results(&self, sections: &[Section]) -> Vec<String> {
         let layout = &self.lowered.layout;
         let names = sections.iter().flat_map(|section| {

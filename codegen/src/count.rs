@@ -1,31 +1,31 @@
-//! How many operations a program takes, by kind. A sine and a cosine of one angle count as two, and so do the product
-//! and the sum of a fused operation.
+//! Operation counts of programs, by kind. Sine and cosine of one angle count as two calls; a fused multiply-add counts
+//! as one product and one sum.
 
 use crate::functions::CostKind;
 use crate::program::{Binary, Op, Operand, Program, Unary};
 use std::fmt;
 
-/// Operations by kind.
+/// Operation counts of a program, by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Count {
-    /// Additions and subtractions.
+    /// Number of additions and subtractions.
     pub add: usize,
-    /// Multiplications.
+    /// Number of multiplications.
     pub mul: usize,
-    /// Divisions and reciprocals.
+    /// Number of divisions and reciprocals.
     pub div: usize,
-    /// Negations.
+    /// Number of negations.
     pub neg: usize,
-    /// Square roots.
+    /// Number of square roots.
     pub sqrt: usize,
-    /// Sines, cosines, arctangents and other functions.
+    /// Number of calls of elementary functions: sine, cosine, arctangent, …
     pub call: usize,
-    /// Comparisons, masks, absolute values, smaller and greater.
+    /// Number of comparisons, selections, absolute values, minima and maxima.
     pub select: usize,
 }
 
 impl Count {
-    /// All of them.
+    /// Sum of all counts.
     pub fn total(&self) -> usize {
         self.add + self.mul + self.div + self.neg + self.sqrt + self.call + self.select
     }
@@ -58,7 +58,7 @@ impl Count {
     }
 }
 
-/// Counts the operations of a program.
+/// Counts all operations of a program.
 pub fn count(program: &Program) -> Count {
     let mut count = Count::default();
     for statement in &program.statements {
@@ -67,7 +67,7 @@ pub fn count(program: &Program) -> Count {
     count
 }
 
-/// Counts the operations that some outputs of a program need.
+/// Counts the operations that selected outputs (by index) of a program depend on.
 pub fn count_for(program: &Program, outputs: &[usize]) -> Count {
     let mut needed = vec![false; program.statements.len()];
     for &output in outputs {

@@ -6,7 +6,7 @@ use crate::number::Number;
 use lanes::Real;
 use model_spec::model::Function as Named;
 
-/// Functions of one argument that are computed as one operation.
+/// Elementary functions of one argument that the generated code computes as one operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MathFunction {
     /// Sine.
@@ -23,13 +23,13 @@ pub enum MathFunction {
     Tanh,
     /// Absolute value.
     Abs,
-    /// -1, 0 or 1.
+    /// Sign of the argument: -1, 0 or 1.
     Sign,
     /// Heaviside function: 1 for arguments above 0, else 0.
     Heaviside,
     /// Square root; 0 for arguments up to 0.
     Sqrt,
-    /// 0 at 0, else 1: the value of `x * recip_or_zero(x)`.
+    /// Indicator of x ≠ 0: 0 at 0, else 1; equals `x * recip_or_zero(x)`.
     NonZero,
 }
 
@@ -44,28 +44,28 @@ pub enum Parity {
     None,
 }
 
-/// Derivative of a function at x, in terms of x and of the function's value there.
+/// Derivative of a function f at x, in terms of x and of the value f(x).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Derivative {
     /// 0 everywhere, by definition also at jumps.
     Zero,
-    /// The value itself.
+    /// f'(x) = f(x).
     Value,
-    /// Another function of x.
+    /// f'(x) = g(x) for the given function g.
     Call(MathFunction),
-    /// Minus another function of x.
+    /// f'(x) = -g(x) for the given function g.
     Opposite(MathFunction),
-    /// 1 - value²
+    /// f'(x) = 1 - f(x)².
     OneMinusValueSquared,
-    /// 1 / sqrt(1 - x²), and 0 outside -1 .. 1.
+    /// f'(x) = 1 / sqrt(1 - x²) for |x| < 1, else 0.
     InverseRootOfOneMinusSquare,
-    /// 1 / x above 0, else 0.
+    /// f'(x) = 1 / x for x > 0, else 0.
     ReciprocalAboveZero,
-    /// 1 / (2 value)
+    /// f'(x) = 1 / (2 f(x)).
     HalfOverValue,
 }
 
-/// What an operation is counted as in a [`Count`](crate::count::Count).
+/// Operation class under which a function is counted in a [`Count`](crate::count::Count).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CostKind {
     /// Square root.
@@ -79,22 +79,22 @@ pub enum CostKind {
 /// How a function is written in LaTeX.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notation {
-    /// A command of LaTeX before the argument; true where an exponent goes between them, as in sin² x.
+    /// LaTeX command followed by the argument; `true` if an exponent goes between command and argument, as in sin² x.
     Command(&'static str, bool),
-    /// A name set upright, with the argument in parentheses.
+    /// Function name in upright type, followed by the argument in parentheses.
     Operator(&'static str),
-    /// √x
+    /// Radical sign √x.
     Radical,
-    /// e to the power of the argument.
+    /// Exponential notation e^x.
     PowerOfE,
-    /// |x|
+    /// Absolute-value bars |x|.
     Bars,
-    /// Iverson bracket around the argument and this relation.
+    /// Iverson bracket around the argument and the given relation, as in `[x > 0]`.
     Bracket(&'static str),
 }
 
 impl MathFunction {
-    /// Every function.
+    /// All variants of `MathFunction`.
     pub const ALL: [MathFunction; 11] = [
         MathFunction::Sin,
         MathFunction::Cos,
@@ -109,7 +109,7 @@ impl MathFunction {
         MathFunction::NonZero,
     ];
 
-    /// The name in the model language and in names of generated variables.
+    /// Function name, used in printed expressions and in names of generated variables.
     pub fn name(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin",
@@ -126,7 +126,7 @@ impl MathFunction {
         }
     }
 
-    /// Its value at `x`.
+    /// Value of the function at `x`.
     #[inline(always)]
     pub fn eval<T: Real>(self, x: T) -> T {
         match self {
@@ -144,7 +144,7 @@ impl MathFunction {
         }
     }
 
-    /// The call of a method of [`lanes::Real`] that computes it, without the receiver: `exp()`.
+    /// Rust method call on a [`lanes::Real`] that computes the function, without the receiver: `exp()`.
     pub fn rust_method(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin_cos().0",
@@ -161,7 +161,7 @@ impl MathFunction {
         }
     }
 
-    /// Its derivative.
+    /// Symbolic derivative of the function.
     pub fn derivative(self) -> Derivative {
         match self {
             MathFunction::Sin => Derivative::Call(MathFunction::Cos),
@@ -178,7 +178,7 @@ impl MathFunction {
         }
     }
 
-    /// Symmetry about 0.
+    /// Symmetry of the function about 0: even, odd or none.
     pub fn parity(self) -> Parity {
         match self {
             MathFunction::Cos | MathFunction::Abs | MathFunction::NonZero => Parity::Even,
@@ -192,7 +192,7 @@ impl MathFunction {
         }
     }
 
-    /// Whether f(c x) = f(x) for every c above 0.
+    /// Whether f(c x) = f(x) for every scale factor c > 0.
     pub fn ignores_scale(self) -> bool {
         matches!(
             self,
@@ -200,7 +200,7 @@ impl MathFunction {
         )
     }
 
-    /// Whether no value is below 0.
+    /// Whether f(x) ≥ 0 for every x.
     pub fn is_nonneg(self) -> bool {
         matches!(
             self,
@@ -212,7 +212,7 @@ impl MathFunction {
         )
     }
 
-    /// Whether the value is not 0, given whether the argument is known not to be 0.
+    /// Whether f(x) ≠ 0 is certain; `argument_nonzero` states that x ≠ 0 is known.
     pub fn is_nonzero(self, argument_nonzero: bool) -> bool {
         match self {
             MathFunction::Exp => true,
@@ -221,7 +221,7 @@ impl MathFunction {
         }
     }
 
-    /// The value at a constant, where it is a rational number or a root of one.
+    /// Exact value of the function at the constant `x`; `None` if no simple exact value is known.
     pub fn constant_value(self, x: Number) -> Option<Number> {
         let (zero, negative) = (x.is_zero(), x.is_negative());
         let indicator = |holds: bool| Some(if holds { Number::ONE } else { Number::ZERO });
@@ -238,7 +238,7 @@ impl MathFunction {
         }
     }
 
-    /// What it is counted as.
+    /// Operation class under which the function is counted.
     pub fn cost_kind(self) -> CostKind {
         match self {
             MathFunction::Sqrt => CostKind::Root,
@@ -250,7 +250,7 @@ impl MathFunction {
         }
     }
 
-    /// Latency in clock cycles, approximate, of current processors.
+    /// Approximate latency of the function on current processors, in clock cycles.
     pub fn latency(self) -> u32 {
         match self {
             MathFunction::Abs => 1,
@@ -260,7 +260,7 @@ impl MathFunction {
         }
     }
 
-    /// How it is written in LaTeX.
+    /// LaTeX notation of the function.
     pub fn notation(self) -> Notation {
         match self {
             MathFunction::Sin => Notation::Command(r"\sin", true),
@@ -278,21 +278,21 @@ impl MathFunction {
     }
 }
 
-/// What the compiler makes of a function of the model language.
+/// Lowering of a function of the model language: one operation, or a composition of operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FunctionLowering {
-    /// One operation.
+    /// Lowered to one operation.
     Call(MathFunction),
-    /// The quotient of sine and cosine.
+    /// Tangent, lowered to sin x / cos x.
     Tan,
-    /// π/2 less the arcsine.
+    /// Arccosine, lowered to π/2 - asin x.
     Acos,
-    /// The angle of the point (1, x).
+    /// Arctangent, lowered to atan2(x, 1).
     Atan,
 }
 
 impl FunctionLowering {
-    /// Of a function of the model language.
+    /// Lowering of the given function of the model language.
     pub fn of(function: Named) -> FunctionLowering {
         FunctionLowering::Call(match function {
             Named::Tan => return FunctionLowering::Tan,
@@ -311,7 +311,7 @@ impl FunctionLowering {
         })
     }
 
-    /// How it is written in LaTeX.
+    /// LaTeX notation of the function.
     pub fn notation(self) -> Notation {
         match self {
             FunctionLowering::Call(function) => function.notation(),
@@ -322,7 +322,7 @@ impl FunctionLowering {
     }
 }
 
-/// Commands of LaTeX that take an exponent between name and argument.
+/// LaTeX commands that take an exponent between command and argument, such as `\sin`.
 pub fn commands_with_exponent() -> impl Iterator<Item = &'static str> {
     let all = MathFunction::ALL.map(FunctionLowering::Call).into_iter();
     let all = all.chain([

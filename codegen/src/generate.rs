@@ -10,7 +10,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The files of the crate `generated`, below its `src`, sorted by path.
+/// Source files of the crate `generated`, sorted by path relative to its `src` directory.
 pub fn generate(models: &[Model]) -> Vec<SourceFile> {
     let mut ordered: Vec<&Model> = models.iter().collect();
     ordered.sort_by(|a, b| a.name.cmp(&b.name));
@@ -23,7 +23,7 @@ pub fn generate(models: &[Model]) -> Vec<SourceFile> {
     files
 }
 
-/// The files of some models in the language of a backend, sorted by path.
+/// Source files of some models in the language of a backend, sorted by path.
 pub fn generate_with(backend: &dyn Backend, models: &[Model]) -> Vec<SourceFile> {
     let each = models.iter();
     let mut files: Vec<SourceFile> = each
@@ -33,12 +33,12 @@ pub fn generate_with(backend: &dyn Backend, models: &[Model]) -> Vec<SourceFile>
     files
 }
 
-/// A file whose text differs from the generated text.
+/// File on disk that differs from its generated text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
-    /// Path below the compared directory.
+    /// Path relative to the compared directory.
     pub path: String,
-    /// Unified difference from the file to the generated text.
+    /// Unified diff from the file on disk to the generated text.
     pub text: String,
 }
 
@@ -48,8 +48,8 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Compares `directory`, the `src` of the crate `generated`, with the generated files; files of no model count as
-/// differences. Empty if nothing differs.
+/// Compares `directory`, the `src` of the crate `generated`, with the generated files. Rust files that belong to no
+/// model count as differences. Empty if nothing differs.
 ///
 /// # Errors
 /// If the directory cannot be read.
@@ -64,8 +64,8 @@ pub fn check(directory: &Path, models: &[Model]) -> io::Result<Vec<Difference>> 
     Ok(differences)
 }
 
-/// Compares files with those of the same paths below a directory; other files there are ignored. A missing file counts
-/// as empty.
+/// Compares generated files with the files of equal path in a directory; other files in the directory are ignored. A
+/// missing file counts as empty.
 ///
 /// # Errors
 /// If a file cannot be read.
@@ -97,8 +97,8 @@ fn difference(path: &str, found: &str, expected: &str) -> Option<Difference> {
     })
 }
 
-/// Writes the files of the crate `generated` that differ, and removes the Rust files of no model. Returns the paths
-/// that changed.
+/// Writes the changed files of the crate `generated` and removes Rust files that belong to no model. Returns the paths
+/// of all changed files.
 ///
 /// # Errors
 /// If a file cannot be written.
@@ -116,8 +116,8 @@ pub fn write(directory: &Path, models: &[Model]) -> io::Result<Vec<String>> {
     Ok(changed)
 }
 
-/// Writes the files that differ below a directory, each atomically: a file is replaced as a whole or not at all.
-/// Returns the paths that changed.
+/// Writes files that differ from those in a directory, each atomically (by renaming). Returns the paths of the changed
+/// files.
 ///
 /// # Errors
 /// If a file cannot be written.
@@ -139,7 +139,7 @@ pub fn write_files(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<Str
     Ok(changed)
 }
 
-/// Rust files below a directory that are not among the generated ones.
+/// Rust files in a directory that are not among the generated files.
 fn stale(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<String>> {
     let mut found = Vec::new();
     let mut folders = vec![PathBuf::new()];

@@ -1,8 +1,9 @@
-//! The compiler: a checked model becomes expressions, exact derivatives, and programs for several backends.
+//! Compiler of flight models: from a checked model to scalar expressions, exact Jacobians, and programs for several
+//! backends.
 //!
-//! One road: [`lower`](mod@lower) makes scalar expressions of the model's vectors in one [`graph`], which `differentiate`
-//! adds the partial derivatives to and `specialize` puts constants into; [`ssa`] lists what is to be computed, with
-//! common factors, products and sums computed once; [`schedule`] puts it in order as a [`program`].
+//! Pipeline: [`lower`](mod@lower) turns the model's vector equations into scalar nodes of one expression [`graph`];
+//! `differentiate` adds partial derivatives and `specialize` substitutes constants; [`ssa`] eliminates common
+//! subexpressions and lists the definitions; [`schedule`] orders them as a [`program`].
 
 pub mod backend;
 pub mod compile;

@@ -1,30 +1,30 @@
-//! Constants: exact fractions as long as they fit, `f64` after that.
+//! Rational constants: exact fractions while numerator and denominator fit `i64`, `f64` otherwise.
 
 use std::hash::{Hash, Hasher};
 
-/// A constant of a model or of the calculus.
+/// Numerical constant, exact or floating-point.
 #[derive(Clone, Copy, Debug)]
 pub enum Number {
-    /// Numerator and positive denominator, in lowest terms.
+    /// Exact fraction: numerator and positive denominator, in lowest terms.
     Exact(i64, i64),
-    /// Not known as a fraction.
+    /// Floating-point value without an exact fraction.
     Float(f64),
 }
 
 impl Number {
-    /// 0.
+    /// The constant 0, exact.
     pub const ZERO: Number = Number::Exact(0, 1);
-    /// 1.
+    /// The constant 1, exact.
     pub const ONE: Number = Number::Exact(1, 1);
-    /// -1.
+    /// The constant -1, exact.
     pub const MINUS_ONE: Number = Number::Exact(-1, 1);
 
-    /// A whole number.
+    /// Exact integer constant.
     pub fn whole(value: i64) -> Number {
         Number::Exact(value, 1)
     }
 
-    /// A fraction; `f64` where it does not fit.
+    /// Fraction in lowest terms; `Float` if numerator or denominator exceeds `i64`, or if the denominator is 0.
     pub fn fraction(numerator: i128, denominator: i128) -> Number {
         if denominator == 0 {
             return Number::Float(numerator as f64 / denominator as f64);
@@ -38,7 +38,7 @@ impl Number {
         }
     }
 
-    /// From a literal.
+    /// Constant of a literal: the fraction `exact` if given, else an integer if below 1e15, else `Float(value)`.
     pub fn literal(value: f64, exact: Option<(i64, i64)>) -> Number {
         match exact {
             Some((n, d)) => Number::fraction(n.into(), d.into()),
@@ -47,7 +47,7 @@ impl Number {
         }
     }
 
-    /// Its value, rounded once.
+    /// Value as `f64`.
     pub fn value(self) -> f64 {
         match self {
             Number::Exact(n, d) => n as f64 / d as f64,
@@ -55,22 +55,22 @@ impl Number {
         }
     }
 
-    /// Whether it is 0.
+    /// Whether the value is 0.
     pub fn is_zero(self) -> bool {
         self.value() == 0.0
     }
 
-    /// Whether it is 1.
+    /// Whether the constant is the exact fraction 1; false for `Float(1.0)`.
     pub fn is_one(self) -> bool {
         self == Number::ONE
     }
 
-    /// Whether it is below 0.
+    /// Whether the value is below 0.
     pub fn is_negative(self) -> bool {
         self.value() < 0.0
     }
 
-    /// Its absolute value.
+    /// Absolute value.
     pub fn abs(self) -> Number {
         if self.is_negative() {
             self.opposite()
@@ -79,12 +79,12 @@ impl Number {
         }
     }
 
-    /// Its opposite.
+    /// Negated value, `-self`.
     pub fn opposite(self) -> Number {
         Number::MINUS_ONE.times(self)
     }
 
-    /// Sum.
+    /// Sum `self + other`; exact if both constants are exact and the result fits.
     pub fn plus(self, other: Number) -> Number {
         match (self, other) {
             (Number::Exact(a, b), Number::Exact(c, d)) => {
@@ -95,7 +95,7 @@ impl Number {
         }
     }
 
-    /// Product.
+    /// Product `self * other`; exact if both constants are exact and the result fits.
     pub fn times(self, other: Number) -> Number {
         match (self, other) {
             (Number::Exact(a, b), Number::Exact(c, d)) => {
@@ -105,7 +105,7 @@ impl Number {
         }
     }
 
-    /// `1 / self`.
+    /// Reciprocal `1 / self`; infinite for 0.
     pub fn recip(self) -> Number {
         match self {
             Number::Exact(n, d) => Number::fraction(d.into(), n.into()),
@@ -113,13 +113,13 @@ impl Number {
         }
     }
 
-    /// A whole power.
+    /// `self` to an integer power; a negative exponent of 0 gives infinity.
     pub fn power(self, exponent: i32) -> Number {
         let base = if exponent < 0 { self.recip() } else { self };
         (0..exponent.unsigned_abs()).fold(Number::ONE, |product, _| product.times(base))
     }
 
-    /// The square root where it is a fraction, or a float.
+    /// Square root; exact if numerator and denominator are perfect squares, 0 for negative values.
     pub fn sqrt(self) -> Number {
         if self.is_negative() {
             return Number::ZERO;
@@ -136,7 +136,7 @@ impl Number {
     fn key(self) -> (u8, u64, u64) {
         match self {
             Number::Exact(n, d) => (0, n as u64, d as u64),
-            // -0.0 and 0.0 are one number
+            // -0.0 and 0.0 compare equal
             Number::Float(x) => (1, if x == 0.0 { 0 } else { x.to_bits() }, 0),
         }
     }

@@ -1,40 +1,41 @@
-//! The one schedule that every backend follows: statements of one operation each, in order.
+//! Straight-line programs: scheduled statements of one operation each, which every backend prints or interprets in
+//! order.
 
 use crate::functions::MathFunction;
 
-/// Where an operand comes from.
+/// Source of an operand: an input, a constant or the result of an earlier statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
     /// Time since release.
     Time,
-    /// A state.
+    /// State, by its index in the layout.
     State(u32),
-    /// A parameter, by its place in the layout.
+    /// Parameter, by its index in the layout.
     Parameter(u32),
-    /// What was computed from the parameters before the flight.
+    /// Hoisted invariant, by its index among the results of `prepare`: depends on parameters alone.
     Prepared(u32),
-    /// A coordinate of the marker.
+    /// Body-fixed coordinate of the marker, m, by its index (0 to 2).
     Marker(u32),
-    /// A constant.
+    /// Constant, as its value.
     Constant(f64),
-    /// The result of an earlier statement.
+    /// Result of an earlier statement, by the index of that statement.
     Temp(u32),
 }
 
-/// Operations on one number.
+/// Operation with one operand `x`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Unary {
     /// `-x`
     Neg,
-    /// `1 / x` of a value that is never 0.
+    /// Unguarded reciprocal `1 / x`; only for `x` that is never 0.
     Recip,
-    /// `1 / x`, and 0 at 0.
+    /// Guarded reciprocal: `1 / x`, and 0 at `x = 0`.
     RecipOrZero,
-    /// A function of `x`.
+    /// Elementary function of `x`.
     Call(MathFunction),
 }
 
-/// Operations on two numbers.
+/// Operation with two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[allow(missing_docs)]
 pub enum Binary {
@@ -42,13 +43,13 @@ pub enum Binary {
     Sub,
     Mul,
     Div,
-    /// Of (y, x).
+    /// Polar angle of the point (x, y), rad; operands in the order (y, x).
     Atan2,
     Min,
     Max,
 }
 
-/// A product and a sum as one operation, which machines that fuse round once. Of (a, b, c).
+/// Multiply-add of the operands (a, b, c); rounded once where the number type fuses, else twice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Fused {
     /// `a * b + c`
@@ -59,21 +60,21 @@ pub enum Fused {
     NegMulAdd,
 }
 
-/// One operation.
+/// Operation of a statement, with its operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Op {
-    /// On one operand.
+    /// Operation with one operand.
     Unary(Unary, Operand),
-    /// On two.
+    /// Operation with two operands.
     Binary(Binary, Operand, Operand),
-    /// On three.
+    /// Multiply-add with the operands (a, b, c).
     Fused(Fused, Operand, Operand, Operand),
-    /// The second where the first is 0, else the third.
+    /// `IfZero(x, then, otherwise)`: `then` where `x` is 0, else `otherwise`.
     IfZero(Operand, Operand, Operand),
 }
 
 impl Op {
-    /// Its operands.
+    /// Operands of the operation, in order.
     pub fn operands(&self) -> Vec<Operand> {
         match *self {
             Op::Unary(_, a) => vec![a],
@@ -82,7 +83,7 @@ impl Op {
         }
     }
 
-    /// Calls `change` with each of its operands.
+    /// Calls `change` with a mutable reference to each operand, in order.
     pub fn for_operands(&mut self, mut change: impl FnMut(&mut Operand)) {
         match self {
             Op::Unary(_, a) => change(a),
@@ -99,73 +100,73 @@ impl Op {
     }
 }
 
-/// One step of a program; its result is `Temp(k)` for the k-th statement.
+/// Statement of a program: one operation, whose result is `Temp(k)` for the k-th statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// What is computed.
+    /// Operation that the statement computes.
     pub op: Op,
-    /// Its name; none where it is only a part of the expression of a later statement.
+    /// Variable name; `None` if backends may print the statement as a subexpression of its user.
     pub name: Option<String>,
-    /// The named quantity of the model it is, or is derived from, for the comment beside it.
+    /// Auxiliary variable of the model that the statement computes or contributes to, for comments in generated code.
     pub about: Option<About>,
 }
 
-/// What a statement belongs to.
+/// Auxiliary variable that a statement belongs to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct About {
     /// Index into [`crate::lower::Lowered::origins`].
     pub origin: usize,
-    /// Whether it is the quantity itself, not a part of it.
+    /// Whether the statement computes the variable itself rather than a subexpression of it.
     pub exact: bool,
 }
 
-/// A straight-line program.
+/// Straight-line program: statements without branches or loops, and outputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
-    /// The statements.
+    /// Statements in order of execution; operands refer only to earlier ones.
     pub statements: Vec<Statement>,
-    /// The results, in the order of the function's sections.
+    /// Results of the program, in the order of the function's sections.
     pub outputs: Vec<Operand>,
 }
 
-/// What a run of outputs holds.
+/// Consecutive outputs of a function that form one vector or matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Section {
-    /// `dx`, `j`, `jp`, `y`, …
+    /// Name of the section: `dx`, `j`, `jp`, `y`, …
     pub name: &'static str,
-    /// How many values.
+    /// Number of outputs in the section.
     pub len: usize,
-    /// For a sparse matrix: row and column of each value, row by row.
+    /// Sparsity pattern of a matrix: (row, column) of each entry, ordered by row; `None` for a dense vector.
     pub pattern: Option<Vec<(u32, u32)>>,
 }
 
-/// A program with the meaning of its outputs.
+/// Function of a model: a program and the layout of its outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Function {
-    /// `f`, `f_jac`, …
+    /// Name of the function: `f`, `f_jac`, …
     pub name: &'static str,
-    /// What it computes.
+    /// Program that computes the outputs.
     pub program: Program,
-    /// The outputs, section by section.
+    /// Sections of the outputs, in order.
     pub sections: Vec<Section>,
-    /// What each output is called: `u_dot`, `d_u_dot_d_w`, …
+    /// Name of each output in generated code: `u_dot`, `d_u_dot_d_w`, …
     pub results: Vec<String>,
 }
 
 impl Function {
-    /// A section by its name.
+    /// Section with a given name; `None` if the function has none.
     pub fn section(&self, name: &str) -> Option<&Section> {
         self.sections.iter().find(|section| section.name == name)
     }
 
-    /// The pattern of a sparse section; empty where there is none.
+    /// Sparsity pattern (row, column) of a section; empty if the section is missing or dense.
     pub fn pattern(&self, name: &str) -> &[(u32, u32)] {
         self.section(name)
             .and_then(|section| section.pattern.as_deref())
             .unwrap_or(&[])
     }
 
-    /// Where a section starts among the outputs, and its length.
+    /// Index range of a section within the outputs.
     pub fn range(&self, name: &str) -> std::ops::Range<usize> {
         let mut start = 0;
         for section in &self.sections {

@@ -1,4 +1,4 @@
-//! Random expressions: what the compiler makes of them against their evaluation with dual numbers.
+//! Property tests: compiled random expressions and their derivatives against evaluation with dual numbers.
 
 use crate::differentiate::{EliminationOrder, Labelled, LinearizedGraph, share_values};
 use crate::functions::MathFunction;
@@ -12,12 +12,12 @@ use num_dual::{Dual64, DualNum};
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-/// How many variables the expressions have.
+/// Number of variables of a random expression.
 const VARIABLES: usize = 3;
-/// Bound of all intermediate values and derivatives: beyond it cancellation hides what is compared.
+/// Upper bound on |value| and |derivative| of every subexpression: beyond it cancellation would hide errors.
 const MAX_MAGNITUDE: f64 = 1e3;
 
-/// One operation on earlier values.
+/// Operation on earlier values of a random expression.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     Add,
@@ -97,7 +97,7 @@ fn node(graph: &mut ExprGraph, step: Step, x: NodeId, y: NodeId) -> NodeId {
     }
 }
 
-/// The value by definition; none at or near a point where it is not smooth.
+/// Value by definition; `None` within 1e-3 of a point where the operation is not smooth.
 fn value(step: Step, x: Dual64, y: Dual64) -> Option<Dual64> {
     let smooth = |margin: f64| margin.abs() > 1e-3;
     let one = Dual64::from(1.0);
@@ -137,7 +137,7 @@ fn value(step: Step, x: Dual64, y: Dual64) -> Option<Dual64> {
     })
 }
 
-/// The graph and the node of the last step; values of the last step with its derivatives by all variables.
+/// Compiled and reference forms: graph with the node of the last step, and its dual-number value with derivatives.
 struct Case {
     graph: ExprGraph,
     root: NodeId,
@@ -146,7 +146,7 @@ struct Case {
     magnitude: f64,
 }
 
-/// None where a step is not smooth or a value too large.
+/// Builds a case; `None` where a step is not smooth or a value exceeds [`MAX_MAGNITUDE`].
 fn case(steps: &[(Step, Index, Index)], at: [f64; VARIABLES]) -> Option<Case> {
     let mut graph = ExprGraph::new();
     let symbols = [0, 1, 2].map(|k| graph.symbol(Symbol::State(k)));

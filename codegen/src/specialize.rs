@@ -1,24 +1,24 @@
 //! Partial evaluation: symbols replaced by constants, and everything simplified that depends on them.
 //!
-//! Every node is built anew by the constructors of another graph. Value facts carry over to the specialized node, since
-//! they hold for all values of the symbols.
+//! Nodes are rebuilt by the constructors of a new graph. Value facts carry over to the specialized nodes, since they
+//! hold for all values of the symbols.
 
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
 
-/// Constants by symbol.
+/// Values of the symbols that become constants.
 pub type Values = FastMap<Symbol, Number>;
 
-/// A graph in which some symbols have become constants.
+/// Expression graph with some symbols replaced by constants and the results simplified.
 #[derive(Debug)]
 pub struct Specialized {
-    /// The new graph.
+    /// The specialized graph.
     pub graph: ExprGraph,
     images: Vec<Option<NodeId>>,
 }
 
 impl Specialized {
-    /// The part of `old` that `roots` need, with `values` in the place of symbols.
+    /// Specializes the nodes of `old` reachable from `roots`, with `values` substituted for symbols.
     pub fn new(old: &ExprGraph, roots: &[NodeId], values: &Values) -> Specialized {
         let mut new = Specialized {
             graph: ExprGraph::new(),
@@ -43,7 +43,7 @@ impl Specialized {
         new
     }
 
-    /// The specialized node of a node that the roots need; 0 for any other.
+    /// Specialized node of an original node; the constant 0 for nodes that the roots do not reach.
     pub fn image(&mut self, id: NodeId) -> NodeId {
         match self.images[id.index()] {
             Some(image) => image,
@@ -110,7 +110,7 @@ impl Specialized {
         }
     }
 
-    /// A shared value stays shared unless it has become a leaf or a constant.
+    /// Specialized local: remains a shared subexpression unless its definition became a leaf or a constant.
     fn local(
         &mut self,
         old: &ExprGraph,
@@ -125,7 +125,7 @@ impl Specialized {
                     self.graph.local_root(facts, sum)
                 }
                 _ => {
-                    // what a root was taken of without a guard is not negative
+                    // An unguarded root has a nonnegative argument.
                     let facts = ValueFacts {
                         nonneg: true,
                         ..ValueFacts::default()
@@ -156,13 +156,13 @@ impl Specialized {
     }
 }
 
-/// Which nodes the roots need, through the definitions of locals.
+/// For each node, whether the roots reach it, definitions of locals included.
 fn needed(graph: &ExprGraph, roots: &[NodeId]) -> Vec<bool> {
     let mut needed = vec![false; graph.len()];
     for root in roots {
         needed[root.index()] = true;
     }
-    // operands and definitions are created before their users
+    // Operands and definitions precede their users.
     for k in (0..graph.len()).rev() {
         if needed[k] {
             let id = NodeId::new(k);

@@ -9,7 +9,7 @@ use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
 use lanes::Real;
 
-/// Operation of an instruction.
+/// Operation code of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Opcode {
     Add,
@@ -31,7 +31,7 @@ enum Opcode {
     SinCos,
 }
 
-/// Index of a value in the scratch space of an evaluation.
+/// Register index: position of a value in the scratch space of an evaluation.
 trait Register: Copy {
     fn index(self) -> usize;
 }
@@ -60,23 +60,23 @@ struct Instruction<R> {
     c: R,
 }
 
-/// Instructions with registers of one width.
+/// Instructions with register indices of one integer width.
 #[derive(Clone, Debug)]
 struct Bytecode<R> {
     instructions: Vec<Instruction<R>>,
-    /// Inputs and constants that are read, with their registers.
+    /// Inputs and constants that the program reads, each with the register it is loaded to.
     loads: Vec<(Operand, R)>,
     outputs: Vec<R>,
 }
 
-/// A program as instructions over as few registers as its live ranges allow.
+/// Register bytecode of a program; register allocation follows the live ranges.
 #[derive(Clone, Debug)]
 pub struct Tape {
     code: Width,
     registers: usize,
 }
 
-/// Bytecode with the narrowest registers that suffice: half the memory is read per evaluation if they are narrow.
+/// Bytecode with the narrowest register indices that suffice: narrow ones halve the memory read per evaluation.
 #[derive(Clone, Debug)]
 enum Width {
     Narrow(Bytecode<u16>),
@@ -88,7 +88,7 @@ enum Width {
 pub struct Inputs<'a, T> {
     /// Time since release, s.
     pub t: T,
-    /// State.
+    /// State vector, in the order of the layout.
     pub x: &'a [T],
     /// Parameters: constants, coefficients, components of inputs.
     pub p: &'a [T],
@@ -120,17 +120,17 @@ impl Tape {
         }
     }
 
-    /// Whether the tape has no instructions.
+    /// True if the tape has no instructions.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Length of the scratch space of an evaluation.
+    /// Number of registers: minimum length of the scratch space.
     pub fn registers(&self) -> usize {
         self.registers
     }
 
-    /// Number of results.
+    /// Number of results of an evaluation.
     pub fn outputs(&self) -> usize {
         match &self.code {
             Width::Narrow(code) => code.outputs.len(),
@@ -153,7 +153,7 @@ impl Tape {
     /// Evaluates the program in a scratch space of at least [`registers`](Tape::registers) elements.
     ///
     /// # Panics
-    /// As [`eval`](Tape::eval), and if the scratch space is too short.
+    /// If an input, `scratch` or `out` is shorter than the program needs; see [`eval`](Tape::eval).
     #[inline(always)]
     pub fn eval_in<T: Real>(&self, inputs: Inputs<'_, T>, scratch: &mut [T], out: &mut [T]) {
         let scratch = &mut scratch[..self.registers];

@@ -76,7 +76,7 @@ pub struct TapeModel {
 pub struct At<'a> {
     /// Time since release, s.
     pub t: f64,
-    /// State.
+    /// State vector, in the order of the layout.
     pub x: &'a [f64],
     /// Parameters: constants, coefficients, components of inputs.
     pub p: &'a [f64],

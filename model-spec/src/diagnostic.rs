@@ -1,11 +1,11 @@
-//! Diagnostics: faults of a model file, each with a source span and one message.
+//! Diagnostics: errors of a model file, each with a source span and one message.
 
 pub use crate::source::{Source, Span};
 
-/// Number of faults that are shown, and for which suggestions are looked up; the others are counted.
+/// Maximum number of errors that are shown and for which suggestions are looked up; further ones are counted.
 pub(crate) const MAX_SHOWN: usize = 50;
 
-/// Category of a fault; [`Kind::slug`] is stable and shown in brackets.
+/// Category of an error; [`Kind::slug`] is its stable name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
 pub enum Kind {
@@ -24,7 +24,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Stable name of the category, as shown in brackets before a message.
+    /// Stable name of the category, such as `unit`; messages show it in brackets.
     pub fn slug(self) -> &'static str {
         match self {
             Kind::Lexical => "lexical",
@@ -43,34 +43,34 @@ impl Kind {
     }
 }
 
-/// A source span that explains a fault, with a few words.
+/// A further source span of an error, with an annotation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
-    /// The span.
+    /// Annotated source span.
     pub span: Span,
-    /// Its role in the fault.
+    /// Annotation of the span, such as `the divisor`.
     pub text: String,
 }
 
-/// One fault: what was found, what was expected, where, and a remedy.
+/// Error message for a model file: what is wrong, where, and a suggested remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Category.
+    /// Category of the error.
     pub kind: Kind,
-    /// Source span at which it is reported.
+    /// Source span of the error.
     pub span: Span,
     /// What is wrong, in one sentence.
     pub message: String,
-    /// Other source spans that led to the fault.
+    /// Annotated source spans that explain the error.
     pub labels: Vec<Label>,
     /// Further explanations, one sentence each.
     pub notes: Vec<String>,
-    /// A suggested remedy, such as "did you mean `C_La`?".
+    /// Suggested remedy, such as "did you mean `C_La`?"; `None` if there is no suggestion.
     pub help: Option<String>,
 }
 
 impl Diagnostic {
-    /// A fault without labels, notes or help.
+    /// An error without labels, notes or help.
     pub fn new(kind: Kind, span: Span, message: impl Into<String>) -> Diagnostic {
         Diagnostic {
             kind,
@@ -82,7 +82,7 @@ impl Diagnostic {
         }
     }
 
-    /// Adds a source span that explains the fault.
+    /// Adds an annotated source span.
     #[must_use]
     pub fn label(mut self, span: Span, text: impl Into<String>) -> Diagnostic {
         self.labels.push(Label {
@@ -92,7 +92,7 @@ impl Diagnostic {
         self
     }
 
-    /// Adds a further explanation.
+    /// Adds a note, one sentence.
     #[must_use]
     pub fn note(mut self, text: impl Into<String>) -> Diagnostic {
         self.notes.push(text.into());
@@ -106,7 +106,7 @@ impl Diagnostic {
         self
     }
 
-    /// Sets the suggested remedy, if one is given.
+    /// Sets the suggested remedy if `text` is some; otherwise leaves it unchanged.
     #[must_use]
     pub fn help_if(mut self, text: Option<String>) -> Diagnostic {
         self.help = text.or(self.help);

@@ -1,4 +1,4 @@
-//! Reasons why a model cannot be loaded.
+//! Errors of loading a model or an effect.
 
 use std::io;
 use std::sync::Arc;
@@ -12,46 +12,46 @@ use crate::suggest;
 /// Why a model or an effect cannot be loaded.
 #[derive(Clone, Debug, Error)]
 pub enum LoadError {
-    /// The texts have faults.
+    /// A model or effect has errors in its text.
     #[error("{}", render(diagnostics, sources, false).trim_end())]
     Faults {
-        /// The faults, at least one.
+        /// Errors in the texts, at least one.
         diagnostics: Vec<Diagnostic>,
-        /// The texts, indexed by the `source` of a span.
+        /// Source texts that the diagnostics' spans refer to.
         sources: Vec<Source>,
     },
     /// A file cannot be read.
     #[error("`{path}` cannot be read: {error}")]
     Unreadable {
-        /// Its path.
+        /// Path of the file.
         path: String,
         /// The error of the operating system.
         error: Arc<io::Error>,
     },
-    /// A path of a folder was given in place of a model file.
+    /// The path is a folder, not a model file.
     #[error("`{path}` is a folder, not a model file")]
     Folder {
-        /// The path.
+        /// Path of the folder.
         path: String,
     },
-    /// Neither a file nor a built-in model.
+    /// The name is neither a file nor a built-in model.
     #[error(
         "there is no model `{wanted}`: no such file, and no such model is built in{}\nbuilt in are {}",
         suggestion(wanted, known), known.join(", ")
     )]
     UnknownModel {
-        /// The name as given.
+        /// Name or path as given.
         wanted: String,
         /// Names of the built-in models.
         known: Vec<String>,
     },
-    /// Neither a file, nor an effect of the model's file, nor a built-in effect.
+    /// The name is neither a file, nor an effect of the model's file, nor a built-in effect.
     #[error(
         "there is no effect `{wanted}`: not in the model, not among the built-in ones, and no such file{}\nknown are {}",
         suggestion(wanted, known), known.join(", ")
     )]
     UnknownEffect {
-        /// The name as given.
+        /// Name or path as given.
         wanted: String,
         /// Names of the effects of the model's file and of the built-in ones.
         known: Vec<String>,
@@ -59,7 +59,7 @@ pub enum LoadError {
 }
 
 impl LoadError {
-    /// The faults in the texts; none if a text is missing.
+    /// Errors in the source texts; empty for all other variants.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         match self {
             LoadError::Faults { diagnostics, .. } => diagnostics,
@@ -68,7 +68,7 @@ impl LoadError {
     }
 }
 
-/// A second line with the nearest of the known names, if one is near.
+/// Line of text suggesting the known name nearest in spelling; empty if none is near.
 fn suggestion(wanted: &str, known: &[String]) -> String {
     let name = wanted.replace('-', "_");
     suggest::nearest(&name, known.iter().map(String::as_str))

@@ -1,4 +1,4 @@
-//! Positions in an array as types of their own: the index of a state cannot be mistaken for that of a parameter.
+//! Index newtypes: the index of a state cannot be mistaken for that of a parameter.
 //!
 //! ```
 //! use model_spec::index::{Idx, IndexVec};
@@ -20,19 +20,19 @@ use std::ops::{Index, IndexMut};
 
 pub use crate::index_type;
 
-/// A type that stands for a position in an array; made by [`index_type!`].
+/// An index newtype, declared by [`index_type!`].
 pub trait Idx: Copy + Eq + Ord + fmt::Debug {
-    /// The index of a position counted from 0.
+    /// The index with this value, counted from 0.
     ///
     /// # Panics
-    /// Beyond `u32::MAX` items.
+    /// If `position` exceeds `u32::MAX`.
     fn new(position: usize) -> Self;
 
-    /// The position, counted from 0.
+    /// The index as an integer, counted from 0.
     fn index(self) -> usize;
 }
 
-/// Declares an index type: a `u32` behind a name, with `new(usize)` and `index()`.
+/// Declares an index newtype over `u32`, with the methods `new(usize)` and `index()`.
 #[macro_export]
 macro_rules! index_type {
     ($(#[$meta:meta])* $visibility:vis struct $name:ident;) => {
@@ -42,13 +42,13 @@ macro_rules! index_type {
 
         #[allow(dead_code)]
         impl $name {
-            /// The index of a position counted from 0; panics beyond `u32::MAX`.
+            /// The index with this value, counted from 0; panics beyond `u32::MAX`.
             #[must_use]
             $visibility fn new(position: usize) -> Self {
                 Self(u32::try_from(position).expect("at most u32::MAX items are indexed"))
             }
 
-            /// The position, counted from 0.
+            /// The index as an integer, counted from 0.
             #[must_use]
             $visibility const fn index(self) -> usize {
                 self.0 as usize
@@ -67,7 +67,7 @@ macro_rules! index_type {
     };
 }
 
-/// A vector that is indexed by `I` alone; [`IndexVec::as_slice`] gives its items by plain position.
+/// A vector that can be indexed only by the index type `I`; [`IndexVec::as_slice`] gives a plain slice.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct IndexVec<I, T> {
     items: Vec<T>,
@@ -80,44 +80,44 @@ impl<I: Idx, T> IndexVec<I, T> {
         Self::default()
     }
 
-    /// Number of items.
+    /// Number of items in the vector.
     pub fn len(&self) -> usize {
         self.items.len()
     }
 
-    /// Whether there are no items.
+    /// Whether the vector has no items.
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
     }
 
-    /// The items, in order.
+    /// Iterates over the items in order of their indices.
     pub fn iter(&self) -> std::slice::Iter<'_, T> {
         self.items.iter()
     }
 
-    /// The items for modification, in order.
+    /// Iterates mutably over the items in order of their indices.
     pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, T> {
         self.items.iter_mut()
     }
 
-    /// Appends an item and returns its index.
+    /// Appends an item to the vector and returns its index.
     pub fn push(&mut self, item: T) -> I {
         let index = self.next_index();
         self.items.push(item);
         index
     }
 
-    /// The index that the next item pushed will have.
+    /// Index that the next pushed item will have: the number of items.
     pub fn next_index(&self) -> I {
         I::new(self.items.len())
     }
 
-    /// Indices of all items, in order.
+    /// Iterates over the indices of all items, in ascending order.
     pub fn indices(&self) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + use<I, T> {
         (0..self.items.len()).map(I::new)
     }
 
-    /// Items with their indices, in order.
+    /// Iterates over pairs of index and item, in ascending order of the indices.
     pub fn iter_enumerated(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + ExactSizeIterator {
         self.items
             .iter()
@@ -125,17 +125,17 @@ impl<I: Idx, T> IndexVec<I, T> {
             .map(|(k, item)| (I::new(k), item))
     }
 
-    /// The item at an index, if there is one.
+    /// The item at an index; `None` if the index is out of range.
     pub fn get(&self, index: I) -> Option<&T> {
         self.items.get(index.index())
     }
 
-    /// Index of the first item that satisfies a predicate.
+    /// Index of the first item that satisfies a predicate; `None` if there is none.
     pub fn position(&self, predicate: impl FnMut(&T) -> bool) -> Option<I> {
         self.items.iter().position(predicate).map(I::new)
     }
 
-    /// The items by plain position.
+    /// The items as a plain slice.
     pub fn as_slice(&self) -> &[T] {
         &self.items
     }

@@ -1,4 +1,4 @@
-//! Order of states, parameters and quantities in the plain arrays that compiled code reads and writes.
+//! Order of states, parameters and auxiliary variables in the arrays that compiled code reads and writes.
 
 use std::collections::HashSet;
 
@@ -6,45 +6,45 @@ use crate::index_type;
 use crate::model::{Expr, ExprKind, Model, Shape};
 
 index_type!(
-    /// Index of a state in the state vector.
+    /// Index into the state vector.
     pub struct StateId;
 );
 
 index_type!(
-    /// Index in the parameter vector: constants first, then coefficients, then components of inputs.
+    /// Index into the parameter vector: known constants first, then coefficients, then components of inputs.
     pub struct ParamId;
 );
 
 index_type!(
-    /// Index of a scalar, or of a vector's component, in the vector of auxiliary quantities.
+    /// Index into the vector of auxiliary variables, one entry per scalar or vector component.
     pub struct QuantityId;
 );
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Names and default values of a model's states and parameters, in the order of their arrays.
+/// Names and default values of states and parameters, in the order of the arrays of compiled code.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
-    /// Names of the states.
+    /// Names of the states, in state-vector order.
     pub states: Vec<String>,
-    /// Names of the constants, then of the coefficients, then of the inputs' components (`wind_x`, …).
+    /// Names of the parameters: known constants, then coefficients, then components of inputs (`wind_x`, …).
     pub parameters: Vec<String>,
-    /// Number of parameters that are constants of the body and its environment; they come first.
+    /// Number of known constants, the first parameters.
     pub params: usize,
-    /// Number of parameters that are coefficients; they follow the constants.
+    /// Number of coefficients, the parameters after the known constants.
     pub coefficients: usize,
-    /// Names of the marker's coordinates; empty if the model observes nothing.
+    /// Names of the marker's coordinates; empty if the model has no marker.
     pub marker: Vec<String>,
-    /// Names of the auxiliary quantities by component, without those that depend on the marker.
+    /// Names of auxiliary variables by component, without those that depend on the marker.
     pub quantities: Vec<String>,
-    /// Default values of the parameters, SI.
+    /// Default values of the parameters, SI, in parameter-vector order.
     pub defaults: Vec<f64>,
-    /// Default values of the states, SI.
+    /// Default initial values of the states, SI, in state-vector order.
     pub initial: Vec<f64>,
 }
 
 impl Layout {
-    /// The layout of a model.
+    /// Array layout of a model's states, parameters and auxiliary variables.
     pub fn new(model: &Model) -> Layout {
         let constants = || model.params.iter().chain(&model.coefficients);
         let inputs = model.inputs.iter();
@@ -72,8 +72,8 @@ impl Layout {
         layout
     }
 
-    /// Names of the auxiliary quantities. Components of a vector `v` are `v_x` in the inertial frame and `v_1` in others,
-    /// or with the frame's name (`v_B1`) where a scalar has that name.
+    /// Names of the auxiliary variables by component. Components of a vector `v` are `v_x` in the inertial frame, `v_1`
+    /// in others, or `v_B1` with the frame's name where a scalar is named `v_1`.
     fn quantity_names(&self, model: &Model) -> Vec<String> {
         let scalars = model
             .aux_variables
@@ -108,49 +108,49 @@ impl Layout {
         names
     }
 
-    /// Index of the constant `model.params[k]`.
+    /// Parameter index of the known constant `model.params[k]`.
     pub fn param(&self, k: usize) -> ParamId {
         ParamId::new(k)
     }
 
-    /// Index of the coefficient `model.coefficients[k]`.
+    /// Parameter index of the coefficient `model.coefficients[k]`.
     pub fn coefficient(&self, k: usize) -> ParamId {
         ParamId::new(self.params + k)
     }
 
-    /// Indices of the three components of the input `model.inputs[k]`.
+    /// Parameter indices of the three components of the input `model.inputs[k]`.
     pub fn input(&self, k: usize) -> [ParamId; 3] {
         let first = self.params + self.coefficients + 3 * k;
         [0, 1, 2].map(|axis| ParamId::new(first + axis))
     }
 
-    /// Index of a state by name.
+    /// Index of a state by name; `None` if there is no such state.
     pub fn state(&self, name: &str) -> Option<StateId> {
         position(&self.states, name).map(StateId::new)
     }
 
-    /// Index of a constant, coefficient or input component by name.
+    /// Index of a constant, coefficient or input component by name; `None` if there is no such parameter.
     pub fn parameter(&self, name: &str) -> Option<ParamId> {
         position(&self.parameters, name).map(ParamId::new)
     }
 
-    /// Index of an auxiliary quantity, or of one component of it, by name.
+    /// Index of a scalar auxiliary variable, or of a vector's component, by name; `None` if there is none.
     pub fn quantity(&self, name: &str) -> Option<QuantityId> {
         position(&self.quantities, name).map(QuantityId::new)
     }
 
-    /// Indices of the three components of an input by its name.
+    /// Parameter indices of an input's three components, by the input's name; `None` if there is no such input.
     pub fn components(&self, input: &str) -> Option<[ParamId; 3]> {
         let [x, y, z] = components(input).map(|name| self.parameter(&name));
         Some([x?, y?, z?])
     }
 
-    /// Default values of constants, coefficients and inputs, SI.
+    /// Default values of the parameters, SI: known constants, coefficients, components of inputs.
     pub fn default_parameters(&self) -> Vec<f64> {
         self.defaults.clone()
     }
 
-    /// Default values of the states, SI.
+    /// Default initial values of the states, SI.
     pub fn default_states(&self) -> Vec<f64> {
         self.initial.clone()
     }
@@ -164,7 +164,7 @@ fn position(names: &[String], name: &str) -> Option<usize> {
     names.iter().position(|own| own == name)
 }
 
-/// For each auxiliary variable of a model, whether it depends on the marker: then it has a value only at an observation.
+/// For each auxiliary variable, whether it depends on the marker and so is defined only at observations.
 pub fn depends_on_marker(model: &Model) -> Vec<bool> {
     let mut known: Vec<bool> = Vec::new();
     for quantity in &model.aux_variables {

@@ -41,15 +41,15 @@ pub mod syntax;
 pub mod term_library;
 pub mod unit;
 
-// Loading and composition.
+// Loading and composition of models.
 pub use compose::{EffectTree, ModelTree};
 pub use error::LoadError;
 // Checks of a syntax tree or of a model.
 pub use check::{Checked, SingularPoint, check, nonzero_constants, singular_points};
 pub use effect::{SITES, VARIABLES};
-// Positions in arrays.
+// Order of states and parameters in arrays.
 pub use layout::Layout;
-// Texts for people.
+// Text output.
 pub use render::render;
 pub use suggest::nearest as nearest_name;
 pub use summary::{summary, with_unit};

@@ -1,8 +1,8 @@
-//! Models, effects and term libraries that are built in; a file added to their folder is found by the build script.
+//! Texts of the built-in models, effects and term libraries, embedded by the build script.
 
 include!(concat!(env!("OUT_DIR"), "/library.rs"));
 
-/// Text of an entry of a table by its name.
+/// Text of a built-in file by its name; `None` if the table has no such entry.
 pub(crate) fn find(table: &[(&'static str, &'static str)], name: &str) -> Option<&'static str> {
     let entry = table.iter().find(|(own, _)| *own == name);
     entry.map(|(_, text)| *text)

@@ -1,4 +1,4 @@
-//! Models by name or path, with effects applied.
+//! Loading of models by name or path, with effects applied.
 
 use crate::compose::{ModelTree, model_text};
 use crate::diagnostic::{Diagnostic, Source};
@@ -9,33 +9,33 @@ pub use crate::error::LoadError;
 pub use crate::library::{EFFECTS, MODELS, REFUTED};
 pub use crate::read::decode;
 
-/// A model that was loaded, with its faults.
+/// Result of loading a model that may have errors.
 #[derive(Clone, Debug)]
 pub struct Loaded {
-    /// The model, if nothing but units is at fault.
+    /// The checked model; `None` after any error other than a unit error.
     pub model: Option<Model>,
-    /// The syntax tree, with the effects applied.
+    /// Syntax tree with the effects applied.
     pub file: File,
-    /// The faults.
+    /// Errors of the model and its effects.
     pub diagnostics: Vec<Diagnostic>,
-    /// The texts, indexed by the `source` of a span.
+    /// Source texts that spans refer to.
     pub sources: Vec<Source>,
 }
 
-/// Loads a model without faults. A path wins over a built-in name; `with` lists effects to apply: of the model's own file,
-/// built-in ones, or paths.
+/// Loads an error-free model from a path or built-in name; an existing file takes precedence. `with` lists effects to
+/// apply, by path or by name of an effect in the model's file or a built-in one.
 ///
 /// # Errors
-/// [`LoadError`], if a file is missing or anything is at fault.
+/// [`LoadError`] if a file is missing or any text has an error, unit errors included.
 pub fn load(name_or_path: &str, with: &[&str]) -> Result<Model, LoadError> {
     let (name, text) = model_text(name_or_path)?;
     from_text(&name, &text, with)
 }
 
-/// Loads a model without faults from its text; `name` is shown in messages.
+/// Loads an error-free model from text, with the effects `with` applied; `name` appears in messages.
 ///
 /// # Errors
-/// As [`load`].
+/// [`LoadError`] if an effect is missing or any text has an error, unit errors included.
 pub fn from_text(name: &str, text: &str, with: &[&str]) -> Result<Model, LoadError> {
     let loaded = inspect_text(name, text, with)?;
     match loaded.model {
@@ -47,19 +47,19 @@ pub fn from_text(name: &str, text: &str, with: &[&str]) -> Result<Model, LoadErr
     }
 }
 
-/// Loads a model and reports its faults; finds models that are refuted on purpose by name too.
+/// Loads a model and returns its errors as diagnostics; also finds built-in models that are wrong on purpose.
 ///
 /// # Errors
-/// [`LoadError`], if the model or an effect is missing, or an effect's own file is at fault.
+/// [`LoadError`] if the model or an effect is missing, or an effect's own file has errors.
 pub fn inspect(name_or_path: &str, with: &[&str]) -> Result<Loaded, LoadError> {
     let (name, text) = model_text(name_or_path)?;
     inspect_text(&name, &text, with)
 }
 
-/// Loads a model from its text and reports its faults.
+/// Loads a model from text and returns its errors as diagnostics; `name` appears in messages.
 ///
 /// # Errors
-/// As [`inspect`].
+/// [`LoadError`] if an effect is missing or its own file has errors.
 pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, LoadError> {
     let (mut tree, mut diagnostics) = ModelTree::parse_with_faults(name, text);
     for wanted in with {
@@ -71,7 +71,7 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
             diagnostics.extend(faults);
         }
     }
-    // A tree with holes would be reported a second time for what is missing from it.
+    // Checking an incomplete tree would report missing statements that only failed to parse.
     let mut model = None;
     if diagnostics.is_empty() {
         let checked = tree.check_with_faults();
@@ -85,7 +85,7 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
     })
 }
 
-/// Faults of a model followed by those of an effect's text, if the error is one of a text.
+/// Prepends a model's errors to those of an effect's text; other errors pass unchanged.
 fn after(tree: ModelTree, mut earlier: Vec<Diagnostic>, error: LoadError) -> LoadError {
     let LoadError::Faults {
         mut diagnostics,

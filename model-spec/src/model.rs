@@ -43,7 +43,7 @@ pub struct Model {
     pub forces: Vec<Load>,
     /// Moments about the centre of mass, N m, in any frame.
     pub moments: Vec<Load>,
-    /// Stated derivatives `der(state) = …`, in order of the states; with a body, only of states that are not the body's.
+    /// Stated derivatives `der(state) = …`, in order of the states; with a body, only of states beyond the body's own.
     pub equations: Vec<Equation>,
     /// The point that is observed, if the model observes one; its coordinates are given with each observation.
     pub marker: Option<Marker>,
@@ -88,17 +88,17 @@ pub struct Parameter {
 /// A vector given with each flight; its components are the parameters `<name>_x`, `<name>_y`, `<name>_z`.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// Name.
+    /// Name of the input vector.
     pub name: String,
     /// Documentation: the `///` lines before the declaration.
     pub doc: String,
-    /// Index of the frame of its components.
+    /// Index of the frame of the vector's components, in [`Model::frames`].
     pub frame: usize,
-    /// Unit of its components.
+    /// Unit of the vector's components.
     pub unit: Unit,
-    /// Text of the unit.
+    /// Text of the components' unit, an SI unit.
     pub unit_text: String,
-    /// Default components, SI.
+    /// Default values of the three components, SI.
     pub value: [f64; 3],
     /// Source span of the declaration.
     pub span: Span,
@@ -109,9 +109,9 @@ pub struct Input {
 pub struct State {
     /// Name, such as `x` or `phidot`.
     pub name: String,
-    /// Unit.
+    /// Unit of the state.
     pub unit: Unit,
-    /// Text of the unit.
+    /// Text of the state's unit, an SI unit.
     pub unit_text: String,
     /// Default initial value, SI: 0 unless stated, 1 for the scalar part of a quaternion.
     pub value: f64,
@@ -122,9 +122,9 @@ pub struct State {
 /// A frame of reference.
 #[derive(Clone, Debug)]
 pub struct Frame {
-    /// Name.
+    /// Name of the frame.
     pub name: String,
-    /// Orientation relative to its parent.
+    /// Orientation of the frame relative to its parent.
     pub kind: FrameKind,
     /// Source span of the declaration.
     pub span: Span,
@@ -139,11 +139,11 @@ pub enum FrameKind {
     Turned {
         /// Index of the parent frame.
         parent: usize,
-        /// Index of the state that is the angle, rad.
+        /// Index of the state that is the rotation angle, rad.
         angle: usize,
         /// Index of the state that is the angle's rate, rad/s; none if equations are stated and the rate is no state.
         rate: Option<usize>,
-        /// Number of the axis: 1, 2 or 3.
+        /// Number of the rotation axis: 1, 2 or 3.
         axis: u8,
     },
     /// The parent rotated by a unit quaternion: v_parent = q v_frame q*.
@@ -158,9 +158,9 @@ pub enum FrameKind {
 /// The body whose equations of motion are derived from Newton's and Euler's laws.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// Name.
+    /// Name of the body.
     pub name: String,
-    /// Mass, kg: depends on parameters and coefficients alone.
+    /// Mass, kg; constant during a flight: depends only on parameters and coefficients.
     pub mass: Expr,
     /// Indices of the states of the position of the centre of mass, in frame 0.
     pub position: [usize; 3],
@@ -194,35 +194,35 @@ pub struct Rotation {
 /// An auxiliary variable: a named expression, declared by `let`.
 #[derive(Clone, Debug)]
 pub struct AuxVariable {
-    /// Name.
+    /// Name of the auxiliary variable.
     pub name: String,
     /// Documentation: the `///` lines before the declaration.
     pub doc: String,
-    /// Definition.
+    /// Defining expression.
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced it.
+    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for the model's own.
     pub effect: Option<usize>,
 }
 
 /// A force or a moment.
 #[derive(Clone, Debug)]
 pub struct Load {
-    /// Name.
+    /// Name of the load.
     pub name: String,
-    /// Definition: a vector in any frame, N or N m.
+    /// Force or moment vector in any frame, N or N m.
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced it.
+    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for the model's own.
     pub effect: Option<usize>,
 }
 
 /// `der(state) = value`.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// Index of the state.
+    /// Index of the state, in [`Model::states`].
     pub state: usize,
     /// Derivative of the state with respect to time.
     pub value: Expr,
@@ -233,9 +233,9 @@ pub struct Equation {
 /// The observed point, given by its coordinates in a frame.
 #[derive(Clone, Debug)]
 pub struct Marker {
-    /// Name.
+    /// Name of the marker.
     pub name: String,
-    /// Index of the frame of its coordinates.
+    /// Index of the frame of the marker's coordinates, in [`Model::frames`].
     pub frame: usize,
     /// Source span of the declaration.
     pub span: Span,
@@ -244,9 +244,9 @@ pub struct Marker {
 /// The measurement equation: the position that a sensor reports.
 #[derive(Clone, Debug)]
 pub struct Observation {
-    /// Name.
+    /// Name of the observation.
     pub name: String,
-    /// Position in frame 0, m.
+    /// Observed position, a vector in the inertial frame 0, m.
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
@@ -259,18 +259,18 @@ pub struct Clock {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced it.
+    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for the model's own.
     pub effect: Option<usize>,
 }
 
 /// A condition of the domain of validity: the model holds where `value > bound`.
 #[derive(Clone, Debug)]
 pub struct ValidityLimit {
-    /// The limited quantity, a scalar.
+    /// Scalar expression that must exceed the bound.
     pub value: Expr,
-    /// Lower bound, SI.
+    /// Exclusive lower bound of the expression, SI.
     pub bound: f64,
-    /// Why the model ends there, for messages.
+    /// Reason why the model is invalid beyond the limit, for messages.
     pub reason: String,
     /// Source span of the declaration.
     pub span: Span,
@@ -279,11 +279,11 @@ pub struct ValidityLimit {
 /// A check case of the model file: settings and expected results.
 #[derive(Clone, Debug)]
 pub struct CheckCase {
-    /// Title of the case.
+    /// Title of the check case.
     pub title: String,
     /// Values that are set, SI; all others have their defaults.
     pub settings: Vec<(Target, f64)>,
-    /// Expected results.
+    /// Results to compare, with expected values and tolerances.
     pub expectations: Vec<Expectation>,
     /// Source span of the declaration.
     pub span: Span,
@@ -292,33 +292,33 @@ pub struct CheckCase {
 /// A number that a check case sets; indices into the vectors of [`Model`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// A known constant.
+    /// A known constant, by index into [`Model::params`].
     Param(usize),
-    /// A coefficient.
+    /// A coefficient, by index into [`Model::coefficients`].
     Coefficient(usize),
     /// An input and the position (0 to 2) of its component.
     Input(usize, usize),
-    /// A state.
+    /// A state, by index into [`Model::states`].
     State(usize),
 }
 
 /// A result that a check case compares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
-    /// The derivative of a state.
+    /// The time derivative of a state, by index into [`Model::states`].
     Derivative(usize),
-    /// A scalar auxiliary variable.
+    /// A scalar auxiliary variable, by index into [`Model::aux_variables`].
     AuxVariable(usize),
 }
 
 /// An expected result of a check case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expectation {
-    /// The result.
+    /// Model result that is compared.
     pub what: Observable,
-    /// Expected value, SI.
+    /// Expected value of the result, SI.
     pub value: f64,
-    /// Absolute tolerance, SI.
+    /// Absolute tolerance of the result, SI.
     pub within: f64,
     /// Source span of the statement.
     pub span: Span,
@@ -327,7 +327,7 @@ pub struct Expectation {
 /// Shape of an expression: a number, or a vector with the frame of its components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// A number.
+    /// A scalar.
     Scalar,
     /// A vector with components in the frame of this index.
     Vector(usize),
@@ -336,13 +336,13 @@ pub enum Shape {
 /// A checked expression.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// Operation or operand.
+    /// Operation with its operands, or a name or literal.
     pub kind: ExprKind,
-    /// Number or vector.
+    /// Whether the value is a scalar, or a vector in which frame.
     pub shape: Shape,
-    /// Unit of the value.
+    /// Unit of the expression's value.
     pub unit: Unit,
-    /// Source span.
+    /// Source span of the expression.
     pub span: Span,
 }
 
@@ -361,25 +361,25 @@ pub enum ExprKind {
     Pi,
     /// Measured time since release, s; with a clock rate, that of the clock.
     Time,
-    /// A known constant.
+    /// A known constant, by index into [`Model::params`].
     Param(usize),
-    /// A coefficient.
+    /// A coefficient, by index into [`Model::coefficients`].
     Coefficient(usize),
-    /// An input: a vector in its frame.
+    /// An input vector, by index into [`Model::inputs`].
     Input(usize),
-    /// A state.
+    /// A state, by index into [`Model::states`].
     State(usize),
-    /// An auxiliary variable: a named expression, declared by `let`.
+    /// An auxiliary variable (`let`), by index into [`Model::aux_variables`].
     AuxVariable(usize),
     /// Unit vector along axis 1, 2 or 3 of the frame of this index.
     Axis(usize, u8),
-    /// Position of the centre of mass, in frame 0.
+    /// Position of the centre of mass, in the inertial frame 0, m.
     Position,
     /// Velocity of the centre of mass, in [`Body::velocity_frame`].
     Velocity,
     /// Angular velocity of the body, in the frame [`Rotation::angular_velocity_frame`].
     AngularVelocity,
-    /// Position of the marker in its frame.
+    /// Coordinates of the marker in the marker's frame, m.
     Marker,
     /// Three scalars as a vector in the expression's frame.
     Components(Box<[Expr; 3]>),
@@ -397,9 +397,9 @@ pub enum ExprKind {
     Ratio(Box<[Expr; 3]>),
     /// `a ^ (n/2)`, with `n` as the second field.
     Pow(Box<Expr>, i32),
-    /// Scalar product.
+    /// Scalar product of two vectors.
     Dot(Box<Expr>, Box<Expr>),
-    /// Vector product.
+    /// Vector product of two vectors.
     Cross(Box<Expr>, Box<Expr>),
     /// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.
     Norm(Box<Expr>),
@@ -413,9 +413,9 @@ pub enum ExprKind {
     Call(Function, Box<Expr>),
     /// `atan2(y, x)`: 0 with derivative 0 where both are 0.
     Atan2(Box<Expr>, Box<Expr>),
-    /// The smaller of two.
+    /// The smaller of two scalars.
     Min(Box<Expr>, Box<Expr>),
-    /// The greater of two.
+    /// The greater of two scalars.
     Max(Box<Expr>, Box<Expr>),
 }
 

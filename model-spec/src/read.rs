@@ -1,4 +1,4 @@
-//! Model files as text: size limit and UTF-8.
+//! Reading of model files: size limit and UTF-8 decoding.
 
 use std::sync::Arc;
 
@@ -6,10 +6,10 @@ use crate::diagnostic::{Diagnostic, Kind, Source, Span};
 use crate::error::LoadError;
 use crate::syntax::{MAX_SOURCE_BYTES, Parsed, too_long};
 
-/// The text of a file.
+/// Reads a model or effect file as text.
 ///
 /// # Errors
-/// [`LoadError::Unreadable`], or [`LoadError::Faults`] if the file is too long or not UTF-8.
+/// [`LoadError::Unreadable`]; [`LoadError::Faults`] if the file is too long or not UTF-8.
 pub(crate) fn read(path: &str) -> Result<String, LoadError> {
     let unreadable = |error| LoadError::Unreadable {
         path: path.to_owned(),
@@ -31,7 +31,7 @@ pub(crate) fn read(path: &str) -> Result<String, LoadError> {
     decode(path, std::fs::read(path).map_err(unreadable)?)
 }
 
-/// Bytes of a model file as text; `name` is shown in messages.
+/// Decodes the bytes of a model file as UTF-8; `name` appears in messages.
 ///
 /// # Errors
 /// [`LoadError::Faults`] with line and column of the first byte that is not UTF-8.

@@ -1,11 +1,11 @@
-//! Diagnostics as text: excerpts of the source with marked spans.
+//! Text output of diagnostics: excerpts of the source with marked spans.
 
 use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
 
 use crate::diagnostic::{self, Diagnostic, MAX_SHOWN};
 use crate::source::{Source, Span};
 
-/// Length of a source line, in bytes, up to which it is drawn with its faults.
+/// Maximum length of a source line that is drawn in an excerpt, bytes.
 const MAX_LINE_BYTES: usize = 300;
 
 /// Diagnostics as text in the order of their source spans, with ANSI colours if `color`; at most 50, the others counted.
@@ -77,7 +77,7 @@ fn draw(
 ) {
     let place = |span: Span| {
         let mut range = span.range();
-        // Nothing can be drawn under no characters.
+        // An empty span is widened to the character before, so that it can be underlined.
         if range.is_empty() {
             let text = texts[usize::from(span.source)].1.text();
             range.start = text[..range.start]
@@ -96,7 +96,7 @@ fn draw(
         .with_config(config)
         .with_code(diagnostic.kind.slug())
         .with_message(&diagnostic.message);
-    // Labels on the line of the place itself say more than a bare underline.
+    // A label on the line of the error replaces the plain underline.
     let line = |span: Span| {
         let text = texts[usize::from(span.source)].1.text();
         text[..span.range().start].matches('\n').count()
@@ -112,7 +112,7 @@ fn draw(
                 .with_order(-1),
         );
     }
-    // First what stands at the place itself, then the declarations that explain it, as they are written.
+    // Labels inside or on the line of the error first, then the others, each in source order.
     let mut labels: Vec<&diagnostic::Label> = diagnostic.labels.iter().collect();
     labels.sort_by_key(|l| (!within(l.span, diagnostic.span) && !own(l), l.span));
     for (i, label) in labels.into_iter().enumerate() {
@@ -140,7 +140,7 @@ fn draw(
         let mut lines = text.lines().peekable();
         let mut place = String::new();
         while let Some(line) = lines.next() {
-            // The second part of a drawing repeats the place of the first; that says nothing.
+            // Omit a header that repeats the location of the excerpt before.
             if let Some((_, at)) = line.split_once("─[") {
                 if at == place {
                     lines.next();
@@ -158,7 +158,7 @@ fn within(inner: Span, outer: Span) -> bool {
     inner.source == outer.source && inner.start >= outer.start && inner.end <= outer.end
 }
 
-/// Source texts by their index, as ariadne fetches them.
+/// Source texts by index, as a cache for ariadne.
 struct Texts<'a>(&'a [(String, ariadne::Source<&'a str>)]);
 
 impl<'a> ariadne::Cache<u16> for Texts<'a> {
@@ -176,7 +176,7 @@ impl<'a> ariadne::Cache<u16> for Texts<'a> {
     }
 }
 
-/// Appends a fault without a drawing of its source lines.
+/// Appends a diagnostic as plain text without source excerpts.
 fn write_plain(diagnostic: &Diagnostic, sources: &[Source], out: &mut String) {
     let at = |span: Span| match sources.get(usize::from(span.source)) {
         Some(source) if source.text.is_empty() => source.name.clone(),

@@ -1,34 +1,34 @@
-//! Source texts of a model and ranges in them.
+//! Source texts of a model, and byte ranges in them.
 
 use std::ops::Range;
 
-/// A text that a model was made from.
+/// A source text of a model: its file, or the text of an applied effect.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     /// File name, or name of a built-in model or effect, for messages.
     pub name: String,
-    /// The text.
+    /// Content of the text.
     pub text: String,
 }
 
 /// A byte range of a source text: from `start` up to, not including, `end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
-    /// First byte.
+    /// Byte offset of the first byte.
     pub start: u32,
-    /// One past the last byte.
+    /// Byte offset one past the last byte.
     pub end: u32,
-    /// Index of the text: 0 is the model file; those of applied effects follow.
+    /// Index of the source text: 0 is the model file; applied effects follow.
     pub source: u16,
 }
 
 impl Span {
-    /// The byte range within its text.
+    /// The span as a byte range of its source text.
     pub fn range(self) -> Range<usize> {
         self.start as usize..self.end as usize
     }
 
-    /// The range from the start of this span to the end of another one in the same text.
+    /// Span from the start of `self` to the end of `end`, in the same source text.
     #[must_use]
     pub fn to(self, end: Span) -> Span {
         Span {
@@ -38,7 +38,7 @@ impl Span {
     }
 }
 
-/// Where the lines of a text begin, for line numbers of many spans.
+/// Byte offsets of the line starts of a text, for fast line numbers.
 pub(crate) struct LineStarts(Vec<usize>);
 
 impl LineStarts {
@@ -47,7 +47,7 @@ impl LineStarts {
         LineStarts(std::iter::once(0).chain(starts).collect())
     }
 
-    /// Line of a byte, from 1.
+    /// Line number of a byte offset, counted from 1.
     pub(crate) fn line(&self, byte: u32) -> usize {
         self.0.partition_point(|&start| start <= byte as usize)
     }

@@ -1,6 +1,6 @@
-//! Suggestions for misspelt names, by edit distance.
+//! Spelling suggestions by edit distance.
 
-/// Length of a name, in characters, up to which suggestions are looked up.
+/// Maximum length of a name for which suggestions are looked up, characters.
 const MAX_NAME_CHARS: usize = 40;
 
 /// The name nearest to a misspelt one: equal but for case, with a common beginning, or a few edits away (the first of
@@ -41,7 +41,7 @@ pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<
     best.map(|(_, name)| name)
 }
 
-/// Edit distance (Damerau–Levenshtein): insertions, deletions, replacements and swaps of neighbours.
+/// Case-insensitive Damerau–Levenshtein distance: insertions, deletions, substitutions, adjacent transpositions.
 fn distance(a: &str, b: &str) -> usize {
     let a: Vec<char> = a.chars().flat_map(char::to_lowercase).collect();
     let b: Vec<char> = b.chars().flat_map(char::to_lowercase).collect();

@@ -192,7 +192,7 @@ fn first(doc: &str) -> &str {
     doc.lines().next().unwrap_or("")
 }
 
-/// A number with its unit as text; a pure number has none.
+/// A number with its unit as text; no unit if dimensionless.
 pub fn with_unit(value: f64, unit: &str) -> String {
     let small = value != 0.0 && value.abs() < 1e-3;
     let number = if small {

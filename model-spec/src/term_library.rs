@@ -1,5 +1,5 @@
-//! Term libraries (as in SINDy): products of variables of a flight, each on each channel of the loads, by which a model
-//! error is described that no known effect explains.
+//! Term libraries (as in SINDy): candidate terms, each a product of flight variables that acts on one component of the
+//! aerodynamic loads, for model errors that no known effect explains.
 //!
 //! A library is a TOML file of `model-spec/term_libraries`:
 //! - `loads`: an effect with one dimensionless coefficient per channel, and a quantity per variable;
@@ -38,87 +38,87 @@ use crate::syntax::ast::{
     ParameterClass, Quantity, UnitExpr,
 };
 
-/// Citation of an effect that is written for a term, and the doc comment of its coefficient.
+/// Citation of effects generated from a term, and documentation of their coefficients.
 const FOUND: &str = "found in measured flights";
 
 index_type!(
-    /// Index of a channel of a library.
+    /// Index into [`TermLibrary::channels`].
     pub struct ChannelId;
 );
 
 index_type!(
-    /// Index of a variable of a library.
+    /// Index into [`TermLibrary::variables`].
     pub struct VariableId;
 );
 
 index_type!(
-    /// Index of a product of a library.
+    /// Index into [`TermLibrary::products`].
     pub struct ProductId;
 );
 
-/// Channels, variables and products for a family of models.
+/// Term library: load components, variables and products of variables, for a family of models.
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect with one coefficient per channel and the variables' quantities.
+    /// Effect that adds one coefficient per channel to a model and defines the variables.
     pub loads: EffectTree,
-    /// Components of the loads that a term can act on.
+    /// Load components that a term can act on.
     pub channels: IndexVec<ChannelId, Channel>,
-    /// Variables of the products.
+    /// Flight variables, the factors of the products.
     pub variables: IndexVec<VariableId, Variable>,
-    /// Products of powers of variables.
+    /// Products of powers of variables; the empty product is the constant 1.
     pub products: IndexVec<ProductId, Vec<Factor>>,
 }
 
-/// A component of the loads.
+/// Channel: a load component that a term can act on, such as drag.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// Name of its coefficient in the effect of the loads.
+    /// Name of the channel's coefficient in [`TermLibrary::loads`].
     pub coefficient: String,
-    /// Name in names of terms.
+    /// Name of the channel as it appears in names of terms.
     pub name: String,
-    /// Where it acts: one of [`SITES`](crate::SITES).
+    /// Component of the model that the channel's terms change: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// The effect of a term, with placeholders `NAME` and `TERM`.
+    /// Effect that adds a term to the channel, with the placeholders `NAME` and `TERM`.
     template: Effect,
 }
 
-/// A variable of the products.
+/// A flight variable, a factor of products.
 #[derive(Clone, Debug)]
 pub struct Variable {
-    /// Quantity of the model, or of the effect of the loads, that holds its value.
+    /// Name of the auxiliary variable or state that holds the value, in the model or in [`TermLibrary::loads`].
     pub quantity: String,
-    /// Name in names of terms.
+    /// Name of the variable as it appears in names of terms.
     pub name: String,
-    /// What an effect with it depends on: one of [`VARIABLES`](crate::VARIABLES).
+    /// Dependence of an effect with this variable: one of [`VARIABLES`](crate::VARIABLES).
     pub depends_on: String,
-    /// Its definition, as text.
+    /// Definition of the variable as source text.
     pub formula: String,
-    /// Its definition.
+    /// Definition of the variable as syntax tree.
     value: Expr,
 }
 
-/// A power of a variable.
+/// An integer power of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factor {
     /// The variable.
     pub variable: VariableId,
-    /// Its exponent, at least 1.
+    /// Exponent, at least 1.
     pub power: i32,
 }
 
-/// A product on a channel.
+/// Candidate term: a product of variables acting on a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
-    /// The channel.
+    /// Channel that the term acts on.
     pub channel: ChannelId,
-    /// The product.
+    /// Product of variables.
     pub product: ProductId,
 }
 
 /// Why a term library cannot be loaded.
 #[derive(Clone, Debug, Error)]
 pub enum TermLibraryError {
-    /// The file is not of the form of a library.
+    /// The text does not have the structure of a term library.
     #[error("{name}: {error}")]
     Form {
         /// Name of the library.
@@ -126,20 +126,20 @@ pub enum TermLibraryError {
         /// Error of the TOML reader.
         error: toml::de::Error,
     },
-    /// An effect in it has faults.
+    /// An effect in the library has errors.
     #[error(transparent)]
     Effect(#[from] LoadError),
-    /// A product names a variable that is not declared.
+    /// A product has a factor that is not the name of a variable.
     #[error("{name}: a product has the factor `{factor}`, which is not the name of a variable")]
     UnknownVariable {
         /// Name of the library.
         name: String,
-        /// Name of the factor.
+        /// Name of the unknown factor.
         factor: String,
     },
 }
 
-/// The file of a library.
+/// Structure of a term-library file (TOML).
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LibraryFile {
@@ -166,7 +166,7 @@ struct ChannelEntry {
 }
 
 impl TermLibrary {
-    /// The built-in libraries.
+    /// The built-in term libraries, parsed once.
     pub fn built_in() -> &'static [TermLibrary] {
         static BUILT_IN: LazyLock<Vec<TermLibrary>> = LazyLock::new(|| {
             let parse = |(name, text): &(&str, &str)| TermLibrary::parse(name, text);
@@ -176,7 +176,7 @@ impl TermLibrary {
         &BUILT_IN
     }
 
-    /// The first built-in library whose loads a model can have, and the model with them.
+    /// The first built-in library compatible with a model, and the model with its loads effect; `None` if none is.
     pub fn for_model(model: &ModelTree) -> Option<(&'static TermLibrary, ModelTree)> {
         TermLibrary::built_in().iter().find_map(|library| {
             let with_loads = model.with(&library.loads).ok()?;
@@ -185,10 +185,10 @@ impl TermLibrary {
         })
     }
 
-    /// Reads a library from its text; `name` is shown in messages.
+    /// Parses a term library from TOML text; `name` appears in messages.
     ///
     /// # Errors
-    /// [`TermLibraryError`]; whether the effects fit a model is found when they are applied.
+    /// [`TermLibraryError`]. Whether the effects are compatible with a model is checked only on application.
     pub fn parse(name: &str, text: &str) -> Result<TermLibrary, TermLibraryError> {
         let file: LibraryFile = toml::from_str(text).map_err(|error| TermLibraryError::Form {
             name: name.to_owned(),
@@ -217,7 +217,7 @@ impl TermLibrary {
         })
     }
 
-    /// Every product on every channel, channel by channel.
+    /// Iterates over all terms: every product on every channel, grouped by channel.
     pub fn terms(&self) -> impl Iterator<Item = Term> + '_ {
         self.channels.indices().flat_map(|channel| {
             let products = self.products.indices();
@@ -225,12 +225,12 @@ impl TermLibrary {
         })
     }
 
-    /// Factors of a term.
+    /// Factors of a term's product; empty for the constant 1.
     pub fn factors(&self, term: Term) -> &[Factor] {
         &self.products[term.product]
     }
 
-    /// A term without its coefficient, in the notation of the models.
+    /// Product of a term without its coefficient, as an expression in model notation.
     pub fn formula(&self, term: Term) -> String {
         let factor = |factor: &Factor| {
             let formula = &self.variables[factor.variable].formula;
@@ -247,7 +247,7 @@ impl TermLibrary {
         }
     }
 
-    /// A short name of a term for reports, such as `drag-by-alpha-squared`.
+    /// Short name of a term for reports, such as `drag-by-alpha-squared`.
     pub fn name(&self, term: Term) -> String {
         let channel = &self.channels[term.channel].name;
         let factor = |factor: &Factor| {
@@ -266,7 +266,7 @@ impl TermLibrary {
         }
     }
 
-    /// What a term depends on, each word once; empty for a constant.
+    /// Variables that a term depends on, from [`VARIABLES`](crate::VARIABLES), without duplicates; empty for constants.
     pub fn depends_on(&self, term: Term) -> Vec<&str> {
         let mut words: Vec<&str> = Vec::new();
         for factor in self.factors(term) {
@@ -278,7 +278,7 @@ impl TermLibrary {
         words
     }
 
-    /// The effect that adds a term to a model, with a coefficient `k_…` of its own; `doc` is its documentation.
+    /// Effect that adds a term with a coefficient `k_NAME` to a model; `doc` becomes its documentation.
     pub fn effect(&self, term: Term, doc: &str) -> EffectTree {
         let name = self.name(term).replace('-', "_");
         let coefficient = format!("k_{name}");
@@ -317,7 +317,7 @@ impl TermLibrary {
 }
 
 impl Variable {
-    /// A variable that the effect of the loads defines, or else one of the model, which is its own definition.
+    /// A variable with its definition in the loads effect; a variable of the model is its own definition.
     fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
         let defined = loads.tree().parts.iter().find_map(|part| match part {
             EffectPart::Add(item) => match &item.kind {
@@ -361,7 +361,7 @@ impl Channel {
     }
 }
 
-/// Factors of a product by the names of its variables; equal neighbours make a power. The name that is not known, as error.
+/// Factors of a product from its variable names; adjacent equal names become powers. Error: the unknown name.
 fn factors(
     names: &[String],
     variables: &IndexVec<VariableId, Variable>,
@@ -392,7 +392,7 @@ fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     part
 }
 
-/// Replaces the name `TERM` by an expression.
+/// Substitutes an expression for the name `TERM`.
 fn substitute(e: &mut Expr, term: &Expr) {
     if matches!(&e.kind, ExprKind::Name(name) if name == "TERM") {
         e.clone_from(term);
@@ -420,7 +420,7 @@ fn binary(op: BinaryOp, a: Expr, b: Expr) -> Expr {
     expression(ExprKind::Binary(op, Box::new(a), Box::new(b)))
 }
 
-/// An expression without a source; [`EffectTree::new`] gives it one.
+/// An expression node without source span; [`EffectTree::new`] assigns the span.
 fn expression(kind: ExprKind) -> Expr {
     let span = Span::default();
     Expr { kind, span }
@@ -442,7 +442,7 @@ fn number(text: &str, unit: Option<UnitExpr>) -> Quantity {
     Quantity { number, unit, span }
 }
 
-/// `coefficient NAME = 0 [1];`
+/// Declaration `coefficient NAME = 0 [1];`.
 fn declaration(name: &str) -> Item {
     let one = UnitExpr {
         factors: Vec::new(),

@@ -1,6 +1,6 @@
 //! Units of measure as exponents of the seven SI base units and of the radian.
 //!
-//! The radian is kept so that messages can say `rad/s`; whether two units agree does not depend on it, as in the SI.
+//! The radian is tracked so that messages can say `rad/s`, but units are compared without it, as in the SI.
 
 use std::fmt;
 
@@ -30,11 +30,11 @@ pub struct Unit {
 /// Symbols of the base units, in the order of [`Base`].
 const SYMBOLS: [&str; 8] = ["m", "kg", "s", "A", "K", "mol", "cd", "rad"];
 
-/// Order in which the base units of a product are written: kg before m.
+/// Indices into [`SYMBOLS`] in printing order: kg before m.
 const WRITTEN: [usize; 8] = [1, 0, 2, 3, 4, 5, 6, 7];
 
 impl Unit {
-    /// Dimensionless.
+    /// The unit 1 of dimensionless quantities.
     pub const ONE: Unit = Unit { doubled: [0; 8] };
     /// Metre, m.
     pub const METRE: Unit = Unit::of([1, 0, 0, 0, 0, 0, 0, 0]);
@@ -103,7 +103,7 @@ impl Unit {
         self.doubled[..7] == other.doubled[..7]
     }
 
-    /// Whether the unit is dimensionless; an angle is.
+    /// Whether the unit is dimensionless; angles count as dimensionless.
     pub fn is_pure(self) -> bool {
         self.agrees(Unit::ONE)
     }
@@ -144,7 +144,7 @@ impl Unit {
             .map(|(name, _)| name)
     }
 
-    /// Name of the quantity that it measures, singular and plural (`a length`, `lengths`), if it has a common one.
+    /// Name of the unit's physical quantity, singular and plural (`a length`, `lengths`); `None` if it has none.
     pub fn quantity(self) -> Option<(&'static str, &'static str)> {
         const NAMES: [([i8; 3], &str, &str); 18] = [
             ([1, 0, 0], "a length", "lengths"),

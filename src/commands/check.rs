@@ -1,4 +1,4 @@
-//! `hyzer check`: what a model says, or every fault with its place.
+//! Command `hyzer check`: prints what a model declares, or every error with its location.
 
 use std::io::IsTerminal;
 
@@ -9,7 +9,7 @@ use model_spec::summary;
 use crate::cli::Check;
 use crate::{Answer, output};
 
-/// Checks each model; the answer is no where any has a fault.
+/// Checks each model; answers no if any model has an error.
 pub fn run(options: &Check) -> anyhow::Result<Answer> {
     let mut answer = Answer::Yes;
     for name in &options.models {

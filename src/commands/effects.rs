@@ -1,11 +1,11 @@
-//! `hyzer effects`: the effects that there are.
+//! Command `hyzer effects`: lists the available effects.
 
 use report::effects::{listed, page};
 
 use crate::cli::Effects;
 use crate::{Answer, output};
 
-/// Lists them.
+/// Writes the Markdown page of effects for a model, or of all built-in effects, to a file or standard output.
 pub fn run(options: &Effects) -> anyhow::Result<Answer> {
     let model = options.model.as_deref();
     let effects = listed(model)?;

@@ -1,9 +1,9 @@
-//! `hyzer explain`: one quantity or derivative from its line to its code.
+//! Command `hyzer explain`: traces one quantity or derivative from its source line to its generated code.
 
 use crate::cli::Explain;
 use crate::{Answer, output};
 
-/// Explains a quantity.
+/// Prints the explanation of a quantity or derivative.
 pub fn run(options: &Explain) -> anyhow::Result<Answer> {
     let model = model_spec::load::load(&options.model, &super::names(&options.with))?;
     let explanation = codegen::explain::explain(&model, &options.quantity, options.wrt.as_deref())?;

@@ -1,4 +1,4 @@
-//! `hyzer generate`: models as source code, in a folder of the user or in `crates/generated`.
+//! Command `hyzer generate`: writes models as source code, to a folder of the user or to `crates/generated`.
 
 use std::path::{Path, PathBuf};
 
@@ -11,12 +11,12 @@ use model_spec::model::Model;
 use crate::cli::Generate;
 use crate::{Answer, output};
 
-/// The generated sources, below the root of the repository.
+/// Folder of the generated sources, relative to the root of the repository.
 const SOURCES: &str = "crates/generated/src";
-/// The models, below the root of the repository.
+/// Folder of the model files, relative to the root of the repository.
 const MODELS: &str = "model-spec/models";
 
-/// Writes the files that differ; with `--check` prints the differences, and answers no if there are any.
+/// Writes the generated files that changed; with `--check` prints the differences and answers no if there are any.
 pub fn run(options: &Generate) -> anyhow::Result<Answer> {
     match &options.out {
         Some(out) => generate_modules(options, out),
@@ -24,7 +24,7 @@ pub fn run(options: &Generate) -> anyhow::Result<Answer> {
     }
 }
 
-/// One module per model, in the folder `--out`.
+/// Generates one module per model in the folder `--out`.
 fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
     let files = modules(options)?;
     let folder = out.display().to_string();
@@ -61,7 +61,7 @@ fn modules(options: &Generate) -> anyhow::Result<Vec<SourceFile>> {
     Ok(files)
 }
 
-/// The crate `generated` of the repository.
+/// Generates the sources of the crate `generated` of this repository.
 fn generate_crate(options: &Generate) -> anyhow::Result<Answer> {
     let root = match &options.root {
         Some(root) => root.clone(),
@@ -100,7 +100,7 @@ fn list(changed: &[String], folder: &str, models: usize) -> anyhow::Result<Answe
     Ok(Answer::Yes)
 }
 
-/// The repository that contains the current folder.
+/// Root of the repository that contains the current folder.
 fn repository() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir()?;
     match here
@@ -115,7 +115,7 @@ fn repository() -> anyhow::Result<PathBuf> {
     }
 }
 
-/// The models in the repository, which may differ from those built into the program.
+/// Loads the model files of the repository, which may differ from the models built into the program.
 fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
     let entries =
         std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
@@ -136,7 +136,7 @@ fn models(folder: &Path) -> anyhow::Result<Vec<Model>> {
             .into_owned();
         let text =
             std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        // By file name: the location of the repository must not appear in the generated text.
+        // Only the file name: the location of the repository must not appear in the generated text.
         let text = load::decode(&name, text)?;
         models.push(load::from_text(&name, &text, &[])?);
     }

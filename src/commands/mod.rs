@@ -1,4 +1,4 @@
-//! One file per command.
+//! Implementations of the commands, one file each.
 
 mod check;
 mod diagnose;
@@ -13,7 +13,7 @@ mod verify;
 use crate::Answer;
 use crate::cli::Command;
 
-/// Runs a command.
+/// Runs a command of the program.
 pub fn run(command: Command) -> anyhow::Result<Answer> {
     match command {
         Command::Check(options) => check::run(&options),
@@ -28,12 +28,12 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
     }
 }
 
-/// Names of effects as the loader takes them.
+/// Effect names of the option `--with`, as string slices for the model loader.
 fn names(with: &[String]) -> Vec<&str> {
     with.iter().map(String::as_str).collect()
 }
 
-/// A finite number, in SI units, that was given to an option.
+/// Parses the value of a command-line option as a finite number (SI units).
 fn number(option: &str, text: &str) -> anyhow::Result<f64> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),

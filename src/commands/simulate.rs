@@ -1,4 +1,4 @@
-//! `hyzer simulate`: a release flown to a table and a picture.
+//! Command `hyzer simulate`: simulates a release; writes a CSV table and a figure.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -14,7 +14,7 @@ use super::number;
 use crate::cli::Simulate;
 use crate::{Answer, output};
 
-/// Flies, prints a summary, and writes the files where a folder is given.
+/// Simulates the release, prints a summary, and writes the files if an output folder is given.
 pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     if options.list {
         for (name, text) in BUILT_IN {
@@ -55,7 +55,7 @@ fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The model, and the release with what the command line changes in it.
+/// Loads the model, and the release with the changes given on the command line.
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let Some(name) = &options.release else {
         let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
@@ -95,7 +95,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// A release by name or file, with its model: the one that is named, or its own.
+/// Loads a release by name or file, with the model given on the command line or else the release's own model.
 pub(super) fn released(
     name: &str,
     named: Option<&str>,
@@ -118,7 +118,7 @@ pub(super) fn released(
     Ok((model, release))
 }
 
-/// `NAME=VALUE` from the command line.
+/// Applies an assignment `NAME=VALUE` of the command line to the release.
 pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let (name, value) = set
         .split_once('=')

@@ -1,4 +1,4 @@
-//! `hyzer synthesize`: a dataset made from a model, releases and a noise.
+//! Command `hyzer synthesize`: makes a dataset from a model, releases and simulated noise.
 
 use std::path::Path;
 
@@ -13,13 +13,13 @@ use super::simulate::{apply, released};
 use crate::cli::Synthesize;
 use crate::{Answer, output};
 
-/// Flies, writes the dataset with its truth, and prints a summary.
+/// Simulates the releases, writes the dataset with its true values, and prints a summary.
 pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     let (model, releases) = prepare(options)?;
     let plan = plan(options)?;
     let mut made = flights(&model, &releases, &plan)?;
     let mut beside = Vec::new();
-    // A model that is not built in goes with the dataset.
+    // A model that is not built in is copied into the dataset.
     let named = options.model.as_deref().unwrap_or(&releases[0].model);
     if Path::new(named).is_file() {
         let name = format!("{}.hyz", model.name);
@@ -38,7 +38,7 @@ pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// The model, and every release with what the command line changes in it.
+/// Loads the model, and every release with the changes given on the command line.
 fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
     let mut model: Option<Model> = None;
     let mut releases = Vec::with_capacity(options.release.len());
@@ -88,7 +88,7 @@ fn plan(options: &Synthesize) -> anyhow::Result<Plan> {
     })
 }
 
-/// `NAME=X,Y,Z` from the command line.
+/// Parses a marker `NAME=X,Y,Z` of the command line; position in the body frame, m.
 fn marker(text: &str) -> anyhow::Result<Marker> {
     let Some((name, position)) = text.split_once('=') else {
         bail!("--marker: found {text:?}, expected NAME=X,Y,Z in m");

@@ -1,4 +1,4 @@
-//! `hyzer verify`: every independent check of a model.
+//! Command `hyzer verify`: runs every independent check of a model.
 
 use model_spec::load::{Loaded, MODELS, inspect};
 use model_spec::model::Model;
@@ -7,10 +7,10 @@ use verify::Options;
 use crate::cli::Verify;
 use crate::{Answer, output};
 
-/// The models that are one motion, told in different ways.
+/// Built-in models that describe one motion in different formulations.
 const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
 
-/// Verifies; the answer is no where any check of any model fails.
+/// Verifies each model; answers no if any check of any model fails.
 pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     if options.cases == 0 || options.cases > 100_000 {
         anyhow::bail!("--cases: found {}, expected 1 to 100000", options.cases);

@@ -1,4 +1,4 @@
-//! The body of a generated function, independent of the language: variables, loads, statements, stores, comments.
+//! Language-independent function bodies: variables, loads, statements, stores and comments.
 
 mod variables;
 mod width;
@@ -12,38 +12,38 @@ pub(crate) use variables::Variables;
 /// One line of a function body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Step {
-    /// A line of the model, as a comment on the statements that follow: an index into the model's origins.
+    /// Comment with a source line of the model for the statements that follow, by index into the model's provenance.
     Source(usize),
-    /// Loads an element of an input array into its variable.
+    /// Loads an input array element into its local variable.
     Load(Operand),
-    /// Computes a statement into its variable.
+    /// Assigns the statement with this index to its local variable.
     Let(usize),
-    /// Computes sine and cosine of one angle into their variables.
+    /// Assigns sine and cosine of one angle to their local variables.
     SinCos {
-        /// Statement of the sine.
+        /// Index of the sine's statement.
         sin: usize,
-        /// Statement of the cosine.
+        /// Index of the cosine's statement.
         cos: usize,
-        /// Their common argument.
+        /// The angle, rad.
         angle: Operand,
     },
-    /// Stores an output of the program into an element of an output array.
+    /// Stores an output of the program to an output array element.
     Store {
         /// Index of the output among all outputs of the function.
         output: usize,
-        /// Index of the section, hence of the array.
+        /// Index of the section, which is that of the output array.
         section: usize,
-        /// Index in that array.
+        /// Index within the output array.
         element: usize,
     },
-    /// Separates the stores that need no computation from the rest.
+    /// Blank line between the stores of constants or inputs and the computed rest.
     Gap,
 }
 
-/// A function as a list of lines over named variables.
+/// Function body as a list of lines over named local variables.
 ///
-/// Inputs are loaded where they are first used and results stored as soon as they are known, which keeps the live
-/// ranges of variables short.
+/// Inputs are loaded at first use and results stored as soon as they are computed, which shortens the live ranges of
+/// variables.
 pub(crate) struct Body<'a> {
     pub compiled: &'a Compiled,
     pub function: &'a Function,
@@ -52,7 +52,7 @@ pub(crate) struct Body<'a> {
 }
 
 impl<'a> Body<'a> {
-    /// Plans a function for a language in which `is_reserved` names cannot be local variables.
+    /// Plans the body of a function for a language in which `is_reserved` names cannot be local variables.
     pub fn new(
         compiled: &'a Compiled,
         function: &'a Function,
@@ -68,12 +68,12 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// The operation of a statement.
+    /// Operation of a statement, by the statement's index.
     pub fn op(&self, statement: usize) -> &'a Op {
         &self.function.program.statements[statement].op
     }
 
-    /// The source line of an origin as `file:line  text`, cut to a line's length.
+    /// Model source line of an auxiliary variable as `file:line  text`, truncated to `MAX_CHARS`.
     pub fn source_line(&self, origin: usize) -> String {
         const MAX_CHARS: usize = 94;
         let origin = &self.compiled.lowered.provenance[origin];
@@ -89,13 +89,13 @@ impl<'a> Body<'a> {
         line
     }
 
-    /// Whether the function reads an input.
+    /// Whether the function reads an input array or the time.
     pub fn reads(&self, input: Input) -> bool {
         operands(&self.function.program).any(|operand| Input::of(operand) == Some(input))
     }
 }
 
-/// An argument of a generated function that is read.
+/// Input argument of a generated function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Input {
     Time,
@@ -106,7 +106,7 @@ pub(crate) enum Input {
 }
 
 impl Input {
-    /// The argument that holds an operand; `None` for constants and results.
+    /// Argument that an operand belongs to; `None` for constants and statement results.
     pub fn of(operand: Operand) -> Option<Input> {
         match operand {
             Operand::Time => Some(Input::Time),
@@ -118,7 +118,7 @@ impl Input {
         }
     }
 
-    /// Name of the argument in every language.
+    /// Name of the argument in generated code of any language.
     pub fn name(self) -> &'static str {
         match self {
             Input::Time => "time",
@@ -130,7 +130,7 @@ impl Input {
     }
 }
 
-/// Array and index of an operand that is an element of an input array.
+/// Input array and element index of an operand; `None` for time, constants and statement results.
 pub(crate) fn input_element(operand: Operand) -> Option<(Input, u32)> {
     match operand {
         Operand::State(k) | Operand::Parameter(k) | Operand::Prepared(k) | Operand::Marker(k) => {
@@ -140,7 +140,7 @@ pub(crate) fn input_element(operand: Operand) -> Option<(Input, u32)> {
     }
 }
 
-/// All operands of a program, results included.
+/// All operands of a program's statements, followed by its outputs.
 fn operands(program: &Program) -> impl Iterator<Item = Operand> + '_ {
     let inside = program.statements.iter().flat_map(|s| s.op.operands());
     inside.chain(program.outputs.iter().copied())
@@ -150,12 +150,12 @@ struct Planner<'a> {
     compiled: &'a Compiled,
     function: &'a Function,
     variables: &'a Variables,
-    /// Outputs of each statement.
+    /// Output indices that each statement computes.
     outputs: Vec<Vec<usize>>,
-    /// Statements of (sine, cosine) of one angle, by either of the two.
+    /// (sine, cosine) statement indices of one angle, keyed by either statement.
     pairs: HashMap<usize, (usize, usize)>,
     loaded: HashSet<(Input, u32)>,
-    /// Source lines that have been printed.
+    /// Source lines already emitted as comments.
     quoted: HashSet<(&'a str, usize)>,
     steps: Vec<Step>,
 }

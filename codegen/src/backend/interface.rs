@@ -1,25 +1,25 @@
-//! What a backend is.
+//! Interface of code generation backends.
 
 use crate::compile::Compiled;
 use model_spec::model::Model;
 
-/// A generated source file.
+/// Generated source file: path and text.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct SourceFile {
-    /// Path below the output directory, with `/` as separator.
+    /// Path relative to the output directory, with `/` as separator.
     pub path: String,
-    /// The whole text.
+    /// Complete text of the file.
     pub text: String,
 }
 
-/// A generator of source code in one language.
+/// Code generator for one output language.
 pub trait Backend: Sync {
-    /// Name on the command line.
+    /// Name of the backend in command-line options.
     fn name(&self) -> &'static str;
 
-    /// One line about the generated code, for help texts.
+    /// One-line description of the generated code, for help texts.
     fn description(&self) -> &'static str;
 
-    /// The files of one model. Equal arguments give equal text.
+    /// Generated files of one model; equal arguments give equal text.
     fn emit(&self, model: &Model, compiled: &Compiled) -> Vec<SourceFile>;
 }

@@ -1,14 +1,13 @@
-//! Sines and cosines of one angle, which all backends compute together.
+//! Pairing of sine and cosine statements of one angle, which all backends compute together.
 //!
-//! **Invariant.** A pair is computed where the first of its two statements stands. The angle is known there, since that
-//! statement uses it, and it is used no later by the second: its live range ends as if the second statement stood
-//! beside the first, whatever lies between them.
+//! **Invariant.** A pair is computed at the position of the earlier of its two statements. The angle is available
+//! there, since that statement reads it; the later statement does not extend the angle's live range.
 
 use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// An operand as a hash key: its kind and its index, or the bits of a constant.
+/// Hashable key of an operand: kind, and index or bits of the constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct OperandKey(u8, u64);
 
@@ -26,7 +25,7 @@ impl From<Operand> for OperandKey {
     }
 }
 
-/// The (sine, cosine) statements of each angle of which both are computed, by either statement.
+/// (sine, cosine) statement indices of each angle with both functions, keyed by either statement.
 pub(crate) fn sin_cos_pairs(program: &Program) -> HashMap<usize, (usize, usize)> {
     #[derive(Default)]
     struct Found {

@@ -1,12 +1,12 @@
-//! The backends.
+//! Registry of all backends.
 
 use super::interface::Backend;
 use crate::rust;
 
-/// All backends, the default first.
+/// All backends; the first is the default.
 pub static BACKENDS: &[&dyn Backend] = &[&rust::PlainRust, &rust::LanesRust];
 
-/// The backend with a given name.
+/// Backend with a given name; `None` if there is none.
 pub fn backend(name: &str) -> Option<&'static dyn Backend> {
     BACKENDS
         .iter()

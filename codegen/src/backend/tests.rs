@@ -1,4 +1,4 @@
-//! A backend for C in one file, which shows that the seam suffices: its code is compiled and compared with the tape.
+//! Test of the backend interface by a one-file C backend, whose compiled code is compared with the tape.
 
 use super::body::{Body, Step, input_element};
 use super::{Backend, SourceFile};

@@ -1,4 +1,4 @@
-//! Functions with derivatives: partial derivatives first, then constants put in, then the elimination of vertices.
+//! Functions with Jacobians: linearization, substitution of fixed parameters, then vertex elimination.
 
 use super::{Compiler, Effort, dense};
 use crate::differentiate::{EliminationOrder, Jacobian, Labelled, LinearizedGraph, share_values};
@@ -8,28 +8,28 @@ use crate::specialize::Specialized;
 use crate::ssa::{Ssa, build};
 use std::ops::Range;
 
-/// Values with the partial derivatives below them.
+/// Values and the linearized computational graph below them.
 pub(super) struct Differentiable {
     roots: Vec<NodeId>,
     edges: LinearizedGraph,
-    /// The leaves that stand for shared values.
+    /// Range of the local symbols that stand for shared subexpressions.
     locals: Range<usize>,
 }
 
-/// Values and their derivatives, ready to be scheduled.
+/// SSA definitions of values and their Jacobians, ready for scheduling.
 struct Jacobians {
     ssa: Ssa,
     sections: Vec<Section>,
 }
 
-/// Columns of a Jacobian: the name of the section, and how many.
+/// Group of Jacobian columns: name of the output section, and number of columns.
 type Columns = (&'static str, usize);
 
 impl Compiler {
-    /// The rates of the states and the observation, as far as the constants allow.
+    /// Linearized graphs of the state derivatives and of the observation if parameters are fixed; `None` otherwise.
     ///
-    /// With constants put in, other values are worth sharing than without: the partial derivatives are then taken of
-    /// the model as lowered, and everything is specialized together.
+    /// Fixed values change which subexpressions are worth sharing. Partial derivatives are therefore taken of the
+    /// unspecialized model, and values and partials are specialized together.
     pub(super) fn differentiable(&mut self) -> (Option<Differentiable>, Option<Differentiable>) {
         if self.fixed.is_empty() {
             return (None, None);
@@ -43,7 +43,7 @@ impl Compiler {
         (Some(motion), Some(observed))
     }
 
-    /// Puts the constants in, into the lowered model and the derivatives.
+    /// Substitutes the fixed parameters in the lowered model and in all linearized graphs.
     fn specialize(&mut self, all: &mut [&mut Differentiable]) {
         let mut wanted = self.lowered.nodes();
         for one in all.iter() {
@@ -64,7 +64,7 @@ impl Compiler {
         self.lowered.graph = at.graph;
     }
 
-    /// `f`, `f_jac`, `f_jac_par`.
+    /// The functions `f`, `f_jac`, `f_jac_par`.
     pub(super) fn motion(&mut self, known: Option<Differentiable>) -> [Function; 3] {
         let ssa = self.optimised(&self.lowered.dx);
         let (rows, states) = (ssa.roots.len(), self.lowered.layout.states.len());
@@ -91,7 +91,7 @@ impl Compiler {
         [f, f_jac, f_jac_par]
     }
 
-    /// `observe`, `observe_jac`.
+    /// The functions `observe`, `observe_jac`.
     pub(super) fn observation(&mut self, known: Option<Differentiable>) -> [Function; 2] {
         let ssa = self.optimised(&self.observed());
         let layout = &self.lowered.layout;
@@ -128,7 +128,7 @@ impl Compiler {
         states.chain(parameters).collect()
     }
 
-    /// The partial derivatives of values towards symbols.
+    /// Linearized graph of values with respect to symbols.
     fn linearized(&mut self, ssa: &Ssa, value: &str, symbols: &[Symbol]) -> Differentiable {
         let columns: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
         let rows = (0..ssa.roots.len()).map(|row| self.row_name(value, row));
@@ -156,7 +156,7 @@ impl Compiler {
         }
     }
 
-    /// Values and their derivatives by groups of columns, with fewest operations of the elimination orders tried.
+    /// Values and their Jacobians by column groups, by the elimination order with the lowest operation cost.
     fn jacobians(
         &mut self,
         of: &Differentiable,
@@ -207,7 +207,7 @@ impl Compiler {
 }
 
 impl Differentiable {
-    /// Its derivatives by the first symbols alone.
+    /// Restriction to the derivatives by the first `columns` symbols.
     fn towards_first(&self, columns: usize) -> Differentiable {
         Differentiable {
             roots: self.roots.clone(),
@@ -218,7 +218,7 @@ impl Differentiable {
 }
 
 impl Jacobians {
-    /// Without the sections after the first ones.
+    /// Restriction to the first `sections` sections.
     fn first_sections(&self, sections: usize) -> Jacobians {
         let sections = self.sections[..sections].to_vec();
         let mut ssa = self.ssa.clone();
@@ -227,7 +227,7 @@ impl Jacobians {
     }
 }
 
-/// The columns `start .. start + width` of a Jacobian.
+/// Submatrix of the columns `start .. start + width` of a Jacobian, columns renumbered from 0.
 fn columns_of(all: &Jacobian, start: u32, width: u32) -> Jacobian {
     let mut part = Jacobian::default();
     for (&(row, column), &entry) in all.pattern.iter().zip(&all.entries) {

@@ -1,34 +1,34 @@
 //! Jacobian accumulation by vertex elimination (Griewank and Walther, Evaluating Derivatives, chapter 9).
 //!
-//! Eliminating a vertex multiplies each edge above it with each edge below it. The order decides how many products there
-//! are; which is best is NP-complete to find, so that two greedy rules are offered: see [`EliminationOrder`].
+//! Eliminating a vertex multiplies each edge above the vertex with each edge below. The order determines the number of
+//! products; an optimal order is NP-complete to find, so that two greedy rules are offered: see [`EliminationOrder`].
 
 use super::linearized::{LinearizedGraph, Vertex, add_edge};
 use crate::graph::{ExprGraph, Node, NodeId};
 
-/// The vertex that is eliminated next.
+/// Greedy rule that selects the next vertex to eliminate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EliminationOrder {
-    /// Fewest products less the edges removed (a Markowitz rule).
+    /// Fewest products minus edges removed (Markowitz rule).
     FewestProducts,
-    /// Fewest edges afterwards (minimum fill).
+    /// Fewest edges after the elimination (minimum fill).
     FewestEdges,
 }
 
-/// A sparse Jacobian.
+/// Sparse Jacobian: sparsity pattern and entries.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Jacobian {
-    /// Row and column of each entry, row by row.
+    /// (row, column) of each entry, ordered by row.
     pub pattern: Vec<(u32, u32)>,
-    /// The entries.
+    /// Expression of each entry, in the order of the pattern.
     pub entries: Vec<NodeId>,
 }
 
-/// Length limit of the two names in the name of a derivative, together.
+/// Maximum total length of the two variable names in a derivative's name, characters.
 const MAX_NAMES_LEN: usize = 30;
 
 impl LinearizedGraph {
-    /// The derivatives of the roots by the symbols.
+    /// Jacobian of the results with respect to the symbols, by eliminating all intermediate vertices.
     pub fn eliminate_vertices(self, graph: &mut ExprGraph, order: EliminationOrder) -> Jacobian {
         let LinearizedGraph {
             mut vertices,
@@ -71,12 +71,12 @@ fn cheapest(vertices: &[Vertex], inner: &[usize], order: EliminationOrder) -> Op
             EliminationOrder::FewestProducts => 2 * products - 2 * up - 3 * down,
             EliminationOrder::FewestEdges => fill(vertices, v) - up - down,
         };
-        // where equal, what is nearest to the inputs
+        // Ties: fewer products, then the vertex nearest to the inputs.
         (cost, products, std::cmp::Reverse(v))
     })
 }
 
-/// LinearizedGraph that would appear if a vertex went.
+/// Fill: number of new edges that eliminating vertex `v` would create.
 fn fill(vertices: &[Vertex], v: usize) -> i64 {
     let missing = |user: usize| {
         let known = &vertices[user].down;
@@ -119,7 +119,7 @@ fn eliminate(graph: &mut ExprGraph, vertices: &mut [Vertex], v: usize) {
     }
 }
 
-/// A derivative of a named quantity by a named quantity is named after both.
+/// Names the partial derivative of one named vertex by another `d_A_d_B`.
 fn name_edge(graph: &mut ExprGraph, vertices: &[Vertex], from: usize, to: usize, partial: NodeId) {
     if let (Some(from), Some(to)) = (&vertices[from].name, &vertices[to].name) {
         name_derivative(graph, partial, from, to);
@@ -134,7 +134,7 @@ fn name_derivative(graph: &mut ExprGraph, partial: NodeId, of: &str, by: &str) {
     }
 }
 
-/// A sum that becomes a factor of several products is computed once.
+/// Makes a sum that becomes a factor of several products a shared subexpression.
 fn bind(graph: &mut ExprGraph, id: NodeId) -> NodeId {
     match graph.node(id) {
         Node::Sum(terms, _) if terms.len() > 1 => {

@@ -1,41 +1,41 @@
-//! The linearized computational graph: a vertex for every value that is neither sum nor product, and the partial
-//! derivatives by the vertices below it on its edges.
+//! Linearized computational graph: one vertex per value that is neither sum nor product; each edge holds the partial
+//! derivative of its upper vertex by its lower vertex.
 
 use super::partials;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 
-/// Items with their names in generated code.
+/// Nodes or symbols, each with its name in generated code.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Labelled<'a, T> {
     pub items: &'a [T],
     pub names: &'a [String],
 }
 
-/// A result, a symbol that derivatives are taken by, or a value between them.
+/// Vertex of the linearized graph: a result, an independent symbol, or an intermediate value.
 #[derive(Clone, Debug)]
 pub(super) struct Vertex {
-    /// The column of the Jacobian, for a symbol.
+    /// Jacobian column of an independent symbol; `None` for other vertices.
     pub column: Option<u32>,
     pub name: Option<String>,
-    /// Vertices it depends on, with the partial derivatives.
+    /// Edges to operands: (vertex index, partial derivative by that vertex).
     pub down: Vec<(usize, NodeId)>,
-    /// Vertices that depend on it.
+    /// Indices of the vertices that depend directly on this one.
     pub up: Vec<usize>,
 }
 
-/// Vertices and edges between results and symbols.
+/// Linearized computational graph between results and independent symbols.
 #[derive(Clone, Debug)]
 pub(crate) struct LinearizedGraph {
-    /// The results first, in order.
+    /// Vertices; the results come first, in row order.
     pub(super) vertices: Vec<Vertex>,
-    /// Names of the results.
+    /// Names of the results, one per Jacobian row.
     pub(super) rows: Vec<String>,
-    /// Names of the symbols.
+    /// Names of the independent symbols, one per Jacobian column.
     pub(super) columns: Vec<String>,
 }
 
 impl LinearizedGraph {
-    /// The graph between `results` and `symbols`.
+    /// Builds the linearized graph of `results` with respect to `symbols`.
     pub fn new(
         graph: &mut ExprGraph,
         results: Labelled<'_, NodeId>,
@@ -75,14 +75,14 @@ impl LinearizedGraph {
         linearized
     }
 
-    /// The partial derivatives on all edges, by vertex.
+    /// Partial derivatives on all edges, vertex by vertex.
     pub fn partials(&self) -> Vec<NodeId> {
         let edges = self.vertices.iter().flat_map(|vertex| &vertex.down);
         edges.map(|&(_, partial)| partial).collect()
     }
 
-    /// Puts other partial derivatives in their place, in the order of [`partials`](Self::partials), and drops the edges
-    /// on which they are 0.
+    /// Replaces the partial derivatives on all edges, in the order of [`partials`](Self::partials), and removes the
+    /// edges whose new partial derivative is 0.
     pub fn set_partials(&mut self, graph: &ExprGraph, partials: &[NodeId]) {
         let mut next = partials.iter().copied();
         self.retain_edges(|_, partial| {
@@ -91,7 +91,7 @@ impl LinearizedGraph {
         });
     }
 
-    /// The graph towards the first `columns` symbols alone.
+    /// Restriction of the graph to the first `columns` symbols.
     pub fn towards_first(mut self, columns: usize) -> LinearizedGraph {
         let beyond: Vec<bool> = self
             .vertices
@@ -107,7 +107,7 @@ impl LinearizedGraph {
         self
     }
 
-    /// Drops edges, and vertices from which no symbol can be reached without them.
+    /// Removes edges for which `keep` is false, then the vertices that no longer reach a symbol.
     fn retain_edges(&mut self, mut keep: impl FnMut(usize, &mut NodeId) -> bool) {
         let mut dropped = Vec::new();
         for (from, vertex) in self.vertices.iter_mut().enumerate() {
@@ -125,7 +125,7 @@ impl LinearizedGraph {
         self.prune();
     }
 
-    /// Drops vertices from which no column can be reached.
+    /// Removes vertices from which no symbol can be reached.
     fn prune(&mut self) {
         let (vertices, roots) = (&mut self.vertices, self.rows.len());
         loop {
@@ -147,7 +147,7 @@ impl LinearizedGraph {
     }
 }
 
-/// Adds edges, and the vertices below them.
+/// Adds the edges below a vertex, and recursively the vertices they lead to.
 fn attach(
     graph: &mut ExprGraph,
     from: usize,
@@ -190,7 +190,7 @@ fn attach(
     }
 }
 
-/// Partial derivatives of a vertex by the vertices below it.
+/// Operand vertices of a vertex, each with the partial derivative by that operand.
 fn partials_of_vertex(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, NodeId)> {
     if let Node::Symbol(Symbol::Local(k)) = graph.node(node) {
         let definition = graph.definition(*k);

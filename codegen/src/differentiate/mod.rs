@@ -1,5 +1,4 @@
-//! Exact sparse Jacobians: partial derivatives on the edges of a linearized computational graph, whose vertices are
-//! eliminated one by one.
+//! Exact sparse Jacobians: linearized computational graphs and vertex elimination.
 
 mod eliminate;
 mod linearized;

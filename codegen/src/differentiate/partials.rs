@@ -1,10 +1,10 @@
-//! Derivatives of single nodes, exact, with the stated behaviour at singular points.
+//! Exact partial derivatives of single nodes, with defined values at singular points.
 
 use crate::functions::{Derivative, MathFunction};
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 use crate::number::Number;
 
-/// The derivative of a function at `x`, given the node of its value.
+/// Derivative of an elementary function at `x`; `value` is the node of the function's value.
 fn of_call(graph: &mut ExprGraph, function: MathFunction, x: NodeId, value: NodeId) -> NodeId {
     match function.derivative() {
         Derivative::Zero => graph.whole(0),
@@ -31,13 +31,13 @@ fn of_call(graph: &mut ExprGraph, function: MathFunction, x: NodeId, value: Node
     }
 }
 
-/// `1 - x²`.
+/// The expression `1 - x²`.
 fn one_minus_square(graph: &mut ExprGraph, x: NodeId) -> NodeId {
     let square = graph.power(x, 4);
     graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE)
 }
 
-/// The operands of a node that is neither sum nor product, each with the partial derivative.
+/// Operands of a node that is neither sum nor product, each with the partial derivative by that operand.
 pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Sum(..) | Node::Product(_) => Vec::new(),
@@ -70,7 +70,8 @@ pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)
     }
 }
 
-/// Partial derivatives by every leaf-like node (neither sum nor product) in an expression of sums and products.
+/// Leaves (symbols and nodes that are neither sum nor product) of a sum-of-products expression, each with the partial
+/// derivative by that leaf.
 pub(crate) fn of_expression(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
     let mut found = PartialSums::default();
     let one = graph.whole(1);
@@ -82,7 +83,7 @@ pub(crate) fn of_expression(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, N
         .collect()
 }
 
-/// Terms of the partial derivatives, by vertex, in the order in which the vertices were met.
+/// Terms of the partial derivatives by vertex, in order of first occurrence.
 #[derive(Default)]
 struct PartialSums {
     sums: Vec<(NodeId, Vec<(Number, NodeId)>)>,
@@ -118,7 +119,7 @@ fn collect(
             for k in 0..factors.len() {
                 let (base, exponent) = factors[k];
                 let mut others = factors.to_vec();
-                // d/dx of x^(e/2) is e/2 x^(e/2 - 1); at a root's zero its reciprocal, 0, is the derivative
+                // d/dx of x^(e/2) is e/2 x^(e/2 - 1); at x = 0 its guarded reciprocal makes the derivative 0.
                 others[k].1 = exponent - 2;
                 others.push((cofactor, 2));
                 let lowered = graph.product(others);
@@ -130,7 +131,7 @@ fn collect(
     }
 }
 
-/// The total derivative of an expression by one symbol, over the whole graph below it.
+/// Total derivative of an expression by one symbol, by the chain rule over the whole graph below.
 pub(crate) fn total(graph: &mut ExprGraph, id: NodeId, by: Symbol) -> NodeId {
     let mut known = FastMap::default();
     total_of(graph, id, by, &mut known)

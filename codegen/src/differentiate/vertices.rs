@@ -1,11 +1,11 @@
-//! Vertices of the linearized graph: the values that an optimised schedule computes once.
+//! Vertices of the linearized graph: values that the optimised SSA definitions compute once.
 
 use crate::graph::{ExprGraph, Node, NodeId, Symbol, ValueFacts};
 use crate::schedule::Namer;
 use crate::ssa::{Ssa, SsaDef};
 
-/// Makes the sums and the products with several users leaves of the graph, with their values as definitions.
-/// Returns the roots over these leaves, which bear the names that `namer` gives the values.
+/// Turns every sum, and every product with several users, into a local symbol defined by its value. Returns the roots
+/// over these symbols; `namer` names the shared values.
 pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) -> Vec<NodeId> {
     let uses = ssa.uses();
     let order = ssa.order();
@@ -15,7 +15,7 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
             rooted[x] = true;
         }
     }
-    // operands come first in the order: none of these zeros is ever read
+    // Operands precede their users, so these placeholder zeros are never read.
     let zero = graph.whole(0);
     let mut nodes = ssa.side_table(zero);
     for id in order {
@@ -26,7 +26,7 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
             SsaDef::Product(_) if uses[id] > 1 => graph.local(facts, value),
             _ => value,
         };
-        // derivatives are named after these
+        // The names of derivatives are formed from these vertex names.
         let vertex = match graph.node(node) {
             Node::Symbol(Symbol::Local(_)) | Node::Call(..) | Node::Atan2(..) => true,
             Node::Product(_) => rooted[id],
@@ -46,7 +46,7 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
     roots.collect()
 }
 
-/// The leaf of a sum, or the square of the leaf of its root.
+/// Local symbol for a sum; if `rooted`, the square of a local symbol for the sum's square root.
 fn share_sum(graph: &mut ExprGraph, sum: NodeId, facts: ValueFacts, rooted: bool) -> NodeId {
     if rooted && matches!(graph.node(sum), Node::Sum(..)) {
         let root = graph.local_root(facts, sum);

@@ -1,4 +1,4 @@
-//! Formulas in terms of the model's named quantities, and the chain rule over them.
+//! Formulas in terms of the model's auxiliary variables, with derivatives by the chain rule.
 
 use super::find::{Found, symbol_of};
 use crate::differentiate::partials;
@@ -9,13 +9,13 @@ use crate::layout::Layout;
 use crate::number::Number;
 use model_spec::model::Model;
 
-/// What is written of a quantity.
+/// LaTeX formulas of a quantity and its derivatives, `left = right` each.
 pub(super) struct Formulas {
     pub values: Vec<String>,
     pub derivatives: Vec<String>,
 }
 
-/// The formulas of a quantity and its derivative.
+/// LaTeX formulas of a quantity and, if `by` is given, of its derivative by that symbol.
 pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>) -> Formulas {
     let mut cut = Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
     let roots = cut.roots.clone();
@@ -36,7 +36,7 @@ pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>)
             derivatives.push(format!("{left} = {}", cut.write(derivative)));
             needed.push(derivative);
         }
-        // users before what they use
+        // Users before the derivatives they refer to.
         for local in cut.mentioned(&needed).into_iter().rev() {
             let (left, definition) = (cut.names[&local].clone(), cut.graph.definition(local));
             derivatives.push(format!("{left} = {}", cut.write(definition)));
@@ -52,7 +52,7 @@ fn fraction(above: &str, below: &str) -> String {
     format!(r"\frac{{\partial {above}}}{{\partial {below}}}")
 }
 
-/// Sums that are a named one with opposite sign: the graph keeps no minus before a sum.
+/// Maps each sum that is the negative of a named sum to that named sum; the graph stores no minus before a sum.
 fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
     let mut graph = source.clone();
     let mut opposites = FastMap::default();
@@ -69,17 +69,17 @@ fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
     opposites
 }
 
-/// The graph with every named node made a leaf that has a definition.
+/// Copy of an expression graph in which every named node is a local symbol with a definition.
 pub(super) struct Cut {
     pub graph: ExprGraph,
-    /// The wanted nodes.
+    /// Images of the requested nodes in the copy.
     pub roots: Vec<NodeId>,
     layout: Layout,
-    /// What locals are called in formulas.
+    /// LaTeX of each local symbol, by its index.
     names: FastMap<u32, String>,
-    /// Sums whose roots have a name, as squares of that.
+    /// For each sum whose square root is named, the square of that root's local symbol.
     squares: FastMap<NodeId, NodeId>,
-    /// Locals that are derivatives, in the order of their making.
+    /// Indices of local symbols that are derivatives, in order of creation.
     made: Vec<u32>,
     pub by: Symbol,
     wrt: String,
@@ -102,7 +102,7 @@ impl Cut {
         let mut images: FastMap<NodeId, NodeId> = FastMap::default();
         let opposites = opposites(source);
         let mut wanted = roots.to_vec();
-        // also those that the roots do not need by themselves: they lend their names
+        // Named nodes that the roots do not reach are included for their names.
         wanted.extend(
             (0..source.len())
                 .map(NodeId::new)
@@ -121,7 +121,7 @@ impl Cut {
             let image = match source.name_of(id) {
                 Some(name) => {
                     let local = cut.leaf(facts, image, symbol_of(model, name));
-                    // where V is the root of a sum, that sum is V² from here on
+                    // If V is the named root of a sum, the sum is written V² in later nodes.
                     if let Node::Product(factors) = source.node(id)
                         && let [(square, 1)] = **factors
                     {
@@ -140,7 +140,7 @@ impl Cut {
         cut
     }
 
-    /// The same with sums under named roots written as squares, where the calculus made them anew.
+    /// Rewrites sums under named roots as squares of the roots, also where differentiation created the sum again.
     pub fn tidy(&mut self, roots: &[NodeId]) -> Vec<NodeId> {
         let source = self.graph.clone();
         let mut images: FastMap<NodeId, NodeId> = FastMap::default();
@@ -177,7 +177,8 @@ impl Cut {
         }
     }
 
-    /// A leaf with a definition and a name; what needs no name of its own stays as it is.
+    /// Local symbol with a definition and a LaTeX name; symbols and numbers, up to a coefficient, are returned
+    /// unchanged.
     fn leaf(&mut self, facts: ValueFacts, definition: NodeId, name: String) -> NodeId {
         let inner = self.graph.split_coefficient(definition).1;
         if matches!(self.graph.node(inner), Node::Symbol(_) | Node::Number(_)) {
@@ -190,7 +191,7 @@ impl Cut {
         leaf
     }
 
-    /// What stands behind a named leaf.
+    /// Definition of a local symbol; any other node unchanged.
     pub fn inside(&self, id: NodeId) -> NodeId {
         match self.graph.node(id) {
             Node::Symbol(Symbol::Local(k)) => self.graph.definition(*k),
@@ -198,7 +199,7 @@ impl Cut {
         }
     }
 
-    /// The derivative by [`Cut::by`]; those of named quantities are named in turn.
+    /// Total derivative by [`Cut::by`]; derivatives of named quantities become local symbols too.
     pub fn derivative(&mut self, id: NodeId) -> NodeId {
         let derivative = self.differentiated(id);
         self.tidy(&[derivative])[0]
@@ -244,7 +245,7 @@ impl Cut {
         self.graph.sum(terms, Number::ZERO)
     }
 
-    /// Named derivatives that some nodes need, what is used before its users.
+    /// Indices of the derivative symbols that some nodes depend on; definitions precede their users.
     fn mentioned(&self, roots: &[NodeId]) -> Vec<u32> {
         let mut needed: Vec<u32> = Vec::new();
         let mut waiting = roots.to_vec();
@@ -274,7 +275,7 @@ impl Cut {
             Symbol::Parameter(k) => self.named(&self.layout.parameters[k as usize]),
             Symbol::Marker(k) => self.named(&self.layout.marker[k as usize]),
             Symbol::Local(k) => match &self.names[&k] {
-                // a fraction, which an exponent would not embrace
+                // A fraction needs parentheses before an exponent.
                 name if self.made.contains(&k) => Piece::new(name.clone(), Bind::Product),
                 name => Piece::atom(name.clone()),
             },

@@ -1,4 +1,4 @@
-//! The code of one quantity or derivative alone, by the stages that compile whole models.
+//! Generated code of a single quantity or derivative, by the same compiler stages as for whole models.
 
 use super::find::Found;
 use crate::compile::Compiled;
@@ -10,21 +10,21 @@ use crate::rust;
 use crate::schedule::{Hoisted, Namer, schedule};
 use crate::ssa::{Ssa, build};
 
-/// Generated statements and what they cost.
+/// Generated statements with their operation counts.
 pub(super) struct Made {
     pub once: String,
     pub code: String,
     pub cost_once: Count,
     pub cost: Count,
-    /// The programs, for the tests: `quantities` computes what is explained.
+    /// Compiled model whose function `quantities` computes the explained quantity; used by tests.
     #[cfg_attr(not(test), allow(dead_code))]
     pub compiled: Compiled,
-    /// Which components are not 0 throughout.
+    /// Indices of the components that are not identically 0.
     #[cfg_attr(not(test), allow(dead_code))]
     pub rows: Vec<u32>,
 }
 
-/// Compiles what was found, or its derivative.
+/// Compiles a quantity or, if `by` is given, its derivative by that symbol.
 pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     let mut compiled = found.compiled.clone();
     let quantities = compiled.lowered.provenance.iter();
@@ -58,7 +58,7 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
         sections: vec![dense("q", rows.len())],
         results: names,
     };
-    // the others would refer to constants that are not prepared here
+    // The other functions would refer to invariants that this `prepare` does not compute.
     for other in [
         &mut compiled.f,
         &mut compiled.f_jac,
@@ -87,7 +87,7 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     }
 }
 
-/// The optimised derivatives that are not 0 throughout, with their names and rows.
+/// Optimised SSA definitions of the derivatives that are not identically 0, with their names and row indices.
 fn derivative(
     ssa: &Ssa,
     graph: &mut ExprGraph,
@@ -125,7 +125,7 @@ fn dense(name: &'static str, len: usize) -> Section {
     }
 }
 
-/// The statements of a function's body; what is fetched from and put into arrays is called by its name.
+/// Statements of a function's body, with array loads and stores replaced by variable names.
 fn statements(text: &str, array: &str, outputs: &[String]) -> String {
     let lines = text
         .lines()
@@ -144,18 +144,18 @@ fn statements(text: &str, array: &str, outputs: &[String]) -> String {
             Some((name, right))
         });
         match stored {
-            // it has its name already
+            // The value already has that variable name.
             Some((name, right)) if right.trim() == format!("{name};") => {}
             Some((name, right)) => body.push(format!("let {name} ={right}")),
             None => body.push(line.to_string()),
         }
     }
-    // blank lines stand between groups, not around them
+    // No blank lines at the start or the end, and none doubled.
     body.dedup_by(|a, b| a.is_empty() && b.is_empty());
     body.join("\n").trim_matches('\n').to_string()
 }
 
-/// `let u = state[3];`
+/// Whether a line loads an input element: `let u = state[3];`.
 fn is_load(line: &str) -> bool {
     ["state[", "parameters[", "prepared[", "marker["]
         .iter()

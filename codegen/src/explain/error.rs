@@ -1,32 +1,32 @@
-//! Names that are not there.
+//! Errors for unknown or ambiguous names.
 
 use model_spec::nearest_name;
 use std::fmt;
 
-/// Why nothing can be explained.
+/// Reason why a quantity or derivative cannot be explained.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExplainError {
-    /// No such quantity.
+    /// No quantity has the requested name.
     Quantity {
-        /// What was asked for.
+        /// Name that the caller requested.
         wanted: String,
-        /// What was probably meant.
+        /// Most similar valid name; `None` if none is similar.
         nearest: Option<String>,
-        /// All there are.
+        /// All valid names.
         known: Vec<String>,
     },
-    /// Nothing of that name to differentiate by.
+    /// No state, parameter or other symbol to differentiate by has the requested name.
     Wrt {
-        /// What was asked for.
+        /// Name that the caller requested.
         wanted: String,
-        /// What was probably meant.
+        /// Most similar valid name; `None` if none is similar.
         nearest: Option<String>,
-        /// All there are.
+        /// All valid names.
         known: Vec<String>,
     },
-    /// A force and a moment have this name.
+    /// Both a force and a moment have the requested name.
     Ambiguous {
-        /// What was asked for.
+        /// Name that the caller requested.
         wanted: String,
     },
 }
@@ -66,7 +66,8 @@ impl fmt::Display for ExplainError {
 
 impl std::error::Error for ExplainError {}
 
-/// The known name that was probably meant: a part of a longer one, or the nearest.
+/// Most similar valid name: one that contains the requested name, else the nearest by edit distance; `None` if none is
+/// near.
 pub(super) fn nearest(wanted: &str, known: &[String]) -> Option<String> {
     let part = |name: &&String| {
         let starts = wanted.len() >= 3 && name.starts_with(wanted);

@@ -1,4 +1,4 @@
-//! What is meant by the name of a quantity, and where it stands.
+//! Resolution of quantity names to expression graph nodes and source locations.
 
 use super::error::{ExplainError, nearest};
 use crate::compile::{Compiled, Selection, compile_for};
@@ -9,25 +9,25 @@ use crate::lower::lower;
 use model_spec::diagnostic::Span;
 use model_spec::model::{AuxVariable, Load, Model};
 
-/// A quantity with its nodes.
+/// Resolved quantity: label, source location, names and graph nodes.
 pub(super) struct Found {
     pub label: String,
     pub place: String,
     pub line: String,
     pub doc: String,
-    /// Its definition, where the model has one.
+    /// LaTeX definition; `None` where the model states none.
     pub latex: Option<String>,
-    /// What its components are called in generated code.
+    /// Names of the components in generated code.
     pub names: Vec<String>,
-    /// What they are called in formulas.
+    /// LaTeX names of the components.
     pub symbols: Vec<String>,
     pub nodes: Vec<NodeId>,
-    /// The model that the nodes belong to: a force or moment is made a quantity of its own in it.
+    /// Model that the nodes belong to; an explained force or moment is an additional auxiliary variable of this model.
     pub model: Model,
     pub compiled: Compiled,
 }
 
-/// What a name stands for.
+/// Kind of quantity that a name refers to.
 enum Meaning<'a> {
     Let(&'a AuxVariable),
     Component(&'a AuxVariable, String),
@@ -35,7 +35,7 @@ enum Meaning<'a> {
     Rate(usize),
 }
 
-/// Finds a quantity.
+/// Resolves the name of a quantity.
 pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainError> {
     let wanted = wanted.trim();
     let meaning = meaning(model, wanted)?;
@@ -60,7 +60,7 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
         });
     }
     let mut compiled = compile_for(&changed, &Selection::Only(Vec::new()));
-    // formulas are of the model's expressions, without those that the derivatives have added
+    // Formulas use the model's expressions only, not nodes added by differentiation.
     compiled.lowered = lower(&changed);
     let lowered = &compiled.lowered;
     let of_let = |name: &str| {
@@ -73,7 +73,7 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
             .zip(of_marker)
         {
             if quantity.name == name && of_marker {
-                // It is not among the quantities, which are computed without a marker.
+                // Marker-dependent variables are not in `quantities`, whose inputs lack a marker.
                 let each = nodes.iter().zip(["x", "y", "z"]);
                 return each
                     .map(|(&node, axis)| (format!("{name}_{axis}"), node))
@@ -192,7 +192,7 @@ fn components<'a>(
         .filter(move |name| *name != quantity.name)
 }
 
-/// Finds what to differentiate by.
+/// Symbol of a state, parameter, coefficient or input component by name.
 pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError> {
     let layout = Layout::new(model);
     if let Some(k) = layout.state(wanted) {
@@ -210,7 +210,7 @@ pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError
     })
 }
 
-/// A quantity's name in formulas; the components of forces and moments after the paper's F and M.
+/// LaTeX name of a quantity; components of forces and moments are written F and M, as in the paper.
 pub(super) fn symbol_of(model: &Model, name: &str) -> String {
     for (loads, kind, letter) in [
         (&model.forces, "force_", "F"),
@@ -231,7 +231,8 @@ pub(super) fn symbol_of(model: &Model, name: &str) -> String {
     latex::name(name, latex::Style::Scalar)
 }
 
-/// A stated derivative stands in its equation, a derived one follows from the body.
+/// Spans from the start to the end of a state's time derivative, and its doc comment (empty): the equation if stated,
+/// else the body declaration.
 fn rate_place(model: &Model, state: usize) -> (Span, Span, String) {
     if let Some(equation) = model.equations.iter().find(|e| e.state == state) {
         return (equation.span, equation.value.span, String::new());
@@ -251,7 +252,7 @@ fn rate_place(model: &Model, state: usize) -> (Span, Span, String) {
     (span, end, String::new())
 }
 
-/// File and line, and the lines from the one to the other place.
+/// Location `file:line` of a span, and the source lines between the two spans.
 fn source(model: &Model, from: Span, to: Span) -> (String, String) {
     let Some(source) = model.sources.get(usize::from(from.source)) else {
         return (model.name.clone(), String::new());

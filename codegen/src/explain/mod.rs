@@ -1,7 +1,7 @@
-//! One quantity or derivative from its line in the model to formula, generated code and cost.
+//! Explanation of one quantity or derivative: model source line, formula, generated code and operation count.
 //!
-//! The formula of a derivative is the chain rule over the model's named quantities; the code is what the
-//! compiler makes of that derivative alone. Both come from the same nodes.
+//! Derivative formulas follow the chain rule over the model's auxiliary variables; the code is compiled for that
+//! derivative alone. Formula and code derive from the same graph nodes.
 
 mod chain;
 mod code;
@@ -16,35 +16,35 @@ use crate::count::Count;
 use model_spec::model::Model;
 use std::fmt;
 
-/// Where a quantity comes from and what becomes of it.
+/// Explanation of a quantity or derivative: source, formulas, generated code and operation counts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
-    /// What is explained: `alpha`, `der(u)`, `force aero`.
+    /// Name of the explained quantity: `alpha`, `der(u)`, `force aero`.
     pub quantity: String,
-    /// What it is differentiated by, if anything.
+    /// State or parameter by which the quantity is differentiated; `None` for the quantity itself.
     pub wrt: Option<String>,
-    /// File and line: `disc.hyz:58`.
+    /// Source location of the declaration: `disc.hyz:58`.
     pub place: String,
-    /// The lines of its declaration; for what is derived by Newton's and Euler's laws, the body's.
+    /// Source lines of the declaration; for derivatives from Newton's and Euler's laws, those of the body.
     pub line: String,
-    /// Its `///` lines.
+    /// Doc comment (`///` lines) of the declaration.
     pub doc: String,
-    /// The quantity as a formula in LaTeX, `left = right`; one for each component where there is none in vectors.
+    /// LaTeX formula `left = right` of the quantity; one per component where no vector formula exists.
     pub latex: Vec<String>,
-    /// With a derivative: it, and then the derivatives of named quantities that it mentions.
+    /// LaTeX of the derivative, then of the derivatives of auxiliary variables it refers to; empty if `wrt` is `None`.
     pub derivative: Vec<String>,
-    /// Generated statements that run once per flight, since they depend on parameters alone.
+    /// Generated statements that depend on parameters alone and run once per flight.
     pub once: String,
-    /// Generated statements, in order.
+    /// Generated statements that run in every evaluation, in order.
     pub code: String,
-    /// Operations of [`Explanation::once`].
+    /// Operation count of [`Explanation::once`].
     pub cost_once: Count,
-    /// Operations of [`Explanation::code`].
+    /// Operation count of [`Explanation::code`].
     pub cost: Count,
 }
 
-/// Explains a quantity (a named one, a component of it such as `air_velocity_1`, a force, a moment, `der(u)`),
-/// or its derivative by a state, a parameter, a coefficient or a component of an input.
+/// Explains a quantity (an auxiliary variable, a component such as `air_velocity_1`, a force, a moment, `der(u)`), or
+/// its derivative by a state, a parameter, a coefficient or a component of an input.
 pub fn explain(
     model: &Model,
     quantity: &str,

@@ -6,7 +6,7 @@ fn load(name: &str) -> Model {
     model_spec::load::load(name, &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Numbers without pattern, all in the interior of the model's domain.
+/// Pseudorandom states and parameters in the interior of the model's domain.
 fn point(layout: &Layout) -> (Vec<f64>, Vec<f64>) {
     let mut seed = 7_u64;
     let mut next = || {
@@ -37,13 +37,13 @@ fn values(tape: &TapeModel, count: usize, x: &[f64], p: &[f64]) -> Vec<f64> {
     q
 }
 
-/// Both the code and the formula of every derivative of every quantity, against differences.
+/// Code and formula of every derivative of every quantity agree with finite differences.
 #[test]
 fn derivatives_agree_with_differences() {
     for model in ["disc", "disc_appendix", "disc_quaternion", "ball", "discus"].map(load) {
         let layout = Layout::new(&model);
         let (x, p) = point(&layout);
-        // Quantities of the marker are not computed without one.
+        // Marker-dependent variables are not computed without a marker.
         let lets = model
             .aux_variables
             .iter()
@@ -103,7 +103,7 @@ fn derivatives_agree_with_differences() {
     }
 }
 
-/// The nodes that the formula is written from, computed.
+/// Values of the nodes that the formulas are written from.
 fn written(
     model: &Model,
     found: &find::Found,
@@ -156,7 +156,7 @@ fn explanations_of_the_disc() {
         ("C_L", Some("gamma")),
     ] {
         let mut explained = explain(&disc, quantity, wrt).unwrap_or_else(|e| panic!("{e}"));
-        // the code has tests of its own, and may change for reasons of its own
+        // Omits the generated code, which other tests cover.
         explained.once = String::new();
         explained.code = "…".into();
         explained.cost = Count::default();

@@ -1,11 +1,12 @@
-//! Functions: the arctangent's sine and cosine are algebraic, roots are half powers.
+//! Construction and simplification of function nodes: sine and cosine of `atan2` become algebraic, square roots half
+//! powers.
 
 use super::{ExprGraph, Node, NodeId};
 use crate::functions::{MathFunction, Parity};
 use crate::number::Number;
 
 impl ExprGraph {
-    /// A function of one argument, simplified.
+    /// Node of `function(x)`, simplified: constants folded, inverse functions cancelled, signs moved out by parity.
     pub fn call(&mut self, function: MathFunction, x: NodeId) -> NodeId {
         if let Some(value) = self.as_number(x).and_then(|x| function.constant_value(x)) {
             return self.number(value);
@@ -83,13 +84,13 @@ impl ExprGraph {
         self.intern(Node::Call(function, if scaled { rest } else { x }))
     }
 
-    /// `a² + b²`.
+    /// Node of `a² + b²`.
     fn squares(&mut self, a: NodeId, b: NodeId) -> NodeId {
         let (a, b) = (self.power(a, 4), self.power(b, 4));
         self.add(a, b)
     }
 
-    /// Square root; 0 where the argument is 0 or less.
+    /// Node of the square root of `x`; 0 where `x` ≤ 0.
     pub fn sqrt(&mut self, x: NodeId) -> NodeId {
         let (coefficient, rest) = self.split_coefficient(x);
         if !coefficient.is_one() && !coefficient.is_negative() {
@@ -122,7 +123,7 @@ impl ExprGraph {
         }
     }
 
-    /// Angle of the point (`x`, `y`); 0 at the origin.
+    /// Node of the angle of the point (`x`, `y`) from the x axis, rad; 0 at the origin.
     pub fn atan2(&mut self, y: NodeId, x: NodeId) -> NodeId {
         if self.is_zero(y) && self.facts(x).nonneg {
             return y;
@@ -130,7 +131,7 @@ impl ExprGraph {
         self.intern(Node::Atan2(y, x))
     }
 
-    /// The smaller.
+    /// Node of the minimum of `a` and `b`.
     pub fn min(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if a == b {
             a
@@ -139,7 +140,7 @@ impl ExprGraph {
         }
     }
 
-    /// The greater.
+    /// Node of the maximum of `a` and `b`.
     pub fn max(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if a == b {
             a
@@ -148,7 +149,7 @@ impl ExprGraph {
         }
     }
 
-    /// `then` where `condition` is 0, else `otherwise`.
+    /// Node of a selection: `then` where `condition` is 0, else `otherwise`.
     pub fn if_zero(&mut self, condition: NodeId, then: NodeId, otherwise: NodeId) -> NodeId {
         if then == otherwise || self.facts(condition).nonzero {
             return otherwise;

@@ -1,18 +1,18 @@
-//! A fast hash for small keys; its order is never relied upon.
+//! Fast non-cryptographic hashing of small keys; no output depends on the iteration order of these maps.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// A map with a fast hash.
+/// Hash map with `FastHasher`, a fast non-cryptographic hash.
 pub type FastMap<K, V> = HashMap<K, V, BuildHasherDefault<FastHasher>>;
 
-/// Multiply and rotate, word by word.
+/// Non-cryptographic hasher: rotate, XOR and multiply per 64-bit word.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FastHasher(u64);
 
 impl Hasher for FastHasher {
     fn finish(&self) -> u64 {
-        // the map looks at the top bits, where a product mixes best
+        // a product mixes its high bits best: copy high bits into the low bits too
         self.0 ^ (self.0 >> 29)
     }
 

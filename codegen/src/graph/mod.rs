@@ -1,8 +1,8 @@
-//! The shared graph: every expression once, numbered in the order of creation.
+//! Hash-consed expression graph: each expression is stored once, numbered in the order of creation.
 //!
-//! **Invariant:** nodes are immutable and hash-consed; the constructors simplify, so that equal
-//! nodes are (as far as the rules go) equal values, singular points included. Nothing that reaches
-//! the output depends on the iteration order of a hash map.
+//! **Invariant:** nodes are immutable and hash-consed. The constructors simplify: expressions that a rule identifies
+//! become one node, and every rule also holds at singular points. No output depends on the iteration order of a hash
+//! map.
 
 mod calls;
 mod hash;
@@ -18,112 +18,112 @@ use crate::number::Number;
 use std::ops::Range;
 
 model_spec::index_type!(
-    /// Index of a node in an [`ExprGraph`]; operands have smaller ones than their users.
+    /// Index of a node in an [`ExprGraph`]; operands have smaller indices than the nodes that use them.
     pub struct NodeId;
 );
 
-/// A leaf with a value from outside.
+/// Leaf of an expression: a variable or constant whose value is not computed by the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
-    /// Time since release.
+    /// Measured time since release, s.
     Time,
-    /// The ratio of a circle's circumference to its diameter.
+    /// The constant π.
     Pi,
-    /// A state, by its index in the layout.
+    /// State variable, by its index in the layout.
     State(u32),
-    /// A parameter, coefficient or component of an input, by its index in the layout.
+    /// Parameter, coefficient or input component, by its index among the layout's parameters.
     Parameter(u32),
-    /// A coordinate of the marker.
+    /// Component 0, 1 or 2 of the marker's local position.
     Marker(u32),
-    /// An intermediate result of an earlier pass.
+    /// Named intermediate value with its own definition, by index; see [`ExprGraph::local`].
     Local(u32),
 }
 
-/// An expression over other nodes.
+/// Expression whose operands are other nodes of the graph.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// A constant.
+    /// Numerical constant.
     Number(Number),
-    /// A leaf.
+    /// Leaf: state, parameter, time or another symbol.
     Symbol(Symbol),
-    /// Constant plus terms, each with its coefficient, ordered by node. At least one term, and either
-    /// two summands or a coefficient that is not 1.
+    /// Sum Σ coefficient · node + constant, ordered by node. At least one term, and either two summands or a
+    /// coefficient other than 1.
     Sum(Box<[(Number, NodeId)]>, Number),
-    /// Factors with *twice* their exponents, ordered by node; odd ones stand for roots. A negative
-    /// exponent on a factor that may be zero gives 0 there.
+    /// Product of (base, *doubled* exponent) pairs, ordered by node; odd numbers are half powers. A negative exponent
+    /// on a factor that may be zero gives 0 there.
     Product(Box<[(NodeId, i32)]>),
-    /// A function of one argument.
+    /// Elementary function of one argument.
     Call(MathFunction, NodeId),
-    /// Angle of the point (second, first).
+    /// `atan2(y, x)` with operands y and x: angle of the point (x, y), rad; 0 at the origin.
     Atan2(NodeId, NodeId),
-    /// The smaller.
+    /// Minimum of the two operands.
     Min(NodeId, NodeId),
-    /// The greater.
+    /// Maximum of the two operands.
     Max(NodeId, NodeId),
-    /// The second where the first is 0, else the third.
+    /// Selection: the second operand where the first is 0, else the third operand.
     IfZero(NodeId, NodeId, NodeId),
 }
 
-/// What is known about a node.
+/// Value facts of an expression: whether the value is constant during a flight, nonnegative, nonzero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ValueFacts {
-    /// Depends on nothing that changes during a flight.
+    /// Constant during a flight: depends on constants and parameters only.
     pub fixed: bool,
-    /// Never below 0.
+    /// Value known to be ≥ 0.
     pub nonneg: bool,
-    /// Never 0, proved or assumed.
+    /// Value known to be nonzero, proved or assumed.
     pub nonzero: bool,
 }
 
-/// What the opposite of something is called.
+/// Name of the negated quantity: adds the prefix `minus_`, or removes the prefix if present.
 pub fn opposite_name(name: &str) -> String {
     name.strip_prefix("minus_")
         .map_or_else(|| format!("minus_{name}"), str::to_string)
 }
 
-/// The graph.
+/// Hash-consed graph of simplified scalar expressions.
 #[derive(Clone, Debug, Default)]
 pub struct ExprGraph {
     nodes: Vec<Node>,
     facts: Vec<ValueFacts>,
     index: FastMap<Node, NodeId>,
     contents: FastMap<NodeId, product::Content>,
-    /// ValueFacts and definitions of [`Symbol::Local`]s.
+    /// Value facts and definition of each [`Symbol::Local`].
     locals: Vec<(ValueFacts, NodeId)>,
     local_of: FastMap<NodeId, NodeId>,
-    /// Sums whose square root is a local: their powers are powers of that.
+    /// Sums whose square root is a local, mapped to that local; powers of the sum become powers of the local.
     root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
 }
 
 impl ExprGraph {
-    /// An empty graph.
+    /// Creates an empty graph.
     pub fn new() -> ExprGraph {
         ExprGraph::default()
     }
 
-    /// How many nodes it has.
+    /// Number of nodes in the graph.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Whether it has none.
+    /// Whether the graph has no nodes.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
-    /// A node.
+    /// Expression of the node with index `id`.
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.index()]
     }
 
-    /// What is known about it.
+    /// Value facts of a node: constant during a flight, nonnegative, nonzero.
     pub fn facts(&self, id: NodeId) -> ValueFacts {
         self.facts[id.index()]
     }
 
-    /// States that a node is never 0 (it is a divisor that the model's author answers for).
+    /// Assumes that a node and all its factors are nonzero, for example for a divisor that the model guarantees.
     pub fn assume_nonzero(&mut self, id: NodeId) {
         self.facts[id.index()].nonzero = true;
         match self.node(id).clone() {
@@ -137,7 +137,7 @@ impl ExprGraph {
         }
     }
 
-    /// States what is known of a node's value from elsewhere.
+    /// Adds sign and nonzero facts to a node; `fixed` is not changed.
     pub fn know(&mut self, id: NodeId, facts: ValueFacts) {
         self.facts[id.index()].nonneg |= facts.nonneg;
         if facts.nonzero {
@@ -145,7 +145,7 @@ impl ExprGraph {
         }
     }
 
-    /// Gives a node a name, unless it has one already; the opposite of a sum is called after it.
+    /// Names a node unless it is named; the negated node of a sum is named with the prefix `minus_`.
     pub fn name(&mut self, id: NodeId, name: impl Into<String>) {
         let name = name.into();
         if let Node::Sum(terms, _) = self.node(id)
@@ -160,13 +160,14 @@ impl ExprGraph {
         self.names.entry(id).or_insert(name);
     }
 
-    /// The name of a node.
+    /// Name of a node; `None` if unnamed.
     pub fn name_of(&self, id: NodeId) -> Option<&str> {
         self.names.get(&id).map(String::as_str)
     }
 
-    /// A new leaf that stands for `definition`. The rules of simplification do not look inside, so that a value used
-    /// several times is computed once. Within the current [scope](ExprGraph::scope) an equal sum becomes this leaf.
+    /// Creates a local: a leaf with the given definition, opaque to simplification, so that a value used several
+    /// times is computed once. Within the current [scope](ExprGraph::scope) sums equal to the definition become this
+    /// leaf.
     pub fn local(&mut self, facts: ValueFacts, definition: NodeId) -> NodeId {
         self.locals.push((facts, definition));
         let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
@@ -176,8 +177,8 @@ impl ExprGraph {
         id
     }
 
-    /// A new leaf that stands for the square root of a sum. Within the current scope the sum becomes the square of the
-    /// leaf, so that no half powers appear in derivatives.
+    /// Creates a local for the square root of a sum. Within the current scope the sum becomes the square of the
+    /// local, so that no half powers appear in derivatives.
     pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
         let root = self.local(
@@ -191,13 +192,13 @@ impl ExprGraph {
         root
     }
 
-    /// How many leaves with definitions there are.
+    /// Number of locals, that is, leaves with a definition.
     pub fn local_count(&self) -> usize {
         self.locals.len()
     }
 
-    /// Runs `build` with sums replaced by the leaves `locals` that stand for them, and by those that `build` adds.
-    /// Afterwards they are ordinary sums again; the leaves stay valid.
+    /// Runs `build` with sums replaced by the locals defined by them: the locals in the range `locals` and those that
+    /// `build` creates. Afterwards the replacement ends; the locals stay valid.
     pub fn scope<R>(&mut self, locals: Range<usize>, build: impl FnOnce(&mut ExprGraph) -> R) -> R {
         let first = self.locals.len();
         let contents = std::mem::take(&mut self.contents);
@@ -223,7 +224,7 @@ impl ExprGraph {
         result
     }
 
-    /// The sum whose root a node is, if it is a local made by [`ExprGraph::local_root`].
+    /// Sum of which a node is the square root; `None` unless the node is made by [`ExprGraph::local_root`].
     pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
         let Node::Symbol(Symbol::Local(k)) = self.node(id) else {
             return None;
@@ -237,7 +238,7 @@ impl ExprGraph {
         }
     }
 
-    /// The node of the square root of a node, if there is one.
+    /// Existing node for the square root of a node; `None` if there is none.
     pub fn root_node(&self, id: NodeId) -> Option<NodeId> {
         match self.root_of.get(&id) {
             Some(&root) => Some(root),
@@ -245,27 +246,27 @@ impl ExprGraph {
         }
     }
 
-    /// What a [`Symbol::Local`] stands for.
+    /// Node that defines the [`Symbol::Local`] with this index.
     pub fn definition(&self, local: u32) -> NodeId {
         self.locals[local as usize].1
     }
 
-    /// A leaf.
+    /// Node of a leaf symbol, created if missing.
     pub fn symbol(&mut self, symbol: Symbol) -> NodeId {
         self.intern(Node::Symbol(symbol))
     }
 
-    /// A constant.
+    /// Node of a numerical constant, created if missing.
     pub fn number(&mut self, number: Number) -> NodeId {
         self.intern(Node::Number(number))
     }
 
-    /// A whole constant.
+    /// Node of an integer constant, created if missing.
     pub fn whole(&mut self, value: i64) -> NodeId {
         self.number(Number::whole(value))
     }
 
-    /// Its value, where it is a constant.
+    /// Value of a constant node; `None` for any other node.
     pub fn as_number(&self, id: NodeId) -> Option<Number> {
         match self.node(id) {
             Node::Number(number) => Some(*number),
@@ -273,12 +274,12 @@ impl ExprGraph {
         }
     }
 
-    /// Whether it is the constant 0.
+    /// Whether a node is the constant 0.
     pub fn is_zero(&self, id: NodeId) -> bool {
         self.as_number(id).is_some_and(Number::is_zero)
     }
 
-    /// The node, if it exists already.
+    /// Index of an identical existing node; `None` if there is none.
     fn find(&self, node: &Node) -> Option<NodeId> {
         self.index.get(node).copied()
     }
@@ -356,7 +357,7 @@ impl ExprGraph {
         }
     }
 
-    /// Calls `visit` with every operand of a node.
+    /// Calls `visit` with each direct operand of a node.
     pub fn for_operands(&self, id: NodeId, mut visit: impl FnMut(NodeId)) {
         match self.node(id) {
             Node::Number(_) | Node::Symbol(_) => {}
@@ -375,7 +376,7 @@ impl ExprGraph {
         }
     }
 
-    /// Every node that the roots need, operands first, in order of creation.
+    /// Nodes on which `roots` (the requested outputs) depend, roots included, operands first, in order of creation.
     pub fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut needed = vec![false; self.len()];
         for root in roots {

@@ -1,15 +1,16 @@
-//! Nodes as text, for tests, messages and curious people.
+//! Expression nodes as plain text, for tests and messages.
 
 use super::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
 impl ExprGraph {
-    /// A node as text, with `symbol` naming the leaves.
+    /// Expression of a node as plain text; `symbol` gives the names of the leaves.
     pub fn show(&self, id: NodeId, symbol: &dyn Fn(Symbol) -> String) -> String {
         self.shown(id, symbol, 0)
     }
 
-    /// `level`: 0 inside a sum, 1 inside a product, 2 under an exponent.
+    /// Expression of a node as text, parenthesized by context `level`: 0 in a sum, 1 in a product, 2 as base of a
+    /// power.
     fn shown(&self, id: NodeId, symbol: &dyn Fn(Symbol) -> String, level: u8) -> String {
         let inner = |id: NodeId, level: u8| self.shown(id, symbol, level);
         let parenthesise =

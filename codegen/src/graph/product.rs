@@ -1,11 +1,11 @@
-//! Products: exponents are collected, coefficients and common factors of sums come out in front.
+//! Construction of products: exponents of equal bases are added, coefficients and common factors of sums extracted.
 
 use super::sum::divide;
 use super::{ExprGraph, Node, NodeId};
 use crate::functions::MathFunction;
 use crate::number::Number;
 
-/// A sum as coefficient · monomial · rest.
+/// Factorization of a sum: coefficient · monomial of common factors · remaining sum.
 #[derive(Clone, Debug)]
 pub(super) struct Content {
     coefficient: Number,
@@ -14,13 +14,13 @@ pub(super) struct Content {
 }
 
 impl ExprGraph {
-    /// `a b`.
+    /// Node of the product `a b`, simplified.
     pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.product(vec![(a, 2), (b, 2)])
     }
 
-    /// `a b` as a model writes it: what is times 1 stays as it is, where of a sum that becomes a factor all that its terms
-    /// have in common comes out.
+    /// Node of the product `a b`; returns the other operand unchanged if one is the constant 1, so that no common
+    /// factor is extracted from that operand.
     pub fn times(&mut self, a: NodeId, b: NodeId) -> NodeId {
         match (self.is_one(a), self.is_one(b)) {
             (true, _) => b,
@@ -29,27 +29,27 @@ impl ExprGraph {
         }
     }
 
-    /// `a / b` as a model writes it: likewise over 1.
+    /// Node of the quotient `a / b`; returns `a` unchanged if `b` is the constant 1.
     pub fn over(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.is_one(b) { a } else { self.div(a, b) }
     }
 
-    /// Whether it is the number 1.
+    /// Whether a node is the constant 1.
     pub fn is_one(&self, id: NodeId) -> bool {
         matches!(self.node(id), Node::Number(number) if number.is_one())
     }
 
-    /// `a b c …`.
+    /// Node of the product of all `factors`.
     pub fn mul_all(&mut self, factors: &[NodeId]) -> NodeId {
         self.product(factors.iter().map(|&factor| (factor, 2)).collect())
     }
 
-    /// `a / b`; 0 where `b` is 0, unless it is known not to be.
+    /// Node of the quotient `a / b`; 0 where `b` = 0, unless `b` is known to be nonzero.
     pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.product(vec![(a, 2), (b, -2)])
     }
 
-    /// `a ^ (doubled / 2)`. Of something that may be negative, roots are 0 where it is.
+    /// Node of `a ^ (doubled / 2)`; with an odd `doubled`, 0 where `a` is negative.
     pub fn power(&mut self, a: NodeId, doubled: i32) -> NodeId {
         if doubled % 2 == 0 {
             return self.product(vec![(a, doubled)]);
@@ -58,7 +58,7 @@ impl ExprGraph {
         self.product(vec![(root, 2 * doubled)])
     }
 
-    /// Product of factors with twice their exponents.
+    /// Node of the product of `(base, doubled exponent)` factors: exponent 2 is the base, 1 its square root.
     pub fn product(&mut self, factors: Vec<(NodeId, i32)>) -> NodeId {
         let (coefficient, factors) = self.collect(factors);
         if coefficient.is_zero() {
@@ -89,7 +89,8 @@ impl ExprGraph {
         }
     }
 
-    /// Takes a factor apart; false where it stays whole.
+    /// Expands a factor into a coefficient and simpler factors, pushed onto `pending`; false if it cannot be
+    /// expanded.
     fn open(
         &mut self,
         id: NodeId,
@@ -109,7 +110,7 @@ impl ExprGraph {
                 } else {
                     power.times(number.sqrt())
                 };
-                // 1/0 is 0, as everywhere
+                // 1/0 is defined as 0 throughout the graph
                 let power = if exponent < 0 && !power.is_zero() {
                     power.recip()
                 } else {
@@ -155,7 +156,7 @@ impl ExprGraph {
         }
     }
 
-    /// Adds up the exponents of equal bases; what cancels leaves a mask where it may be zero.
+    /// Adds the doubled exponents of equal bases; a cancelled base that may be zero leaves its `NonZero` indicator.
     fn merge(&mut self, mut flat: Vec<(NodeId, i32)>) -> Vec<(NodeId, i32)> {
         flat.sort_unstable();
         let mut merged: Vec<(NodeId, i32)> = Vec::with_capacity(flat.len());
@@ -177,7 +178,7 @@ impl ExprGraph {
             let Node::Call(_, base) = *self.node(mask) else {
                 continue;
             };
-            // what vanishes with the mask's argument needs no mask
+            // no mask needed if another factor is zero wherever the mask's argument is
             if !merged
                 .iter()
                 .any(|&(known, _)| known == base || self.is_component(known, base))
@@ -189,7 +190,7 @@ impl ExprGraph {
         merged
     }
 
-    /// Whether `whole` is a sum of squares, or its root, and `part` one of those that are squared.
+    /// Whether `whole` is a sum of squares, or the square root of one, in which `part` is squared.
     fn is_component(&self, part: NodeId, whole: NodeId) -> bool {
         let sum = self.rooted_sum(whole).unwrap_or(whole);
         let Node::Sum(terms, _) = self.node(sum) else {
@@ -201,7 +202,7 @@ impl ExprGraph {
             })
     }
 
-    /// Where a factor vanishes with X, a mask of X inside another factor is 1. True if something changed.
+    /// Replaces `NonZero(X)` by 1 inside sums that are multiplied by X or by `NonZero(X)`; true if a factor changed.
     fn unmask(&mut self, flat: &mut Vec<(NodeId, i32)>, pending: &mut Vec<(NodeId, i32)>) -> bool {
         if !self.has_masks {
             return false;
@@ -253,7 +254,7 @@ impl ExprGraph {
         false
     }
 
-    /// What all terms of a sum have in common.
+    /// Cached factorization of a sum into coefficient, common factors and remaining sum.
     pub(super) fn content(&mut self, id: NodeId) -> Content {
         if let Some(known) = self.contents.get(&id) {
             return known.clone();
@@ -314,7 +315,7 @@ impl ExprGraph {
             })
             .collect();
         let mut rest = self.sum(divided, constant.times(coefficient.recip()));
-        // a - b and b - a are one factor: the one whose first term is positive
+        // a - b and b - a share one canonical factor: the one whose first term is positive
         if let Node::Sum(terms, _) = self.node(rest)
             && terms[0].0.is_negative()
         {

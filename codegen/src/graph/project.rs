@@ -1,16 +1,17 @@
-//! Projections onto unit vectors and back: `(a·e1) e1 + (a·e2) e2` is `a` again.
+//! Simplification of projections: `(a·e1) e1 + (a·e2) e2` becomes `a` for orthonormal e1, e2 that span `a`.
 //!
-//! Products are never multiplied out but here, and only where that makes terms meet: where a sum holds
-//! components of a vector and stands beside a negative power of that vector's length.
+//! Products are expanded only here, and only where terms then cancel or merge: in sums of vector components with a
+//! factor that is a negative power of the vector's length.
 
 use super::{ExprGraph, Node, NodeId};
 use crate::number::Number;
 
-/// Most terms that multiplying out may give.
+/// Upper bound on the number of terms after expanding a sum of products.
 const MOST: usize = 48;
 
 impl ExprGraph {
-    /// The sum with projections undone, if that leaves fewer terms than there were.
+    /// Expands products to cancel projections; returns the expanded sum if that has fewer terms, else the sum
+    /// unchanged.
     pub fn project(&mut self, id: NodeId) -> NodeId {
         let Node::Sum(terms, constant) = self.node(id).clone() else {
             return id;
@@ -49,7 +50,7 @@ impl ExprGraph {
         id
     }
 
-    /// Sums of which a negative power is a factor somewhere below, down to a depth.
+    /// Sums whose negative power is a factor of a node within `depth` operand levels of `id`, sorted.
     fn lengths(&self, id: NodeId, depth: u32) -> Vec<NodeId> {
         let mut found = Vec::new();
         let mut pending = vec![(id, depth)];
@@ -70,7 +71,7 @@ impl ExprGraph {
         found
     }
 
-    /// Multiplies out the factors that hold one of the components.
+    /// Appends to `open` the terms of `c · term`, with the sums that contain a component expanded.
     fn open_term(
         &mut self,
         c: Number,
@@ -111,7 +112,7 @@ impl ExprGraph {
         }
     }
 
-    /// Whether a node is a sum with a component as a factor in it, or in a sum within it.
+    /// Whether a node is a sum with one of the components as a factor in a term, nested at most `depth` sums deep.
     fn holds(&self, id: NodeId, components: &[NodeId], depth: u32) -> bool {
         let Node::Sum(terms, _) = self.node(id) else {
             return false;

@@ -1,11 +1,11 @@
-//! Sums: like terms are collected, and squares that make up a norm are put together again.
+//! Construction of sums: like terms are merged, sums of squares contracted (|v|² and sin² + cos² = 1).
 
 use super::{ExprGraph, Node, NodeId};
 use crate::functions::MathFunction;
 use crate::number::Number;
 
 impl ExprGraph {
-    /// `constant + Σ coefficient · node`.
+    /// Node of `constant + Σ coefficient · term`, simplified; terms are (coefficient, node) pairs.
     pub fn sum(&mut self, terms: Vec<(Number, NodeId)>, constant: Number) -> NodeId {
         let mut constant = constant;
         let mut flat = Vec::with_capacity(terms.len());
@@ -32,7 +32,7 @@ impl ExprGraph {
                 if let Some(&root) = self.root_of.get(&id) {
                     return self.product(vec![(root, 4)]);
                 }
-                // a sum that an earlier pass has a name for
+                // a sum for which an earlier pass defined a local
                 self.local_of.get(&id).copied().unwrap_or(id)
             }
         }
@@ -55,22 +55,22 @@ impl ExprGraph {
         }
     }
 
-    /// `a + b`.
+    /// Node of the sum `a + b`.
     pub fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.sum(vec![(Number::ONE, a), (Number::ONE, b)], Number::ZERO)
     }
 
-    /// `a - b`.
+    /// Node of the difference `a - b`.
     pub fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.sum(vec![(Number::ONE, a), (Number::MINUS_ONE, b)], Number::ZERO)
     }
 
-    /// `-a`.
+    /// Node of the negation `-a`.
     pub fn neg(&mut self, a: NodeId) -> NodeId {
         self.scale(Number::MINUS_ONE, a)
     }
 
-    /// `c a`.
+    /// Node of `c a` with a constant coefficient c.
     pub fn scale(&mut self, c: Number, a: NodeId) -> NodeId {
         if c.is_one() {
             a
@@ -79,7 +79,7 @@ impl ExprGraph {
         }
     }
 
-    /// Coefficient and rest of a term.
+    /// Splits a node into constant coefficient and remaining node; the coefficient is 1 if there is none.
     pub fn split_coefficient(&self, id: NodeId) -> (Number, NodeId) {
         match self.node(id) {
             Node::Sum(terms, constant) if terms.len() == 1 && constant.is_zero() => terms[0],
@@ -87,7 +87,7 @@ impl ExprGraph {
         }
     }
 
-    /// `factor · Σ terms` as a sum of products.
+    /// Node of `factor · id`, expanded term by term if `id` is a sum.
     pub fn distribute(&mut self, id: NodeId, factor: NodeId) -> NodeId {
         match self.node(id).clone() {
             Node::Sum(terms, constant) => {
@@ -102,7 +102,7 @@ impl ExprGraph {
         }
     }
 
-    /// The factors of a term as a monomial.
+    /// Factors of a term as a monomial: (base, doubled exponent) pairs.
     pub(super) fn monomial(&self, id: NodeId) -> Vec<(NodeId, i32)> {
         match self.node(id) {
             Node::Product(factors) => factors.to_vec(),
@@ -110,8 +110,8 @@ impl ExprGraph {
         }
     }
 
-    /// Applies Σ s² · P = X · P where X is the sum of the squares and P holds a negative power of X,
-    /// and sin² + cos² = 1. Gives the shorter sum.
+    /// Contracts sums of squares: sin² + cos² = 1, and Σ s² · P = X · P, where X = Σ s² and P has a negative power of
+    /// X. Returns the shorter sum as terms and constant; `None` if no identity applies.
     fn contract(
         &mut self,
         terms: &[(Number, NodeId)],
@@ -127,7 +127,7 @@ impl ExprGraph {
                     Node::Sum(squares, rest)
                         if exponent < 0
                             && self.facts(base).nonneg
-                            // a single term is no sum to be put together
+                            // a single term needs no contraction
                             && (squares.len() > 1 || !rest.is_zero()) =>
                     {
                         let mut parts: Vec<_> = squares
@@ -205,7 +205,7 @@ impl ExprGraph {
     }
 }
 
-/// The quotient of two monomials, where the divisor's factors are all there.
+/// Quotient of two monomials; `None` unless the divisor's factors are all contained in `factors`.
 pub(super) fn divide(
     factors: &[(NodeId, i32)],
     divisor: &[(NodeId, i32)],
@@ -223,7 +223,7 @@ pub(super) fn divide(
     Some(quotient)
 }
 
-/// The product of two monomials, ordered; factors of opposite sign are only ever matched, not simplified.
+/// Product of two monomials, sorted by base; used for matching only, so zero exponents are not removed.
 fn multiply(a: &[(NodeId, i32)], b: &[(NodeId, i32)]) -> Vec<(NodeId, i32)> {
     let mut product = a.to_vec();
     for &(base, exponent) in b {

@@ -1,6 +1,6 @@
-//! Formulas in LaTeX, in the notation of the paper: of a model's tree, and of nodes of the graph.
+//! LaTeX formulas, in the notation of the paper, of a model's syntax tree and of expression graph nodes.
 //!
-//! The text needs `amsmath` (or MathJax, KaTeX).
+//! The output needs `amsmath` (or MathJax, KaTeX).
 
 mod names;
 pub(crate) mod node;
@@ -12,18 +12,19 @@ pub(crate) use names::{Style, name, rate};
 use model_spec::model::{Equation, Expr, ExprKind, Load, Model};
 use names::words;
 
-/// An expression.
+/// LaTeX of an expression of the model.
 pub fn expression(model: &Model, expr: &Expr) -> String {
     tree::piece(model, expr).text
 }
 
-/// The definition of a named quantity, a force, a moment, or a stated derivative `der(u)`, as `left = right`.
-/// A name that is both a force's and a moment's is the force's; `moment aero` and `force aero` tell them apart.
+/// LaTeX `left = right` of an auxiliary variable, a force, a moment or a stated derivative `der(u)`; `None` for an
+/// unknown name. If a force and a moment share a name, `force aero` and `moment aero` select one; the bare name is the
+/// force.
 pub fn definition(model: &Model, name: &str) -> Option<String> {
     sides(model, name).map(|(left, right)| format!("{left} = {right}"))
 }
 
-/// Both sides of [`definition`].
+/// Left and right side of a definition in LaTeX; `None` for an unknown name.
 pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
     if let Some(quantity) = model
         .aux_variables
@@ -54,7 +55,7 @@ pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
         .or_else(equation)
 }
 
-/// The right side of an equation, also where other equations use it by a name.
+/// Right-hand side of an equation; references to a derivative's auxiliary variable are replaced by its definition.
 fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
     match equation.value.kind {
         ExprKind::AuxVariable(k) if model.aux_variables[k].name.starts_with("der_") => {
@@ -64,16 +65,16 @@ fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
     }
 }
 
-/// `\mathbf{F}_{\mathrm{weight}}`.
+/// LaTeX name of a force or moment: `\mathbf{F}_{\mathrm{weight}}`.
 pub(crate) fn load_name(letter: &str, load: &str) -> String {
     format!(r"\mathbf{{{letter}}}_{{{}}}", words(load))
 }
 
-/// Everything that a model says of the motion, as one `align*`.
+/// All equations of motion of a model as one LaTeX `align*` environment.
 pub fn model(model: &Model) -> String {
     let mut lines: Vec<(String, String)> = Vec::new();
     for quantity in &model.aux_variables {
-        // a stated derivative that others use is among the equations too
+        // Stated derivatives used elsewhere are auxiliary variables too; the equations list them already.
         if !quantity.name.starts_with("der_") {
             lines.extend(sides(model, &quantity.name));
         }
@@ -110,7 +111,7 @@ pub fn model(model: &Model) -> String {
     for equation in &model.equations {
         let state = &model.states[equation.state].name;
         let line = (rate(state), expression(model, stated(model, equation)));
-        // that a state is the rate of another is in its name already
+        // Skips trivial equations: a state that is named as the rate of another.
         if line.0 != line.1 {
             lines.push(line);
         }

@@ -1,27 +1,27 @@
-//! Names of the model in the notation of the paper.
+//! LaTeX names of model variables in the notation of the paper.
 
 use super::piece::braces;
 
-/// Greek letters as the language spells them.
+/// Names of Greek letters in the model language.
 const GREEK: [&str; 25] = [
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
     "lambda", "mu", "nu", "xi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
     "Gamma", "Delta", "Omega",
 ];
 
-/// Whether a name stands for a number or a vector.
+/// Typeface of a name: scalar or vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
     Scalar,
     Vector,
 }
 
-/// A name of the model.
+/// LaTeX of a variable name.
 pub(crate) fn name(name: &str, style: Style) -> String {
     if let Some(state) = name.strip_prefix("der(").and_then(|n| n.strip_suffix(')')) {
         return rate(state);
     }
-    // as the language calls a derivative that other equations use, and as generated code calls it
+    // `der_x` is the auxiliary variable of a derivative, `x_dot` its name in generated code.
     if let Some(state) = name
         .strip_prefix("der_")
         .or_else(|| name.strip_suffix("_dot"))
@@ -43,7 +43,7 @@ pub(crate) fn name(name: &str, style: Style) -> String {
     }
 }
 
-/// The derivative of a state.
+/// LaTeX of the time derivative of a state: a dot above its letter.
 pub(crate) fn rate(state: &str) -> String {
     match state.strip_suffix("dot") {
         Some(angle) if is_letter(angle) => dotted(r"\ddot", angle),
@@ -52,7 +52,7 @@ pub(crate) fn rate(state: &str) -> String {
     }
 }
 
-/// Words as upright text.
+/// Name as upright text, underscores as spaces.
 pub(crate) fn words(name: &str) -> String {
     format!(r"\mathrm{{{}}}", name.replace('_', r"\ "))
 }
@@ -69,11 +69,11 @@ fn is_letter(name: &str) -> bool {
     GREEK.contains(&name) || name.chars().count() == 1
 }
 
-/// What stands on the line and what stands below it.
+/// Base symbol and subscript of a name.
 fn split(name: &str) -> (String, String) {
     let mut parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
     let mut base = String::new();
-    // words belong together; a letter has an index
+    // Consecutive words form the base; parts after a letter form the subscript.
     while let Some(&part) = parts.first() {
         let word = part.chars().count() > 2 && !GREEK.contains(&part) && !ends_in_digit(part);
         if !(base.is_empty() || word && is_word(&base)) {
@@ -104,7 +104,7 @@ fn is_word(base: &str) -> bool {
     base.chars().count() > 1 && !GREEK.contains(&base)
 }
 
-/// One part of an index; coefficients have `a` for the angle of attack.
+/// LaTeX of one subscript part; in coefficients `a` is the angle of attack α.
 fn below(part: &str, coefficient: bool) -> String {
     if GREEK.contains(&part) {
         return format!(r"\{part}");

@@ -1,11 +1,11 @@
-//! Nodes of the graph; what a [`Symbol::Local`] stands for is written by its name.
+//! LaTeX of expression graph nodes; a [`Symbol::Local`] is written by its name.
 
 use super::piece::Piece;
 use super::tree;
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
-/// A node, with `leaf` naming the symbols.
+/// LaTeX of a node; `leaf` gives the LaTeX of symbols.
 pub(crate) fn piece(
     graph: &ExprGraph,
     id: NodeId,
@@ -30,7 +30,7 @@ pub(crate) fn piece(
 
 fn number(value: Number) -> Piece {
     match value {
-        // what is a fraction by intent has a small denominator
+        // Only fractions with a denominator up to 64 are written as fractions.
         Number::Exact(n, d) if d > 1 && d <= 64 => {
             let above = Piece::number(n.unsigned_abs() as f64);
             let fraction = above.div(Piece::number(d as f64));
@@ -58,7 +58,7 @@ fn sum(
     if !constant.is_zero() {
         parts.push((constant.is_negative(), number(constant.abs())));
     }
-    // a formula is easier to read when it does not begin with a minus
+    // A positive term, if any, comes first.
     if let Some(first) = parts.iter().position(|(minus, _)| !minus) {
         let part = parts.remove(first);
         parts.insert(0, part);
@@ -76,7 +76,7 @@ fn sum(
     )
 }
 
-/// A term with the absolute value of its coefficient.
+/// LaTeX of a term with the absolute value of its coefficient.
 fn scaled(
     graph: &ExprGraph,
     coefficient: Number,
@@ -88,7 +88,7 @@ fn scaled(
         return of(term);
     }
     match (graph.node(term), coefficient) {
-        // one fraction, not a fraction beside a fraction
+        // Merges the coefficient and the product into one fraction.
         (Node::Product(factors), Number::Exact(n, d)) if d > 1 && d <= 64 => {
             fraction(graph, factors, Number::whole(n), Number::whole(d), of)
         }
@@ -109,7 +109,7 @@ fn fraction(
     of: &dyn Fn(NodeId) -> Piece,
 ) -> Piece {
     let mut factors = factors.to_vec();
-    // constants first, as people write them
+    // Constant factors come first.
     factors.sort_by_key(|(base, _)| !graph.facts(*base).fixed);
     let side = |coefficient: Number, wanted: &dyn Fn(i32) -> bool| {
         let start = (!coefficient.is_one()).then(|| number(coefficient));

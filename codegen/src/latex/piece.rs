@@ -1,26 +1,26 @@
-//! Pieces of a formula: text, and how tightly it binds, so that parentheses stand where they are needed.
+//! LaTeX fragments with operator precedence, for minimal parentheses.
 
 use crate::functions::commands_with_exponent;
 
-/// How tightly a piece binds, loosest first.
+/// Operator precedence of a fragment's outermost operator, loosest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Bind {
     Sum,
-    /// A scalar or vector product with a minus before it: no factor can be added.
+    /// Negated scalar or vector product: needs parentheses before any further factor.
     MinusDotted,
     Minus,
-    /// A scalar or vector product: a factor beside it would be taken for part of its side.
+    /// Scalar or vector product: needs parentheses before any further factor.
     Dotted,
     Product,
     Atom,
 }
 
-/// A part of a formula.
+/// LaTeX fragment with the precedence of its outermost operator.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Piece {
     pub text: String,
     pub bind: Bind,
-    /// Ends in a function whose argument has no parentheses.
+    /// Whether the text ends in a function whose argument has no parentheses.
     bare: bool,
 }
 
@@ -37,7 +37,7 @@ impl Piece {
         Piece::new(text, Bind::Atom)
     }
 
-    /// A constant.
+    /// LaTeX of a numeric constant.
     pub fn number(value: f64) -> Piece {
         let magnitude = value.abs();
         if magnitude == 0.0 {
@@ -57,7 +57,7 @@ impl Piece {
         if value < 0.0 { piece.neg() } else { piece }
     }
 
-    /// In parentheses unless it binds at least as tightly.
+    /// Adds parentheses unless the fragment binds at least as tightly as `bind`.
     pub fn at_least(self, bind: Bind) -> Piece {
         if self.bind >= bind {
             return self;
@@ -90,7 +90,7 @@ impl Piece {
 
     pub fn mul(self, other: Piece) -> Piece {
         let (left, bind) = match self.bind {
-            // a minus may stay in front of the whole product
+            // A leading minus may precede the whole product.
             Bind::Minus => (self, Bind::Minus),
             _ => (self.at_least(Bind::Product), Bind::Product),
         };
@@ -98,7 +98,7 @@ impl Piece {
         let digit = right.text.starts_with(|c: char| c.is_ascii_digit());
         let apart = [r"\sin", r"\cos", r"\tan", r"\frac", r"\mathbf", r"\sqrt"];
         let swallowed = left.bare && !apart.iter().any(|start| right.text.starts_with(start));
-        // words side by side would run into one
+        // Separates adjacent upright words by a space.
         let clear = ["(", r"\left", r"\frac", r"\sqrt", r"\sin", r"\cos", r"\tan"];
         let words = (right.text.starts_with(r"\mathrm") || ends_upright(&left.text))
             && !clear.iter().any(|start| right.text.starts_with(start));
@@ -127,7 +127,7 @@ impl Piece {
         Piece::new(format!(r"{minus}\frac{{{above}}}{{{}}}", other.text), bind)
     }
 
-    /// A power, with twice its exponent.
+    /// Power with exponent `doubled / 2`.
     pub fn power(self, doubled: i32) -> Piece {
         if doubled < 0 {
             return Piece::atom("1").div(self.power(-doubled));
@@ -151,19 +151,19 @@ impl Piece {
                     };
                 }
                 let base = self.at_least(Bind::Atom).text;
-                // no atom, for a second exponent would be an error of LaTeX
+                // Not an atom: a second exponent would be a LaTeX error.
                 Piece::new(format!("{base}^{exponent}"), Bind::Product)
             }
         }
     }
 
-    /// Scalar or vector product.
+    /// Scalar or vector product with the operator `sign`.
     pub fn dotted(self, sign: &str, other: Piece) -> Piece {
         let (a, b) = (self.at_least(Bind::Product), other.at_least(Bind::Product));
         Piece::new(format!(r"{} {sign} {}", a.text, b.text), Bind::Dotted)
     }
 
-    /// A function that is written without parentheses where its argument is one symbol.
+    /// Function call; without parentheses if the argument is one symbol.
     pub fn function(name: &str, x: Piece) -> Piece {
         if x.bind == Bind::Atom && is_symbol(&x.text) {
             let gap = if x.text.starts_with('\\') { "" } else { " " };
@@ -176,14 +176,14 @@ impl Piece {
         Piece::new(format!("{name}{}", parentheses(&x.text)), Bind::Atom)
     }
 
-    /// A function with its arguments in parentheses.
+    /// Function call with its arguments in parentheses.
     pub fn operator(name: &str, arguments: &[Piece]) -> Piece {
         let arguments: Vec<&str> = arguments.iter().map(|a| a.text.as_str()).collect();
         let inside = parentheses(&arguments.join(r",\, "));
         Piece::atom(format!(r"\operatorname{{{name}}}{inside}"))
     }
 
-    /// `value` unless `case`, which gives `other`.
+    /// Case distinction: `other` under the condition `case`, else `value`.
     pub fn cases(value: Piece, other: Piece, case: &str) -> Piece {
         Piece::atom(format!(
             r"\begin{{cases}} {} & {case} \\ {} & \text{{otherwise}} \end{{cases}}",
@@ -192,7 +192,7 @@ impl Piece {
     }
 }
 
-/// Whether the last symbol is a word.
+/// Whether the text ends in an upright word.
 fn ends_upright(text: &str) -> bool {
     text.rfind(r"\mathrm{").is_some_and(|at| {
         let word = text[at..].replace(r"\ ", "");
@@ -200,7 +200,7 @@ fn ends_upright(text: &str) -> bool {
     })
 }
 
-/// Parentheses that grow with what they hold.
+/// Parentheses, of variable height if the content is tall.
 pub(crate) fn parentheses(text: &str) -> String {
     let tall = [r"\frac", r"\begin", r"\sqrt", r"\left"];
     if tall.iter().any(|part| text.contains(part)) {
@@ -210,7 +210,7 @@ pub(crate) fn parentheses(text: &str) -> String {
     }
 }
 
-/// An index or exponent, in braces where it is longer than a character.
+/// Subscript or superscript: in braces if longer than one character.
 pub(crate) fn braces(text: &str) -> String {
     if text.chars().count() == 1 {
         text.to_string()
@@ -219,7 +219,7 @@ pub(crate) fn braces(text: &str) -> String {
     }
 }
 
-/// One letter or one word of LaTeX, perhaps with a dot above.
+/// Whether the text is one letter or LaTeX command, optionally with a dot accent.
 fn is_symbol(text: &str) -> bool {
     let text = text.strip_prefix(r"\dot").unwrap_or(text);
     match text.strip_prefix('\\') {
@@ -228,7 +228,7 @@ fn is_symbol(text: &str) -> bool {
     }
 }
 
-/// `\sin\alpha` as `\sin` and `\alpha`, where the function is all there is.
+/// Splits `\sin\alpha` into `\sin` and `\alpha`; `None` if the text is not a single function call.
 fn split_function(text: &str) -> Option<(&str, &str)> {
     commands_with_exponent().find_map(|command| {
         let argument = text.strip_prefix(command)?;

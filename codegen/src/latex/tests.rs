@@ -1,6 +1,6 @@
 use super::*;
 
-/// A model with a quantity of every shape to try expressions with.
+/// LaTeX of an expression in a test model with variables of every shape.
 fn written(expression: &str) -> String {
     let text = format!(
         "model t;\nparam a = 1 rad;\nparam b = 2 rad;\nparam c = 3 rad;\ncoefficient C_La = 1 rad;\ninput wind in N = (1, 0, 0) rad;\n\

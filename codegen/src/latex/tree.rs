@@ -1,11 +1,11 @@
-//! The tree of a model, as its author wrote it.
+//! LaTeX of a model's syntax tree, as its author wrote the expressions.
 
 use super::names::{Style, name};
 use super::piece::{Bind, Piece};
 use crate::functions::{FunctionLowering, Notation};
 use model_spec::model::{Expr, ExprKind, Model, Shape};
 
-/// An expression. Vectors are free of frames here: one re-expressed is the same vector.
+/// LaTeX of an expression. Changes of frame are not written: the vector remains the same.
 pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
     use ExprKind as E;
     let of = |e: &Expr| piece(model, e);
@@ -78,7 +78,7 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
     }
 }
 
-/// Bold for vectors.
+/// Typeface of an expression: bold for vectors.
 pub(super) fn style(expr: &Expr) -> Style {
     match expr.shape {
         Shape::Scalar => Style::Scalar,
@@ -86,18 +86,18 @@ pub(super) fn style(expr: &Expr) -> Style {
     }
 }
 
-/// A unit vector is called after its frame, in small letters, as the paper does.
+/// Unit vector `k` of a frame, named by the frame's letter in lower case.
 fn axis(model: &Model, frame: usize, k: u8) -> Piece {
     let frame = model.frames[frame].name.to_lowercase();
     Piece::atom(format!("{}_{k}", name(&frame, Style::Vector)))
 }
 
-/// Two arguments.
+/// Two arguments separated by a comma.
 pub(super) fn pair(a: Piece, b: Piece) -> Piece {
     Piece::new(format!(r"{},\, {}", a.text, b.text), Bind::Sum)
 }
 
-/// A function of one number.
+/// Call of an elementary function with one argument.
 pub(super) fn call(notation: Notation, x: Piece) -> Piece {
     match notation {
         Notation::Command(command, _) => Piece::function(command, x),

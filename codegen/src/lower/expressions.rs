@@ -1,4 +1,4 @@
-//! Expressions of the model, one case each.
+//! Lowering of model expressions to graph nodes, by expression kind.
 
 use super::frames::{self, Vector};
 use super::{Lowering, Value};
@@ -11,7 +11,7 @@ impl Lowering<'_> {
     pub(crate) fn scalar(&mut self, expr: &Expr) -> NodeId {
         match self.evaluate(expr) {
             Value::Scalar(node) => node,
-            // the checker keeps shapes apart
+            // unreachable after the shape check of the model
             Value::Vector(vector) => vector[0],
         }
     }
@@ -89,7 +89,7 @@ impl Lowering<'_> {
             },
             E::Div(a, b) => {
                 let (a, b) = (self.evaluate(a), self.scalar(b));
-                // the checker has seen to it that the divisor is nowhere zero
+                // the model checker has verified that the divisor is nonzero
                 self.graph.assume_nonzero(b);
                 match a {
                     Value::Vector(v) => {
@@ -182,7 +182,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Angular velocity of the body in the frame in which the model sees it.
+    /// Angular velocity of the body relative to the inertial frame, rad/s; components in the model's angular-velocity
+    /// frame, zero without rotation.
     pub(crate) fn spin(&mut self) -> Vector {
         let model = self.model;
         match model.body.as_ref().and_then(|body| body.rotation.as_ref()) {

@@ -1,24 +1,24 @@
-//! Vectors as three components, and rotations along the tree of frames.
+//! Symbolic 3-vectors, and rotations along the tree of frames.
 
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
 use model_spec::model::{FrameKind, Model};
 
-/// Components of a vector in some frame.
+/// Nodes of the three components of a vector in a given frame.
 pub type Vector = [NodeId; 3];
 
-/// `a + b`.
+/// Vector sum `a + b`, by component.
 pub fn add(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|k| graph.add(a[k], b[k]))
 }
 
-/// `a - b`.
+/// Vector difference `a - b`, by component.
 pub fn sub(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|k| graph.sub(a[k], b[k]))
 }
 
-/// `s a`.
+/// Vector `a` multiplied by the scalar `s`.
 pub fn scale(graph: &mut ExprGraph, s: NodeId, a: Vector) -> Vector {
     match graph.is_one(s) {
         true => a,
@@ -26,13 +26,13 @@ pub fn scale(graph: &mut ExprGraph, s: NodeId, a: Vector) -> Vector {
     }
 }
 
-/// `a · b`.
+/// Scalar product `a · b`.
 pub fn dot(graph: &mut ExprGraph, a: Vector, b: Vector) -> NodeId {
     let terms = [0, 1, 2].map(|k| (Number::ONE, graph.mul(a[k], b[k])));
     graph.sum(terms.to_vec(), Number::ZERO)
 }
 
-/// `a × b`.
+/// Vector product `a × b`.
 pub fn cross(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
         let (first, second) = (graph.mul(a[i], b[j]), graph.mul(a[j], b[i]));
@@ -40,18 +40,18 @@ pub fn cross(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     })
 }
 
-/// The zero vector.
+/// Zero vector.
 pub fn zero(graph: &mut ExprGraph) -> Vector {
     let zero = graph.whole(0);
     [zero; 3]
 }
 
-/// Unit vector along an axis, 1 to 3.
+/// Unit vector along coordinate axis 1, 2 or 3.
 pub fn axis(graph: &mut ExprGraph, axis: u8) -> Vector {
     [1, 2, 3].map(|k| graph.whole(i64::from(k == axis)))
 }
 
-/// The frame that a frame is placed against.
+/// Index of the parent of a frame, relative to which its rotation is defined; `None` for the inertial frame.
 pub fn parent(model: &Model, frame: usize) -> Option<usize> {
     match model.frames[frame].kind {
         FrameKind::Inertial => None,
@@ -59,7 +59,7 @@ pub fn parent(model: &Model, frame: usize) -> Option<usize> {
     }
 }
 
-/// Frames from the inertial one down to `frame`.
+/// Indices of the frames from the inertial frame down to `frame`, both included.
 pub fn path(model: &Model, frame: usize) -> Vec<usize> {
     let mut path = vec![frame];
     let mut at = frame;
@@ -71,7 +71,7 @@ pub fn path(model: &Model, frame: usize) -> Vec<usize> {
     path
 }
 
-/// The same vector with components in another frame.
+/// Transforms the components of a vector from frame `from` to frame `to`.
 pub fn reexpress(
     graph: &mut ExprGraph,
     model: &Model,
@@ -91,7 +91,7 @@ pub fn reexpress(
     vector
 }
 
-/// From a frame to its parent (`up`) or from the parent to it.
+/// Transforms components from `frame` to its parent (`up`) or from the parent to `frame`.
 pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: bool) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Inertial => v,
@@ -128,7 +128,7 @@ pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: b
     }
 }
 
-/// Rotation matrix of a unit quaternion, from the turned frame to its parent.
+/// Rotation matrix of a unit quaternion (scalar first): transforms components from the rotated frame to its parent.
 fn quaternion_matrix(graph: &mut ExprGraph, states: [usize; 4]) -> [Vector; 3] {
     let q = states.map(|state| graph.symbol(Symbol::State(state as u32)));
     let two = Number::whole(2);
@@ -152,10 +152,10 @@ fn quaternion_matrix(graph: &mut ExprGraph, states: [usize; 4]) -> [Vector; 3] {
     ]
 }
 
-/// Angular velocity of a frame relative to the inertial one, with components in `within`.
+/// Angular velocity of frame `of` relative to the inertial frame, rad/s; components in frame `within`.
 pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within: usize) -> Vector {
     let chain = path(model, of);
-    // where a quaternion places a frame of the body, the angular velocity is a state
+    // with a quaternion attitude the angular velocity is a state
     if let Some(rotation) = model.body.as_ref().and_then(|body| body.rotation.as_ref())
         && let Some((states, frame)) = rotation.angular_velocity
     {
@@ -186,7 +186,7 @@ pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within:
     let mut total = zero(graph);
     let mut at = chain[0];
     let mut passed = at == within;
-    // walking down keeps the components simple: each rate is added along an axis
+    // from the inertial frame down, each rate is added along a coordinate axis
     for &frame in &chain[1..] {
         if passed {
             let relative = turning(graph, model, frame, within);
@@ -206,7 +206,7 @@ pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within:
     }
 }
 
-/// Angular velocity of a turned frame relative to its parent, with components in `within`.
+/// Angular velocity of a frame relative to its parent, rad/s, from its angle rate; components in frame `within`.
 fn turning(graph: &mut ExprGraph, model: &Model, frame: usize, within: usize) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Turned {

@@ -1,28 +1,28 @@
-//! Moments of inertia that are constant in one frame, seen from another.
+//! Transformation of an inertia tensor that is constant in one frame to another, rotating frame.
 //!
-//! They are split in two: a part that is symmetric about the axis of the turn between the frames, and is the same in
-//! both, and the rest, which turns. Where the rest is 0 nothing of the turn is left in the equations.
+//! The tensor is split into a part symmetric about the rotation axis between the frames, equal in both, and a
+//! remainder that rotates. If the remainder is 0, the equations do not depend on the rotation angle.
 
 use super::Lowering;
 use super::frames::{self, Vector};
 use model_spec::model::{FrameKind, Model, Rotation};
 
-/// A symmetric matrix, row by row.
+/// Symmetric 3×3 matrix of nodes, by row.
 type Matrix = [Vector; 3];
 
-/// Moments of inertia in the frame in which the angular velocity is seen.
+/// Inertia tensor, kg m², in the frame of the angular velocity, with its rotating part.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turned {
-    /// All of them.
+    /// Complete inertia tensor.
     pub whole: Matrix,
-    /// The part that turns.
+    /// Rotating part of the inertia tensor: not symmetric about the rotation axis.
     rest: Matrix,
-    /// Angular velocity of the frame in which they are constant, relative to this one.
+    /// Angular velocity, rad/s, of the frame of constant inertia relative to the angular-velocity frame.
     relative: Vector,
 }
 
 impl Lowering<'_> {
-    /// Moments of inertia seen from the frame of the angular velocity.
+    /// Transforms the inertia tensor `given` to the frame of the angular velocity.
     pub(super) fn turned_inertia(&mut self, rotation: &Rotation, given: Matrix) -> Turned {
         let model = self.model;
         let (from, to) = (rotation.inertia_frame, rotation.angular_velocity_frame);
@@ -35,7 +35,7 @@ impl Lowering<'_> {
             (steady[i][i], steady[j][j]) = (given[j][j], given[j][j]);
         }
         let rest = [0, 1, 2].map(|i| frames::sub(graph, given[i], steady[i]));
-        // R K Rᵀ: its columns are turned, then its rows.
+        // R K Rᵀ: transforms the columns, then the rows.
         let columns = transpose(rest).map(|v| frames::reexpress(graph, model, v, from, to));
         let rest = transpose(columns).map(|v| frames::reexpress(graph, model, v, from, to));
         let own = frames::angular_velocity(graph, model, from, to);
@@ -47,7 +47,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// `σ × K ω - K (σ × ω)`: how fast the part K that turns at σ changes the angular momentum.
+    /// Rate of change of angular momentum, N m, as the inertia part K rotates at σ: `σ × K ω - K (σ × ω)`.
     pub(super) fn drift(&mut self, turned: &Turned, spin: Vector) -> Vector {
         let graph = &mut self.graph;
         let momentum = turned.rest.map(|row| frames::dot(graph, row, spin));
@@ -58,7 +58,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The axis, 0 to 2, of the single turn that lies between two frames.
+/// Axis (0 to 2) of the rotation between two frames; `None` unless one is the parent of the other.
 fn axis_between(model: &Model, a: usize, b: usize) -> Option<usize> {
     let turn = |child: usize, of: usize| match model.frames[child].kind {
         FrameKind::Turned { parent, axis, .. } if parent == of => Some(usize::from(axis) - 1),

@@ -1,4 +1,4 @@
-//! From the model's vector tree to scalar nodes.
+//! Lowering: vector expressions of a model become scalar graph nodes.
 
 mod expressions;
 pub mod frames;
@@ -12,43 +12,43 @@ use frames::Vector;
 use model_spec::diagnostic::Span;
 use model_spec::model::{ExprKind, Model};
 
-/// Where a named node comes from.
+/// Provenance of a named node: name and source location in the model text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Provenance {
-    /// Its name in generated code.
+    /// Name of the node in generated code.
     pub name: String,
-    /// Place in the model.
+    /// Source span of the declaration in the model text.
     pub span: Span,
-    /// Name of the model file or effect.
+    /// Name of the source file or effect that contains the declaration.
     pub source: String,
-    /// Line, from 1.
+    /// Line number in the source, from 1.
     pub line: usize,
-    /// That line of the model, trimmed.
+    /// Text of the source line, without surrounding whitespace.
     pub text: String,
 }
 
-/// A model as scalar nodes.
+/// Lowered model: equations of motion and all outputs as scalar graph nodes.
 #[derive(Clone, Debug)]
 pub struct Lowered {
-    /// The nodes.
+    /// Expression graph that contains all nodes of the model.
     pub graph: ExprGraph,
-    /// States, parameters, marker.
+    /// Order of states, parameters, marker coordinates and quantities in arrays.
     pub layout: Layout,
-    /// Derivatives of the states, in order.
+    /// Time derivatives of the states, in layout order.
     pub dx: Vec<NodeId>,
-    /// What is observed, in the inertial frame.
+    /// Observed vector of the measurement equation, m, inertial frame; `None` without an observation.
     pub observation: Option<Vector>,
-    /// Every named quantity, by component.
+    /// Name and node of each auxiliary variable, by component; without those that depend on the marker.
     pub quantities: Vec<(String, NodeId)>,
-    /// Left sides of the limits.
+    /// Expressions of the validity limits, in order of declaration; each must stay above its bound.
     pub limits: Vec<NodeId>,
-    /// Named nodes of the model, in order of declaration.
+    /// Source locations of the named nodes, in order of first naming.
     pub provenance: Vec<Provenance>,
-    /// Values of the named quantities: one node, or three.
+    /// Values of all auxiliary variables: one node for a scalar, three for a vector.
     pub lets: Vec<Vec<NodeId>>,
 }
 
-/// What an expression evaluates to.
+/// Value of a model expression: a scalar node or a vector of three nodes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Value {
     Scalar(NodeId),
@@ -63,7 +63,7 @@ pub(crate) struct Lowering<'a> {
     pub(crate) provenance: Vec<Provenance>,
 }
 
-/// Derives the equations of motion and everything else that a model says, as nodes.
+/// Lowers a model: derives the equations of motion, observation, limits and auxiliary variables as scalar nodes.
 pub fn lower(model: &Model) -> Lowered {
     let layout = Layout::new(model);
     let mut lowering = Lowering {
@@ -89,7 +89,7 @@ pub fn lower(model: &Model) -> Lowered {
         .zip(lowering.lets.clone())
         .zip(of_marker)
     {
-        // `quantities` is not handed a marker.
+        // the compiled function `quantities` has no marker argument
         if of_marker {
             continue;
         }
@@ -138,7 +138,7 @@ pub fn lower(model: &Model) -> Lowered {
 }
 
 impl Lowered {
-    /// The nodes of all values.
+    /// Nodes of all outputs: derivatives, limits, observation, quantities and auxiliary variables.
     pub(crate) fn nodes(&mut self) -> Vec<NodeId> {
         let mut nodes = Vec::new();
         self.replace_nodes(|node| {
@@ -148,7 +148,7 @@ impl Lowered {
         nodes
     }
 
-    /// Replaces the nodes of all values.
+    /// Replaces the node of each output by `replace(node)`.
     pub(crate) fn replace_nodes(&mut self, mut replace: impl FnMut(NodeId) -> NodeId) {
         let lets = self.lets.iter_mut().flatten();
         let quantities = self.quantities.iter_mut().map(|(_, node)| node);
@@ -168,7 +168,7 @@ fn nodes(value: Value) -> Vec<NodeId> {
 }
 
 impl Lowering<'_> {
-    /// States and parameters come first, so that the order of terms follows the layout.
+    /// Creates the nodes of states and parameters first, so that terms are ordered as in the layout.
     fn leaves(&mut self) {
         for k in 0..self.layout.states.len() {
             self.graph.symbol(Symbol::State(k as u32));
@@ -178,11 +178,11 @@ impl Lowering<'_> {
         }
     }
 
-    /// What a limit keeps above 0, the mass and the inertia are divided by without a second thought.
+    /// Assumes as nonzero: expressions with a validity limit at or above 0, and the mass of the body.
     fn assumptions(&mut self) {
         let model = self.model;
         for limit in &model.limits {
-            // a limit may use named quantities, which do not exist yet
+            // skip limits that use auxiliary variables, which are not evaluated yet
             if limit.bound >= 0.0 && !mentions_let(&limit.value) {
                 let node = self.scalar(&limit.value);
                 self.graph.assume_nonzero(node);
@@ -196,7 +196,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Names a node after a quantity of the model and remembers where it stands.
+    /// Names a node, unless a constant or leaf, and records its source location under that name.
     pub(crate) fn record(&mut self, node: NodeId, name: &str, span: Span) {
         use crate::graph::Node;
         if matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_)) {
@@ -227,7 +227,7 @@ fn mentions_let(expr: &model_spec::model::Expr) -> bool {
     found
 }
 
-/// Number and text of the line at a byte.
+/// Line number (from 1) and trimmed text of the line that contains byte offset `at`.
 pub(crate) fn line_of(text: &str, at: usize) -> (usize, String) {
     let at = at.min(text.len());
     let line = text.as_bytes()[..at]

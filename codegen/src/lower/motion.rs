@@ -1,4 +1,4 @@
-//! Equations of motion: Newton's and Euler's laws for a body, or the equations as stated.
+//! Equations of motion: Newton's and Euler's laws for a rigid body, or derivatives stated in the model.
 
 use super::frames::{self, Vector};
 use super::{Lowering, solve};
@@ -8,7 +8,7 @@ use crate::number::Number;
 use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
 
 impl Lowering<'_> {
-    /// Derivatives of all states by the time that is measured.
+    /// Derivatives of all states with respect to measured time, in layout order.
     pub(crate) fn motion(&mut self) -> Vec<NodeId> {
         let model = self.model;
         let zero = self.graph.whole(0);
@@ -46,7 +46,8 @@ impl Lowering<'_> {
         dx
     }
 
-    /// `der(x) = v` in the inertial frame, `m (der(v) + ω × v) = Σ F` in the frame of the velocity.
+    /// Translation: `der(x) = v` in the inertial frame, `m (der(v) + ω × v) = Σ F` in the frame of the velocity.
+    /// Writes the derivatives of position and velocity to `dx`.
     fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
         let model = self.model;
         let velocity = body
@@ -94,7 +95,7 @@ impl Lowering<'_> {
         total.map(|component| self.graph.project(component))
     }
 
-    /// Rates of angles and of quaternions.
+    /// Attitude kinematics: writes the derivatives of rotation angles and quaternions to `dx`.
     fn angles(&mut self, dx: &mut [NodeId]) {
         let model = self.model;
         for (k, frame) in model.frames.iter().enumerate() {
@@ -106,7 +107,7 @@ impl Lowering<'_> {
                     }
                 }
                 FrameKind::Quaternion { states, .. } => {
-                    // der(q) = ½ q ⊗ ω, with ω in the turned frame
+                    // der(q) = ½ q ⊗ ω, with ω in the rotated frame
                     let w = frames::angular_velocity(&mut self.graph, model, k, k);
                     let q = states.map(|state| self.graph.symbol(Symbol::State(state as u32)));
                     let rows = [
@@ -129,8 +130,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// `I der(ω) + ω_F × I ω = Σ M` in the frame F in which the angular velocity is seen. Where the inertia is given
-    /// in another, what turns in F adds its own part.
+    /// Rotation: `I der(ω) + ω_F × I ω = Σ M` in the frame F of the angular velocity. If the inertia is constant in
+    /// another frame, the term of the inertia rotating in F is subtracted from Σ M.
     fn euler(&mut self, rotation: &Rotation, dx: &mut [NodeId]) {
         let model = self.model;
         let frame = rotation.angular_velocity_frame;
@@ -162,7 +163,7 @@ impl Lowering<'_> {
                 }
             }
             Some((states, within)) => {
-                // the same vector seen from another frame: der in `within` = der in F + (ω_F - ω_within) × ω
+                // derivative in another frame: der in `within` = der in F + (ω_F - ω_within) × ω
                 let other = frames::angular_velocity(&mut self.graph, model, within, frame);
                 let relative = frames::sub(&mut self.graph, turning, other);
                 let extra = frames::cross(&mut self.graph, relative, spin);
@@ -176,7 +177,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Second derivatives of the angles from the derivative of the angular velocity.
+    /// Solves for the second derivatives of the rotation angles, rad/s², given the angular acceleration
+    /// `acceleration`.
     fn rates(
         &mut self,
         rotation: &Rotation,

@@ -1,9 +1,9 @@
-//! Small symbolic linear systems, sparse first.
+//! Solution of small symbolic linear systems, sparse rows first.
 
 use crate::graph::{ExprGraph, NodeId};
 use crate::number::Number;
 
-/// Inverse of a 3×3 matrix of parameters, by cofactors: zeros and diagonals simplify by themselves.
+/// Inverse of a 3×3 matrix of nodes, by cofactors; the determinant is assumed nonzero.
 pub fn inverse(graph: &mut ExprGraph, m: [[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
     let mut cofactor = |i: usize, j: usize| {
         let (r, c) = ([(1, 2), (2, 0), (0, 1)][i], [(1, 2), (2, 0), (0, 1)][j]);
@@ -36,7 +36,8 @@ fn determinant_has(graph: &ExprGraph, determinant: NodeId, entry: NodeId) -> boo
     }
 }
 
-/// Solves `matrix · unknowns = right`: rows with a single unknown first, what is left by Cramer's rule.
+/// Solves `matrix · unknowns = right`: rows with one unknown first, the remaining system by Cramer's rule. Unknowns
+/// that the rows do not determine are 0.
 pub fn solve(graph: &mut ExprGraph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) -> Vec<NodeId> {
     let columns = matrix.first().map_or(0, Vec::len);
     let zero = graph.whole(0);
@@ -90,7 +91,7 @@ pub fn solve(graph: &mut ExprGraph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>
         .collect()
 }
 
-/// Determinant by expansion along the first row.
+/// Determinant of a square matrix by Laplace expansion along the first row.
 fn determinant(graph: &mut ExprGraph, m: &[Vec<NodeId>]) -> NodeId {
     if m.len() == 1 {
         return m[0][0];

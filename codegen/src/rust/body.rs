@@ -1,4 +1,4 @@
-//! The statements of a function.
+//! Statements of a generated function body.
 
 use super::expression::Writer;
 use super::ident::ident;
@@ -8,7 +8,7 @@ use crate::program::Operand;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// All statements in order, each with its comments.
+/// Tokens of all statements in order, each with its comments.
 pub(super) fn statements(writer: Writer<'_>) -> TokenStream {
     let mut tokens = TokenStream::new();
     for &step in &writer.body.steps {

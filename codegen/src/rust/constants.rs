@@ -1,4 +1,4 @@
-//! The constants of a model: names, default values, sparsity patterns.
+//! Generated constants of a model: names, default values, sparsity patterns.
 
 use super::ident::ident;
 use super::{print, source_hash};
@@ -7,7 +7,7 @@ use model_spec::model::Model;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// Names of all constants.
+/// Names of all generated constants.
 pub(super) const NAMES: [&str; 16] = [
     "STATES",
     "INITIAL",
@@ -27,7 +27,7 @@ pub(super) const NAMES: [&str; 16] = [
     "SOURCE_HASH",
 ];
 
-/// The constants of a model, each with its documentation and the given attributes.
+/// Items for all constants of a model, each with documentation and the given attributes.
 pub(super) fn items(model: &Model, compiled: &Compiled, attributes: &TokenStream) -> TokenStream {
     let layout = &compiled.layout;
     let bounds: Vec<f64> = model.limits.iter().map(|limit| limit.bound).collect();
@@ -101,7 +101,7 @@ pub(super) fn items(model: &Model, compiled: &Compiled, attributes: &TokenStream
     items.collect()
 }
 
-/// Type and value of a constant.
+/// Type and initializer of a generated constant.
 struct Value {
     kind: TokenStream,
     value: TokenStream,

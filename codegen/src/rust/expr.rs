@@ -1,11 +1,11 @@
-//! Expressions as tokens, with parentheses where the order of evaluation needs them.
+//! Rust expressions as tokens, parenthesized by operator precedence.
 
 use super::ident::ident;
 use crate::program::Binary;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Binding strength of an expression, weakest first.
+/// Operator precedence of an expression, weakest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Binding {
     Sum,
@@ -14,7 +14,7 @@ pub(super) enum Binding {
     Atom,
 }
 
-/// Tokens of an expression and how strongly its outermost operator binds.
+/// Tokens of an expression with the precedence of its outermost operator.
 #[derive(Clone, Debug)]
 pub(super) struct Expr {
     pub tokens: TokenStream,
@@ -22,7 +22,7 @@ pub(super) struct Expr {
 }
 
 impl Expr {
-    /// A name, literal or call.
+    /// Expression that never needs parentheses: a name, literal or call.
     pub fn atom(tokens: TokenStream) -> Expr {
         Expr {
             tokens,
@@ -30,7 +30,7 @@ impl Expr {
         }
     }
 
-    /// `-self`.
+    /// The negation `-self`.
     pub fn negated(self) -> Expr {
         let operand = self.bound(Binding::Atom);
         Expr {
@@ -39,7 +39,7 @@ impl Expr {
         }
     }
 
-    /// `self.method(arguments)`.
+    /// The method call `self.method(arguments)`.
     pub fn method(self, name: &str, arguments: &[Expr]) -> Expr {
         let method = ident(name);
         let receiver = self.bound(Binding::Atom);
@@ -47,7 +47,7 @@ impl Expr {
         Expr::atom(quote!(#receiver.#method(#(#arguments),*)))
     }
 
-    /// `self + other` and the other operators.
+    /// Binary operator expression: `self + other`, `self - other`, …
     ///
     /// # Panics
     /// If `binary` is not an operator of Rust.
@@ -69,7 +69,7 @@ impl Expr {
         }
     }
 
-    /// The tokens, in parentheses if the expression binds less strongly than `least`.
+    /// Tokens of the expression, in parentheses if its precedence is below `least`.
     pub fn bound(self, least: Binding) -> TokenStream {
         let tokens = self.tokens;
         if self.binding < least {

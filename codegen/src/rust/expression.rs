@@ -1,4 +1,4 @@
-//! The operations of a function body as expressions.
+//! Operations of a function body as Rust expressions.
 
 use super::expr::{Binding, Expr};
 use super::ident::ident;
@@ -8,7 +8,7 @@ use crate::program::{Binary, Op, Operand, Unary};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Writes the operations of a function body for a number type.
+/// Writes the operations of a function body as expressions of a number type.
 #[derive(Clone, Copy)]
 pub(super) struct Writer<'a> {
     pub body: &'a Body<'a>,
@@ -16,17 +16,17 @@ pub(super) struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// The right-hand side of a statement.
+    /// Right-hand side of a statement, by the statement's index.
     pub fn statement(&self, k: usize) -> TokenStream {
         self.op(self.body.op(k)).tokens
     }
 
-    /// An operand as a value.
+    /// Tokens of an operand as a value.
     pub fn value(&self, operand: Operand) -> TokenStream {
         self.operand(operand, false).tokens
     }
 
-    /// An operand as the receiver of a method.
+    /// Tokens of an operand as the receiver of a method call.
     pub fn receiver(&self, operand: Operand) -> TokenStream {
         self.operand(operand, true).bound(Binding::Atom)
     }
@@ -47,7 +47,7 @@ impl Writer<'_> {
     }
 
     fn op(&self, op: &Op) -> Expr {
-        // A literal whose type nothing else determines carries it.
+        // Literals carry a type suffix if no operand determines their type.
         let all_constant = op
             .operands()
             .iter()

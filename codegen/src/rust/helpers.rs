@@ -1,10 +1,10 @@
-//! Functions that `f64` lacks, with the values at singular points that the model language defines.
+//! Helper functions that `f64` lacks, with defined values at singular points.
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
 
-/// Helper functions by the method of `lanes::Real` that they stand for.
+/// (method of `lanes::Real`, name of the `f64` helper function that replaces the method).
 const HELPERS: [(&str, &str); 10] = [
     ("sqrt", "sqrt_or_zero"),
     ("recip_or_zero", "recip_or_zero"),
@@ -18,18 +18,18 @@ const HELPERS: [(&str, &str); 10] = [
     ("if_zero", "if_zero"),
 ];
 
-/// The helper for a method of `lanes::Real`; `None` if `f64` has a method of this name and meaning.
+/// Helper for a method of `lanes::Real`; `None` if `f64` has a method of equal name and meaning.
 pub(super) fn for_method(method: &str) -> Option<&'static str> {
     let found = HELPERS.iter().find(|(known, _)| *known == method);
     found.map(|(_, helper)| *helper)
 }
 
-/// Whether a name is that of a helper.
+/// Whether a name is that of a helper function.
 pub(super) fn is_helper(name: &str) -> bool {
     HELPERS.iter().any(|(_, helper)| *helper == name)
 }
 
-/// Definitions of the helpers that occur in some tokens.
+/// Definitions of the helper functions that occur in some tokens.
 pub(super) fn used_in(tokens: &TokenStream) -> TokenStream {
     let mut used = BTreeSet::new();
     collect(tokens.clone(), &mut used);

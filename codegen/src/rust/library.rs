@@ -1,4 +1,4 @@
-//! The crate `generated`: models as modules, as values of one type, and as types of one trait.
+//! Source files of the crate `generated`: models as modules, as values of type `Model`, and as types of one trait.
 
 use super::constants;
 use super::function::HEADER;
@@ -12,7 +12,7 @@ use model_spec::model::Model;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// `mod.rs` of a model: its constants, its implementation of `Equations`, its value of type `Model`.
+/// Text of a model's `mod.rs`: constants, implementation of `Equations`, and value of type `Model`.
 pub(super) fn model_module(compiled: &Compiled, model: &Model) -> String {
     let head = inner_doc(&documentation(compiled, model));
     let mut modules: Vec<&str> = FUNCTIONS.iter().map(|function| function.name).collect();
@@ -48,7 +48,7 @@ fn documentation(compiled: &Compiled, model: &Model) -> String {
     text
 }
 
-/// The type of a model and its value of type `Model`.
+/// Type of a model and its value of type `Model`.
 fn equations(compiled: &Compiled) -> TokenStream {
     let kind = type_ident(&compiled.name);
     let methods = FUNCTIONS.iter().map(|function| {
@@ -117,7 +117,7 @@ impl Signature {
             .collect()
     }
 
-    /// `fn f<T: Real>(time: T, state: &[T], …)`, over slices.
+    /// Generic signature over slices: `fn f<T: Real>(time: T, state: &[T], …)`.
     fn head(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let inputs = self.inputs.iter().map(|&input| {
@@ -131,7 +131,7 @@ impl Signature {
         quote!(fn #name<T: lanes::Real>(#(#inputs,)* #(#outputs: &mut [T]),*))
     }
 
-    /// `fn(f64, &[f64], …)`.
+    /// Function pointer type for `f64`: `fn(f64, &[f64], …)`.
     fn pointer(&self) -> TokenStream {
         let inputs = self.inputs.iter().map(|&input| match input {
             Input::Time => quote!(f64),
@@ -141,7 +141,7 @@ impl Signature {
         quote!(fn(#(#inputs,)* #(#outputs),*))
     }
 
-    /// The function on one number at a time, with the target features of the processor.
+    /// Scalar `f64` function compiled for the processor's target features.
     fn dispatched(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let call = format_ident!("{}Call", type_ident(self.name));
@@ -190,7 +190,7 @@ impl Signature {
     }
 }
 
-/// The files of the crate that list its models or functions, below `src`: `lib.rs`, `model.rs`, `scalar.rs`.
+/// Files in `src` that list all models or functions: `lib.rs`, `model.rs`, `scalar.rs`.
 pub fn library(names: &[String]) -> Vec<SourceFile> {
     let text = [
         ("lib.rs", root(names)),
@@ -204,7 +204,7 @@ pub fn library(names: &[String]) -> Vec<SourceFile> {
     .into()
 }
 
-/// `lib.rs`, the one file that rustfmt reads: it skips the others.
+/// Text of `lib.rs`, the only generated file that rustfmt formats.
 fn root(names: &[String]) -> String {
     let mut modules: Vec<_> = names.iter().map(|name| module_ident(name)).collect();
     modules.sort();
@@ -234,7 +234,7 @@ fn root(names: &[String]) -> String {
     )
 }
 
-/// `model.rs`: the type `Model`, the trait `Equations`, and the list of models.
+/// Text of `model.rs`: the type `Model`, the trait `Equations`, and the list of models.
 fn model(names: &[String]) -> String {
     let modules: Vec<_> = names.iter().map(|name| module_ident(name)).collect();
     let kinds = names.iter().map(|name| type_ident(name));
@@ -346,7 +346,7 @@ fn model(names: &[String]) -> String {
     )
 }
 
-/// `scalar.rs`: every function on one number at a time.
+/// Text of `scalar.rs`: every function for a single `f64` lane.
 fn scalar() -> String {
     let head = inner_doc(
         "The functions for `f64`, compiled for each instruction set that [`lanes::dispatch_scalar`] selects from.",

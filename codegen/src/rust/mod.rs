@@ -1,8 +1,8 @@
-//! Rust source text: token trees by `quote`, printed by `prettyplease`.
+//! Rust backends: token trees by `quote`, printed by `prettyplease`.
 //!
 //! [`PlainRust`] writes a model as one module of plain `f64` without dependencies, for any crate. [`LanesRust`] writes
-//! the same module generic over [`lanes::Real`]. [`emit`] and [`library`] write the crate `generated` of this
-//! repository, whose models are also values of one type and can be selected at run time.
+//! the module generic over [`lanes::Real`]. [`emit`] and [`library`] write the crate `generated` of this repository,
+//! whose models are also values of one type and can be selected at run time.
 
 mod body;
 mod constants;
@@ -25,11 +25,11 @@ use crate::compile::Compiled;
 use model_spec::model::Model;
 use scalar::Scalar;
 
-/// One module per model, over `f64`, with neither dependencies nor `unsafe`.
+/// Backend with one module per model over `f64`, without dependencies or `unsafe`.
 #[derive(Clone, Copy, Debug)]
 pub struct PlainRust;
 
-/// One module per model, generic over [`lanes::Real`]: `f64` or SIMD vectors.
+/// Backend with one module per model, generic over [`lanes::Real`]: `f64` or SIMD vectors.
 #[derive(Clone, Copy, Debug)]
 pub struct LanesRust;
 
@@ -61,7 +61,7 @@ impl Backend for LanesRust {
     }
 }
 
-/// The files of one model in the crate `generated`, below its `src`: `disc/mod.rs`, `disc/f.rs`, …
+/// Source files of one model in the crate `generated`, relative to its `src`: `disc/mod.rs`, `disc/f.rs`, …
 pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
     let folder = names::file_stem(&compiled.name);
     let mut files = vec![SourceFile {
@@ -77,7 +77,7 @@ pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
     files
 }
 
-/// Hash of all source texts of a model (64-bit FNV-1a): generated code carries that of the model it was made from.
+/// Hash of all source texts of a model (64-bit FNV-1a); generated code stores the hash of its source model.
 pub fn source_hash(model: &Model) -> u64 {
     let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
     for source in &model.sources {

@@ -1,4 +1,4 @@
-//! A model as one file, for use as a module of any crate.
+//! A model as a single file, for use as a module of any crate.
 //!
 //! The file has no inner attributes or inner documentation, so that it works with `mod` and with `include!`.
 
@@ -10,7 +10,7 @@ use crate::compile::Compiled;
 use model_spec::model::Model;
 use quote::quote;
 
-/// The file `NAME.rs`.
+/// Source file `NAME.rs` of a model for one number type.
 pub(super) fn file(model: &Model, compiled: &Compiled, scalar: Scalar) -> SourceFile {
     let attributes = quote! {
         #[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic)]

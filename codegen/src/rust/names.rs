@@ -1,11 +1,11 @@
-//! Identifiers that Rust accepts.
+//! Valid Rust identifiers for names of models and variables.
 
 use super::ident::ident;
 use super::{constants, helpers, signature};
 use proc_macro2::Ident;
 
-/// Whether a name cannot be a local variable of a generated function: not an identifier of Rust, an argument, or an
-/// item in scope whose name a `let` would match as a pattern or shadow.
+/// Whether a name cannot be a local variable of a generated function: not a Rust identifier, an argument name, or the
+/// name of an item in scope that a `let` would match as a pattern or shadow.
 pub(super) fn is_reserved(name: &str) -> bool {
     syn::parse_str::<Ident>(name).is_err()
         || signature::is_argument(name)
@@ -13,7 +13,7 @@ pub(super) fn is_reserved(name: &str) -> bool {
         || helpers::is_helper(name)
 }
 
-/// The name of a module for a model: a raw identifier where the name is a keyword.
+/// Module name of a model; a raw identifier if the name is a keyword.
 pub(super) fn module_ident(model: &str) -> Ident {
     let stem = file_stem(model);
     syn::parse_str::<Ident>(&stem)
@@ -21,7 +21,7 @@ pub(super) fn module_ident(model: &str) -> Ident {
         .unwrap_or_else(|_| ident(&format!("{stem}_")))
 }
 
-/// The name of a model as the stem of a file that Rust takes as a module: letters, digits and underscores.
+/// File stem of a model's module: the model's name with only letters, digits and underscores.
 pub(super) fn file_stem(model: &str) -> String {
     let letters = model.chars();
     let mut stem: String = letters
@@ -38,7 +38,7 @@ pub(super) fn file_stem(model: &str) -> String {
     stem
 }
 
-/// `disc_quaternion` as `DiscQuaternion`.
+/// Type name of a model in camel case: `disc_quaternion` becomes `DiscQuaternion`.
 pub(super) fn type_ident(model: &str) -> Ident {
     let words = model.split(|c: char| !c.is_alphanumeric());
     let camel: String = words

@@ -1,19 +1,19 @@
-//! From tokens to text: `prettyplease`, then the comments, blank lines and tables that tokens cannot express.
+//! Printing of tokens: `prettyplease`, then the comments, blank lines and tables that tokens cannot express.
 //!
-//! Comments travel as the pseudo-attribute `#[comment = "…"]`, which `prettyplease` prints as `//…`. Those that start
-//! with `@` are markers, which [`finish`] replaces.
+//! Comments are encoded as the pseudo-attribute `#[comment = "…"]`, which `prettyplease` prints as `//…`. Comments
+//! that start with `@` are markers, which [`finish`] replaces.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Widest line that [`finish`] makes.
+/// Maximum line width in printed arrays and trailing comments, characters.
 const WIDTH: usize = 100;
 
 /// Text of the marker for a blank line.
 const BLANK: &str = "@blank";
-/// Start of the marker for a comment at the end of the statement that follows.
+/// Prefix of the marker for a comment at the end of the following statement.
 const TRAILING: &str = "@trailing ";
-/// Text of the marker for an array whose elements share lines.
+/// Text of the marker for an array printed with several elements per line.
 const FILL: &str = "@fill";
 
 /// A comment line before an item or a statement.
@@ -27,24 +27,24 @@ pub(super) fn blank_line() -> TokenStream {
     quote!(#[comment = #BLANK])
 }
 
-/// A comment at the end of a statement that fits one line, and before any other.
+/// Trailing comment of a one-line statement; printed on the line before a longer statement.
 pub(super) fn trailing_comment(text: &str) -> TokenStream {
     let text = format!("{TRAILING}{text}");
     quote!(#[comment = #text])
 }
 
-/// Prints the elements of an array constant several to a line.
+/// Marker: the following array constant is printed with several elements per line.
 pub(super) fn fill() -> TokenStream {
     quote!(#[comment = #FILL])
 }
 
-/// Doc comment lines for an item.
+/// Outer doc comment for an item, one line per line of text.
 pub(super) fn doc(text: &str) -> TokenStream {
     let lines = text.lines().map(doc_line);
     quote!(#(#[doc = #lines])*)
 }
 
-/// Doc comment lines for the enclosing module.
+/// Inner doc comment for the enclosing module, one line per line of text.
 pub(super) fn inner_doc(text: &str) -> TokenStream {
     let lines = text.lines().map(doc_line);
     quote!(#(#![doc = #lines])*)
@@ -58,7 +58,7 @@ fn doc_line(line: &str) -> String {
     }
 }
 
-/// A file: header comments, then the tokens.
+/// Text of a source file: header comments, then the tokens.
 ///
 /// # Panics
 /// If the tokens are not a Rust file, which is a defect of the backend.
@@ -78,7 +78,7 @@ pub(super) fn file(header: &[impl AsRef<str>], tokens: TokenStream) -> String {
     text
 }
 
-/// Replaces the markers and separates items by blank lines.
+/// Replaces the markers and inserts blank lines between items.
 fn finish(printed: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut trailing: Option<String> = None;
@@ -142,7 +142,7 @@ fn push_noted(lines: &mut Vec<String>, line: &str, note: &str) {
     }
 }
 
-/// Whether a line ends an item of a file or a method of a block.
+/// Whether a line ends an item of a file or a method of an `impl` block.
 fn ends_item(line: &str) -> bool {
     let indent = line.len() - line.trim_start().len();
     match indent {
@@ -152,7 +152,7 @@ fn ends_item(line: &str) -> bool {
     }
 }
 
-/// Whether a blank line belongs between two lines: both are items, and not of one list of declarations.
+/// Whether a blank line separates two lines: both are items, and not of one list of declarations.
 fn separate(last: &str, line: &str) -> bool {
     const LISTS: [&str; 4] = ["mod ", "use ", "pub mod ", "pub use "];
     let indent = |line: &str| line.len() - line.trim_start().len();
@@ -169,7 +169,7 @@ fn separate(last: &str, line: &str) -> bool {
     after_inner_docs || (ends_item(last) && indent(last) == indent(line) && starts_item && !in_list)
 }
 
-/// Elements of an array, as many to a line as fit; (row, column) pairs with a new line for each row.
+/// Lines of an array, with as many elements per line as fit; (row, column) pairs start a new line per row.
 fn filled(elements: &[&str]) -> Vec<String> {
     let row = |element: &str| {
         let inside = element.strip_prefix('(')?;

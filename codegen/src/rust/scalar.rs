@@ -1,4 +1,4 @@
-//! The number type of generated code, and how each operation is written for it.
+//! Number types of generated code, and the Rust expression of each operation.
 
 use super::expr::{Binding, Expr};
 use super::helpers;
@@ -9,17 +9,17 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The number type of generated code.
+/// Number type of generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
-    /// `f64`, with functions of the standard library and of [`helpers`].
+    /// `f64`, with functions of the standard library and helpers for guarded functions.
     F64,
-    /// A type parameter `T: Real` of the crate `lanes`.
+    /// Type parameter `T: Real` of the crate `lanes`.
     Lanes,
 }
 
 impl Scalar {
-    /// The type in signatures.
+    /// Type of a number in signatures.
     pub fn kind(self) -> TokenStream {
         match self {
             Scalar::F64 => quote!(f64),
@@ -27,7 +27,7 @@ impl Scalar {
         }
     }
 
-    /// The generic parameters of a function.
+    /// Generic parameters of a function.
     pub fn generics(self) -> TokenStream {
         match self {
             Scalar::F64 => TokenStream::new(),
@@ -35,7 +35,7 @@ impl Scalar {
         }
     }
 
-    /// A constant. `typed` asks for a literal whose type is known without context.
+    /// Numeric constant; `typed` requests a literal with a type suffix.
     pub fn constant(self, value: f64, typed: bool) -> Expr {
         let path = match value {
             _ if value == PI => Some(quote!(std::f64::consts::PI)),
@@ -64,7 +64,7 @@ impl Scalar {
         }
     }
 
-    /// `a * b + c` and its variants.
+    /// Fused multiply-add `a * b + c` or one of its sign variants.
     pub fn fused(self, fused: Fused, a: Expr, b: Expr, c: Expr) -> Expr {
         if self == Scalar::Lanes {
             let method = match fused {
@@ -82,7 +82,7 @@ impl Scalar {
         }
     }
 
-    /// A function of one argument.
+    /// Function of one argument.
     pub fn unary(self, unary: Unary, a: Expr) -> Expr {
         let name = match unary {
             Unary::Neg => return a.negated(),
@@ -100,7 +100,7 @@ impl Scalar {
         self.call(name, a, &[])
     }
 
-    /// A sine or cosine whose other half is not computed.
+    /// Sine or cosine alone, where the other of the two is not computed.
     fn sin_or_cos(self, function: MathFunction, angle: Expr) -> Expr {
         let element = match function {
             MathFunction::Sin => Literal::usize_unsuffixed(0),
@@ -115,12 +115,12 @@ impl Scalar {
         }
     }
 
-    /// `then` where `condition` is 0, else `otherwise`.
+    /// Selection: `then` where `condition` is 0, else `otherwise`.
     pub fn if_zero(self, condition: Expr, then: Expr, otherwise: Expr) -> Expr {
         self.call("if_zero", condition, &[then, otherwise])
     }
 
-    /// A function by the name of its method of `lanes::Real`.
+    /// Call of a function, given the name of the corresponding `lanes::Real` method.
     pub fn call(self, name: &str, first: Expr, rest: &[Expr]) -> Expr {
         let helper = match self {
             Scalar::F64 => helpers::for_method(name),
@@ -135,7 +135,7 @@ impl Scalar {
     }
 }
 
-/// A finite number in its shortest form that reads back the same.
+/// Shortest literal that reads back as exactly the given finite number.
 fn literal(value: f64, suffix: &str) -> TokenStream {
     let digits = format!("{:?}{suffix}", value.abs());
     let literal: Option<Literal> = digits.parse().ok();

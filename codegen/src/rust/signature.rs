@@ -1,19 +1,18 @@
-//! The functions of a model: names, arguments and documentation. Every part of the backend that needs to list them
-//! iterates over [`FUNCTIONS`].
+//! Signatures of the generated functions: names, arguments and documentation; [`FUNCTIONS`] lists all.
 
 use crate::backend::body::Input;
 use crate::compile::Compiled;
 use crate::program::Function;
 
-/// Arguments and documentation of one function.
+/// Name, arguments and documentation of a generated function.
 pub(super) struct Signature {
     pub name: &'static str,
-    /// Title of its file.
+    /// Title in the function's file header.
     pub title: &'static str,
-    /// First line of its documentation.
+    /// First line of the function's documentation.
     pub summary: &'static str,
     pub inputs: &'static [Input],
-    /// Output arrays: (section of the program, name of the argument).
+    /// Output arrays: (name of the program section, name of the argument).
     pub outputs: &'static [(&'static str, &'static str)],
 }
 
@@ -32,7 +31,7 @@ const OBSERVATION: &[Input] = &[
     Input::Marker,
 ];
 
-/// All functions of a model, `prepare` first.
+/// Signatures of all functions of a model, `prepare` first.
 pub(super) const FUNCTIONS: [Signature; 8] = [
     Signature {
         name: "prepare",
@@ -97,21 +96,21 @@ pub(super) const FUNCTIONS: [Signature; 8] = [
     },
 ];
 
-/// The signature of a function of a compiled model.
+/// Signature of a function of a compiled model.
 pub(super) fn of(function: &Function) -> &'static Signature {
     let found = FUNCTIONS.iter().find(|known| known.name == function.name);
     found.expect("every function of a compiled model has a signature")
 }
 
 impl Signature {
-    /// Name of the output argument for a section of the program.
+    /// Argument name of the output array for a program section.
     pub fn argument(&self, section: &str) -> &'static str {
         let found = self.outputs.iter().find(|(known, _)| *known == section);
         found.map_or("output", |(_, argument)| argument)
     }
 }
 
-/// Number of elements of an input array; `None` for time, which is a single number.
+/// Length of an input array; `None` for the time, a single number.
 pub(super) fn input_len(compiled: &Compiled, input: Input) -> Option<usize> {
     let layout = &compiled.layout;
     match input {
@@ -123,7 +122,7 @@ pub(super) fn input_len(compiled: &Compiled, input: Input) -> Option<usize> {
     }
 }
 
-/// Whether a name is an argument of any function.
+/// Whether a name is an argument of any generated function.
 pub(super) fn is_argument(name: &str) -> bool {
     FUNCTIONS.iter().any(|function| {
         let inputs = function.inputs.iter().map(|input| input.name());

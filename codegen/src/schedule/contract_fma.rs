@@ -1,8 +1,9 @@
-//! Products that are used once, by a sum, become one operation with it.
+//! FMA contraction: a product used once, by a sum, is merged with that sum.
 
 use crate::program::{Binary, Fused, Op, Operand, Program};
 
-/// The program with fused operations. Its operations are as many as before, a fused one counted as two.
+/// Contracts products and sums to fused multiply-adds; the operation count, with two per fused operation, is
+/// unchanged.
 pub(super) fn contract_fma(mut program: Program) -> Program {
     let mut uses = vec![0_u32; program.statements.len()];
     let operands = program.statements.iter().flat_map(|s| s.op.operands());
@@ -17,7 +18,7 @@ pub(super) fn contract_fma(mut program: Program) -> Program {
         let op = program.statements[k].op;
         if let Op::Binary(sum @ (Binary::Add | Binary::Sub), a, b) = op {
             let product = |operand| product(&program, &uses, operand);
-            // Of two products that which is ready last, so that the other's time is not added to its own.
+            // Of two products, fuses the one computed later, so that the other's latency is hidden.
             let second = match (product(a), product(b)) {
                 (Some(_), Some(_)) => when(&ready, b) >= when(&ready, a),
                 (_, second) => second.is_some(),
@@ -45,7 +46,7 @@ pub(super) fn contract_fma(mut program: Program) -> Program {
     without(program, &fused)
 }
 
-/// The factors of a product that only one operation uses, and that is no quantity of the model.
+/// Factors of a product with a single use that is not an auxiliary variable of the model; `None` for other operands.
 fn product(program: &Program, uses: &[u32], operand: Operand) -> Option<(Operand, Operand)> {
     let Operand::Temp(t) = operand else {
         return None;
@@ -59,7 +60,7 @@ fn product(program: &Program, uses: &[u32], operand: Operand) -> Option<(Operand
     }
 }
 
-/// Whether `a.mul_add(b, c)` reads better than `b.mul_add(a, c)`: with a name in front.
+/// Whether `a.mul_add(b, c)` is more readable than `b.mul_add(a, c)`: a named variable as receiver.
 fn reads_first(program: &Program, a: Operand, b: Operand) -> bool {
     let plain = |operand| match operand {
         Operand::Temp(t) => program.statements[t as usize].name.is_some(),
@@ -76,7 +77,7 @@ fn when(ready: &[u32], operand: Operand) -> u32 {
     }
 }
 
-/// Clock ticks on a machine of today, roughly.
+/// Approximate latency of an operation on a current x86-64 processor, clock cycles.
 pub(super) fn latency(op: &Op) -> u32 {
     use crate::program::Unary;
     match op {
@@ -91,7 +92,7 @@ pub(super) fn latency(op: &Op) -> u32 {
     }
 }
 
-/// The program without some of its statements, which nothing uses.
+/// Removes the statements marked in `gone`, which must be unused, and renumbers operands.
 fn without(mut program: Program, gone: &[bool]) -> Program {
     let mut places = Vec::with_capacity(gone.len());
     let mut next = 0;

@@ -1,5 +1,5 @@
-//! Invariant hoisting: expressions of parameters alone move out of all functions of a model into one that runs once per
-//! flight.
+//! Invariant hoisting: expressions of parameters alone move from all functions of a model to `prepare`, which runs
+//! once per flight.
 
 use super::{Namer, schedule};
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
@@ -7,7 +7,7 @@ use crate::program::{Operand, Program};
 use crate::ssa::{DefId, Ssa, build};
 use std::collections::BTreeSet;
 
-/// The hoisted expressions of a model, each with a slot.
+/// Hoisted expressions of a model; each has a slot, its index among the results of `prepare`.
 #[derive(Clone, Debug, Default)]
 pub struct Hoisted {
     slots: Vec<NodeId>,
@@ -17,11 +17,11 @@ pub struct Hoisted {
     parameters: Vec<String>,
 }
 
-/// Expressions of the definitions of one function that have been hoisted.
+/// Expression over parameters of each hoisted definition of one function.
 pub(super) type HoistedNodes = FastMap<DefId, NodeId>;
 
 impl Hoisted {
-    /// For a model with these parameters.
+    /// Empty set of hoisted expressions for a model with these parameter names.
     pub fn new(parameters: &[String]) -> Hoisted {
         Hoisted {
             parameters: parameters.to_vec(),
@@ -29,12 +29,13 @@ impl Hoisted {
         }
     }
 
-    /// Names of the slots.
+    /// Names of the slots, in slot order.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// The operand that holds a definition or, with `minus`, its opposite. A value without a slot gets one.
+    /// Operand with the value of a definition or, if `minus`, its negative. Allocates a slot for an expression without
+    /// one.
     pub(super) fn operand(
         &mut self,
         ssa: &Ssa,
@@ -75,10 +76,10 @@ impl Hoisted {
         unique
     }
 
-    /// The function that computes all slots from the parameters.
+    /// Program of `prepare`: computes all slots from the parameters.
     pub fn program(&self, graph: &mut ExprGraph) -> Program {
         let mut ssa = build(graph, &self.slots);
-        // nothing is hoisted out of this one
+        // `prepare` itself hoists nothing.
         for facts in ssa.facts.iter_mut() {
             facts.fixed = false;
         }
@@ -88,7 +89,7 @@ impl Hoisted {
     }
 }
 
-/// The expression of a definition over parameters.
+/// Expression of a hoisted definition in terms of parameters.
 fn expression(ssa: &Ssa, graph: &mut ExprGraph, nodes: &mut HoistedNodes, id: DefId) -> NodeId {
     if let Some(&node) = nodes.get(&id) {
         return node;

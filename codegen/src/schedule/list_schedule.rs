@@ -1,19 +1,19 @@
-//! The order of statements: as a machine that does several at once, but has few registers, would start them.
+//! List scheduling: statement order for a superscalar processor with few registers.
 
 use super::contract_fma::latency;
 use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Statement, Unary};
 use std::cmp::Reverse;
 
-/// Operations that start at once: as many as common machines multiply.
+/// Issue width of the processor model, operations per cycle.
 const WIDTH: u32 = 2;
 
-/// Values that may wait to be used before it matters more to use them than to start what takes long. Machines have 16 or
-/// 32 registers.
+/// Number of live values above which register pressure takes precedence over latency; processors have 16 or 32
+/// registers.
 const MOST: usize = 20;
 
-/// The same statements in another order: each when what it needs is there, and of those that could start, first the one
-/// that the longest chain waits for.
+/// Reorders the statements by list scheduling: among ready statements, the one with the longest latency path to a
+/// result comes first.
 pub(super) fn list_schedule(program: Program) -> Program {
     let sequence = Order::new(&program).sequence();
     permuted(program, &sequence)
@@ -21,19 +21,19 @@ pub(super) fn list_schedule(program: Program) -> Program {
 
 struct Order<'a> {
     program: &'a Program,
-    /// What each statement uses, and what uses it.
+    /// For each statement the statements whose results it reads; `users` is the inverse relation.
     needs: Vec<Vec<usize>>,
     users: Vec<Vec<usize>>,
-    /// How long the longest chain from its start to a result is.
+    /// Latency of the longest path from each statement to a result, cycles.
     height: Vec<u32>,
-    /// When it can start; none before that is known, and once it has.
+    /// Cycle in which each statement's operands are available; `None` until known and after the statement is issued.
     ready: Vec<Option<u32>>,
-    /// Those of which that is known.
+    /// Indices of the statements whose ready cycle is known and that are not yet issued.
     waiting: Vec<usize>,
     end: Vec<u32>,
-    /// Uses of its result that are still to come.
+    /// Number of pending uses of each statement's result.
     left: Vec<usize>,
-    /// How many results are still to be used.
+    /// Number of live results: computed, with pending uses.
     live: usize,
 }
 
@@ -98,13 +98,13 @@ impl<'a> Order<'a> {
         can.max_by_key(|&k| (self.height[k], self.freed(k), Reverse(k)))
     }
 
-    /// How many values fewer wait once it has started.
+    /// Decrease in the number of live values if statement `k` is issued.
     fn freed(&self, k: usize) -> i64 {
         let last = self.needs[k].iter().filter(|&&need| self.left[need] == 1);
         last.count() as i64 - i64::from(!self.users[k].is_empty())
     }
 
-    /// The cosine of the angle of a sine, or its sine, which come together.
+    /// The other of the sine and cosine statements of one angle, if not yet issued.
     fn partner(&self, k: usize) -> Option<usize> {
         let statements = &self.program.statements;
         let op = match statements[k].op {
@@ -142,7 +142,7 @@ impl<'a> Order<'a> {
     }
 }
 
-/// The statements that one uses, each once.
+/// Indices of the statements whose results a statement reads, without duplicates.
 fn temps(statement: &Statement) -> Vec<usize> {
     let mut temps: Vec<usize> = statement
         .op
@@ -158,7 +158,7 @@ fn temps(statement: &Statement) -> Vec<usize> {
     temps
 }
 
-/// The program with its statements in this sequence.
+/// Program with its statements in the order `sequence`, operands renumbered.
 fn permuted(mut program: Program, sequence: &[usize]) -> Program {
     let mut places = vec![0; sequence.len()];
     for (place, &k) in sequence.iter().enumerate() {

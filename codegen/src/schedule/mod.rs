@@ -1,4 +1,4 @@
-//! From definitions to statements of one operation each, in the order in which a processor would start them.
+//! Scheduling: from SSA definitions to one-operation statements in an order that hides latency.
 
 mod contract_fma;
 mod hoist;
@@ -16,10 +16,10 @@ use hoist::HoistedNodes;
 use model_spec::index::IndexVec;
 use std::f64::consts::PI;
 
-/// The program of the definitions that the roots need.
+/// Schedules the definitions reachable from the roots as a program.
 ///
-/// `results` are names for the roots; there may be none. With `hoisted`, values of parameters alone become operands from
-/// there.
+/// `results` are names for the roots, possibly none. If `hoisted` is given, expressions of parameters alone become
+/// operands computed by `prepare`.
 pub fn schedule(
     ssa: &Ssa,
     graph: &mut ExprGraph,
@@ -44,7 +44,7 @@ pub fn schedule(
         hoisted,
         hoisted_nodes: HoistedNodes::default(),
     };
-    // what takes long comes first, with its operands: the rest neither waits for it nor holds registers meanwhile
+    // High-latency definitions come first, with their operands, so that other work overlaps them.
     for &id in &order {
         if takes_long(&ssa.defs[id]) {
             schedule.emit(id);
@@ -54,7 +54,7 @@ pub fn schedule(
     list_schedule::list_schedule(contract_fma::contract_fma(schedule.program))
 }
 
-/// Whether a definition is a function, a root or a reciprocal.
+/// Whether a definition has high latency: function call, root or reciprocal.
 fn takes_long(def: &SsaDef) -> bool {
     matches!(
         def,
@@ -62,17 +62,17 @@ fn takes_long(def: &SsaDef) -> bool {
     )
 }
 
-/// How the definitions of a program are used within it.
+/// Use counts of the definitions of a program.
 struct Uses {
-    /// How often, roots included.
+    /// Number of uses of each definition, as operand or root.
     count: IndexVec<DefId, u32>,
     is_root: IndexVec<DefId, bool>,
-    /// Whether it is a factor of a product with others.
+    /// Whether each definition is a factor of a product with other factors.
     in_product: IndexVec<DefId, bool>,
 }
 
 impl Uses {
-    /// With `hoisting`, what is used by hoisted definitions alone is not used.
+    /// Counts the uses; with `hoisting`, uses by hoisted definitions are not counted.
     fn of(ssa: &Ssa, order: &[DefId], hoisting: bool) -> Uses {
         let mut uses = Uses {
             count: ssa.side_table(0),
@@ -109,7 +109,7 @@ struct Schedule<'a> {
     uses: Uses,
     values: IndexVec<DefId, Option<Operand>>,
     program: Program,
-    /// Negated values that have been computed.
+    /// Operand of each negated value that has been computed.
     negated: FastMap<DefId, Operand>,
     namer: &'a mut Namer,
     hoisted: Option<&'a mut Hoisted>,
@@ -117,7 +117,7 @@ struct Schedule<'a> {
 }
 
 impl Schedule<'_> {
-    /// Emits all definitions in order, and the roots as outputs.
+    /// Emits all definitions in order and sets the roots as outputs.
     fn emit_roots(&mut self, order: &[DefId], results: &[String]) {
         let mut outputs: IndexVec<DefId, Vec<usize>> = self.ssa.side_table(Vec::new());
         for (k, &(_, root)) in self.ssa.roots.iter().enumerate() {
@@ -130,12 +130,12 @@ impl Schedule<'_> {
                 operands[k] = Some(self.root(self.ssa.roots[k], results.get(k)));
             }
         }
-        // every root is in the order
+        // Every root is in the order, hence has an operand.
         self.program.outputs = operands.into_iter().flatten().collect();
         assert_eq!(self.program.outputs.len(), self.ssa.roots.len());
     }
 
-    /// A value of parameters alone that is computed before the flight, with its name here.
+    /// Operand of a hoisted invariant; `None` if hoisting is off or the value depends on more than parameters.
     fn hoist(&mut self, signed: Signed) -> Option<Operand> {
         let hoisted = self.hoisted.as_deref_mut()?;
         let operand = hoisted.operand(self.ssa, self.graph, &mut self.hoisted_nodes, signed);
@@ -151,7 +151,7 @@ impl Schedule<'_> {
         self.hoisted.is_some() && self.ssa.facts[id].fixed
     }
 
-    /// Emits a definition after its operands, unless it has been emitted.
+    /// Emits a definition after its operands, unless already emitted.
     fn emit(&mut self, id: DefId) {
         if self.values[id].is_some() {
             return;
@@ -161,7 +161,7 @@ impl Schedule<'_> {
             SsaDef::Leaf(symbol) => leaf(*symbol),
             SsaDef::Constant(number) => Operand::Constant(number.value()),
             _ if self.is_hoisted(id) => {
-                // a value that hoisted values alone use needs no slot
+                // A value that only hoisted expressions use needs no slot.
                 if self.uses.count[id] > 0 {
                     self.values[id] = self.hoist((false, id));
                 }
@@ -195,7 +195,7 @@ impl Schedule<'_> {
         }
     }
 
-    /// Whether it is a reciprocal that is written as a division where it is used, once, in a product.
+    /// Whether a reciprocal is printed as a division: nonzero argument and a single use, in a product.
     fn divides(&self, id: DefId) -> bool {
         let SsaDef::Recip(x) = self.ssa.defs[id] else {
             return false;
@@ -222,7 +222,7 @@ impl Schedule<'_> {
         Operand::Temp(self.program.statements.len() as u32 - 1)
     }
 
-    /// The last operation of a definition: it carries the name.
+    /// Emits the last operation of a definition, which carries its name.
     fn finish(&mut self, op: Op, id: DefId) -> Operand {
         let value = self.push(op);
         let about: Option<About> = self.namer.about(self.ssa, self.graph, id);
@@ -305,7 +305,7 @@ impl Schedule<'_> {
             }
             None => {
                 let (_, start) = values.remove(0);
-                // -a - b: one of them has to be turned
+                // -a - b needs a negation of the first term.
                 let op = Op::Unary(Unary::Neg, start);
                 if values.is_empty() {
                     return self.finish(op, id);
@@ -334,7 +334,7 @@ impl Schedule<'_> {
                 _ => above.push(factor),
             }
         }
-        // what does not change comes first, so that it can be prepared or kept
+        // Invariant factors come first, so that their product can be hoisted or reused.
         above.sort_by_key(|&f| !self.ssa.facts[f].fixed);
         let mut steps: Vec<(Binary, Operand)> = Vec::new();
         for factor in above {

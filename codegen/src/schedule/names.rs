@@ -1,11 +1,11 @@
-//! Names for statements: the model's own where there is one, else what the expression says.
+//! Names of statements: the model's variable names, otherwise names derived from the expression.
 
 use crate::graph::{ExprGraph, FastMap, Symbol, opposite_name};
 use crate::program::About;
 use crate::ssa::{DefId, Ssa, SsaDef};
 use std::collections::BTreeSet;
 
-/// Arguments of generated functions.
+/// Argument names of generated functions.
 const ARGUMENTS: [&str; 16] = [
     "time",
     "state",
@@ -25,22 +25,22 @@ const ARGUMENTS: [&str; 16] = [
     "PI",
 ];
 
-/// Longest name made from structure.
+/// Maximum length of a name derived from an expression, characters.
 const LONGEST: usize = 28;
 
-/// Gives every statement of a function its name.
+/// Allocator of unique statement names within one function.
 #[derive(Clone, Debug)]
 pub struct Namer {
     taken: BTreeSet<String>,
     given: FastMap<DefId, String>,
     states: Vec<String>,
     parameters: Vec<String>,
-    /// Names of quantities of the model, by which statements are grouped.
+    /// Index of each auxiliary variable in the model's provenance, by name.
     origins: FastMap<String, usize>,
 }
 
 impl Namer {
-    /// For a function over these states and parameters.
+    /// Namer for a function over these states and parameters; `origins` are the names of auxiliary variables.
     pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
         let taken = ARGUMENTS.iter().map(|&name| name.to_string());
         let taken = taken
@@ -60,7 +60,7 @@ impl Namer {
         }
     }
 
-    /// Keeps names of arguments from being given to results.
+    /// Reserves argument names, so that no result gets them.
     pub fn reserve(&mut self, names: &[String]) {
         self.taken.extend(names.iter().cloned());
     }
@@ -75,12 +75,12 @@ impl Namer {
         })
     }
 
-    /// Whether the model (or a derivative of its quantities) names it.
+    /// Whether a definition is a named variable of the model, or a named derivative or negative of one.
     pub fn has_own_name(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> bool {
         self.own(ssa, graph, id).is_some()
     }
 
-    /// Which quantity of the model it is, if any.
+    /// Auxiliary variable of the model that a definition computes; `None` for others.
     pub fn about(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> Option<About> {
         let own = self.own(ssa, graph, id)?;
         let origin = *self.origins.get(own.trim_start_matches("minus_"))?;
@@ -90,7 +90,7 @@ impl Namer {
         })
     }
 
-    /// A name that is not taken yet.
+    /// Unique name of a definition; further calls return the same name.
     pub fn name(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         if let Some(known) = self.given.get(&id) {
             return known.clone();
@@ -101,7 +101,7 @@ impl Namer {
         name
     }
 
-    /// Names a definition after the result that it is, unless it has a name.
+    /// Names a definition after the function result it computes, unless it has a name or is a leaf or a call.
     pub fn suggest(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId, name: &str) {
         let leaf = matches!(
             ssa.defs[id],
@@ -113,13 +113,13 @@ impl Namer {
         }
     }
 
-    /// The name of a constant of the flight.
+    /// Sets the name of a hoisted invariant.
     pub fn give(&mut self, id: DefId, name: &str) {
         self.taken.insert(name.to_string());
         self.given.insert(id, name.to_string());
     }
 
-    /// A better name than one given before.
+    /// Replaces a name given before: releases `old` and returns a unique form of `name`.
     pub fn rename(&mut self, old: Option<String>, name: &str) -> String {
         if let Some(old) = old {
             self.taken.remove(&old);
@@ -127,7 +127,7 @@ impl Namer {
         self.unique(name)
     }
 
-    /// A name for the opposite of a definition.
+    /// Unique name for the negative of a definition.
     pub fn negated(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let wanted = opposite_name(&self.describe(ssa, graph, id, 3));
         self.unique(&wanted)
@@ -148,7 +148,7 @@ impl Namer {
         name
     }
 
-    /// A name for a constant of the flight.
+    /// Name of a hoisted invariant, derived from its expression over parameters; not necessarily unique.
     pub fn constant_name(parameters: &[String], ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let namer = Namer {
             taken: BTreeSet::new(),
@@ -245,7 +245,7 @@ impl Namer {
         }
     }
 
-    /// Names for sums of squares and their roots: `V_sq`, `air_velocity_12`.
+    /// Name of a sum of squares or its root: `V_sq`, `air_velocity_12`; `None` for other definitions.
     fn norm(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId, depth: u32) -> Option<String> {
         match &ssa.defs[id] {
             SsaDef::Root(x) => {
@@ -298,7 +298,7 @@ fn shorten(ssa: &Ssa, name: &str, id: DefId) -> String {
     format!("{}_{kind}", name[..cut].trim_end_matches('_'))
 }
 
-/// Whether a name is an argument of generated functions or a word of Rust.
+/// Whether a name is an argument of generated functions or a Rust keyword.
 pub fn is_reserved(name: &str) -> bool {
     ARGUMENTS.contains(&name) || is_keyword(name)
 }

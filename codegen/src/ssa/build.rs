@@ -1,11 +1,12 @@
-//! From nodes to definitions: powers become repeated factors, coefficients become factors, signs move out.
+//! Translation of graph nodes to SSA: powers become repeated factors, coefficients become factors, signs move
+//! outward.
 
 use super::{DefId, Signed, Ssa, SsaDef};
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
 
-/// The definitions that the roots need.
+/// Translates the graph nodes on which `roots` (the requested outputs) depend into SSA definitions.
 pub fn build(graph: &ExprGraph, roots: &[NodeId]) -> Ssa {
     let mut builder = Builder {
         graph,
@@ -47,14 +48,14 @@ struct Builder<'a> {
     graph: &'a ExprGraph,
     ssa: Ssa,
     known: FastMap<NodeId, Signed>,
-    /// Bases whose square root is taken somewhere.
+    /// By node index: whether the square root of the node is used.
     rooted: Vec<bool>,
-    /// Sums by the negated terms: which node to take for the opposite.
+    /// Negated terms of a sum, mapped to the node of that sum.
     opposite: FastMap<Vec<(Number, NodeId)>, NodeId>,
 }
 
 impl Builder<'_> {
-    /// Needed nodes, operands first, looking through locals.
+    /// Nodes on which the roots depend, operands first, including definitions of locals.
     fn needed(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut order = Vec::new();
         let mut seen = vec![false; self.graph.len()];
@@ -115,7 +116,7 @@ impl Builder<'_> {
             Node::Number(number) => (number.is_negative(), self.constant(number.abs())),
             Node::Symbol(Symbol::Local(k)) => {
                 let signed = self.signed(self.graph.definition(*k));
-                // the local's name and facts are the better ones
+                // the local's name and facts take precedence
                 if self.graph.name_of(id).is_some() {
                     self.ssa.origin[signed.1] = Some((signed.0, id));
                 }
@@ -130,7 +131,7 @@ impl Builder<'_> {
             Node::Call(function, base) => {
                 let mut x = self.signed(*base);
                 if *function == MathFunction::NonZero && self.rooted[base.index()] {
-                    // a norm is 0 where its reciprocal is, not where its square is
+                    // test the norm for 0, whose reciprocal is used, instead of the square of the norm
                     let root = self.graph.root_node(*base).map(|node| (false, node));
                     x = (
                         false,
@@ -208,7 +209,7 @@ impl Builder<'_> {
             flat.push(self.constant(coefficient.abs()));
         }
         for &(base, exponent) in factors {
-            // a root with a name of its own is written as a power of what is under it
+            // write a local square root as a power of its sum
             let (base, exponent) = match self.graph.rooted_sum(base) {
                 Some(sum) if exponent % 2 == 0 => (sum, exponent / 2),
                 _ => (base, exponent),
@@ -244,7 +245,7 @@ impl Builder<'_> {
             return (minus, *single);
         }
         let facts = self.ssa.product_facts(&flat);
-        // a coefficient makes it another quantity than the node
+        // with a coefficient the value differs from the node
         let origin = coefficient.abs().is_one().then_some((minus, id));
         (minus, self.ssa.define(SsaDef::Product(flat), facts, origin))
     }

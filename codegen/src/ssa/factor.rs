@@ -1,10 +1,10 @@
-//! Factoring: `a b + a c` becomes `a (b + c)` where that saves operations.
+//! Factoring: `a b + a c` becomes `a (b + c)` if that saves operations.
 
 use super::{DefId, Signed, Ssa, SsaDef, cancel};
 use crate::number::Number;
 use model_spec::index::IndexVec;
 
-/// Factors every sum.
+/// Factors common factors out of all used sums, including new inner sums.
 pub fn factor(ssa: &mut Ssa) {
     let mut uses = ssa.uses();
     let mut k = 0;
@@ -31,7 +31,7 @@ fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> boo
     };
     let terms = terms.clone();
     let lists: Vec<Vec<DefId>> = terms.iter().map(|&(_, term)| list(ssa, term)).collect();
-    // a 1 is a factor of everything, its own sum included
+    // exclude the trivial factor 1
     let mut candidates: Vec<DefId> = lists.iter().flatten().copied().collect();
     candidates.retain(|&factor| ssa.defs[factor] != SsaDef::Constant(Number::ONE));
     candidates.sort_unstable();
@@ -118,7 +118,7 @@ fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> boo
     true
 }
 
-/// Makes a definition the sum of these terms, and counts uses anew where they change.
+/// Redefines `id` as the sum of `terms` and updates the use counts of the affected definitions.
 fn replace(ssa: &mut Ssa, id: DefId, mut terms: Vec<Signed>, uses: &mut IndexVec<DefId, u32>) {
     cancel(&mut terms);
     let new = match terms.as_slice() {
@@ -152,7 +152,7 @@ fn leave(ssa: &Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) {
     }
 }
 
-/// The sum of terms that are all constants.
+/// Value of a sum of constants; `None` if a term is not constant.
 fn number(ssa: &Ssa, terms: &[Signed]) -> Option<Number> {
     let mut sum = Number::ZERO;
     for &(minus, id) in terms {
@@ -168,7 +168,7 @@ fn one(ssa: &mut Ssa) -> DefId {
     constant(ssa, Number::ONE)
 }
 
-/// A constant above 0.
+/// Definition of a positive constant, known nonzero.
 fn constant(ssa: &mut Ssa, number: Number) -> DefId {
     let facts = crate::graph::ValueFacts {
         fixed: true,

@@ -1,7 +1,8 @@
-//! Expressions as a flat list of definitions, one value each, and the passes that reduce their operations:
-//! factoring, common-subexpression elimination, placement of signs.
+//! Static single assignment (SSA) form: one definition per value, and passes that reduce the operation count:
+//! factoring, common-subexpression elimination, sign placement.
 //!
-//! Sums carry signs, products none (theirs goes to the user), so that most negations disappear.
+//! Terms of sums have signs, products do not (the sign of a product moves to its users), so that most negations
+//! disappear.
 
 mod build;
 mod cse;
@@ -20,38 +21,38 @@ model_spec::index_type!(
     pub struct DefId;
 );
 
-/// A reference with a sign: true for minus.
+/// Signed reference to a definition: `true` means negated.
 pub type Signed = (bool, DefId);
 
-/// What a definition computes.
+/// Operation that an SSA definition computes from its operands.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum SsaDef {
-    /// A leaf.
+    /// Leaf symbol such as a state or parameter.
     Leaf(Symbol),
-    /// A constant above 0 (or 0 itself).
+    /// Nonnegative numerical constant; signs are stored in references.
     Constant(Number),
-    /// Terms, each once, ordered by definition.
+    /// Sum of signed terms, ordered by definition.
     Sum(Vec<Signed>),
-    /// Factors, repeated for powers, ordered.
+    /// Product of factors, repeated for powers, ordered by definition.
     Product(Vec<DefId>),
-    /// Square root of something that is never negative.
+    /// Square root of a nonnegative operand.
     Root(DefId),
-    /// Reciprocal, 0 at 0 unless the argument is known not to be 0.
+    /// Reciprocal of the operand; 0 at 0 unless the operand is known to be nonzero.
     Recip(DefId),
-    /// A function.
+    /// Elementary function of a signed operand.
     Call(MathFunction, Signed),
-    /// Angle of the point (second, first).
+    /// `atan2(y, x)` with operands y and x: angle of the point (x, y), rad.
     Atan2(Signed, Signed),
-    /// The smaller.
+    /// Minimum of the two operands.
     Min(Signed, Signed),
-    /// The greater.
+    /// Maximum of the two operands.
     Max(Signed, Signed),
-    /// The second where the first is 0, else the third.
+    /// Selection: the second operand where the first is 0, else the third operand.
     IfZero(DefId, Signed, Signed),
 }
 
 impl SsaDef {
-    /// Calls `visit` with every operand, as often as it is used.
+    /// Calls `visit` for each operand, once per use.
     pub fn for_operands(&self, mut visit: impl FnMut(DefId)) {
         match self {
             SsaDef::Leaf(_) | SsaDef::Constant(_) => {}
@@ -72,7 +73,7 @@ impl SsaDef {
         }
     }
 
-    /// Every operand, repeated as often as it is used.
+    /// Direct operands, repeated once per use.
     pub fn operands(&self) -> Vec<DefId> {
         let mut operands = Vec::new();
         self.for_operands(|id| operands.push(id));
@@ -80,22 +81,22 @@ impl SsaDef {
     }
 }
 
-/// Definitions and what is wanted of them.
+/// SSA program: definitions and the results (roots) to compute.
 #[derive(Clone, Debug, Default)]
 pub struct Ssa {
-    /// The definitions; operands need not come first.
+    /// SSA definitions by index; operands may have larger indices than their users.
     pub defs: IndexVec<DefId, SsaDef>,
-    /// What is known about each.
+    /// Value facts of each definition.
     pub facts: IndexVec<DefId, ValueFacts>,
-    /// The node each stands for, where there is one, and whether with opposite sign.
+    /// Graph node that each definition computes, `true` if negated; `None` for values without a node.
     pub origin: IndexVec<DefId, Option<(bool, NodeId)>>,
-    /// What is wanted, in the order asked for.
+    /// Results to compute, with signs, in the requested order.
     pub roots: Vec<Signed>,
     index: FastMap<SsaDef, DefId>,
 }
 
 impl Ssa {
-    /// A definition, shared if it is there already.
+    /// Index of the definition, added if missing; `facts` and `origin` apply to a new definition only.
     pub fn define(
         &mut self,
         def: SsaDef,
@@ -112,19 +113,19 @@ impl Ssa {
         id
     }
 
-    /// A table with an entry for every definition.
+    /// Table by definition index, filled with copies of `entry`.
     pub fn side_table<T: Clone>(&self, entry: T) -> IndexVec<DefId, T> {
         vec![entry; self.defs.len()].into()
     }
 
-    /// The definition of a value, if there is one.
+    /// Index of an identical existing definition; `None` if there is none.
     pub fn find(&self, def: &SsaDef) -> Option<DefId> {
-        // passes change definitions in place: the one found may be another by now
+        // passes change definitions in place, so the indexed definition may have changed
         let &id = self.index.get(def)?;
         (self.defs[id] == *def).then_some(id)
     }
 
-    /// ValueFacts of a product.
+    /// Value facts of a product, derived from its factors.
     fn product_facts(&self, factors: &[DefId]) -> ValueFacts {
         let of = |id: &DefId| self.facts[*id];
         let square = factors.len() == 2 && factors[0] == factors[1];
@@ -135,7 +136,7 @@ impl Ssa {
         }
     }
 
-    /// ValueFacts of a sum.
+    /// Value facts of a sum, derived from its signed terms.
     fn sum_facts(&self, terms: &[Signed]) -> ValueFacts {
         let of = |id: DefId| self.facts[id];
         let nonneg = terms.iter().all(|&(minus, t)| !minus && of(t).nonneg);
@@ -146,7 +147,7 @@ impl Ssa {
         }
     }
 
-    /// A product of these factors; with one factor, the factor itself.
+    /// Definition of the product of the factors; a single factor is returned unchanged.
     fn product(&mut self, mut factors: Vec<DefId>) -> DefId {
         factors.sort_unstable();
         match factors.as_slice() {
@@ -158,7 +159,7 @@ impl Ssa {
         }
     }
 
-    /// The expression of a definition over the expressions of its operands.
+    /// Builds the graph node of a definition; `of` maps each operand to its node.
     pub fn expression(
         &self,
         id: DefId,
@@ -217,7 +218,7 @@ impl Ssa {
         }
     }
 
-    /// How often each definition is used, roots included.
+    /// Number of uses of each definition by reachable definitions and by roots; 0 if unreachable.
     pub fn uses(&self) -> IndexVec<DefId, u32> {
         let mut uses = self.side_table(0);
         let mut live = self.side_table(false);
@@ -238,7 +239,8 @@ impl Ssa {
         uses
     }
 
-    /// Operations left for the flight, about: what is prepared costs a little too.
+    /// Approximate cost in tenths of an operation: 10 per operation during a flight, 1 per parameter-only operation,
+    /// which is computed once.
     pub fn cost(&self) -> usize {
         let tenths = |id: DefId| {
             let operations = match &self.defs[id] {
@@ -254,7 +256,8 @@ impl Ssa {
         10 * negated + self.order().into_iter().map(tenths).sum::<usize>()
     }
 
-    /// All passes, until nothing gets smaller.
+    /// Runs factoring and common-subexpression elimination until nothing changes, at most 4 times, then sign
+    /// placement.
     pub fn optimise(&mut self) {
         for _ in 0..4 {
             let before = self.defs.clone();
@@ -268,7 +271,7 @@ impl Ssa {
         signs::settle(self);
     }
 
-    /// Definitions that the roots need, operands first, depth first from each root in turn.
+    /// Definitions on which the roots depend, in depth-first order, operands before users.
     pub fn order(&self) -> Vec<DefId> {
         let mut order = Vec::new();
         let mut state = self.side_table(0_u8);
@@ -295,7 +298,7 @@ impl Ssa {
 }
 
 impl Ssa {
-    /// Replaces every reference by its target, following chains.
+    /// Replaces each reference `id` by `target[id]`, following chains of targets to the end.
     fn redirect(&mut self, target: &IndexVec<DefId, DefId>) {
         let end = |mut id: DefId| {
             while target[id] != id {
@@ -343,7 +346,7 @@ impl Ssa {
     }
 }
 
-/// Sorts terms by definition, plus before minus, and removes pairs that differ in sign alone.
+/// Sorts terms by definition, plus before minus, and removes pairs of terms with opposite signs.
 fn cancel(terms: &mut Vec<Signed>) {
     terms.sort_unstable_by_key(|&(minus, def)| (def, minus));
     let mut remaining: Vec<Signed> = Vec::with_capacity(terms.len());

@@ -1,13 +1,12 @@
-//! Signs: sums are turned around where that leaves fewer negations.
+//! Sign placement: sums are negated if that leaves fewer negations.
 //!
-//! Turning a sum costs nothing where it is a term of another sum; a product passes the sign on to its
-//! users. What is left to pay for: negative results, negative arguments of functions, sums of nothing
-//! but negative terms.
+//! Negating a sum is free if the sum is a term of another sum; a product passes the sign on to its users. Each of
+//! these costs one negation: a negative result, a negative function argument, a sum of negative terms only.
 
 use super::{DefId, Ssa, SsaDef};
 use model_spec::index::IndexVec;
 
-/// Turns sums as long as negations disappear.
+/// Negates sums, with compensating signs in their users, while the number of negations decreases.
 pub fn settle(ssa: &mut Ssa) {
     absorb_fixed(ssa);
     let mut users = users(ssa);
@@ -40,16 +39,16 @@ pub fn settle(ssa: &mut Ssa) {
     }
 }
 
-/// A place where a sign stands.
+/// Location of a sign in the SSA program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Place {
-    /// All terms of a sum.
+    /// Signs of all terms of a sum.
     Terms(DefId),
-    /// A product or reciprocal, which has none of its own.
+    /// Product or reciprocal, which has no sign and passes the sign on to its users.
     Through(DefId),
-    /// One term of a sum, or an argument: the k-th operand.
+    /// Sign of the k-th operand: a term of a sum or an argument.
     Operand(DefId, usize),
-    /// A result.
+    /// Sign of the k-th root (result).
     Root(usize),
 }
 
@@ -59,7 +58,7 @@ enum User {
     Root(usize),
 }
 
-/// Users of each definition.
+/// Definitions and roots that use each definition.
 type Users = IndexVec<DefId, Vec<User>>;
 
 fn users(ssa: &Ssa) -> Users {
@@ -78,7 +77,7 @@ fn users(ssa: &Ssa) -> Users {
     users
 }
 
-/// Turns a sum and whatever that passes through; false where it cannot be.
+/// Negates a sum and the affected signs of its users, listed in `touched`; false if not possible.
 fn turn(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
@@ -123,7 +122,7 @@ fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bo
     true
 }
 
-/// A product or reciprocal takes the sign and hands it on.
+/// Passes a sign through a product or reciprocal to its users; false if not possible.
 fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
@@ -169,7 +168,7 @@ fn flip(ssa: &mut Ssa, place: Place) {
     }
 }
 
-/// Places whose price may have changed, each once.
+/// Distinct sign locations, sorted.
 fn distinct(touched: &[Place]) -> Vec<Place> {
     let mut places: Vec<Place> = touched.to_vec();
     places.sort_unstable();
@@ -177,7 +176,7 @@ fn distinct(touched: &[Place]) -> Vec<Place> {
     places
 }
 
-/// Negations that a place costs.
+/// Number of negations that a sign location costs, 0 or 1.
 fn price(ssa: &Ssa, place: Place) -> i64 {
     let sum = |terms: &[(bool, DefId)]| -> i64 {
         let plus = terms
@@ -208,7 +207,7 @@ fn is_leaf(ssa: &Ssa, id: DefId) -> bool {
     matches!(ssa.defs[id], SsaDef::Constant(_))
 }
 
-/// A negative result that is a product with a factor that is prepared anyway takes that factor's opposite.
+/// Moves the minus of a negative result or of a sum with only negative terms into a parameter-only factor.
 fn absorb_fixed(ssa: &mut Ssa) {
     let uses = ssa.uses();
     for k in 0..ssa.roots.len() {

@@ -6,10 +6,10 @@ use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Position after the last instruction: results are live until there.
+/// Live-range end of results: a position after the last instruction.
 const END: usize = usize::MAX;
 
-/// The instructions of a program, and the number of registers.
+/// Bytecode of a program, and its number of registers.
 ///
 /// # Panics
 /// If an operand refers to a statement that does not precede its use.
@@ -28,7 +28,7 @@ pub(super) fn bytecode(program: &Program) -> (Bytecode<u32>, usize) {
             Some(&(sin, cos)) if k == sin.min(cos) => {
                 instructions.push(allocator.pair(statement.op, (sin, cos), k));
             }
-            // computed with the other half
+            // The other statement of the pair has emitted the instruction.
             Some(_) => {}
             None => instructions.push(allocator.instruction(statement.op, k)),
         }
@@ -68,14 +68,14 @@ fn last_uses(program: &Program, pairs: &HashMap<usize, (usize, usize)>) -> Vec<u
 
 struct Allocator {
     last_use: Vec<usize>,
-    /// Registers of inputs, constants, and results that are live.
+    /// Register of each input, constant and live result.
     registers: HashMap<OperandKey, u32>,
     free: Vec<u32>,
     count: u32,
 }
 
 impl Allocator {
-    /// Gives every input and constant a register of its own for the whole evaluation.
+    /// Assigns a separate register to every input and constant for the whole evaluation.
     fn loads(&mut self, program: &Program) -> Vec<(Operand, u32)> {
         let inside = program.statements.iter().flat_map(|s| s.op.operands());
         let mut loads = Vec::new();
@@ -88,7 +88,7 @@ impl Allocator {
         loads
     }
 
-    /// A register for a new value.
+    /// Allocates a register for a new value: a free one, else an additional one.
     fn define(&mut self, operand: Operand) -> u32 {
         let register = self.free.pop().unwrap_or_else(|| {
             self.count += 1;
@@ -98,7 +98,7 @@ impl Allocator {
         register
     }
 
-    /// The register of a live value.
+    /// Register that holds a live value.
     fn register(&self, operand: Operand) -> u32 {
         *self
             .registers
@@ -106,7 +106,7 @@ impl Allocator {
             .unwrap_or_else(|| panic!("{operand:?} is read outside its live range"))
     }
 
-    /// Frees the registers of the operands whose live range ends at position `k`.
+    /// Frees the registers of operands whose live range ends at position `k`.
     fn release(&mut self, operands: &[Operand], k: usize) {
         for &operand in operands {
             if let Operand::Temp(t) = operand
@@ -132,7 +132,7 @@ impl Allocator {
         }
     }
 
-    /// Sine and cosine of one angle, at the position `k` of the first of them.
+    /// Instruction for sine and cosine of one angle, at the position `k` of the first of the two statements.
     fn pair(&mut self, op: Op, (sin, cos): (usize, usize), k: usize) -> Instruction<u32> {
         debug_assert!(matches!(
             op,

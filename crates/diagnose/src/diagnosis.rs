@@ -18,21 +18,21 @@ use crate::report::{self, Consensus, Report, Verdict};
 use crate::selection::{Search, StepwiseModel, select_by_bic, stepwise_terms};
 use crate::validation::{ApplyTo, PredictiveGain, Validated, cross_validate, gain_of_fits};
 
-/// A hypothesis of one effect with at most this many unknowns does not pay for them.
+/// Greatest number of unknowns of a single-effect hypothesis exempt from the BIC comparison.
 const FREE_UNKNOWNS: usize = 6;
 
 /// Result of a diagnosis.
 pub struct Diagnosis {
     /// The report.
     pub report: Report,
-    /// Fit of the model under test.
+    /// Fit of the model under test, without an extension.
     pub before: Fit,
-    /// The extended model and its fit, if the model is extended.
+    /// The extended model and its fit; `None` if the model is not extended.
     pub after: Option<(ExtendedModel, Fit)>,
 }
 
-/// Looks for errors of a model in the flights of a dataset, names the missing effects, and measures what the extended model
-/// gains.
+/// Tests a model for errors in the flights of a dataset, identifies missing effects, and measures the out-of-sample
+/// gain of the extended model.
 ///
 /// # Errors
 /// [`DiagnosisError`] if an option cannot be used, the flights cannot be fitted, or the caller cancelled.
@@ -44,10 +44,10 @@ pub fn diagnose(
     diagnose_with(model, dataset, options, |_| ()).map(|(diagnosis, _)| diagnosis)
 }
 
-/// As [`diagnose`], and calls `on_extension` with the extended model, if there is one, while its gain is measured.
+/// Runs [`diagnose`], and calls `on_extension` with the extended model, if any, while its gain is measured.
 ///
 /// # Errors
-/// As [`diagnose`].
+/// Those of [`diagnose`].
 pub fn diagnose_with<R: Send>(
     model: &Model,
     dataset: &Dataset,
@@ -72,13 +72,13 @@ pub fn diagnose_with<R: Send>(
     analysis.finish(&on_extension)
 }
 
-/// Discordant flights, without which one explanation holds for all others.
+/// Discordant flights, and the explanation that holds for all other flights.
 struct Discordant {
     files: Vec<String>,
     p_value: f64,
 }
 
-/// Repeats a diagnosis without discordant flights; none if the others are not explained either.
+/// Repeats a diagnosis without the discordant flights; `None` if the remaining flights are not explained either.
 fn without_discordant<R: Send>(
     context: Context<'_>,
     discordant: &Discordant,
@@ -128,14 +128,14 @@ impl Clock {
         }
     }
 
-    /// Records the time since the start.
+    /// Records the time since the stage's start under its name.
     fn record(&mut self, stage: &str) {
         let elapsed = self.started.elapsed().as_secs_f64();
         self.seconds.insert(stage.to_owned(), elapsed);
     }
 }
 
-/// A diagnosis whose explanations are found and not validated yet.
+/// State of a diagnosis whose explanations are found but not yet validated.
 struct Analysis<'a> {
     context: Context<'a>,
     clock: Clock,
@@ -149,19 +149,19 @@ struct Analysis<'a> {
     discordant: Option<Discordant>,
 }
 
-/// The model that extends the model under test.
+/// Model that was chosen as the extension of the model under test.
 struct Chosen {
     extension: ExtendedModel,
-    /// Its fit, if it is known.
+    /// Fit of the extended model; `None` if not yet fitted.
     fit: Option<Fit>,
-    /// Its gain, if it is known.
+    /// Out-of-sample gain; `None` if not yet measured.
     gain: Option<PredictiveGain>,
-    /// Decrease of the weighted sum of squares, for effects that the diagnosis wrote.
+    /// Decrease of the weighted sum of squares, χ²; used for effects generated from library terms.
     chi2_decrease: f64,
 }
 
 impl<'a> Analysis<'a> {
-    /// Fits the model under test, tests all candidates and looks for explanations.
+    /// Fits the model under test, tests all candidates and searches for explanations.
     fn new(context: Context<'a>) -> Result<Self, DiagnosisError> {
         let mut clock = Clock::start();
         let Context {
@@ -208,8 +208,8 @@ impl<'a> Analysis<'a> {
         stepwise.is_some_and(|stepwise| stepwise.is_adequate)
     }
 
-    /// Explanations where no single candidate is adequate: library terms, several candidates, or what the flights agree
-    /// on.
+    /// Searches for explanations if no single candidate is adequate: library terms, several candidates, or agreement
+    /// between flights.
     fn search_beyond_single_effects(&mut self) -> Result<(), DiagnosisError> {
         let (context, model) = (self.context, &self.model);
         self.stepwise = stepwise_terms(context, model, &self.search, None)?;
@@ -231,7 +231,7 @@ impl<'a> Analysis<'a> {
         Ok(())
     }
 
-    /// Accepts what the flights agree on.
+    /// Accepts hypotheses on which the flights agree, if there are any.
     fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
         let found = consensus(self.context, &self.model, &self.search, &self.base)?;
         let Some(found) = found else {
@@ -290,8 +290,8 @@ impl<'a> Analysis<'a> {
         Ok((diagnosis, made))
     }
 
-    /// Validates the best explanation if it is overflexible. Returns it if it predicts; otherwise such explanations are dropped,
-    /// and the second value says why.
+    /// Validates the best explanation if it is overflexible. Returns it if it improves predictions; otherwise drops
+    /// such explanations and returns the reason as the second value.
     fn validate_overflexible(
         &mut self,
     ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {
@@ -312,7 +312,8 @@ impl<'a> Analysis<'a> {
         Ok((None, Some(report::refused(&validated))))
     }
 
-    /// The extension by the best explanation, or by library terms if there is none; these are put into the report.
+    /// Chooses the extension: the best explanation, or library terms if there is none, which are then added to the
+    /// report.
     fn choose(
         &mut self,
         validated: Option<Validated>,
@@ -351,7 +352,7 @@ impl<'a> Analysis<'a> {
     }
 }
 
-/// Fits the extended model if that is not done, measures its gain, and puts both into the report; and calls `on_extension`.
+/// Fits the extended model if not yet fitted, measures its gain, adds both to the report, and calls `on_extension`.
 fn measure<R: Send>(
     context: Context<'_>,
     before: &Fit,
@@ -413,7 +414,7 @@ fn measure<R: Send>(
     Ok(((extension, after), made))
 }
 
-/// The fitted flights as measured and as predicted.
+/// Measured and predicted samples of the fitted flights.
 fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
     let flights = context.dataset.flights.iter().enumerate();
     let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);
@@ -423,7 +424,7 @@ fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
     each.into_iter().flatten().collect()
 }
 
-/// Calls both, in parallel if more than one thread is asked for.
+/// Calls both functions, in parallel if `threads` exceeds 1, and returns both results.
 fn join<A: Send, B: Send>(
     threads: usize,
     first: impl FnOnce() -> A + Send,

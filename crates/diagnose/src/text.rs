@@ -1,4 +1,4 @@
-//! Numbers in sentences.
+//! Formatting of numbers in sentences.
 
 /// A number with three significant figures.
 pub(crate) fn three_figures(value: f64) -> String {

@@ -1,8 +1,8 @@
-//! Independent tasks on several threads.
+//! Independent tasks on several threads, by rayon.
 
 use rayon::prelude::*;
 
-/// `task(0)`, …, `task(count - 1)` on as many threads as the machine has processors, and their results in that order.
+/// Runs `task(0)`, …, `task(count - 1)` on all processors; results are in the order of the index.
 ///
 /// ```
 /// let squares = flight::batch::each(4, |i| i * i);
@@ -20,8 +20,9 @@ pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, |n| n.get())
 }
 
-/// As [`each`], on the given number of threads: on the current rayon pool where that has as many, else on a pool of its
-/// own, or on the calling thread where there is one thread or one task. Results do not depend on the number of threads.
+/// Runs `task(0)`, …, `task(count - 1)` on `threads` threads; results are in index order and do not depend on
+/// `threads`. Uses the current rayon pool if it has as many threads, else a new pool; the calling thread for a single
+/// thread or task.
 ///
 /// # Panics
 /// Where `task` does.

@@ -12,7 +12,7 @@ pub struct BoundModel<'a> {
 }
 
 impl CompiledModel {
-    /// The model with these parameters, in the order of the layout.
+    /// Binds the model to parameter values, in the order of the layout.
     pub fn bind(&self, parameters: Vec<f64>) -> BoundModel<'_> {
         let mut prepared = vec![0.0; self.functions.prepared_len()];
         self.functions.prepare(&parameters, &mut prepared);
@@ -25,7 +25,7 @@ impl CompiledModel {
 }
 
 impl BoundModel<'_> {
-    /// Limits of validity as events: an integration that reaches one fails with its reason.
+    /// Limits of validity as events: an integration that crosses a limit fails with that limit's reason.
     pub fn limits(&self) -> Vec<Event<'_, ModelState>> {
         let limits = self.model.limits.iter().enumerate();
         limits

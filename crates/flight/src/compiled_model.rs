@@ -1,4 +1,4 @@
-//! A model compiled for evaluation: by generated code where it was generated from this very model, else by the tape.
+//! Model compiled for evaluation: generated code if its source hash matches the model, else a tape.
 
 use crate::functions::{ModelFunctions, SparsityPatterns};
 use crate::release::Release;
@@ -9,7 +9,7 @@ use codegen::tape_model::TapeModel;
 use model_spec::model::Model;
 use std::borrow::Cow;
 
-/// State vector of a model.
+/// State vector of a model, in the order of its layout.
 pub type ModelState = Box<[f64]>;
 
 /// Compiled model: layout, functions with derivatives, and limits of validity. [`bind`](Self::bind) gives it
@@ -62,7 +62,7 @@ impl CompiledModel {
         }
     }
 
-    /// Compiles the model to a tape, generated code or not.
+    /// Compiles the model to a tape, even if generated code exists.
     pub fn interpreted(model: &Model) -> CompiledModel {
         // With all derivatives, as in generated code, so that `prepare` hoists the same invariants and results agree
         // to the bit.
@@ -70,15 +70,15 @@ impl CompiledModel {
         CompiledModel::with_functions(model, Box::new(tape))
     }
 
-    /// Compiles the model to a tape specialized to the given values of some parameters (by their index in the layout):
-    /// terms that vanish at these values are removed, derivatives by these parameters are kept. Bound values of these
-    /// parameters are ignored.
+    /// Compiles the model to a tape specialized to given parameter values, (index in the layout, value): terms that
+    /// vanish at these values are removed, derivatives by these parameters remain. Bound values of these parameters
+    /// are ignored.
     pub fn specialized(model: &Model, fixed: &[(usize, f64)]) -> CompiledModel {
         let compiled = compile_at(model, &Selection::All, fixed, Effort::Quick);
         CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
     }
 
-    /// Uses the given functions, which must be those of the model.
+    /// Compiled model with the given functions, which must be functions of `model`.
     pub fn with_functions(model: &Model, functions: Box<dyn ModelFunctions>) -> CompiledModel {
         let limits = model.limits.iter();
         CompiledModel {
@@ -97,12 +97,12 @@ impl CompiledModel {
         }
     }
 
-    /// Whether the functions are generated code.
+    /// Whether the functions are generated code rather than a tape.
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
 
-    /// Names and indices of states, parameters and quantities.
+    /// Names and indices of states, parameters and auxiliary variables.
     pub fn layout(&self) -> &Layout {
         &self.layout
     }
@@ -116,8 +116,8 @@ impl CompiledModel {
         states
     }
 
-    /// Parameter vector of a release, in the order of the layout: the model's defaults, replaced by the release's
-    /// parameters, coefficients, wind and known inputs. Inputs that the model does not have are ignored.
+    /// Parameter vector of a release, in the order of the layout: the model's defaults, overridden by the release's
+    /// parameters, coefficients, wind and known inputs. Inputs that the model lacks are ignored.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         let names = self.layout.parameters.iter().map(String::as_str);
         let mut parameters = release.constants(names.zip(self.layout.default_parameters()));

@@ -21,15 +21,15 @@ pub struct EvaluationPoint<'a> {
 /// Sparsity patterns of a model's Jacobians: (row, column) of each stored entry, ordered by row.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SparsityPatterns<'a> {
-    /// ∂f/∂x.
+    /// Pattern of the state Jacobian ∂f/∂x.
     pub jacobian: &'a [(u32, u32)],
-    /// ∂f/∂p.
+    /// Pattern of the parameter Jacobian ∂f/∂p.
     pub parameter_jacobian: &'a [(u32, u32)],
-    /// ∂y/∂x of the observed position y.
+    /// Pattern of ∂y/∂x, y the observed marker position.
     pub observation_by_state: &'a [(u32, u32)],
-    /// ∂y/∂p of the observed position y.
+    /// Pattern of ∂y/∂p, y the observed marker position.
     pub observation_by_parameter: &'a [(u32, u32)],
-    /// Derivative of the observed position by the marker's position in its body frame.
+    /// Pattern of the derivative of the observed marker position by the marker's body-fixed coordinates.
     pub observation_by_marker: &'a [(u32, u32)],
 }
 
@@ -43,11 +43,11 @@ pub trait ModelFunctions: Send + Sync {
     fn prepared_len(&self) -> usize;
     /// Sparsity patterns of the Jacobians.
     fn patterns(&self) -> SparsityPatterns<'_>;
-    /// Computes what depends on the parameters `p` alone.
+    /// Computes the invariants: values that depend on the parameters `p` alone.
     fn prepare(&self, p: &[f64], prepared: &mut [f64]);
-    /// State derivative f.
+    /// State derivative f = dx/dt, in state units per second.
     fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]);
-    /// f and ∂f/∂x.
+    /// State derivative f and the entries of its state Jacobian ∂f/∂x.
     fn f_jac(
         &self,
         at: EvaluationPoint<'_>,
@@ -55,7 +55,7 @@ pub trait ModelFunctions: Send + Sync {
         dx: &mut [f64],
         jacobian: &mut [f64],
     );
-    /// f, ∂f/∂x and ∂f/∂p.
+    /// State derivative f and the entries of its Jacobians ∂f/∂x and ∂f/∂p.
     fn f_jac_par(
         &self,
         at: EvaluationPoint<'_>,
@@ -64,7 +64,7 @@ pub trait ModelFunctions: Send + Sync {
         jacobian: &mut [f64],
         parameter_jacobian: &mut [f64],
     );
-    /// Position of a marker in the inertial frame, m, from its position in its body frame, m.
+    /// Position of a marker in the inertial frame, m, from its body-fixed coordinates, m.
     fn observe(
         &self,
         at: EvaluationPoint<'_>,
@@ -82,7 +82,7 @@ pub trait ModelFunctions: Send + Sync {
         y: &mut [f64; 3],
         jacobians: [&mut [f64]; 3],
     );
-    /// Named quantities, in the order of the layout.
+    /// Auxiliary variables of the model, in the order of the layout.
     fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]);
     /// Left-hand sides of the limits of validity; the model holds where each is above its bound.
     fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]);
@@ -157,7 +157,7 @@ impl ModelFunctions for generated::Model {
     }
 }
 
-/// Arguments of a tape.
+/// Converts an evaluation point to the arguments of a tape.
 fn tape_arguments(at: EvaluationPoint<'_>) -> At<'_> {
     let EvaluationPoint { t, x, p, prepared } = at;
     At { t, x, p, prepared }

@@ -1,4 +1,4 @@
-//! Measurement equation of a model: marker positions with their Jacobians, named quantities, limits of validity.
+//! Measurement equation of a model: marker positions and their Jacobians, auxiliary variables, limits of validity.
 
 use crate::bound_model::BoundModel;
 use crate::functions::Workspace;
@@ -14,18 +14,18 @@ pub struct ModelObserver<'a> {
 
 /// Sparse Jacobians of a marker's position (three rows: x, y, z of the inertial frame).
 pub struct ObservationJacobians<'o> {
-    /// (row, state) of each entry of the Jacobian by the states.
+    /// (row, state) of each entry of ∂y/∂x, y the marker position.
     pub by_state_pattern: &'o [(usize, usize)],
-    /// Entries of the Jacobian by the states, m per state unit.
+    /// Entries of ∂y/∂x, m per state unit.
     pub by_state: &'o [f64],
-    /// (row, parameter) of each entry of the Jacobian by the parameters of the layout.
+    /// (row, parameter) of each entry of ∂y/∂p, parameters in the order of the layout.
     pub by_parameter_pattern: &'o [(usize, usize)],
-    /// Entries of the Jacobian by the parameters, m per parameter unit.
+    /// Entries of ∂y/∂p, m per parameter unit.
     pub by_parameter: &'o [f64],
 }
 
 impl BoundModel<'_> {
-    /// Measurement equation: marker positions and named quantities as functions of time and state.
+    /// Measurement equation of the model: marker positions and auxiliary variables as functions of time and state.
     pub fn observer(&self) -> ModelObserver<'_> {
         let patterns = &self.model.patterns;
         ModelObserver {
@@ -39,7 +39,8 @@ impl BoundModel<'_> {
 }
 
 impl ModelObserver<'_> {
-    /// Position of a marker in the inertial frame, m; `marker` is its position in the frame it is fixed in, m.
+    /// Position of a marker in the inertial frame, m, at time `t` (s) and state `x`; `marker` is the marker's
+    /// body-fixed position, m.
     pub fn position(&mut self, t: f64, x: &[f64], marker: &[f64; 3]) -> [f64; 3] {
         let at = self.model.at(t, x);
         let mut y = [0.0; 3];
@@ -49,7 +50,7 @@ impl ModelObserver<'_> {
         y
     }
 
-    /// Position of a marker as by [`position`](Self::position), with its Jacobians.
+    /// Position of a marker, as from [`position`](Self::position), with its sparse Jacobians by state and parameters.
     pub fn position_with_jacobians(
         &mut self,
         t: f64,
@@ -76,7 +77,8 @@ impl ModelObserver<'_> {
         (y, jacobians)
     }
 
-    /// Named quantities of the model, in the order of [`Layout::quantities`](codegen::Layout).
+    /// Auxiliary variables of the model at time `t` (s) and state `x`, in the order of
+    /// [`Layout::quantities`](codegen::Layout).
     pub fn quantities(&mut self, t: f64, x: &[f64]) -> Vec<f64> {
         let at = self.model.at(t, x);
         let mut q = vec![0.0; self.model.model.layout.quantities.len()];

@@ -1,4 +1,4 @@
-//! A bound model as right-hand side of the solver.
+//! Right-hand side of the solver for a bound model.
 
 use crate::bound_model::BoundModel;
 use crate::compiled_model::ModelState;
@@ -6,14 +6,14 @@ use crate::functions::Workspace;
 use ode::{DifferentiableRhs, OdeRhs};
 use std::borrow::Cow;
 
-/// Right-hand side dx/dt = f(t, x) of a bound model.
+/// Right-hand side dx/dt = f(t, x) of a bound model, without Jacobians.
 pub struct ModelRhs<'a> {
     model: &'a BoundModel<'a>,
     workspace: Workspace,
 }
 
 impl BoundModel<'_> {
-    /// Right-hand side dx/dt = f(t, x).
+    /// Right-hand side dx/dt = f(t, x) without Jacobians.
     pub fn rhs(&self) -> ModelRhs<'_> {
         ModelRhs {
             model: self,
@@ -21,7 +21,7 @@ impl BoundModel<'_> {
         }
     }
 
-    /// Right-hand side with its Jacobians by state and parameters, for [`ode::Sensitivities`].
+    /// Right-hand side with its Jacobians ∂f/∂x and ∂f/∂p, for [`ode::Sensitivities`].
     pub fn differentiable_rhs(&self) -> DifferentiableModelRhs<'_> {
         DifferentiableModelRhs {
             model: self,

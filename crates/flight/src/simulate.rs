@@ -1,4 +1,4 @@
-//! Simulation of a release.
+//! Simulation of a release: integration from the initial state to the end of the flight.
 
 use crate::compiled_model::CompiledModel;
 use crate::release::{Release, Stop};

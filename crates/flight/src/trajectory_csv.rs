@@ -1,12 +1,12 @@
-//! Trajectory table in CSV.
+//! Trajectory tables as CSV text.
 
 use ode::Trajectory;
 
-/// Trajectory as CSV: a header (`t` and the names of the states) and a row per sample, at `rate` samples per second from
-/// the start, and at the end. SI units; numbers have as many digits as needed to read them back exactly.
+/// Trajectory as CSV: a header (`t` and the state names), then a row per sample, `rate` samples per second from the
+/// start, and a row at the end. SI units; each number has the fewest digits that read back exactly.
 ///
 /// # Panics
-/// Where the number of names is not that of the states, or the rate is not positive.
+/// If `names` has not one name per state, or `rate` is not positive.
 pub fn trajectory_csv(trajectory: &Trajectory, names: &[impl AsRef<str>], rate: f64) -> String {
     assert_eq!(names.len(), trajectory.states(), "one name per state");
     let mut text = String::from("t");
@@ -26,7 +26,7 @@ pub fn trajectory_csv(trajectory: &Trajectory, names: &[impl AsRef<str>], rate: 
     text
 }
 
-/// Shortest text that reads back as the same number.
+/// Shortest text that reads back as exactly the given number.
 fn number(value: f64) -> String {
     // Debug formatting, since Display writes 1e-300 with three hundred digits.
     format!("{value:?}")

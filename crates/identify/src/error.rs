@@ -19,55 +19,55 @@ pub enum FlightError {
         /// Number of directions in which the initial state may be varied.
         unknowns: usize,
     },
-    /// A known quantity has a name that the model does not have.
+    /// The dataset gives a known value under a name that the model does not have.
     #[error(
         "{name} is given as known, and the model {model} has the vectors and numbers {}",
         available.join(", ")
     )]
     UnknownKnownValue {
-        /// The name in the dataset.
+        /// Name of the known value in the dataset.
         name: String,
         /// Name of the model.
         model: String,
         /// Inputs, constants and states of the model.
         available: Vec<String>,
     },
-    /// A parameter is known for this flight and estimated for all flights.
+    /// A parameter is both known for one flight and estimated for all flights.
     #[error("{name} is given as known, and it is to be estimated for all flights")]
     KnownAndEstimated {
-        /// The parameter.
+        /// Name of the parameter.
         name: String,
     },
     /// Some components of a unit quaternion are known and others are not.
     #[error("{known} is given as known; a quaternion is known as a whole ({}) or not at all", components.join(", "))]
     PartialQuaternion {
-        /// A component that is known.
+        /// Name of a known component.
         known: String,
-        /// All components.
+        /// Names of all four components of the quaternion.
         components: Vec<String>,
     },
-    /// Too few samples show the pose of a rigid body.
+    /// Too few samples determine the pose of a rigid body.
     #[error(
         "only {found} of its samples show three markers that are not collinear, and an initial guess needs {needed}"
     )]
     TooFewPoses {
-        /// Samples that show a pose.
+        /// Number of samples that determine a pose.
         found: usize,
-        /// Samples that are needed.
+        /// Number of samples required.
         needed: usize,
     },
-    /// Too few samples show the position of a point mass.
+    /// Too few samples determine the position of a point mass.
     #[error("only {found} of its samples show a position, and an initial guess needs {needed}")]
     TooFewPositions {
-        /// Samples that show a position.
+        /// Number of samples that determine a position.
         found: usize,
-        /// Samples that are needed.
+        /// Number of samples required.
         needed: usize,
     },
     /// No pair of poses is near enough in time to give an angular velocity.
     #[error("no two neighbouring samples show three markers each")]
     NoNeighbouringPoses,
-    /// The model has no state within its domain of validity that moves as the markers do.
+    /// No state within the model's domain of validity reproduces the measured motion of the markers.
     #[error("the model has no state within its limits that moves as the markers do")]
     NoMatchingState,
     /// The trajectory cannot be integrated.
@@ -79,7 +79,7 @@ pub enum FlightError {
     /// All samples of a held-out flight belong to the conditioning segment.
     #[error("too short: no samples remain to be predicted after its first {samples}")]
     NothingToPredict {
-        /// Samples of the conditioning segment.
+        /// Number of samples in the conditioning segment.
         samples: usize,
     },
     /// No marker is measured after the conditioning segment of a held-out flight.
@@ -120,11 +120,11 @@ impl NameSource {
 /// A flight that cannot be used, with the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExcludedFlight {
-    /// The flight.
+    /// Index of the flight in the dataset.
     pub flight: FlightId,
-    /// Its file.
+    /// File name of the flight.
     pub file: String,
-    /// Why it cannot be used.
+    /// Reason why the flight cannot be used.
     pub reason: FlightError,
 }
 
@@ -134,33 +134,33 @@ pub enum FitError {
     /// A name in the dataset or the options that the model does not have.
     #[error("{} {name}, and the model {model} has {}", given_in.phrase(), available.join(", "))]
     UnknownName {
-        /// Where the name stands.
+        /// Section of the dataset or option that contains the name.
         given_in: NameSource,
-        /// The name.
+        /// The unknown name.
         name: String,
         /// Name of the model.
         model: String,
-        /// Names that are possible there.
+        /// Names that are allowed there.
         available: Vec<String>,
     },
     /// A prior or a profile of a parameter that is fixed.
     #[error("{} {name}, which is not estimated", given_in.phrase())]
     NotEstimated {
-        /// [`NameSource::Prior`] or [`NameSource::Profile`].
+        /// Option that names the parameter: [`NameSource::Prior`] or [`NameSource::Profile`].
         given_in: NameSource,
-        /// The parameter.
+        /// Name of the parameter.
         name: String,
     },
     /// A number in the options is outside its range.
     #[error("{option} of {name} is {value}, expected {expected}")]
     InvalidOption {
-        /// The option.
+        /// Name of the option.
         option: &'static str,
-        /// The parameter that it belongs to.
+        /// Name of the parameter to which the option applies.
         name: String,
-        /// The number.
+        /// Invalid value of the option.
         value: f64,
-        /// What is allowed.
+        /// Allowed range, in words.
         expected: &'static str,
     },
     /// The model has no measurement equation.
@@ -183,7 +183,7 @@ pub enum FitError {
     /// Every flight of the dataset is held out.
     #[error("every flight is held out: none is left to fit")]
     NothingToFit,
-    /// Values for a warm start do not match the unknowns in number.
+    /// The values for a warm start do not match the number of unknowns.
     #[error(
         "a warm start needs {globals} global values and initial states of lengths {states:?}, one per fitted flight"
     )]
@@ -193,15 +193,15 @@ pub enum FitError {
         /// Number of states of each fitted flight.
         states: Vec<usize>,
     },
-    /// A flight cannot be used, and it stops the fit.
+    /// A flight that cannot be used stops the fit.
     #[error("{file}: {reason}")]
     Flight {
-        /// Its file.
+        /// File name of the flight.
         file: String,
-        /// Why it cannot be used.
+        /// Reason why the flight cannot be used.
         reason: FlightError,
     },
-    /// No flight can be used.
+    /// No flight can be used; lists all excluded flights.
     #[error("none of the flights can be fitted:\n{}", first_reasons(.0))]
     NoUsableFlight(Vec<ExcludedFlight>),
     /// The work was cancelled.
@@ -209,7 +209,7 @@ pub enum FitError {
     Interrupted,
 }
 
-/// Number of excluded flights that a message lists.
+/// Greatest number of excluded flights that an error message lists.
 const MAX_LISTED_FLIGHTS: usize = 10;
 
 fn first_reasons(excluded: &[ExcludedFlight]) -> String {

@@ -7,20 +7,20 @@ use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Samples on either side of a jump from which velocities are estimated.
+/// Number of samples on either side of a velocity jump from which velocities are estimated.
 const SIDE: usize = 5;
 
 /// Least jump of velocity of an impact, m/s.
 const MIN_JUMP: f64 = 1.0;
 
-/// Least ratio of an impact's jump to the median change of velocity.
+/// Least ratio of an impact's velocity jump to the median velocity change between samples.
 const MIN_RATIO: f64 = 10.0;
 
-/// Least vertical part of an impact's jump.
+/// Least ratio of the vertical component to the magnitude of an impact's velocity jump.
 const MIN_VERTICAL_PART: f64 = 0.3;
 
-/// Truncates a flight before its first upward jump of velocity: only the ground reverses a body at once. Gives the poses in
-/// the remaining samples of a body with an attitude.
+/// Truncates a flight before its first upward jump of velocity, which only an impact on the ground causes. Returns
+/// the poses in the remaining samples of a body with an attitude.
 pub fn truncate_at_impact(
     problem: &FitProblem,
     observations: &mut Observations,
@@ -55,7 +55,7 @@ pub fn truncate_at_impact(
     poses
 }
 
-/// The first sample after an impact, and the jump of velocity there, m/s.
+/// Index of the first sample after an impact and the velocity jump there, m/s; `None` without an impact.
 fn jump(path: &[(usize, f64, Vector3<f64>)]) -> Option<(usize, Vector3<f64>)> {
     if path.len() < 2 * SIDE + 1 {
         return None;
@@ -106,7 +106,7 @@ fn velocity(path: &[(usize, f64, Vector3<f64>)]) -> Vector3<f64> {
 mod tests {
     use super::*;
 
-    /// A thrown stone that bounces at a sample, or never.
+    /// Path of a thrown stone that bounces at sample `bounce`, or not at all if `None`.
     fn stone(bounce: Option<usize>) -> Vec<(usize, f64, Vector3<f64>)> {
         let (mut position, mut velocity) =
             (Vector3::new(0.0, 0.0, 1.0), Vector3::new(5.0, 0.0, 1.0));

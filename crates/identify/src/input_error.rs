@@ -1,16 +1,16 @@
-//! What is wrong with an input, and where.
+//! Errors in input files, with their location.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A malformed input: the place, what was found there and what was expected.
+/// A malformed input: its location, what was found and what was expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
-    /// The file.
+    /// File that contains the error.
     pub file: PathBuf,
-    /// Line and column, from 1, where they are known.
+    /// Line and column, from 1; `None` if the error concerns the whole file.
     pub place: Option<(usize, usize)>,
-    /// What was found.
+    /// What was found at this location.
     pub found: String,
     /// What was expected instead.
     pub expected: String,
@@ -69,10 +69,10 @@ pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// The text of a file, without its byte-order mark.
+/// Decodes the bytes of a file as UTF-8, without the byte-order mark.
 ///
 /// # Errors
-/// With the place of the first byte that is not UTF-8.
+/// [`InputError`] at the first byte that is not UTF-8.
 pub fn utf8<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),

@@ -1,4 +1,5 @@
-//! Measurement equations of the markers: one for all, or one for each where the model has a parameter per marker.
+//! Measurement equations of the markers: one for all markers, or one per marker if the model has per-marker
+//! parameters.
 
 use flight::{BoundModel, CompiledModel, ModelObserver, ObservationJacobians};
 use model_spec::layout::ParamId;
@@ -7,11 +8,11 @@ use model_spec::layout::ParamId;
 /// all others.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
-/// Parameters of a flight for the measurement equation of each marker.
+/// Bound models, one per marker or one shared by all, for the measurement equations.
 pub struct MarkerConditions<'a>(Vec<BoundModel<'a>>);
 
 impl<'a> MarkerConditions<'a> {
-    /// The same parameters for all `markers`, unless the model has the input `marker_is`.
+    /// Binds the same parameters for all `markers` markers; with the input `marker_is`, one model per marker.
     pub fn new(body: &'a CompiledModel, parameters: &[f64], markers: usize) -> Self {
         let places = MARKER_IS.map(|name| body.layout().parameter(name).map(ParamId::index));
         if places.iter().all(Option::is_none) {
@@ -55,7 +56,7 @@ impl<'a> MarkerObservers<'a> {
         self.of(marker).position(t, x, position)
     }
 
-    /// As [`position`](Self::position), with its derivatives.
+    /// Predicted marker position like [`position`](Self::position), with its derivatives.
     pub fn linearise(
         &mut self,
         t: f64,

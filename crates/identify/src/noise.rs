@@ -5,20 +5,20 @@
 pub struct NoiseModel {
     /// Standard deviation along each axis, m.
     pub sigma: [f64; 3],
-    /// Autocorrelation of samples `interval` apart, along each axis.
+    /// Lag autocorrelation at the time `interval`, along each axis.
     pub ar1: [f64; 3],
     /// Time between samples to which `ar1` refers, s.
     pub interval: f64,
 }
 
-/// Greatest autocorrelation of noise: residuals of greater correlation are model error.
+/// Greatest autocorrelation attributed to noise; a greater correlation of residuals indicates model error.
 const MAX_AR1: f64 = 0.9;
 
-/// Pairs of neighbouring residuals below which no autocorrelation is estimated.
+/// Least number of pairs of neighbouring residuals for an estimate of the autocorrelation.
 const MIN_PAIRS: usize = 20;
 
 impl NoiseModel {
-    /// White noise of this standard deviation along every axis.
+    /// White noise of standard deviation `sigma`, m, along every axis; `interval` in s.
     pub fn white(sigma: f64, interval: f64) -> Self {
         Self {
             sigma: [sigma; 3],
@@ -43,7 +43,7 @@ impl NoiseModel {
         (phi, self.sigma[axis] * (1.0 - phi * phi).sqrt())
     }
 
-    /// Whether a time, s, is within 1 % of `interval`.
+    /// Whether a time gap, s, is within 1 % of `interval`.
     pub fn is_one_interval(&self, gap: f64) -> bool {
         (gap / self.interval - 1.0).abs() < 0.01
     }
@@ -63,14 +63,14 @@ impl NoiseModel {
     }
 }
 
-/// Sums over residuals from which the noise is estimated; sums of several flights are joined.
+/// Sums over residuals from which the noise is estimated; sums of several flights are added.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
     /// Sum of squares along each axis, m².
     pub squares: [f64; 3],
     /// Sum of products of neighbouring residuals along each axis, m².
     pub products: [f64; 3],
-    /// Sum of the mean squares of those pairs along each axis, m².
+    /// Sum of (r² + r_previous²)/2 over pairs of neighbouring residuals along each axis, m².
     pub neighbours: [f64; 3],
     /// Number of residuals along each axis.
     pub count: usize,
@@ -79,7 +79,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Adds the residuals of one marker of a flight, m; `None` where there is none.
+    /// Adds the residuals of one marker of a flight, m; `None` for a missing value.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], interval: f64) {
         let mut before: Option<(f64, [f64; 3])> = None;
         for (&time, residual) in times.iter().zip(residuals) {
@@ -112,8 +112,8 @@ impl Moments {
         self.pairs += other.pairs;
     }
 
-    /// Estimates the noise from residuals to which `unknowns` were fitted; a `given` standard deviation (m) replaces the
-    /// estimated one.
+    /// Estimates the noise from residuals after a fit of `unknowns` unknowns; a `given` standard deviation (m)
+    /// replaces the estimated one.
     pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> NoiseModel {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;
@@ -137,8 +137,7 @@ impl Moments {
     }
 }
 
-/// Distance of an outlier from the line through neighbouring residuals, over the standard deviation: 7 of a million
-/// normal residuals lie farther.
+/// Outlier threshold of the local-linear residual, in standard deviations: 7 in a million normal residuals exceed it.
 pub const OUTLIER_LIMIT: f64 = 4.5;
 
 /// Limit of Huber's loss over its scale: quadratic below, linear above.
@@ -152,7 +151,7 @@ mod tests {
 
     use super::*;
 
-    /// A stationary AR(1) process.
+    /// Simulated stationary AR(1) process of `count` points, m.
     fn process(count: usize, sigma: f64, ar1: f64) -> Vec<Option<[f64; 3]>> {
         let mut random = ChaCha12Rng::seed_from_u64(7);
         let mut normal = || -> f64 { random.sample(StandardNormal) };

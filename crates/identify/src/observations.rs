@@ -13,7 +13,7 @@ use crate::statistics::median;
 /// Samples of one flight from the first to the last with a measured marker, and what is known of the flight.
 #[derive(Clone, Debug)]
 pub struct Observations {
-    /// File of the flight.
+    /// File name of the flight.
     pub file: String,
     /// Whether the flight is fitted or held out.
     pub role: Role,
@@ -42,7 +42,7 @@ pub struct Observations {
 }
 
 impl Observations {
-    /// Takes the samples of a flight, without those before the first and after the last measured marker.
+    /// Extracts the samples of a flight from the first to the last measured marker.
     ///
     /// # Errors
     /// [`FlightError::NoMeasurement`]; [`FlightError::UnknownKnownValue`] or [`FlightError::KnownAndEstimated`] for
@@ -91,7 +91,7 @@ impl Observations {
         &self.measured[sample * self.markers..][..self.markers]
     }
 
-    /// A measured position, m, unless it is an outlier.
+    /// Measured position of a marker, m; `None` if missing or an outlier.
     pub fn inlier(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
         let index = sample * self.markers + marker;
         self.measured[index].filter(|_| !self.outlier[index])
@@ -102,19 +102,19 @@ impl Observations {
         self.outlier.iter().filter(|outlier| **outlier).count()
     }
 
-    /// Number of samples up to a time since the first, s.
+    /// Number of samples up to `time`, s after the first sample.
     pub fn samples_until(&self, time: f64) -> usize {
         self.times.partition_point(|t| *t <= time)
     }
 
-    /// Median time between neighbouring samples, s; none for a single sample.
+    /// Median time between neighbouring samples, s; `None` for a single sample.
     pub fn interval(&self) -> Option<f64> {
         let pairs = self.times.windows(2);
         let mut intervals: Vec<f64> = pairs.map(|pair| pair[1] - pair[0]).collect();
         (!intervals.is_empty()).then(|| median(&mut intervals))
     }
 
-    /// Keeps the first samples, and records why.
+    /// Drops all but the first `samples` samples, and records the reason.
     pub fn truncate(&mut self, samples: usize, why: String) {
         let dropped = self.times.len() - samples;
         self.keep(samples);
@@ -125,7 +125,7 @@ impl Observations {
         });
     }
 
-    /// A copy with the first samples alone.
+    /// A copy with only the first `samples` samples.
     pub fn first_samples(&self, samples: usize) -> Observations {
         let mut first = self.clone();
         first.keep(samples);
@@ -138,7 +138,7 @@ impl Observations {
         self.outlier.truncate(samples * self.markers);
     }
 
-    /// An initial state with the known states set.
+    /// Overwrites the known states of an initial state with their known values.
     pub fn with_known_states(&self, mut state: DVector<f64>) -> DVector<f64> {
         for &(id, value) in &self.known_states {
             state[id.index()] = value;
@@ -146,7 +146,7 @@ impl Observations {
         state
     }
 
-    /// Parameters of the flight at values of the global parameters.
+    /// Parameters of the flight in the order of the layout, SI, with the given values of the global parameters.
     pub fn parameters(&self, problem: &FitProblem, global: &DVector<f64>) -> Vec<f64> {
         let mut parameters = self.parameters.clone();
         for (parameter, &value) in problem.globals.iter().zip(global.iter()) {

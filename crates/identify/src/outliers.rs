@@ -1,22 +1,23 @@
 //! Outliers: points whose residual is far from the line through neighbouring residuals.
 //!
-//! Model error is smooth in time and is no outlier; a line through the neighbours removes it, as 0 would not.
+//! Model error is smooth in time: subtracting a line through the neighbours removes it, so it does not count as an
+//! outlier.
 
 use crate::noise::OUTLIER_LIMIT;
 use crate::statistics::{median, robust_sigma};
 
-/// Neighbours on either side through which the line is drawn: two of all may be outliers.
+/// Number of neighbours on either side through which the line is fitted; two of them may be outliers.
 const SIDE: usize = 4;
 
-/// Points of a marker, below which none is judged.
+/// Least number of points of a marker for outlier detection.
 const MIN_POINTS: usize = 5;
 
 /// Residuals `[marker][sample]` of a flight, m; `None` for a missing value.
 pub type Residuals = [Vec<Option<[f64; 3]>>];
 
-/// Local-linear residuals `[marker][sample]`, m: each residual minus the line through its neighbours at its time, over the
-/// ratio of the standard deviation of that difference to that of a residual. The line is a least-squares line, and a
-/// Theil–Sen line for points that may be outliers.
+/// Local-linear residuals `[marker][sample]`, m: each residual minus the line through its neighbours, divided by the
+/// standard deviation ratio of this difference to a residual. The line is a least-squares line, or a Theil–Sen line
+/// for possible outliers.
 pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
     let all: Vec<Series> = residuals
         .iter()
@@ -44,10 +45,10 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
     local_residuals
 }
 
-/// Local residual by least squares over its robust scale above which the Theil–Sen line is used.
+/// Local residual of a least-squares line, in robust standard deviations, above which the Theil–Sen line is used.
 const THEIL_SEN_LIMIT: f64 = 2.5;
 
-/// Time, sample and residual of each measured point of a marker.
+/// Time (s), sample index and residual (m) of each measured point of a marker.
 struct Series(Vec<(f64, usize, [f64; 3])>);
 
 impl Series {
@@ -58,7 +59,7 @@ impl Series {
         Self(seen)
     }
 
-    /// Local residuals by least-squares lines, by sample.
+    /// Local-linear residuals from least-squares lines, m, by sample; `None` for missing points.
     fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
         let mut local_residuals = vec![None; samples];
         if self.0.len() < MIN_POINTS {
@@ -87,7 +88,7 @@ impl Series {
         seen[first..index].iter().chain(&seen[index + 1..last])
     }
 
-    /// Local residual of a point along an axis by the Theil–Sen line.
+    /// Local-linear residual of a point along an axis by the Theil–Sen line, m.
     fn local_residual(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
         let (time, _, value) = self.0[index];
         let mut points = [(0.0, 0.0); 2 * SIDE];
@@ -103,21 +104,21 @@ impl Series {
     }
 }
 
-/// Value at time 0 of the least-squares line through points at some times, as weights of their values.
+/// Weights that give the value at time 0 of the least-squares line through neighbouring points.
 #[derive(Default)]
 struct Line {
     times: [f64; 2 * SIDE],
     count: usize,
     weights: [f64; 2 * SIDE],
-    /// Standard deviation of the difference between a value at time 0 and the line, over that of a value.
+    /// Ratio of the standard deviation of (value at time 0 − line) to that of a value.
     spread: f64,
 }
 
-/// Relative difference up to which times count as equal: samples at an even rate have the same lines.
+/// Relative difference up to which times count as equal, so that evenly spaced samples share one line.
 const SAME_TIME: f64 = 1e-9;
 
 impl Line {
-    /// Computes the weights for at most 2 `SIDE` points at these times.
+    /// Computes the weights for at most 2 × `SIDE` points at these times.
     fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
         let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME_TIME * drawn.abs();
         if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {
@@ -176,7 +177,8 @@ pub fn median_scale(scales: &[[f64; 3]]) -> [f64; 3] {
     })
 }
 
-/// Points that stand out at a scale: places as [`Observations::outlier`](crate::track::Track::outlier) has them, and departures.
+/// Outliers at a scale: their indices `sample * markers + marker`, as in `Observations::outlier`, and local
+/// residuals, m.
 pub fn outlier_candidates(local_residuals: &Residuals, scale: [f64; 3]) -> Vec<(usize, [f64; 3])> {
     let markers = local_residuals.len();
     let mut outlier_candidates = Vec::new();
@@ -197,7 +199,7 @@ pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
     (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
 }
 
-/// Which points stand out, by sample and marker as [`Observations::outlier`](crate::track::Track::outlier) has them.
+/// Outlier flags at a scale, by index `sample * markers + marker` as in `Observations::outlier`.
 pub fn outlier_mask(local_residuals: &Residuals, scale: [f64; 3]) -> Vec<bool> {
     let mut outlier_mask = vec![false; local_residuals.iter().map(Vec::len).sum()];
     for (place, _) in outlier_candidates(local_residuals, scale) {

@@ -8,27 +8,27 @@ use nalgebra::{Matrix3, Matrix4, Quaternion, UnitQuaternion, Vector3};
 /// Position and attitude of a rigid body in one sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Position of its origin, m, inertial frame.
+    /// Position of the body's origin, m, inertial frame.
     pub position: Vector3<f64>,
     /// Attitude: rotates body components into inertial ones.
     pub attitude: UnitQuaternion<f64>,
-    /// Sum of the squared distances between measured markers and those of the rigid body, m².
+    /// Sum of squared distances between measured and fitted marker positions, m².
     pub squares: f64,
     /// Number of measured markers.
     pub markers: usize,
 }
 
 impl Pose {
-    /// Variance of one coordinate by the squares over their degrees of freedom, m².
+    /// Variance of one coordinate: squared distances over degrees of freedom, m².
     pub fn variance(&self) -> f64 {
         self.squares / (3.0 * self.markers as f64 - 6.0)
     }
 }
 
-/// Ratio of the spread across the best line to the whole spread below which markers are collinear.
+/// Ratio of the spread across the best-fit line to the total spread below which markers are collinear.
 const COLLINEAR: f64 = 0.02;
 
-/// Whether markers determine the attitude of a body: at least three, not collinear.
+/// Whether the markers determine the attitude of a body: at least three that are not collinear.
 pub fn fix_attitude(markers: &[[f64; 3]]) -> bool {
     are_not_collinear(markers.iter().map(|&marker| marker.into()))
 }
@@ -48,7 +48,7 @@ fn are_not_collinear(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool
     sum > 0.0 && product > (COLLINEAR * sum).powi(2)
 }
 
-/// The pose of least squared distances to the measured markers; none if these do not determine the attitude.
+/// Least-squares pose of the markers; `None` if the measured ones do not determine the attitude.
 pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     let pairs = markers.iter().zip(seen).filter_map(|(&marker, &seen)| {
         let pair: (Vector3<f64>, Vector3<f64>) = (marker.into(), seen?.into());
@@ -78,8 +78,8 @@ pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     })
 }
 
-/// Position of a point mass, m: the mean over measured markers of marker − its offset, in the inertial frame. None without
-/// a measured marker.
+/// Position of a point mass, m: mean of measured position − marker offset, inertial frame. `None` without a measured
+/// marker.
 pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Option<Vector3<f64>> {
     let pairs = measured.iter().zip(markers);
     let origins = pairs.filter_map(|(measured, marker)| {
@@ -91,11 +91,11 @@ pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Op
     (count > 0).then(|| sum / count as f64)
 }
 
-/// Most Newton steps to the eigenvalue; they stop when it no longer decreases.
+/// Greatest number of Newton steps to the eigenvalue.
 const MAX_STEPS: usize = 100;
 
-/// The rotation of least squared distances between two sets of vectors, from the sum of their products s bᵀ and half the
-/// sum of all squares, which bounds the eigenvalue. None for collinear vectors.
+/// Least-squares rotation between two sets of vectors s and b, from the matrix Σ s bᵀ and half the sum of all
+/// squares, which bounds the eigenvalue. `None` for collinear vectors.
 fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
     #[rustfmt::skip]
     let key = Matrix4::new(

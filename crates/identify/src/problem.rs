@@ -16,7 +16,7 @@ use crate::pose;
 use crate::tolerance::FINE_TOLERANCE;
 pub use global_parameters::GlobalParameter;
 
-/// Noise of one coordinate that is assumed before any estimate, m.
+/// Initial standard deviation of one coordinate if the samples do not determine it, m.
 const DEFAULT_SIGMA0: f64 = 1e-3;
 
 /// A model with the data and options of a fit: known parameters, global parameters to be estimated, markers.
@@ -38,18 +38,18 @@ pub struct FitProblem {
     pub fixed: Vec<(String, f64)>,
     /// Standard deviation of one measured coordinate if the dataset gives it, m.
     pub sigma: Option<f64>,
-    /// Initial estimate of that standard deviation from the samples alone, m.
+    /// Initial estimate, from the samples alone, of the standard deviation of one measured coordinate, m.
     pub sigma0: f64,
-    /// Tolerance of the integration in units of `sigma0`, where residuals are whitened.
+    /// Integration tolerance for whitened residuals, in units of `sigma0`.
     pub tolerance: f64,
 }
 
 /// Known values of one flight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct KnownValues {
-    /// Parameters, SI.
+    /// Known parameter values, SI.
     pub parameters: Vec<(ParamId, f64)>,
-    /// ModelState at the first sample, SI.
+    /// Known states at the first sample, SI.
     pub states: Vec<(StateId, f64)>,
 }
 
@@ -150,7 +150,7 @@ impl FitProblem {
         }
     }
 
-    /// Refuses known components of a quaternion whose other components are unknown: its norm would not be 1.
+    /// Returns an error if only some components of a quaternion are known: the norm would not be 1.
     fn check_quaternions(&self, known: &[(StateId, f64)]) -> Result<(), FlightError> {
         let is_known = |state: &usize| known.iter().any(|(id, _)| id.index() == *state);
         let names = &self.body.layout().states;
@@ -184,7 +184,7 @@ impl FitProblem {
     }
 }
 
-/// Default parameters with the constants that the dataset sets.
+/// Default parameters, overridden by the known constants of the dataset, SI.
 fn known_constants(
     model: &Model,
     layout: &Layout,

@@ -1,4 +1,4 @@
-//! The median, and the standard deviation that it gives.
+//! Median, and a robust standard deviation from the median.
 
 /// Ratio of the standard deviation of normal values to their median absolute value.
 const SIGMA_PER_MEDIAN: f64 = 1.4826;

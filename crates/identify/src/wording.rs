@@ -1,11 +1,11 @@
-//! Words that reports and messages are made of.
+//! Formatting of counts and lists in reports and messages.
 
-/// `1 flight`, `2 flights`.
+/// A count with its noun in the singular or plural: `1 flight`, `2 flights`.
 pub fn count(number: usize, one: &str) -> String {
     format!("{number} {one}{}", if number == 1 { "" } else { "s" })
 }
 
-/// `a`, `a and b`, `a, b and c`; nothing for none.
+/// A list in words: `a`, `a and b`, `a, b and c`; empty for no names.
 pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
     match names.as_slice() {

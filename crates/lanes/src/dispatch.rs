@@ -29,8 +29,8 @@ fn run_on<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
     }
 }
 
-/// Runs a computation compiled for the processor at hand, limited by [`Isa::best`](crate::Isa::best). The results are
-/// bit-identical to those of [`dispatch`](crate::dispatch).
+/// Runs a scalar kernel compiled for the widest supported instruction set, at most [`Isa::best`](crate::Isa::best).
+/// Results are bit-identical to those of [`dispatch`](crate::dispatch).
 #[inline(always)]
 pub fn dispatch_scalar<K: ScalarKernel>(kernel: K) {
     #[cfg(target_arch = "x86_64")]

@@ -6,9 +6,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A single-lane [`Lanes`] type with the layout of `f64`: slices of `f64` are reinterpreted without copying.
 pub trait ScalarLane: Lanes {
-    /// Reinterprets a slice of `f64`.
+    /// Reinterprets a slice of `f64` as a slice of lanes, without copying.
     fn slice(of: &[f64]) -> &[Self];
-    /// Reinterprets a mutable slice of `f64`.
+    /// Reinterprets a mutable slice of `f64` as a mutable slice of lanes, without copying.
     fn slice_mut(of: &mut [f64]) -> &mut [Self];
 }
 

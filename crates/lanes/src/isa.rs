@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-/// Instruction set of the lanes.
+/// Instruction set of a lane type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Isa {
     /// Eight lanes, AVX-512 F and DQ; fused multiply-add.
@@ -19,7 +19,7 @@ impl Isa {
     /// All instruction sets, widest first.
     pub const ALL: [Isa; 4] = [Isa::Avx512, Isa::Avx2, Isa::Portable, Isa::Scalar];
 
-    /// Whether the processor supports it.
+    /// Whether the processor supports this instruction set.
     #[inline]
     pub fn is_supported(self) -> bool {
         // Queried by every kernel, hence cached.
@@ -56,7 +56,7 @@ impl Isa {
         })
     }
 
-    /// Name in lower case, as in `HYZER_LANES`.
+    /// Lower-case name of the instruction set, as in the environment variable `HYZER_LANES`.
     pub fn name(self) -> &'static str {
         match self {
             Isa::Avx512 => "avx512",

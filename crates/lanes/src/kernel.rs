@@ -14,7 +14,7 @@ pub trait Kernel {
     fn run<T: Lanes>(self) -> Self::Output;
 }
 
-/// A computation on one number at a time, for [`dispatch_scalar`](crate::dispatch_scalar).
+/// A computation on single numbers (one lane), for [`dispatch_scalar`](crate::dispatch_scalar).
 ///
 /// `run` and its callees should be `#[inline(always)]`; otherwise they are compiled for the baseline processor.
 pub trait ScalarKernel {

@@ -3,7 +3,7 @@
 use crate::primitive::Primitive;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Four lanes.
+/// Four `f64` lanes in an array.
 #[derive(Clone, Copy)]
 pub(crate) struct Four([f64; 4]);
 

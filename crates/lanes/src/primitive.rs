@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Largest number of lanes of any type.
+/// Maximum number of lanes of any lane type.
 pub(crate) const MAX_WIDTH: usize = 8;
 
 /// Operations of about one machine instruction, on `f64` or on all lanes at once.
@@ -46,24 +46,24 @@ pub(crate) trait Primitive:
     fn mul_add_op(self, b: Self, c: Self) -> Self {
         self * b + c
     }
-    /// `self * b - c`.
+    /// `self * b - c`, rounded once where the type fuses.
     #[inline(always)]
     fn mul_sub_op(self, b: Self, c: Self) -> Self {
         self * b - c
     }
-    /// `c - self * b`.
+    /// `c - self * b`, rounded once where the type fuses.
     #[inline(always)]
     fn neg_mul_add_op(self, b: Self, c: Self) -> Self {
         c - self * b
     }
 
-    /// The number with the given bit pattern, in every lane.
+    /// The `f64` with the given IEEE 754 bits, in every lane.
     #[inline(always)]
     fn bit_pattern(bits: u64) -> Self {
         Self::broadcast(f64::from_bits(bits))
     }
 
-    /// The sign bit, all other bits 0.
+    /// Sign bit of each lane, all other bits 0.
     #[inline(always)]
     fn sign_bit(self) -> Self {
         self.and_bits(Self::bit_pattern(1 << 63))

@@ -21,19 +21,19 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The same number in every lane.
+    /// A value with `value` in every lane.
     fn splat(value: f64) -> Self;
     /// `self * b + c`: rounded once where the type fuses ([`Isa::fuses`](crate::Isa::fuses)), twice elsewhere.
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
         self * b + c
     }
-    /// `self * b - c`, fused as [`mul_add`](Real::mul_add) is.
+    /// `self * b - c`: rounded once where the type fuses, twice elsewhere.
     #[inline(always)]
     fn mul_sub(self, b: Self, c: Self) -> Self {
         self * b - c
     }
-    /// `c - self * b`, fused as [`mul_add`](Real::mul_add) is.
+    /// `c - self * b`: rounded once where the type fuses, twice elsewhere.
     #[inline(always)]
     fn neg_mul_add(self, b: Self, c: Self) -> Self {
         c - self * b
@@ -60,7 +60,7 @@ pub trait Real:
     fn min(self, other: Self) -> Self;
     /// Maximum of two numbers; `other` if either is NaN.
     fn max(self, other: Self) -> Self;
-    /// Sign: -1, 0 or 1.
+    /// Sign: -1, 0 or 1 for a negative, zero or positive number.
     fn sign(self) -> Self;
     /// Heaviside step: 1 where `self > 0`, else 0.
     fn heaviside(self) -> Self;

@@ -20,11 +20,11 @@ use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::OnceLock;
 
-/// Eight lanes of AVX-512.
+/// Eight `f64` lanes of an AVX-512 register.
 #[derive(Clone, Copy)]
 pub(crate) struct Eight(__m512d);
 
-/// Four lanes of AVX2.
+/// Four `f64` lanes of an AVX2 register.
 #[derive(Clone, Copy)]
 pub(crate) struct Four(__m256d);
 

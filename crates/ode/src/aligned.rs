@@ -1,12 +1,12 @@
 //! Vector of `f64` aligned to a cache line, so that no SIMD load of it crosses two lines.
 
-/// Bytes of a cache line.
+/// Size of a cache line, bytes.
 const CACHE_LINE_BYTES: usize = 64;
 
 /// Fixed-length vector of `f64` whose first element starts a cache line of 64 bytes.
 #[derive(Debug)]
 pub struct AlignedVec {
-    /// The elements, with up to seven unused ones before them.
+    /// Storage of the elements, with up to seven unused elements before them for alignment.
     buffer: Box<[f64]>,
     first: usize,
     len: usize,

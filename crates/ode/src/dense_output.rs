@@ -1,4 +1,4 @@
-//! State within an accepted step: the method's interpolant, and a cheaper Hermite cubic.
+//! State within an accepted step: the method's interpolant, and a cheaper cubic Hermite interpolant.
 
 use crate::method::simd::{MIN_SIMD_LEN, WeightedRows};
 use crate::method::{Method, ROWS};
@@ -9,7 +9,7 @@ use std::ops::Range;
 #[derive(Clone, Copy)]
 pub(crate) struct DenseOutput<'a> {
     pub method: Method,
-    /// Start of the step.
+    /// Time at the start of the step.
     pub t: f64,
     /// Step size.
     pub h: f64,
@@ -35,7 +35,8 @@ impl DenseOutput<'_> {
         }
     }
 
-    /// Writes the components in `ranges` of the state at the fraction `s` of the step; the others keep their value.
+    /// Writes the components in `ranges` of the state at the fraction `s` of the step; other elements of `to` are
+    /// unchanged.
     pub(crate) fn components(&self, s: f64, ranges: &[Range<usize>], to: &mut [f64]) {
         let weights = self.method.weights(s, self.h);
         for range in ranges {
@@ -45,8 +46,8 @@ impl DenseOutput<'_> {
         }
     }
 
-    /// Component `i` of the state at the fraction `s` of the step; equal in its bits to [`state`](Self::state) of a
-    /// state shorter than [`MIN_SIMD_LEN`].
+    /// Component `i` of the state at the fraction `s` of the step; bit-identical to [`state`](Self::state) for states
+    /// shorter than [`MIN_SIMD_LEN`].
     pub(crate) fn component(&self, s: f64, i: usize) -> f64 {
         let weights = self.method.weights(s, self.h);
         let mut sum = self.rows[0][i];
@@ -57,9 +58,9 @@ impl DenseOutput<'_> {
     }
 }
 
-/// State and derivative at both ends of an accepted step, interpolated by Hermite's cubic.
+/// Accepted step with states and derivatives at both ends, interpolated by the cubic Hermite polynomial.
 pub(crate) struct HermiteStep<'a, X> {
-    /// Start of the step.
+    /// Time at the start of the step.
     pub t: f64,
     /// Step size.
     pub h: f64,
@@ -70,7 +71,7 @@ pub(crate) struct HermiteStep<'a, X> {
 }
 
 impl<X: StateVector> HermiteStep<'_, X> {
-    /// Component `i` at the start and at the end, then h times its derivative at the start and at the end.
+    /// Hermite data of component `i`: value at start and end, then h times its derivative at start and end.
     #[inline(always)]
     pub(crate) fn ends(&self, i: usize) -> (f64, f64, f64, f64) {
         (

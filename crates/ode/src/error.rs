@@ -10,28 +10,28 @@ pub struct IntegrationError {
     /// Name and value of each error-controlled component of the last accepted state; empty where the input was
     /// invalid.
     pub states: Vec<(String, f64)>,
-    /// Return code.
+    /// Return code: reason of the failure.
     pub cause: IntegrationFailure,
 }
 
 /// Return code of a failed integration.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum IntegrationFailure {
-    /// An initial state, time, tolerance or step bound is NaN, infinite or not positive.
+    /// Invalid input: an initial state, time, tolerance or step bound is NaN, infinite or not positive.
     #[error("invalid integration input: {what} is {value}")]
     InvalidInput {
-        /// The quantity: a state by name, or an option.
+        /// Name of the invalid quantity: a state or an option.
         what: String,
-        /// Its value.
+        /// Value of the invalid quantity.
         value: f64,
     },
-    /// At the initial state the event function of a terminal event is past its zero already.
+    /// At the initial state, the event function of a terminal event is already past its zero.
     #[error("invalid initial state: it is already past the terminal event ({event})")]
     StartsPastEvent {
         /// Name of the event.
         event: String,
     },
-    /// The right-hand side gives NaN or an infinity, however short the step.
+    /// The right-hand side is NaN or infinite, however short the step.
     #[error("the derivative of {state} is {rate}")]
     NonFiniteDerivative {
         /// Name of the state component.
@@ -42,7 +42,7 @@ pub enum IntegrationFailure {
     /// The error test fails at the minimum step size.
     #[error("step size below minimum ({} s): d({})/dt is {}", Short(*.step), .state.0, Short(.state.1))]
     StepTooSmall {
-        /// Size of the last rejected step.
+        /// Size of the last rejected step, in units of time.
         step: f64,
         /// Name and derivative of the state component that changes fastest relative to its value.
         state: (String, f64),
@@ -50,13 +50,13 @@ pub enum IntegrationFailure {
     /// The maximum number of accepted and rejected steps was reached.
     #[error("the end was not reached in {steps} steps")]
     TooManySteps {
-        /// The maximum.
+        /// The maximum number of steps.
         steps: usize,
     },
     /// A limit of the model's domain of validity was crossed; see [`Event::limit`](crate::Event::limit).
     #[error("limit of validity of the model: {reason}")]
     Limit {
-        /// Name of the limit.
+        /// Reason that the limit of validity states.
         reason: String,
     },
     /// No terminal event occurred before the final time of
@@ -90,7 +90,7 @@ impl fmt::Display for IntegrationError {
 
 impl std::error::Error for IntegrationError {}
 
-/// A number in at most seven significant digits.
+/// Number displayed with at most seven significant digits.
 struct Short(f64);
 
 impl fmt::Display for Short {

@@ -1,11 +1,11 @@
-//! Events: zeros of a function g(t, x), located on the dense output of each step.
+//! Events: zeros of event functions g(t, x), located on the dense output of each step.
 
 use crate::dense_output::{DenseOutput, HermiteStep};
 use crate::rhs::{OdeRhs, StateVector};
 use crate::root::first_past_root;
 use std::borrow::Cow;
 
-/// Number of equal parts of a step that are searched for a sign change of an event function on the dense output.
+/// Number of equal subintervals of a step that are searched for a sign change of an event function.
 const SEARCH_INTERVALS: u32 = 8;
 
 /// Event: a zero of a function g(t, x), passed in one direction.
@@ -24,15 +24,15 @@ type Scalar<'a, X> = Box<dyn FnMut(f64, &X) -> f64 + 'a>;
 
 /// Event function g(t, x).
 enum EventFunction<'a, X> {
-    /// A component of the state, less a level.
+    /// State component (by index) minus a level.
     Component(usize, f64),
-    /// The time derivative of a component of the state.
+    /// Time derivative of a state component (by index).
     Derivative(usize),
-    /// A function of time and state.
+    /// User function g(t, x).
     Function(Scalar<'a, X>),
 }
 
-/// Sign change of g that is an event.
+/// Direction of the sign change of g that counts as an event.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Direction {
     Falling,
@@ -40,7 +40,7 @@ enum Direction {
 }
 
 impl Direction {
-    /// g, negated where rising zeros are events, so that events are always falling zeros.
+    /// `value` of g, negated for rising events, so that all events are falling zeros.
     #[inline(always)]
     fn as_falling(self, value: f64) -> f64 {
         match self {
@@ -63,9 +63,9 @@ pub(crate) enum EventAction {
 pub struct Occurrence {
     /// Name of the event.
     pub event: String,
-    /// Time of the zero.
+    /// Time of the event, in the time unit of the right-hand side.
     pub time: f64,
-    /// State at that time.
+    /// State at the time of the event.
     pub state: Vec<f64>,
 }
 
@@ -94,7 +94,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// This event where the event function rises to 0 instead of falling to it.
+    /// Turns the event into one where the event function rises to 0 instead of falling.
     pub fn rising(self) -> Self {
         Event {
             direction: Direction::Rising,
@@ -102,7 +102,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// This event as a terminal one: the integration stops at its first occurrence.
+    /// Turns the event into a terminal one: the integration stops at its first occurrence.
     pub fn terminal(self) -> Self {
         Event {
             action: EventAction::Stop,
@@ -133,7 +133,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         self.direction.as_falling(value)
     }
 
-    /// Whether the initial state is past the zero already, or at it and moving past it.
+    /// Whether the initial state is past the event's zero, or at the zero and moving past it.
     pub(crate) fn is_past<D: OdeRhs<State = X>>(
         &mut self,
         rhs: &mut D,
@@ -150,7 +150,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         value < 0.0 || value == 0.0 && is_falling
     }
 
-    /// Whether the Hermite cubic through the ends of a step has a zero of the event; cheaper than dense output.
+    /// Whether the cubic Hermite interpolant of a step has a zero of the event; cheaper than dense output.
     #[inline(always)]
     pub(crate) fn may_occur(&mut self, step: &HermiteStep<'_, X>, scratch: &mut X) -> bool {
         let sign = self.direction.as_falling(1.0);
@@ -187,7 +187,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// Appends to `found` every occurrence in a step, as fractions of the step.
+    /// Appends to `found` every occurrence of the event in a step, as a fraction of the step.
     pub(crate) fn locate<D: OdeRhs<State = X>>(
         &mut self,
         rhs: &mut D,

@@ -20,8 +20,7 @@ pub(crate) fn first_non_finite<X: StateVector>(x: &X) -> Option<usize> {
     x.iter().position(|v| !v.is_finite())
 }
 
-/// Checks that the initial state and both times are finite, that time runs forward, and that tolerances and step
-/// bounds are positive.
+/// Checks an integration's input: finite initial state and times, forward time, positive tolerances and step bounds.
 #[cold]
 pub(crate) fn check_input<D: OdeRhs>(
     rhs: &D,
@@ -58,7 +57,7 @@ pub(crate) fn check_input<D: OdeRhs>(
     }
 }
 
-/// Error with the error-controlled components of a state.
+/// Integration error with return code, time, and the error-controlled components of a state.
 #[cold]
 pub(crate) fn failure<D: OdeRhs>(
     rhs: &D,
@@ -76,7 +75,7 @@ pub(crate) fn failure<D: OdeRhs>(
     }
 }
 
-/// Error for the non-finite derivative `rate` of component `i`.
+/// Error for a NaN or infinite derivative `rate` of state component `i`.
 #[cold]
 pub(crate) fn non_finite_derivative<D: OdeRhs>(
     rhs: &D,
@@ -94,8 +93,8 @@ pub(crate) fn non_finite_derivative<D: OdeRhs>(
     )
 }
 
-/// Error where the error test fails at the minimum step size `h`: a non-finite derivative just ahead, or a state
-/// that changes too fast.
+/// Error for a failed error test at the minimum step size `h`: a non-finite derivative just ahead, or a state that
+/// changes too fast.
 #[cold]
 pub(crate) fn step_too_small<D: OdeRhs>(
     rhs: &mut D,

@@ -1,4 +1,4 @@
-//! Integration of an initial value problem, by what is wanted of the solution.
+//! Entry points of the integration of initial value problems, by the output they produce.
 
 use crate::dense_output::DenseOutput;
 use crate::error::{IntegrationError, IntegrationFailure};
@@ -11,7 +11,7 @@ use crate::solver::{Endpoint, StepObserver, solve};
 use crate::trajectory::Trajectory;
 use std::ops::Range;
 
-/// Steps for which a trajectory reserves memory before the integration starts.
+/// Number of steps for which a trajectory reserves memory in advance.
 const RESERVED_STEPS: usize = 64;
 
 /// Integrates from the time `start.0` and the state `start.1` to the time `t_end`, or to the first terminal event,
@@ -59,10 +59,10 @@ pub fn integrate<D: OdeRhs>(
     })
 }
 
-/// Integrates like [`integrate`] to a terminal event, which must occur before the time `t_end`.
+/// Integrates as [`integrate`] does, to a terminal event, which must occur before the time `t_end`.
 ///
 /// # Errors
-/// As [`integrate`]; [`IntegrationFailure::NoTerminalEvent`] where no terminal event occurs.
+/// [`IntegrationError`]; with cause [`IntegrationFailure::NoTerminalEvent`] if no terminal event occurs.
 pub fn integrate_to_event<D: OdeRhs>(
     rhs: &mut D,
     start: (f64, &D::State),
@@ -85,10 +85,10 @@ pub fn integrate_to_event<D: OdeRhs>(
     ))
 }
 
-/// Integrates like [`integrate`] without storing dense output; returns the final state and the events only.
+/// Integrates as [`integrate`] does, without storing dense output; returns only the final state and the events.
 ///
 /// # Errors
-/// As [`integrate`].
+/// [`IntegrationError`], whose cause is the return code.
 pub fn integrate_to_end<D: OdeRhs>(
     rhs: &mut D,
     start: (f64, &D::State),
@@ -99,15 +99,15 @@ pub fn integrate_to_end<D: OdeRhs>(
     solve(rhs, start, t_end, options, events, &mut NoObserver)
 }
 
-/// Integrates to the last of `times` (non-decreasing, from the initial time on) and writes the state at each of them
-/// to `states`, one after the other. Times past a terminal event get the state at the event.
+/// Integrates to the last of `times` (non-decreasing, not before the initial time) and writes the states at these
+/// times, concatenated, to `states`. Times past a terminal event get the state at the event.
 ///
 /// # Errors
-/// As [`integrate`].
+/// [`IntegrationError`], whose cause is the return code.
 ///
 /// # Panics
-/// Where the length of `states` is not that of `times` times that of the state, or `times` decrease or begin before
-/// the initial time.
+/// If the length of `states` is not the number of times multiplied by the state length, or `times` decrease or begin
+/// before the initial time.
 pub fn integrate_at<D: OdeRhs>(
     rhs: &mut D,
     start: (f64, &D::State),
@@ -145,15 +145,16 @@ pub fn integrate_at<D: OdeRhs>(
     Ok(end)
 }
 
-/// Integrates to the last of `times` and calls `callback` with the index of each output time and the state there.
+/// Integrates to the last of `times` and calls `callback` with the index of each output time and the state at that
+/// time.
 ///
-/// Only the components in `ranges` of that state are computed. Calls made before a failure are of no use.
+/// Only the state components in `ranges` are computed. If the integration fails, discard the results of earlier calls.
 ///
 /// # Errors
-/// As [`integrate`].
+/// [`IntegrationError`], whose cause is the return code.
 ///
 /// # Panics
-/// Where `times` decrease or begin before the initial time, or a range ends past the state.
+/// If `times` decrease or begin before the initial time, or a range exceeds the state length.
 pub fn integrate_with_callback<D: OdeRhs>(
     rhs: &mut D,
     start: (f64, &D::State),
@@ -180,7 +181,7 @@ pub fn integrate_with_callback<D: OdeRhs>(
     Ok(())
 }
 
-/// Number of leading output times that equal the initial time.
+/// Number of leading output times equal to the initial time.
 fn count_at_start(start: f64, times: &[f64]) -> usize {
     assert!(times.is_sorted(), "output times must not decrease");
     let at_start = times.iter().take_while(|t| **t == start).count();
@@ -191,9 +192,9 @@ fn count_at_start(start: f64, times: &[f64]) -> usize {
     at_start
 }
 
-/// Stores the dense output of all steps.
+/// Step observer that stores the dense output of all steps.
 struct Recorder {
-    /// Start and size of each step.
+    /// Start time and size of each step.
     steps: Vec<(f64, f64)>,
     rows: Vec<f64>,
 }
@@ -212,7 +213,7 @@ impl StepObserver for Recorder {
     }
 }
 
-/// Writes the states at the output times.
+/// Step observer that writes the states at the output times.
 struct Sampler<'a> {
     times: &'a [f64],
     /// Index of the next output time.
@@ -235,7 +236,7 @@ impl StepObserver for Sampler<'_> {
     }
 }
 
-/// Calls a function with parts of the state at the output times.
+/// Step observer that calls a function with selected state components at the output times.
 struct Caller<'a, X, F> {
     times: &'a [f64],
     /// Index of the next output time.
@@ -260,7 +261,7 @@ impl<X: StateVector, F: FnMut(usize, &[f64])> StepObserver for Caller<'_, X, F> 
     }
 }
 
-/// Ignores all steps.
+/// Step observer that ignores all steps.
 struct NoObserver;
 
 impl StepObserver for NoObserver {

@@ -37,8 +37,7 @@ impl Default for IntegrationOptions {
 }
 
 impl IntegrationOptions {
-    /// Sets `rtol` and `atol` to `tolerance` and picks the method that is cheaper at it: Tsit5, or DOP853 below
-    /// 1e-8.
+    /// Sets `rtol` and `atol` to `tolerance` and picks the more efficient method: DOP853 below 1e-8, else Tsit5.
     pub fn with_tolerance(tolerance: f64) -> IntegrationOptions {
         let method = if tolerance < 1e-8 {
             Method::Dop853

@@ -50,7 +50,7 @@ impl<D: OdeRhs> OdeRhs for &mut D {
 
 /// Right-hand side from a closure `f(t, x, dx)` that writes dx/dt to `dx`.
 ///
-/// `names` are the state names used in error messages; components beyond its end are numbered.
+/// `names` are the state names used in error messages; components beyond the end of `names` are numbered.
 pub fn rhs_from_fn<'n, X, F>(names: &'n [&'n str], f: F) -> FnRhs<'n, X, F>
 where
     X: StateVector,

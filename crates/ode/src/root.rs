@@ -1,6 +1,6 @@
 //! Bracketed root finding in one variable.
 
-/// Iteration limit; halving alone reaches the width of two neighbouring numbers earlier.
+/// Iteration limit of the root search; bisection alone would reach adjacent floating-point numbers earlier.
 const MAX_ITERATIONS: u32 = 400;
 
 /// Narrows a bracket around a sign change of `f` to at most `width` and returns its end past the root: there `f` has

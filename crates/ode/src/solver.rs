@@ -1,4 +1,4 @@
-//! Step loop of an integration: error test, events, observer.
+//! Step loop of an integration: error test, event location, and calls of the step observer.
 
 use crate::dense_output::{DenseOutput, HermiteStep};
 use crate::error::{IntegrationError, IntegrationFailure};
@@ -11,11 +11,11 @@ use crate::options::{IntegrationOptions, SolverStats};
 use crate::rhs::OdeRhs;
 use crate::step_control::{PiController, initial_step};
 
-/// Minimum step size as a fraction of the largest time involved.
+/// Minimum step size as a fraction of the largest absolute time of the integration.
 const MIN_RELATIVE_STEP: f64 = 1e-14;
 
-/// Fraction of the remaining time by which a step may fall short and still be taken to the final time; without it
-/// the remainder could be too short for a step of its own.
+/// Relative slack of the final step: a step that ends this close to the final time is extended to it, which avoids a
+/// tiny last step.
 const FINAL_STEP_SLACK: f64 = 1e-10;
 
 /// Final time and state of an integration.
@@ -33,15 +33,15 @@ pub struct Endpoint<X> {
     pub stats: SolverStats,
 }
 
-/// Receives the dense output of accepted steps.
+/// Observer of accepted steps, which receives their dense output.
 pub(crate) trait StepObserver {
-    /// Whether dense output is needed for the step from `t` to `t_end`.
+    /// Whether the observer needs dense output for the step from `t` to `t_end`.
     fn needs_dense_output(&self, t: f64, t_end: f64) -> bool;
-    /// Receives a step; times beyond `until` are past a terminal event.
+    /// Called with an accepted step; times after `until` are past a terminal event.
     fn on_step(&mut self, step: DenseOutput<'_>, until: f64);
 }
 
-/// Integrates from (t0, x0) to the time `t_end` or to a terminal event.
+/// Integrates from (t0, x0) to the time `t_end` or to the first terminal event.
 pub(crate) fn solve<D: OdeRhs, O: StepObserver>(
     rhs: &mut D,
     start: (f64, &D::State),
@@ -69,7 +69,7 @@ struct Solver<'s, 'e, D: OdeRhs, O, S> {
     x: D::State,
     dx: D::State,
     t_end: f64,
-    /// Size of the next step before it is limited by `max_step` and `t_end`.
+    /// Proposed size of the next step, before it is limited by `max_step` and `t_end`.
     h: f64,
     min_step: f64,
     max_step: f64,
@@ -83,15 +83,15 @@ struct Solver<'s, 'e, D: OdeRhs, O, S> {
     stats: SolverStats,
 }
 
-/// Events of an integration.
+/// Events of an integration, with their recorded occurrences.
 #[derive(Default)]
 struct EventLog {
     occurrences: Vec<Occurrence>,
-    /// Events of the current step: fraction of the step, index of the event.
+    /// Events in the current step: (fraction of the step, event index).
     in_step: Vec<(f64, usize)>,
 }
 
-/// Size and end of a step.
+/// Size and end time of a step.
 #[derive(Clone, Copy)]
 struct StepEnd {
     h: f64,
@@ -169,7 +169,7 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
         }
     }
 
-    /// Result with the final state in `scratch`.
+    /// Result of the integration; `scratch` must contain the final state.
     fn endpoint(self, time: f64, event: Option<String>) -> Endpoint<D::State> {
         Endpoint {
             time,
@@ -180,7 +180,7 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
         }
     }
 
-    /// Tries steps until one passes the error test, and sets the size of the next one.
+    /// Tries steps until one passes the error test; sets the size of the next step.
     #[inline]
     fn step(&mut self) -> Result<StepEnd, IntegrationError> {
         loop {
@@ -221,7 +221,7 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
         }
     }
 
-    /// Error norm of a step, and NaN where its end is not finite.
+    /// Error norm of a step; NaN if the state at its end is not finite.
     #[inline(always)]
     fn try_step(&mut self, end: StepEnd) -> f64 {
         let start = StepStart {
@@ -244,8 +244,8 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
         error
     }
 
-    /// Passes an accepted step to the events and the observer; returns time and index of a terminal event, whose
-    /// state is then in `scratch`.
+    /// Passes an accepted step to the events and the observer. Returns (time, event index) of a terminal event and
+    /// leaves its state in `scratch`; `None` if the integration goes on.
     #[inline]
     fn handle_step(&mut self, end: StepEnd) -> Result<Option<(f64, usize)>, IntegrationError> {
         let (t, h) = (self.t, end.h);
@@ -299,8 +299,8 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
 }
 
 impl EventLog {
-    /// Records the events of a step up to a terminal one, whose time and index it returns; `state` is the state at
-    /// the last event.
+    /// Records the events of a step up to a terminal one, whose (time, event index) is returned; on return `state` is
+    /// the state at the last recorded event.
     #[cold]
     fn record<D: OdeRhs>(
         &mut self,
@@ -330,7 +330,7 @@ impl EventLog {
         Ok(None)
     }
 
-    /// Finds all events of a step, in order of time.
+    /// Locates all events in a step, in order of time.
     fn locate<D: OdeRhs>(
         &mut self,
         rhs: &mut D,
@@ -349,7 +349,7 @@ impl EventLog {
     }
 }
 
-/// Refuses an initial state that is past a terminal event or a limit of validity.
+/// Returns an error if the initial state is past a terminal event or a limit of validity.
 fn check_initial_events<D: OdeRhs>(
     rhs: &mut D,
     t: f64,

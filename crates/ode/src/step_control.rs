@@ -3,14 +3,14 @@
 use crate::method::{ErrorTolerance, StepStart, combine};
 use crate::rhs::OdeRhs;
 
-/// Factor by which a predicted step size is reduced, so that the next step rarely fails the error test.
+/// Safety factor on the predicted step size, so that the next step rarely fails the error test.
 const SAFETY: f64 = 0.9;
 
-/// Error of an accepted step below which the controller treats it as this, so that one nearly exact step does not
+/// Lower bound on the error norm that the controller stores for an accepted step, so that a nearly exact step does not
 /// inflate the next ones.
 const MIN_REMEMBERED_ERROR: f64 = 1e-4;
 
-/// Proportional-integral step-size controller (Hairer & Wanner, IV.2): the next step from the last two errors.
+/// Proportional-integral step-size controller (Hairer & Wanner, IV.2): next step size from the last two error norms.
 pub(crate) struct PiController {
     proportional_exponent: f64,
     integral_exponent: f64,
@@ -32,7 +32,7 @@ impl PiController {
         }
     }
 
-    /// Ratio of the next step size to this one after a step accepted with error norm `error` (at most 1).
+    /// Ratio of the next step size to the current one after a step accepted with error norm `error` (at most 1).
     #[inline(always)]
     pub(crate) fn factor_after_accepted(&mut self, error: f64) -> f64 {
         let log2_error = approx_log2(error.max(1e-10));
@@ -60,7 +60,8 @@ impl PiController {
     }
 }
 
-/// Initial step size from the first and second derivatives (Hairer, Nørsett & Wanner, II.4), at most `max_step`.
+/// Initial step size from estimates of the first and second derivatives (Hairer, Nørsett & Wanner, II.4), at most
+/// `max_step`.
 pub(crate) fn initial_step<D: OdeRhs>(
     rhs: &mut D,
     start: &StepStart<'_, D::State>,

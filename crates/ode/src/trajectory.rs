@@ -5,7 +5,8 @@ use crate::event::Occurrence;
 use crate::method::{Method, ROWS};
 use crate::options::SolverStats;
 
-/// A sample closer to the end of a trajectory than this fraction of the sampling interval is the end.
+/// Sampling slack, as a fraction of the sampling interval: a sample closer than this to the trajectory's end is
+/// omitted.
 const END_SLACK: f64 = 1e-6;
 
 /// Solution x(t) from its initial time to its end, at any time by dense output.
@@ -14,7 +15,7 @@ pub struct Trajectory {
     pub(crate) method: Method,
     pub(crate) states: usize,
     pub(crate) steps: Vec<(f64, f64)>,
-    /// Dense-output coefficients, step by step.
+    /// Dense-output coefficients of all steps, concatenated.
     pub(crate) rows: Vec<f64>,
     /// Initial time.
     pub start: f64,
@@ -46,7 +47,7 @@ impl Trajectory {
     /// nothing.
     ///
     /// # Panics
-    /// Where `state` is not as long as the state vector.
+    /// If the length of `state` is not that of the state vector.
     pub fn sample_into(&self, t: f64, state: &mut [f64]) -> bool {
         assert_eq!(state.len(), self.states);
         if !(self.start <= t && t <= self.end) {
@@ -62,7 +63,7 @@ impl Trajectory {
         true
     }
 
-    /// Dense output of a step by its index.
+    /// Dense output of a step, by the step's index.
     fn step(&self, index: usize) -> DenseOutput<'_> {
         let (t, h) = self.steps[index];
         let rows = &self.rows[index * ROWS * self.states..];
@@ -74,10 +75,10 @@ impl Trajectory {
         }
     }
 
-    /// Times and states at an even rate (samples per unit of time) from the initial time on, and at the end.
+    /// (time, state) at `rate` samples per unit of time from the initial time on, and at the final time.
     ///
     /// # Panics
-    /// Where the rate is not positive.
+    /// If the rate is not positive.
     pub fn at_rate(&self, rate: f64) -> impl Iterator<Item = (f64, Vec<f64>)> {
         assert!(rate > 0.0, "a positive rate");
         let duration = self.end - self.start;

@@ -3,12 +3,12 @@
 use crate::scalar::{Field, Real};
 use nalgebra::{Matrix3, Vector3};
 
-/// A quaternion, scalar part first: v_N = q v q*.
+/// Quaternion, scalar part first; maps components in the rotated frame to the original frame N: v_N = q v q*.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quaternion<T> {
-    /// Scalar part.
+    /// Scalar part w.
     pub w: T,
-    /// Vector part.
+    /// Vector part (x, y, z).
     pub v: Vector3<T>,
 }
 
@@ -21,7 +21,7 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// From four components, scalar part first.
+    /// Quaternion from its components [w, x, y, z].
     pub fn from_parts([w, x, y, z]: [T; 4]) -> Self {
         Self {
             w,
@@ -29,12 +29,12 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// The four components, scalar part first.
+    /// Components [w, x, y, z].
     pub fn parts(self) -> [T; 4] {
         [self.w, self.v.x, self.v.y, self.v.z]
     }
 
-    /// Hamilton product: the rotation `o`, then `self`.
+    /// Hamilton product `self` ⊗ `o`: applies the rotation `o` first, then `self`.
     pub fn times(self, o: Self) -> Self {
         Self {
             w: self.w * o.w - self.v.dot(&o.v),
@@ -42,7 +42,7 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// Conjugate: the inverse rotation.
+    /// Conjugate quaternion: inverse rotation, if of unit norm.
     pub fn conjugate(self) -> Self {
         Self {
             w: self.w,
@@ -85,7 +85,7 @@ impl<T: Real> Quaternion<T> {
 }
 
 impl Quaternion<f64> {
-    /// The quaternion of a proper rotation matrix.
+    /// Unit quaternion of a proper rotation matrix.
     pub fn from_matrix(m: &Matrix3<f64>) -> Self {
         let q = nalgebra::UnitQuaternion::from_matrix(m);
         Self {

@@ -1,5 +1,5 @@
-//! Conversion between the states of a model and a physical state, with quaternions throughout, where the vector tree
-//! uses matrices.
+//! Conversion between the states of a model and a physical state. Attitudes are quaternions here, matrices in the
+//! vector tree.
 
 use crate::attitude::{Quaternion, unit};
 use crate::physical::{Motion, Physical};
@@ -8,36 +8,36 @@ use crate::scalar::{Dual, Real};
 use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// One rotation on the way from the inertial frame to the body frame.
+/// One rotation in the sequence from the inertial frame to the body frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
     /// Rotation about an axis by the state `angle`, whose rate is the state `rate`.
     Angle {
-        /// 1, 2 or 3.
+        /// Axis of rotation: 1, 2 or 3.
         axis: u8,
         /// Index of the state that is the angle, rad.
         angle: usize,
-        /// Index of the state that is its rate, rad/s.
+        /// Index of the state that is the rate of the angle, rad/s.
         rate: usize,
     },
-    /// Rotation by a unit quaternion; indices of its states, scalar part first.
+    /// Rotation by a unit quaternion: indices of its four states, scalar part first.
     Quaternion([usize; 4]),
 }
 
-/// Coordinate chart: meaning of each state of a model.
+/// Coordinate chart: physical meaning of each state of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
-    /// Default of every state; states without physical meaning keep it.
+    /// Default value of every state, used for states without physical meaning.
     pub defaults: Vec<f64>,
-    /// Indices of the position's inertial components.
+    /// State indices of the position components, in the inertial frame.
     pub position: [usize; 3],
-    /// Indices of the velocity's components.
+    /// State indices of the velocity components, in the frame after `velocity_after` rotations.
     pub velocity: [usize; 3],
-    /// Number of steps to the frame of the velocity's components.
+    /// Number of rotations from the inertial frame to the frame of the velocity components.
     pub velocity_after: usize,
-    /// Rotations from the inertial frame to the body frame.
+    /// Sequence of rotations from the inertial frame to the body frame.
     pub steps: Vec<Step>,
-    /// Indices of the angular velocity's components and number of steps to their frame, if they are states.
+    /// State indices of the angular velocity components, and number of rotations to their frame; `None` if not states.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
@@ -48,7 +48,7 @@ pub struct PhysicalRate {
     pub velocity: Vector3<f64>,
     /// Acceleration of the mass centre, m/s².
     pub acceleration: Vector3<f64>,
-    /// Angular velocity that belongs to the rate of the attitude, rad/s.
+    /// Angular velocity computed from the rate of the attitude, rad/s.
     pub angular_velocity: Vector3<f64>,
     /// Angular acceleration, rad/s².
     pub angular_acceleration: Vector3<f64>,
@@ -103,12 +103,12 @@ impl Chart {
         }
     }
 
-    /// Whether the body has an attitude.
+    /// Whether the chart has an attitude; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         !self.steps.is_empty()
     }
 
-    /// Physical state of the given states.
+    /// Converts states to the physical state.
     pub fn physical<T: Real>(&self, states: &[T]) -> Physical<T> {
         let placed = self.place(states);
         let pick = |i: [usize; 3]| Vector3::from(i.map(|i| states[i]));
@@ -125,7 +125,7 @@ impl Chart {
         }
     }
 
-    /// Derivatives of the states under a motion; 0 for states without physical meaning.
+    /// Time derivatives of the states for given accelerations; 0 for states without physical meaning.
     pub fn derivatives<T: Real>(&self, states: &[T], motion: &Motion<T>) -> Vec<T> {
         let mut out = vec![T::zero(); self.defaults.len()];
         let mut put = |indices: [usize; 3], v: Vector3<T>| {
@@ -198,7 +198,7 @@ impl Chart {
         out
     }
 
-    /// Rate of the physical state for the given rates of the states.
+    /// Rate of change of the physical state for given time derivatives of the states.
     pub fn physical_rate(&self, states: &[f64], rates: &[f64]) -> PhysicalRate {
         let along: Vec<Dual<f64>> = states
             .iter()
@@ -218,7 +218,7 @@ impl Chart {
         }
     }
 
-    /// States of a physical state; `None` for angles about axes other than 1, 2, 3 in this order.
+    /// Converts a physical state to states; `None` for angles about axes other than 1, 2, 3 in this order.
     pub fn states(&self, physical: &Physical<f64>) -> Option<Vec<f64>> {
         let mut out = self.defaults.clone();
         match self.steps.as_slice() {
@@ -278,7 +278,7 @@ impl Chart {
         Some(out)
     }
 
-    /// Attitude and angular velocity after 0, 1, … steps, without the angular velocity of quaternions.
+    /// Attitude and angular velocity after 0, 1, … rotations; quaternion rotations add no angular velocity.
     fn place<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
         let mut placed = vec![(Quaternion::identity(), Vector3::zeros())];
         for (k, step) in self.steps.iter().enumerate() {
@@ -298,12 +298,12 @@ impl Chart {
     }
 }
 
-/// Default of every state of a model.
+/// Default value of every state of a model.
 pub(crate) fn defaults(model: &Model) -> Vec<f64> {
     model.states.iter().map(|s| s.value).collect()
 }
 
-/// Frames from the inertial frame to `frame`.
+/// Indices of the frames from the inertial frame to `frame`, both included.
 fn chain(model: &Model, frame: usize) -> Vec<usize> {
     match model.frames[frame].kind {
         FrameKind::Inertial => vec![frame],

@@ -1,5 +1,5 @@
-//! State derivatives of a model from its vector tree: stated equations as they are written, those of a body by
-//! Newton's and Euler's laws in inertial components.
+//! State derivatives of a model from its vector tree: stated equations directly, those of a body by Newton's and
+//! Euler's laws in inertial components.
 
 use crate::attitude::Quaternion;
 use crate::error::Unsupported;
@@ -21,12 +21,12 @@ pub struct MassProperties<T> {
     pub inertia: Option<Matrix3<T>>,
 }
 
-/// Derivative of every state by the time of the clock.
+/// Derivative of every state with respect to the time of the measuring clock.
 pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     derivatives_of(&Tree::new(model, point))
 }
 
-/// Derivative of every state by the time of the clock, from an evaluated tree.
+/// Derivative of every state with respect to the time of the measuring clock, from an evaluated vector tree.
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {
@@ -48,7 +48,7 @@ pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported
     Ok(out)
 }
 
-/// Evaluates mass and inertia of a body.
+/// Mass and inertia tensor of a body, evaluated by the vector tree.
 pub fn mass_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
     MassProperties {
         mass: tree.scalar(&body.mass),
@@ -87,7 +87,7 @@ pub fn newton_euler<T: Field>(
     }
 }
 
-/// Derivatives of the states of a body under a motion; 0 for all other states.
+/// Derivatives of a body's states for given accelerations; 0 for all other states.
 pub fn state_derivatives<T: Field>(
     model: &Model,
     body: &Body,

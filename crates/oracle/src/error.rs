@@ -1,20 +1,20 @@
-//! Reasons why a model has no oracle.
+//! Errors: models without a reference implementation or without derivable equations of motion.
 
 use thiserror::Error;
 
-/// A reference implementation that cannot be bound to the names of a model.
+/// Reason why a reference implementation cannot be bound to the names of a model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum BindError {
     /// No reference implementation has the name given after `reference`.
     #[error("there is no reference `{name}`; available: {}", crate::reference::NAMES.join(", "))]
     UnknownReference {
-        /// Name in the model.
+        /// Unknown name that the model gives after `reference`.
         name: String,
     },
     /// A parameter or coefficient of the reference is missing from the model.
     #[error("`{name}` is not declared")]
     MissingConstant {
-        /// Name in the reference.
+        /// Name of the missing constant in the reference.
         name: &'static str,
     },
     /// The model has no input `wind`.
@@ -23,7 +23,7 @@ pub enum BindError {
     /// A state of the reference is missing from the model.
     #[error("the state `{name}` of the reference is not declared")]
     MissingState {
-        /// Name in the reference.
+        /// Name of the missing state in the reference.
         name: &'static str,
     },
     /// An effect has no reference implementation for the model's law.
@@ -42,19 +42,19 @@ pub enum BindError {
     },
 }
 
-/// A model whose equations of motion the oracle cannot derive.
+/// Reason why the oracle cannot derive a model's equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unsupported {
     /// The model states its equations instead of declaring a body.
     #[error("its equations are stated")]
     StatedEquations,
-    /// Mass or inertia is no rational function of the constants.
+    /// Mass or inertia is not a rational function of the constants.
     #[error("mass or inertia is not rational")]
     IrrationalMass,
     /// The components of a vector refer to a frame whose angular velocity the model does not define.
     #[error("the angular velocity of the frame of {vector} is not defined")]
     FrameRate {
-        /// The vector, in words.
+        /// Description of the vector.
         vector: &'static str,
     },
     /// The angular velocity is a state, but the attitude is not a quaternion from the inertial frame.

@@ -5,7 +5,7 @@ use crate::scalar::{Field, Real};
 use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// A frame at one instant.
+/// Axes and angular velocity of a frame at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedFrame<T> {
     /// Rotation matrix to inertial components: the axes as columns.
@@ -21,11 +21,11 @@ pub struct ElementaryRotation<T> {
     pub axis: Vector3<T>,
     /// Angular velocity of the parent frame, rad/s.
     pub parent_angular_velocity: Vector3<T>,
-    /// Index of the state that is the angular rate.
+    /// Index of the state that is the rate of the rotation angle, rad/s.
     pub rate: usize,
 }
 
-/// All frames of a model; `sin_cos` gives sine and cosine of the state of an index.
+/// Axes and angular velocities of all frames of a model; `sin_cos` gives (sine, cosine) of the state with an index.
 pub fn place<T: Field>(
     model: &Model,
     states: &[T],
@@ -67,7 +67,7 @@ pub fn place<T: Field>(
             declared.and_then(|r| Some((r, r.angular_velocity?)))
             && rotation.body_frame == index
         {
-            // The components may refer to this frame, which has been placed above.
+            // The angular velocity components may refer to this frame, whose axes are now known.
             placed[index].angular_velocity =
                 Some(placed[frame].axes * Vector3::from(components.map(|i| states[i])));
         }
@@ -75,7 +75,7 @@ pub fn place<T: Field>(
     placed
 }
 
-/// All frames of a model at a state.
+/// Axes and angular velocities of all frames of a model, for real states.
 pub fn place_real<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>> {
     place(model, states, |i| (states[i].sin(), states[i].cos()))
 }
@@ -104,7 +104,7 @@ pub fn elementary_rotations<T: Field>(
     }
 }
 
-/// Axes, as columns, of a frame rotated about `axis`, in components of the original frame.
+/// Axes, as columns, of a frame rotated about `axis`; `s` and `c` are the sine and cosine of the angle.
 fn rotated<T: Field>(axis: u8, s: T, c: T) -> Matrix3<T> {
     let (o, l) = (T::zero(), T::one());
     match axis {

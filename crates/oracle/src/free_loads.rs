@@ -8,8 +8,8 @@ use crate::scalar::Field;
 use model_spec::model::{Body, Expr, ExprKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// Derivative of every state under a force and a moment in inertial components; `sin_cos` gives sine and cosine of the
-/// state of an index.
+/// Derivative of every state under a given force and moment in inertial components; `sin_cos` gives (sine, cosine) of
+/// the state with an index.
 ///
 /// # Errors
 /// [`Unsupported::StatedEquations`] without a body, [`Unsupported::IrrationalMass`] if mass or inertia depends on more
@@ -51,7 +51,7 @@ fn mass_properties<T: Field>(
     })
 }
 
-/// Value of a rational expression in constants; `None` for any other.
+/// Value of a rational expression in constants; `None` for any other expression.
 fn rational<T: Field>(model: &Model, e: &Expr, point: &Point<T>) -> Option<T> {
     let part = |e: &Expr| rational(model, e, point);
     Some(match &e.kind {

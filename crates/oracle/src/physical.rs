@@ -11,14 +11,14 @@ pub struct Physical<T> {
     pub position: Vector3<T>,
     /// Velocity of the mass centre, m/s.
     pub velocity: Vector3<T>,
-    /// Attitude of the body frame.
+    /// Attitude of the body frame relative to the inertial frame.
     pub attitude: Quaternion<T>,
     /// Angular velocity of the body, rad/s.
     pub angular_velocity: Vector3<T>,
 }
 
 impl<T: Field> Physical<T> {
-    /// At rest at the origin.
+    /// Body at rest at the origin, body axes parallel to the inertial axes.
     pub fn rest() -> Self {
         Self {
             position: Vector3::zeros(),

@@ -1,4 +1,4 @@
-//! Arguments of a model's evaluation: a number for every name.
+//! Point of evaluation of a model: a value for every variable.
 
 use crate::scalar::{Field, Real};
 use model_spec::model::Model;

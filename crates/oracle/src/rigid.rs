@@ -5,14 +5,14 @@
 use crate::scalar::Field;
 use nalgebra::{Matrix3, Vector3};
 
-/// Solution x of a x = b by Cramer's rule.
+/// Solves the linear system `a` x = `b` by Cramer's rule.
 pub fn solve<T: Field>(a: &Matrix3<T>, b: &Vector3<T>) -> Vector3<T> {
     let [p, q, r] = [0, 1, 2].map(|i| a.column(i).into_owned());
     let determinant = p.dot(&q.cross(&r));
     Vector3::new(b.dot(&q.cross(&r)), p.dot(&b.cross(&r)), p.dot(&q.cross(b))) / determinant
 }
 
-/// Inertia tensor in inertial components, from components in a frame with the given axes (as columns).
+/// Inertia tensor rotated to inertial components; `axes` are the axes of its original frame, as columns.
 pub fn inertia_in_n<T: Field>(axes: &Matrix3<T>, inertia: &Matrix3<T>) -> Matrix3<T> {
     axes * inertia * axes.transpose()
 }

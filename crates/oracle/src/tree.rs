@@ -9,24 +9,24 @@ use crate::scalar::{Real, call};
 use model_spec::model::{Body, Expr, ExprKind, Load, Model, Shape};
 use nalgebra::Vector3;
 
-/// Value of an expression.
+/// Value of an expression: scalar or vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value<T> {
-    /// A scalar.
+    /// Scalar value.
     Scalar(T),
-    /// A vector in inertial components.
+    /// Vector value, in inertial components.
     Vector(Vector3<T>),
 }
 
-/// A model at a point, with its auxiliary variables evaluated.
+/// Vector tree: a model evaluated at a point, with its frames and auxiliary variables.
 pub struct Tree<'a, T> {
-    /// The model.
+    /// The evaluated model.
     pub model: &'a Model,
     /// Point of evaluation.
     pub point: &'a Point<T>,
-    /// Its frames at the point.
+    /// Frames of the model at the point, by frame index.
     pub frames: Vec<PlacedFrame<T>>,
-    /// Values of its auxiliary variables.
+    /// Values of the auxiliary variables, by index.
     pub aux_variables: Vec<Value<T>>,
 }
 
@@ -36,7 +36,7 @@ impl<'a, T: Real> Tree<'a, T> {
         Self::overriding(model, point, &[])
     }
 
-    /// Evaluates a model with given values, by index, for some of its auxiliary variables.
+    /// Evaluates a model with some auxiliary variables, by index, replaced by given values.
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
         let frames = place_real(model, &point.states);
         let mut tree = Self {
@@ -59,7 +59,7 @@ impl<'a, T: Real> Tree<'a, T> {
     /// Value of a scalar expression.
     ///
     /// # Panics
-    /// If it is a vector, which the checker of the language excludes.
+    /// If the expression is a vector, which the language checker excludes.
     pub fn scalar(&self, e: &Expr) -> T {
         match self.value(e) {
             Value::Scalar(s) => s,
@@ -70,7 +70,7 @@ impl<'a, T: Real> Tree<'a, T> {
     /// Value of a vector expression, in inertial components.
     ///
     /// # Panics
-    /// If it is a scalar, which the checker of the language excludes.
+    /// If the expression is a scalar, which the language checker excludes.
     pub fn vector(&self, e: &Expr) -> Vector3<T> {
         match self.value(e) {
             Value::Vector(v) => v,
@@ -91,7 +91,7 @@ impl<'a, T: Real> Tree<'a, T> {
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))
     }
 
-    /// Value of any expression.
+    /// Value of any expression, scalar or vector.
     pub fn value(&self, e: &Expr) -> Value<T> {
         use ExprKind as K;
         use Value::{Scalar, Vector};

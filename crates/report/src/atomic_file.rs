@@ -3,11 +3,11 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Writes a file atomically: to a temporary file in the same folder, which is then renamed. An interrupted program
-/// leaves the old file or the new one.
+/// Writes a file atomically: to a temporary file in the target folder, then renamed. An interruption leaves either
+/// the old file or the new one.
 ///
 /// # Errors
-/// Where the folder does not exist or cannot be written to, or `path` is a folder.
+/// If the folder does not exist or is not writable, or if `path` is a folder.
 pub fn write_atomic(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,

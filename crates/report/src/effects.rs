@@ -1,4 +1,4 @@
-//! The page of the effects: what each says, where it acts, on what it depends, where it vanishes and what of it does not matter.
+//! Page of the catalogue of effects: description, site, variables, null values and negligible sizes.
 
 use std::fmt::Write;
 
@@ -7,46 +7,46 @@ use model_spec::load::{EFFECTS, LoadError, MODELS, from_text, inspect};
 use model_spec::model::{AppliedEffect, Model};
 use model_spec::with_unit;
 
-/// An effect with the models that it goes with.
+/// Effect of the catalogue with the models to which it applies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listed {
-    /// Its name, with underscores.
+    /// Name of the effect, with underscores.
     pub name: String,
-    /// The first sentence of what it says.
+    /// First sentence of the effect's documentation.
     pub says: String,
-    /// Where it acts.
+    /// Site of the model (force, moment, measurement) on which the effect acts.
     pub site: String,
-    /// On what it depends.
+    /// Variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Its coefficients, and then its states.
+    /// Coefficients of the effect, followed by its states.
     pub parts: Vec<Part>,
-    /// Where it is described.
+    /// Literature source of the effect.
     pub source: String,
-    /// Models that it can be switched on in.
+    /// Models to which the effect can be added.
     pub models: Vec<String>,
-    /// Whether it is built in, and not of a model's own file.
+    /// Whether the effect is built in, rather than declared in a model's own file.
     pub built_in: bool,
 }
 
-/// A coefficient, or a state, of an effect; numbers are in its unit.
+/// Coefficient or state of an effect; values are in the unit given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Its name.
+    /// Name of the coefficient or state.
     pub name: String,
-    /// Its unit; `1` where it has none.
+    /// Unit; `1` if dimensionless.
     pub unit: String,
-    /// Where the effect is absent.
+    /// Null value: the value at which the effect is absent.
     pub null_value: String,
-    /// A departure below this does not matter in practice.
+    /// Smallest departure from the null value that matters in practice.
     pub negligible: Option<String>,
-    /// Whether every flight has its own.
+    /// Whether the coefficient has a separate value for every flight.
     pub of_each_flight: bool,
 }
 
-/// The effects that go with a model, or all that are built in, by the models that are.
+/// Lists the effects that can be added to a model, or all built-in effects with the built-in models.
 ///
 /// # Errors
-/// Where the model cannot be loaded.
+/// If the model cannot be loaded.
 pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     let texts: Vec<(String, String)> = match model {
         None => MODELS
@@ -68,7 +68,7 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
         let built_in = EFFECTS.iter().map(|(name, _)| *name);
         let built_in = built_in.filter(|name| !own.contains(name));
         for wanted in own.iter().copied().chain(built_in) {
-            // One that is made for another model cannot be switched on.
+            // An effect made for another model cannot be added.
             let Ok(with) = from_text(name, text, &[wanted]) else {
                 continue;
             };
@@ -126,19 +126,19 @@ fn of(model: &Model, effect: &AppliedEffect) -> Listed {
     }
 }
 
-/// A number as the summary of a model has it; its unit stands beside the name.
+/// Formats a number without its unit, as in the summary of a model.
 fn plain(value: f64) -> String {
     with_unit(value, "1")
 }
 
-/// The first sentence, on one line.
+/// First sentence of a documentation text, on one line.
 fn sentence(doc: &str) -> String {
     let words: Vec<&str> = doc.split_whitespace().collect();
     let end = words.iter().position(|word| word.ends_with('.'));
     words[..end.map_or(words.len(), |end| end + 1)].join(" ")
 }
 
-/// The page, in Markdown.
+/// Renders the catalogue page in Markdown.
 pub fn page(effects: &[Listed], model: Option<&str>) -> String {
     let mut page = String::from("# The effects\n\n");
     match model {
@@ -210,7 +210,7 @@ fn row(page: &mut String, effect: &Listed, linked: bool) {
     );
 }
 
-/// Lines of a cell.
+/// Joins lines within a table cell.
 fn stacked(lines: impl Iterator<Item = String>) -> String {
     lines
         .map(|line| cell(&line))
@@ -218,7 +218,7 @@ fn stacked(lines: impl Iterator<Item = String>) -> String {
         .join("<br>")
 }
 
-/// Text that stays within its cell.
+/// Escapes a text for a Markdown table cell.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|")
         .replace('<', "&lt;")

@@ -1,4 +1,4 @@
-//! Figures and tables of flights, the pages of a fit and of a diagnosis, and that of the effects.
+//! Reports: figures and tables of flights, HTML pages of fits and diagnoses, and the page of the effects.
 
 #![forbid(unsafe_code)]
 

@@ -1,25 +1,25 @@
-//! What others found for the same coefficients, by the `reference` of a model.
+//! Literature values of coefficients, selected by the `reference` of a model.
 //!
-//! Values of the disc are carried into the frames and signs of this repository's models, in which negative
-//! `C_Mq` and `C_Nr` damp; those whose definition differs are left out, as no factor turns one into the other.
+//! Disc values are converted to the frames and signs of this repository's models, in which negative
+//! `C_Mq` and `C_Nr` damp; values of incompatible definition are omitted.
 
-/// A work, and its values.
+/// Publication with its coefficient values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
-    /// Head of its column.
+    /// Column heading of the publication.
     pub short: &'static str,
-    /// Which work, and how its values were carried over.
+    /// Citation, and how the values were converted.
     pub long: &'static str,
-    /// Name of a coefficient, what was found.
+    /// Pairs of coefficient name and published value.
     pub values: &'static [(&'static str, Value)],
 }
 
-/// What was found.
+/// Published value of a coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A number, as printed but for its sign.
+    /// Single number, as printed except for the sign.
     One(&'static str),
-    /// A range of numbers.
+    /// Range of numbers, lower and upper end.
     Range(&'static str, &'static str),
 }
 
@@ -92,7 +92,7 @@ const BALL: &[Source] = &[Source {
     values: &[("C_D", Range("0.4", "0.5"))],
 }];
 
-/// What is known of the coefficients of a model with this reference.
+/// Publications with values for the coefficients of a model with this `reference`; empty if unknown.
 pub fn sources(reference: Option<&str>) -> &'static [Source] {
     match reference {
         Some("hubbard_hummel_disc") => DISC,
@@ -102,7 +102,7 @@ pub fn sources(reference: Option<&str>) -> &'static [Source] {
 }
 
 impl Source {
-    /// What it found for a coefficient.
+    /// Published value of a coefficient; `None` if the publication has none.
     pub fn value(&self, name: &str) -> Option<Value> {
         let found = self.values.iter().find(|(of, _)| *of == name);
         found.map(|(_, value)| *value)

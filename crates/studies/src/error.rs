@@ -9,9 +9,9 @@ pub enum StudyError {
     /// A file of measured data cannot be read.
     #[error("{}: {source}", file.display())]
     Unreadable {
-        /// The file.
+        /// File that cannot be read.
         file: PathBuf,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// A line of a table is not as expected.
@@ -21,17 +21,17 @@ pub enum StudyError {
         file: PathBuf,
         /// Line number, from 1.
         line: usize,
-        /// The line.
+        /// Text of the line.
         found: String,
-        /// The columns that it should have.
+        /// Expected columns of the line.
         expected: &'static str,
     },
-    /// A file lacks something.
+    /// A required part of a file is missing.
     #[error("{}: found no {expected}", file.display())]
     Absent {
         /// The file.
         file: PathBuf,
-        /// What was expected.
+        /// Description of the missing part.
         expected: String,
     },
     /// A name that a built-in model, effect or release should have.

@@ -16,7 +16,7 @@ pub struct Page {
     pub figures: Vec<(String, String)>,
 }
 
-/// Printed where a result does not exist.
+/// Printed in place of a missing result.
 const NONE: &str = "–";
 
 /// Fills a template with results; the text ends in one line feed.

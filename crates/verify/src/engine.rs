@@ -1,4 +1,4 @@
-//! What the compiler makes of a model, evaluated by its tape for one flight at a time.
+//! Equations of motion of a compiled model, evaluated by the bytecode interpreter (tape) at one point at a time.
 
 use crate::subject::{Derivatives, Differentiable, Equations};
 use codegen::compile::Compiled;
@@ -7,7 +7,7 @@ use codegen::tape::{Inputs, Tape};
 use nalgebra::Vector3;
 use oracle::Point;
 
-/// Compiled equations on the tape.
+/// Compiled equations of motion on tapes.
 pub struct Engine {
     prepare: Tape,
     f: Tape,
@@ -20,7 +20,7 @@ pub struct Engine {
     observe_layout: Entries,
 }
 
-/// Where the entries of sparse Jacobians belong in full ones.
+/// Positions of the nonzero entries of sparse Jacobians in the dense Jacobian.
 #[derive(Clone, Debug, Default)]
 pub struct Entries {
     rows: usize,
@@ -29,7 +29,8 @@ pub struct Entries {
 }
 
 impl Entries {
-    /// From the sections of a function: the values first, then the Jacobians side by side, of widths `widths`.
+    /// Positions for a function whose outputs are the section `value`, then Jacobian blocks `sections`: (name,
+    /// columns).
     pub fn of(function: &Function, value: &str, sections: &[(&str, usize)]) -> Self {
         let rows = function.range(value).len();
         let mut places = Vec::new();
@@ -49,7 +50,7 @@ impl Entries {
         }
     }
 
-    /// Values and full rows from the numbers that the function writes.
+    /// Values and dense Jacobian from the outputs `out` of the function.
     pub fn read(&self, out: &[f64]) -> Derivatives {
         let mut entries = vec![vec![0.0; self.columns]; self.rows];
         for (&(row, column), value) in self.places.iter().zip(&out[self.rows..]) {
@@ -62,7 +63,7 @@ impl Entries {
     }
 }
 
-/// Parameters, coefficients and components of inputs, as the compiler orders them.
+/// Parameters, coefficients and components of inputs, in the order of the compiler.
 pub fn parameters(point: &Point<f64>) -> Vec<f64> {
     let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
     point
@@ -75,7 +76,7 @@ pub fn parameters(point: &Point<f64>) -> Vec<f64> {
 }
 
 impl Engine {
-    /// Lays out the tapes of a compiled model.
+    /// Allocates tapes for all functions of a compiled model.
     pub fn new(compiled: &Compiled) -> Self {
         let (states, parameters) = (
             compiled.layout.states.len(),

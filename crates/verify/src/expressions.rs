@@ -1,8 +1,8 @@
-//! Walking and changing the expressions of a checked model.
+//! Traversal and modification of the expressions of a checked model.
 
 use model_spec::model::{Expr, ExprKind, Model};
 
-/// The parts of an expression that are expressions, in order.
+/// Direct subexpressions of an expression, in order.
 pub fn children(kind: &ExprKind) -> Vec<&Expr> {
     use ExprKind as K;
     match kind {
@@ -27,7 +27,7 @@ pub fn children(kind: &ExprKind) -> Vec<&Expr> {
     }
 }
 
-/// The same, to be changed.
+/// Direct subexpressions of an expression, in order, by mutable reference.
 pub fn children_mut(kind: &mut ExprKind) -> Vec<&mut Expr> {
     use ExprKind as K;
     match kind {
@@ -55,7 +55,7 @@ pub fn children_mut(kind: &mut ExprKind) -> Vec<&mut Expr> {
     }
 }
 
-/// Every expression of a model.
+/// Root of every expression of a model, by mutable reference.
 pub fn roots_mut(model: &mut Model) -> Vec<&mut Expr> {
     let mut out: Vec<&mut Expr> = Vec::new();
     if let Some(body) = &mut model.body {
@@ -81,7 +81,7 @@ pub fn roots_mut(model: &mut Model) -> Vec<&mut Expr> {
     out
 }
 
-/// Puts a number in the place of a coefficient, everywhere.
+/// Replaces every occurrence of the coefficient with this index by a number.
 pub fn fix_coefficient(model: &mut Model, index: usize, value: f64) {
     fix(
         model,
@@ -90,7 +90,7 @@ pub fn fix_coefficient(model: &mut Model, index: usize, value: f64) {
     );
 }
 
-/// Puts a number in the place of a state, everywhere.
+/// Replaces every occurrence of the state with this index by a number.
 pub fn fix_state(model: &mut Model, index: usize, value: f64) {
     fix(
         model,

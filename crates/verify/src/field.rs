@@ -1,9 +1,9 @@
-//! The compiler's schedules evaluated in the field of the integers modulo 2^61 − 1.
+//! Compiled programs evaluated in the field of the integers modulo 2^61 − 1.
 //!
-//! Sums, products and quotients are exact. Sines and cosines are points of the circle, of small multiples
-//! of states and of arctangents too; a root is the one of two that is itself a square; any other function
-//! is a symbol, a random number that depends on its argument alone. Equal at a random point, two programs
-//! are the same function of these.
+//! Sums, products and quotients are exact. Sine and cosine of an angle are a point of the unit circle, consistent for
+//! small integer multiples of states and arctangents. A square root is the root that is itself a square. Any other
+//! function value is a symbol: a pseudo-random element that depends on function and arguments only. Two programs with
+//! equal results at random points are with high probability the same function of states, parameters and symbols.
 
 use codegen::functions::{MathFunction, Parity};
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
@@ -11,25 +11,25 @@ use num_traits::{One, Zero};
 use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
 
-/// An angle with its sine and cosine.
+/// An angle with its (sine, cosine), as elements of the field.
 type Angle = (Prime, (Prime, Prime));
 
-/// Multiples of a known angle that are known too.
+/// Largest integer multiple of a known angle whose sine and cosine are derived by addition formulas.
 const MULTIPLES: usize = 4;
 
-/// What a program is evaluated at.
+/// Evaluator of programs at a point of the prime field.
 pub struct Machine<'a> {
     point: &'a Point<Prime>,
     circles: &'a [(Prime, Prime)],
     parameters: Vec<Prime>,
-    /// Results of `prepare`; none where one has no value.
+    /// Results of the program `prepare`; `None` for a result without a value in the field.
     pub prepared: Vec<Option<Prime>>,
-    /// Whether functions are symbols; else they have no value.
+    /// Whether non-rational functions yield symbols; otherwise they have no value.
     symbols: bool,
 }
 
 impl<'a> Machine<'a> {
-    /// At a point; `circles` are the sine and cosine of every state.
+    /// Evaluator at a point; `circles` contains (sine, cosine) of each state.
     pub fn new(point: &'a Point<Prime>, circles: &'a [(Prime, Prime)], symbols: bool) -> Self {
         let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
         let parameters = point
@@ -48,7 +48,7 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// The results of a program; none where one has no value.
+    /// Outputs of a program; `None` for an output without a value in the field.
     pub fn run(&self, program: &Program) -> Vec<Option<Prime>> {
         let mut temps: Vec<Option<Prime>> = Vec::with_capacity(program.statements.len());
         let mut angles: Vec<Angle> = self
@@ -147,7 +147,7 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// (sine, cosine) of a parameter of the circle: every point but one is (2t, 1 − t²)/(1 + t²).
+/// (sine, cosine) = (2t, 1 − t²)/(1 + t²): rational parametrization of the unit circle.
 pub fn on_circle(t: Prime) -> (Prime, Prime) {
     let scale = (Prime::one() + t * t).inverse();
     (
@@ -156,7 +156,7 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
     )
 }
 
-/// The fraction with a small denominator, or the decimal, that a constant was rounded from.
+/// Rational number that rounds to `c`: denominator up to 1000 or a power of ten; `None` if there is none.
 fn constant(c: f64) -> Option<Prime> {
     let decimals = (4..=15).map(|k| 10_i64.pow(k));
     (1..=1000).chain(decimals).find_map(|d| {
@@ -165,7 +165,7 @@ fn constant(c: f64) -> Option<Prime> {
     })
 }
 
-/// The root that is itself a square; none of a number that is no square.
+/// Square root of `a` that is itself a square; `None` if `a` is not a square.
 fn root(a: Prime) -> Option<Prime> {
     let root = power(a, PRIME.div_ceil(4));
     (root * root == a).then_some(root)
@@ -183,7 +183,7 @@ fn power(a: Prime, mut exponent: u64) -> Prime {
     product
 }
 
-/// An angle depends on the direction of (x, y) alone, and changes its sign with y.
+/// Symbol for atan2(y, x), with (sine, cosine); odd in y, independent of scale. `None` if x² + y² is not a square.
 fn angle(y: Prime, x: Prime) -> Option<Angle> {
     let length = root(x * x + y * y)?.inverse();
     let (sine, cosine) = (y * length, x * length);
@@ -191,7 +191,7 @@ fn angle(y: Prime, x: Prime) -> Option<Angle> {
     Some((symbol(4, &[size, cosine]) * sign, (sine, cosine)))
 }
 
-/// Sine and cosine of an angle that is a small multiple of a known one.
+/// (sine, cosine) of `a` if it is ± a small integer multiple of one of `angles`.
 fn known(a: Prime, angles: &[Angle]) -> Option<(Prime, Prime)> {
     angles.iter().find_map(|&(angle, (s, c))| {
         let (mut multiple, mut circle) = (angle, (s, c));
@@ -214,14 +214,14 @@ fn odd(function: u64, a: Prime) -> Prime {
     symbol(function, &[a]) * sign
 }
 
-/// Sine and cosine of something that is no state.
+/// Symbolic (sine, cosine) of an angle that is not a multiple of a known angle; the sine is odd.
 fn circle(a: Prime) -> (Prime, Prime) {
     let (a, sign) = least(a);
     let (sine, cosine) = on_circle(symbol(5, &[a]));
     (sine * sign, cosine)
 }
 
-/// The lesser of a and −a, and the sign that leads back.
+/// Of a and −a the one with the smaller representative, and the sign that maps it back to a.
 fn least(a: Prime) -> (Prime, Prime) {
     if (-a).value() < a.value() {
         (-a, -Prime::one())
@@ -230,7 +230,7 @@ fn least(a: Prime) -> (Prime, Prime) {
     }
 }
 
-/// A random element that depends on a function and its arguments alone.
+/// Hash of a function tag and its arguments, as a field element.
 fn symbol(function: u64, arguments: &[Prime]) -> Prime {
     let mut hash = 0x9e37_79b9_7f4a_7c15_u64 ^ function;
     for argument in arguments {

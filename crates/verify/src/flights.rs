@@ -1,5 +1,5 @@
-//! Flights: energy and angular momentum where there is no air, the same flight by the oracle's momenta,
-//! and the same flight by two models.
+//! Checks on integrated flights: conservation of energy and angular momentum without air, agreement with the reference
+//! law integrated in momenta, and agreement of two models.
 
 use crate::Options;
 use crate::random::Random;
@@ -12,21 +12,21 @@ use oracle::{
     solve,
 };
 
-/// Name of the check without air.
+/// Name of the check of energy and angular momentum without air.
 pub const INVARIANTS: &str = "flight without air";
-/// Name of the check against the flight of the oracle.
+/// Name of the check against the reference law integrated in momenta.
 pub const MOMENTA: &str = "flight: reference in momenta";
-/// Name of the comparison of two models.
+/// Name of the comparison of the flights of two models.
 const FLIGHTS: &str = "flights";
 
-/// Greatest difference of two flights, against their size: the integrator is asked for 1e-11.
+/// Largest relative difference of two final states; the integration tolerance is 1e-11.
 const TOLERANCE: f64 = 1e-8;
-/// Why flights of a model with a clock are not compared with those of a law that has none.
+/// Reason to skip a model whose measuring clock does not run at 1 second per second of flight.
 const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
 const RELEASES: usize = 3;
 const DURATION: f64 = 1.0;
 
-/// Flies without air: the energy and the angular momentum stay what they are.
+/// Checks that energy and angular momentum are conserved in a flight without air.
 pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, INVARIANTS);
     let mut worst = Worst::default();
@@ -54,7 +54,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         worst.see(moment.norm(), || {
             String::from("a moment is left where there is no air")
         });
-        // A steady force has the potential −F·r.
+        // Potential of a constant force: −F·r.
         let fall = force.dot(&(after.position - before.position));
         let energy = (after.energy - before.energy - fall).abs() / (before.energy + after.energy);
         worst.see(energy, || String::from("energy"));
@@ -65,7 +65,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(INVARIANTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Flies the law written by hand in momenta and a quaternion, and the model's equations in its states.
+/// Compares final states: model equations against the reference law in momenta and a quaternion.
 pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(reference) = &subject.reference else {
         return Row::skipped(MOMENTA, "the model claims no reference");
@@ -89,7 +89,7 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(MOMENTA, RELEASES, &worst, TOLERANCE)
 }
 
-/// Flies two models from the same releases.
+/// Compares the final physical states of two models flown from equal releases.
 pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, FLIGHTS);
     let mut worst = Worst::default();
@@ -120,7 +120,8 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// A throw: forward, nearly flat, spinning; default constants, some wind.
+/// Random release: 12 ± 3 m/s forward, nearly flat, spin −40 ± 10 rad/s; default constants, random inputs. `None` if
+/// the meaning of the states is unknown.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let chart = subject.chart.as_ref()?;
     let mut point = Point::defaults(subject.model);
@@ -148,7 +149,7 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     Some(point)
 }
 
-/// No air: its density is 0 where the model has one, every coefficient is 0, and effects are absent.
+/// Removes the air: parameter `rho` and all coefficients are set to 0, extra coefficients to their null values.
 fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {
@@ -161,7 +162,7 @@ fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     }
 }
 
-/// Flies the model's equations; the point at the end.
+/// Integrates the model equations from a point; returns the final point.
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
     let mut at = from.clone();
     let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
@@ -178,7 +179,8 @@ fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
     })
 }
 
-/// Flies the law written by hand: position, momentum, attitude, angular momentum.
+/// Integrates the reference law in position, momentum, attitude and angular momentum; returns the final physical
+/// state.
 fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<f64>, String> {
     let properties = reference.mass_properties(point);
     let read = |y: &[f64]| -> Physical<f64> {
@@ -249,7 +251,7 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
     }
 }
 
-/// What a free body keeps.
+/// Position, m, energy, J, and angular momentum, kg·m²/s, of a body.
 struct Held {
     position: Vector3<f64>,
     energy: f64,
@@ -275,7 +277,7 @@ fn held(
     })
 }
 
-/// Force and moment at a point, with mass and inertia in the body's frame.
+/// Force, N, moment, N·m, and mass properties in the body frame; `None` without a reference and without a body.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<f64>,

@@ -1,5 +1,5 @@
-//! Every independent check of a model: reference implementations, identities, metamorphic relations, derivatives, exact arithmetic,
-//! mutants, backends. [`run`] runs them all and reports.
+//! Independent checks of a model: reference implementations, identities, metamorphic relations, derivatives, exact
+//! arithmetic, mutants, backends. [`run`] runs all checks and returns a report.
 //!
 //! ```
 //! let ball = model_spec::load::inspect("ball", &[]).unwrap();
@@ -37,16 +37,16 @@ use same_motion::SameMotion;
 use subject::Subject;
 use values::Values;
 
-/// What a verification depends on besides the model.
+/// Options of a verification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Seed of every random number.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// Random points a check.
+    /// Number of random points per check.
     pub cases: usize,
-    /// Whether to make mutants.
+    /// Whether to run mutation testing.
     pub mutants: bool,
-    /// Whether to look at the effects that the model could be given too.
+    /// Whether to check the model with effects switched on.
     pub effects: bool,
 }
 
@@ -61,14 +61,14 @@ impl Default for Options {
     }
 }
 
-/// Points at which backends are compared: a whole number of lanes of any width, and a few over.
+/// Number of random points at which backends are compared; not a multiple of any lane count, to test remainders.
 const BACKEND_POINTS: usize = 37;
 
-/// Greatest error of a correct evaluation, against the sum of the magnitudes of the terms.
+/// Largest allowed rounding error, relative to the sum of the magnitudes of the terms of a value.
 pub const TOLERANCE: f64 = 1e-12;
 
-/// Makes every check of a model. What its checker refuses is reported, and the rest is checked as far as
-/// there is a model at all.
+/// Runs every check of a loaded model. Diagnostics of the language checker are reported as faults; the numerical checks
+/// run only if the text yields a model.
 pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let mut report = Report {
         model: loaded
@@ -103,7 +103,7 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     report
 }
 
-/// The checks of the model with effects on.
+/// Checks of the model with effects switched on: effects at null values, and effects against their reference.
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => [
@@ -118,7 +118,7 @@ fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     }
 }
 
-/// Whether several models are the same motion, pairwise.
+/// Checks pairwise whether several models have equal accelerations and flights.
 pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     let values: Vec<Values> = models.iter().map(Values::of).collect();
     let subjects: Vec<Subject<'_>> = models

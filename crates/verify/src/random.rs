@@ -1,13 +1,13 @@
-//! Random numbers that depend on a seed alone.
+//! Seeded pseudo-random numbers.
 
 use oracle::scalar::Prime;
 
-/// SplitMix64: small, seeded, and the same on every machine.
+/// SplitMix64 generator: reproducible from its seed on every machine.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// A stream of its own for each seed and name, so that checks do not disturb one another.
+    /// Generator for a seed and a stream name; each check has its own stream.
     pub fn new(seed: u64, stream: &str) -> Self {
         let mut random = Self(seed);
         for byte in stream.bytes() {
@@ -17,7 +17,7 @@ impl Random {
         random
     }
 
-    /// 64 random bits.
+    /// Next 64 pseudo-random bits.
     #[allow(clippy::should_implement_trait)]
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -27,23 +27,23 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Even between two bounds.
+    /// Uniformly distributed number in [`least`, `greatest`).
     pub fn between(&mut self, least: f64, greatest: f64) -> f64 {
         let unit = (self.next() >> 11) as f64 / (1u64 << 53) as f64;
         least + (greatest - least) * unit
     }
 
-    /// Even between −`size` and `size`.
+    /// Uniformly distributed number in [−`size`, `size`).
     pub fn within(&mut self, size: f64) -> f64 {
         self.between(-size, size)
     }
 
-    /// True once in `n` times.
+    /// True with probability 1/`n`.
     pub fn once_in(&mut self, n: u64) -> bool {
         self.next().is_multiple_of(n)
     }
 
-    /// An element of the prime field.
+    /// Random element of the prime field.
     pub fn prime(&mut self) -> Prime {
         Prime::new(self.next() >> 3)
     }

@@ -35,18 +35,18 @@ pub struct Row {
     pub cases: usize,
     /// Largest error over the cases, in units of `measure`.
     pub worst: f64,
-    /// Measure of `worst` and `tolerance`.
+    /// Kind of measure of `worst` and `tolerance`.
     pub measure: Measure,
     /// Largest error that is allowed, in units of `measure`.
     pub tolerance: f64,
-    /// Outcome.
+    /// Outcome of the check.
     pub verdict: Verdict,
-    /// Place of the worst error, or the reason of a skip; may have several lines.
+    /// Location of the worst error, or the reason of a skip; may have several lines.
     pub detail: String,
 }
 
 impl Row {
-    /// Row of a check that holds if its worst error is a number no greater than `tolerance`.
+    /// Row of a check that holds if its worst relative error is at most `tolerance`.
     pub fn judged(check: &'static str, cases: usize, worst: &Worst, tolerance: f64) -> Self {
         let holds = worst.error <= tolerance;
         Self {
@@ -64,7 +64,7 @@ impl Row {
         }
     }
 
-    /// Row of a check that holds if it found no faults; its detail is then `holds`.
+    /// Row of a check that holds if the list of faults is empty; `holds` is then its detail.
     pub fn counted(check: &'static str, cases: usize, faults: &[String], holds: &str) -> Self {
         Self {
             check,
@@ -98,24 +98,24 @@ impl Row {
         }
     }
 
-    /// The row with another detail.
+    /// Replaces the detail of the row.
     pub fn saying(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self
     }
 }
 
-/// Running maximum of an error, with the place where it occurred.
+/// Running maximum of an error, with the location where it occurred.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// Largest error; infinite if any was NaN.
+    /// Largest error so far; infinite if any was NaN.
     pub error: f64,
-    /// Place of the largest error.
+    /// Description of where the largest error occurred.
     pub place: String,
 }
 
 impl Worst {
-    /// Updates the maximum; `place` is called only for a new maximum.
+    /// Includes an error in the maximum; `place` is called only for a new maximum.
     pub fn see(&mut self, error: f64, place: impl FnOnce() -> String) {
         let error = if error.is_nan() { f64::INFINITY } else { error };
         if error > self.error {

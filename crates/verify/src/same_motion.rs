@@ -1,5 +1,4 @@
-//! Whether several models are the same motion: the same accelerations of the same physical states, and
-//! the same flights from the same releases.
+//! Comparison of several models of one body: accelerations at equal physical states, and flights from equal releases.
 
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
@@ -11,33 +10,33 @@ use nalgebra::Vector3;
 use oracle::PhysicalRate;
 use serde::Serialize;
 
-/// One pair of models.
+/// Comparison of two models.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pair {
-    /// Their names.
+    /// Names of the two models.
     pub models: [String; 2],
-    /// Accelerations and velocities at the same physical states.
+    /// Result of the comparison of accelerations and velocities at equal physical states.
     pub accelerations: Row,
-    /// Where flights from the same release end.
+    /// Result of the comparison of the final states of flights from equal releases.
     pub flights: Row,
 }
 
-/// Every pair of models, compared.
+/// Results of the pairwise comparison of models.
 #[derive(Clone, Debug, Serialize)]
 pub struct SameMotion {
-    /// One a pair.
+    /// One result per pair of models.
     pub pairs: Vec<Pair>,
 }
 
 impl SameMotion {
-    /// Whether all are the same.
+    /// Whether all accelerations agree and no comparison of flights was refuted.
     pub fn holds(&self) -> bool {
         self.pairs.iter().all(|p| {
             p.accelerations.verdict == Verdict::Holds && p.flights.verdict != Verdict::Refuted
         })
     }
 
-    /// For people.
+    /// Text table of the results.
     pub fn table(&self) -> String {
         let mut table = plain_table(&["models", "accelerations", "flights", "verdict", "where"]);
         for pair in &self.pairs {
@@ -60,8 +59,7 @@ impl SameMotion {
     }
 }
 
-/// Compares models pairwise. All must stand for a body of the same kind, with the same names for their
-/// constants.
+/// Compares models pairwise. All must describe a body of one kind, with equal names for corresponding constants.
 pub fn compare(subjects: &[Subject<'_>], options: &Options) -> SameMotion {
     let mut pairs = Vec::new();
     for (k, a) in subjects.iter().enumerate() {

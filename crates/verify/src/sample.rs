@@ -1,4 +1,4 @@
-//! Random points of a model, within its limits.
+//! Random points of a model, within its domain of validity.
 
 use crate::random::Random;
 use model_spec::model::{FrameKind, Model, Parameter};
@@ -6,11 +6,11 @@ use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
 
-/// How often a point is drawn anew; a model whose limits leave less than that is taken outside them.
+/// Maximum number of draws for a point within the validity limits; after that the last draw is used.
 const DRAWS: usize = 1000;
 
-/// A random point: states of the size that flights have, one in four of them much smaller; constants
-/// around their defaults, coefficients of either sign, wind, a marker. Within the model's limits.
+/// Random point within the validity limits: states of magnitudes typical of flights, one in four up to 1000 times
+/// smaller; parameters around their defaults, coefficients of either sign, random inputs and marker.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let mut point = anywhere(model, random);
     for _ in 0..DRAWS {
@@ -22,7 +22,7 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     point
 }
 
-/// Whether a point is within the limits of its model, and not close to them.
+/// Whether each validity limit of the model is met with a margin of 10 % of max(|bound|, 1).
 pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
     model
@@ -67,7 +67,7 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
     point
 }
 
-/// A number of the size that quantities of this unit have in flights.
+/// Typical magnitude of a quantity of this unit in flights, in SI units.
 pub fn typical(unit: Unit) -> f64 {
     let [metre, second, radian] =
         [Base::Metre, Base::Second, Base::Radian].map(|base| unit.doubled[base as usize]);

@@ -1,33 +1,33 @@
-//! What is checked: a model, and its equations in a form that can be evaluated.
+//! Subject of a verification: a model, and its equations of motion as evaluable functions.
 
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives};
 
-/// Equations of motion that can be evaluated, however that is done.
+/// Equations of motion that can be evaluated at a point, independent of the backend.
 pub trait Equations: Sync {
-    /// The derivative of every state.
+    /// Derivative of every state with respect to the time of the measuring clock, in state order.
     fn rates(&self, point: &Point<f64>) -> Vec<f64>;
-    /// What is observed, in inertial components.
+    /// Observation (marker position), in inertial components; `None` if the model has none.
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
 }
 
-/// A model and its equations.
+/// A model, its equations of motion, and its reference law.
 pub struct Subject<'a> {
-    /// The model.
+    /// The checked model.
     pub model: &'a Model,
-    /// Its equations.
+    /// Equations of motion under test.
     pub equations: &'a dyn Equations,
-    /// The law that it claims, tied to its names.
+    /// Reference law that the model claims, bound to its names; `None` if none is claimed or binding failed.
     pub reference: Option<Reference>,
-    /// Why its reference implementation cannot be bound.
+    /// Reason why the claimed reference law cannot be bound.
     pub unbound: Option<BindError>,
-    /// Which state stands for what: by the names of the reference, else by the body's declaration.
+    /// Physical meaning of the states: from the reference law, else from the declared body; `None` if unknown.
     pub chart: Option<Chart>,
 }
 
 impl<'a> Subject<'a> {
-    /// Ties a model to its equations and its reference.
+    /// Binds a model to its equations, its reference law and its chart of the states.
     pub fn new(model: &'a Model, equations: &'a dyn Equations) -> Self {
         let (reference, unbound) = match Reference::bind(model) {
             Some(Ok(reference)) => (Some(reference), None),
@@ -47,7 +47,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Seconds of flight that pass in a second of the clock, at a point.
+    /// Seconds of flight per second of the measuring clock, at a point.
     pub fn clock(&self, point: &Point<f64>) -> f64 {
         match &self.model.clock {
             Some(_) => Tree::new(self.model, point).clock(),
@@ -55,7 +55,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// The derivative of every state by the flight's own time, which the laws of motion speak of.
+    /// Derivative of every state with respect to the time of flight, not of the measuring clock.
     pub fn flight_rates(&self, point: &Point<f64>) -> Vec<f64> {
         let pace = self.clock(point);
         let rates = self.equations.rates(point);
@@ -107,8 +107,8 @@ impl<'a> Subject<'a> {
         Some(there)
     }
 
-    /// Coefficients that the reference does not know, or those of effects where there is no reference,
-    /// each with the value at which it leaves the law as it is.
+    /// Index and null value of the extra coefficients: those not in the reference law or, without a reference law,
+    /// those of effects. At the null value a coefficient does not change the law.
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
             Some(reference) => reference.null_values(self.model),
@@ -119,7 +119,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// The point with those coefficients at that value, and added states at their defaults.
+    /// The point with extra coefficients at their null values and added states at their defaults.
     pub fn without_extras(&self, mut point: Point<f64>) -> Point<f64> {
         for (index, value) in self.extras() {
             point.coefficients[index] = value;
@@ -131,11 +131,11 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// A model's equations by the tree oracle.
+/// Equations of motion of a model, interpreted by the vector tree of the oracle.
 pub struct Interpreted<'a>(&'a Model);
 
 impl<'a> Interpreted<'a> {
-    /// Takes a model whose equations the tree oracle can derive.
+    /// Interprets a model; an error if the oracle cannot derive its equations of motion.
     pub fn new(model: &'a Model) -> Result<Self, Unsupported> {
         derivatives(model, &Point::defaults(model)).map(|_| Self(model))
     }
@@ -152,31 +152,31 @@ impl Equations for Interpreted<'_> {
     }
 }
 
-/// Equations with their Jacobians.
+/// Equations of motion with their Jacobians.
 pub trait Differentiable: Equations {
-    /// Everything at once, zeros included.
+    /// Values and dense Jacobian with respect to all variables.
     fn derivatives(&self, point: &Point<f64>) -> Derivatives;
-    /// By the states alone, of the states alone, as the shorter function for it gives them.
+    /// State derivatives and their dense Jacobian with respect to the states only, by the function `f_jac`.
     fn by_state(&self, point: &Point<f64>) -> Derivatives;
 }
 
-/// Values and Jacobians; rows are the states' derivatives, then the observation's components; columns
-/// the states, then parameters, coefficients and components of inputs.
+/// Values and dense Jacobian. Rows: state derivatives, then observation components. Columns: states, parameters,
+/// coefficients, components of inputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Derivatives {
-    /// Values of the rows.
+    /// Value of each row.
     pub values: Vec<f64>,
-    /// Entries row by row.
+    /// Entries of the Jacobian, by row and column.
     pub entries: Vec<Vec<f64>>,
 }
 
 impl Derivatives {
-    /// One column.
+    /// Column `j` of the Jacobian.
     pub fn column(&self, j: usize) -> Vec<f64> {
         self.entries.iter().map(|row| row[j]).collect()
     }
 
-    /// Whether every number is one.
+    /// Whether all values and entries are finite.
     pub fn finite(&self) -> bool {
         self.values
             .iter()

@@ -1,5 +1,5 @@
-//! A model compiled as far as mutants and effects need it: values without derivatives, nothing computed
-//! ahead. It takes a tenth of the time.
+//! A model compiled to values only, without derivatives and without hoisting of parameter-only code: enough for mutants
+//! and effects, at a tenth of the compilation time.
 
 use crate::engine::parameters;
 use crate::subject::Equations;
@@ -10,17 +10,17 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::Point;
 
-/// Derivatives and observation of a model, scheduled.
+/// Scheduled program of the state derivatives and the observation of a model.
 pub struct Values {
-    /// The order of states and parameters.
+    /// Order of the states and parameters in the program.
     pub layout: Layout,
-    /// Derivatives, then the observation.
+    /// Program whose outputs are the state derivatives, then the observation.
     pub program: Program,
     tape: Tape,
 }
 
 impl Values {
-    /// Compiles a model.
+    /// Compiles the state derivatives and the observation of a model.
     pub fn of(model: &Model) -> Self {
         let (layout, program) = codegen::compile_values(model);
         let tape = Tape::new(&program);
@@ -31,7 +31,7 @@ impl Values {
         }
     }
 
-    /// How many operations it takes.
+    /// Number of operations of the program.
     pub fn operations(&self) -> usize {
         codegen::count::count(&self.program).total()
     }

@@ -1,4 +1,4 @@
-//! Moments of inertia and the frames that the body turns in.
+//! Checks of a body's inertia tensor and of the chain of frames that describes its attitude.
 
 use super::Checker;
 use super::body::{Parts, zero};
@@ -8,7 +8,7 @@ use crate::syntax::ast;
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Moments of inertia, row by row.
+    /// Checks the entries of the inertia tensor (constant, kg m², symmetric) and stores them in the model.
     pub fn inertia(&mut self, inertia: &ast::Inertia, span: Span) {
         let mut rows: [[Option<Expr>; 3]; 3] = Default::default();
         for (i, row) in inertia.rows.iter().enumerate() {
@@ -50,8 +50,8 @@ impl Checker<'_> {
         }
     }
 
-    /// The moments must be constant in their frame: it turns with the body, but for turns about an axis
-    /// about which the body is symmetric.
+    /// Reports an inertia tensor that changes with time in its frame. That frame must be the body-fixed one, or differ
+    /// from it by rotations about axes of inertial symmetry.
     fn steady_inertia(&mut self, inertia: &[[Expr; 3]; 3], span: Span) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;
@@ -103,7 +103,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Three turns or one quaternion lead from the inertial frame to the body's, and nothing else turns.
+    /// Reports an attitude that is neither three rotations nor one quaternion, and frames off the chain to the body.
     pub fn attitude(&mut self, body: &ast::Body, parts: &Parts<'_>) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;

@@ -1,4 +1,4 @@
-//! The body: its states, its mass and its moments of inertia.
+//! Declaration of the body: states, mass, inertia tensor.
 
 use super::elaborate::node;
 use super::{Checker, Typed};
@@ -7,7 +7,7 @@ use crate::model::{self, Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BodyClass, BodyPartKind, ItemKind, Name};
 use crate::unit::Unit;
 
-/// The statements about a body, each at most once.
+/// Statements of a body's block, each at most once.
 #[derive(Default)]
 pub(super) struct Parts<'a> {
     mass: Option<&'a ast::Expr>,
@@ -20,7 +20,7 @@ pub(super) struct Parts<'a> {
 }
 
 impl<'a> Checker<'a> {
-    /// Declares the states of a body, and what of the body needs no expressions.
+    /// Declares a body's states: position, velocity, attitude and angular velocity; expressions are resolved later.
     pub fn body_states(&mut self, body: &'a ast::Body) {
         let parts = self.parts(body, true);
         self.missing_parts(body, &parts);
@@ -80,7 +80,7 @@ impl<'a> Checker<'a> {
             let (Some(body_frame), Some(inertia_frame)) = (body_frame, inertia_frame) else {
                 return;
             };
-            // A frame that is not there has been reported.
+            // An undeclared frame has already been reported.
             let angular_velocity_frame =
                 parts.angular_velocity_frame.and_then(|f| self.frame_of(f));
             Some(model::Rotation {
@@ -92,7 +92,7 @@ impl<'a> Checker<'a> {
             })
         } else {
             let moving = |f: &&&ast::Frame| {
-                // Faults of the first frame and of double names have been reported.
+                // Errors of the first frame and duplicate names have already been reported.
                 self.scope
                     .frame(&f.name.text)
                     .is_some_and(|i| i > 0 && self.model.frames[i].span == f.name.span)
@@ -206,7 +206,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Mass, inertia and attitude, once names can be resolved.
+    /// Checks a body's mass, inertia tensor and attitude; all names must have been declared.
     pub fn body(&mut self) {
         let Some(body) = self.declared_body else {
             return;
@@ -227,7 +227,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A scalar of the body that depends on constants alone.
+    /// Resolves a body's mass or inertia entry; `None`, with an error, if its value can change during a flight.
     pub fn constant_of_body(
         &mut self,
         e: &ast::Expr,
@@ -266,7 +266,7 @@ impl<'a> Checker<'a> {
         Some(typed.expr)
     }
 
-    /// A part of an expression that changes during a flight.
+    /// Source span of the first subexpression whose value can change during a flight; `None` if there is none.
     pub fn varying(&self, e: &Expr) -> Option<Span> {
         match &e.kind {
             ExprKind::Time
@@ -286,7 +286,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The value of simple expressions of constants, by their defaults.
+    /// Constant folding with default parameter values, SI; `None` for anything but literals, parameters and + − * /.
     fn value(&self, e: &Expr) -> Option<f64> {
         Some(match &e.kind {
             ExprKind::Number { value, .. } => *value,
@@ -302,7 +302,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// A moment of inertia that is 0.
+/// Literal 0 (inertia, kg m²), a placeholder for entries that are not stated.
 pub(super) fn zero(span: Span) -> Expr {
     let mut expr = node(
         ExprKind::Number {

@@ -1,4 +1,4 @@
-//! Functions: how many arguments of what kind they take, and what they yield.
+//! Type checking of function calls: number, shape and unit of arguments, shape and unit of results.
 
 use super::elaborate::node;
 use super::term::{Fraction, Term};
@@ -9,18 +9,18 @@ use crate::suggest;
 use crate::syntax::ast;
 use crate::unit::Unit;
 
-/// Functions of one scalar: what they take and what they yield.
+/// Unit rule of a function of one scalar: allowed unit of the argument, unit of the result.
 #[derive(Clone, Copy)]
 enum Rule {
-    /// An angle or a pure number; yields a pure number.
+    /// Argument: angle or dimensionless number; result: dimensionless number.
     OfNumber,
-    /// A pure number; yields an angle.
+    /// Argument: dimensionless number; result: angle, rad.
     ToAngle,
-    /// Any unit, which it keeps.
+    /// Argument: any unit; result: unit of the argument.
     Keeps,
-    /// Any unit; yields a pure number.
+    /// Argument: any unit; result: dimensionless number.
     Forgets,
-    /// Any unit; yields its root.
+    /// Argument: any unit; result: square root of the argument's unit.
     Root,
 }
 
@@ -40,7 +40,7 @@ const SCALAR: [(&str, Function, Rule); 13] = [
     ("tanh", Function::Tanh, Rule::OfNumber),
 ];
 
-/// Other names that people know these functions by.
+/// Common names in other languages (`arcsin`), each with the name in this language (`asin`), for suggestions.
 const ALIASES: [(&str, &str); 12] = [
     ("arcsin", "asin"),
     ("arccos", "acos"),
@@ -101,7 +101,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Exactly as many arguments as the function takes.
+    /// The arguments of a call as an array of length `N`; `None`, with an error, if their number is not `N`.
     fn arguments<'e, const N: usize>(
         &mut self,
         name: &ast::Name,
@@ -141,7 +141,7 @@ impl Checker<'_> {
                 } else {
                     Unit::ONE
                 };
-                // What comes out is known, whatever went in.
+                // The unit of the result does not depend on the argument.
                 let should = match function {
                     Function::Sin | Function::Cos | Function::Tan => "an angle or a pure number",
                     _ => "a pure number",
@@ -185,7 +185,7 @@ impl Checker<'_> {
         })
     }
 
-    /// `unit(v)` or `unit(v, otherwise)`
+    /// Checks `unit(v)` or `unit(v, otherwise)`: unit vector along `v`; `otherwise` is the value at the zero vector.
     fn direction(
         &mut self,
         name: &ast::Name,
@@ -261,7 +261,7 @@ impl Checker<'_> {
         }
     }
 
-    /// `ratio(a, b, otherwise)`
+    /// Checks `ratio(a, b, otherwise)`: the quotient a / b, or `otherwise` where b is 0.
     fn ratio(&mut self, name: &ast::Name, arguments: &[ast::Expr], span: Span) -> Option<Typed> {
         let takes = "three numbers: above, below, and the value where the one below is 0";
         let [a, b, c] = self.arguments(name, arguments, span, takes)?;
@@ -291,7 +291,7 @@ impl Checker<'_> {
         })
     }
 
-    /// `in_F(v)`
+    /// Checks `in_F(v)`: the vector `v` with its components transformed to frame F.
     fn reexpress(
         &mut self,
         frame: &str,

@@ -1,4 +1,4 @@
-//! Check cases of a model: what they set and what they expect.
+//! Semantic checks of `check` blocks: values that are set and results that are expected.
 
 use std::collections::HashMap;
 
@@ -12,7 +12,7 @@ use crate::syntax::ast::{self, CheckPart, ItemKind, Name, Number, UnitExpr};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// The check cases.
+    /// Checks every `check` block and adds it to the model's check cases.
     pub fn cases(&mut self) {
         let file = self.file;
         let mut titles: HashMap<&str, Span> = HashMap::new();
@@ -66,7 +66,7 @@ impl Checker<'_> {
         }
     }
 
-    /// `set NAME = value;`: the targets, one or the three components of an input, with their values.
+    /// Checks `set NAME = value;`: returns the targets, one or an input's three components, with their values, SI.
     fn setting(
         &mut self,
         name: &Name,
@@ -91,7 +91,7 @@ impl Checker<'_> {
         Some(targets.into_iter().zip(values).collect())
     }
 
-    /// What a name sets, with its unit.
+    /// Targets that a name in `set NAME` refers to, with their unit; `None`, with an error, if the name cannot be set.
     fn targets(&mut self, name: &Name) -> Option<(Vec<Target>, Term)> {
         Some(match self.scope.find(&name.text) {
             Some(Symbol::Param(i)) => (vec![Target::Param(i)], self.params[i].clone()),
@@ -122,7 +122,7 @@ impl Checker<'_> {
         })
     }
 
-    /// `expect der(NAME) = …`
+    /// The derivative of a state in `expect der(NAME) = …`; `None`, with an error, if `NAME` is no state.
     fn expected_derivative(&mut self, name: &Name) -> Option<Expected> {
         let Some(Symbol::State(i)) = self.scope.find(&name.text) else {
             self.no_state(name);
@@ -136,7 +136,7 @@ impl Checker<'_> {
         })
     }
 
-    /// `expect NAME = …`: a scalar auxiliary variable.
+    /// The scalar auxiliary variable in `expect NAME = …`; `None`, with an error, if `NAME` is something else.
     fn expected_quantity(&mut self, name: &Name) -> Option<Expected> {
         let (message, help) = match self.scope.find(&name.text) {
             Some(Symbol::Let(i)) => match self.definitions.get(i)?.clone() {
@@ -175,7 +175,7 @@ impl Checker<'_> {
         None
     }
 
-    /// `expect … = value within tolerance;`; the tolerance has the unit of the value if it states none.
+    /// Checks `expect … = value within tolerance;`; a tolerance without a unit has the unit of the value.
     fn expectation(
         &mut self,
         expected: Expected,
@@ -218,7 +218,7 @@ impl Checker<'_> {
         })
     }
 
-    /// The unit of a number, or that of a pure number; none if it is at fault.
+    /// SI unit and conversion factor of a unit expression; dimensionless if absent; `None` if a symbol is unknown.
     pub fn measure_or_one(&mut self, unit: Option<&UnitExpr>) -> Option<Measure> {
         match unit {
             Some(unit) => self.measure(unit),
@@ -226,7 +226,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether a number has the unit of the quantity it is for; reports it if not, with a label made from that unit.
+    /// Whether a literal's unit has the dimension of the quantity `quantity`; otherwise reports an error.
     fn agrees(
         &mut self,
         quantity: &str,
@@ -264,15 +264,15 @@ impl Checker<'_> {
     }
 }
 
-/// What a case compares with a number.
+/// A result that a check case compares with an expected value.
 struct Expected {
     observable: Observable,
     unit: Term,
-    /// As the case names it.
+    /// Source form of the result, such as `der(u)` or `alpha`, for messages.
     text: String,
 }
 
-/// The fault of a vector in the place of a number, or the reverse.
+/// Error for a vector given where a scalar is required (`is_number`), or a scalar where a vector is required.
 fn wrong_shape(name: &str, is_number: bool, span: Span) -> Diagnostic {
     let (message, help) = if is_number {
         (

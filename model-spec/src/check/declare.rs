@@ -1,4 +1,4 @@
-//! Declarations: everything that has a name and needs no expression.
+//! Declarations: adds parameters, inputs, states, frames and the marker to the symbol table.
 
 use super::quantity::Measure;
 use super::scope::Symbol;
@@ -10,7 +10,7 @@ use crate::syntax::ast::{self, Item, ItemKind, Name, ParameterClass, UnitExpr};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// Declares all names.
+    /// Declares every name of the file in the symbol table, before any expression is resolved.
     pub fn declare(&mut self) {
         let file = self.file;
         self.headings();
@@ -38,7 +38,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// `model` and `reference`.
+    /// Checks `model NAME;` and `reference NAME;`: each at most once, `model` required.
     fn headings(&mut self) {
         let (mut model, mut reference): (Option<&Name>, Option<&Name>) = (None, None);
         let file = self.file;
@@ -75,7 +75,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Reports what may be stated only once.
+    /// Reports a duplicate of a statement that may occur only once, with the spans of both.
     pub fn second(&mut self, what: &str, first: Span, again: Span) {
         self.report(
             Diagnostic::new(Kind::Duplicate, again, format!("`{what}` is stated twice"))
@@ -85,7 +85,7 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of a declared number: as stated, or an unknown that is found from its uses.
+    /// Unit of a declared number: as stated, otherwise an unknown to be inferred; `true` if it is to be inferred.
     fn declared_unit(&mut self, name: &str, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         match unit {
             Some(unit) => match self.measure(unit) {
@@ -93,7 +93,7 @@ impl<'a> Checker<'a> {
                     let term = Term::known(measure.unit);
                     (measure, term, false)
                 }
-                // Reported; an unknown keeps quiet about everything that follows from it.
+                // The unknown symbol has been reported; an unknown unit causes no further errors.
                 None => (Measure::one(), self.unknown_unit_of(name), true),
             },
             None => (Measure::one(), self.unknown_unit_of(name), true),
@@ -169,7 +169,7 @@ impl<'a> Checker<'a> {
         self.define(&constant.name, symbol);
     }
 
-    /// A bound in SI; without a unit it is in that of the default.
+    /// SI value of a parameter's bound; a bound without a unit has the unit of the default value.
     fn bound(&mut self, bound: &ast::Quantity, of: &Measure, inferred: bool) -> Option<f64> {
         let Some(unit) = &bound.unit else {
             return Some(of.of(&bound.number).0);
@@ -213,7 +213,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A state with a known unit; its index.
+    /// Adds a state of known unit with an initial value, SI, to the model; returns its index in the state vector.
     pub fn state(&mut self, name: &str, span: Span, unit: Unit, value: f64) -> usize {
         let index = self.model.states.len();
         self.model.states.push(model::State {
@@ -228,7 +228,7 @@ impl<'a> Checker<'a> {
         index
     }
 
-    /// The states: of the body, then as they are declared.
+    /// Declares all states: position, velocity and rates of the body first, then `state` statements in order.
     fn declare_states(&mut self) {
         let file = self.file;
         let mut bodies: Vec<&'a ast::Body> = Vec::new();
@@ -279,7 +279,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Where what is missing from the whole file is reported: at its `model`, or at its end.
+    /// Source span for errors about missing statements: the model's name, otherwise the end of the file.
     pub fn heading(&self) -> Span {
         self.file
             .items

@@ -1,4 +1,4 @@
-//! Applied effects, with the coefficients and states that they add.
+//! Applied effects: their coefficients and states, with null values and smallest effect sizes of interest.
 
 use super::Checker;
 use super::quantity::Measure;
@@ -9,7 +9,7 @@ use crate::syntax::ast::{Applied, ItemKind, Name, Quantity};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Lists the applied effects in the model.
+    /// Adds the applied effects, with their coefficients and states, to the model.
     pub fn applied(&mut self) {
         let file = self.file;
         for (i, applied) in file.applied.iter().enumerate() {
@@ -54,7 +54,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The value of `negligible NAME …;`, SI, if the effect states one for this coefficient or state.
+    /// Smallest effect size of interest (`negligible NAME …;`), SI, of a coefficient or state; `None` if not stated.
     fn smallest_of_interest(&mut self, applied: &Applied, name: &Name, unit: Unit) -> Option<f64> {
         let mut stated = applied.negligible.iter();
         let (_, quantity) = stated.find(|(own, _)| own.text == name.text)?;

@@ -1,4 +1,4 @@
-//! Expressions: names, shapes and frames resolved, units computed.
+//! Elaboration of expressions: resolves names, shapes and frames, and computes units.
 
 use super::term::{Fraction, Term};
 use super::{Checker, Typed, UnitOf};
@@ -7,10 +7,10 @@ use crate::model::{Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 use crate::unit::{Unit, symbol};
 
-/// Twice the greatest exponent of a power.
+/// Limit on the magnitude of a power's exponent, times 2: `x^64` is the largest.
 const MAX_DOUBLED_EXPONENT: f64 = 128.0;
 
-/// An expression; its unit is computed by [`Checker::finish`].
+/// Typed expression node with a provisional unit; [`Checker::finish`] assigns the final one.
 pub(super) fn node(kind: ExprKind, shape: Shape, span: Span) -> Expr {
     Expr {
         kind,
@@ -25,7 +25,7 @@ impl UnitOf {
         UnitOf::Term(Term::known(unit))
     }
 
-    /// Unit as a factor of a product, where a literal 0 is dimensionless; none if it is at fault.
+    /// Unit as a factor of a product; a literal 0 counts as dimensionless. `None` if the unit is inconsistent.
     pub fn factor(&self) -> Option<Term> {
         match self {
             UnitOf::Term(term) => Some(term.clone()),
@@ -36,7 +36,7 @@ impl UnitOf {
 }
 
 impl Checker<'_> {
-    /// Resolves an expression; none if it has a fault other than of units.
+    /// Elaborates an expression: names, shape, frame, unit. `None` after any error other than a unit error.
     pub fn elaborate(&mut self, e: &ast::Expr) -> Option<Typed> {
         match &e.kind {
             ast::ExprKind::Number(q) => self.literal(q, e.span),
@@ -68,7 +68,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Resolves an expression that must be a number.
+    /// Elaborates an expression that must be a scalar; `what` names its role in the error message.
     pub fn scalar(&mut self, e: &ast::Expr, what: &str) -> Option<Typed> {
         let typed = self.elaborate(e)?;
         if typed.expr.shape == Shape::Scalar {
@@ -85,7 +85,7 @@ impl Checker<'_> {
         None
     }
 
-    /// Resolves an expression that must be a vector, with its frame.
+    /// Elaborates an expression that must be a vector; returns it with the index of the frame of its components.
     pub fn vector(&mut self, e: &ast::Expr, what: &str) -> Option<(Typed, usize)> {
         let typed = self.elaborate(e)?;
         if let Shape::Vector(frame) = typed.expr.shape {
@@ -115,7 +115,7 @@ impl Checker<'_> {
         Some(Typed { expr, unit })
     }
 
-    /// `(a, b, c) in F`
+    /// Elaborates `(a, b, c) in F`: a vector from three components of one unit in frame F.
     fn components(
         &mut self,
         parts: &[ast::Expr; 3],
@@ -183,7 +183,7 @@ impl Checker<'_> {
         })
     }
 
-    /// The unit of `a * b^power`.
+    /// Unit of a · b^power; inconsistent if either operand's unit is inconsistent.
     pub fn multiplied(&mut self, a: &UnitOf, b: &UnitOf, power: Fraction, span: Span) -> UnitOf {
         let (Some(a), Some(b)) = (a.factor(), b.factor()) else {
             return UnitOf::Faulty;
@@ -192,7 +192,7 @@ impl Checker<'_> {
         self.in_range(a.times_power(&b, power), span)
     }
 
-    /// A unit; reports a fault if its exponents are out of range.
+    /// Converts `None` (an exponent out of range) to an inconsistent unit, with an error.
     pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
         match term {
             Some(term) if term.has_unknowns() || term.unit().is_some() => UnitOf::Term(term),
@@ -253,7 +253,7 @@ impl Checker<'_> {
         })
     }
 
-    /// Whether an expression is like `5 m/s`, read as `(5 m)/s`, with no variable `s`; reports it.
+    /// Reports `5 m/s`, which parses as `(5 m)/s`, if no variable `s` is declared; `true` if reported.
     fn unit_in_pieces(&mut self, e: &ast::Expr) -> bool {
         if self.literal_with_units(e) != Some(true) {
             return false;
@@ -270,7 +270,7 @@ impl Checker<'_> {
         true
     }
 
-    /// For a product of a literal with a unit and of names of units: whether one of the names is not defined. Else none.
+    /// For a literal times or over unit names: whether one of the names is undeclared. `None` for other expressions.
     fn literal_with_units(&self, e: &ast::Expr) -> Option<bool> {
         match &e.kind {
             ast::ExprKind::Number(q) => q.unit.as_ref().map(|_| false),
@@ -291,7 +291,7 @@ impl Checker<'_> {
     }
 }
 
-/// Value of an expression that consists of literals alone.
+/// Constant folding of an expression of literals without units; `None` if it contains anything else.
 fn constant(e: &ast::Expr) -> Option<f64> {
     match &e.kind {
         ast::ExprKind::Number(q) if q.unit.is_none() => q.number.text.parse().ok(),

@@ -1,4 +1,4 @@
-//! Auxiliary variables, forces, moments, stated equations and the measurement equation.
+//! Semantic checks of `let`, `force`, `moment`, `der(…) =`, `observe` and `clock` statements.
 
 use std::collections::{HashMap, HashSet};
 
@@ -12,7 +12,7 @@ use crate::syntax::ast::{self, ItemKind, LoadClass};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// All `let`s, each after those that it uses, and the equations that are used as `der(STATE)`.
+    /// Checks all `let` definitions, and equations referenced as `der(STATE)`, in topological order of their uses.
     pub fn definitions(&mut self) {
         let file = self.file;
         let mut definitions: Vec<Defining<'a>> = Vec::new();
@@ -37,7 +37,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds the equations whose left sides are used in expressions.
+    /// Appends to `definitions` the equations `der(STATE) = …` whose derivative is referenced in an expression.
     fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
         let file = self.file;
         let mut used: HashSet<usize> = HashSet::new();
@@ -83,8 +83,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The definition that stands for `der(STATE)`; none where its equation is missing, which is reported
-    /// with the other equations.
+    /// Index of the definition whose value is `der(STATE)`; `None` if the state has no equation, which is reported
+    /// by the check of the equations.
     pub fn derivative_definition(&self, state: usize) -> Option<usize> {
         self.derivatives.get(&state).copied()
     }
@@ -119,7 +119,7 @@ impl<'a> Checker<'a> {
             let should = self.described(&declared);
             let rule = format!("`{}` is declared to be {should}", defining.name.text);
             self.must_be(&typed, &declared, &rule);
-            // What was declared holds for those that use it.
+            // Later uses rely on the declared unit, even if the definition contradicts it.
             typed.unit = UnitOf::Term(declared);
         }
         let made = self.model.aux_variables.len();
@@ -136,7 +136,7 @@ impl<'a> Checker<'a> {
         });
     }
 
-    /// Unit of a named quantity, by its index in the model.
+    /// Unit of an auxiliary variable, by its index in `Model::aux_variables`.
     pub fn let_unit(&self, index: usize) -> UnitOf {
         self.let_units[index].clone()
     }
@@ -153,7 +153,7 @@ impl<'a> Checker<'a> {
         self.must_be(typed, &unit, &rule);
     }
 
-    /// Forces, moments, stated equations, observations.
+    /// Checks all forces, moments, stated differential equations, the clock rate and the measurement equation.
     pub fn equations(&mut self) {
         let file = self.file;
         let mut loads: HashMap<(bool, &str), Span> = HashMap::new();
@@ -282,7 +282,7 @@ impl<'a> Checker<'a> {
             return;
         }
         let value = match self.derivative_definition(state) {
-            // It has been checked as a quantity of its own, which the equation then is.
+            // The right-hand side was already checked as an auxiliary variable; the equation refers to it.
             Some(definition) => match &self.definitions[definition] {
                 Definition::Done(index, shape, _) => {
                     let kind = model::ExprKind::AuxVariable(*index);

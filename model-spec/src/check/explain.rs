@@ -1,4 +1,4 @@
-//! Messages about units: the unit of each operand and the declarations it follows from.
+//! Error messages about units: the unit of each operand, and the declarations that determine it.
 
 use super::term::Term;
 use super::{Checker, Typed, UnitOf};
@@ -6,24 +6,24 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind};
 use crate::unit::Unit;
 
-/// Number of declarations that are shown with a fault.
+/// Maximum number of declarations labelled in one unit error.
 const MAX_LABELS: usize = 8;
 
-/// Number of names of an expression that an explanation considers.
+/// Maximum number of operands (names and literals) of an expression that a unit error analyses.
 const MAX_LEAVES: usize = 64;
 
-/// A name or a number in an expression, with its unit.
+/// An operand of an expression: a name or a literal with a unit.
 struct Leaf {
     name: String,
     term: Term,
-    /// Where a name is declared, or where a number stands.
+    /// Source span of the name's declaration, or of the literal.
     span: Span,
-    /// Whether it is declared in the file, so that the place can be shown.
+    /// Whether the operand is declared in the file, so that [`Leaf::span`] can be labelled.
     declared: bool,
 }
 
 impl Checker<'_> {
-    /// What a unit is, as a noun: `a force (N = kg·m/s²)`.
+    /// Noun phrase for a unit: `a force (N = kg·m/s²)`.
     pub fn described(&self, term: &Term) -> String {
         self.described_as(term, false)
     }
@@ -51,7 +51,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The unit alone.
+    /// Symbol of a unit, such as `m/s`, or `still unknown` if not yet inferred.
     fn symbol_of(&self, term: &Term) -> String {
         match self.units.resolve(term).unit() {
             Some(unit) => unit.tidy().pretty(),
@@ -59,7 +59,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The one fault of several quantities that should have one unit and have not.
+    /// Error for expressions that must have one unit but have several; `groups` holds indices of equal unit.
     pub fn mismatch(
         &mut self,
         terms: &[Typed],
@@ -94,8 +94,8 @@ impl Checker<'_> {
         fault.help_if(advice)
     }
 
-    /// A quantity that has not the unit it must have. `rule` says what must be, as in
-    /// "the argument of `exp` must be a pure number".
+    /// Requires an expression to have the unit `expected`; returns false after reporting an error. `rule` begins the
+    /// message, as in "the argument of `exp` must be a pure number".
     pub fn must_be(&mut self, typed: &Typed, expected: &Term, rule: &str) -> bool {
         let UnitOf::Term(found) = &typed.unit else {
             return !matches!(typed.unit, UnitOf::Faulty);
@@ -119,13 +119,13 @@ impl Checker<'_> {
         false
     }
 
-    /// Adds how the units came about: what each expression is made of, and where that is declared.
+    /// Adds to a unit error the units of each expression's operands and the source spans of their declarations.
     fn origins(&self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
         let mut shown: Vec<Span> = Vec::new();
         for side in sides {
             let mut leaves = Vec::new();
             self.leaves(&side.expr, &mut leaves);
-            // Angles and pure numbers contribute nothing.
+            // Dimensionless operands do not affect the unit.
             leaves.retain(|l| {
                 !self
                     .units
@@ -167,7 +167,7 @@ impl Checker<'_> {
         fault
     }
 
-    /// Says that `2 g` is two grams, where a name `g` might have been meant.
+    /// Notes that `2 g` means two grams, if a variable `g` might have been intended.
     fn unit_or_name(&self, fault: Diagnostic, leaf: &Leaf) -> Diagnostic {
         match leaf.name.split_once(' ') {
             Some((number, symbol)) if self.scope.find(symbol).is_some() => fault
@@ -183,7 +183,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The names and numbers in an expression, each once, with their units.
+    /// Collects the operands (names and literals) of an expression without duplicates, with their units.
     fn leaves(&self, e: &Expr, out: &mut Vec<Leaf>) {
         let model = &self.model;
         let written = |term: Term| (self.text(e.span), term, e.span, false);
@@ -241,16 +241,16 @@ impl Checker<'_> {
         }
     }
 
-    /// What would make the units of a sum agree.
+    /// Suggested factor that would make the two units of a sum agree; `None` if no single factor does.
     fn advice(&self, terms: &[Typed], groups: &[Vec<usize>]) -> Option<String> {
         let [a, b] = groups else { return None };
-        // The side with fewer terms is the odd one; the other says what is expected.
+        // The unit of the group with more terms is taken as the expected one.
         let (odd, even) = if a.len() <= b.len() { (a, b) } else { (b, a) };
         let unit = |i: usize| self.units.resolve(&term_of(&terms[i])).unit();
         self.missing_factor(&terms[odd[0]], unit(odd[0])?, unit(even[0])?)
     }
 
-    /// A name whose unit is just what is missing, or one factor too many.
+    /// Suggestion to remove, divide by or multiply by one named quantity, so that `found` becomes `expected`.
     fn missing_factor(&self, typed: &Typed, found: Unit, expected: Unit) -> Option<String> {
         let text = self.text(typed.expr.span);
         let excess = found.checked_div(expected)?;

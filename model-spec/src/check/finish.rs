@@ -1,4 +1,4 @@
-//! The last step of the check: inferred units are put in, and every expression gets its unit.
+//! Final pass of the semantic check: substitutes inferred units and assigns a unit to every expression.
 
 use super::term::Term;
 use super::{Checker, UnitOf};
@@ -7,7 +7,7 @@ use crate::model::{Expr, ExprKind, Function};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Puts in the inferred units, and lists the applied effects.
+    /// Stores the inferred units of parameters and expressions in the model, and adds the applied effects.
     pub fn finish(&mut self) {
         self.undetermined();
         let units = &self.units;
@@ -35,7 +35,7 @@ impl Checker<'_> {
         self.applied();
     }
 
-    /// Reports units that could not be inferred, unless another fault may be the reason.
+    /// Reports parameters whose unit could not be inferred; silent if there are other errors, which may be the cause.
     fn undetermined(&mut self) {
         if !self.diagnostics.is_empty() {
             return;
@@ -46,7 +46,7 @@ impl Checker<'_> {
             let Some(used) = first_use.filter(|_| term.unit().is_none()) else {
                 continue;
             };
-            // A unit that depends on another unknown is reported with that one.
+            // A unit that depends on another unknown is reported with that unknown.
             if term.has_unknowns() && !term.unknowns().any(|u| u as usize == unknown) {
                 continue;
             }
@@ -69,7 +69,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Computes the unit of every expression, from its leaves upwards.
+    /// Computes the unit of every expression bottom-up.
     fn assign(&mut self) {
         let model = &mut self.model;
         let mut tables = Tables {
@@ -98,7 +98,7 @@ fn bare_zero(e: &Expr) -> bool {
     matches!(e.kind, ExprKind::Number { value: 0.0, .. }) && e.unit == Unit::ONE
 }
 
-/// All expressions of a model but those of its auxiliary variables.
+/// Root expressions of a model, for modification, other than the definitions of auxiliary variables.
 fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     let mut all: Vec<&mut Expr> = Vec::new();
     if let Some(body) = &mut model.body {
@@ -121,7 +121,7 @@ fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     all
 }
 
-/// Units of all symbols, by their indices in the model.
+/// Units of all symbols, indexed as in the model.
 struct Tables {
     params: Vec<Unit>,
     coefficients: Vec<Unit>,
@@ -134,7 +134,7 @@ impl Tables {
     fn assign(&self, e: &mut Expr) {
         use ExprKind as K;
         let mul = |a: Unit, b: Unit| a.checked_mul(b).unwrap_or_default();
-        // A bare 0 takes the unit of the other operand.
+        // A literal 0 takes the unit of the other operand.
         let either = |a: &Expr, b: &Expr| if bare_zero(a) { b.unit } else { a.unit };
         e.children_mut(&mut |child| self.assign(child));
         e.unit = match &e.kind {

@@ -1,4 +1,4 @@
-//! Frames: a tree with the inertial frame at its root.
+//! Frames of reference: a tree rooted at the inertial frame.
 
 use super::Checker;
 use super::scope::Symbol;
@@ -7,7 +7,7 @@ use crate::model::{self, FrameKind};
 use crate::suggest;
 use crate::syntax::ast::{self, ItemKind, Name};
 
-/// Number of frames of a model.
+/// Maximum number of frames in a model.
 const MAX_FRAMES: usize = 100;
 
 impl<'a> Checker<'a> {
@@ -19,7 +19,7 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// Declares the frames by name, parents before children.
+    /// Declares the frames' names in order; every parent must be declared before its children.
     pub fn frame_names(&mut self) {
         let mut inertial: Option<&Name> = None;
         for (count, frame) in self.declared_frames().enumerate() {
@@ -56,7 +56,7 @@ impl<'a> Checker<'a> {
                 self.parent(parent, &frame.name);
             }
             if self.define_frame(&frame.name, index) {
-                // Its place is filled in once the states are known.
+                // The orientation is set by `frame_kinds`, once states are declared.
                 self.model.frames.push(model::Frame {
                     name: frame.name.text.clone(),
                     kind: FrameKind::Inertial,
@@ -70,7 +70,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A parent must have been declared before.
+    /// Reports a parent frame that is not declared before its child.
     fn parent(&mut self, parent: &Name, child: &Name) {
         if self.scope.frame(&parent.text).is_some() {
             return;
@@ -92,7 +92,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Places the frames, now that their angles are states.
+    /// Sets the orientation of each frame; the angles and quaternion components must have been declared as states.
     pub fn frame_kinds(&mut self) {
         for frame in self.declared_frames() {
             let Some(index) = self.scope.frame(&frame.name.text) else {
@@ -138,10 +138,10 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// The state that an angle or a component of a quaternion is.
+    /// Index of the state that is a rotation angle or quaternion component; `None` if there is no such state.
     fn frame_state(&mut self, name: &Name) -> Option<usize> {
         let Some(Symbol::State(index)) = self.scope.find(&name.text) else {
-            // Where a body is declared its own faults have been reported.
+            // With a body, the errors of its own statements have been reported.
             if self.declared_body.is_none() {
                 self.no_state(name);
             }
@@ -164,9 +164,9 @@ impl<'a> Checker<'a> {
         Some(index)
     }
 
-    /// Reports a name that should be that of a state.
+    /// Reports a name that is not the name of a state.
     pub fn no_state(&mut self, name: &Name) {
-        // Faults that are not shown need no suggestion.
+        // No suggestions for errors beyond the number shown.
         let told = if self.diagnostics.len() < MAX_SHOWN {
             &self.model.states[..]
         } else {
@@ -200,11 +200,11 @@ impl<'a> Checker<'a> {
         self.report(fault);
     }
 
-    /// Frames from one up to the inertial one.
+    /// Indices of the frames on the path from `from` to the inertial frame; `from` first, the inertial frame omitted.
     pub fn chain(&self, from: usize) -> Vec<usize> {
         let mut chain = Vec::new();
         let mut at = from;
-        // Parents come before children, but a faulty file may break that.
+        // Parents precede children, but a faulty file may contain a cycle.
         while at != 0 && chain.len() <= self.model.frames.len() {
             chain.push(at);
             at = match self.model.frames[at].kind {

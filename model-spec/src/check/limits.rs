@@ -1,4 +1,4 @@
-//! Validity limits of a model.
+//! Semantic checks of validity limits (`limit … > bound`).
 
 use super::elaborate::node;
 use super::term::Term;
@@ -8,14 +8,14 @@ use crate::model::{self, Expr, ExprKind, FrameKind, Function, Shape};
 use crate::syntax::ast::ItemKind;
 use crate::unit::Unit;
 
-/// Default limit of the middle angle's cosine (or sine): the attitude angles are singular at 0.
+/// Lower bound of the middle attitude angle's cosine (or sine), dimensionless: avoids gimbal lock at 0.
 const GIMBAL_LIMIT: f64 = 0.01;
 
-/// Number of validity limits of a model; every divisor is compared with each.
+/// Maximum number of validity limits in a model; every divisor is compared with each limit.
 const MAX_LIMITS: usize = 100;
 
 impl Checker<'_> {
-    /// The limits that are stated, and the one that attitude angles need.
+    /// Checks the stated limits, and adds the limit that avoids gimbal lock of three attitude angles.
     pub fn limits(&mut self) {
         let file = self.file;
         for item in &file.items {
@@ -34,7 +34,7 @@ impl Checker<'_> {
                 continue;
             };
             let (bound, _) = measure.of(&limit.bound.number);
-            // A bare 0 fits every unit.
+            // A bound of 0 without a unit is valid for every unit.
             if (limit.bound.unit.is_some() || bound != 0.0)
                 && let UnitOf::Term(found) = &typed.unit
                 && self
@@ -64,7 +64,7 @@ impl Checker<'_> {
         self.attitude_limit();
     }
 
-    /// Adds the limit of three attitude angles: where the first and the last turn about one axis they are singular.
+    /// Adds the limit that avoids gimbal lock: the cosine of the middle angle, or its sine if the outer axes are equal.
     fn attitude_limit(&mut self) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;
@@ -108,7 +108,7 @@ impl Checker<'_> {
         });
     }
 
-    /// Whether a validity limit keeps an expression above a bound of 0 or more.
+    /// Whether a validity limit requires an expression to be above a bound of at least 0.
     pub fn limited(&self, e: &Expr) -> bool {
         super::singular::limited(&self.model, e)
     }

@@ -1,7 +1,7 @@
 //! Semantic analysis, from syntax tree to model: names, shapes, frames, units and singular points.
 //!
-//! Everything is checked on the vector expressions as written, before any simplification. A statement at fault is reported
-//! once and omitted; statements that use it are not reported again.
+//! Checks act on the vector expressions as written, before any simplification. A statement with an error is reported
+//! once and omitted; statements that refer to it cause no further reports.
 
 mod attitude;
 mod body;
@@ -34,16 +34,16 @@ use term::{Term, Units};
 
 pub use singular::{SingularPoint, nonzero_constants, singular_points};
 
-/// Result of [`check`](fn@check).
+/// Result of [`check`](fn@check): the model and the diagnostics.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// The model, if there are no faults other than of units.
+    /// The checked model; `None` after any error other than a unit error.
     pub model: Option<Model>,
-    /// Faults, in the order of their source spans.
+    /// Errors, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Checks a syntax tree; `sources` are the texts that its spans refer to.
+/// Checks names, shapes, frames, units and singular points of a syntax tree; spans refer to `sources`.
 pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
     if file.items.is_empty() {
         let fault = Diagnostic::new(Kind::Missing, file.end, "the file declares nothing").help(
@@ -95,34 +95,34 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
     }
 }
 
-/// Unit of an expression during the check.
+/// Unit of an expression during unit inference.
 #[derive(Clone, Debug)]
 enum UnitOf {
-    /// A unit, perhaps with unknown factors.
+    /// A product of powers of base units and of unknown units.
     Term(Term),
-    /// Any unit: the expression is a literal 0 without a unit.
+    /// Compatible with every unit: the expression is a literal 0 without a unit.
     Zero,
-    /// Inconsistent; the fault has been reported.
+    /// Inconsistent; the error has already been reported.
     Faulty,
 }
 
-/// An expression with resolved names, consistent shapes and frames, and its unit as far as known.
+/// Expression with resolved names, shape and frame; its unit may contain unknowns.
 #[derive(Clone, Debug)]
 struct Typed {
     expr: model::Expr,
     unit: UnitOf,
 }
 
-/// State of the definition of an auxiliary variable.
+/// Result of checking the definition of an auxiliary variable.
 #[derive(Clone, Debug)]
 enum Definition {
-    /// Not yet checked, or at fault.
+    /// Not yet checked, or has an error.
     Missing,
-    /// Index into [`Model::aux_variables`], shape and unit.
+    /// Checked: index into [`Model::aux_variables`], shape and unit.
     Done(usize, model::Shape, UnitOf),
 }
 
-/// State of the check of one file.
+/// Semantic analyser: the file, its symbol table, inferred units, diagnostics and the model under construction.
 struct Checker<'a> {
     file: &'a ast::File,
     sources: &'a [Source],
@@ -130,24 +130,24 @@ struct Checker<'a> {
     units: Units,
     scope: Scope,
     model: Model,
-    /// Units of parameters, coefficients, inputs and states, by their indices.
+    /// Units of the known constants, by index into [`Model::params`]; unknown if to be inferred.
     params: Vec<Term>,
     coefficients: Vec<Term>,
     inputs: Vec<Term>,
     states: Vec<Term>,
-    /// Units of [`Model::aux_variables`], by their indices.
+    /// Units of the auxiliary variables, by index into [`Model::aux_variables`].
     let_units: Vec<UnitOf>,
-    /// Whether each of [`Model::aux_variables`] changes during a flight.
+    /// Whether each auxiliary variable changes during a flight, by index into [`Model::aux_variables`].
     varies: Vec<bool>,
-    /// Definitions: all `let`s, then one for every `der(…)` used in an expression.
+    /// Results for all `let` definitions in order, then for every `der(…)` used in an expression.
     definitions: Vec<Definition>,
-    /// First use of each constant of unknown unit, by the index of the unknown.
+    /// Source span of the first use of each constant of unknown unit, by the index of the unknown.
     first_uses: Vec<Option<Span>>,
-    /// For each state whose `der(…)` is used in an expression, the index of its definition.
+    /// For each state whose `der(…)` is used in an expression: index into [`Checker::definitions`].
     derivatives: HashMap<usize, usize>,
-    /// Number of states of the body; declared states follow them.
+    /// Number of states of the body, which come first; states declared with `state` follow.
     of_body: usize,
-    /// The body, if one is declared, even if it is at fault.
+    /// The declared body, even if it has errors.
     declared_body: Option<&'a ast::Body>,
 }
 
@@ -182,12 +182,12 @@ impl<'a> Checker<'a> {
         self.diagnostics.push(fault);
     }
 
-    /// Whether there are no faults other than of units so far.
+    /// Whether no error other than unit errors has been found so far.
     fn sound(&self) -> bool {
         self.diagnostics.iter().all(|d| d.kind == Kind::Unit)
     }
 
-    /// Source text of a span, on one line.
+    /// Source text of a span, whitespace collapsed to one line.
     fn text(&self, span: Span) -> String {
         let raw = self
             .sources
@@ -199,7 +199,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// A text without brackets that enclose all of it.
+/// Text without one pair of brackets that encloses all of it.
 fn unwrapped(text: &str) -> &str {
     let Some(inner) = text.strip_prefix('(').and_then(|t| t.strip_suffix(')')) else {
         return text;

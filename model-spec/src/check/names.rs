@@ -1,4 +1,4 @@
-//! Names in expressions.
+//! Resolution of names in expressions.
 
 use super::elaborate::node;
 use super::scope::Symbol;
@@ -11,7 +11,7 @@ use crate::syntax::ast;
 use crate::unit::{Unit, symbol};
 
 impl Checker<'_> {
-    /// A name as an expression.
+    /// Resolves a name to an expression; `None`, with an error, if it is undefined.
     pub fn name(&mut self, name: &str, span: Span) -> Option<Typed> {
         let scalar = |kind, term| Typed {
             expr: node(kind, Shape::Scalar, span),
@@ -75,7 +75,7 @@ impl Checker<'_> {
         }
     }
 
-    /// `position`, `velocity`, `angular_velocity`.
+    /// Resolves `position`, `velocity` or `angular_velocity` of the body.
     fn of_body(&mut self, name: &str, span: Span) -> Option<Typed> {
         if self.declared_body.is_none() {
             let message = format!("there is no body whose `{name}` this could be");
@@ -85,7 +85,7 @@ impl Checker<'_> {
             )));
             return None;
         }
-        // A faulty body has been reported.
+        // `None` if the body has an error, which has been reported.
         let body = self.model.body.as_ref()?;
         let (kind, frame, unit) = match name {
             "position" => (ExprKind::Position, 0, Unit::METRE),
@@ -141,7 +141,7 @@ impl Checker<'_> {
         None
     }
 
-    /// Remembers where a quantity of unknown unit was first used.
+    /// Records the first use of each unknown unit in `term`, for messages.
     fn used(&mut self, term: &Term, span: Span) {
         for unknown in term.unknowns() {
             let place = &mut self.first_uses[unknown as usize];
@@ -149,7 +149,7 @@ impl Checker<'_> {
         }
     }
 
-    /// `F.k` or `v.k`
+    /// Resolves `F.k` (unit vector along axis k of frame F) or `v.k` (component k of vector v).
     pub fn part(&mut self, of: &ast::Expr, part: u8, span: Span) -> Option<Typed> {
         if let ast::ExprKind::Name(name) = &of.kind
             && let Some(frame) = self.scope.frame(name)
@@ -190,7 +190,7 @@ impl Checker<'_> {
         })
     }
 
-    /// `der(STATE)` inside an expression: the right side of the equation for it.
+    /// Resolves `der(STATE)` in an expression to the right-hand side of the state's equation.
     pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
         let found = self.scope.find(&state.text);
         let derived = match found {
@@ -210,7 +210,7 @@ impl Checker<'_> {
             return None;
         };
         let definition = self.derivative_definition(i)?;
-        // Its unit is known from the state, whatever may be wrong with the equation.
+        // The unit follows from the state's, even if the equation has an error.
         let per_second =
             self.states[i].times_power(&Term::known(Unit::SECOND), Fraction::new(-1, 1)?);
         let unit = per_second.map_or(UnitOf::Faulty, UnitOf::Term);

@@ -1,4 +1,4 @@
-//! Order of the auxiliary variables: each after those that it uses.
+//! Topological order of auxiliary variables by their uses.
 
 use std::collections::HashMap;
 
@@ -7,13 +7,13 @@ use super::scope::Symbol;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{self, Expr, ExprKind};
 
-/// Number of cycles that are reported; each costs a walk over its definitions.
+/// Maximum number of dependency cycles reported; each report walks over the definitions of a cycle.
 const MAX_CYCLES: usize = 50;
 
-/// Number of definitions of a cycle that a message lists.
+/// Maximum number of definitions of a dependency cycle that an error message lists.
 const MAX_LISTED: usize = 8;
 
-/// A `let`, or the right side of an equation that is used as `der(STATE)`.
+/// A definition: a `let`, or the right-hand side of an equation referenced as `der(STATE)`.
 #[derive(Clone, Copy)]
 pub(super) struct Defining<'a> {
     pub name: &'a ast::Name,
@@ -21,13 +21,13 @@ pub(super) struct Defining<'a> {
     pub value: &'a Expr,
     pub doc: &'a str,
     pub effect: Option<usize>,
-    /// The state whose derivative it is.
+    /// For an equation, the index of the state; `None` for a `let`.
     pub state: Option<usize>,
-    /// The statement.
+    /// Source span of the statement.
     pub span: Span,
 }
 
-/// Calls `visit` with the name, whether it is in `der(…)`, and the span of each name in an expression.
+/// Calls `visit` for each name in an expression with: the name, whether it stands in `der(…)`, its source span.
 pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) {
     match &e.kind {
         ExprKind::Name(name) => visit(name, false, e.span),
@@ -37,7 +37,7 @@ pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) 
 }
 
 impl Checker<'_> {
-    /// For each definition, the definitions that it uses and where.
+    /// Dependency graph: for each definition, the indices of definitions it uses, with the source span of each use.
     fn dependencies(&self, definitions: &[Defining<'_>]) -> Vec<Vec<(usize, Span)>> {
         let derivatives = definitions.iter().enumerate();
         let of_state: HashMap<usize, usize> = derivatives
@@ -58,8 +58,8 @@ impl Checker<'_> {
         definitions.iter().map(used_by).collect()
     }
 
-    /// Topological order of the definitions by depth-first search: each after those it uses, else as written.
-    /// Definitions on a cycle are left out; cycles are reported up to [`MAX_CYCLES`].
+    /// Topological order of the definitions by depth-first search, dependencies first, otherwise in source order.
+    /// Definitions on a cycle are omitted; at most [`MAX_CYCLES`] cycles are reported.
     pub fn ordered(&mut self, definitions: &[Defining<'_>]) -> Vec<usize> {
         let edges = self.dependencies(definitions);
         let mut cycles = 0;
@@ -70,7 +70,7 @@ impl Checker<'_> {
                 continue;
             }
             mark[root] = Mark::Open;
-            // Definitions from the root to the current one, each with the number of its uses visited so far.
+            // Stack of the search: definition, number of its dependencies visited so far.
             let mut path = vec![(root, 0)];
             while let Some(&mut (at, ref mut next)) = path.last_mut() {
                 let Some(&(to, _)) = edges[at].get(*next) else {
@@ -150,15 +150,15 @@ impl Checker<'_> {
     }
 }
 
-/// State of a definition in the depth-first search.
+/// Mark of a definition in the depth-first search.
 #[derive(Clone, Copy, PartialEq)]
 enum Mark {
     /// Not yet visited.
     New,
-    /// On the path from the root to the current definition.
+    /// On the search stack.
     Open,
-    /// In the order.
+    /// Finished: already in the topological order.
     Done,
-    /// On a reported cycle.
+    /// On a dependency cycle that has been reported.
     Cyclic,
 }

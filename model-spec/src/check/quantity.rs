@@ -1,22 +1,22 @@
-//! Numbers with units, in SI and, where possible, as exact fractions.
+//! Literals with units: SI values, and exact rational values where possible.
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::syntax::ast::{Number, UnitExpr};
 use crate::unit::{Unit, symbol};
 
-/// A unit of a literal: its dimension and its conversion factor to the SI.
+/// Meaning of a unit expression: SI unit and conversion factor.
 #[derive(Clone, Debug)]
 pub(super) struct Measure {
     pub unit: Unit,
     pub factor: f64,
     pub exact: Option<(i128, i128)>,
-    /// Its text as written, or that of the SI unit if a factor has been applied to the value.
+    /// Text of the unit as written, or of the SI unit if the value has been converted.
     pub text: String,
 }
 
 impl Measure {
-    /// The unit of a pure number.
+    /// The unit of dimensionless numbers, conversion factor 1.
     pub fn one() -> Measure {
         Measure {
             unit: Unit::ONE,
@@ -26,7 +26,7 @@ impl Measure {
         }
     }
 
-    /// SI value of a number in this unit, and the exact fraction if it is one.
+    /// SI value of a literal in this unit, and its exact value (numerator, denominator) if rational and within `i64`.
     pub fn of(&self, number: &Number) -> (f64, Option<(i64, i64)>) {
         let decimal = number.text.parse::<f64>().unwrap_or(0.0);
         let exact = self.exact.and_then(|(above, below)| {
@@ -35,7 +35,7 @@ impl Measure {
         });
         const MAX_EXACT: u64 = 1 << 53;
         let value = match exact {
-            // The quotient of two whole numbers that are exact in binary is rounded once only.
+            // Division of two integers below 2^53 rounds only once.
             Some((n, d)) if n.unsigned_abs() <= MAX_EXACT && d.unsigned_abs() <= MAX_EXACT => {
                 n as f64 / d as f64
             }
@@ -45,7 +45,7 @@ impl Measure {
     }
 }
 
-/// A decimal as a fraction.
+/// Decimal text as (numerator, denominator), not reduced; `None` if too long for `i128`.
 fn fraction(text: &str) -> Option<(i128, i128)> {
     let (mantissa, exponent) = match text.find(['e', 'E']) {
         Some(i) => (&text[..i], text[i + 1..].parse::<i32>().ok()?),
@@ -65,7 +65,7 @@ fn fraction(text: &str) -> Option<(i128, i128)> {
     }
 }
 
-/// In lowest terms, where both parts fit.
+/// Fraction in lowest terms; `None` if numerator or denominator exceeds `i64`.
 fn reduced(above: i128, below: i128) -> Option<(i64, i64)> {
     let (mut a, mut b) = (above.unsigned_abs(), below.unsigned_abs());
     while b != 0 {
@@ -79,7 +79,7 @@ fn reduced(above: i128, below: i128) -> Option<(i64, i64)> {
 }
 
 impl Checker<'_> {
-    /// Meaning of a unit; none, with a fault, if a symbol is unknown.
+    /// SI unit and conversion factor of a unit expression; `None`, with an error, if a symbol is unknown.
     pub fn measure(&mut self, unit: &UnitExpr) -> Option<Measure> {
         let mut out = Measure::one();
         for factor in &unit.factors {
@@ -119,7 +119,7 @@ impl Checker<'_> {
                 out.exact = out.exact.filter(|_| found.factor == 1.0);
             }
         }
-        // The fraction is the better of the two.
+        // The rational factor is more accurate than the product of rounded ones.
         if let Some((n, d)) = out.exact {
             out.factor = n as f64 / d as f64;
         }

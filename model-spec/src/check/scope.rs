@@ -7,36 +7,36 @@ use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 use crate::syntax::ast::Name;
 
-/// Meaning of a name, with its index in the model.
+/// What a name refers to, with its index in the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symbol {
     Param(usize),
     Coefficient(usize),
     Input(usize),
-    /// `wind_x`: a component (1 to 3) of an input.
+    /// Component (1 to 3) of an input of this index, such as `wind_x`.
     InputPart(usize, u8),
     State(usize),
-    /// Index into the checker's definitions.
+    /// Auxiliary variable: index into `Checker::definitions`.
     Let(usize),
     Marker,
 }
 
-/// Names of values and of frames, with the spans of their declarations.
+/// Symbol table: names of values and of frames, with the spans of their declarations.
 #[derive(Default)]
 pub(super) struct Scope {
     values: HashMap<String, (Symbol, Span)>,
     frames: HashMap<String, (usize, Span)>,
-    /// Names in order of declaration, for suggestions.
+    /// All names in order of declaration, for spelling suggestions.
     order: Vec<String>,
 }
 
-/// Names that cannot be declared.
+/// Reserved names, which no declaration can use.
 pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
 
-/// Names defined by a body; they can be declared in models without one.
+/// Names predefined in models with a body; other models may declare them.
 pub(super) const OF_BODY: [&str; 3] = ["position", "velocity", "angular_velocity"];
 
-/// Functions of the language.
+/// Names of the built-in functions.
 pub(super) const FUNCTIONS: [&str; 23] = [
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "log", "abs", "sign",
     "step", "tanh", "min", "max", "norm", "unit", "dot", "cross", "ratio", "der", "diag",
@@ -57,7 +57,7 @@ impl Scope {
 }
 
 impl Checker<'_> {
-    /// Defines a name; reports a fault and returns false if it is already defined or reserved.
+    /// Adds a name to the symbol table; returns false, with an error, if it is already defined or reserved.
     pub fn define(&mut self, name: &Name, symbol: Symbol) -> bool {
         self.define_as(&name.text, name.span, symbol)
     }
@@ -114,7 +114,7 @@ impl Checker<'_> {
         true
     }
 
-    /// Index of a frame by name; none, with a fault, if there is no such frame.
+    /// Index of a frame by name; `None`, with an error, if there is no such frame.
     pub fn frame_of(&mut self, name: &Name) -> Option<usize> {
         self.frame_named(&name.text, name.span)
     }
@@ -143,7 +143,7 @@ impl Checker<'_> {
         None
     }
 
-    /// The defined name nearest to a misspelt one; looked up only while faults are shown.
+    /// Defined name nearest in spelling to `wrong`; `None` if none is near or the limit of shown errors is reached.
     pub fn nearest(&self, wrong: &str) -> Option<String> {
         if self.diagnostics.len() >= MAX_SHOWN {
             return None;
@@ -162,10 +162,10 @@ impl Checker<'_> {
     }
 }
 
-/// Number of names that a message lists.
+/// Maximum number of names listed in a message.
 const MAX_LISTED: usize = 8;
 
-/// Names as a list in a sentence: `a`, `b` and `c`.
+/// Quoted names as a list for a sentence: `a`, `b` and `c`.
 pub(super) fn listed(names: &[impl AsRef<str>]) -> String {
     let quoted: Vec<String> = names
         .iter()

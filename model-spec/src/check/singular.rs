@@ -1,21 +1,21 @@
-//! Singular points: where a quotient, a root or a direction has no derivative, and what happens there.
+//! Analysis of singular points: divisors that may be zero, and guarded functions with a defined value there.
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Model};
 
-/// An expression that is singular for some values, with its stated behaviour there.
+/// Subexpression with a point of no derivative (zero of a norm, kink, jump), and its defined value there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SingularPoint {
     /// Source span of the expression.
     pub span: Span,
     /// Source text of the expression.
     pub text: String,
-    /// Condition of the singularity, and the value or derivative there.
+    /// Where the expression is singular and its value or derivative there, such as `derivative 0 where …`.
     pub what: String,
 }
 
-/// Sign of an expression, as far as known.
+/// Value facts of an expression: what is known of its sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Sign {
     Unknown,
@@ -51,7 +51,7 @@ impl Sign {
     }
 }
 
-/// Signs of the auxiliary variables, computed once.
+/// Signs and value ranges of the auxiliary variables, by index into [`Model::aux_variables`].
 struct Signs<'m> {
     model: &'m Model,
     lets: Vec<Sign>,
@@ -92,7 +92,7 @@ impl<'m> Signs<'m> {
             K::Number { value, .. } if *value < 0.0 => Sign::NotZero,
             K::Number { .. } => Sign::NotNegative,
             K::Pi | K::Call(Function::Exp, _) => Sign::Positive,
-            // That constants are not 0 is checked when they are given.
+            // Nonzero values of parameters that are divisors are enforced when the parameters are set.
             K::Param(i) => bounded(self.model.params[*i].bounds),
             K::Coefficient(i) => bounded(self.model.coefficients[*i].bounds),
             K::AuxVariable(i) => self.lets.get(*i).copied().unwrap_or(Sign::Unknown),
@@ -127,7 +127,7 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// Interval of values of sums and products of bounded parameters.
+    /// Interval arithmetic over parameter bounds, SI; `None` if a bound is missing or the operation is not + − *.
     fn range(&self, e: &Expr) -> Option<(f64, f64)> {
         use ExprKind as K;
         match &e.kind {
@@ -154,7 +154,7 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// The factor of an expression that may be zero.
+    /// The factor of a divisor that may be zero, for the error message.
     fn culprit<'e>(&self, e: &'e Expr) -> &'e Expr {
         match &e.kind {
             ExprKind::Mul(a, b) if !self.of(a).never_zero() && self.of(b).never_zero() => {
@@ -168,7 +168,7 @@ impl<'m> Signs<'m> {
     }
 }
 
-/// Whether a validity limit keeps an expression above a bound of 0 or more.
+/// Whether a validity limit requires an expression to be above a bound of at least 0.
 pub(super) fn limited(model: &Model, e: &Expr) -> bool {
     model.limits.iter().filter(|l| l.bound >= 0.0).any(|limit| {
         let (a, b) = (named(model, e), named(model, &limit.value));
@@ -176,7 +176,7 @@ pub(super) fn limited(model: &Model, e: &Expr) -> bool {
     })
 }
 
-/// Definition of an auxiliary variable, or the expression itself.
+/// The definition if the expression is an auxiliary variable, otherwise the expression.
 fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     match &e.kind {
         ExprKind::AuxVariable(i) => model.aux_variables.get(*i).map_or(e, |l| &l.value),
@@ -184,7 +184,7 @@ fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     }
 }
 
-/// All expressions of a model.
+/// Root expressions of a model: mass, inertia, auxiliary variables, loads, equations, observation, clock, limits.
 fn roots(model: &Model) -> Vec<&Expr> {
     let mut all: Vec<&Expr> = Vec::new();
     if let Some(body) = &model.body {
@@ -207,7 +207,7 @@ fn walk<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     e.children(&mut |child| walk(child, visit));
 }
 
-/// The divisor of a quotient, or the base of a negative power.
+/// The divisor of a quotient, or the base of a negative power; `None` for other expressions.
 fn divisor(e: &Expr) -> Option<&Expr> {
     match &e.kind {
         ExprKind::Div(_, b) => Some(b),
@@ -217,7 +217,7 @@ fn divisor(e: &Expr) -> Option<&Expr> {
 }
 
 impl Checker<'_> {
-    /// Reports divisors that may be zero, and tangents whose cosine no limit keeps from zero.
+    /// Reports divisors that may be zero, and tangents whose cosine no validity limit keeps above zero.
     pub fn singularities(&mut self) {
         let mut faults: Vec<Diagnostic> = Vec::new();
         let signs = Signs::new(&self.model);
@@ -272,7 +272,7 @@ impl Checker<'_> {
         fault
     }
 
-    /// The fault of a divisor with a parameter whose default is 0.
+    /// Error for a divisor with a parameter or coefficient whose default is 0; `None` if there is no such factor.
     fn zero_default(&self, divisor: &Expr) -> Option<Diagnostic> {
         let mut found = None;
         factors(divisor, &mut |factor| {
@@ -295,7 +295,7 @@ impl Checker<'_> {
     }
 }
 
-/// The factors of a divisor.
+/// Calls `visit` on each factor of a product; signs and exponents are ignored.
 fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     match &e.kind {
         ExprKind::Mul(a, b) => {
@@ -320,7 +320,7 @@ pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
             _ => {}
         });
     };
-    // The equations of motion divide by the mass and the moments of inertia.
+    // The equations of motion divide by the mass and the principal entries of the inertia tensor.
     if let Some(body) = &model.body {
         look(&body.mass, &mut lets);
         if let Some(rotation) = &body.rotation {
@@ -334,7 +334,7 @@ pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
             }
         });
     }
-    // Quantities are listed after those that they use.
+    // Reverse order: auxiliary variables come after those they use.
     for i in (0..model.aux_variables.len()).rev() {
         if lets[i] {
             look(&model.aux_variables[i].value, &mut lets);

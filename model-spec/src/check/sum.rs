@@ -1,4 +1,4 @@
-//! Sums: every term must have the shape, the frame and the unit of the others.
+//! Type checking of sums: all terms must have one shape, one frame and one unit.
 
 use super::elaborate::node;
 use super::{Checker, Typed, UnitOf};
@@ -7,9 +7,9 @@ use crate::model::{ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 
 impl Checker<'_> {
-    /// `a + b - c …`, checked as one sum so that one wrong term gives one message.
+    /// Elaborates `a + b - c …` as one n-ary sum, so that one inconsistent term causes one error message.
     pub fn sum(&mut self, e: &ast::Expr) -> Option<Typed> {
-        // Terms from the left, each with the operator before it and the place of the sum so far.
+        // Terms from the left, each with its operator and the source span of the partial sum.
         let mut terms: Vec<(BinaryOp, &ast::Expr, Span)> = Vec::new();
         let mut rest = e;
         while let ast::ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), a, b) = &rest.kind {
@@ -47,7 +47,7 @@ impl Checker<'_> {
         Some(Typed { expr: sum?, unit })
     }
 
-    /// Common shape of all terms; none, with a fault, if they differ.
+    /// Common shape of all terms; `None`, with an error, if they differ in shape or frame.
     pub fn same_shape(&mut self, terms: &[Typed], span: Span) -> Option<Shape> {
         let first = terms.first()?;
         let Some(other) = terms.iter().find(|t| t.expr.shape != first.expr.shape) else {
@@ -77,7 +77,7 @@ impl Checker<'_> {
         None
     }
 
-    /// The fault of two vectors whose components are in different frames.
+    /// Error for two vectors whose components are in different frames.
     pub fn different_frames(
         &self,
         a: &Typed,
@@ -100,7 +100,7 @@ impl Checker<'_> {
             ))
     }
 
-    /// Common unit of expressions; if they differ, one fault reports all.
+    /// Common unit of expressions; inconsistent, with a single error message, if they differ.
     pub fn same_unit(&mut self, terms: &[Typed], span: Span, rule: &str) -> UnitOf {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         let mut faulty = false;

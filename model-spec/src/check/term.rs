@@ -7,13 +7,13 @@ use std::cell::RefCell;
 use crate::diagnostic::Span;
 use crate::unit::Unit;
 
-/// Number of unknown factors in one unit; a unit with more is reported.
+/// Maximum number of unknown factors in one unit; a unit with more is an error.
 const MAX_UNKNOWNS: usize = 32;
 
-/// Numerator and denominator up to which an exponent is followed; sums of such fractions stay within `i64`.
+/// Limit on numerator and denominator of a unit exponent; sums of such fractions stay within `i64`.
 const MAX_PART: i32 = 4096;
 
-/// An exponent: a fraction in lowest terms, denominator positive.
+/// Rational exponent in lowest terms, denominator positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Fraction {
     above: i32,
@@ -56,12 +56,12 @@ fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a.max(1) } else { gcd(b, a % b) }
 }
 
-/// A unit that may have unknown factors.
+/// A unit as a product of powers of base units and of unknown units.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Term {
     /// Exponents of the base units, in the order of [`Base`](crate::unit::Base).
     base: [Fraction; 8],
-    /// Indices of the unknowns with their exponents, none of them zero, in ascending order.
+    /// Indices of the unknown units with their nonzero exponents, in ascending order.
     unknowns: Vec<(u32, Fraction)>,
 }
 
@@ -98,7 +98,7 @@ impl Term {
         }
     }
 
-    /// The product with a power of another unit; none if an exponent leaves the range or there are too many unknowns.
+    /// Unit `self` · `other`^`power`; `None` if an exponent is out of range or there are too many unknowns.
     pub fn times_power(&self, other: &Term, power: Fraction) -> Option<Term> {
         let mut base = self.base;
         for (b, o) in base.iter_mut().zip(other.base) {
@@ -125,7 +125,7 @@ impl Term {
         Term::one().times_power(self, power)
     }
 
-    /// The unit, if nothing is unknown and every exponent is a multiple of 1/2 within range.
+    /// The unit; `None` if it has unknown factors, or an exponent that is out of range or no multiple of 1/2.
     pub fn unit(&self) -> Option<Unit> {
         if !self.unknowns.is_empty() {
             return None;
@@ -149,7 +149,7 @@ impl Term {
         self.unknowns.iter().map(|u| u.0)
     }
 
-    /// The unit without its unknown factors.
+    /// The product of the base units' powers, unknown factors omitted.
     pub fn known_part(&self) -> Term {
         Term {
             base: self.base,
@@ -158,23 +158,23 @@ impl Term {
     }
 }
 
-/// The unit of a constant that is to be inferred.
+/// Unknown unit of a constant, to be inferred.
 struct Unknown {
     /// Name of the constant.
     name: String,
-    /// What it equals, by unknowns that had no solution when it was found, or later solutions put in.
+    /// Solution in terms of other unknowns; `None` while undetermined.
     solution: RefCell<Option<Term>>,
-    /// Expression by which it was determined.
+    /// Source span of the expression that determined the solution.
     at: Option<Span>,
 }
 
-/// The unknown units of a model with their solutions so far.
+/// The system of unknown units with the solutions found so far.
 #[derive(Default)]
 pub(super) struct Units {
     unknowns: Vec<Unknown>,
 }
 
-/// Error: two units cannot be made equal.
+/// Error of [`Units::equate`]: the two units cannot be made equal.
 pub(super) struct Differ;
 
 impl Units {
@@ -191,12 +191,12 @@ impl Units {
         &self.unknowns[unknown as usize].name
     }
 
-    /// The expression by which an unknown was determined.
+    /// Source span of the expression that determined an unknown unit; `None` while undetermined.
     pub fn determined_at(&self, unknown: u32) -> Option<Span> {
         self.unknowns[unknown as usize].at
     }
 
-    /// A term with all solutions put in.
+    /// Substitutes all solutions found so far into a unit.
     pub fn resolve(&self, term: &Term) -> Term {
         for unknown in term.unknowns() {
             self.compress(unknown);
@@ -208,14 +208,14 @@ impl Units {
         self.unknowns[unknown as usize].solution.borrow().is_some()
     }
 
-    /// An unknown with a solution in which there are unknowns with solutions.
+    /// Whether the solution of an unknown contains an unknown that has itself a solution.
     fn is_chained(&self, unknown: u32) -> bool {
         let solution = self.unknowns[unknown as usize].solution.borrow();
         let term = solution.as_ref();
         term.is_some_and(|term| term.unknowns().any(|u| self.is_solved(u)))
     }
 
-    /// A term with the solutions of its unknowns put in once; none if that leaves the range.
+    /// Substitutes solutions into a unit once, without recursion; `None` if an exponent leaves the range.
     fn substituted(&self, term: &Term) -> Option<Term> {
         let mut result = term.known_part();
         for &(index, power) in &term.unknowns {
@@ -227,7 +227,7 @@ impl Units {
         Some(result)
     }
 
-    /// Puts solutions into the solution of an unknown until none of its unknowns has one; each chain is followed once.
+    /// Path compression: substitutes solutions recursively into the solution of an unknown.
     fn compress(&self, unknown: u32) {
         let mut path = vec![unknown];
         while let Some(&last) = path.last() {
@@ -248,7 +248,7 @@ impl Units {
         }
     }
 
-    /// Makes two units equal by solving for at most one unknown; `at` is the expression that demands it.
+    /// Unifies two units by solving for at most one unknown; `at` is the span of the expression that requires it.
     pub fn equate(&mut self, a: &Term, b: &Term, at: Span) -> Result<(), Differ> {
         let (a, b) = (self.resolve(a), self.resolve(b));
         let Some(ratio) = a.times_power(
@@ -260,7 +260,7 @@ impl Units {
         ) else {
             return Err(Differ);
         };
-        // Solving for the unknown declared last keeps solutions free of circles.
+        // Solving for the unknown declared last prevents cyclic solutions.
         let Some(&(index, exponent)) = ratio.unknowns.last() else {
             return if ratio.base[..7].iter().all(|e| e.is_zero()) {
                 Ok(())
@@ -278,7 +278,7 @@ impl Units {
         Ok(())
     }
 
-    /// The unit of an unknown as far as it is determined.
+    /// The unit of an unknown; it contains unknowns while it is not fully determined.
     pub fn solution(&self, unknown: u32) -> Term {
         self.resolve(&Term::unknown(unknown))
     }

@@ -15,17 +15,17 @@ use crate::syntax::{self, Parsed};
 #[derive(Clone, Debug)]
 pub struct EffectTree {
     tree: Effect,
-    /// Text that the spans refer to; none for an effect of the model's own file.
+    /// Text that the tree's spans refer to; `None` for an effect declared in the model's file.
     source: Option<Source>,
 }
 
 impl EffectTree {
-    /// An effect of a model's own file.
+    /// Wraps the syntax tree of an effect declared in a model's file.
     pub(super) fn of_model(tree: Effect) -> EffectTree {
         EffectTree { tree, source: None }
     }
 
-    /// An effect that was built from parts, as the tree of its statements; its printed text becomes its source.
+    /// Builds an effect from a syntax tree; the printed tree becomes its source text.
     ///
     /// ```
     /// use model_spec::compose::{EffectTree, ModelTree};
@@ -56,24 +56,24 @@ impl EffectTree {
         }
     }
 
-    /// The effect of a file: its only one, or the one that has the file's name.
+    /// Loads an effect from a file, which must contain one effect or one of the file's name.
     ///
     /// # Errors
-    /// [`LoadError::Unreadable`], or [`LoadError::Faults`] of the syntax or if there is no effect.
+    /// [`LoadError::Unreadable`]; [`LoadError::Faults`] for syntax errors or if there is no effect.
     pub fn load(path: &str) -> Result<EffectTree, LoadError> {
         EffectTree::parse(path, &read(path)?)
     }
 
-    /// A built-in effect, if there is one of this name.
+    /// Parses the built-in effect `name`; `None` if there is no such built-in effect.
     pub(super) fn built_in(name: &str) -> Option<Result<EffectTree, LoadError>> {
         let text = library::find(EFFECTS, name)?;
         Some(EffectTree::parse(&format!("{name}.hyz"), text))
     }
 
-    /// The effect of a text: its only one, or the one that has the name of the file `name`.
+    /// Parses an effect from text, which must contain one effect or one named like the file `name`.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] of the syntax or if there is no effect.
+    /// [`LoadError::Faults`] for syntax errors or if there is no effect.
     pub fn parse(name: &str, text: &str) -> Result<EffectTree, LoadError> {
         let Parsed {
             file,
@@ -102,17 +102,17 @@ impl EffectTree {
         }
     }
 
-    /// Its name, with underscores.
+    /// Name of the effect, words separated by underscores.
     pub fn name(&self) -> &str {
         &self.tree.name.text
     }
 
-    /// Its statements.
+    /// Syntax tree of the effect.
     pub fn tree(&self) -> &Effect {
         &self.tree
     }
 
-    /// Text of a span of the tree; empty for an effect of a model's own file.
+    /// Source text of a span of the tree; empty for an effect declared in a model's file.
     pub(crate) fn text(&self, span: Span) -> &str {
         let source = self.source.as_ref();
         source
@@ -120,7 +120,7 @@ impl EffectTree {
             .unwrap_or_default()
     }
 
-    /// The tree with spans into `sources`, to which the effect's text is added unless it is there.
+    /// The tree with spans that refer to `sources`; appends the effect's text to `sources` unless it is present.
     pub(super) fn in_sources(&self, sources: &mut Vec<Source>) -> Effect {
         let mut tree = self.tree.clone();
         if let Some(own) = &self.source {

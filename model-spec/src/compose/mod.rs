@@ -39,7 +39,7 @@ use crate::syntax::{self, Parsed};
 
 pub use effect_tree::EffectTree;
 
-/// A model's syntax tree, with the effects applied to it so far and the texts that its spans refer to.
+/// A model's syntax tree with effects applied, and the source texts that its spans refer to.
 #[derive(Clone, Debug)]
 pub struct ModelTree {
     file: Arc<File>,
@@ -47,19 +47,19 @@ pub struct ModelTree {
 }
 
 impl ModelTree {
-    /// Parses a model: a file by its path, or a built-in model by its name.
+    /// Parses a model from a file path or the name of a built-in model.
     ///
     /// # Errors
-    /// Every variant of [`LoadError`] but `UnknownEffect`.
+    /// Every variant of [`LoadError`] except `UnknownEffect`.
     pub fn load(name_or_path: &str) -> Result<ModelTree, LoadError> {
         let (name, text) = model_text(name_or_path)?;
         ModelTree::parse(&name, &text)
     }
 
-    /// Parses the text of a model; `name` is shown in messages.
+    /// Parses the text of a model; `name` appears in messages.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] with every fault of the syntax.
+    /// [`LoadError::Faults`] with all syntax errors.
     pub fn parse(name: &str, text: &str) -> Result<ModelTree, LoadError> {
         let (tree, diagnostics) = ModelTree::parse_with_faults(name, text);
         if diagnostics.is_empty() {
@@ -69,7 +69,7 @@ impl ModelTree {
         }
     }
 
-    /// The tree that a model was checked from, its effects applied.
+    /// The syntax tree that a checked model was made from, effects included.
     pub fn of(model: &Model) -> ModelTree {
         ModelTree {
             file: Arc::clone(&model.tree),
@@ -77,7 +77,7 @@ impl ModelTree {
         }
     }
 
-    /// The tree without the statements that have faults, and the faults.
+    /// Parses a model; returns the tree without statements that have syntax errors, and the errors.
     pub(crate) fn parse_with_faults(name: &str, text: &str) -> (ModelTree, Vec<Diagnostic>) {
         let Parsed {
             file,
@@ -91,26 +91,26 @@ impl ModelTree {
         (tree, diagnostics)
     }
 
-    /// The syntax tree.
+    /// Syntax tree of the model, with applied effects.
     pub fn file(&self) -> &File {
         &self.file
     }
 
-    /// The texts that spans refer to.
+    /// Source texts that the tree's spans refer to.
     pub fn sources(&self) -> &[Source] {
         &self.sources
     }
 
-    /// Names of the effects that [`ModelTree::find_effect`] knows: of the model's own file, then the built-in ones.
+    /// Names of the effects declared in the model's file, then of the built-in effects.
     pub fn effect_names(&self) -> impl Iterator<Item = &str> {
         let own = effects_of(&self.file).map(|effect| effect.name.text.as_str());
         own.chain(EFFECTS.iter().map(|(name, _)| *name))
     }
 
-    /// An effect: a file by its path, or by name (`_` or `-` between words) of the model's own file or a built-in one.
+    /// Finds an effect by file path, or by name (`_` or `-` between words) in the model's file or among built-in ones.
     ///
     /// # Errors
-    /// [`LoadError::UnknownEffect`], or those of [`EffectTree::load`] for a path.
+    /// [`LoadError::UnknownEffect`]; for a path, the errors of [`EffectTree::load`].
     pub fn find_effect(&self, name_or_path: &str) -> Result<EffectTree, LoadError> {
         if std::path::Path::new(name_or_path).is_file() {
             return EffectTree::load(name_or_path);
@@ -127,10 +127,10 @@ impl ModelTree {
         })
     }
 
-    /// The tree with an effect applied; its coefficients come last.
+    /// Applies an effect to a copy of the tree; coefficients of the effect follow those of the model.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] if the effect does not fit the model or an effect applied before.
+    /// [`LoadError::Faults`] if the effect is incompatible with the model or with an effect applied before.
     pub fn with(&self, effect: &EffectTree) -> Result<ModelTree, LoadError> {
         let mut extended = self.clone();
         match extended.apply(effect) {
@@ -139,10 +139,10 @@ impl ModelTree {
         }
     }
 
-    /// The tree with effects applied in order, each by name or path as in [`ModelTree::find_effect`].
+    /// Applies effects in order to a copy of the tree; each is given by name or path as in [`ModelTree::find_effect`].
     ///
     /// # Errors
-    /// As [`ModelTree::find_effect`] and [`ModelTree::with`].
+    /// The errors of [`ModelTree::find_effect`] and [`ModelTree::with`].
     pub fn with_named<S: AsRef<str>>(
         &self,
         names_or_paths: impl IntoIterator<Item = S>,
@@ -154,17 +154,17 @@ impl ModelTree {
         Ok(extended)
     }
 
-    /// Applies an effect, unless that gives faults; its text becomes a source in either case.
+    /// Applies an effect in place; unchanged if that causes errors. The effect's text joins the sources in any case.
     pub(crate) fn apply(&mut self, effect: &EffectTree) -> Result<(), Vec<Diagnostic>> {
         let tree = effect.in_sources(&mut self.sources);
         self.file = Arc::new(effect::apply(&self.file, &tree)?);
         Ok(())
     }
 
-    /// Checks names, shapes, frames, units and singular points.
+    /// Checks names, shapes, frames, units and singular points of the model and of its declared effects.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] with every fault, also of effects that the model's file offers.
+    /// [`LoadError::Faults`] with all errors, including those of effects that the model's file declares.
     pub fn check(&self) -> Result<Model, LoadError> {
         match self.check_with_faults() {
             Checked {
@@ -175,7 +175,7 @@ impl ModelTree {
         }
     }
 
-    /// The model, if only its units are at fault, and the faults.
+    /// The checked model, `None` after any error other than a unit error, and all errors.
     pub(crate) fn check_with_faults(&self) -> Checked {
         let mut checked = check::check(&self.file, &self.sources);
         if checked.diagnostics.is_empty() {
@@ -184,8 +184,8 @@ impl ModelTree {
         checked
     }
 
-    /// The model as text, with the effects written into its statements; applied effects are no longer offered. `note`
-    /// becomes a paragraph at the end of the file's documentation.
+    /// Prints the model as `.hyz` text with effects merged into its statements; applied effects are not declared again.
+    /// `note` becomes the last paragraph of the file's documentation.
     pub fn to_text(&self, note: &str) -> String {
         let mut file = File::clone(&self.file);
         let is_applied = |name: &str| self.file.applied.iter().any(|a| a.name.text == name);
@@ -207,7 +207,7 @@ impl ModelTree {
     }
 }
 
-/// Name for messages and text of a model by name or path; a path wins over a name.
+/// Display name and text of a model given by path or built-in name; an existing file takes precedence.
 pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadError> {
     let path = std::path::Path::new(name_or_path);
     if path.is_file() {
@@ -228,7 +228,7 @@ pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadErr
     })
 }
 
-/// The effects that a file declares.
+/// The effects declared in a file.
 fn effects_of(file: &File) -> impl Iterator<Item = &crate::syntax::ast::Effect> {
     file.items
         .iter()

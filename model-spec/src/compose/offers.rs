@@ -1,4 +1,4 @@
-//! Faults of the effects that a model's own file offers.
+//! Checks of the effects declared in a model's file.
 
 use std::collections::HashSet;
 
@@ -8,10 +8,10 @@ use crate::diagnostic::{Diagnostic, Kind, Source};
 use crate::effect;
 use crate::syntax::ast::{File, ItemKind};
 
-/// Number of offered effects that are checked; each costs a check of the whole model.
+/// Maximum number of declared effects that are checked; each requires a check of the whole model.
 const MAX_CHECKED_OFFERS: usize = 50;
 
-/// Faults of the offered effects, each applied alone.
+/// Errors of the effects declared in a model's file, each applied alone to the model.
 pub(super) fn faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
     let model = file.items.iter().find_map(|item| match &item.kind {
         ItemKind::Model(name) => Some(name.text.as_str()),

@@ -10,7 +10,7 @@ use crate::syntax::ast::{
 
 pub(crate) use replace::PREVIOUS;
 
-/// Sites: the parts of a model that an effect can change (`site NAME;`).
+/// Sites: the components of a model that an effect can change (`site NAME;`).
 pub const SITES: [&str; 15] = [
     "lift", "drag", "side", "roll", "pitch", "spin", "wind", "gravity", "vertical", "scale",
     "clock", "marker", "inertia", "noise", "unknown",
@@ -21,7 +21,7 @@ pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];
 
-/// Number of statements of an effect; each is searched for in the whole model.
+/// Maximum number of statements in an effect; the whole model is searched for each.
 const MAX_STATEMENTS: usize = 500;
 
 /// A file with an effect applied; the statements that it adds come last.
@@ -109,12 +109,12 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     }
 }
 
-/// The application of one effect to a file.
+/// Applies one effect to a syntax tree, collecting errors.
 struct Change<'a> {
     file: File,
     index: usize,
     name: &'a Name,
-    /// Statements that this effect has replaced so far, with their spans.
+    /// Keys and spans of the statements that this effect has replaced so far.
     replaced: Vec<(String, Span)>,
     diagnostics: Vec<Diagnostic>,
 }
@@ -201,7 +201,7 @@ impl Change<'_> {
         }
     }
 
-    /// Whether the file declares an equal input; effects that declare equal inputs share one.
+    /// Whether the file declares an identical input; effects that declare identical inputs share it.
     fn has_input(&self, item: &Item) -> bool {
         let ItemKind::Input(wanted) = &item.kind else {
             return false;
@@ -235,7 +235,7 @@ impl Change<'_> {
     }
 }
 
-/// Whether two inputs have equal names, frames, units and defaults.
+/// Whether two inputs are identical in name, frame, unit and default value.
 fn same_input(a: &Input, b: &Input) -> bool {
     let unit = |input: &Input| input.unit.as_ref().map(ToString::to_string);
     let numbers = |input: &Input| {

@@ -1,4 +1,4 @@
-//! `replace` statements of effects: the old definition takes the place of `previous` in the new one.
+//! `replace` statements of effects: `previous` in the new definition is substituted by the replaced one.
 
 use super::Change;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
@@ -8,7 +8,7 @@ use crate::syntax::ast::{
     Body, BodyPart, BodyPartKind, Expr, ExprKind, Item, ItemKind, LoadClass, Number, Quantity,
 };
 
-/// Number of nodes up to which an expression may grow when the old definition is put into its replacement.
+/// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted.
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
@@ -94,7 +94,7 @@ impl Change<'_> {
         self.file.items[at] = new;
     }
 
-    /// Adds the clock of rate 1 to a model that states none.
+    /// Adds the statement `clock 1;` to a model without a clock rate, so that an effect can replace it.
     fn own_clock(&mut self, span: Span) {
         let items = &mut self.file.items;
         if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {
@@ -144,7 +144,7 @@ impl Change<'_> {
             .find_map(|(i, p)| Some((i, frame(p)?)));
         match found {
             Some((at, old)) => {
-                // The model's expressions see the angular velocity where they saw it before.
+                // Keep `angular_velocity` in the frame it had before the replacement.
                 let stated = |p: &BodyPart| matches!(p.kind, BodyPartKind::AngularVelocityIn(_));
                 let moves = frame(&part).is_some_and(|new| new.text != old.text);
                 if moves && !parts.iter().any(stated) {
@@ -167,10 +167,10 @@ impl Change<'_> {
     }
 }
 
-/// Name of the replaced definition in a `replace`.
+/// The name that refers to the replaced definition in a `replace` statement.
 pub(crate) const PREVIOUS: &str = "previous";
 
-/// Replaces the name `previous` in an expression by the old definition; stops at [`MAX_NODES`] nodes.
+/// Substitutes `old` for the name `previous`; counts nodes, and stops at [`MAX_NODES`].
 fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
     *nodes += 1;
     if *nodes > MAX_NODES {
@@ -186,21 +186,21 @@ fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
     e.children_mut(&mut |child| put_in(child, old, nodes, found));
 }
 
-/// Number of nodes of an expression.
+/// Number of nodes of an expression tree.
 fn size(e: &Expr) -> usize {
     let mut nodes = 1;
     e.children(&mut |child| nodes += size(child));
     nodes
 }
 
-/// Number of nodes on the longest way from an expression to a leaf.
+/// Height of an expression tree: number of nodes on the longest path from root to leaf.
 fn height(e: &Expr) -> u32 {
     let mut highest = 0;
     e.children(&mut |child| highest = highest.max(height(child)));
     1 + highest
 }
 
-/// A replaced statement as messages name it.
+/// Noun for a statement in messages, such as "force `drag`" or "the clock".
 fn key(kind: &ItemKind) -> String {
     match kind {
         ItemKind::Let(l) => format!("quantity `{}`", l.name.text),

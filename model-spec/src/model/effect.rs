@@ -1,4 +1,4 @@
-//! Effects of a checked model: those that are applied, and those that its file offers.
+//! Effects of a checked model: applied ones, and ones that the model's file declares.
 
 #[cfg(doc)]
 use crate::model::Model;
@@ -7,40 +7,40 @@ use crate::source::Span;
 /// An effect that has been applied to a model.
 #[derive(Clone, Debug)]
 pub struct AppliedEffect {
-    /// Name, words separated by underscores.
+    /// Name of the effect, words separated by underscores.
     pub name: String,
     /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Part of the model that it changes: one of [`SITES`](crate::SITES).
+    /// Component of the model that the effect changes: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Variables it depends on, of [`VARIABLES`](crate::VARIABLES); empty if it states none.
+    /// Variables that the effect depends on, from [`VARIABLES`](crate::VARIABLES); empty if none are stated.
     pub variables: Vec<String>,
-    /// Literature reference of its `source` statement; empty if there is none.
+    /// Literature reference of the effect (`source` statement); empty if there is none.
     pub citation: String,
-    /// Its coefficients, by index into [`Model::coefficients`].
+    /// Coefficients of the effect, by index into [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
-    /// Its states, by index into [`Model::states`]; their initial values differ from flight to flight.
+    /// States of the effect, by index into [`Model::states`]; their initial values are local parameters of each flight.
     pub states: Vec<EffectUnknown>,
 }
 
-/// An effect that a model's file offers by name.
+/// An effect declared in a model's file, which can be applied by its name.
 #[derive(Clone, Debug)]
 pub struct OfferedEffect {
-    /// Name, words separated by underscores.
+    /// Name of the effect, words separated by underscores.
     pub name: String,
     /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Source span of its name.
+    /// Source span of the effect's name.
     pub span: Span,
 }
 
-/// A coefficient, or the initial value of a state, by which an effect is switched on.
+/// A coefficient or initial state of an effect: at its null value it contributes nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
-    /// Index into the model's coefficients or states.
+    /// Index into the model's coefficients, or into its states.
     pub index: usize,
-    /// Value at which the effect is absent, SI: the default.
+    /// Value at which the effect is absent, SI; equal to the default value.
     pub null_value: f64,
-    /// Smallest distance from the null value that matters in practice, SI; none if the effect states none.
+    /// Smallest effect size of interest, as distance from the null value, SI; `None` if not stated.
     pub smallest_of_interest: Option<f64>,
 }

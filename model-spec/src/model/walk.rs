@@ -1,4 +1,4 @@
-//! Traversal of expressions, and questions about the states and texts of a model.
+//! Traversal of expressions; queries about states and source texts of a model.
 
 use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
 use crate::source::Span;
@@ -134,8 +134,8 @@ impl Model {
         raw.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Indices of states that start at their defaults unless a flight sets them: those that are not the body's, and those
-    /// that effects add to stated equations.
+    /// Indices of states whose initial value is the default unless a flight states one. With a body: all states that
+    /// are not the body's; without a body: the states of effects.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects
@@ -148,7 +148,7 @@ impl Model {
             .collect()
     }
 
-    /// Indices of the four states of each attitude quaternion, which has norm 1.
+    /// State indices of each quaternion frame, scalar part first; the four states have norm 1.
     pub fn quaternions(&self) -> impl Iterator<Item = [usize; 4]> {
         self.frames.iter().filter_map(|frame| match frame.kind {
             FrameKind::Quaternion { states, .. } => Some(states),
@@ -156,7 +156,7 @@ impl Model {
         })
     }
 
-    /// Whether a limit is not stated but follows from the singularity of the attitude angles.
+    /// Whether a limit was added by the checker to avoid gimbal lock, rather than stated in the file.
     pub fn is_automatic(&self, limit: &ValidityLimit) -> bool {
         self.frames.iter().any(|f| f.span == limit.span)
     }

@@ -5,7 +5,7 @@
 
 use crate::source::Span;
 
-/// A file: a model, effects, or both.
+/// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct File {
     /// Documentation: the `//!` lines.
@@ -14,41 +14,41 @@ pub struct File {
     pub items: Vec<Item>,
     /// Applied effects, in order.
     pub applied: Vec<Applied>,
-    /// Span of the end of the file, for faults of missing statements.
+    /// End of the text, the source span of errors about missing statements.
     pub end: Span,
 }
 
-/// An effect that has been applied to a file.
+/// An effect that has been applied to a syntax tree, without its statements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Applied {
     /// Name of the effect.
     pub name: Name,
-    /// Documentation: its `///` lines.
+    /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Name of its site, such as `drag`.
+    /// Name of the component of the model that the effect changes, such as `drag`.
     pub site: String,
-    /// Variables it depends on, such as `alpha`.
+    /// Variables that the effect depends on, such as `alpha`.
     pub variables: Vec<String>,
-    /// Literature reference.
+    /// Literature reference of the effect; empty if none is stated.
     pub citation: String,
-    /// Smallest departures of interest of its coefficients and states (`negligible`).
+    /// Smallest effect size of interest of each coefficient and state that states one (`negligible`).
     pub negligible: Vec<(Name, Quantity)>,
 }
 
 /// A statement of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
-    /// Kind and content.
+    /// Kind of statement, with its content.
     pub kind: ItemKind,
-    /// Documentation: the `///` lines before it.
+    /// Documentation: the `///` lines before the statement.
     pub doc: String,
-    /// Source span from its first word to its end.
+    /// Source span from the first word of the statement to its end.
     pub span: Span,
-    /// Index into [`File::applied`] of the effect that added or replaced it.
+    /// Index into [`File::applied`] of the effect that added or replaced the statement; `None` for the model's own.
     pub effect: Option<usize>,
 }
 
-/// Kinds of statement of a file.
+/// Kinds of statement in a model file, with their content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ItemKind {
     /// `model NAME;`
@@ -88,9 +88,9 @@ pub enum ItemKind {
 /// A name in ASCII spelling (`alpha` for `α`).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// The ASCII spelling.
+    /// ASCII spelling of the name.
     pub text: String,
-    /// Source span.
+    /// Source span of the name.
     pub span: Span,
 }
 
@@ -99,38 +99,38 @@ pub struct Name {
 pub struct Number {
     /// Sign, digits, point and exponent, in a form that `f64::from_str` reads.
     pub text: String,
-    /// Source span.
+    /// Source span of the literal.
     pub span: Span,
 }
 
 /// A literal number with an optional unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
-    /// The number.
+    /// Literal number.
     pub number: Number,
-    /// Its unit, if one is written.
+    /// Unit of the number; `None` if none is written.
     pub unit: Option<UnitExpr>,
     /// Source span of number and unit.
     pub span: Span,
 }
 
-/// A unit: a product of powers of unit symbols; without factors it is `1`.
+/// Unit expression: a product of powers of unit symbols; without factors it is `1`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitExpr {
-    /// The powers.
+    /// Powers of unit symbols whose product is the unit.
     pub factors: Vec<UnitFactor>,
-    /// Source span.
+    /// Source span of the unit expression.
     pub span: Span,
 }
 
 /// One power of a unit symbol.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitFactor {
-    /// The symbol, such as `kg`.
+    /// Unit symbol, such as `kg`.
     pub symbol: String,
-    /// Twice its exponent.
+    /// Exponent of the symbol, times 2.
     pub doubled: i32,
-    /// Source span.
+    /// Source span of symbol and exponent.
     pub span: Span,
 }
 
@@ -146,9 +146,9 @@ pub enum ParameterClass {
 /// Declaration of a known constant or a coefficient.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Known or estimated.
+    /// Known constant or coefficient to be estimated.
     pub class: ParameterClass,
-    /// Name.
+    /// Name of the parameter.
     pub name: Name,
     /// Default value, with its unit.
     pub value: Quantity,
@@ -159,20 +159,20 @@ pub struct Parameter {
 /// Declaration of a vector given with each flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// Name.
+    /// Name of the input vector.
     pub name: Name,
-    /// Frame of its components.
+    /// Name of the frame of the vector's components.
     pub frame: Name,
-    /// Default components.
+    /// Default values of the three components, in [`Input::unit`].
     pub value: [Number; 3],
-    /// Unit of the components.
+    /// Unit of the components; `None` if none is written.
     pub unit: Option<UnitExpr>,
 }
 
 /// Declaration of a state that is not the body's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// Name.
+    /// Name of the state.
     pub name: Name,
     /// Default initial value, with its unit.
     pub value: Quantity,
@@ -181,36 +181,36 @@ pub struct State {
 /// Declaration of a frame of reference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Name.
+    /// Name of the frame.
     pub name: Name,
-    /// Orientation relative to its parent.
+    /// Orientation of the frame relative to its parent.
     pub kind: FrameKind,
 }
 
-/// Orientation of a frame.
+/// Orientation of a frame relative to its parent.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FrameKind {
     /// Inertial, third axis up.
     Inertial,
-    /// Rotated about an axis of its parent.
+    /// Parent frame rotated about one of its axes by an angle.
     Turned {
-        /// Parent frame.
+        /// Name of the parent frame.
         parent: Name,
-        /// State that is the angle.
+        /// Name of the state that is the rotation angle.
         angle: Name,
-        /// Number of the axis, 1 to 3.
+        /// Number of the rotation axis: 1, 2 or 3.
         axis: u8,
     },
-    /// Rotated by a unit quaternion, scalar part first.
+    /// Parent frame rotated by a unit quaternion.
     Quaternion {
-        /// Parent frame.
+        /// Name of the parent frame.
         parent: Name,
-        /// States of the quaternion.
+        /// Names of the quaternion's states, scalar part first.
         states: [Name; 4],
     },
 }
 
-/// Whether a body rotates.
+/// Whether a body is rigid or a point mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BodyClass {
     /// Rigid body with mass and inertia (`body`).
@@ -219,62 +219,62 @@ pub enum BodyClass {
     Point,
 }
 
-/// Declaration of a body.
+/// Declaration of a rigid body or a point mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Rigid body or point mass.
     pub class: BodyClass,
-    /// Name.
+    /// Name of the body.
     pub name: Name,
-    /// Statements of the block.
+    /// Statements of the body's block, in order.
     pub parts: Vec<BodyPart>,
 }
 
 /// A statement in the block of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyPart {
-    /// Kind and content.
+    /// Kind of statement, with its content.
     pub kind: BodyPartKind,
-    /// Source span.
+    /// Source span of the statement.
     pub span: Span,
 }
 
 /// Kinds of statement in the block of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodyPartKind {
-    /// `mass EXPR;`
+    /// `mass EXPR;`: mass, kg.
     Mass(Expr),
-    /// `inertia … in FRAME;`
+    /// `inertia … in FRAME;`: inertia tensor, kg m².
     Inertia(Box<Inertia>),
-    /// `fixed in FRAME;`
+    /// `fixed in FRAME;`: the body-fixed frame.
     Fixed(Name),
-    /// `position (x, y, z) in FRAME;`
+    /// `position (x, y, z) in FRAME;`: position states of the centre of mass, and their frame.
     Position([Name; 3], Name),
-    /// `velocity (u, v, w) in FRAME;`
+    /// `velocity (u, v, w) in FRAME;`: velocity states of the centre of mass, and their frame.
     Velocity([Name; 3], Name),
-    /// `angular velocity (p, q, r) in FRAME;`
+    /// `angular velocity (p, q, r) in FRAME;`: angular-velocity states, and their frame.
     AngularVelocity([Name; 3], Name),
-    /// `angular velocity in FRAME;`: the frame of `angular_velocity` in expressions.
+    /// `angular velocity in FRAME;`: frame of the name `angular_velocity` in expressions.
     AngularVelocityIn(Name),
 }
 
 /// Inertia tensor of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertia {
-    /// Entries row by row; none off the diagonal for `diag(…)`.
+    /// Entries of the tensor, row by row; `None` for the off-diagonal entries of `diag(…)`.
     pub rows: [[Option<Expr>; 3]; 3],
-    /// Frame of the components.
+    /// Name of the frame of the tensor's components.
     pub frame: Name,
 }
 
-/// Declaration of an auxiliary variable.
+/// Declaration of an auxiliary variable: `let NAME: unit = …;`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Let {
-    /// Name.
+    /// Name of the auxiliary variable.
     pub name: Name,
-    /// Declared unit, if any.
+    /// Declared unit; `None` if it is to be computed.
     pub unit: Option<UnitExpr>,
-    /// Definition.
+    /// Defining expression.
     pub value: Expr,
 }
 
@@ -290,58 +290,58 @@ pub enum LoadClass {
 /// Declaration of a force or a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Load {
-    /// Force or moment.
+    /// Whether the load is a force or a moment.
     pub class: LoadClass,
-    /// Name.
+    /// Name of the load.
     pub name: Name,
-    /// Definition.
+    /// Vector expression of the load, N or N m.
     pub value: Expr,
 }
 
 /// A stated differential equation: `der(STATE) = …`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
-    /// The state.
+    /// Name of the state.
     pub state: Name,
     /// Derivative of the state with respect to time.
     pub value: Expr,
 }
 
-/// Declaration of the observed point, given by its coordinates in a frame.
+/// Declaration of the observed point (marker).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
-    /// Name.
+    /// Name of the marker.
     pub name: Name,
-    /// Frame of its coordinates.
+    /// Name of the frame of the marker's coordinates.
     pub frame: Name,
 }
 
 /// The measurement equation: `observe NAME = …`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observe {
-    /// Name.
+    /// Name of the observation.
     pub name: Name,
-    /// Definition.
+    /// Expression of the observed position, m.
     pub value: Expr,
 }
 
 /// A validity limit: the model holds where the value is above the bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// The limited quantity.
+    /// Scalar expression that must exceed the bound.
     pub value: Expr,
-    /// Lower bound.
+    /// Lower bound of the expression.
     pub bound: Quantity,
-    /// Why the model ends there.
+    /// Reason why the model is invalid beyond the limit, for messages.
     pub reason: String,
 }
 
-/// A check case with known results.
+/// A check case: values to set, and expected results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// Title, unique in the file.
+    /// Title of the case, unique in the file.
     pub title: String,
-    /// Statements of the block.
+    /// Statements of the case's block, in order.
     pub parts: Vec<CheckPart>,
 }
 
@@ -350,24 +350,24 @@ pub struct Check {
 pub enum CheckPart {
     /// `set NAME = value;`
     Set {
-        /// Parameter, coefficient, state, input or component of one.
+        /// Name of a parameter, coefficient, state or input, or of a component of an input.
         name: Name,
-        /// One number, or the three components of a vector.
+        /// One literal, or the three components of a vector.
         value: Vec<Number>,
-        /// Unit of the numbers.
+        /// Unit of the literals; `None` if none is written.
         unit: Option<UnitExpr>,
         /// Source span of the statement.
         span: Span,
     },
     /// `expect NAME = value within tolerance;`
     Expect {
-        /// An auxiliary variable, or the state of a derivative.
+        /// Name of an auxiliary variable, or of a state if `derivative`.
         name: Name,
-        /// Whether the result is `der(NAME)`.
+        /// Whether the compared result is the derivative `der(NAME)`.
         derivative: bool,
-        /// Expected value.
+        /// Expected value of the result.
         value: Quantity,
-        /// Absolute tolerance; in the unit of the value unless it states one.
+        /// Absolute tolerance; without a unit it has the unit of the value.
         within: Quantity,
         /// Source span of the statement.
         span: Span,
@@ -377,41 +377,41 @@ pub enum CheckPart {
 /// An effect: a named change to a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
-    /// Name.
+    /// Name of the effect.
     pub name: Name,
-    /// Documentation: its `///` lines.
+    /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Names of the models it applies to; empty for any.
+    /// Names of the models that the effect is compatible with; empty for any model.
     pub on: Vec<Name>,
-    /// Statements of the block.
+    /// Statements of the effect's block, in order.
     pub parts: Vec<EffectPart>,
 }
 
-/// A statement of an effect.
+/// A statement in the block of an effect.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EffectPart {
-    /// `source "…";`
+    /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),
-    /// `site NAME;`
+    /// `site NAME;`: the component of the model that the effect changes.
     Site(Name),
-    /// `variables NAME, NAME;`: what the effect depends on.
+    /// `variables NAME, NAME;`: variables that the effect depends on, with the statement's source span.
     Variables(Vec<Name>, Span),
-    /// `negligible NAME value;`: smallest departure of interest.
+    /// `negligible NAME value;`: smallest effect size of interest of a coefficient or state.
     Negligible(Name, Quantity),
-    /// `replace …;`: takes the place of the statement of the same kind and name.
+    /// `replace …;`: replaces the model's statement of equal kind and name.
     Replace(Box<Item>),
-    /// `replace inertia … in FRAME;`
+    /// `replace inertia … in FRAME;`: replaces the inertia tensor; with the statement's source span.
     ReplaceInertia(Box<Inertia>, Span),
     /// A statement that is added to the model.
     Add(Box<Item>),
 }
 
-/// An expression.
+/// An expression of the syntax tree.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// Operation or operand.
+    /// Operation with its operands, or a name or literal.
     pub kind: ExprKind,
-    /// Source span, including brackets around the expression.
+    /// Source span of the expression, with enclosing brackets.
     pub span: Span,
 }
 
@@ -437,20 +437,20 @@ pub enum BinaryOp {
 /// Operations and operands of expressions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
-    /// A literal with an optional unit.
+    /// A literal number with an optional unit.
     Number(Quantity),
-    /// A name.
+    /// A name, not yet resolved.
     Name(String),
-    /// `F.k` or `v.k`: an axis of a frame, or a component of a vector.
+    /// `F.k` or `v.k`: unit vector along axis k of frame F, or component k (1 to 3) of a vector.
     Part(Box<Expr>, u8),
-    /// `der(STATE)`.
+    /// `der(STATE)`: derivative of a state with respect to time.
     Derivative(Name),
-    /// `(a, b, c) in FRAME`.
+    /// `(a, b, c) in FRAME`: a vector by its components.
     Components(Box<[Expr; 3]>, Name),
-    /// `-a`.
+    /// Negation `-a`.
     Neg(Box<Expr>),
     /// A binary operation, such as `a + b`.
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
-    /// `f(a, …)`.
+    /// Function call `f(a, …)`.
     Call(Name, Vec<Expr>),
 }

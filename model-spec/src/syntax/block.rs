@@ -1,4 +1,4 @@
-//! Statements with a block: bodies and check cases.
+//! Parser for statements with a block: bodies and check cases.
 
 use super::ast::{
     Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Expr, Inertia, ItemKind, Name,
@@ -7,7 +7,7 @@ use super::parser::{Parser, Read};
 use super::token::Token;
 
 impl Parser<'_> {
-    /// `body NAME { … }` or `point NAME { … }`
+    /// Parses `body NAME { … }` or `point NAME { … }`.
     pub fn body(&mut self) -> Read<ItemKind> {
         let (class, word) = match self.raw() {
             "body" => (BodyClass::Rigid, "body"),
@@ -86,7 +86,7 @@ impl Parser<'_> {
         Ok([a, b, c])
     }
 
-    /// `diag(a, b, c) in FRAME` or `((a, b, c), (d, e, f), (g, h, i)) in FRAME`
+    /// Parses `diag(a, b, c) in FRAME` or `((a, b, c), (d, e, f), (g, h, i)) in FRAME`: an inertia tensor.
     pub fn inertia(&mut self) -> Read<Inertia> {
         let rows = if self.eat_word("diag") {
             let [a, b, c] = self.triple()?;
@@ -122,7 +122,7 @@ impl Parser<'_> {
         Ok([a, b, c])
     }
 
-    /// `check "title" { … }`
+    /// Parses `check "title" { … }`.
     pub fn check_case(&mut self) -> Read<ItemKind> {
         self.advance();
         let title = self.quoted("the title of the check")?;

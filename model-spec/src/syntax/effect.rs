@@ -1,11 +1,11 @@
-//! Effects.
+//! Parser for `effect` statements.
 
 use super::ast::{Effect, EffectPart, Item, ItemKind};
 use super::parser::{Parser, Read};
 use super::token::Token;
 
 impl Parser<'_> {
-    /// `effect NAME on MODEL, MODEL { … }`
+    /// Parses `effect NAME on MODEL, MODEL { … }`; `doc` is its documentation.
     pub fn effect(&mut self, doc: String) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `effect`")?;

@@ -1,4 +1,4 @@
-//! Expressions, by precedence: `^` binds tightest and to the right, then signs, then products, then sums.
+//! Precedence-climbing parser for expressions: `^` (right-associative), then signs, products, sums.
 
 use super::ast::{BinaryOp, Expr, ExprKind, Number, Quantity, UnitExpr};
 use super::parser::{Parser, Read, Reported};
@@ -6,13 +6,13 @@ use super::quantity::superscript_value;
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// Height limit of an expression's tree; every later stage recurses over it.
+/// Maximum height of an expression's syntax tree, which bounds the recursion depth of later passes.
 pub(crate) const MAX_HEIGHT: u32 = 200;
 
 const SIGN: u8 = 25;
 const POWER: u8 = 31;
 
-/// An expression and the height of its tree.
+/// An expression with the height of its syntax tree.
 struct Tree {
     expr: Expr,
     height: u32,
@@ -32,7 +32,7 @@ fn binding(token: Token) -> Option<(BinaryOp, u8, u8)> {
 }
 
 impl Parser<'_> {
-    /// An expression.
+    /// Parses an expression.
     pub fn expr(&mut self) -> Read<Expr> {
         self.tree(0).map(|t| t.expr)
     }
@@ -68,7 +68,7 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    /// A tree one level higher, unless that is too high.
+    /// Makes a node over subtrees of height `below`; an error if the tree exceeds [`MAX_HEIGHT`].
     fn grown(&mut self, kind: ExprKind, span: Span, below: u32) -> Read<Tree> {
         if below + 1 > MAX_HEIGHT {
             let message = format!("this expression has more than {MAX_HEIGHT} operations in a row");
@@ -130,7 +130,7 @@ impl Parser<'_> {
         Ok(tree)
     }
 
-    /// 1, 2 or 3.
+    /// Parses the number of an axis: 1, 2 or 3.
     pub fn axis(&mut self, what: &str) -> Read<u8> {
         match (self.peek(), self.raw()) {
             (Token::Number, raw @ ("1" | "2" | "3")) => {
@@ -159,7 +159,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A number, with one unit or a unit in square brackets.
+    /// Parses a literal, optionally with one unit symbol or a unit in square brackets.
     fn literal(&mut self) -> Read<Tree> {
         let number = self.digits("a number")?;
         let unit = match self.peek() {

@@ -1,6 +1,6 @@
-//! Parser and printer of model files: statements by recursive descent, expressions by precedence.
+//! Parser and printer of model files: recursive descent for statements, precedence climbing for expressions.
 //!
-//! After a fault the parser continues at the next statement, so that one pass reports all faults of a file.
+//! Error recovery: after an error the parser continues at the next statement, so one pass reports all syntax errors.
 
 pub mod ast;
 mod block;
@@ -21,26 +21,26 @@ pub(crate) use expr::MAX_HEIGHT;
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::source::{Source, Span};
 
-/// Length limit of a source text, bytes.
+/// Maximum length of a source text, bytes.
 pub const MAX_SOURCE_BYTES: usize = 1_000_000;
 
-/// Result of [`parse`].
+/// Result of [`parse`]: syntax tree, source and diagnostics.
 #[derive(Clone, Debug)]
 pub struct Parsed {
-    /// Syntax tree without the statements that have faults.
+    /// Syntax tree without the statements that have errors.
     pub file: ast::File,
     /// The text that was parsed.
     pub source: Source,
-    /// Faults, in the order of their source spans.
+    /// Lexical and syntax errors, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Parses the text of a model file; `name` is shown in messages.
+/// Parses the text of a model file; `name` appears in messages. Source index 0.
 pub fn parse(name: &str, text: &str) -> Parsed {
     parse_as(name, text, 0)
 }
 
-/// As [`parse`], for a text with the index `source` in its spans.
+/// Parses a text whose spans have the source index `source`; `name` appears in messages.
 pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     let text = text.strip_prefix('\u{FEFF}').unwrap_or(text);
     if text.len() > MAX_SOURCE_BYTES {
@@ -59,7 +59,7 @@ pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     }
 }
 
-/// The fault of a text of more than [`MAX_SOURCE_BYTES`] bytes.
+/// Result for a text longer than [`MAX_SOURCE_BYTES`] bytes: an empty tree and one error.
 pub(crate) fn too_long(name: &str, length: usize, source: u16) -> Parsed {
     let span = Span {
         source,

@@ -1,14 +1,14 @@
-//! The cursor that all parts of the parser share, and how it recovers from a fault.
+//! Parser state shared by all grammar rules: token cursor, error messages, error recovery.
 
 use super::ast::{File, Name};
 use super::token::{self, Lexed, Lexeme, Token};
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
-/// Nesting limit of brackets, calls, signs and powers.
+/// Maximum nesting depth of brackets, calls, signs and powers.
 const MAX_DEPTH: u32 = 64;
 
-/// Words that begin a statement.
+/// Keywords that begin a statement.
 pub(super) const STATEMENTS: [&str; 26] = [
     "model",
     "reference",
@@ -38,13 +38,13 @@ pub(super) const STATEMENTS: [&str; 26] = [
     "negligible",
 ];
 
-/// A fault that has been reported; what was being read is given up.
+/// Error marker: the syntax error has been reported, the current statement is abandoned.
 pub(super) struct Reported;
 
-/// What a part of the parser yields.
+/// Result of a grammar rule; its error has already been reported.
 pub(super) type Read<T> = Result<T, Reported>;
 
-/// The tokens of a text, and a place among them.
+/// Recursive-descent parser: the tokens of a text, the position of the next token, and the nesting depth.
 pub(super) struct Parser<'a> {
     text: &'a str,
     source: u16,
@@ -66,7 +66,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Reads the whole file.
+    /// Parses the whole file; statements with errors are omitted.
     pub fn file(&mut self) -> File {
         let mut items = Vec::new();
         while self.peek() != Token::End {
@@ -92,7 +92,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// All faults, in the order of their places.
+    /// All lexical and syntax errors, in the order of their source spans.
     pub fn finish(mut self) -> Vec<Diagnostic> {
         self.lexed.diagnostics.sort_by_key(|d| d.span);
         self.lexed.diagnostics
@@ -117,18 +117,18 @@ impl<'a> Parser<'a> {
         self.lexeme().first
     }
 
-    /// The text of the next token.
+    /// Source text of the next token.
     pub fn raw(&self) -> &'a str {
         let lexeme = self.lexeme();
         &self.text[lexeme.start as usize..lexeme.end as usize]
     }
 
-    /// The whole text.
+    /// The whole source text.
     pub fn slice_all(&self) -> &'a str {
         self.text
     }
 
-    /// The text of a place.
+    /// Source text of a span.
     pub fn slice(&self, span: Span) -> &'a str {
         &self.text[span.range()]
     }
@@ -142,7 +142,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The place of the token before.
+    /// Source span of the previous token; of the next one at the start of the text.
     pub fn behind(&self) -> Span {
         match self.at.checked_sub(1) {
             Some(i) => {
@@ -187,12 +187,12 @@ impl<'a> Parser<'a> {
         self.lexed.diagnostics.push(fault);
     }
 
-    /// Whether the next token is one that the lexer could not read, and has said so.
+    /// Whether the next token is invalid, which the lexer has reported.
     pub fn reported_by_lexer(&self) -> bool {
         matches!(self.peek(), Token::Bad | Token::OpenText)
     }
 
-    /// Reports that something else was expected here.
+    /// Reports "expected `what`, found …" at the next token; always returns `Err`.
     pub fn expected<T>(&mut self, what: &str) -> Read<T> {
         self.expected_help(what, None)
     }
@@ -207,7 +207,7 @@ impl<'a> Parser<'a> {
         Err(Reported)
     }
 
-    /// The nearest of some words; looked for only while faults are still shown.
+    /// The word nearest in spelling to `wrong`; `None` if none is near or the limit of shown errors is reached.
     pub fn nearest<'w>(&self, wrong: &str, words: &[&'w str]) -> Option<&'w str> {
         if self.lexed.diagnostics.len() >= MAX_SHOWN {
             return None;
@@ -215,7 +215,7 @@ impl<'a> Parser<'a> {
         suggest::nearest(wrong, words.iter().copied())
     }
 
-    /// Reports that one of some words was expected here.
+    /// Reports that a keyword was expected, suggesting the nearest of `words`; always returns `Err`.
     pub fn expected_word<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
         let near = match self.peek() {
             Token::Name => self.nearest(self.raw(), words),
@@ -240,7 +240,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The `;` that ends a statement.
+    /// Consumes the `;` that ends a statement; reports an error if it is missing.
     pub fn semicolon(&mut self, after: &str) -> Read<()> {
         if self.eat(Token::Semicolon) {
             return Ok(());
@@ -251,7 +251,7 @@ impl<'a> Parser<'a> {
         if self.first_on_line() || self.peek() == Token::CloseBrace {
             let end = self.behind();
             let place = Span {
-                // Its last character.
+                // Span of the last character of the previous token.
                 start: end.end
                     - self
                         .slice(end)
@@ -292,7 +292,7 @@ impl<'a> Parser<'a> {
         Ok(name)
     }
 
-    /// A text between quotation marks.
+    /// Parses a string in quotation marks; `what` names its role in the error message.
     pub fn quoted(&mut self, what: &str) -> Read<String> {
         if self.peek() != Token::Text {
             return self.expected(&format!("{what} between quotation marks"));
@@ -302,7 +302,7 @@ impl<'a> Parser<'a> {
         Ok(text)
     }
 
-    /// The `///` lines right before the next token.
+    /// The `///` lines directly before the next token, joined.
     pub fn doc(&mut self) -> String {
         let mut lines: Vec<&str> = Vec::new();
         while let Some((at, line)) = self.lexed.docs.get(self.next_doc) {
@@ -316,7 +316,7 @@ impl<'a> Parser<'a> {
         lines.join("\n")
     }
 
-    /// Reads something one level deeper.
+    /// Runs a grammar rule one nesting level deeper; an error beyond [`MAX_DEPTH`].
     pub fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
         if self.depth >= MAX_DEPTH {
             let message = format!("this is nested more than {MAX_DEPTH} levels deep");
@@ -330,8 +330,8 @@ impl<'a> Parser<'a> {
         result
     }
 
-    /// Goes on after a fault: behind the next `;` or block of this level, before a `}` that closes the
-    /// level above, or at a line that begins like a statement.
+    /// Error recovery: skips past the next `;` or block at this nesting level, or to a `}` that closes the enclosing
+    /// block, or to a line that begins with a statement keyword.
     pub fn recover(&mut self, started: usize) {
         let mut open = 0_u32;
         loop {
@@ -364,7 +364,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// `{ statement… }`, going on after faults inside.
+    /// Parses `{ statement… }` with the rule `read`, recovering from errors inside the block.
     pub fn braces<T>(
         &mut self,
         what: &str,

@@ -5,7 +5,7 @@ use std::fmt;
 use super::ast::{BinaryOp, Expr, ExprKind, Quantity, UnitExpr};
 
 impl BinaryOp {
-    /// The operator as text, with its spaces.
+    /// Text of the operator, with surrounding spaces where they are written.
     pub fn symbol(self) -> &'static str {
         match self {
             BinaryOp::Add => " + ",
@@ -35,7 +35,7 @@ impl fmt::Display for UnitExpr {
             power(f, factor.doubled)?;
             any = true;
         }
-        // A pure number stands in brackets: a bare 1 would read as another number.
+        // A bare 1 after a number would be read as another number.
         if self.factors.iter().all(|u| u.doubled == 0) {
             return f.write_str("[1]");
         }
@@ -68,7 +68,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// Text with no more brackets than needed; parsing it gives the same tree.
+/// Prints an expression with minimal brackets; parsing the text yields an equal tree.
 impl fmt::Display for Expr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_expr(f, self, 0)
@@ -79,7 +79,7 @@ fn write_expr(f: &mut fmt::Formatter<'_>, expr: &Expr, least: u8) -> fmt::Result
     let strength = match &expr.kind {
         ExprKind::Binary(op, ..) => op.strength(),
         ExprKind::Neg(_) => 25,
-        // A number with a sign or a unit is no single word.
+        // A literal with a sign or unit binds less tightly than a name.
         ExprKind::Number(q) if q.number.text.starts_with('-') => 25,
         ExprKind::Number(q) if q.unit.is_some() => 35,
         _ => 40,
@@ -110,7 +110,7 @@ fn write_expr(f: &mut fmt::Formatter<'_>, expr: &Expr, least: u8) -> fmt::Result
             write_expr(f, of, 25)?;
         }
         ExprKind::Binary(op, a, b) => {
-            // `^` groups to the right, all others to the left.
+            // `^` is right-associative, all other operators are left-associative.
             let (left, right) = match op {
                 BinaryOp::Pow => (31, 30),
                 _ => (op.strength(), op.strength() + 1),

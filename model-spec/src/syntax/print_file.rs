@@ -9,7 +9,7 @@ impl Display for File {
         lines(f, "//!", &self.doc, "")?;
         let mut before: Option<&ItemKind> = None;
         for item in &self.items {
-            // Blocks and changes of subject are set apart.
+            // Empty lines around blocks and between different kinds of statement.
             let block = matches!(
                 item.kind,
                 ItemKind::Body(_) | ItemKind::Check(_) | ItemKind::Effect(_)

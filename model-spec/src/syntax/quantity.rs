@@ -1,18 +1,18 @@
-//! Numbers with units.
+//! Parser for literals with units.
 
 use super::ast::{Number, Quantity, UnitExpr, UnitFactor};
 use super::parser::{Parser, Read, Reported};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// Words that follow a quantity and are no units.
+/// Keywords that may follow a literal and are not units.
 const FOLLOWING: [&str; 4] = ["in", "within", "about", "on"];
 
-/// Twice the greatest exponent of a unit.
+/// Limit on the magnitude of a unit's exponent, times 2: `m^63` is the largest.
 const MAX_DOUBLED_EXPONENT: i32 = 126;
 
 impl Parser<'_> {
-    /// A number without its sign.
+    /// Parses an unsigned literal; `what` names its role in the error message.
     pub fn digits(&mut self, what: &str) -> Read<Number> {
         if self.peek() != Token::Number {
             return self.expected(what);
@@ -30,7 +30,7 @@ impl Parser<'_> {
         Ok(number)
     }
 
-    /// A number with its sign.
+    /// Parses a literal with optional sign; `what` names its role in the error message.
     pub fn number(&mut self, what: &str) -> Read<Number> {
         let start = self.here();
         let negative = self.eat(Token::Minus);
@@ -53,7 +53,7 @@ impl Parser<'_> {
         })
     }
 
-    /// A number and the unit that follows it: `0.175 kg`, `2.4 /rad`.
+    /// Parses a literal and the unit that may follow, such as `0.175 kg` or `2.4 /rad`.
     pub fn quantity(&mut self, what: &str) -> Read<Quantity> {
         let number = self.number(what)?;
         let unit = self.optional_unit()?;
@@ -63,7 +63,7 @@ impl Parser<'_> {
         Ok(Quantity { number, unit, span })
     }
 
-    /// Whether a unit begins here.
+    /// Whether the next tokens can begin a unit.
     fn at_unit(&self) -> bool {
         match self.peek() {
             Token::Name => !FOLLOWING.contains(&self.raw()) && !self.first_on_line(),
@@ -73,7 +73,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The unit after a number in a declaration, if there is one.
+    /// Parses the unit after a literal of a declaration; `Ok(None)` if there is none.
     pub fn optional_unit(&mut self) -> Read<Option<UnitExpr>> {
         if !self.at_unit() {
             return Ok(None);
@@ -89,7 +89,7 @@ impl Parser<'_> {
         Ok(Some(unit))
     }
 
-    /// `[m/s^2]`
+    /// Parses a unit in square brackets, such as `[m/s^2]`.
     pub fn square_unit(&mut self) -> Read<UnitExpr> {
         let start = self.here();
         self.need(Token::OpenSquare, "`[`")?;
@@ -99,7 +99,7 @@ impl Parser<'_> {
         Ok(unit)
     }
 
-    /// A product of powers of units; it may begin with `/`.
+    /// Parses a product or quotient of powers of unit symbols; it may begin with `/`.
     pub fn unit(&mut self) -> Read<UnitExpr> {
         let start = self.here();
         let mut factors = Vec::new();
@@ -147,7 +147,7 @@ impl Parser<'_> {
         }
     }
 
-    /// One symbol and its power: `m`, `m^2`, `s⁻¹`, `m^(1/2)`.
+    /// Parses one unit symbol with its exponent: `m`, `m^2`, `s⁻¹`, `m^(1/2)`.
     pub fn unit_power(&mut self) -> Read<UnitFactor> {
         let symbol = self.raw().to_owned();
         let start = self.here();
@@ -192,7 +192,7 @@ impl Parser<'_> {
     }
 }
 
-/// The number that superscript digits stand for.
+/// Value of a number written in superscript digits, such as `⁻²`; `None` if it is malformed.
 pub(super) fn superscript_value(raw: &str) -> Option<f64> {
     let plain: String = raw
         .chars()

@@ -1,4 +1,4 @@
-//! Moving the spans of an effect's tree to another source text.
+//! Rewrites the source spans of an effect's syntax tree, to refer to another source text.
 
 use super::ast::{Effect, EffectPart, Expr, ExprKind, Inertia, Item, ItemKind, Quantity, UnitExpr};
 use crate::source::Span;
@@ -6,7 +6,7 @@ use crate::source::Span;
 type Change<'a> = &'a mut dyn FnMut(&mut Span);
 
 impl Effect {
-    /// Changes every span of the effect's tree.
+    /// Calls `change` on every source span of the effect's syntax tree.
     pub(crate) fn change_spans(&mut self, change: Change<'_>) {
         change(&mut self.name.span);
         self.on.iter_mut().for_each(|model| change(&mut model.span));
@@ -32,7 +32,7 @@ impl Effect {
     }
 }
 
-/// Spans of a statement of those kinds that an effect may hold.
+/// Calls `change` on every span of a statement of the kinds that an effect may contain.
 fn statement(item: &mut Item, change: Change<'_>) {
     change(&mut item.span);
     match &mut item.kind {

@@ -1,6 +1,6 @@
 //! ASCII spelling of names written with Greek letters, dots and accents.
 
-/// Greek letters and their names.
+/// Greek letters with their ASCII spelling.
 const GREEK: [(char, &str); 52] = [
     ('α', "alpha"),
     ('β', "beta"),
@@ -56,7 +56,7 @@ const GREEK: [(char, &str); 52] = [
     ('Ω', "Omega"),
 ];
 
-/// Precomposed dotted letters and their ASCII spelling.
+/// Precomposed letters with a dot above, and their ASCII spelling.
 const DOTTED: [(char, &str); 14] = [
     ('ẋ', "xdot"),
     ('ẏ', "ydot"),

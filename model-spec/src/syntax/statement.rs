@@ -1,4 +1,4 @@
-//! The statements of a file.
+//! Parser for the statements of a file.
 
 use super::ast::{
     Equation, Frame, FrameKind, Input, Item, ItemKind, Let, Limit, Load, LoadClass, Marker, Name,
@@ -9,7 +9,7 @@ use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind};
 
 impl Parser<'_> {
-    /// A statement of a file.
+    /// Parses one statement with its `///` lines.
     pub fn statement(&mut self) -> Read<Item> {
         let doc = self.doc();
         let start = self.here();
@@ -47,7 +47,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Reports a word that begins no statement here.
+    /// Reports that `word` does not begin a statement; always returns `Err`.
     pub fn no_statement<T>(&mut self, word: &str) -> Read<T> {
         let span = self.here();
         let fault = match word {
@@ -92,7 +92,7 @@ impl Parser<'_> {
         Ok(make(name))
     }
 
-    /// `param NAME = value unit in lo .. hi;`
+    /// Parses `param NAME = value unit in lo .. hi;` or `coefficient …`.
     pub fn constant(&mut self) -> Read<ItemKind> {
         let class = match self.raw() {
             "param" => ParameterClass::Param,
@@ -126,7 +126,7 @@ impl Parser<'_> {
         }))
     }
 
-    /// `input NAME in FRAME = (a, b, c) unit;`
+    /// Parses `input NAME in FRAME = (a, b, c) unit;`.
     pub fn input(&mut self) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `input`")?;
@@ -147,7 +147,7 @@ impl Parser<'_> {
         }))
     }
 
-    /// `(1, 2, 3)`
+    /// Parses three literals in brackets, such as `(1, 2, 3)`.
     pub fn triple_of_numbers(&mut self) -> Read<[super::ast::Number; 3]> {
         self.need(Token::Open, "`(` and three numbers")?;
         let a = self.number("a number")?;
@@ -159,7 +159,7 @@ impl Parser<'_> {
         Ok([a, b, c])
     }
 
-    /// `state NAME = value unit;`
+    /// Parses `state NAME = value unit;`.
     pub fn state(&mut self) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `state`")?;
@@ -170,7 +170,7 @@ impl Parser<'_> {
         Ok(ItemKind::State(State { name, value }))
     }
 
-    /// `frame N;`, `frame A = N turned ANGLE about AXIS;`, `frame C = N by quaternion (a, b, c, d);`
+    /// Parses `frame N;`, `frame A = N turned ANGLE about AXIS;`, `frame C = N by quaternion (a, b, c, d);`.
     fn frame(&mut self) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `frame`")?;
@@ -216,14 +216,14 @@ impl Parser<'_> {
         Ok(ItemKind::Frame(Frame { name, kind }))
     }
 
-    /// `let NAME: unit = …;`
+    /// Parses `let NAME: unit = …;`.
     pub fn binding(&mut self) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `let`")?;
         self.binding_rest(name).map(ItemKind::Let)
     }
 
-    /// What follows the name of a `let`.
+    /// Parses the rest of a `let` statement after its name.
     pub fn binding_rest(&mut self, name: Name) -> Read<Let> {
         let unit = if self.eat(Token::Colon) {
             Some(self.unit()?)
@@ -236,7 +236,7 @@ impl Parser<'_> {
         Ok(Let { name, unit, value })
     }
 
-    /// `force NAME = …;` or `moment NAME = …;`
+    /// Parses `force NAME = …;` or `moment NAME = …;`.
     pub fn load(&mut self) -> Read<ItemKind> {
         let class = match self.raw() {
             "force" => LoadClass::Force,
@@ -251,7 +251,7 @@ impl Parser<'_> {
         Ok(ItemKind::Load(Load { class, name, value }))
     }
 
-    /// `der(STATE) = …;`
+    /// Parses `der(STATE) = …;`.
     pub fn equation(&mut self) -> Read<ItemKind> {
         self.advance();
         self.need(Token::Open, "`(` after `der`")?;
@@ -263,7 +263,7 @@ impl Parser<'_> {
         Ok(ItemKind::Equation(Equation { state, value }))
     }
 
-    /// `marker NAME in FRAME;`
+    /// Parses `marker NAME in FRAME;`.
     fn marker(&mut self) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `marker`")?;
@@ -276,7 +276,7 @@ impl Parser<'_> {
         Ok(ItemKind::Marker(Marker { name, frame }))
     }
 
-    /// `observe NAME = …;`
+    /// Parses `observe NAME = …;`.
     pub fn observe(&mut self) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `observe`")?;
@@ -286,14 +286,14 @@ impl Parser<'_> {
         Ok(ItemKind::Observe(Observe { name, value }))
     }
 
-    /// The rest of `clock EXPR;` or, in an effect, of `replace clock = EXPR;`
+    /// Parses the rest of `clock EXPR;` or, in an effect, of `replace clock = EXPR;`.
     pub fn clock(&mut self) -> Read<ItemKind> {
         let value = self.expr()?;
         self.semicolon("this `clock`")?;
         Ok(ItemKind::Clock(value))
     }
 
-    /// `limit EXPR > bound "reason";`
+    /// Parses `limit EXPR > bound "reason";`.
     fn limit(&mut self) -> Read<ItemKind> {
         self.advance();
         let value = self.expr()?;

@@ -1,4 +1,4 @@
-//! The lexer: from text to tokens.
+//! Lexer: splits source text into tokens.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use logos::Logos;
 use super::spelling;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// The kinds of token.
+/// Kinds of token.
 #[derive(Logos, Clone, Copy, Debug, PartialEq, Eq)]
 #[logos(skip r"[ \t\r\n\u{000C}\u{00A0}\u{FEFF}]+")]
 pub(super) enum Token {
@@ -69,36 +69,36 @@ pub(super) enum Token {
     To,
     #[token(".")]
     Point,
-    /// A run of characters that belong to no token; made by [`lex`].
+    /// Characters that belong to no token; produced by [`lex`].
     Bad,
-    /// The end of the text; made by [`lex`].
+    /// End of the text; produced by [`lex`].
     End,
 }
 
-/// A token and its byte range.
+/// A token with its byte range in the source text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lexeme {
     pub token: Token,
     pub start: u32,
     pub end: u32,
-    /// Whether it is the first on its line.
+    /// Whether the token is the first on its line.
     pub first: bool,
 }
 
-/// Result of [`lex`].
+/// Result of [`lex`]: tokens, documentation lines and errors.
 pub(super) struct Lexed {
     /// Tokens without comments; the last is [`Token::End`].
     pub tokens: Vec<Lexeme>,
-    /// `///` lines, each with the index of the token that follows it.
+    /// `///` lines, each with the index in `tokens` of the token that follows.
     pub docs: Vec<(usize, String)>,
-    /// The `//!` lines.
+    /// The `//!` lines, joined.
     pub file_doc: String,
-    /// Faults, in order.
+    /// Lexical errors, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Splits a text into tokens. A run of characters that belong to no token becomes one [`Token::Bad`] and is reported,
-/// unless there was a fault on the same line.
+/// Splits a text into tokens. A run of invalid characters becomes one [`Token::Bad`] and is reported, unless there was
+/// an error on the same line.
 pub(super) fn lex(text: &str, source: u16) -> Lexed {
     let mut lexer = Lexer {
         text,
@@ -135,16 +135,16 @@ pub(super) fn lex(text: &str, source: u16) -> Lexed {
     lexer.lexed
 }
 
-/// The state of [`lex`].
+/// Lexer state.
 struct Lexer<'a> {
     text: &'a str,
     source: u16,
     lexed: Lexed,
-    /// The last run of characters that belong to no token, if it is yet to be reported.
+    /// Byte range of the last run of invalid characters, if not yet reported.
     unread: Option<Range<usize>>,
     /// Whether the next token is the first on its line.
     is_first: bool,
-    /// Whether a fault of this line has been found.
+    /// Whether a lexical error has been found on the current line.
     line_has_fault: bool,
 }
 
@@ -187,7 +187,7 @@ impl Lexer<'_> {
         self.push(Token::OpenText, range);
     }
 
-    /// A character that belongs to no token: it continues the last run, or begins one.
+    /// Handles an invalid character: extends the last run of invalid characters, or begins a new one.
     fn unread(&mut self, range: Range<usize>) {
         let last = self.lexed.tokens.last_mut();
         let end = (range.start as u32, Token::Bad);
@@ -201,7 +201,7 @@ impl Lexer<'_> {
             if !self.line_has_fault {
                 self.unread = Some(range.clone());
             }
-            // The parser drops the statement at this token without a fault of its own.
+            // The parser abandons the statement at this token without a second error.
             self.push(Token::Bad, range);
         }
         self.line_has_fault = true;
@@ -215,7 +215,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Reports the last run of characters that belong to no token.
+    /// Reports the pending run of invalid characters.
     fn report_unread(&mut self) {
         const BINARY: &str =
             "a model file is plain text in UTF-8; this looks like another kind of file";
@@ -247,7 +247,7 @@ impl Lexer<'_> {
     }
 }
 
-/// A suggestion for a character that the language does not have.
+/// Suggested replacement for a character that is not part of the language; `None` if there is no suggestion.
 fn instead(c: char) -> Option<String> {
     let text = match c {
         '\u{2018}' | '\u{2019}' | '\'' | '`' => "texts stand between `\"` marks",
@@ -268,7 +268,7 @@ fn instead(c: char) -> Option<String> {
     Some(text.to_owned())
 }
 
-/// A token as a message names it.
+/// Noun for a token in error messages.
 pub(super) fn name_of(lexeme: Lexeme, text: &str) -> String {
     let raw = &text[lexeme.start as usize..lexeme.end as usize];
     match lexeme.token {
@@ -279,10 +279,10 @@ pub(super) fn name_of(lexeme: Lexeme, text: &str) -> String {
     }
 }
 
-/// Number of characters of a source text that a message quotes.
+/// Maximum length of a source excerpt in a message, characters.
 const MAX_QUOTED: usize = 60;
 
-/// A text cut to [`MAX_QUOTED`] characters.
+/// Truncates a text to [`MAX_QUOTED`] characters.
 pub(crate) fn clip(raw: &str) -> String {
     if raw.chars().nth(MAX_QUOTED).is_none() {
         return raw.to_owned();
@@ -291,7 +291,7 @@ pub(crate) fn clip(raw: &str) -> String {
     format!("{head}…")
 }
 
-/// The plain spelling of a name token.
+/// ASCII spelling of a name token.
 pub(super) fn plain_name(raw: &str) -> String {
     spelling::plain(raw)
 }

@@ -1,4 +1,4 @@
-//! Walking over the syntax tree.
+//! Traversal of the syntax tree.
 
 use super::ast::{Expr, ExprKind, ItemKind};
 
@@ -33,7 +33,7 @@ impl Expr {
 }
 
 impl ItemKind {
-    /// The expression that a statement defines something by; none for declarations.
+    /// The right-hand side of a `let`, load, equation, observation or clock statement; `None` for other statements.
     pub(crate) fn value(&self) -> Option<&Expr> {
         match self {
             ItemKind::Let(binding) => Some(&binding.value),
@@ -45,7 +45,7 @@ impl ItemKind {
         }
     }
 
-    /// As [`ItemKind::value`], for modification.
+    /// Mutable right-hand side of a `let`, load, equation, observation or clock statement; `None` for others.
     pub(crate) fn value_mut(&mut self) -> Option<&mut Expr> {
         match self {
             ItemKind::Let(binding) => Some(&mut binding.value),

@@ -1,15 +1,15 @@
-//! Unit symbols of model files, with their conversion factors to the SI.
+//! Unit symbols of model files, with their conversion factors to SI units.
 
 use super::Unit;
 
-/// Meaning of a unit symbol.
+/// SI unit and conversion factor of a unit symbol.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symbol {
-    /// The SI unit of the same dimension.
+    /// SI unit of the symbol's dimension.
     pub unit: Unit,
-    /// Conversion factor: value of the symbol in that unit.
+    /// Conversion factor: SI value of one unit of the symbol, such as 0.001 for `mm`.
     pub factor: f64,
-    /// The factor as numerator and denominator, if it is rational.
+    /// Conversion factor as (numerator, denominator); `None` if it contains π.
     pub exact: Option<(i128, i128)>,
 }
 
@@ -52,10 +52,10 @@ const TABLE: [(&str, Unit, (i128, i128), bool); 30] = [
     ("mph", Unit::SPEED, (44_704, 100_000), false),
 ];
 
-/// Number of symbols at the head of the table that take a prefix.
+/// Number of leading entries of [`TABLE`] that accept an SI prefix.
 const PREFIXED: usize = 19;
 
-/// Prefixes and their powers of ten.
+/// SI prefixes with their powers of ten.
 const PREFIXES: [(&str, i32); 12] = [
     ("k", 3),
     ("m", -3),
@@ -71,7 +71,7 @@ const PREFIXES: [(&str, i32); 12] = [
     ("da", 1),
 ];
 
-/// Meaning of a unit symbol, with or without a prefix; none if it is unknown.
+/// SI unit and factor of a unit symbol, with or without a prefix; `None` if the symbol is unknown.
 pub fn find(name: &str) -> Option<Symbol> {
     if let Some(&(_, unit, fraction, pi)) = TABLE.iter().find(|(symbol, ..)| *symbol == name) {
         return Some(symbol(unit, fraction, pi));
@@ -100,7 +100,7 @@ fn symbol(unit: Unit, (above, below): (i128, i128), pi: bool) -> Symbol {
     }
 }
 
-/// Suggested symbol for a word (`meter`) or a misspelt symbol.
+/// Suggested unit symbol for a word (`meter`) or wrong letter case (`KG`); `None` if unknown.
 pub fn suggest(name: &str) -> Option<&'static str> {
     const WORDS: [(&str, &str); 32] = [
         ("meter", "m"),

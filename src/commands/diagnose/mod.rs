@@ -1,4 +1,4 @@
-//! `hyzer diagnose`: what a model gets wrong, and why.
+//! Command `hyzer diagnose`: tests a model for missing effects and extends the model.
 
 mod summary;
 mod tables;
@@ -17,13 +17,13 @@ use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
 
-/// The file of the extended model.
+/// File name of the extended model.
 const EXTENDED: &str = "extended.hyz";
 
-/// Random states for each check of the extended model: `hyzer verify` looks at more.
+/// Random states for each check of the extended model; `hyzer verify` uses more.
 const CASES: usize = 12;
 
-/// Diagnoses and reports.
+/// Diagnoses the model, prints a summary, and writes the report files.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let progress = Progress::new()?;
     let (hold, priors) = (held(&options.hold)?, priors(&options.prior)?);
@@ -78,17 +78,17 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// The extended model.
+/// Extended model with its verification and generated code.
 struct Extended {
-    /// Its file.
+    /// Text of the extended model in the model language.
     text: String,
-    /// What the independent checks say of it.
+    /// Results of the independent checks of the extended model.
     verified: Verified,
-    /// Its code, file by file.
+    /// Generated Rust source files of the extended model.
     code: Vec<SourceFile>,
 }
 
-/// Checks an extended model and writes its code.
+/// Verifies an extended model, given as text, and generates its code.
 fn extended(text: &str) -> anyhow::Result<Extended> {
     let loaded = model_spec::load::inspect_text(EXTENDED, text, &[])?;
     let model = match &loaded.model {
@@ -101,7 +101,7 @@ fn extended(text: &str) -> anyhow::Result<Extended> {
     let settings = verify::Options {
         cases: CASES,
         mutants: false,
-        // Effects that it could still be given are another matter than what it is.
+        // Effects that could still be added are not part of the extended model.
         effects: false,
         ..verify::Options::default()
     };

@@ -1,4 +1,4 @@
-//! What a diagnosis found, for the terminal.
+//! Terminal summary of a diagnosis.
 
 use std::fmt::Write;
 
@@ -6,10 +6,10 @@ use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use diagnose::{Report, Verdict};
 
-/// Effects that are listed.
+/// Maximum number of listed candidate effects.
 const LISTED: usize = 10;
 
-/// The whole summary.
+/// Text of the terminal summary of a diagnosis.
 pub fn summary(report: &Report) -> String {
     let mut text = format!("{}: {}\n\n", word(report.verdict), wrapped(&report.summary));
     for (index, cause) in report.causes.iter().enumerate() {
@@ -97,7 +97,7 @@ fn word(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Width of a paragraph.
+/// Line width of a wrapped paragraph, characters.
 const WIDTH: usize = 100;
 
 fn wrapped(text: &str) -> String {

@@ -1,10 +1,10 @@
-//! The tables of a diagnosis, as CSV.
+//! CSV tables of a diagnosis.
 
 use diagnose::Report;
 
 use crate::commands::fit::role;
 
-/// One row per effect that was looked for.
+/// CSV table of the score tests, one row per candidate effect.
 pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -32,7 +32,7 @@ pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// One row per coefficient, before and after.
+/// CSV table of the coefficients, one row each, before and after the extension of the model.
 pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["name", "before", "value", "std_error", "unit"])?;
@@ -49,7 +49,7 @@ pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// One row per flight, before and after.
+/// CSV table of the flights, one row each; RMS residual (m) before and after the extension of the model.
 pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "role", "rms_before_m", "rms_after_m"])?;

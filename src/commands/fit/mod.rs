@@ -1,4 +1,4 @@
-//! `hyzer fit`: the coefficients of a model from measured flights.
+//! Command `hyzer fit`: estimates the coefficients of a model from measured flights.
 
 mod summary;
 mod tables;
@@ -17,7 +17,7 @@ use crate::cli::Fit;
 use crate::progress::Progress;
 use crate::{Answer, output};
 
-/// Fits and reports.
+/// Fits the model to the dataset, prints a summary, and writes the report files.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let progress = Progress::new()?;
     let (hold, priors) = (held(&options.hold)?, priors(&options.prior)?);
@@ -52,7 +52,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Flights that are drawn: some of the first, those with the greatest residuals, some that were held out.
+/// Numbers of drawn flights: first ones, those with the largest residuals, held-out ones.
 const DRAWN: (usize, usize, usize) = (6, 3, 3);
 
 pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
@@ -120,7 +120,7 @@ fn write(
     Ok(())
 }
 
-/// The model: as asked for, or the dataset's own, where a path is meant from the dataset's folder.
+/// Path or name of the model: the option's, or else the dataset's, with paths relative to the dataset's folder.
 pub(super) fn model_of(
     asked: Option<&String>,
     folder: &Path,
@@ -138,17 +138,17 @@ pub(super) fn model_of(
     }
 }
 
-/// What is to be held: `NAME` or `NAME=VALUE` each.
+/// Parses the options of fixed coefficients, `NAME` or `NAME=VALUE` each; value in SI units.
 pub(super) fn held(texts: &[String]) -> anyhow::Result<Vec<(String, Option<f64>)>> {
     texts.iter().map(|text| one_held(text)).collect()
 }
 
-/// Priors: `NAME=VALUE+-SIGMA` each, or with `±`.
+/// Parses the options of Gaussian priors, `NAME=VALUE+-SIGMA` each, or with `±`.
 pub(super) fn priors(texts: &[String]) -> anyhow::Result<Vec<Prior>> {
     texts.iter().map(|text| prior(text)).collect()
 }
 
-/// `NAME` or `NAME=VALUE`.
+/// Parses one fixed coefficient, `NAME` or `NAME=VALUE`; `None` without a value.
 fn one_held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     match text.split_once('=') {
         None => Ok((text.to_owned(), None)),
@@ -156,7 +156,7 @@ fn one_held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     }
 }
 
-/// `NAME=VALUE+-SIGMA`, or with `±`.
+/// Parses one Gaussian prior, `NAME=VALUE+-SIGMA`, or with `±`.
 fn prior(text: &str) -> anyhow::Result<Prior> {
     let expected = "NAME=VALUE+-SIGMA, such as C_D0=0.1+-0.02";
     let Some((name, rest)) = text.split_once('=') else {

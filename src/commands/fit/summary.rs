@@ -1,4 +1,4 @@
-//! What a fit found, for the terminal.
+//! Terminal summary of a fit.
 
 use std::fmt::Write;
 
@@ -10,10 +10,10 @@ use model_spec::model::Model;
 
 use super::tables::role;
 
-/// Flights that are listed; of more, those with the greatest residuals.
+/// Maximum number of listed flights; if there are more, those with the largest residuals are listed.
 const LISTED: usize = 20;
 
-/// The whole summary.
+/// Text of the terminal summary of a fit.
 pub fn summary(model: &Model, report: &FitReport) -> String {
     let left_out = report.excluded().count();
     let mut text = format!(
@@ -76,7 +76,7 @@ fn table(head: &[&str]) -> Table {
     table
 }
 
-/// In the order of the model, then what was freed beside it.
+/// Table of the coefficients in the order of the model, followed by freed parameters.
 fn coefficients(model: &Model, report: &FitReport) -> Table {
     let mut table = table(&[
         "coefficient",
@@ -125,7 +125,7 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
     table
 }
 
-/// Decimals that show two digits of the standard error.
+/// Number of decimals that shows two significant digits of the standard error.
 fn digits(found: &Coefficient) -> i32 {
     if found.std_error > 0.0 {
         (1 - found.std_error.log10().floor() as i32).max(0)
@@ -134,7 +134,7 @@ fn digits(found: &Coefficient) -> i32 {
     }
 }
 
-/// A number with so many decimals, by powers of ten where that is shorter.
+/// Formats a number with the given number of decimals, in exponent notation below 1e-3.
 fn written(value: f64, digits: i32) -> String {
     if value != 0.0 && value.abs() < 1e-3 {
         let size = value.abs().log10().floor() as i32;
@@ -143,7 +143,7 @@ fn written(value: f64, digits: i32) -> String {
     format!("{value:.*}", digits.clamp(0, 8) as usize)
 }
 
-/// What the scatter of the flights says against the standard errors.
+/// Sentence on cluster-robust against Cramér–Rao standard errors; `None` if there is nothing to report.
 fn scatter(report: &FitReport) -> Option<String> {
     let worst = report
         .coefficients

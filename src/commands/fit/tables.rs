@@ -1,9 +1,9 @@
-//! The tables of a fit, as CSV.
+//! CSV tables of a fit.
 
 use identify::dataset::{Dataset, Role};
 use identify::{Fit, FitReport};
 
-/// One row per coefficient.
+/// CSV table of the coefficients, one row each.
 pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -34,7 +34,7 @@ pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// Every pair of coefficients.
+/// CSV table of the correlations, one row per pair of coefficients.
 pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_field("name")?;
@@ -46,7 +46,7 @@ pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// One row per flight.
+/// CSV table of the flights, one row each.
 pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -67,10 +67,10 @@ pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// Most rows of the residuals' table: beyond, the flights that follow are left out of it.
+/// Maximum number of rows of the residual table; later flights are omitted.
 const MOST_ROWS: usize = 1_000_000;
 
-/// Measured less predicted, one row per marker and sample that was seen.
+/// CSV table of residuals (measured − predicted, m), one row per measured marker and sample.
 pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "marker", "x_m", "y_m", "z_m", "outlier"])?;
@@ -107,7 +107,7 @@ pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// The role as datasets spell it.
+/// Role of a flight as spelled in dataset files.
 pub fn role(role: Role) -> &'static str {
     match role {
         Role::Fit => "fit",

@@ -5,10 +5,10 @@ use crate::compile::Compiled;
 use crate::program::{Function, Operand, Program};
 use std::collections::{HashMap, HashSet};
 
-/// Most characters of a name from which the name of a subexpression is formed.
+/// Maximum length of the base name in a subexpression's variable name, characters.
 const MAX_STEM: usize = 24;
 
-/// The variable of each input element and of each statement that is not written inside another.
+/// Local variable names of input elements and of statements that are not inlined.
 pub(crate) struct Variables {
     inputs: HashMap<(super::Input, u32), String>,
     statements: Vec<Option<String>>,
@@ -45,12 +45,12 @@ impl Variables {
         variables
     }
 
-    /// The variable of a statement; `None` if the statement is written inside those that use it.
+    /// Variable of a statement; `None` if the statement is inlined into its users.
     pub fn of_statement(&self, k: usize) -> Option<&str> {
         self.statements[k].as_deref()
     }
 
-    /// The variable that holds an operand; `None` for time, constants and statements without a variable.
+    /// Variable of an operand; `None` for time, constants and inlined statements.
     pub fn of(&self, operand: Operand) -> Option<&str> {
         match operand {
             Operand::Temp(t) => self.of_statement(t as usize),
@@ -58,7 +58,7 @@ impl Variables {
         }
     }
 
-    /// Gives variables to subexpressions that would make a line too long.
+    /// Gives variables to inlined subexpressions that would make a line too long.
     fn split_long_expressions(
         &mut self,
         function: &Function,
@@ -90,7 +90,7 @@ impl Variables {
         }
     }
 
-    /// For each statement without a variable, the name of the statement or result that it becomes a part of.
+    /// For each inlined statement, the name of the statement or output that contains it.
     fn owners(&self, function: &Function) -> Vec<Option<String>> {
         let program = &function.program;
         let mut owners: Vec<Option<String>> = vec![None; program.statements.len()];
@@ -125,7 +125,7 @@ fn input_name(compiled: &Compiled, operand: Operand) -> String {
     names[k as usize].clone()
 }
 
-/// `part_of_` and the start of the name of what it is a part of.
+/// Variable name of a subexpression: `part_of_` and the truncated name of its owner.
 fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>) -> String {
     let owner = owner.unwrap_or("result");
     let stem = match owner.char_indices().nth(MAX_STEM) {
@@ -139,10 +139,10 @@ fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>
     names.take_numbered(&base)
 }
 
-/// Hands out identifiers, each once.
+/// Generator of unique identifiers.
 struct UniqueNames<F> {
     taken: HashSet<String>,
-    /// Last number appended to each name by `take_numbered`.
+    /// Last numeric suffix that `take_numbered` used for each name.
     numbers: HashMap<String, usize>,
     is_reserved: F,
 }
@@ -152,7 +152,7 @@ impl<F: Fn(&str) -> bool> UniqueNames<F> {
         !self.taken.contains(name) && !(self.is_reserved)(name)
     }
 
-    /// The name itself, or with the first number from 2 that makes it free.
+    /// `base` if unused, else `base` with the smallest unused numeric suffix from 2.
     fn take_numbered(&mut self, base: &str) -> String {
         let mut n = self.numbers.get(base).copied().unwrap_or(0);
         loop {
@@ -169,7 +169,7 @@ impl<F: Fn(&str) -> bool> UniqueNames<F> {
         }
     }
 
-    /// The name itself, or with underscores appended until it is free.
+    /// `name`, with underscores appended until unique.
     fn take(&mut self, name: &str) -> String {
         let mut name = name.to_string();
         while !self.is_free(&name) {

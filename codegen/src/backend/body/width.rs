@@ -1,27 +1,27 @@
-//! Approximate lengths of printed expressions, which decide where an expression is split.
+//! Estimated widths of printed expressions, which decide where long expressions are split.
 
 use crate::program::{Binary, Op, Operand, Program, Unary};
 
-/// Longest expression that is written inside another, in characters.
+/// Maximum width of an inlined expression, characters.
 pub(super) const MAX_INLINE: usize = 64;
 
-/// Longest right-hand side of a statement, in characters.
+/// Maximum width of a statement's right-hand side, characters.
 pub(super) const MAX_STATEMENT: usize = 84;
 
-/// Characters of a function or method call beside its operands.
+/// Estimated width of a function or method call without its operands, characters.
 const CALL: usize = 11;
 
-/// Characters of a constant.
+/// Estimated width of a numeric constant, characters.
 const CONSTANT: usize = 13;
 
-/// Lengths of the statements of a program, given the length of the variable of each operand that has one.
+/// Estimated widths of a program's statements; `variable` gives the name length of an operand with a variable.
 pub(super) struct Widths<'a, V> {
     pub program: &'a Program,
     pub variable: V,
 }
 
 impl<V: Fn(Operand) -> Option<usize>> Widths<'_, V> {
-    /// Length of the right-hand side of a statement.
+    /// Estimated width of a statement's right-hand side, characters.
     pub fn statement(&self, k: usize) -> usize {
         let op = &self.program.statements[k].op;
         let operands: usize = op
@@ -32,7 +32,7 @@ impl<V: Fn(Operand) -> Option<usize>> Widths<'_, V> {
         operands + own_width(op)
     }
 
-    /// The longest operand of a statement that is written inside it.
+    /// Index of the widest inlined operand of a statement; `None` if no operand is inlined.
     pub fn widest_part(&self, k: usize) -> Option<usize> {
         let operands = self.program.statements[k].op.operands();
         let parts = operands.into_iter().filter_map(|operand| match operand {
@@ -52,7 +52,7 @@ impl<V: Fn(Operand) -> Option<usize>> Widths<'_, V> {
     }
 }
 
-/// Characters of an operation without its operands.
+/// Estimated width of an operation without its operands, characters.
 fn own_width(op: &Op) -> usize {
     match op {
         Op::Unary(Unary::Neg, _) => 1,

@@ -1,4 +1,4 @@
-//! The best pair first, again and again, without looking at every pair each time.
+//! Priority queue of pairs for greedy common-subexpression elimination, rescored lazily.
 
 use crate::graph::FastMap;
 use crate::ssa::DefId;
@@ -6,13 +6,13 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::hash::Hash;
 
-/// Operations saved, and whether the pair depends on parameters alone.
+/// Score of a pair: operations saved, then whether the pair depends on parameters only.
 pub type Score = (usize, bool);
 
-/// Pairs, who holds them, and what taking them out would save.
+/// Candidate pairs of operands, the definitions that contain them, and the operations saved by sharing them.
 ///
-/// A score in the heap may be out of date but never too low: it is looked at again when it comes up.
-/// Where scores are equal the smaller pair wins, so that the order never depends on a map's.
+/// A score in the heap may be outdated but never too low; it is recomputed when popped. Equal scores are ordered by
+/// pair, so that the result does not depend on the iteration order of a map.
 #[derive(Debug)]
 pub struct Candidates<P> {
     heap: BinaryHeap<(Score, Reverse<P>)>,
@@ -21,7 +21,7 @@ pub struct Candidates<P> {
 }
 
 impl<P: Copy + Ord + Hash> Candidates<P> {
-    /// None yet.
+    /// Creates an empty set of candidates.
     pub fn new() -> Candidates<P> {
         Candidates {
             heap: BinaryHeap::new(),
@@ -30,7 +30,7 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// A definition holds a pair.
+    /// Records that definition `id` contains `pair`.
     pub fn hold(&mut self, pair: P, id: DefId) {
         let users = self.holders.entry(pair).or_default();
         if !users.contains(&id) {
@@ -39,7 +39,7 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// Rates the pairs that got a new holder.
+    /// Computes the scores of pairs recorded since the last call; `None` from `score` drops a pair.
     pub fn rate(&mut self, score: impl Fn(P, &[DefId]) -> Option<Score>) {
         self.touched.sort_unstable();
         self.touched.dedup();
@@ -50,7 +50,8 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// The best pair and its holders, in order.
+    /// Removes the pair with the highest current score; returns the pair and the sorted definitions that contain it,
+    /// or `None` if no pair is left.
     pub fn next(
         &mut self,
         score: impl Fn(P, &[DefId]) -> Option<Score>,

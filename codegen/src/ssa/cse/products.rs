@@ -1,4 +1,4 @@
-//! Products that several products contain are computed once: greedily, the most frequent pair first.
+//! Common-subexpression elimination in products: greedy extraction of the pair of factors that saves most.
 
 use super::candidates::{Candidates, Score};
 use crate::graph::FastMap;
@@ -7,7 +7,7 @@ use model_spec::index::IndexVec;
 
 type Pair = (DefId, DefId);
 
-/// Splits all products into pairs, sharing them.
+/// Extracts common pairs of factors from all products into shared definitions.
 pub fn share(ssa: &mut Ssa) {
     let uses = ssa.uses();
     let mut candidates = Candidates::new();
@@ -60,7 +60,7 @@ fn register(ssa: &Ssa, id: DefId, candidates: &mut Candidates<Pair>) {
     }
 }
 
-/// How often a pair can be taken from a list of factors.
+/// Number of disjoint occurrences of a pair in a list of factors.
 fn count(list: &[DefId], pair: Pair) -> usize {
     let of = |id| list.iter().filter(|&&f| f == id).count();
     if pair.0 == pair.1 {
@@ -70,8 +70,8 @@ fn count(list: &[DefId], pair: Pair) -> usize {
     }
 }
 
-/// What a pair saves: one multiplication at each place but one, at every place where it depends on
-/// parameters alone.
+/// Multiplications saved by sharing a pair of factors: occurrences - 1, or, for a parameter-only pair, the
+/// occurrences in larger products; `None` if nothing is saved.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let (mut places, mut whole) = (0, 0);
     for &id in users {
@@ -81,7 +81,7 @@ fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
         whole += usize::from(times == 1 && list.len() == 2);
     }
     let fixed = ssa.facts[pair.0].fixed && ssa.facts[pair.1].fixed;
-    // a product that is nothing but the pair is no place where it is to be replaced
+    // a product equal to the pair needs no replacement
     let saved = if fixed {
         places - whole
     } else {
@@ -90,7 +90,7 @@ fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     (saved > 0 && places > whole).then_some((saved, fixed))
 }
 
-/// Products that have become a single factor, or equal to each other, are one definition.
+/// Merges equal products and replaces single-factor products by the factor.
 fn alias(ssa: &mut Ssa) {
     let mut canonical: FastMap<Vec<DefId>, DefId> = FastMap::default();
     let mut target: IndexVec<DefId, DefId> = ssa.defs.indices().collect();

@@ -1,14 +1,14 @@
-//! Sums that several sums contain are computed once, whatever their sign.
+//! Common-subexpression elimination in sums: common pairs of terms are computed once, up to sign.
 
 use super::candidates::{Candidates, Score};
 use crate::graph::FastMap;
 use crate::ssa::{DefId, Signed, Ssa, SsaDef};
 use model_spec::index::IndexVec;
 
-/// Two terms and whether their signs differ.
+/// Two terms of a sum, and whether their signs differ.
 type Pair = (DefId, DefId, bool);
 
-/// Takes common pairs of terms out of all sums.
+/// Extracts common pairs of terms from all sums into shared definitions.
 pub fn share(ssa: &mut Ssa) {
     let uses = ssa.uses();
     let mut candidates = Candidates::new();
@@ -19,7 +19,7 @@ pub fn share(ssa: &mut Ssa) {
     }
     candidates.rate(|pair, users| score(ssa, pair, users));
     while let Some((pair, users)) = candidates.next(|pair, users| score(ssa, pair, users)) {
-        // the sum that is nothing but the pair is the one to share
+        // share an existing sum equal to the pair
         let whole = users
             .iter()
             .copied()
@@ -68,7 +68,7 @@ fn register(ssa: &Ssa, id: DefId, candidates: &mut Candidates<Pair>) {
     }
 }
 
-/// Whether a sum holds the pair, and with which sign.
+/// Sign of the first term of a pair in a sum (`true` is minus); `None` if the sum does not contain the pair.
 fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
     let once = |wanted| {
         let mut found = list.iter().filter(|&&(_, id)| id == wanted);
@@ -79,8 +79,8 @@ fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
     (pair.0 != pair.1 && (first != second) == pair.2).then_some(first)
 }
 
-/// What a pair saves: one addition at each place but one, at every place where it depends on parameters
-/// alone.
+/// Additions saved by sharing a pair of terms: occurrences - 1, or, for a parameter-only pair, the occurrences in
+/// larger sums; `None` if nothing is saved.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let holds = |id: DefId| sign(terms(ssa, id), pair).is_some();
     let places = users.iter().filter(|&&id| holds(id)).count();
@@ -97,7 +97,7 @@ fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     (saved > 0 && (whole < places || whole > 1)).then_some((saved, fixed))
 }
 
-/// Sums that have become a single positive term are that term.
+/// Merges equal sums and replaces sums of one positive term by that term.
 fn alias(ssa: &mut Ssa) {
     let mut target: IndexVec<DefId, DefId> = ssa.defs.indices().collect();
     let mut canonical: FastMap<Vec<Signed>, DefId> = FastMap::default();

@@ -1,28 +1,28 @@
-//! Discordant flights: those with little of what the others agree on, or its opposite.
+//! Discordant flights: flights that show little of an effect on which the others agree, or its opposite.
 
 use super::sign_flip_test::SignFlipTest;
 use crate::context::ColumnId;
 
-/// Iterations of estimate and concordant flights.
+/// Greatest number of iterations between the common estimate and the set of concordant flights.
 const MAX_ITERATIONS: usize = 20;
 
-/// A flight whose weighted squares the unknown would change by less is not informative.
+/// Least expected change of a flight's weighted sum of squares by the common estimate, χ², for an informative flight.
 const MIN_EXPECTED_CHI2: f64 = 10.0;
 
-/// A flight with less than this share of the common estimate is discordant.
+/// Fraction of the common estimate below which a flight's own estimate is discordant.
 const MIN_SHARE: f64 = 0.25;
 
-/// Flights with and without a common value of one unknown.
+/// Division of the flights by agreement with a common value of one unknown.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Concordance {
     /// Indices of the discordant flights.
     pub discordant: Vec<usize>,
-    /// Decrease of the weighted squares of the other flights.
+    /// Decrease of the weighted sum of squares of the other flights, χ².
     pub chi2_decrease: f64,
 }
 
 impl SignFlipTest {
-    /// Finds the value of one unknown that most flights agree on, and the informative flights that do not have it.
+    /// Finds the value of one unknown on which most flights agree, and the informative flights that contradict it.
     pub fn concordance(&self, column: ColumnId) -> Concordance {
         let flights = 0..self.flights();
         let score = |flight: usize| self.scores[(flight, column.index())];

@@ -1,8 +1,8 @@
-//! Hypotheses that the flights agree on.
+//! Hypotheses on which the flights agree.
 //!
-//! Measured flights differ from one another by more than their noise: quantities given for a flight have errors, the air moves.
-//! A hypothesis is accepted here if the flights agree on it and, given it, on nothing else; what it does not explain then
-//! follows no common law.
+//! Measured flights differ from one another by more than their noise: values stated for a flight have errors, the air
+//! moves. A hypothesis is accepted here if the flights agree on it and, given it, on nothing else; the remaining lack
+//! of fit then follows no common law.
 
 use identify::Iterate;
 
@@ -11,34 +11,35 @@ use crate::context::{CandidateId, ColumnId, Context, ScoreTestModel, TermId};
 use crate::error::DiagnosisError;
 use crate::selection::{Hypothesis, Search};
 
-/// Familywise level at which flights agree.
+/// Familywise significance level of the agreement between flights.
 const ALPHA_AGREE: f64 = 0.01;
 
-/// Familywise level at which a hypothesis is rejected.
+/// Familywise significance level for the rejection of a hypothesis.
 const ALPHA_REJECT: f64 = 0.002;
 
-/// Fewer flights cannot agree significantly.
+/// Least number of flights for a test of agreement; fewer cannot agree significantly.
 const MIN_FLIGHTS: usize = 20;
 
-/// Share of the excess χ² that a hypothesis explains, at least, of the concordant flights.
+/// Least fraction of the concordant flights' excess χ² that a hypothesis must explain.
 const MIN_EXPLAINED: f64 = 0.5;
 
-/// Share of the flights that are concordant, at least.
+/// Least fraction of the flights that must be concordant.
 const MIN_CONCORDANT: f64 = 0.5;
 
-/// What the flights agree on.
+/// Hypotheses on which the flights agree.
 pub(crate) struct Consensus {
-    /// Hypotheses that explain most of the excess χ² of all flights; none if only the concordant flights are explained.
+    /// Hypotheses that explain most of the excess χ² of all flights; empty if only the concordant flights are
+    /// explained.
     pub hypotheses: Vec<Hypothesis>,
-    /// Share of the excess χ² that is explained.
+    /// Fraction of the excess χ² that is explained.
     pub explained: f64,
-    /// p-value of the agreement, familywise.
+    /// Familywise p-value of the agreement.
     pub p_value: f64,
-    /// Indices of the discordant flights: the search is to be repeated without them.
+    /// Indices of the discordant flights, without which the search is to be repeated.
     pub discordant: Vec<usize>,
 }
 
-/// Looks for hypotheses that the flights agree on; none if there is no agreement, or it is on no single candidate.
+/// Searches for hypotheses on which the flights agree; `None` if they agree on no single candidate.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
@@ -79,14 +80,14 @@ struct Agreed {
     p_value: f64,
 }
 
-/// A single candidate explains most of the excess χ² of the flights that are not discordant.
+/// A single candidate that explains most of the excess χ² of the concordant flights.
 struct ConcordantMajority {
     explained: f64,
     p_value: f64,
     discordant: Vec<usize>,
 }
 
-/// Single candidates on which the flights agree and given which they agree on nothing else, the best fit first.
+/// Single candidates on which the flights agree and given which they agree on nothing else, best fit first.
 fn agreed_hypotheses(
     context: Context<'_>,
     model: &ScoreTestModel,
@@ -118,7 +119,7 @@ fn agreed_hypotheses(
     Ok(agreed)
 }
 
-/// Among candidates of one coefficient, the one that explains most of its concordant flights.
+/// Candidate of one coefficient that explains most of the excess χ² of its concordant flights.
 fn explained_without_discordant(
     model: &ScoreTestModel,
     test: &SignFlipTest,
@@ -152,7 +153,7 @@ fn explained_without_discordant(
     best
 }
 
-/// Scores of single flights given a hypothesis.
+/// Sign-flip test of the flights' scores, given a hypothesis.
 fn sign_flip_test(
     model: &ScoreTestModel,
     given: &Hypothesis,
@@ -163,7 +164,7 @@ fn sign_flip_test(
     SignFlipTest::new(model, &blocks, &given.effects)
 }
 
-/// The columns of each candidate, in order, none for those conditioned on; then the column of each term.
+/// Columns of each candidate, in order, empty for those conditioned on; then the column of each library term.
 fn groups(model: &ScoreTestModel, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
     let of_candidates = model
         .candidates()

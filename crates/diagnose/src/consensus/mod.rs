@@ -1,4 +1,5 @@
-//! What the flights agree on, where no hypothesis is adequate: each flight departs from every common law in its own way.
+//! Effects on which the flights agree, although no hypothesis is adequate: each flight departs from every common law
+//! in its own way.
 
 mod discordant;
 mod hypotheses;

@@ -1,7 +1,7 @@
 //! Sign-flip score test: whether scores of single flights have a common sign.
 //!
-//! If each flight departs from the model in its own way, the sum of squares rejects every common law; a common sign of the
-//! flights' scores is still evidence. Under the null hypothesis the signs are exchangeable.
+//! If each flight departs from the model in its own way, the sum of squares rejects every common law; a common sign
+//! of the flights' scores is still evidence. Under the null hypothesis the signs are exchangeable.
 
 use identify::NormalBlock;
 use nalgebra::{DMatrix, DVector};
@@ -12,29 +12,30 @@ use crate::context::{CandidateId, ColumnId, Partition, ScoreTestModel, select};
 use crate::error::DiagnosisError;
 use crate::score_test::{MIN_TOLERANCE, eliminate_locals, keep_directions, pseudo_inverse};
 
-/// Draws of signs.
+/// Number of random sign vectors.
 const DRAWS: usize = 10_000;
 
-/// Seed of the draws.
+/// Seed of the random signs.
 const SEED: u64 = 1;
 
 /// Effective scores of single flights.
 #[derive(Clone, Debug)]
 pub(crate) struct SignFlipTest {
-    /// Score of a flight (row) for a column: positive where the sum of squares falls as the unknown grows.
+    /// Effective score of each flight (row) for each column; positive if the sum of squares decreases as the unknown
+    /// grows.
     pub(super) scores: DMatrix<f64>,
-    /// Information of a flight about a column.
+    /// Effective information of each flight (row) about each column.
     pub(super) information: DMatrix<f64>,
-    /// Fit of each flight.
+    /// Weighted sum of squares of each flight.
     pub(super) fits: Vec<FlightSquares>,
 }
 
-/// Fit of one flight.
+/// Weighted sum of squares of one flight, with its expectation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FlightSquares {
     /// Weighted sum of squares.
     pub squares: f64,
-    /// Its expectation if the residuals are noise.
+    /// Expected sum of squares if the residuals are pure noise.
     pub expected: f64,
 }
 
@@ -81,8 +82,8 @@ impl SignFlipTest {
         Ok(test)
     }
 
-    /// Scores of one flight with normal equations `h`, `g`: its residuals on the columns, less the common projection of these
-    /// on the nuisance columns.
+    /// Computes the scores of one flight from its normal equations `h`, `g`: the nuisance columns are projected out
+    /// of the tested ones by the common projection coefficients.
     fn set_flight(
         &mut self,
         flight: usize,
@@ -112,13 +113,14 @@ impl SignFlipTest {
         self.scores.nrows()
     }
 
-    /// Excess χ² of some flights: weighted squares beyond those of noise.
+    /// Excess χ² of some flights: weighted sum of squares minus its expectation for pure noise.
     pub fn excess_chi2(&self, flights: impl Iterator<Item = usize>) -> f64 {
         let each = flights.map(|f| self.fits[f].squares - self.fits[f].expected);
         each.sum()
     }
 
-    /// Cosine between a flight's whitened residuals and the effective column of an unknown.
+    /// Cosine between a flight's whitened residuals and the column of an unknown after projection on the nuisance
+    /// columns.
     pub(super) fn cosine(&self, flight: usize, column: ColumnId) -> f64 {
         let at = (flight, column.index());
         let norms = (self.information[at] * self.fits[flight].squares).sqrt();
@@ -128,8 +130,8 @@ impl SignFlipTest {
         }
     }
 
-    /// p-values of groups of columns, familywise over all groups by the maximum statistic: how often random signs of the
-    /// flights agree on any group as well as the flights do on this one.
+    /// Familywise p-values of groups of columns by the maximum statistic: the fraction of random sign vectors for
+    /// which the agreement on any group is at least that observed for this group.
     pub fn p_values(&self, groups: &[Vec<ColumnId>]) -> Vec<f64> {
         let groups: Vec<Vec<Vec<f64>>> = groups
             .iter()
@@ -152,7 +154,7 @@ impl SignFlipTest {
         observed.into_iter().map(p_value).collect()
     }
 
-    /// Cosines of all flights for a column, scaled to unit length.
+    /// Cosines of all flights for a column, scaled to a vector of unit length.
     fn unit_cosines(&self, column: ColumnId) -> Vec<f64> {
         let cosines: Vec<f64> = (0..self.flights())
             .map(|f| self.cosine(f, column))
@@ -163,7 +165,7 @@ impl SignFlipTest {
     }
 }
 
-/// The greatest absolute sum over a group's columns of the flights' cosines with these signs.
+/// Greatest absolute sum, over the columns of a group, of the flights' cosines multiplied by the signs.
 fn agreement(signs: &[f64], group: &[Vec<f64>]) -> f64 {
     let sum = |cosines: &Vec<f64>| -> f64 {
         let each = cosines.iter().zip(signs);
@@ -177,7 +179,7 @@ pub(super) mod tests {
     use super::*;
     use rand_distr::{Distribution, StandardNormal};
 
-    /// Flights with about 1 of the first unknown, or −1 in the last `opposite` of them, and random amounts of the second.
+    /// Test flights whose first unknown is about 1, or −1 in the last `opposite` of them, and whose second is random.
     pub(in crate::consensus) fn flights(count: usize, opposite: usize) -> SignFlipTest {
         let mut random = ChaCha12Rng::seed_from_u64(4);
         let mut normal = || -> f64 { StandardNormal.sample(&mut random) };

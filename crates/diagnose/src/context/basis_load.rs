@@ -1,4 +1,5 @@
-//! Loads with a prescribed course: the sensitivity to a load's coefficient, times the value of a basis function.
+//! Loads multiplied by basis functions of time and state: sensitivity to the load's coefficient times the basis
+//! function.
 
 use std::borrow::Cow;
 
@@ -13,7 +14,7 @@ use ode::DifferentiableRhs;
 pub(crate) struct BasisLoads<'a, B> {
     motion: DifferentiableModelRhs<'a>,
     pattern: Vec<(usize, usize)>,
-    /// For each entry behind the model's own: the entry of its load, and its basis function.
+    /// For each additional parameter: the index of its load coefficient and of its basis function.
     sources: Vec<(usize, usize)>,
     own_entries: usize,
     basis: B,

@@ -1,4 +1,4 @@
-//! Candidate effects: what could be missing from a model.
+//! Candidate effects: effects that the model may lack.
 
 use model_spec::layout::{Layout, ParamId, StateId};
 use model_spec::model::{AppliedEffect, Model};
@@ -6,30 +6,30 @@ use model_spec::model::{AppliedEffect, Model};
 /// An effect that the model may lack.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Candidate {
-    /// Name with hyphens, as in reports.
+    /// Name of the effect with hyphens, as in reports.
     pub name: String,
-    /// Its description.
+    /// Description of the effect.
     pub doc: String,
-    /// Where it acts.
+    /// Site of the effect: the load or equation that it changes.
     pub site: String,
-    /// What it depends on.
+    /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Its coefficients, one value for all flights.
+    /// Coefficients of the effect, one value for all flights.
     pub coefficients: Vec<CandidateParameter<ParamId>>,
-    /// States that it adds, constant in time, one value for each flight.
+    /// States that the effect adds, constant in time, one value for each flight.
     pub states: Vec<CandidateParameter<StateId>>,
 }
 
 /// A coefficient (`ParamId`) or a state (`StateId`) of a candidate.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CandidateParameter<Id> {
-    /// Its name.
+    /// Name of the coefficient or state.
     pub name: String,
-    /// Its index in the encompassing model.
+    /// Index in the encompassing model.
     pub id: Id,
     /// Its unit.
     pub unit: String,
-    /// Null value: the effect vanishes there, SI.
+    /// Null value, SI, at which the effect vanishes.
     pub null_value: f64,
     /// Smallest effect size of interest: departures from the null value below it are negligible, SI.
     pub smallest_of_interest: Option<f64>,
@@ -37,12 +37,12 @@ pub(crate) struct CandidateParameter<Id> {
     pub bounds: Option<(f64, f64)>,
 }
 
-/// The name of an effect as reports print it.
+/// Name of an effect in reports, from its identifier in model files.
 pub(crate) fn display_name(identifier: &str) -> String {
     identifier.replace('_', "-")
 }
 
-/// The name of an effect in model files, from the name in a report.
+/// Identifier of an effect in model files, from its name in reports.
 pub fn identifier(display_name: &str) -> String {
     display_name.replace('-', "_")
 }
@@ -82,7 +82,7 @@ impl Candidate {
         }
     }
 
-    /// Whether it has a value for each flight, and not one for all.
+    /// Whether the effect has one value for each flight instead of one for all.
     pub fn is_per_flight(&self) -> bool {
         !self.states.is_empty()
     }

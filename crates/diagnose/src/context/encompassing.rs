@@ -10,14 +10,14 @@ use model_spec::term_library::TermLibrary;
 use super::candidates::{Candidate, identifier};
 use super::ids::CandidateId;
 
-/// A model with all candidate effects, and with the loads of a term library where it can have them.
+/// A model with all candidate effects and, where compatible, the loads of a term library.
 #[derive(Clone, Debug)]
 pub(crate) struct EncompassingModel {
     /// The model with every candidate switched on.
     pub model: Model,
     /// The candidates, in the order in which they were switched on.
     pub candidates: IndexVec<CandidateId, Candidate>,
-    /// The term library whose loads the model has.
+    /// The term library whose loads the model contains; `None` if no library is compatible.
     pub library: Option<&'static TermLibrary>,
 }
 
@@ -65,7 +65,7 @@ impl EncompassingModel {
     }
 }
 
-/// The effects that a model offers and the built-in ones, without those that are on or excluded.
+/// Effects in the model's own file and built-in ones, except those switched on or excluded.
 fn candidate_effects(tree: &ModelTree, model: &Model, without: &[String]) -> Vec<EffectTree> {
     let is_on = |name: &str| model.effects.iter().any(|effect| effect.name == name);
     let is_excluded = |name: &str| without.iter().any(|w| identifier(w) == name);
@@ -87,7 +87,7 @@ fn compose_all(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadEr
     tree.check()
 }
 
-/// The model with the effects that can be applied together, each tried after those before it.
+/// The model with all mutually compatible effects; each is tried after those before it.
 fn compose_compatible(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadError> {
     let mut tree = base.clone();
     let mut model = tree.check()?;

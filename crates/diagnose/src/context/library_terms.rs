@@ -13,7 +13,7 @@ use ode::DifferentiableRhs;
 use super::basis_load::BasisLoads;
 use super::ids::TermId;
 
-/// All terms of a library, with the parameters and quantities of a model that they are made of.
+/// All terms of a library, with the parameters and quantities of a model from which they are formed.
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
     /// The library.
@@ -69,7 +69,7 @@ impl LibraryTerms {
         )
     }
 
-    /// Factors of a term: position of the variable, and power.
+    /// Factors of a term: index of each variable, and its power.
     fn factors(&self, term: Term) -> Vec<(usize, i32)> {
         let factors = self.library.factors(term).iter();
         factors
@@ -77,18 +77,18 @@ impl LibraryTerms {
             .collect()
     }
 
-    /// Where each load acts, in the order of the channels.
+    /// Channel and site of each load, in the order of the channels.
     pub fn sites(&self) -> impl Iterator<Item = (ChannelId, &str)> {
         let channels = self.library.channels.iter_enumerated();
         channels.map(|(id, channel)| (id, channel.site.as_str()))
     }
 
-    /// Where a term acts.
+    /// Site of a term: the load that it changes.
     pub fn site(&self, term: TermId) -> &str {
         &self.library.channels[self.terms[term].channel].site
     }
 
-    /// The product of a term in the model language.
+    /// Formula of a term's product in the model language.
     pub fn formula(&self, term: TermId) -> String {
         self.library.formula(self.terms[term])
     }

@@ -111,7 +111,7 @@ impl ScoreTestModel {
         done.map_err(|reason| self.flight_error(flight, reason))
     }
 
-    /// The blocks without the columns of terms, which follow `globals` others.
+    /// Copy of the normal equations without the columns of terms, which follow the first `globals` columns.
     pub fn without_terms(block: &NormalBlock, globals: usize) -> NormalBlock {
         NormalBlock {
             cross: block.cross.columns(0, globals).into_owned(),
@@ -123,7 +123,7 @@ impl ScoreTestModel {
         }
     }
 
-    /// An error of one flight.
+    /// Wraps an error of one flight as a fit error.
     pub fn flight_error(&self, flight: usize, reason: FlightError) -> FitError {
         FitError::Flight {
             file: self.flights[flight].file.clone(),
@@ -146,7 +146,7 @@ impl ScoreTestModel {
         globals.map(|global| global.param).collect()
     }
 
-    /// Equations of motion with the terms, and the parameters of all columns.
+    /// Equations of motion with the library's terms, and the parameters of all columns.
     fn motion_with_terms<'c>(
         &self,
         conditions: &'c BoundModel<'c>,

@@ -1,4 +1,4 @@
-//! First stage: what is diagnosed, and the model in which every candidate effect is present at its null value.
+//! First stage: input of a diagnosis, and the encompassing model with every candidate effect at its null value.
 
 mod basis_load;
 mod candidates;
@@ -45,7 +45,7 @@ impl Context<'_> {
         flights.any(|flight| flight.role == identify::dataset::Role::HeldOut)
     }
 
-    /// Stops the diagnosis where the caller asked for it.
+    /// Returns an error if the caller cancelled the diagnosis.
     pub fn check_cancelled(&self) -> Result<(), identify::FitError> {
         match self.options.fit.is_cancelled() {
             true => Err(identify::FitError::Interrupted),

@@ -20,17 +20,18 @@ use super::candidates::identifier;
 pub struct DiagnosisOptions<'a> {
     /// Name of the dataset in the report and in the comments of written effects.
     pub dataset: &'a str,
-    /// Effects that the model already includes, by name or path. The model itself tells them: the list may stay empty.
+    /// Effects that the model already includes, by name or path; may be empty, since they are also read from the
+    /// model.
     pub with: &'a [String],
     /// Effects that are not candidates, by name.
     pub without: &'a [String],
-    /// Options of every fit. Threads, progress and cancellation are taken from here.
+    /// Options of every fit; threads, progress and cancellation apply to the whole diagnosis.
     pub fit: FitOptions<'a>,
-    /// Familywise probability that a correct model raises an alarm, default 0.004.
+    /// Familywise false-alarm probability for a correct model, default 0.004.
     pub alpha_detect: f64,
-    /// Familywise probability that the correct explanation is rejected, default 0.002.
+    /// Familywise probability of rejecting the correct explanation, default 0.002.
     pub alpha_reject: f64,
-    /// Ranges from which the throws of the discrimination design are drawn.
+    /// Ranges of releases from which the next throw is chosen.
     pub throws: ThrowRanges,
 }
 
@@ -48,24 +49,24 @@ impl Default for DiagnosisOptions<'_> {
     }
 }
 
-/// Ranges of the releases that a person can throw, each (least, greatest).
+/// Ranges (least, greatest) of releases that are feasible for a thrower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowRanges {
     /// Speed, m/s.
     pub speed: (f64, f64),
-    /// Launch angle: the velocity above the horizontal, rad.
+    /// Launch angle of the velocity above the horizontal, rad.
     pub launch: (f64, f64),
     /// Angle of attack, rad.
     pub nose: (f64, f64),
-    /// Tilt about the velocity, rad.
+    /// Tilt about the velocity (hyzer angle), rad.
     pub hyzer: (f64, f64),
-    /// Absolute spin about the axis of symmetry, rad/s; both senses are drawn.
+    /// Absolute spin about the axis of symmetry, rad/s; both signs are drawn.
     pub spin: (f64, f64),
-    /// Number of headings, evenly spaced over the horizon.
+    /// Number of headings, evenly spaced over the horizontal circle.
     pub headings: usize,
     /// Height of release, m.
     pub height: f64,
-    /// Time that a flight is observed, s.
+    /// Observed duration of a flight, s.
     pub duration: f64,
     /// Sampling rate, 1/s.
     pub rate: f64,
@@ -87,13 +88,13 @@ impl Default for ThrowRanges {
     }
 }
 
-/// An option that cannot be used.
+/// Why the options of a diagnosis are invalid.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OptionsError {
     /// A name in `without` is neither a built-in effect nor one of the model's own.
     #[error("there is no effect `{name}`{}", nearest.as_ref().map(|near| format!("; did you mean `{near}`?")).unwrap_or_default())]
     UnknownEffect {
-        /// The name as it was given.
+        /// Unknown name, as given.
         name: String,
         /// The existing name with the smallest edit distance, if one is close.
         nearest: Option<String>,
@@ -103,10 +104,10 @@ pub enum OptionsError {
     SignificanceLevel {
         /// Name of the option.
         name: &'static str,
-        /// Its value.
+        /// Value of the option.
         value: f64,
     },
-    /// A range of throws is empty, or a count, time or rate is not positive.
+    /// A range of releases is empty, or a count, time or rate is not positive.
     #[error("the throws have no usable {name}")]
     ThrowRange {
         /// Name of the field of [`ThrowRanges`].
@@ -169,7 +170,7 @@ impl ThrowRanges {
     }
 }
 
-/// Samples of one simulated throw, at most.
+/// Greatest number of samples of one simulated throw.
 const MAX_DESIGN_SAMPLES: f64 = 1e5;
 
 #[cfg(test)]

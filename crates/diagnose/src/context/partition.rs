@@ -11,12 +11,12 @@ use super::ids::ColumnId;
 pub(crate) struct Partition {
     /// Columns whose unknowns are estimated under the null hypothesis.
     pub nuisance: Vec<ColumnId>,
-    /// Columns whose unknowns are at their null value, in order.
+    /// Columns whose unknowns are fixed at their null value and tested, in order.
     pub tested: Vec<ColumnId>,
 }
 
 impl Partition {
-    /// All of `columns` columns that are not nuisance are tested.
+    /// Partition in which all of the first `columns` columns that are not nuisance columns are tested.
     pub fn new(nuisance: Vec<ColumnId>, columns: usize) -> Self {
         let all = (0..columns).map(ColumnId::new);
         Self {
@@ -26,7 +26,7 @@ impl Partition {
     }
 }
 
-/// The block of a matrix with these rows and columns.
+/// Submatrix with these rows and columns.
 pub(crate) fn select<R: Idx, C: Idx>(
     matrix: &DMatrix<f64>,
     rows: &[R],
@@ -37,7 +37,7 @@ pub(crate) fn select<R: Idx, C: Idx>(
     })
 }
 
-/// These entries of a vector.
+/// Subvector with these entries.
 pub(crate) fn select_vector<I: Idx>(vector: &DVector<f64>, rows: &[I]) -> DVector<f64> {
     DVector::from_fn(rows.len(), |i, _| vector[rows[i].index()])
 }

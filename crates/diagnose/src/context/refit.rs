@@ -1,4 +1,4 @@
-//! Fits of the model under test with some candidates.
+//! Fits of the model under test extended by some candidates.
 
 use flight::batch;
 use identify::{
@@ -13,7 +13,7 @@ use super::ids::{CandidateId, ColumnId};
 use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
-/// Termination of a refit: one that needs more than 25 steps does not converge.
+/// Stopping criteria of a refit; beyond 25 steps it counts as not converged.
 const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     max_steps: 25,
     ..StoppingCriteria::CONVERGED
@@ -59,7 +59,7 @@ impl ScoreTestModel {
     }
 }
 
-/// The least squares of the model under test with some candidates.
+/// Least-squares problem of the model under test extended by some candidates.
 struct Refit<'a> {
     problem: FitProblem,
     flights: Vec<Observations>,

@@ -22,20 +22,20 @@ pub(crate) struct ScoreTestModel {
     /// The estimation problem with every candidate at its null value. Its global parameters are those of the model
     /// under test and the candidates' coefficients.
     pub problem: FitProblem,
-    /// For each candidate the columns of its coefficients, in their order.
+    /// Columns of each candidate's coefficients, in their order.
     columns: IndexVec<CandidateId, Vec<ColumnId>>,
     /// Columns of the model under test.
     pub base: Vec<ColumnId>,
-    /// Terms of the library, if the model can have its loads; their columns follow those of the global parameters.
+    /// Terms of the library, if compatible with the model; their columns follow those of the global parameters.
     pub terms: Option<LibraryTerms>,
     /// Observations of the fitted flights; every state is free unless it is known.
     pub flights: Vec<Observations>,
-    /// Number of threads.
+    /// Number of threads used.
     pub threads: usize,
 }
 
 impl ScoreTestModel {
-    /// The fitted flights of `fit` in the encompassing model, and the iterate of that fit there.
+    /// Places the fitted flights of `fit` in the encompassing model; also returns the iterate of that fit there.
     ///
     /// # Errors
     /// [`FitError`] if the flights do not go with the encompassing model.
@@ -78,7 +78,7 @@ impl ScoreTestModel {
         Ok((model, iterate))
     }
 
-    /// Number of columns of global parameters; those of the terms follow.
+    /// Number of columns of global parameters; the columns of terms follow them.
     pub fn global_columns(&self) -> usize {
         self.problem.globals.len()
     }
@@ -103,7 +103,7 @@ impl ScoreTestModel {
         &self.columns[id]
     }
 
-    /// Name of the global parameter of a column; none for a term.
+    /// Name of the global parameter of a column; `None` for a term.
     pub fn column_name(&self, column: ColumnId) -> Option<&str> {
         let global = self.problem.globals.get(column.index())?;
         Some(global.name.as_str())
@@ -125,7 +125,7 @@ impl ScoreTestModel {
         each.sum()
     }
 
-    /// The states of all candidates except some.
+    /// Indices of the states of all candidates except those conditioned on.
     pub fn null_states(&self, conditioned_on: &[CandidateId]) -> Vec<StateId> {
         self.candidates()
             .filter(|(id, _)| !conditioned_on.contains(id))
@@ -133,8 +133,8 @@ impl ScoreTestModel {
             .collect()
     }
 
-    /// The directions of a flight's initial state, split into those of states of candidates not conditioned on, and all
-    /// others.
+    /// Splits the directions of a flight's initial state into those of states of candidates not conditioned on, and
+    /// all others.
     pub fn local_partition(
         &self,
         flight: usize,
@@ -151,8 +151,8 @@ impl ScoreTestModel {
             .partition(is_null)
     }
 
-    /// The problem in which some candidates may leave their null value. Its derivatives are cheaper than those of the
-    /// encompassing model, where all may.
+    /// Estimation problem in which only the given candidates are estimated; its derivatives are cheaper than those of
+    /// the encompassing model.
     pub fn problem_with(&self, effects: &[CandidateId]) -> FitProblem {
         let fixed = fixed_parameters(&self.encompassing, effects);
         FitProblem {
@@ -161,7 +161,7 @@ impl ScoreTestModel {
         }
     }
 
-    /// An iterate with one candidate at its null value.
+    /// Copy of an iterate with one candidate set to its null value.
     pub fn at_null_value(&self, iterate: &Iterate, dropped: CandidateId) -> Iterate {
         let candidate = self.candidate(dropped);
         let mut iterate = iterate.clone();
@@ -208,7 +208,7 @@ fn encompassing_problem(
     Ok(problem)
 }
 
-/// Parameters that stay at their null value where only some candidates are estimated.
+/// Parameter indices and null values of the candidates that are not estimated.
 fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec<(usize, f64)> {
     let layout = Layout::new(&encompassing.model);
     let null = encompassing.candidates.iter_enumerated();
@@ -222,7 +222,7 @@ fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec
     fixed
 }
 
-/// The global parameters of a fit in the encompassing problem; null values for those that it adds.
+/// Global parameters of a fit in the encompassing problem; additional parameters have their null values.
 fn fitted_globals(problem: &FitProblem, fit: &Fit) -> DVector<f64> {
     let before = &fit.problem().globals;
     let values = problem.globals.iter().map(|global| {

@@ -4,44 +4,46 @@ use std::sync::Mutex;
 
 use identify::{FitProblem, Iterate};
 
-/// Limit of one cache, bytes; flights beyond it are integrated again at each use.
+/// Limit of one cache, bytes; flights that do not fit are integrated again at each use.
 const MAX_CACHE_BYTES: usize = 128 << 20;
 
-/// States and sensitivities of one flight at its samples, as `identify` lays them out; none before the first use.
+/// States and sensitivities of one flight at its samples, in the memory layout of `identify`; `None` before the first
+/// use.
 pub(crate) type CachedTrajectory = Option<Vec<f64>>;
 
-/// Trajectories of all flights from one linearization point, for the terms of the library too.
+/// Cache of the trajectories of all flights at one linearization point, including the sensitivities to library terms.
 #[derive(Debug)]
 pub(crate) enum TrajectoryCache {
-    /// Nothing is stored.
+    /// No trajectory is stored.
     Disabled,
-    /// One slot for each flight.
+    /// One cache slot for each flight.
     PerFlight(Vec<Mutex<CachedTrajectory>>),
 }
 
-/// Where the normal equations are evaluated: a problem, values of all its unknowns, and the trajectories from there.
+/// Linearization point of the normal equations: a problem, values of all its unknowns, and a trajectory cache.
 #[derive(Clone, Copy)]
 pub(crate) struct LinearizationPoint<'p> {
     /// The estimation problem.
     pub problem: &'p FitProblem,
     /// Values of its unknowns.
     pub iterate: &'p Iterate,
-    /// Trajectories from these values.
+    /// Trajectories computed from these values.
     pub cache: &'p TrajectoryCache,
 }
 
 impl TrajectoryCache {
-    /// An empty cache for so many flights.
+    /// Empty cache for this number of flights.
     pub fn for_flights(flights: usize) -> Self {
         Self::PerFlight((0..flights).map(|_| Mutex::new(None)).collect())
     }
 
-    /// Whether nothing is ever stored.
+    /// Whether the cache is disabled.
     pub fn is_disabled(&self) -> bool {
         matches!(self, Self::Disabled)
     }
 
-    /// Calls `work` with the stored trajectory of a flight, and stores what it leaves there within the limit.
+    /// Calls `work` with the cached trajectory of a flight, and stores the trajectory it leaves there if the limit
+    /// allows.
     pub fn with_flight<R>(
         &self,
         flight: usize,

@@ -1,4 +1,4 @@
-//! The model with selected effects, as a model and as a file of its own.
+//! The model with selected effects, in memory and as a model file.
 
 mod extended_model;
 

@@ -1,4 +1,4 @@
-//! Full-model noise estimate: from the residuals once every significant effect is taken out, to first order.
+//! Noise estimate from the residuals after removing every significant effect, to first order.
 
 use flight::batch;
 use identify::NormalBlock;
@@ -10,19 +10,20 @@ use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel};
 use crate::error::DiagnosisError;
 use crate::score_test::{ScoreTests, keep_directions};
 
-/// Directions with a smaller score, in standard deviations, are left in the noise: to take them out would make the
-/// estimate too small, and its correlation wrong.
+/// Score of a direction, in standard deviations, below which it is attributed to noise: removing it would bias the
+/// estimated variance low and distort the correlation.
 const MIN_SCORE: f64 = 4.0;
 
-/// Log p-value below which the states of a candidate are estimated for the noise.
+/// Log p-value below which the states of a candidate are estimated before the noise is.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
-/// Damping of the elimination, relative to the diagonal.
+/// Damping of the elimination, relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
 impl ScoreTestModel {
-    /// Estimates the noise and marks outliers by it. The candidates conditioned on are estimated at the linearization point;
-    /// what others explain significantly is taken out of the residuals to first order. `noise` weights the residuals.
+    /// Estimates the noise and marks outliers. The candidates conditioned on are estimated at the linearization
+    /// point; significant contributions of others are removed from the residuals to first order. `noise` weights the
+    /// residuals.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, [`DiagnosisError::UndeterminedInitialState`].
@@ -54,7 +55,7 @@ impl ScoreTestModel {
         Ok(self.noise_of(&remaining, unknowns, noise.interval))
     }
 
-    /// The candidates conditioned on, and those whose states are significant.
+    /// Candidates conditioned on, together with those whose states are significant.
     fn with_significant_states(
         &self,
         tests: &ScoreTests,
@@ -71,8 +72,8 @@ impl ScoreTestModel {
         with
     }
 
-    /// The step of a flight's local unknowns that goes with a step of the global ones; 0 for the states of candidates that
-    /// are not among `with`.
+    /// Step of a flight's local unknowns for a given step of the global ones, by back-substitution; 0 for states of
+    /// candidates not in `with`.
     fn local_step(
         &self,
         flight: usize,
@@ -95,7 +96,7 @@ impl ScoreTestModel {
         Ok(step)
     }
 
-    /// Residuals of a flight after a step of its unknowns, to first order.
+    /// Residuals of a flight after a step of its unknowns, to first order, m.
     fn residuals_after_step(
         &self,
         at: LinearizationPoint<'_>,
@@ -121,7 +122,8 @@ impl ScoreTestModel {
         Ok(remaining)
     }
 
-    /// Marks outliers among residuals and estimates the noise of the others, which `unknowns` were fitted to.
+    /// Marks outliers among residuals and estimates the noise of the others, to which `unknowns` unknowns were
+    /// fitted.
     fn noise_of(&mut self, residuals: &[Residuals], unknowns: usize, interval: f64) -> NoiseModel {
         let pairs = self.flights.iter().zip(residuals);
         let local: Vec<_> = pairs

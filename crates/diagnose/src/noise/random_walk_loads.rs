@@ -1,7 +1,7 @@
-//! Loads in time that the model does not explain: for each flight and load channel a random walk, by empirical Bayes.
+//! Unexplained loads over time: a random walk for each flight and load channel, estimated by empirical Bayes.
 //!
-//! A history is piecewise linear between knots. The variances of its first value and of its increments are estimated
-//! from all flights at once, by expectation maximisation, so that a channel without evidence stays at 0.
+//! A load history is piecewise linear between knots. The variances of its first value and of its increments are
+//! estimated from all flights together by expectation maximisation, so that a channel without evidence stays at 0.
 
 use flight::batch;
 use identify::{Iterate, Loss, NoiseModel, linearise_with};
@@ -15,29 +15,29 @@ use crate::score_test::{eliminate_locals, keep_directions, pseudo_inverse};
 /// Time between knots, s.
 const KNOT_INTERVAL: f64 = 0.2;
 
-/// Number of knots of one flight, at most.
+/// Greatest number of knots of one flight.
 const MAX_KNOTS: usize = 9;
 
-/// Number of flights whose histories are estimated, at most.
+/// Greatest number of flights whose load histories are estimated.
 const MAX_FLIGHTS: usize = 12;
 
 /// Initial standard deviation of a coefficient's first value and of its increments.
 const INITIAL_SIGMA: f64 = 0.03;
 
-/// Iterations of the expectation maximisation.
+/// Number of expectation-maximisation iterations.
 const EM_ITERATIONS: usize = 40;
 
-/// Lower bound of the standard deviations.
+/// Lower bound of the random walk's standard deviations.
 const MIN_SIGMA: f64 = 1e-7;
 
-/// A load coefficient of one flight in time.
+/// History of one load coefficient over a flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadHistory {
     /// File of the flight.
     pub file: String,
     /// Times of the knots, s.
     pub t: Vec<f64>,
-    /// Coefficient at the knots.
+    /// Load coefficient at the knots.
     pub value: Vec<f64>,
     /// Standard errors of `value`.
     pub std_error: Vec<f64>,
@@ -81,7 +81,7 @@ pub(crate) fn random_walk_loads(
     histories
 }
 
-/// Standard deviations of the random walk of one channel.
+/// Standard deviations of the first value and of the increments of one channel's random walk.
 #[derive(Clone, Copy, Debug)]
 struct WalkSigma {
     first: f64,
@@ -95,7 +95,7 @@ impl WalkSigma {
     };
 }
 
-/// Expected sum of squares and number of its summands.
+/// Expected sum of squares, and number of terms in it.
 #[derive(Clone, Copy, Debug, Default)]
 struct SquareSum {
     squares: f64,
@@ -115,7 +115,7 @@ impl SquareSum {
     }
 }
 
-/// One iteration of expectation maximisation.
+/// Updates the random walks' standard deviations by one iteration of expectation maximisation.
 fn maximise(sigmas: &mut [WalkSigma], flights: &[FlightLoads]) {
     let mut sums = vec![[SquareSum::default(); 2]; sigmas.len()];
     for flight in flights {
@@ -129,7 +129,7 @@ fn maximise(sigmas: &mut [WalkSigma], flights: &[FlightLoads]) {
     }
 }
 
-/// Normal equations of one flight by the values of all channels at its knots, channel by channel.
+/// Normal equations of one flight for the knot values of all channels, channel by channel.
 struct FlightLoads {
     flight: usize,
     knots: Vec<f64>,
@@ -197,7 +197,7 @@ impl FlightLoads {
         Some((-(&covariance * &self.gradient), covariance))
     }
 
-    /// Adds the expected squares of first values and increments.
+    /// Adds the expected squares of the first values and the increments to `sums`.
     fn add_expected_squares(
         &self,
         (mean, covariance): (&DVector<f64>, &DMatrix<f64>),

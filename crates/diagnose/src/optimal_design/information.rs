@@ -22,15 +22,15 @@ pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Opt
     Some(sum)
 }
 
-/// What the separation of hypotheses depends on.
+/// Departures of a fitted hypothesis from the null values, from which separations are computed.
 pub(super) struct Alternative {
     columns: Vec<ColumnId>,
-    /// Departure of each column from its null value.
+    /// Departure of each column's unknown from its null value.
     departures: Vec<f64>,
 }
 
 impl Alternative {
-    /// A fitted hypothesis.
+    /// Departures of a fitted hypothesis.
     pub fn new(model: &ScoreTestModel, hypothesis: &Hypothesis) -> Self {
         let effects = hypothesis.effects.iter();
         let columns: Vec<ColumnId> = effects

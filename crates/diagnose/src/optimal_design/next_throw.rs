@@ -15,16 +15,17 @@ use crate::context::{ScoreTestModel, ThrowRanges};
 use crate::error::DiagnosisError;
 use crate::selection::Search;
 
-/// Number of simulated throws.
+/// Number of simulated candidate throws.
 const THROWS: usize = 96;
 
-/// Seed of the throws.
+/// Seed of the random throws.
 const SEED: u64 = 1;
 
-/// Hypotheses this many standard deviations apart are told apart.
+/// Separation of two hypotheses, in standard deviations, at which they are told apart.
 const SUFFICIENT_SEPARATION: f64 = 3.0;
 
-/// A throw that separates them less, and by less than this factor more than the flights do, does not help.
+/// Least ratio of the separation after a throw to that in the present flights, below which an insufficient throw is
+/// not proposed.
 const MIN_IMPROVEMENT: f64 = 1.3;
 
 /// Vector input of models of point masses: their angular velocity, rad/s.
@@ -33,11 +34,11 @@ const ANGULAR_VELOCITY: &str = "omega";
 /// A release that would tell hypotheses apart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NextThrow {
-    /// The design in a sentence.
+    /// Description of the throw in one sentence.
     pub says: String,
     /// Speed, m/s.
     pub speed: f64,
-    /// Launch angle: the velocity above the horizontal, rad.
+    /// Launch angle of the velocity above the horizontal, rad.
     #[serde(rename = "climb")]
     pub launch: f64,
     /// Angle of attack, nose up, rad.
@@ -48,9 +49,9 @@ pub struct NextThrow {
     pub spin: f64,
     /// Heading in the horizontal plane from the x axis, rad.
     pub heading: f64,
-    /// Expected separation of the two closest hypotheses after it, in standard deviations.
+    /// Expected separation of the two closest hypotheses after the throw, in standard deviations.
     pub separation: f64,
-    /// Separation in the flights at hand.
+    /// Separation of the two closest hypotheses in the present flights, in standard deviations.
     pub separation_now: f64,
 }
 

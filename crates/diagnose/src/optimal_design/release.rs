@@ -6,20 +6,20 @@ use rand::{Rng, RngExt};
 
 use crate::context::ThrowRanges;
 
-/// A release.
+/// Release of a simulated throw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Release {
     /// Speed, m/s.
     pub speed: f64,
-    /// Velocity above the horizontal, rad.
+    /// Launch angle of the velocity above the horizontal, rad.
     pub launch: f64,
     /// Angle of attack, rad.
     pub nose: f64,
-    /// Tilt about the velocity, rad.
+    /// Tilt about the velocity (hyzer angle), rad.
     pub hyzer: f64,
     /// Spin about the axis of symmetry, rad/s.
     pub spin: f64,
-    /// Heading from the x axis, rad.
+    /// Heading of the velocity in the horizontal plane from the x axis, rad.
     pub heading: f64,
 }
 

@@ -11,10 +11,10 @@ const MAX_LOCAL_TOLERANCE: f64 = 1e-9;
 /// Standard normal quantile of the power 0.9: exceeded with a probability of one in ten.
 const Z_OF_POWER: f64 = 1.281_551_565_544_6;
 
-/// Nuisance parameters are named whose share is at least this fraction of the greatest.
+/// Least share, relative to the greatest, of a nuisance parameter that is named as confounding.
 const MIN_SHARE: f64 = 0.25;
 
-/// Confounding parameters that are named, at most.
+/// Greatest number of confounding parameters named.
 const MAX_NAMED: usize = 8;
 
 /// An effect is not identifiable if its minimum detectable size exceeds this fraction of the width of its bounds.
@@ -25,7 +25,7 @@ const MAX_FRACTION_OF_BOUNDS: f64 = 0.5;
 pub struct NotIdentifiable {
     /// Name of the effect.
     pub name: String,
-    /// What it is confounded with: coefficients, or `initial states`; empty if it has no influence on these flights.
+    /// Confounding coefficients, or `initial states`; empty if the effect has no influence on these flights.
     #[serde(rename = "absorbed_by")]
     pub confounded_with: Vec<String>,
 }
@@ -35,11 +35,11 @@ pub struct NotIdentifiable {
 pub struct MinDetectableEffect {
     /// Name of the effect.
     pub name: String,
-    /// Its coefficient.
+    /// Name of the effect's coefficient.
     pub coefficient: String,
     /// Departure from the null value, SI.
     pub value: f64,
-    /// Unit.
+    /// Unit of the coefficient.
     pub unit: String,
 }
 

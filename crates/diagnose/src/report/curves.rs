@@ -4,10 +4,10 @@ use identify::{FlightEvidence, median};
 use model_spec::model::{Model, Shape};
 use serde::{Deserialize, Serialize};
 
-/// Intervals of a curve.
+/// Number of intervals of the abscissa in a curve.
 const INTERVALS: usize = 24;
 
-/// Samples of an interval, at least.
+/// Least number of samples in an interval.
 const MIN_SAMPLES: usize = 4;
 
 /// Range of quantiles of the abscissa that is drawn.
@@ -33,9 +33,9 @@ pub struct CoefficientCurve {
     pub x: Vec<f64>,
     /// Values without the extension.
     pub before: Vec<f64>,
-    /// Values with it.
+    /// Values with the extension.
     pub after: Vec<f64>,
-    /// Number of samples.
+    /// Number of samples in each interval.
     pub support: Vec<usize>,
 }
 

@@ -1,14 +1,14 @@
-//! A diagnosis in words.
+//! Summary of a diagnosis in words.
 
 use super::types::{Cause, CauseEffect, Consensus, Report, Verdict};
 use crate::selection::{StepwiseModel, StepwiseTerm};
 use crate::text::{millimetres, three_figures};
 use crate::validation::{PredictiveGain, Validated};
 
-/// Coefficients are named whose bias exceeds this many standard errors.
+/// Least bias, in standard errors, of a coefficient named in the summary.
 const MIN_BIAS: f64 = 3.0;
 
-/// Names of flights in a sentence, at most.
+/// Greatest number of flights named in a sentence.
 const MAX_NAMES: usize = 16;
 
 /// The paragraph at the beginning of a report.
@@ -66,7 +66,7 @@ fn unattributed_answer(report: &Report) -> String {
     }
 }
 
-/// What the flights agree on.
+/// Sentence on the effects on which the flights agree.
 fn agreement(consensus: &Consensus) -> String {
     let mut text = format!(
         " {} flights agree on it (sign-flip test, p ≤ {}).",
@@ -176,7 +176,7 @@ fn described_effect(effect: &CauseEffect) -> String {
     )
 }
 
-/// Why an adequate hypothesis is not accepted.
+/// Sentence on why an adequate hypothesis is not accepted.
 pub(crate) fn refused(validated: &Validated) -> String {
     let names = validated.extension.effects.join(" with ");
     let errors = validated.gain.as_ref().map_or_else(String::new, |gain| {
@@ -194,7 +194,7 @@ pub(crate) fn refused(validated: &Validated) -> String {
     )
 }
 
-/// Where a lack of fit is that no candidate effect explains.
+/// Sentence on where a lack of fit lies that no candidate effect explains.
 pub(crate) fn unattributed(model: &StepwiseModel) -> String {
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
     if selected.is_empty() {

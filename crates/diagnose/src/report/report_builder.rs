@@ -115,7 +115,7 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
     }
 }
 
-/// The coefficients of a fit, beside those of the fit before it.
+/// Coefficients of a fit, with their values in the earlier fit `before`.
 fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
     let each = fit.report.coefficients.iter().map(|(name, c)| {
         let earlier = before.and_then(|before| before.report.coefficients.get(name));
@@ -309,7 +309,7 @@ pub(crate) fn add_extension(
     }
 }
 
-/// The effects of an extension with the estimates of its fit.
+/// Effects of an extension with their estimates from its fit.
 fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect> {
     let effects = extension.model.effects.iter();
     let added = effects.filter(|effect| extension.effects.contains(&effect.name));
@@ -361,7 +361,7 @@ pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     }
 }
 
-/// Notes the held-out flights, by index, to which the extension is not applied.
+/// Adds a note on the held-out flights, by index, to which the extension is not applied.
 pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
     if flights.is_empty() {
         return;
@@ -381,7 +381,7 @@ pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
     report.notes.push(note);
 }
 
-/// Notes that a fit did not converge.
+/// Adds a note if a fit did not converge.
 pub(crate) fn note_convergence(report: &mut Report, fit: &Fit, what: &str) {
     let iterations = &fit.report.iterations;
     if !iterations.converged {

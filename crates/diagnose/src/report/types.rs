@@ -15,17 +15,17 @@ use crate::validation::PredictiveGain;
 /// `report.json` of a diagnosis, schema `hyzer.diagnosis/1`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// `hyzer.diagnosis/1`.
+    /// Schema identifier, `hyzer.diagnosis/1`.
     pub schema: String,
     /// Name of the dataset.
     pub dataset: String,
     /// Name of the model.
     pub model: String,
-    /// Effects that were switched on from the beginning.
+    /// Effects that were switched on in the model under test.
     pub effects: Vec<String>,
-    /// The answer in a word.
+    /// Verdict of the diagnosis.
     pub verdict: Verdict,
-    /// The answer in a paragraph.
+    /// Summary in one paragraph.
     pub summary: String,
     /// Model confidence set: every explanation that the data do not reject, the best first.
     pub causes: Vec<Cause>,
@@ -39,11 +39,11 @@ pub struct Report {
     pub undetectable: Vec<NotIdentifiable>,
     /// Minimum detectable effects, power 0.9.
     pub smallest_detectable: Vec<MinDetectableEffect>,
-    /// The throw that would best tell the accepted explanations apart.
+    /// The throw that would best discriminate between the accepted explanations.
     pub next_throw: Option<NextThrow>,
     /// File of the extended model, in the folder of the report.
     pub extended_model: Option<String>,
-    /// Computing time by stage, s; `total` is all of it.
+    /// Computing time by stage, s; `total` is the sum.
     pub seconds: BTreeMap<String, f64>,
     /// Score test of each candidate effect, the least p-value first.
     pub candidates: Vec<CandidateTest>,
@@ -67,7 +67,7 @@ pub struct Report {
     /// Whether every fit converged.
     #[serde(default = "converged_by_default")]
     pub converged: bool,
-    /// Circumstances that limit the answer.
+    /// Messages on limitations of the result.
     pub notes: Vec<String>,
 }
 
@@ -97,9 +97,9 @@ pub enum Verdict {
 /// One explanation: an effect, or several together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cause {
-    /// Its effects.
+    /// Effects of the explanation.
     pub effects: Vec<CauseEffect>,
-    /// Decrease of the weighted sum of squares.
+    /// Decrease of the weighted sum of squares, χ².
     #[serde(rename = "gain")]
     pub chi2_decrease: f64,
     /// The strongest remaining candidate effect, given this explanation.
@@ -110,9 +110,9 @@ pub struct Cause {
 /// The strongest remaining candidate effect.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RemainingEffect {
-    /// Its name.
+    /// Name of the effect.
     pub name: String,
-    /// p-value of its score test.
+    /// p-value of the effect's score test.
     pub p: f64,
 }
 
@@ -121,15 +121,15 @@ pub struct RemainingEffect {
 pub struct CauseEffect {
     /// Name of a candidate effect, or of the effect that was written.
     pub name: String,
-    /// Its description.
+    /// Description of the effect.
     pub doc: String,
-    /// Where it acts.
+    /// Site of the effect: the load or equation that it changes.
     pub site: String,
-    /// What it depends on.
+    /// Variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Its coefficients; for a state, the RMS over flights.
+    /// Estimates of the effect's coefficients; for a state, the RMS over flights.
     pub estimates: BTreeMap<String, Estimate>,
-    /// Its own score statistic, given the model under test, χ².
+    /// Score statistic of the effect given the model under test, χ².
     pub statistic: f64,
     /// Whether all estimates are below the smallest effect of interest.
     #[serde(rename = "immaterial")]
@@ -157,7 +157,7 @@ pub struct NoiseSummary {
     pub sigma_m: f64,
     /// Lag-1 autocorrelation.
     pub ar1: f64,
-    /// Share of the points that are outliers.
+    /// Fraction of the points that are outliers.
     pub outlier_fraction: f64,
 }
 
@@ -179,9 +179,9 @@ pub struct Coefficient {
 pub struct CandidateTest {
     /// Name of the effect.
     pub name: String,
-    /// Its description.
+    /// Description of the effect.
     pub doc: String,
-    /// Where it acts.
+    /// Site of the effect: the load or equation that it changes.
     pub site: String,
     /// Score statistic, χ² of `dof` under the null hypothesis.
     pub statistic: f64,
@@ -195,10 +195,10 @@ pub struct CandidateTest {
     pub z: f64,
     /// Whether the p-value is below the threshold.
     pub significant: bool,
-    /// Tolerance (identifiable fraction): the share of its squared effect that no other parameter explains.
+    /// Tolerance 1 − R²: fraction of the effect's squared sensitivity that no other parameter explains.
     #[serde(rename = "visible")]
     pub tolerance: f64,
-    /// One-step estimates of its coefficients, the other effects being absent.
+    /// One-step estimates of the effect's coefficients, the other effects being absent.
     #[serde(rename = "expected")]
     pub one_step: BTreeMap<String, Estimate>,
 }
@@ -211,7 +211,7 @@ pub struct Threshold {
     pub alpha: f64,
     /// Greatest significant log p-value of a single test.
     pub ln_p: f64,
-    /// The same as an equivalent z.
+    /// Greatest significant p-value of a single test, as an equivalent z.
     #[serde(rename = "sigmas")]
     pub z: f64,
 }
@@ -228,26 +228,27 @@ pub struct ScoreCorrelations {
 /// A flight without and with the extension.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightGain {
-    /// Its file.
+    /// File name of the flight.
     pub file: String,
-    /// Its role in the dataset.
+    /// Role of the flight in the dataset.
     pub role: Role,
-    /// `fitted`, `held-out` or `excluded`.
+    /// Use of the flight: `fitted`, `held-out` or `excluded`.
     #[serde(default)]
     pub outcome: Option<String>,
-    /// Why it was excluded.
+    /// Reason for the exclusion.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
     /// RMS residual of one coordinate without the extension, m; none if the flight was excluded.
     pub rms_before_m: Option<f64>,
-    /// RMS residual with it, m; none if the flight was excluded or nothing is extended.
+    /// RMS residual of one coordinate with the extension, m; `None` if the flight was excluded or the model is not
+    /// extended.
     pub rms_after_m: Option<f64>,
 }
 
 /// Lack of fit that no candidate effect explains.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
-    /// Where it is, in words.
+    /// Description of where the lack of fit lies.
     pub says: String,
     /// Loads that the model lacks, channel by channel.
     pub channels: Vec<LoadChannel>,
@@ -260,7 +261,7 @@ pub struct Unattributed {
 pub struct Consensus {
     /// Number of fitted flights that agree.
     pub flights: usize,
-    /// Share of their excess χ² that the first cause explains; none if it explains all.
+    /// Fraction of the flights' excess χ² that the first cause explains; `None` if the cause explains all.
     #[serde(rename = "part")]
     pub explained: Option<f64>,
     /// p-value of the agreement, familywise over all candidates and terms.
@@ -274,20 +275,20 @@ pub struct Consensus {
 /// The load of one channel that the model lacks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadChannel {
-    /// Where it acts: lift, drag, side, roll, pitch or spin.
+    /// Site of the load: lift, drag, side, roll, pitch or spin.
     pub site: String,
-    /// Share of the χ² of all terms that the terms of this channel alone explain.
+    /// Fraction of the χ² of all terms that this channel's terms alone explain.
     #[serde(rename = "explains")]
     pub explained: f64,
-    /// Its coefficient in time, flight by flight.
+    /// History of the load coefficient in each flight.
     pub histories: Vec<LoadHistory>,
 }
 
 /// Verification of the extended model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verified {
-    /// Whether no check refutes it.
+    /// Whether no check refutes the extended model.
     pub holds: bool,
-    /// Each check with its verdict.
+    /// Name and result of each check.
     pub checks: Vec<(String, String)>,
 }

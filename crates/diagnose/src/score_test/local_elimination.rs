@@ -1,4 +1,4 @@
-//! Each flight's local unknowns eliminated from its normal equations.
+//! Elimination of each flight's local unknowns from its normal equations.
 
 use identify::{LocalId, NormalBlock, eliminate};
 use model_spec::index::IndexVec;
@@ -12,7 +12,7 @@ use crate::error::DiagnosisError;
 pub(crate) struct GlobalEquations {
     /// Hessian of half the sum of squares.
     pub matrix: DMatrix<f64>,
-    /// Its gradient.
+    /// Gradient of half the sum of squares.
     pub gradient: DVector<f64>,
 }
 

@@ -6,7 +6,7 @@ use rand_chacha::ChaCha12Rng;
 use rand_distr::{Distribution, StandardNormal};
 use statrs::function::gamma::ln_gamma;
 
-/// Limit of the terms of a series or a continued fraction.
+/// Greatest number of terms of a series or a continued fraction.
 const MAX_TERMS: usize = 500;
 
 /// Log survival function of the χ² distribution: ln P(χ²(dof) > statistic). As a logarithm, because strong effects have
@@ -71,7 +71,7 @@ pub(crate) fn ln_p_to_z(ln_p: f64) -> f64 {
     (low + high) / 2.0
 }
 
-/// Monte Carlo draws of the least p-value.
+/// Number of Monte Carlo draws of the least p-value.
 const DRAWS: usize = 2000;
 
 /// Level at which the distribution of the least p-value is simulated; smaller levels are extrapolated from there.

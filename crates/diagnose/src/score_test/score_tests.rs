@@ -12,7 +12,7 @@ use crate::context::{
 };
 use crate::error::DiagnosisError;
 
-/// Directions whose tolerance is smaller are not tested: below it is the error of the integration.
+/// Tolerance below which a direction is not tested; integration errors dominate there.
 pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 
 /// Seed of the simulated null distribution.
@@ -29,9 +29,9 @@ pub(crate) struct ScoreTests {
     pub partition: Partition,
     /// Information of the tested columns, each scaled to unit diagonal before the nuisance parameters are eliminated.
     pub information: DMatrix<f64>,
-    /// Effective scores of the tested columns, scaled likewise.
+    /// Effective scores of the tested columns, scaled like `information`.
     pub score: DVector<f64>,
-    /// Factor of each tested column.
+    /// Scale factor of each tested column.
     pub scale: Vec<f64>,
     /// Projection coefficients of the tested columns on the nuisance columns.
     pub nuisance_projection: DMatrix<f64>,
@@ -40,7 +40,7 @@ pub(crate) struct ScoreTests {
     /// Squared norms of each tested column.
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
-    /// Whitening of each test on the tested columns.
+    /// Whitening matrix of each test, by tested columns.
     whitenings: Vec<DMatrix<f64>>,
     /// Number of tests of states, which share no column.
     state_tests: usize,
@@ -49,9 +49,9 @@ pub(crate) struct ScoreTests {
 /// Squared norms of a column of the whitened Jacobian.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ColumnNorms {
-    /// Of the column itself.
+    /// Squared norm of the column.
     pub total: f64,
-    /// Of its residual after projection on the local columns.
+    /// Squared norm of the column after projection orthogonal to the local columns.
     pub locals_eliminated: f64,
 }
 
@@ -235,7 +235,8 @@ impl ScoreTests {
         test
     }
 
-    /// Log p-values that the least of all tests falls below with the familywise probabilities `levels`.
+    /// Familywise thresholds: log p-values below which the least of all tests falls with probabilities `levels` under
+    /// the null hypothesis.
     pub fn thresholds<const N: usize>(&self, levels: [f64; N]) -> [f64; N] {
         let (whitenings, others) = (&self.whitenings, self.state_tests);
         let found = minp_thresholds(

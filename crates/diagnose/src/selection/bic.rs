@@ -4,10 +4,10 @@ use super::hypothesis::Hypothesis;
 use super::stepwise_terms::StepwiseModel;
 use crate::context::ScoreTestModel;
 
-/// A hypothesis is dropped if its BIC exceeds the least by this.
+/// Greatest BIC difference from the least BIC at which a hypothesis is retained.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
-/// Hypotheses are preferred to terms unless their BIC is greater by this: a candidate may be a term under another name.
+/// BIC difference in favour of library terms up to which hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
 /// The hypotheses whose BIC is near the least, in order; none if adequate stepwise terms have a smaller one. With several effects
@@ -35,7 +35,7 @@ pub(crate) fn select_by_bic(
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
 }
 
-/// Which of some models, each (BIC, unknowns), are kept beside terms of this BIC.
+/// Flags of the models, each (BIC, unknowns), that are retained in comparison with library terms of BIC `of_terms`.
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {

@@ -12,21 +12,21 @@ const MAX_EFFECTS_UNVALIDATED: usize = 2;
 
 /// One or several candidates, fitted with the model under test.
 pub(crate) struct Hypothesis {
-    /// The candidates.
+    /// Candidate effects of the hypothesis.
     pub effects: Vec<CandidateId>,
-    /// The problem in which they may leave their null value.
+    /// Estimation problem in which these candidates are free.
     pub problem: FitProblem,
     /// The fitted values of all unknowns.
     pub iterate: Iterate,
-    /// Weighted sum of squares there.
+    /// Weighted sum of squares at the fitted values.
     pub squares: f64,
-    /// Score tests of the other candidates, given these.
+    /// Score tests of the other candidates, given this hypothesis.
     pub tests: ScoreTests,
     cache: TrajectoryCache,
 }
 
 impl Hypothesis {
-    /// Where it is linearized.
+    /// Linearization point at the fitted values.
     pub fn linearization_point(&self) -> LinearizationPoint<'_> {
         LinearizationPoint {
             problem: &self.problem,
@@ -51,7 +51,7 @@ impl Hypothesis {
 }
 
 impl ScoreTestModel {
-    /// Fits candidates with the model under test; none if that fails.
+    /// Fits candidates with the model under test; `None` if the fit fails.
     pub fn fit_hypothesis(
         &self,
         effects: &[CandidateId],
@@ -61,7 +61,7 @@ impl ScoreTestModel {
         self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::Disabled)
     }
 
-    /// Fits candidates with the model under test and stores its trajectories; none if that fails.
+    /// Fits candidates with the model under test and caches the trajectories; `None` if the fit fails.
     pub fn fit_hypothesis_cached(
         &self,
         effects: &[CandidateId],

@@ -8,34 +8,34 @@ use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, T
 use crate::error::DiagnosisError;
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// Hypotheses are refitted whose expected sum of squares lies within this of the best, χ².
+/// Margin of the expected sum of squares above the best, χ², within which hypotheses are refitted.
 const CHI2_MARGIN: f64 = 30.0;
 
-/// The same as a fraction of the best statistic, for the error of the linearization.
+/// Margin of the expected sum of squares as a fraction of the best statistic, which allows for linearization error.
 const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 
-/// Refits for each number of effects, at most.
+/// Greatest number of refits for each number of effects.
 const MAX_REFITS: usize = 6;
 
-/// Effects of one hypothesis, at most.
+/// Greatest number of effects in one hypothesis.
 const MAX_EFFECTS: usize = 3;
 
-/// Estimates of the noise that differ by less are equal: relative standard deviation, and correlation.
+/// Difference below which noise estimates count as equal: relative standard deviation, and correlation.
 const NOISE_TOLERANCE: f64 = 0.05;
 
-/// Rejected hypotheses to which effects are added, at most.
+/// Greatest number of rejected hypotheses to which effects are added.
 const MAX_PARENTS: usize = 3;
 
 /// State of the search.
 pub(crate) struct Search<'a> {
     context: Context<'a>,
-    /// The noise.
+    /// Noise model by which residuals are weighted.
     pub noise: NoiseModel,
     /// Score tests at the fit of the model under test.
     pub tests: ScoreTests,
-    /// Weighted sum of squares of that fit.
+    /// Weighted sum of squares at the fit of the model under test.
     pub squares: f64,
-    /// Limits of log p-values.
+    /// Familywise thresholds of log p-values.
     pub thresholds: Thresholds,
     /// Model confidence set: hypotheses that are not rejected, the best fit first.
     pub accepted: Vec<Hypothesis>,
@@ -247,7 +247,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Statistic less its Akaike penalty.
+/// Score statistic minus its Akaike penalty.
 fn penalized(test: &ScoreTest) -> f64 {
     test.statistic - 2.0 * test.dof as f64
 }

@@ -1,4 +1,4 @@
-//! Stepwise regression with the terms of the library, where no candidate explains the data.
+//! Stepwise regression with library terms, used if no candidate effect explains the data.
 
 use identify::{Fit, fit};
 use model_spec::compose::EffectTree;
@@ -15,57 +15,57 @@ use crate::extension::ExtendedModel;
 use crate::score_test::{ScoreTest, ScoreTests};
 use crate::text::three_figures;
 
-/// Terms that are selected, at most.
+/// Greatest number of selected terms.
 const MAX_SELECTED: usize = 4;
 
-/// Terms that are reported besides the selected ones, at most.
+/// Greatest number of reported terms besides the selected ones.
 const MAX_REPORTED: usize = 12;
 
 /// A library term in a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepwiseTerm {
-    /// Name of the effect that is written for it.
+    /// Name of the effect generated from the term.
     pub name: String,
-    /// Where it acts.
+    /// Site of the term: the load that it changes.
     pub site: String,
-    /// Its formula in the model language.
+    /// Formula of the term in the model language.
     pub formula: String,
     /// Score statistic, χ² of one degree of freedom.
     pub statistic: f64,
-    /// One-step estimate of its coefficient.
+    /// One-step estimate of the term's coefficient.
     pub value: f64,
     /// Standard error of `value`.
     pub std_error: f64,
-    /// Whether it was selected into the extended model.
+    /// Whether the term was selected into the extended model.
     #[serde(rename = "taken")]
     pub selected: bool,
 }
 
 /// The model with terms selected one by one.
 pub(crate) struct StepwiseModel {
-    /// Identifiers of candidates that are in it too.
+    /// Identifiers of candidate effects also in the model.
     pub effects: Vec<String>,
-    /// Number of unknowns of those, over all flights.
+    /// Number of unknowns of those candidate effects, over all flights.
     effect_unknowns: usize,
     /// The selected terms, in the order of their selection.
     selected: Vec<TermId>,
     /// The terms with the greatest statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
-    /// The extended model and its fit; none if no term is significant.
+    /// The extended model and its fit; `None` if no term is significant.
     pub fitted: Option<(ExtendedModel, Fit)>,
-    /// Weighted sum of squares, under the noise of the search.
+    /// Weighted sum of squares under the search's noise model.
     pub squares: f64,
     /// Whether nothing is significant given the terms.
     pub is_adequate: bool,
 }
 
 impl StepwiseModel {
-    /// Number of unknowns that it adds to the model under test, over all flights.
+    /// Number of unknowns added to the model under test, over all flights.
     pub fn unknowns(&self) -> usize {
         self.selected.len() + self.effect_unknowns
     }
 
-    /// The better of two: one that is adequate, or else the one with the smaller sum of squares.
+    /// The better of two models: an adequate one, otherwise the one with the smaller sum of squares.
     pub fn better(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         let rank = |model: &Self| (!model.is_adequate, model.squares);
         match (one, other) {

@@ -3,8 +3,8 @@
 /// Limits of log p-values, familywise over all tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Thresholds {
-    /// Below it the model is not adequate.
+    /// Log p-value below which a model error is detected.
     pub detect: f64,
-    /// Below it a hypothesis is rejected.
+    /// Log p-value below which a hypothesis is rejected.
     pub reject: f64,
 }

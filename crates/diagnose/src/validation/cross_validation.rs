@@ -8,7 +8,7 @@ use model_spec::model::Model;
 use super::discordant_beginning::ApplyTo;
 use super::predictive_gain::{PredictiveGain, errors, summarize};
 
-/// Number of folds.
+/// Number of folds of the cross-validation.
 const FOLDS: usize = 2;
 
 /// The gain of the second model over the first, each fold of the flights being predicted by a fit of the others; none if there

@@ -3,15 +3,15 @@
 use identify::dataset::Role;
 use identify::{CONDITIONING_FRACTION, Fit};
 
-/// An extension contradicts a flight's beginning if it increases its weighted squares by more than this, χ².
+/// Increase of a flight's weighted sum of squares, χ², above which an extension contradicts the flight's beginning.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
 /// The held-out flights to which an extension is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ApplyTo {
-    /// All of them.
+    /// The extension is applied to all held-out flights.
     AllFlights,
-    /// Those whose conditioning segment, on which the initial state is fitted, does not contradict the extension.
+    /// The extension is applied to flights whose conditioning segment does not contradict the extension.
     ConcordantFlights,
 }
 

@@ -17,9 +17,9 @@ use crate::selection::Hypothesis;
 pub(crate) struct Validated {
     /// The model with the hypothesis.
     pub extension: ExtendedModel,
-    /// Its fit.
+    /// Fit of the extended model.
     pub fit: Fit,
-    /// Its gain; none if no flight can be predicted.
+    /// Out-of-sample gain of the extension; `None` if no flight can be predicted.
     pub gain: Option<PredictiveGain>,
 }
 

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 pub struct PredictiveGain {
     /// RMS error without the extension, m.
     pub held_out_rms_before_m: f64,
-    /// RMS error with it, m.
+    /// RMS error with the extension, m.
     pub held_out_rms_after_m: f64,
     /// Standard error of the difference, by the jackknife over flights, m.
     pub standard_error_m: f64,
@@ -40,9 +40,9 @@ impl PredictiveGain {
 /// Mean squared errors of one flight.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FlightErrors {
-    /// Without the extension, m².
+    /// Mean squared error without the extension, m².
     before: f64,
-    /// With it, or without it where it is not applied, m².
+    /// Mean squared error with the extension, or without it where the extension is not applied, m².
     after: f64,
     is_applied: bool,
 }
@@ -56,7 +56,8 @@ pub fn held_out_gain(
     summarize(errors(before, after, &[]), noise_floor_m, true)
 }
 
-/// As [`held_out_gain`], the extension not being applied to some flights, by index in the dataset.
+/// Gain on the held-out flights of two fits; the extension is not applied to flights in `not_applied` (dataset
+/// indices).
 pub(crate) fn gain_of_fits(
     before: &Fit,
     after: &Fit,

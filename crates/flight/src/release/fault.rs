@@ -2,16 +2,16 @@
 
 use std::fmt;
 
-/// Invalid release file, with all of its faults.
+/// Error for an invalid release file, with all of its faults.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReleaseError {
-    /// File name.
+    /// Name of the release file.
     pub file: String,
     /// The faults, in order of location; at least one.
     pub faults: Vec<Fault>,
 }
 
-/// Fault of a release file.
+/// Single fault of a release file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// Line and column, from 1, in characters; `None` for a fault of the whole file.
@@ -55,8 +55,8 @@ pub(super) fn location(text: &str, byte: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// End of a message on an unknown name: `; did you mean "…"?` for the nearest of the valid names if it is near,
-/// else the list of them.
+/// End of an error message on an unknown name: `; did you mean "…"?` if a valid name is similar, else the list of all
+/// valid names.
 pub(super) fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone) -> String {
     let near = names
         .clone()

@@ -1,4 +1,4 @@
-//! Releases: initial conditions of a flight and when it ends, built in by name or read from a TOML file.
+//! Releases: initial conditions and end of a flight, built in by name or read from a TOML file.
 
 mod fault;
 mod read;
@@ -10,7 +10,7 @@ pub use read::{read, read_file};
 /// Initial conditions, parameters and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
-    /// Name or path of the model, as the file gives it.
+    /// Name or path of the model, as written in the release file.
     pub model: String,
     /// Condition that ends the flight.
     pub stop: Stop,
@@ -29,9 +29,9 @@ pub struct Release {
 /// Condition that ends a flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
-    /// After a duration, s.
+    /// After a duration since release, s.
     Duration(f64),
-    /// When the height `z` falls to 0.
+    /// When the height state `z` falls to 0.
     Ground,
 }
 
@@ -39,12 +39,12 @@ impl Release {
     /// Maximum duration of a release and of a flight to the ground, s.
     pub const MAX_DURATION: f64 = 600.0;
 
-    /// Initial state vector, SI, in the model's order.
+    /// Initial state vector, SI units, in the model's order of states.
     pub fn state(&self) -> Vec<f64> {
         self.initial.iter().map(|(_, value)| *value).collect()
     }
 
-    /// The release with another value (SI) of an initial state; a name that is not a state is ignored.
+    /// Replaces the initial value (SI) of a state; a name that is not a state is ignored.
     pub fn with_initial(mut self, state: &str, value: f64) -> Release {
         let states = self.initial.iter_mut();
         for (_, initial) in states.filter(|(name, _)| name == state) {
@@ -53,7 +53,7 @@ impl Release {
         self
     }
 
-    /// The release with a value (SI) of a parameter or coefficient, in place of the model's default.
+    /// Sets the value (SI) of a parameter or coefficient, overriding the model's default.
     pub fn with_coefficient(mut self, name: &str, value: f64) -> Release {
         self.parameters.retain(|(known, _)| known != name);
         self.coefficients.retain(|(known, _)| known != name);
@@ -61,8 +61,8 @@ impl Release {
         self
     }
 
-    /// Values of constants in the order of `defaults` (name and default value), replaced by this release's parameters and
-    /// coefficients.
+    /// Values of constants in the order of `defaults` (name and default value), overridden by the parameters and
+    /// coefficients of the release.
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {
         let set = |name: &str| {
             self.parameters
@@ -80,31 +80,31 @@ impl Release {
 /// Names of a model that its release files may use.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vocabulary {
-    /// Parameters of the body and its environment.
+    /// Parameters (known constants) of the body and its environment.
     pub parameters: Vec<Name>,
     /// Aerodynamic and other coefficients.
     pub coefficients: Vec<Name>,
-    /// States, in the model's order.
+    /// Names of the states, in the model's order.
     pub states: Vec<String>,
-    /// States that a release may omit, by index, with their default values.
+    /// States that a release may omit: (state index, default value in SI).
     pub optional: Vec<(usize, f64)>,
-    /// Inputs: vectors known for each flight, such as the wind.
+    /// Names of the inputs: vectors known for each flight, such as the wind.
     pub inputs: Vec<String>,
     /// Indices of four states each that form a unit quaternion.
     pub quaternions: Vec<[usize; 4]>,
 }
 
-/// Name of a constant with its bounds.
+/// Name of a parameter or coefficient, with its bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
-    /// Name in the model.
+    /// Name of the constant in the model.
     pub name: String,
     /// Minimum and maximum value, SI; `None` where the model sets none.
     pub bounds: Option<(f64, f64)>,
 }
 
 impl Vocabulary {
-    /// Vocabulary of a model.
+    /// Vocabulary of a model: all names that its release files may use.
     pub fn of(model: &model_spec::model::Model) -> Vocabulary {
         let names = |of: &[model_spec::model::Parameter]| {
             of.iter()
@@ -129,8 +129,8 @@ impl Vocabulary {
     }
 }
 
-/// Names and texts of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw and a
-/// table-tennis serve.
+/// (name, TOML text) of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw and
+/// a table-tennis serve.
 pub const BUILT_IN: [(&str, &str); 5] = [
     ("fssh3", include_str!("../../releases/fssh3.toml")),
     ("bffl8", include_str!("../../releases/bffl8.toml")),
@@ -139,7 +139,7 @@ pub const BUILT_IN: [(&str, &str); 5] = [
     ("serve", include_str!("../../releases/serve.toml")),
 ];
 
-/// Text of a built-in release by its name.
+/// TOML text of a built-in release by name; `None` if there is none.
 pub fn built_in(name: &str) -> Option<&'static str> {
     BUILT_IN
         .iter()

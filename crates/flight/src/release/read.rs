@@ -48,11 +48,11 @@ pub fn read_file(
 
 /// Parses the text of a release file (TOML).
 ///
-/// `file` is the file name in error messages. `vocabulary` returns the names of the model that the release is of, by the
-/// model's name or path; its error becomes a fault at that name.
+/// `file` is the file name in error messages. `vocabulary` returns the names that a model defines, given the model's
+/// name or path; its error becomes a fault at the location of that name.
 ///
 /// # Errors
-/// [`ReleaseError`] with all faults.
+/// [`ReleaseError`] with all faults of the file.
 pub fn read(
     file: &str,
     text: &str,
@@ -201,7 +201,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Entries of a table of the document; none where the table is absent.
+    /// Entries of a table of the document; empty if the table is absent.
     fn table<'d>(
         &mut self,
         document: &'d DeTable<'t>,
@@ -240,7 +240,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Values of the table `key`, either `parameters` or `coefficients`; `others` are the names of the other kind.
+    /// Values of the table `key`, either `parameters` or `coefficients`; `others` are the valid names of the other
+    /// table.
     fn constants(
         &mut self,
         document: &DeTable<'t>,
@@ -296,7 +297,7 @@ impl<'t> Reader<'t> {
                 self.fault(span, format!("the model has no state {name:?}{hint}"));
                 continue;
             };
-            // An invalid number is a fault of its own; NaN keeps the state from being reported as missing too.
+            // An invalid number has its own fault; NaN prevents a second fault for a missing state.
             values[i] = Some(self.number(value, name).unwrap_or(f64::NAN));
         }
         let absent: Vec<&str> = states

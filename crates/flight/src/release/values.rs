@@ -1,16 +1,16 @@
-//! Numbers and vectors of a release file, and the values that constants may have.
+//! Parsing of numbers and vectors in release files, and valid ranges of constants.
 
 use super::Name;
 use super::read::{Reader, Value};
 use toml::de::DeValue;
 
-/// Parameters that must be positive, by the names that all models give them.
+/// Names of the parameters that must be positive, common to all models.
 const POSITIVE_PARAMETERS: [&str; 6] = ["m", "I_a", "I_d", "d", "A", "radius"];
-/// Parameters that must not be negative.
+/// Names of the parameters that must not be negative, common to all models.
 const NON_NEGATIVE_PARAMETERS: [&str; 2] = ["rho", "g"];
 
 impl<'t> Reader<'t> {
-    /// Three finite numbers, or `None` after a fault.
+    /// Parses three finite numbers; records a fault and returns `None` for anything else.
     pub(super) fn vector(&mut self, value: &Value<'t>, name: &str) -> Option<[f64; 3]> {
         let items: Vec<&Value<'t>> = value
             .get_ref()
@@ -25,7 +25,7 @@ impl<'t> Reader<'t> {
         Some([numbers[0]?, numbers[1]?, numbers[2]?])
     }
 
-    /// A finite number, or `None` after a fault.
+    /// Parses a finite number; records a fault and returns `None` for anything else.
     pub(super) fn number(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
         let number = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
@@ -70,7 +70,7 @@ impl<'t> Reader<'t> {
 }
 
 impl Name {
-    /// Description of the valid values if `value` is not one of them.
+    /// Description of the valid values if `value` is invalid; `None` if it is valid.
     pub fn expected_instead_of(&self, value: f64) -> Option<String> {
         let named = |names: &[&str]| names.contains(&&*self.name);
         match self.bounds {

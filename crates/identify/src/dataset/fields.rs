@@ -1,4 +1,4 @@
-//! Values of a TOML text with their places: each is of the kind that was expected, or the fault says what was found.
+//! Typed access to TOML values with source locations; a value of another type is an error that says what was found.
 
 use std::ops::Range;
 use std::path::Path;
@@ -9,10 +9,10 @@ use toml::de::{DeTable, DeValue};
 use super::words::{listed, meant, shown};
 use crate::input_error::{InputError, line_and_column};
 
-/// A value with its place.
+/// A TOML value with its byte range in the text.
 pub(super) type Value<'t> = Spanned<DeValue<'t>>;
 
-/// The text that values are read from.
+/// File and text of a TOML document, for error locations.
 pub(super) struct Fields<'a> {
     pub file: &'a Path,
     pub text: &'a str,
@@ -41,7 +41,7 @@ impl Fields<'_> {
         self.fault(value.span(), format!("{key} = {found}"), expected)
     }
 
-    /// Refuses keys that mean nothing here; `of` says where, as in ` in [noise]`.
+    /// Returns an error for a key not in `known`; `of` names the table in the message, as in ` in [noise]`.
     pub fn keys(&self, table: &DeTable<'_>, of: &str, known: &[&str]) -> Result<(), InputError> {
         for key in table.keys() {
             let name = key.get_ref();
@@ -62,7 +62,7 @@ impl Fields<'_> {
         }
     }
 
-    /// A finite number; an integer will do.
+    /// A finite number; integers are accepted.
     pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
         let number = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
@@ -93,7 +93,7 @@ impl Fields<'_> {
         Err(self.wrong_kind(value, key, "three numbers, as in [0.0, 0.0, 0.0]"))
     }
 
-    /// A table by its key; `None` where there is none.
+    /// The table under a key; `None` if the key is absent.
     pub fn table<'d, 't>(
         &self,
         document: &'d DeTable<'t>,
@@ -108,7 +108,7 @@ impl Fields<'_> {
         }
     }
 
-    /// A list of tables by its key, each with its place; an empty one where there is none.
+    /// The array of tables under a key, each with its byte range; empty if the key is absent.
     pub fn tables<'d, 't>(
         &self,
         document: &'d DeTable<'t>,

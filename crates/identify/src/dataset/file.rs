@@ -1,11 +1,11 @@
-//! Files of a dataset as bytes or text: ordinary files of a bounded size, and nothing else.
+//! Reading of a dataset's files as bytes or text: ordinary files of bounded size only.
 
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use crate::input_error::{InputError, line_and_column, utf8};
 
-/// Reads an ordinary file of at most `largest` bytes; `what` says what it should be.
+/// Reads an ordinary file of at most `largest` bytes; `what` describes the expected file in the error message.
 pub(super) fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, InputError> {
     let unreadable = |error: std::io::Error| {
         let found = match error.kind() {
@@ -42,7 +42,7 @@ pub(super) fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, In
     Ok(bytes)
 }
 
-/// The text in the bytes of a file, without its byte-order mark.
+/// Decodes the bytes of a file as UTF-8, without the byte-order mark.
 pub(super) fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         return Err(InputError::at(

@@ -1,4 +1,4 @@
-//! The header of a table: which column is what.
+//! Header of a flight's table: column indices of the time and the marker coordinates.
 
 use std::collections::BTreeMap;
 
@@ -8,14 +8,14 @@ use super::lines::Lines;
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 
-/// Where the columns of each marker are.
+/// Column indices of each marker's coordinates.
 pub(super) struct Header {
     pub width: usize,
     pub time: usize,
     pub columns: Vec<[usize; 3]>,
 }
 
-/// What separates the cells: a semicolon or a tab where the header has one, a comma otherwise.
+/// Cell separator of a table: a semicolon or a tab if the header contains one, otherwise a comma.
 pub(super) fn separator(text: &str) -> char {
     let header = text
         .split(['\n', '\r'])

@@ -1,4 +1,4 @@
-//! `dataset.toml`: what was measured, with what is known of it.
+//! Parser of `dataset.toml`: model, known parameters, markers, noise and flights of a dataset.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -11,15 +11,15 @@ use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, file, names};
 use crate::input_error::{InputError, line_and_column};
 
-/// Largest manifest that is read, bytes.
+/// Greatest size of `dataset.toml`, bytes.
 const LARGEST: u64 = 4 << 20;
-/// Most markers of a dataset.
+/// Greatest number of markers of a dataset.
 const MOST_MARKERS: usize = 1000;
-/// Farthest marker from the body's origin, m: beyond it, millimetres were given.
+/// Greatest absolute coordinate of a marker in the body frame, m; greater values suggest millimetres.
 const FARTHEST: f64 = 10.0;
-/// Markers nearer to each other than this are one, m.
+/// Distance below which two markers count as identical, m.
 const NEAREST: f64 = 1e-6;
-/// Largest standard deviation of a measurement, m: beyond it, millimetres were given.
+/// Greatest standard deviation of a measured coordinate, m; greater values suggest millimetres.
 const NOISIEST: f64 = 1.0;
 
 /// The checked contents of `dataset.toml`.
@@ -32,7 +32,7 @@ pub(super) struct Manifest {
     pub flights: Vec<Entry>,
 }
 
-/// A flight as the manifest names it.
+/// One `[[flights]]` entry of the manifest.
 #[derive(Debug, PartialEq)]
 pub(super) struct Entry {
     pub file: String,
@@ -62,7 +62,7 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
     InputError::at(file, place, found, expected)
 }
 
-/// Checks what the values mean.
+/// Checks the values of the manifest and converts them.
 struct Checker<'a>(Fields<'a>);
 
 impl Checker<'_> {
@@ -104,7 +104,7 @@ impl Checker<'_> {
         Ok(model)
     }
 
-    /// A known constant: the same values are refused as in a release.
+    /// A known parameter's value, checked by the rules for the parameters of a release.
     fn constant(&self, name: &str, value: &Value<'_>) -> Result<f64, InputError> {
         let number = self.0.number(value, name)?;
         let rule = flight::release::Name {
@@ -120,7 +120,7 @@ impl Checker<'_> {
         }
     }
 
-    /// A value that must be there, in the table at `span`.
+    /// A required value of the table at the byte range `span`.
     fn needed<'d, 't>(
         &self,
         (span, table): &(Range<usize>, &'d DeTable<'t>),

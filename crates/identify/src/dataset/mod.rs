@@ -1,7 +1,7 @@
-//! A dataset: a folder with `dataset.toml` and one table, or one C3D file, per flight.
+//! A dataset: a folder with `dataset.toml` and, for each flight, one table or C3D file.
 //!
-//! What comes in is read whole or refused with its place; what a fit can make of it, the fit says: a flight of one
-//! sample, or a dataset whose flights are all held out, is a dataset.
+//! Reading gives the complete dataset or an error with its location. Whether the dataset can be fitted is checked
+//! later by the fit: a flight of one sample, or a dataset whose flights are all held out, is a valid dataset.
 
 mod c3d;
 mod fields;
@@ -25,61 +25,61 @@ pub use write::{manifest_text, table_text, write, write_with};
 
 use crate::input_error::InputError;
 
-/// Largest table or C3D file that is read, bytes.
+/// Greatest size of a table or C3D file, bytes.
 const LARGEST: u64 = 1 << 30;
 
 /// Measured flights of one body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dataset {
-    /// The model by name or path, as the file says.
+    /// Name or path of the model, as in `dataset.toml`.
     pub model: String,
     /// Known constants that override the model's defaults, SI.
     pub parameters: BTreeMap<String, f64>,
-    /// What was tracked.
+    /// Markers that were tracked.
     pub markers: Vec<Marker>,
-    /// Standard deviation of one axis of a measured position, m, where it is known.
+    /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
-    /// The flights, in the file's order.
+    /// The flights, in the order of `dataset.toml`.
     pub flights: Vec<Flight>,
 }
 
-/// A tracked point.
+/// A tracked point of the body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
-    /// Its name, the first part of its columns' names.
+    /// Name of the marker, which begins the names of its columns (`m1` in `m1_x`).
     pub name: String,
-    /// Its position in the frame that the model's marker is fixed in, m.
+    /// Position of the marker in the model's marker frame, usually the body frame, m.
     pub position: [f64; 3],
 }
 
-/// What a flight is for.
+/// Whether a flight is fitted or held out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
-    /// Coefficients are fitted to it.
+    /// Coefficients are estimated from this flight.
     #[default]
     Fit,
-    /// It is kept to judge predictions.
+    /// The flight is excluded from the estimation and used to test predictions.
     HeldOut,
 }
 
-/// A quantity of one flight that was measured by other means, by the model's own name.
+/// A value known for one flight by other means, such as a measured wind; identified by its name in the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum KnownValue {
-    /// A parameter of this flight, or a state at its first sample.
+    /// Value of a parameter, or of a state at the first sample, SI.
     Scalar(f64),
-    /// An input of the model.
+    /// Value of a vector input of the model, such as `wind`, SI.
     Vector([f64; 3]),
 }
 
 /// One measured flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flight {
-    /// File name inside the folder.
+    /// File name of the flight inside the dataset's folder.
     pub file: String,
-    /// Whether it is fitted or held out.
+    /// Whether the flight is fitted or held out.
     pub role: Role,
-    /// What else is known of this flight, by name.
+    /// Other known values of this flight, by their names in the model.
     pub known: BTreeMap<String, KnownValue>,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,
@@ -88,7 +88,7 @@ pub struct Flight {
 }
 
 impl Flight {
-    /// How many coordinates were measured.
+    /// Number of measured coordinates: three for each measured marker position.
     pub fn measurements(&self) -> usize {
         3 * self
             .positions
@@ -99,10 +99,10 @@ impl Flight {
     }
 }
 
-/// Reads a dataset folder.
+/// Reads and checks a dataset folder.
 ///
 /// # Errors
-/// The first fault found, with its file and place: nothing is guessed.
+/// [`InputError`] for the first fault, with its file and location.
 pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     if !folder.is_dir() {
         let found = if folder.exists() {
@@ -128,7 +128,7 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     })
 }
 
-/// Puts the flights' samples to what the manifest says of them.
+/// Combines the manifest with the samples of each flight, which `samples` reads.
 fn assemble(
     manifest: manifest::Manifest,
     mut samples: impl FnMut(

@@ -1,11 +1,11 @@
-//! Which names markers and files may have.
+//! Rules for the names of markers and flight files.
 
 use std::path::{Component, Path};
 
-/// Longest name, bytes.
+/// Longest marker name, bytes; file paths may be eight times as long.
 const LONGEST: usize = 255;
 
-/// What is expected instead of a marker's name, where it is none.
+/// Checks a marker's name: what is expected instead if the name is invalid, otherwise `None`.
 pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     let separates =
         |c: char| c.is_whitespace() || c.is_control() || [',', ';', '"', '#'].contains(&c);
@@ -18,7 +18,7 @@ pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     }
 }
 
-/// What is expected instead of a flight's file, where it is none inside the folder.
+/// Checks a flight's file name: what is expected instead if it is invalid or outside the folder, otherwise `None`.
 pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
     let parts = || Path::new(file).components();
     let inside = parts().all(|part| matches!(part, Component::Normal(_)));
@@ -36,7 +36,7 @@ pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
     }
 }
 
-/// Whether a file is read as C3D: by its name alone.
+/// Whether a file is read as C3D, judged by the extension of its name.
 pub(super) fn is_c3d(file: &str) -> bool {
     Path::new(file)
         .extension()

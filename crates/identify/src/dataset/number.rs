@@ -1,6 +1,6 @@
-//! A cell as a number.
+//! Parsing of one table cell as a number.
 
-/// The number in a cell, `None` for a dropout; or what is expected instead.
+/// Parses a table cell as a finite number; `None` for a missing value. The error says what was expected instead.
 pub(super) fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     const EXPECTED: &str = "a finite number, or nothing for a dropout";
     if cell.is_empty() {
@@ -14,7 +14,7 @@ pub(super) fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     }
 }
 
-/// What people write for numbers elsewhere.
+/// Hint for a common foreign notation of numbers; `None` if the cell shows none.
 fn hint(cell: &str) -> Option<&'static str> {
     let reads = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);
     let unsigned = cell.trim_start_matches(['-', '+']);

@@ -1,13 +1,14 @@
-//! Where a cell of a table is: found by walking the text again, only when something is wrong.
+//! Source locations (line and column) of table cells, computed only when an error is reported.
 
-/// A table's text and what separates its cells.
+/// Text of a table and its cell separator, from which source locations are computed.
 pub(super) struct Places<'a> {
     pub text: &'a str,
     pub separator: char,
 }
 
 impl Places<'_> {
-    /// The byte where a record begins, at or after `from`: past empty lines and comments, as the reader of tables skips them.
+    /// Byte offset where the next record begins, at or after `from`; skips empty lines and comments, as the table
+    /// reader does.
     pub fn record(&self, from: usize) -> usize {
         let mut start = from.min(self.text.len());
         loop {
@@ -22,7 +23,7 @@ impl Places<'_> {
         }
     }
 
-    /// Line and column, from 1, of the content of a cell of the record at or after the byte `from`.
+    /// Line and column, from 1, of the cell `index` of the record that begins at or after the byte offset `from`.
     pub fn cell(&self, from: usize, index: usize) -> (usize, usize) {
         let start = self.record(from);
         let (mut line, mut column) = place(&self.text[..start]);
@@ -59,7 +60,7 @@ impl Places<'_> {
     }
 }
 
-/// Line and column, from 1, after a text whose lines end with LF, CR LF or CR.
+/// Line and column, from 1, of the end of the text `before`; its lines end with LF, CR LF or CR.
 fn place(before: &str) -> (usize, usize) {
     let bytes = before.as_bytes();
     let ends = |i: &usize| match bytes[*i] {

@@ -1,4 +1,4 @@
-//! What samples of a flight may be, whichever file they come from.
+//! Plausibility checks of a flight's samples, for tables and C3D files alike.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -7,27 +7,28 @@ use super::{Flight, Marker};
 use crate::input_error::InputError;
 use crate::statistics::median;
 
-/// Farthest coordinate, m.
+/// Greatest absolute coordinate of a marker, m.
 const FARTHEST: f64 = 1e4;
-/// Longest flight, s: as long as the program itself follows one.
+/// Longest flight, s: the longest duration of a simulated release.
 const LONGEST: f64 = flight::release::Release::MAX_DURATION;
-/// Greatest speed over half of a flight, m/s.
+/// Greatest speed of a marker over half of a flight, m/s.
 const FASTEST: f64 = 1e3;
-/// Two markers farther apart than so many times what is declared, and than `WIDEST` m, are not in metres.
+/// Factor by which the measured distance of two markers may exceed the declared one; beyond this factor and beyond
+/// `WIDEST`, the coordinates are not in metres.
 const STRETCHED: f64 = 30.0;
 const WIDEST: f64 = 1.0;
-/// Most points of a flight: they bound the memory that it takes.
+/// Limit of samples × markers in one flight, which bounds the memory used.
 const MOST: usize = 1 << 23;
 
-/// What was found and what was expected.
+/// What was found and what was expected, in words.
 type Wrong = (String, String);
 
-/// Most samples of a flight with so many markers.
+/// Greatest number of samples of a flight with this number of markers.
 pub(super) fn most(markers: usize) -> usize {
     MOST / markers.max(1)
 }
 
-/// Checks the time of a sample that comes after others.
+/// Checks a sample time, s, against the first and the previous sample times.
 pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Result<(), Wrong> {
     let (Some(&first), Some(&before)) = (first, before) else {
         return Ok(());
@@ -43,7 +44,7 @@ pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Resu
     Ok(())
 }
 
-/// Checks a coordinate.
+/// Checks one coordinate of a marker, m; `name` is the column's name.
 pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
     if value.abs() <= FARTHEST {
         return Ok(());
@@ -52,7 +53,7 @@ pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
     Err((format!("{name} = {value}"), expected))
 }
 
-/// Checks what only the whole flight shows: that something was seen, in metres and seconds.
+/// Checks a complete flight: at least one measured point, coordinates in metres, times in seconds.
 pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<(), InputError> {
     let wrong = |found: String, expected: &str| Err(InputError::of_file(file, found, expected));
     if flight.positions.iter().flatten().all(Option::is_none) {
@@ -84,7 +85,7 @@ pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<
     Ok(())
 }
 
-/// The median distance between the first two markers, and the declared one.
+/// Median measured distance of the first two markers and their declared distance, m.
 fn apart(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     let [first, second, ..] = markers else {
         return None;
@@ -96,7 +97,7 @@ fn apart(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     (!measured.is_empty()).then(|| (median(&mut measured), declared))
 }
 
-/// The median speed of the first marker from each sample to the one half a flight later: one outlier does not move it.
+/// Median speed of the first marker, m/s, over pairs of samples half a flight apart; robust to a single outlier.
 fn speed(flight: &Flight) -> Option<f64> {
     let half = flight.times.len() / 2;
     if half < 2 {

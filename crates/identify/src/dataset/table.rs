@@ -1,4 +1,4 @@
-//! The table of one flight: `t,m1_x,m1_y,m1_z,…` with comma, semicolon or tab.
+//! Reader of a flight's table: columns `t,m1_x,m1_y,m1_z,…` separated by commas, semicolons or tabs.
 
 use std::path::Path;
 

@@ -1,13 +1,13 @@
-//! Words of messages: texts from outside made safe to print, lists kept short, names that were probably meant.
+//! Formatting for error messages: external texts escaped, long lists shortened, similar names suggested.
 
 use model_spec::nearest_name;
 
-/// Longest text from outside that a message repeats, in characters.
+/// Longest external text in a message, characters; longer texts are cut.
 const LONGEST: usize = 40;
-/// Most names that a message lists.
+/// Greatest number of names that a message lists.
 const MOST: usize = 12;
 
-/// A text from outside in quotes, escaped and cut short.
+/// An external text in quotes, escaped and cut to a bounded length.
 pub(super) fn shown(text: &str) -> String {
     if text.chars().count() <= LONGEST {
         return format!("{text:?}");
@@ -16,7 +16,7 @@ pub(super) fn shown(text: &str) -> String {
     format!("{start:?}…")
 }
 
-/// Some names, the first few of them where there are many.
+/// A list of names for a message; long lists are shortened.
 pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let mut names = names.into_iter();
     let first: Vec<&str> = names.by_ref().take(MOST).collect();
@@ -26,7 +26,7 @@ pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     }
 }
 
-/// ` (did you mean …?)` where one of the names is nearly this.
+/// Suggestion ` (did you mean …?)` if one of the names is similar to `wrong`; otherwise empty.
 pub(super) fn meant<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> String {
     match nearest_name(wrong, names.into_iter()) {
         Some(name) => format!(" (did you mean {name}?)"),

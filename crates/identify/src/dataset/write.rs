@@ -1,4 +1,4 @@
-//! A dataset written as a folder: whole or not at all, and only what would be read back as it is.
+//! Writing of a dataset as a folder: atomically, and only if reading the folder gives an equal dataset.
 
 use std::fmt::Write as _;
 use std::io;
@@ -8,19 +8,21 @@ use super::{Dataset, Flight, KnownValue, Marker, Role, assemble, manifest, names
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
 ///
-/// The folder appears whole. It may be there already if it is empty or holds just this.
+/// The folder is written atomically. An existing folder is accepted if it is empty or already has exactly this
+/// content.
 ///
 /// # Errors
-/// Where the dataset would not be read back as it is (a C3D file among its flights, a marker without a name, …), where
-/// the folder holds something else, and where the disk refuses.
+/// If reading would not give an equal dataset (a C3D file among its flights, a marker without a name, …), if the
+/// folder has other content, or on an I/O error.
 pub fn write(folder: &Path, dataset: &Dataset) -> io::Result<()> {
     write_with(folder, dataset, &[])
 }
 
-/// As [`write`](fn@write), with other files beside: their names and texts. The reader of datasets ignores them.
+/// Writes a dataset as [`write`](fn@write) does, with additional files (name, text), which the reader of datasets
+/// ignores.
 ///
 /// # Errors
-/// As [`write`](fn@write).
+/// Those of [`write`](fn@write).
 pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -> io::Result<()> {
     let mut files = vec![("dataset.toml".to_owned(), manifest_text(dataset))];
     let each = dataset.flights.iter();
@@ -52,7 +54,7 @@ fn invalid(why: String) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, why)
 }
 
-/// What is in the folder already.
+/// Content of the target folder before writing.
 enum Holds {
     Nothing,
     This,
@@ -89,7 +91,7 @@ fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
     })
 }
 
-/// Writes a folder beside the place where it belongs, and renames it.
+/// Writes the files into a temporary folder next to the target, then renames it to the target.
 fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     let name = folder
         .file_name()
@@ -131,7 +133,7 @@ fn fill(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     Ok(())
 }
 
-/// Refuses what the reader would refuse, or read as something else.
+/// Returns an error if reading the files would fail or give a different dataset.
 fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()> {
     let refused = |error: crate::input_error::InputError| invalid(error.to_string());
     let manifest = manifest::parse(Path::new(&files[0].0), &files[0].1).map_err(refused)?;
@@ -159,7 +161,7 @@ fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()>
     }
 }
 
-/// The text of `dataset.toml`.
+/// Text of `dataset.toml` for a dataset.
 pub fn manifest_text(dataset: &Dataset) -> String {
     let mut text = format!("model = {}\n", quoted(&dataset.model));
     if !dataset.parameters.is_empty() {
@@ -198,7 +200,7 @@ pub fn manifest_text(dataset: &Dataset) -> String {
     text
 }
 
-/// The text of a flight's table; each number has the digits that tell it from its neighbours.
+/// Text of a flight's table; each number has enough digits to be read back exactly.
 pub fn table_text(flight: &Flight, markers: &[Marker]) -> String {
     let mut text = "t".to_owned();
     for marker in markers {

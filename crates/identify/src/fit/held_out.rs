@@ -23,11 +23,11 @@ use crate::report::{FlightOutcome, FlightReport};
 /// Fraction of a held-out flight's samples to which its initial state is fitted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
-/// A held-out flight.
+/// A held-out flight with its report.
 pub struct HeldOut {
-    /// Its report.
+    /// Report of the flight.
     pub report: FlightReport,
-    /// Its observations and initial state; none if it is excluded.
+    /// Observations and estimated initial state; `None` if the flight is excluded.
     pub fitted: Option<FittedFlight>,
 }
 
@@ -120,7 +120,8 @@ fn predict(
     Ok(HeldOut { report, fitted })
 }
 
-/// Root mean square residual of one coordinate from a sample on, outliers excluded, m; none without residuals.
+/// Root mean square residual of one coordinate from sample `first` on, outliers excluded, m; `None` without
+/// residuals.
 fn rms_from(observations: &Observations, residuals: &Residuals, first: usize) -> Option<f64> {
     let (mut squares, mut count) = (0.0, 0_usize);
     for (marker, series) in residuals.iter().enumerate() {
@@ -135,7 +136,7 @@ fn rms_from(observations: &Observations, residuals: &Residuals, first: usize) ->
     (count > 0).then(|| (squares / count as f64).sqrt())
 }
 
-/// Marks outliers by their distance from neighbouring residuals, so that a wrong prediction does not count as one.
+/// Marks outliers by their local-linear residuals, so that a smooth prediction error is not mistaken for outliers.
 fn mark_outliers(
     problem: &FitProblem,
     observations: &mut Observations,

@@ -12,31 +12,32 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
-/// First horizon, s.
+/// Length of the first horizon, s.
 const FIRST_HORIZON: f64 = 0.4;
 
-/// Ratio of each horizon to the one before.
+/// Ratio of each horizon to the previous one.
 const HORIZON_GROWTH: f64 = 2.5;
 
 /// Ratio of the longest flight to a horizon below which whole flights are fitted at once.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
 
-/// Most scales of the robust loss over one horizon.
+/// Greatest number of loss scales tried over one horizon.
 const MAX_SCALES: usize = 8;
 
-/// Ratio of the next scale to the present one above which the scale shrinks no more.
+/// Greatest ratio of the next loss scale to the present one at which the scale is still reduced.
 const MAX_SHRINKAGE: f64 = 0.7;
 
-/// Scale over `sigma0` below which a horizon shorter than the flights is fitted well enough.
+/// Residual scale, relative to `sigma0`, below which the fit over a short horizon is sufficient and the horizon
+/// grows.
 const HORIZON_SCALE: f64 = 5.0;
 
-/// Median residual scale over `sigma0` up to which residuals are noise.
+/// Median residual scale, relative to `sigma0`, up to which residuals count as noise.
 const MAX_MEDIAN_NOISE: f64 = 1.1;
 
-/// Residual scale of one flight over `sigma0` up to which its residuals are noise.
+/// Residual scale of one flight, relative to `sigma0`, up to which its residuals count as noise.
 const MAX_FLIGHT_NOISE: f64 = 2.0;
 
-/// Ratio of the median residual scale to that before a step above which the step is rejected.
+/// Ratio of the median residual scale after a step to that before, above which the step is rejected.
 const MAX_GROWTH: f64 = 1.1;
 
 /// Fits all flights over a horizon that grows to their whole length: far from the solution, long flights have minima
@@ -73,7 +74,8 @@ pub fn continue_horizon(
     anneal_scale(problem, state, options)
 }
 
-/// One step over whole flights; gives the residuals after it if they are no more than the noise.
+/// Tries one step over whole flights; returns the residuals after the step if they are at noise level, otherwise
+/// `None`.
 fn step_to_noise(
     problem: &FitProblem,
     state: &mut State,
@@ -91,16 +93,16 @@ fn step_to_noise(
     Ok(stepped.map(|step| step.cache).filter(is_noise))
 }
 
-/// A step that was accepted by its residuals alone.
+/// A step accepted because its residuals did not grow, without derivatives.
 pub struct AcceptedStep {
     /// Residuals after the step.
     pub cache: ResidualCache,
-    /// Its predicted reduction of the sum of squares.
+    /// Predicted reduction of the sum of squares by the step.
     pub predicted_reduction: Option<f64>,
 }
 
-/// One step of all unknowns, judged by the residuals after it, which cost far less than derivatives. None if residuals
-/// became greater; the state is then as before.
+/// One step of all unknowns, judged only by the residuals after it, which cost far less than derivatives. `None` if
+/// the residuals became greater; the state is then unchanged.
 pub fn unevaluated_step(
     problem: &FitProblem,
     state: &mut State,
@@ -126,8 +128,8 @@ pub fn unevaluated_step(
     Ok(None)
 }
 
-/// Fits the first samples of all flights until the residuals are small enough for a longer horizon. Parameters without a
-/// prior get a weak one, since short horizons leave some undetermined.
+/// Fits the first samples of all flights until the residuals are small enough for a longer horizon. Parameters
+/// without a prior get a weak one, since short horizons do not determine all parameters.
 fn fit_horizon(
     problem: &FitProblem,
     state: &mut State,
@@ -165,10 +167,11 @@ fn fit_horizon(
     Ok(())
 }
 
-/// Fits whole flights by a robust loss whose scale shrinks to that of the residuals; gives the residuals after it.
+/// Fits whole flights by a robust loss whose scale shrinks to that of the residuals; returns the residuals of the
+/// fit.
 ///
 /// # Errors
-/// As [`continue_horizon`].
+/// Those of [`continue_horizon`].
 pub fn anneal_scale(
     problem: &FitProblem,
     state: &mut State,
@@ -193,8 +196,8 @@ pub fn anneal_scale(
     Ok(cache)
 }
 
-/// Fits the initial state of one flight to its first samples with the global parameters fixed. Gives the loss at scale
-/// `sigma0`, and the initial state.
+/// Fits the initial state of one flight to its first samples with the global parameters fixed. Returns the loss at
+/// scale `sigma0` and the initial state.
 ///
 /// # Errors
 /// [`FlightError::SingularInitialState`]; [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -228,10 +231,10 @@ pub fn fit_initial_state(
     Ok((solution.squares, local))
 }
 
-/// Fits the initial state of one flight to its first samples by one loss.
+/// Fits the initial state of one flight to its first samples under the given loss.
 ///
 /// # Errors
-/// As [`fit_initial_state`].
+/// Those of [`fit_initial_state`].
 pub fn solve_local(
     problem: &FitProblem,
     observations: &Observations,

@@ -19,19 +19,19 @@ use crate::statistics::median;
 /// Length of the first segment of a flight, on which its initial guess is refined, s.
 const FIRST_SEGMENT: f64 = 0.15;
 
-/// Samples that the first segment has at least.
+/// Least number of samples in the first segment of a flight.
 const MIN_FIRST_SAMPLES: usize = 12;
 
-/// Least initial estimate of the noise, m: the rounding of a table of numbers.
+/// Least initial estimate of the noise of one coordinate, m, at the level of rounding in tables.
 const MIN_SIGMA0: f64 = 1e-7;
 
 /// Flights that can be fitted, with their initial guesses.
 pub struct InitialGuesses {
-    /// The flights, each with its first guess.
+    /// Observations of the usable flights, each with its best initial guess.
     pub state: State,
-    /// Their indices in the dataset.
+    /// Indices of the usable flights in the dataset.
     pub flights: Vec<FlightId>,
-    /// All guesses of each flight: several where the samples are too far apart to determine its spin.
+    /// All initial guesses of each flight: several where the sampling interval is too long to determine the spin.
     pub alternatives: Vec<Vec<InitialGuess>>,
     /// Flights that cannot be fitted.
     pub excluded: Vec<ExcludedFlight>,
@@ -43,7 +43,7 @@ pub struct ObservedFlights {
     pub usable: Vec<(FlightId, Observations)>,
     /// Flights that cannot be used.
     pub excluded: Vec<ExcludedFlight>,
-    /// Initial estimate of the noise of one coordinate, m, if the samples show it.
+    /// Initial estimate of the noise of one coordinate, m; `None` if the samples do not determine it.
     pub sigma0: Option<f64>,
 }
 
@@ -53,7 +53,7 @@ pub fn first_segment(observations: &Observations) -> usize {
     samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
 }
 
-/// Takes the observations of these flights and estimates their noise.
+/// Extracts the observations of the given flights and estimates their noise.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -170,7 +170,10 @@ pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observation
     Ok(observations_and_poses(problem, flight)?.0)
 }
 
-/// As [`observations`], with the pose in each sample of a body that has an attitude.
+/// Observations of a flight, truncated at an impact, with the pose in each sample of a body that has an attitude.
+///
+/// # Errors
+/// Those of [`Observations::new`]; [`FlightError::TooFewCoordinates`].
 fn observations_and_poses(
     problem: &FitProblem,
     flight: &Flight,

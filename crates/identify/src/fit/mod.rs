@@ -41,7 +41,7 @@ pub struct Fit {
     pub report: FitReport,
     problem: FitProblem,
     marker_names: Vec<String>,
-    /// By [`FlightId`]; none for excluded flights.
+    /// Fitted flights by [`FlightId`]; `None` for excluded flights.
     flights: Vec<Option<FittedFlight>>,
     global: DVector<f64>,
     noise: NoiseModel,
@@ -51,11 +51,11 @@ pub struct Fit {
 #[derive(Clone)]
 struct FittedFlight {
     observations: Observations,
-    /// Its initial state, SI.
+    /// Estimated initial state of the flight, SI.
     state: DVector<f64>,
 }
 
-/// What the stages of a fit pass on.
+/// Observations, unknowns and counters that the stages of a fit pass on.
 #[derive(Clone)]
 pub(crate) struct State {
     /// Observations of the flights that are fitted.
@@ -66,7 +66,7 @@ pub(crate) struct State {
     pub local: Vec<DVector<f64>>,
     /// Median time between samples, s.
     pub interval: f64,
-    /// Steps tried so far.
+    /// Number of least-squares steps tried so far.
     pub steps: usize,
     /// Number of noise estimates so far.
     pub rounds: usize,
@@ -197,13 +197,13 @@ impl Fit {
         &self.noise
     }
 
-    /// Observations and initial state of a flight; none if it is excluded.
+    /// Observations and initial state of a flight; `None` if the flight is excluded.
     pub fn flight(&self, flight: FlightId) -> Option<(&Observations, &DVector<f64>)> {
         let fitted = self.flights.get(flight.index())?.as_ref()?;
         Some((&fitted.observations, &fitted.state))
     }
 
-    /// A flight as measured and as predicted; none if it is excluded.
+    /// Measured and predicted values of a flight; `None` if the flight is excluded.
     pub fn evidence(&self, flight: FlightId) -> Option<FlightEvidence> {
         let (observations, local) = self.flight(flight)?;
         let unknowns = (&self.global, local);
@@ -211,7 +211,7 @@ impl Fit {
     }
 }
 
-/// An error of the least squares over these flights.
+/// Converts a least-squares error over these flights to a fit error.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
     let (flight, reason) = match error {
         SolveError::Start { flight, reason } => (flight, reason),
@@ -227,7 +227,7 @@ fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitE
 }
 
 impl State {
-    /// No flights yet.
+    /// State without flights.
     fn new(global: DVector<f64>, interval: f64) -> Self {
         Self {
             flights: Vec::new(),
@@ -246,7 +246,7 @@ impl State {
         }
     }
 
-    /// Continues from a solution.
+    /// Takes over the iterate and the step count of a solution.
     fn take(&mut self, solution: &Solution) {
         self.global.clone_from(&solution.iterate.global);
         self.local.clone_from(&solution.iterate.local);

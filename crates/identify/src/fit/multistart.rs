@@ -19,15 +19,15 @@ const SUSPECT_RATIO: f64 = 3.0;
 /// Ratio of the new residual scale to the old below which the new minimum is accepted.
 const ACCEPTED_RATIO: f64 = 0.7;
 
-/// Median residual scale over `sigma0` above which the model, or most initial guesses, are wrong, so that `sigma0` is
-/// the reference scale and not the median.
+/// Median residual scale, relative to `sigma0`, above which the model or most initial guesses are wrong; then
+/// `sigma0` is the reference scale instead of the median.
 const MISFIT_RATIO: f64 = 10.0;
 
-/// Fits flights again whose residuals are far greater than those of the others and than the noise, and then all flights
-/// together if that helped. Takes and gives the residuals at the state.
+/// Refits flights whose residual scale is far above that of the others and of the noise; if that helps, refits all
+/// flights together. Takes the residuals at the state and returns those at the new state.
 ///
 /// # Errors
-/// As [`anneal_scale`].
+/// Those of [`anneal_scale`].
 pub fn multistart(
     problem: &FitProblem,
     state: &mut State,
@@ -65,7 +65,7 @@ pub fn multistart(
     }
 }
 
-/// The residual scale that flights are compared with, m.
+/// Residual scale with which each flight is compared, m.
 fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     let median = median(&mut scales.to_vec());
     match median > MISFIT_RATIO * sigma0 {
@@ -74,8 +74,8 @@ fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     }
 }
 
-/// A better initial state of a flight at the present global parameters, with a note for the report; none if all initial
-/// guesses lead to a minimum that is hardly better than one of residual scale `before`, m.
+/// A better initial state of a flight at the present global parameters, with a note for the report; `None` if no
+/// initial guess leads to a minimum clearly better than residual scale `before`, m.
 fn restart(
     problem: &FitProblem,
     state: &State,

@@ -234,7 +234,7 @@ impl<'a> Outcome<'a> {
     }
 }
 
-/// Profile likelihoods that the options ask for.
+/// Profile likelihoods of the parameters named in the options.
 fn profiles(
     problem: &FitProblem,
     state: &State,

@@ -13,7 +13,7 @@ use crate::problem::FitProblem;
 pub struct OutputError<'a> {
     /// The estimation problem.
     pub problem: &'a FitProblem,
-    /// The flights.
+    /// Observations of the flights.
     pub flights: Vec<&'a Observations>,
     /// Number of samples of each flight that are used.
     pub samples: Vec<usize>,
@@ -23,7 +23,7 @@ pub struct OutputError<'a> {
     pub fixed_global: Option<&'a DVector<f64>>,
     /// Constraints of the global parameters that are estimated.
     pub constraints: Vec<Constraint>,
-    /// Number of threads.
+    /// Number of threads used.
     pub threads: usize,
     /// Options, for progress and cancellation.
     pub options: &'a FitOptions<'a>,
@@ -35,7 +35,7 @@ pub fn all_samples(flights: &[Observations]) -> Vec<usize> {
 }
 
 impl<'a> OutputError<'a> {
-    /// All samples of some flights, by global and local parameters.
+    /// Sum of squares over all samples of these flights, as a function of global and local parameters.
     pub fn of_all(
         problem: &'a FitProblem,
         flights: impl IntoIterator<Item = &'a Observations>,
@@ -56,7 +56,7 @@ impl<'a> OutputError<'a> {
         }
     }
 
-    /// The first samples of one flight, by its local parameters.
+    /// Sum of squares over the first samples of one flight, as a function of its local parameters.
     pub fn of_local(
         problem: &'a FitProblem,
         observations: &'a Observations,

@@ -16,19 +16,19 @@ pub struct PostFit {
     pub rms: f64,
     /// Number of outliers.
     pub outliers: usize,
-    /// Sums over its residuals.
+    /// Sums over the flight's residuals for the residual diagnostics.
     pub pool: ResidualPool,
-    /// Least and greatest value of each of the model's quantities, and then of its states.
+    /// Least and greatest value of each of the model's quantities, followed by those of its states.
     pub ranges: Vec<(f64, f64)>,
 }
 
 /// Number of samples at which quantities are evaluated.
 const EVALUATED_SAMPLES: usize = 12;
 
-/// The range of no values.
+/// Empty range: (∞, −∞).
 pub const EMPTY_RANGE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
-/// The range that holds two others.
+/// Smallest range that contains both ranges.
 pub fn joined(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
     (one.0.min(other.0), one.1.max(other.1))
 }
@@ -74,7 +74,7 @@ pub fn post_fit(
     }
 }
 
-/// A flight as measured and as predicted; none if its trajectory cannot be computed.
+/// Measured and predicted values of a flight; `None` if its trajectory cannot be computed.
 pub fn evidence(
     problem: &FitProblem,
     marker_names: &[String],

@@ -16,15 +16,15 @@ pub struct ResidualCache(Vec<CachedFlight>);
 
 struct CachedFlight {
     path: Result<Path, FlightError>,
-    /// Robust standard deviation of its residuals, m; none without residuals.
+    /// Robust standard deviation of the flight's residuals, m; `None` without residuals.
     scale: Option<f64>,
 }
 
 /// Trajectory and residuals of one flight.
 pub struct Path {
-    /// ModelState at its first samples, sample by sample.
+    /// Model states at the first samples, sample by sample.
     pub states: Vec<f64>,
-    /// Residuals there.
+    /// Residuals at those samples, predicted − measured, m.
     pub residuals: Residuals,
 }
 

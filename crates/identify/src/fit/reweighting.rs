@@ -15,14 +15,14 @@ use crate::predict::Loss;
 use crate::problem::FitProblem;
 use crate::report::FitStatus;
 
-/// Fraction 1/n of points whose outlier marks may change between agreeing estimates: among very many points, a few always
-/// lie at the limit.
+/// Reciprocal of the fraction of points whose outlier marks may still change at convergence: among very many points,
+/// a few always lie at the limit.
 const POINTS_PER_CHANGED_MARK: usize = 10_000;
 
-/// Most estimates of the noise.
+/// Greatest number of noise estimates.
 const MAX_ROUNDS: usize = 8;
 
-/// Noise and unknowns that agree, or the last ones.
+/// Converged noise estimate and unknowns, or the last iterates without convergence.
 pub struct Reweighted {
     /// The noise by which residuals are weighted.
     pub noise: NoiseModel,
@@ -34,7 +34,7 @@ pub struct Reweighted {
     pub status: FitStatus,
 }
 
-/// Iterates noise and unknowns until they agree. Takes the residuals at the state.
+/// Alternates noise estimates and least squares until they agree; starts from the residuals at the state.
 ///
 /// # Errors
 /// [`FitError::Flight`] if a trajectory cannot be computed; [`FitError::Interrupted`].
@@ -96,7 +96,7 @@ impl Reweighted {
     }
 }
 
-/// Marks outliers and estimates the noise of the other points; gives the noise, and whether marks changed.
+/// Marks outliers and estimates the noise of the other points; returns the noise and whether any mark changed.
 fn estimate_noise(
     problem: &FitProblem,
     state: &mut State,
@@ -148,7 +148,8 @@ fn estimate_noise(
 struct FlightOutliers {
     /// Scale of its local residuals along each axis, m.
     scale: [f64; 3],
-    /// Points that are outliers at this scale, and their local residuals, m. No other point is one at a greater scale.
+    /// Indices of points that are outliers at this scale, with their local residuals, m. No other point is an outlier
+    /// at a greater scale.
     candidates: Vec<(usize, [f64; 3])>,
 }
 

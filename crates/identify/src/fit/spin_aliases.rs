@@ -9,16 +9,16 @@ use crate::initial_state::InitialGuess;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Turns per sampling interval beyond the slowest spin, the likeliest first.
+/// Turns per sampling interval added to the slowest spin, most likely first.
 const ALIASES: [i32; 3] = [0, -1, 1];
 
-/// Ratio of residuals to those of a likelier alias below which an alias is taken.
+/// Ratio of an alias's rms residual to that of the best likelier alias below which the alias is accepted.
 const ACCEPTED_RATIO: f64 = 0.9;
 
-/// Fits all flights over a growing horizon, from the guesses that lead to the smallest residuals.
+/// Fits all flights by horizon continuation from each spin alias; returns the fit with the smallest residuals.
 ///
 /// # Errors
-/// As [`continue_horizon`], if every alias fails.
+/// Those of [`continue_horizon`], if every alias fails.
 pub fn resolve_spin_aliases(
     problem: &FitProblem,
     mut state: State,

@@ -1,4 +1,4 @@
-//! Least squares from given values, with given noise and the outliers of a fit.
+//! Least squares from given values of the unknowns, with a given noise model and the outliers of an earlier fit.
 
 use nalgebra::DVector;
 

@@ -19,14 +19,15 @@ use crate::problem::FitProblem;
 pub struct InitialGuess {
     /// The state at the first sample.
     pub state: DVector<f64>,
-    /// Turns per sampling interval that were added to the slowest spin.
+    /// Turns per sampling interval added to the slowest spin.
     pub turns: i32,
 }
 
-/// Greatest spin of an alias, rad/s; strong throws reach about 160.
+/// Greatest spin considered as an alias, rad/s; strong throws reach about 160 rad/s.
 const MAX_SPIN: f64 = 400.0;
 
-/// The state of a body with a given motion. The observations provide parameters and known states; their samples are not used.
+/// State of a body with a given motion. The observations provide parameters and known states; their samples are not
+/// used.
 ///
 /// # Errors
 /// [`FlightError::NoMatchingState`].

@@ -10,16 +10,16 @@ use crate::ids::LocalId;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// CompiledModel-fixed points whose positions and velocities determine the motion: the origin and one on each axis, m.
+/// Body-fixed points whose positions and velocities determine the motion: the origin and one on each axis, m.
 const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
 
 /// Distance of the points from their targets at which the search ends, m; velocities count times `VELOCITY_WEIGHT`.
 const MAX_DISTANCE: f64 = 1e-6;
 
-/// Most guesses from which the search starts.
+/// Greatest number of initial guesses of the search.
 const MAX_GUESSES: usize = 8;
 
-/// Step of the one-sided differences by which the Jacobian is computed.
+/// Step of the one-sided finite differences for the Jacobian.
 const DIFFERENCE_STEP: f64 = 1e-6;
 
 /// Weight of velocities against positions, s.
@@ -78,7 +78,7 @@ pub fn state(
     Ok(state)
 }
 
-/// Target positions of the points, m, then their velocities times the weight, m.
+/// Target positions of the points, m, followed by their target velocities times `VELOCITY_WEIGHT`, m.
 fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     let arm = |probe: &[f64; 3]| {
         let probe = Vector3::from(*probe);
@@ -159,7 +159,7 @@ fn quarter_turns() -> Vec<[f64; 4]> {
     all
 }
 
-/// Levenberg–Marquardt from a guess: the remaining distance, m, and the state; none if it fails.
+/// Levenberg–Marquardt from one guess: returns the remaining distance, m, and the state; `None` if it fails.
 fn descend(
     problem: &FitProblem,
     observations: &Observations,

@@ -22,8 +22,8 @@ pub struct RigidMotion {
 }
 
 impl RigidMotion {
-    /// The motion with `turns` turns more per sampling interval about its axis of rotation; `whole` is the angular rate of one
-    /// turn per interval, rad/s.
+    /// The motion with `turns` more turns per sampling interval about its rotation axis; `whole` is the angular rate
+    /// of one turn per interval, rad/s.
     pub fn with_turns(&self, turns: i32, whole: f64) -> RigidMotion {
         let rates = self.rates.map(|rates| {
             let axis = rates.try_normalize(1e-9).unwrap_or_else(Vector3::z);
@@ -37,10 +37,10 @@ impl RigidMotion {
     }
 }
 
-/// Samples from which the motion is estimated: enough to average the noise, few enough for a parabola.
+/// Greatest number of samples from which the motion is estimated: they average the noise while a parabola still fits.
 const MAX_SAMPLES: usize = 16;
 
-/// Greatest time between poses that give an angular velocity, in sampling intervals.
+/// Greatest time between two poses used for an angular velocity, in sampling intervals.
 const MAX_GAP: f64 = 3.5;
 
 /// Position and attitude of a body in one sample.
@@ -48,11 +48,11 @@ struct SeenFrame {
     time: f64,
     position: Vector3<f64>,
     attitude: Option<UnitQuaternion<f64>>,
-    /// Variance of a coordinate about the rigid body, m²; 0 for a point mass.
+    /// Variance of the marker coordinates about the fitted rigid body, m²; 0 for a point mass.
     variance: f64,
 }
 
-/// The first samples in which the pose of a body, or the position of a point mass, is measured.
+/// The first samples, at most `most`, in which the pose of a body or the position of a point mass is measured.
 fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<SeenFrame> {
     let rows = (0..observations.times.len()).filter_map(|sample| {
         let (time, row) = (observations.times[sample], observations.points(sample));
@@ -75,11 +75,11 @@ fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<S
     rows.take(most).collect()
 }
 
-/// Most samples from which the noise is estimated at first.
+/// Greatest number of samples for the initial noise estimate.
 const MAX_NOISE_SAMPLES: usize = 400;
 
-/// Initial estimate of the noise of one coordinate, m: from the distances between markers and the rigid body in these poses,
-/// or for a point mass from third differences of its path. None from too few samples.
+/// Initial estimate of the noise of one coordinate, m: for a rigid body from the distances between markers and the
+/// fitted body, for a point mass from third differences of its path. `None` if there are too few samples.
 pub fn sigma0(
     problem: &FitProblem,
     observations: &Observations,
@@ -139,19 +139,20 @@ pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMoti
     Ok(motion)
 }
 
-/// Variance about the rigid body over the median, above which a sample contains an outlier.
+/// Ratio of a sample's variance about the rigid body to the median variance above which the sample contains an
+/// outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
 
-/// Squared distance from the parabola over the median, above which a position is dropped.
+/// Ratio of a position's squared distance from the parabola to the median above which the position is dropped.
 const MAX_SQUARES_RATIO: f64 = 16.0;
 
-/// Most refits of the parabola without the positions far from it.
+/// Greatest number of parabola refits after positions were dropped.
 const MAX_PATH_REFITS: usize = 2;
 
-/// Least number of positions for a parabola without some.
+/// Least number of positions that must remain for a refit of the parabola.
 const MIN_PATH_POINTS: usize = 4;
 
-/// Position and velocity at time 0 by a least-squares parabola, which is fitted again without points far from it.
+/// Position, m, and velocity, m/s, at time 0 from a least-squares parabola, refitted without outlying points.
 fn path(seen: &[SeenFrame]) -> (Vector3<f64>, Vector3<f64>) {
     let mut kept: Vec<&SeenFrame> = seen.iter().collect();
     let mut parabola = Parabola::through(&kept);
@@ -175,12 +176,12 @@ struct Parabola {
     position: Vector3<f64>,
     /// Velocity at time 0, m/s.
     velocity: Vector3<f64>,
-    /// Squared distance of each position, m².
+    /// Squared distance of each position from the parabola, m².
     squares: Vec<f64>,
 }
 
 impl Parabola {
-    /// Fits positions by a parabola, or by a polynomial of lower order where there are fewer than three.
+    /// Fits a parabola to positions, or a polynomial of lower order to fewer than three positions.
     fn through(frames: &[&SeenFrame]) -> Self {
         let powers = frames.len().min(3);
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {
@@ -231,7 +232,7 @@ fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>
     Ok(rates.into())
 }
 
-/// Attitude at time 0: the first poses are rotated back to it, and the one nearest to all others is taken.
+/// Attitude at time 0: the first poses are rotated back to time 0, and the one nearest to all others is returned.
 fn attitude(seen: &[SeenFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
     let back = |seen: &SeenFrame| {

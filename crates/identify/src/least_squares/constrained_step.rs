@@ -5,9 +5,9 @@ use nalgebra::{DMatrix, DVector};
 use super::Constraint;
 use super::scaled_cholesky::ScaledCholesky;
 
-/// Minimises the reduced quadratic with the priors added, within the bounds (active-set method): a parameter that would
-/// leave its bound is set there, and the others are solved for again. Gives the step, and the decrease of the priors'
-/// part of the sum of squares; none where the matrix is singular.
+/// Minimises the reduced quadratic with the priors added, within the bounds, by an active-set method: a parameter
+/// that would leave its bound is set to the bound, and the others are solved for again. Returns the step and the
+/// decrease of the priors' squared residuals; `None` if the matrix is singular.
 pub fn constrained_step(
     reduced: &DMatrix<f64>,
     gradient: &DVector<f64>,
@@ -50,7 +50,7 @@ pub fn constrained_step(
     Some((step, reduction))
 }
 
-/// The bound that is met first along a step: the parameter, and the bound.
+/// Bound that a step reaches first: the index of the parameter and the value of the bound.
 fn first_bound(
     free: &[usize],
     values: &DVector<f64>,
@@ -72,7 +72,8 @@ fn first_bound(
     Some((i, bound))
 }
 
-/// The step of the free parameters, given that of the active ones.
+/// Newton step of the free parameters for a given step of the active (bounded) ones; `None` if the matrix is
+/// singular.
 fn free_step(
     matrix: &DMatrix<f64>,
     gradient: &DVector<f64>,

@@ -3,14 +3,14 @@
 /// Box constraint and Gaussian prior of a global parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
-    /// Least and greatest value; infinite without a bound.
+    /// Least and greatest value; infinite if unbounded.
     pub bounds: (f64, f64),
-    /// Mean and standard deviation of a normal prior.
+    /// Mean and standard deviation of the Gaussian prior; `None` without a prior.
     pub prior: Option<(f64, f64)>,
 }
 
 impl Constraint {
-    /// Neither bounds nor prior.
+    /// No bounds and no prior.
     pub const NONE: Constraint = Constraint {
         bounds: (f64::NEG_INFINITY, f64::INFINITY),
         prior: None,

@@ -5,31 +5,31 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::least_squares::NormalBlock;
 
-/// Rows that are summed at a time; they stay in the first-level cache.
+/// Rows summed in one batch, few enough to stay in the first-level cache.
 const BATCH: usize = 64;
 
-/// Number of lanes of the widest vectors, to which rows are padded.
+/// Multiple to which rows are padded: number of lanes of the widest vectors.
 const PADDING: usize = 8;
 
-/// Rows of one flight being summed. A row holds the derivatives by the flight's own unknowns and by the shared ones, each
-/// in its place, then the residual, and zeros up to [`width`](Rows::width).
+/// Accumulator of Gram sums over the Jacobian rows of one flight. A row holds the derivatives by the local and global
+/// parameters, each in its column, then the residual, and zeros as padding.
 pub struct GramAccumulator {
-    /// Columns of the local parameters.
+    /// Column indices of the local parameters.
     local: Vec<usize>,
-    /// Columns of the global parameters.
+    /// Column indices of the global parameters.
     global: Vec<usize>,
     width: usize,
-    /// Rows that are not summed yet, and their length.
+    /// Rows that are not summed yet, concatenated.
     batch: Vec<f64>,
     filled: usize,
     sums: Vec<f64>,
-    /// Part of the sum of squares that robust losses add.
+    /// Additional sum of squares from robust losses.
     extra: f64,
     count: usize,
 }
 
 impl GramAccumulator {
-    /// No rows yet; `local` and `global` are the columns of the parameters, together all from 0 on.
+    /// Accumulator without rows; `local` and `global` are the column indices of the parameters, together 0, 1, 2, ….
     pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
         let width = (local.len() + global.len() + 1).next_multiple_of(PADDING);
         Self {
@@ -44,17 +44,18 @@ impl GramAccumulator {
         }
     }
 
-    /// Length of a row.
+    /// Length of a padded row.
     pub fn width(&self) -> usize {
         self.width
     }
 
-    /// Column of the residual.
+    /// Column index of the residual.
     pub fn residual(&self) -> usize {
         self.local.len() + self.global.len()
     }
 
-    /// Adds the row `scale * (row − phi * previous)`, with (phi, previous) = `before`, and `extra` to the sum of squares.
+    /// Adds the row `scale * (row − phi * previous)`, where `before` is (phi, previous), and adds `extra` to the sum
+    /// of squares.
     pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
         let to = &mut self.batch[self.filled..][..self.width];
         let row = &row[..self.width];
@@ -83,7 +84,7 @@ impl GramAccumulator {
         self.filled = 0;
     }
 
-    /// Normal equations of all rows.
+    /// Normal equations summed over all rows.
     pub fn block(mut self) -> NormalBlock {
         self.sum();
         let (local, global, last) = (&self.local, &self.global, self.residual());
@@ -101,7 +102,7 @@ impl GramAccumulator {
     }
 }
 
-/// `to = scale (row − kept before)`
+/// Kernel: `to = scale * (row − phi * previous)`.
 struct AddInnovation<'a> {
     to: &'a mut [f64],
     row: &'a [f64],
@@ -124,14 +125,14 @@ impl Kernel for AddInnovation<'_> {
     }
 }
 
-/// `sums += rowsᵀ rows`, at least its upper triangle.
+/// Kernel: `sums += rowsᵀ rows`, at least in the upper triangle.
 struct AddSquares<'a> {
     rows: &'a [f64],
     width: usize,
     sums: &'a mut [f64],
 }
 
-/// Rows and vectors of the sums that are computed together, so that each load is used several times.
+/// Size (rows, vectors) of the tile of sums computed together, so that each load is reused.
 const TILE: (usize, usize) = (4, 3);
 
 impl Kernel for AddSquares<'_> {
@@ -155,7 +156,7 @@ impl Kernel for AddSquares<'_> {
     }
 }
 
-/// Adds to a tile of the sums, `VECTORS` vectors wide from a column on; gives its number of columns.
+/// Adds products to a tile of the sums, `VECTORS` vectors wide from `column` on; returns the number of columns.
 #[inline(always)]
 fn add_block<T: Lanes, const VECTORS: usize>(
     rows: &[f64],

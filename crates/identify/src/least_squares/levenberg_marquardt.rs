@@ -9,7 +9,7 @@ use super::{
 };
 use crate::error::FlightError;
 
-/// A sum of squares over flights, by global parameters and local parameters of each flight.
+/// Sum of squares over flights, as a function of global parameters and of local parameters of each flight.
 pub trait LeastSquaresProblem: Sync {
     /// Number of flights.
     fn flights(&self) -> usize;
@@ -31,7 +31,7 @@ pub trait LeastSquaresProblem: Sync {
     /// Bounds and prior of each global parameter.
     fn constraints(&self) -> &[Constraint];
 
-    /// Number of threads.
+    /// Number of threads used.
     fn threads(&self) -> usize {
         1
     }
@@ -64,7 +64,7 @@ pub struct Solution {
     pub iterations: usize,
     /// Why the iteration stopped.
     pub stop_reason: StopReason,
-    /// Predicted reduction of the last step that damping did not shorten.
+    /// Predicted reduction of the sum of squares by the last step that damping did not shorten.
     pub predicted_reduction: Option<f64>,
 }
 
@@ -89,7 +89,7 @@ pub enum SolveError {
     Start {
         /// Position of the flight in the problem.
         flight: usize,
-        /// Why.
+        /// Reason why the flight cannot be predicted.
         reason: FlightError,
     },
     /// The local normal equations of a flight are singular.
@@ -100,16 +100,16 @@ pub enum SolveError {
     Cancelled,
 }
 
-/// Damping at the start.
+/// Initial damping, relative to the diagonal of JᵀJ.
 const INITIAL_DAMPING: f64 = 1e-9;
 
-/// Damping above which no step is tried.
+/// Greatest damping at which a step is tried.
 const MAX_DAMPING: f64 = 1e8;
 
-/// Damping up to which a step has practically its full length.
+/// Greatest damping at which a step has practically its full length.
 const NEGLIGIBLE_DAMPING: f64 = 1e-6;
 
-/// Damping below which a reduction has no effect.
+/// Least damping; lower values have no further effect.
 const MIN_DAMPING: f64 = 1e-12;
 
 /// Minimises the sum of squares from a starting point.
@@ -124,11 +124,11 @@ pub fn solve(
     solve_after(problem, start, criteria, None)
 }
 
-/// As [`solve`], continuing an iteration whose last step had the predicted reduction `previous` in nearly the same
-/// problem.
+/// Minimises the sum of squares like [`solve`], continuing an iteration of nearly the same problem whose last step
+/// had the predicted reduction `previous`.
 ///
 /// # Errors
-/// As [`solve`].
+/// Those of [`solve`].
 pub fn solve_after(
     problem: &impl LeastSquaresProblem,
     start: Iterate,
@@ -187,7 +187,7 @@ pub fn solve_after(
     })
 }
 
-/// Normal equations and sum of squares at a candidate; none if a flight cannot be predicted there.
+/// Normal equations and sum of squares at a candidate iterate; `None` if a flight cannot be predicted there.
 fn evaluate(
     problem: &impl LeastSquaresProblem,
     candidate: &Iterate,
@@ -206,11 +206,11 @@ fn evaluate(
 /// Normal equations of all flights at an iterate.
 struct Linearization {
     blocks: Vec<NormalBlock>,
-    /// A damping, and the Schur complements for it, which the first step with that damping takes.
+    /// A damping and the Schur complements computed for it, consumed by the first step with that damping.
     complements: (f64, Option<Vec<Option<SchurComplement>>>),
 }
 
-/// A step that was not evaluated yet.
+/// A step whose residuals are not evaluated yet.
 struct Step {
     candidate: Iterate,
     /// Predicted decrease of the sum of squares.
@@ -239,7 +239,7 @@ impl Linearization {
         })
     }
 
-    /// Sum of squares with that of the priors; infinite where it is not a number.
+    /// Sum of squares including that of the priors; infinite instead of NaN.
     fn squares(&self, problem: &impl LeastSquaresProblem, iterate: &Iterate) -> f64 {
         let constraints = problem.constraints().iter().zip(iterate.global.iter());
         let priors: f64 = constraints
@@ -249,7 +249,7 @@ impl Linearization {
         if sum.is_nan() { f64::INFINITY } else { sum }
     }
 
-    /// A damped step; none if the normal equations are singular at this damping.
+    /// Damped step; `None` if the normal equations are singular at this damping.
     fn step(
         &mut self,
         problem: &impl LeastSquaresProblem,

@@ -1,7 +1,8 @@
 //! Normal equations of many flights, with the local parameters of each eliminated.
 //!
-//! The local parameters of a flight (its initial state) occur in its residuals alone. Eliminating them flight by flight
-//! leaves a system of the size of the global parameters, so that the work is linear in the number of flights.
+//! The local parameters of a flight (its initial state) occur only in that flight's residuals. Eliminating them
+//! flight by flight leaves a system of the size of the global parameters, so that the work is linear in the number of
+//! flights.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,15 +12,15 @@ use crate::ids::{GlobalId, LocalId};
 /// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, by local and global parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalBlock {
-    /// JᵀJ, local by local.
+    /// Block of JᵀJ: local × local parameters.
     pub local: DMatrix<f64>,
-    /// JᵀJ, local by global.
+    /// Block of JᵀJ: local × global parameters.
     pub cross: DMatrix<f64>,
-    /// JᵀJ, global by global.
+    /// Block of JᵀJ: global × global parameters.
     pub global: DMatrix<f64>,
-    /// Jᵀr by the local parameters.
+    /// Jᵀr of the local parameters.
     pub local_gradient: DVector<f64>,
-    /// Jᵀr by the global parameters.
+    /// Jᵀr of the global parameters.
     pub global_gradient: DVector<f64>,
     /// Sum of squared residuals.
     pub squares: f64,
@@ -28,7 +29,7 @@ pub struct NormalBlock {
 }
 
 impl NormalBlock {
-    /// Normal equations without residuals, of some numbers of local and global parameters.
+    /// Zero normal equations for these numbers of local and global parameters.
     pub fn zero(local: usize, global: usize) -> Self {
         Self {
             local: DMatrix::zeros(local, local),
@@ -52,7 +53,7 @@ impl NormalBlock {
         self.count += 1;
     }
 
-    /// Whether the local parameters are determined where the global ones are fixed.
+    /// Whether the residuals determine the local parameters at fixed global parameters.
     pub fn determines_local(&self) -> bool {
         ScaledCholesky::independent(&self.local, 0.0).is_some()
     }
@@ -72,8 +73,8 @@ impl NormalBlock {
         }
     }
 
-    /// The normal equations with some local parameters treated as global ones, which come first, so that elimination
-    /// of the `remaining` local parameters leaves them.
+    /// Normal equations with some local parameters treated as global ones, placed before the global columns, and with
+    /// only the `remaining` local parameters left for elimination.
     pub fn promote(&self, promoted: &[LocalId], remaining: &[LocalId]) -> NormalBlock {
         let first = promoted.len();
         let size = first + self.global.nrows();
@@ -120,8 +121,8 @@ pub(crate) struct SchurComplement {
 }
 
 impl SchurComplement {
-    /// Eliminates the local parameters, with damping relative to the diagonal of JᵀJ; none where they are not
-    /// determined.
+    /// Eliminates the local parameters, with damping relative to the diagonal of JᵀJ; `None` if the residuals do not
+    /// determine them.
     pub fn new(block: &NormalBlock, damping: f64) -> Option<Self> {
         let factor = ScaledCholesky::independent(&block.local, damping)?;
         let through = block.cross.tr_mul(&factor.solve_matrix(&block.cross));
@@ -134,8 +135,8 @@ impl SchurComplement {
     }
 }
 
-/// The normal equations of the global parameters once all local ones are eliminated, with the factors that
-/// back-substitution needs.
+/// Normal equations of the global parameters after elimination of all local ones, with the factors required for
+/// back-substitution.
 pub struct ReducedSystem<'a> {
     blocks: &'a [NormalBlock],
     factors: Vec<ScaledCholesky>,
@@ -196,7 +197,7 @@ impl ReducedSystem<'_> {
             .collect()
     }
 
-    /// Decrease of the sum of squares by a step, to second order.
+    /// Predicted decrease of the sum of squares by a step, from the quadratic model.
     pub fn predicted_reduction(&self, global: &DVector<f64>, local: &[DVector<f64>]) -> f64 {
         let each = self.blocks.iter().zip(local).map(|(block, local)| {
             let slope = block.local_gradient.dot(local) + block.global_gradient.dot(global);
@@ -234,7 +235,7 @@ mod tests {
 
     use super::*;
 
-    /// Blocks of pseudo-random rows, and the same rows as one dense system.
+    /// Blocks of pseudo-random rows, and the corresponding dense JᵀJ and Jᵀr.
     fn example() -> (Vec<NormalBlock>, DMatrix<f64>, DVector<f64>) {
         let (flights, local, global, rows) = (3, 2, 2, 9);
         let size = global + flights * local;

@@ -2,13 +2,13 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 
-/// Diagonal entry below which, after its root, a row is not scaled.
+/// Square root of a diagonal entry below which its row is not scaled.
 const MIN_ROOT: f64 = 1e-150;
 
-/// Squared pivot of a unit diagonal below which a column is linearly dependent on those before it.
+/// Squared pivot, relative to a unit diagonal, below which a column is linearly dependent on the previous ones.
 const MIN_SQUARED_PIVOT: f64 = 1e-11;
 
-/// The Jacobi scaling of a symmetric matrix: 1 / √diagonal, or `otherwise` where a root is at most `least`.
+/// Jacobi scaling of a symmetric matrix: 1/√diagonal, or `otherwise` where the root is at most `least`.
 pub(crate) fn jacobi_scale(matrix: &DMatrix<f64>, least: f64, otherwise: f64) -> DVector<f64> {
     matrix.diagonal().map(|value| {
         let root = value.max(0.0).sqrt();
@@ -16,20 +16,21 @@ pub(crate) fn jacobi_scale(matrix: &DMatrix<f64>, least: f64, otherwise: f64) ->
     })
 }
 
-/// D A D for a diagonal D.
+/// Matrix product D A D for the diagonal matrix D given by `scale`.
 pub(crate) fn scaled(matrix: &DMatrix<f64>, scale: &DVector<f64>) -> DMatrix<f64> {
     let size = matrix.nrows();
     DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j])
 }
 
-/// Cholesky factor of a symmetric matrix whose diagonal is scaled to 1: unknowns differ by seven orders of magnitude.
+/// Cholesky factor of a symmetric matrix after Jacobi scaling to a unit diagonal, since unknowns differ by seven
+/// orders of magnitude.
 pub(crate) struct ScaledCholesky {
     scale: DVector<f64>,
     cholesky: Cholesky<f64, Dyn>,
 }
 
 impl ScaledCholesky {
-    /// Factors a matrix, adding `damping` to its scaled diagonal; none unless it is positive definite.
+    /// Factors a matrix after adding `damping` to its scaled diagonal; `None` unless it is positive definite.
     pub fn new(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let scale = jacobi_scale(matrix, MIN_ROOT, 1.0);
         let mut scaled = scaled(matrix, &scale);
@@ -40,20 +41,21 @@ impl ScaledCholesky {
         Some(Self { scale, cholesky })
     }
 
-    /// As [`new`](Self::new); none where a column is linearly dependent on others within rounding.
+    /// Factors a matrix like [`new`](Self::new); `None` also if a column is linearly dependent on others within
+    /// rounding.
     pub fn independent(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let factor = Self::new(matrix, damping)?;
         let least = factor.cholesky.l_dirty().diagonal().min();
         (matrix.nrows() == 0 || least * least > MIN_SQUARED_PIVOT).then_some(factor)
     }
 
-    /// The solution of A x = right.
+    /// Solves A x = right.
     pub fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
         let scaled = right.component_mul(&self.scale);
         self.cholesky.solve(&scaled).component_mul(&self.scale)
     }
 
-    /// The solution of A X = right.
+    /// Solves A X = right for a matrix X.
     pub fn solve_matrix(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
         let mut solved = right.clone();
         self.scale_rows(&mut solved);
@@ -68,16 +70,16 @@ impl ScaledCholesky {
         }
     }
 
-    /// The inverse of the matrix.
+    /// Inverse of the factored matrix.
     pub fn inverse(&self) -> DMatrix<f64> {
         scaled(&self.cholesky.inverse(), &self.scale)
     }
 }
 
-/// Inverse of an information matrix by its eigenvalues, its diagonal scaled to 1. An eigenvalue below `least` counts as
-/// `least`, so that a direction without information comes out as uncertain as rounding allows.
+/// Inverse of an information matrix by eigendecomposition after scaling to a unit diagonal. Eigenvalues below `least`
+/// are raised to `least`, which bounds the variance of directions without information.
 pub(crate) fn floored_inverse(information: &DMatrix<f64>, least: f64) -> DMatrix<f64> {
-    /// Scale of an unknown that nothing depends on: as uncertain as can be written.
+    /// Scale of an unknown without information, in place of 1/√diagonal.
     const SCALE_WITHOUT_INFORMATION: f64 = 1e6;
     let size = information.nrows();
     if size == 0 {
@@ -96,13 +98,13 @@ pub(crate) fn floored_inverse(information: &DMatrix<f64>, least: f64) -> DMatrix
     scaled(&inverse, &scale)
 }
 
-/// Eigenvalues of a matrix with unit diagonal below this count as 0.
+/// Eigenvalue of a matrix with unit diagonal below which it counts as 0.
 const MIN_EIGENVALUE: f64 = 1e-12;
 
 /// Pseudo-inverse of a symmetric positive semidefinite matrix, scaled to unit diagonal; none if the eigenvalue
 /// iteration fails.
 pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    /// Relative accuracy and greatest number of the eigenvalue iterations.
+    /// Relative accuracy and greatest number of iterations of the eigenvalue iteration.
     const EIGEN_ITERATION: (f64, usize) = (1e-14, 10_000);
     if matrix.nrows() == 0 {
         return Some(DMatrix::zeros(0, 0));

@@ -2,7 +2,7 @@ use nalgebra::DVector;
 
 use super::*;
 
-/// Flights `y = own * exp(-shared t)`.
+/// Test problem: each flight is `y = local * exp(-global t)`.
 struct Decay {
     data: Vec<Vec<(f64, f64)>>,
     constraints: [Constraint; 1],

@@ -8,10 +8,10 @@ use crate::ids::LocalId;
 use crate::least_squares::GramAccumulator;
 use crate::observations::Observations;
 
-/// Columns of a Jacobian row: directions whose sensitivities are integrated, then parameters, then directions whose
-/// sensitivity is constant. A state that no rate depends on keeps its derivative of 1 by its own initial value.
+/// Columns of a Jacobian row: directions with integrated sensitivities, then parameters, then directions with
+/// constant sensitivity. A state that no rate depends on has the constant derivative 1 by its initial value.
 pub(super) struct JacobianColumns<'p> {
-    /// Number of directions that are integrated.
+    /// Number of directions whose sensitivities are integrated.
     pub integrated: usize,
     /// Column of each direction of the manifold.
     local: Vec<usize>,
@@ -77,7 +77,7 @@ impl<'p> JacobianColumns<'p> {
         local.chain(self.parameter_columns()).collect()
     }
 
-    /// Entries (state, column, value) of the manifold's tangent in the integrated columns.
+    /// Entries (state, column, value) of the manifold's tangent for the integrated columns.
     pub fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
         let columns = entries.iter();
         let columns =
@@ -130,7 +130,7 @@ impl<'p> JacobianColumns<'p> {
 /// Chain rule: derivatives of a marker's position by the states, times the sensitivities of those.
 struct Chain<'a, R> {
     derivatives: &'a ObservationJacobians<'a>,
-    /// Sensitivities of a state, padded with zeros to whole lanes.
+    /// Row of sensitivities of a state, padded with zeros to whole lanes.
     row_of: R,
     rows: &'a mut [Vec<f64>; 3],
 }

@@ -70,10 +70,11 @@ pub fn linearise(
     )
 }
 
-/// As [`linearise`], for given equations of motion and by these parameters of them, in the place of the global ones.
+/// Normal equations like those of [`linearise`], for given equations of motion and derivatives by the given
+/// parameters instead of the global ones.
 ///
-/// With a `cache`, the trajectory is stored there by the first call and taken from there by the next ones, between which
-/// only the loss and the outliers may change.
+/// The first call with a `cache` stores the trajectory there; later calls reuse the trajectory and may change only
+/// the loss and the outliers.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -156,6 +157,6 @@ pub struct PointResidual<'r> {
     pub sample: usize,
     /// Predicted − measured, m, along each axis.
     pub residual: [f64; 3],
-    /// ObservationJacobians along each axis, by the local parameters and then by the parameters of the motion.
+    /// Derivatives of the residual along each axis, by the local parameters and then by the parameters of the motion.
     pub rows: &'r [Vec<f64>; 3],
 }

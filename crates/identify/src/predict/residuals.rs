@@ -14,7 +14,7 @@ use crate::tolerance::RESIDUAL_TOLERANCE;
 /// Residuals `[marker][sample]`, predicted − measured, m; `None` for a missing value. Outliers are included.
 pub type Residuals = Vec<Vec<Option<[f64; 3]>>>;
 
-/// ModelState at the first samples of a flight, sample by sample.
+/// Model states at the first samples of a flight, sample by sample.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -35,7 +35,7 @@ pub fn states(
     Ok(states)
 }
 
-/// Residuals at the first samples of a flight.
+/// Residuals at the first samples of a flight, predicted − measured, m.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.

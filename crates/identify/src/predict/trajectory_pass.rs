@@ -13,13 +13,13 @@ use crate::marker_observers::MarkerConditions;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Least tolerance of an integration, m: rounding errors allow no less.
+/// Least integration tolerance, m, limited by rounding errors.
 const MIN_TOLERANCE: f64 = 1e-10;
 
 /// Greatest tolerance of an integration, m.
 const MAX_TOLERANCE: f64 = 1e-3;
 
-/// IntegrationOptions of an integration of a tolerance in m, which is clamped to what is possible.
+/// Integration options for a tolerance in m, clamped to the allowed range.
 pub(super) fn integration_options(tolerance: f64) -> IntegrationOptions {
     IntegrationOptions {
         method: Method::Tsit5,
@@ -27,13 +27,13 @@ pub(super) fn integration_options(tolerance: f64) -> IntegrationOptions {
     }
 }
 
-/// A flight that is integrated with its sensitivities.
+/// Settings for one integration of a flight with sensitivities.
 pub(super) struct TrajectoryPass<'a> {
     pub problem: &'a FitProblem,
     pub observations: &'a Observations,
     pub global: &'a DVector<f64>,
     pub local: &'a DVector<f64>,
-    /// Number of samples from the first.
+    /// Number of samples integrated, from the first.
     pub samples: usize,
     /// Tolerance of the integration, m.
     pub tolerance: f64,
@@ -49,12 +49,12 @@ pub(super) struct ObservedPoint<'r> {
     pub time: f64,
     /// Predicted − measured, m.
     pub residual: [f64; 3],
-    /// ObservationJacobians along each axis, in the columns of [`JacobianColumns`].
+    /// Derivatives of the residual along each axis, in the columns of [`JacobianColumns`].
     pub rows: &'r mut [Vec<f64>; 3],
 }
 
 impl TrajectoryPass<'_> {
-    /// Integrates the flight, or takes its trajectory from the cache, and calls `each` with every measured point.
+    /// Integrates the flight, or reuses its cached trajectory, and calls `each` with every measured point.
     pub fn each_point<M: DifferentiableRhs>(
         &self,
         motion: M,
@@ -140,7 +140,7 @@ impl TrajectoryPass<'_> {
     }
 }
 
-/// Ranges with adjacent ones joined.
+/// Merges adjacent ranges.
 fn joined(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
     let mut joined: Vec<Range<usize>> = Vec::new();
     for range in ranges {

@@ -1,12 +1,12 @@
-//! Rows of residuals with their derivatives, whitened or weighted, and summed to normal equations.
+//! Jacobian rows of residuals, whitened or weighted, and summed to normal equations.
 
 use super::Loss;
 use crate::least_squares::GramAccumulator;
 use crate::noise::{HUBER_LIMIT, NoiseModel};
 
-/// Normal equations that are summed up, with the last row of each marker, from which innovations are taken.
+/// Accumulator of normal equations from weighted rows; stores each marker's previous row for the AR(1) innovations.
 pub(super) struct WeightedRows<'a> {
-    /// The sums.
+    /// Accumulated normal equations.
     pub accumulator: GramAccumulator,
     loss: Loss<'a>,
     /// Autocorrelation over one sampling interval and weight of the innovation (1/m), along each axis.

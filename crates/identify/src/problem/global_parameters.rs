@@ -7,7 +7,7 @@ use crate::error::{FitError, NameSource};
 use crate::least_squares::Constraint;
 use crate::options::FitOptions;
 
-/// A parameter with one value for all flights, which is estimated.
+/// A parameter that is estimated with one value for all flights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlobalParameter {
     /// Name in the model.
@@ -24,7 +24,7 @@ pub struct GlobalParameter {
     pub x_scale: f64,
 }
 
-/// Global parameters, and names and values of fixed coefficients.
+/// Global parameters, and (name, SI value) of each fixed coefficient.
 type Selection = (Vec<GlobalParameter>, Vec<(String, f64)>);
 
 /// Selects the global parameters by the options, and writes the values of fixed coefficients into `parameters`.
@@ -61,7 +61,7 @@ pub(super) fn select(
     Ok((globals, fixed))
 }
 
-/// Sorts the model's coefficients into global parameters and fixed ones.
+/// Divides the model's coefficients into global parameters and fixed ones.
 fn coefficients(
     model: &Model,
     layout: &Layout,
@@ -107,7 +107,7 @@ fn add_priors(globals: &mut [GlobalParameter], options: &FitOptions<'_>) -> Resu
     Ok(())
 }
 
-/// The global parameter of a constant, coefficient or input component that the options free.
+/// The global parameter for a constant, coefficient or input component named in `FitOptions::free`.
 fn freed(
     model: &Model,
     name: &str,

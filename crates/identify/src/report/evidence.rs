@@ -4,12 +4,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::dataset::Role;
 
-/// A flight as measured and as predicted.
+/// Measured and predicted samples of one flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightEvidence {
-    /// File of the flight.
+    /// File name of the flight.
     pub file: String,
-    /// Whether it was fitted or held out.
+    /// Whether the flight was fitted or held out.
     pub role: Role,
     /// Names of the markers.
     pub markers: Vec<String>,
@@ -19,7 +19,7 @@ pub struct FlightEvidence {
     pub measured: Vec<Vec<Option<[f64; 3]>>>,
     /// `outlier[sample][marker]`: whether a measured point is excluded as an outlier.
     pub outlier: Vec<Vec<bool>>,
-    /// `predicted[sample][marker]`, m.
+    /// `predicted[sample][marker]`: predicted position, m, inertial frame.
     pub predicted: Vec<Vec<[f64; 3]>>,
     /// Names of the states.
     pub state_names: Vec<String>,
@@ -45,7 +45,7 @@ impl FlightEvidence {
 pub struct AxisResiduals {
     /// Autocorrelation of the residuals at lags of 0, 1, 2 … samples.
     pub autocorrelation: Vec<f64>,
-    /// Autocorrelation of the whitened residuals at the same lags: within ±`band` of 0 if they are white.
+    /// Autocorrelation of the whitened residuals at lags of 0, 1, 2 … samples: within ±`band` of 0 if they are white.
     pub whitened_autocorrelation: Vec<f64>,
     /// 95 % band of the autocorrelation of white residuals: 1.96 over the root of their number.
     pub band: f64,

@@ -17,7 +17,7 @@ use crate::dataset::Role;
 /// `report.json` of a fit, schema `hyzer.fit/1`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FitReport {
-    /// `hyzer.fit/1`.
+    /// Schema identifier, `hyzer.fit/1`.
     pub schema: String,
     /// Name of the model.
     pub model: String,
@@ -60,9 +60,9 @@ pub struct NoiseReport {
     pub interval_s: f64,
     /// Number of measured points (marker positions) in the fitted flights.
     pub points: usize,
-    /// Number of those that are excluded as outliers.
+    /// Number of points excluded as outliers.
     pub outliers: usize,
-    /// `outliers / points`.
+    /// Fraction of points excluded as outliers: `outliers / points`.
     pub outlier_fraction: f64,
     /// Number of missing points.
     pub dropouts: usize,
@@ -84,7 +84,7 @@ pub struct Coefficient {
     pub value: f64,
     /// Cramér–Rao standard error under the estimated noise, SI; 0 if fixed.
     pub std_error: f64,
-    /// Cluster-robust standard error by flight, SI; none for fewer than 8 flights.
+    /// Cluster-robust standard error by flight, SI; `None` for fewer than 8 flights.
     pub std_error_clustered: Option<f64>,
     /// 95 % confidence interval, SI.
     pub interval: [f64; 2],
@@ -92,7 +92,7 @@ pub struct Coefficient {
     pub unit: String,
     /// Whether the estimate is at a bound.
     pub at_bound: bool,
-    /// Whether it is fixed, and not estimated.
+    /// Whether the parameter is fixed instead of estimated.
     pub held: bool,
     /// Initial value, SI: from the prior, the dataset or the model.
     pub model_value: f64,
@@ -103,25 +103,25 @@ pub struct Coefficient {
 /// Report of one flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightReport {
-    /// File of the flight.
+    /// File name of the flight.
     pub file: String,
     /// Whether the dataset assigns it to the fit or holds it out.
     pub role: Role,
-    /// Whether it was fitted, predicted or excluded.
+    /// Whether the flight was fitted, predicted or excluded.
     #[serde(flatten)]
     pub outcome: FlightOutcome,
-    /// Number of samples in its table.
+    /// Number of samples in the flight's table.
     pub samples: usize,
     /// Root mean square residual of one coordinate, m; for a held-out flight over the samples after the conditioning
     /// segment. None if excluded.
     pub rms_m: Option<f64>,
-    /// Number of its points that are excluded as outliers.
+    /// Number of the flight's points that are excluded as outliers.
     pub outliers: usize,
     /// Initial state by name; empty if excluded.
     pub initial: BTreeMap<String, Estimate>,
-    /// Where and why its samples were truncated.
+    /// Where and why the flight's samples were truncated; `None` if they were not.
     pub cut: Option<Truncation>,
-    /// Messages: why it is excluded, how its fit was repeated.
+    /// Messages about the flight, such as the reason for its exclusion or a repeated fit.
     pub notes: Vec<String>,
 }
 
@@ -139,7 +139,7 @@ impl FitReport {
 }
 
 impl FlightReport {
-    /// Whether it was fitted or predicted, and not excluded.
+    /// Whether the flight was fitted or predicted, and not excluded.
     pub fn is_used(&self) -> bool {
         !matches!(self.outcome, FlightOutcome::Excluded { .. })
     }
@@ -155,9 +155,9 @@ impl FlightReport {
 pub struct Truncation {
     /// Time of the last sample that was used, s, as in the table.
     pub t: f64,
-    /// Number of dropped samples.
+    /// Number of samples dropped after that time.
     pub samples: usize,
-    /// Reason.
+    /// Reason for the truncation.
     pub why: String,
 }
 
@@ -190,6 +190,6 @@ pub struct Profile {
     pub name: String,
     /// Points (value, SI; deviance: twice the log of the ratio of the greatest likelihood to that at the value).
     pub points: Vec<[f64; 2]>,
-    /// Values on either side where the deviance is 3.84 (95 % interval); none where it is not reached.
+    /// 95 % interval: values on either side where the deviance is 3.84, SI; `None` on a side where it is not reached.
     pub interval: [Option<f64>; 2],
 }

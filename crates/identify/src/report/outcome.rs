@@ -4,17 +4,17 @@ use serde::{Deserialize, Serialize};
 
 use crate::least_squares::StopReason;
 
-/// What became of a flight.
+/// Use of a flight in the fit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "outcome", rename_all = "kebab-case")]
 pub enum FlightOutcome {
-    /// Its initial state was fitted together with the global parameters.
+    /// The initial state was fitted together with the global parameters.
     Fitted,
-    /// Its initial state was fitted to the conditioning segment, and the rest was predicted.
+    /// The initial state was fitted to the conditioning segment, and the rest of the flight was predicted.
     HeldOut,
-    /// It was not used.
+    /// The flight was not used.
     Excluded {
-        /// Why.
+        /// Reason for the exclusion.
         reason: String,
     },
 }
@@ -44,7 +44,7 @@ impl FitStatus {
         }
     }
 
-    /// Whether it is [`Converged`](Self::Converged).
+    /// Whether the status is [`Converged`](Self::Converged).
     pub fn converged(self) -> bool {
         self == Self::Converged
     }
@@ -53,7 +53,7 @@ impl FitStatus {
 /// Steps and status of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Iterations {
-    /// Steps tried.
+    /// Number of steps tried.
     pub steps: usize,
     /// Number of noise estimates.
     pub rounds: usize,

@@ -10,7 +10,7 @@ use crate::noise::NoiseModel;
 /// Number of lags of the autocorrelation, in samples.
 const LAGS: usize = 25;
 
-/// Bins of the histogram of whitened residuals.
+/// Number of bins in the histogram of whitened residuals.
 const BINS: usize = 2000;
 
 /// Limit of the histogram on either side, in standard deviations.
@@ -19,7 +19,7 @@ const HISTOGRAM_LIMIT: f64 = 10.0;
 /// Number of quantiles in the report.
 const QUANTILES: usize = 61;
 
-/// Sums over residuals, which are joined over flights and whose size does not depend on their number.
+/// Sums over residuals for the residual diagnostics; sums of several flights can be added.
 #[derive(Clone, Debug)]
 pub struct ResidualPool {
     axes: [Axis; 3],
@@ -28,7 +28,7 @@ pub struct ResidualPool {
 
 #[derive(Clone, Debug)]
 struct Axis {
-    /// Sum and number of products at each lag.
+    /// Sum and number of residual products at each lag.
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
     /// Histogram of the whitened residuals.
@@ -138,7 +138,7 @@ fn products(series: &[Option<f64>], sums: &mut [(f64, usize)]) {
     }
 }
 
-/// The sum of products of two series of one length.
+/// Kernel: dot product of two series of equal length.
 struct Dot<'a>(&'a [f64], &'a [f64]);
 
 impl Kernel for Dot<'_> {
@@ -168,7 +168,7 @@ fn correlations(sums: &[(f64, usize)]) -> Vec<f64> {
     seen.map(|&sum| mean(sum) / variance).collect()
 }
 
-/// Quantiles of a normal distribution beside those of the binned values.
+/// Quantile pairs (normal, observed) of the binned values, for a Q–Q plot.
 fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     let total: u64 = bins.iter().map(|&count| u64::from(count)).sum();
     if total == 0 {
@@ -185,7 +185,8 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// The value below which so many lie, searched `from` a bin on with what lies below it: quantiles are asked for in order.
+/// Value below which `wanted` of the binned values lie. The search resumes at `from` (bin, count below the bin),
+/// since quantiles are requested in increasing order.
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {

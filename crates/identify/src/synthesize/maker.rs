@@ -1,4 +1,4 @@
-//! One flight of a made dataset: released, flown, observed and spoiled by noise.
+//! Simulation of one synthetic flight: initial state, trajectory, marker positions and measurement noise.
 
 use std::collections::BTreeMap;
 
@@ -13,22 +13,22 @@ use rand_chacha::rand_core::SeedableRng;
 use super::{MOST_POINTS, Plan, corrupt};
 use crate::dataset::{Flight, KnownValue, Role};
 
-/// Tolerance of the integration: far below any measurement.
+/// Integration tolerance, far below measurement noise.
 const TOLERANCE: f64 = 1e-10;
-/// Times are rounded to so many decimals of a second before anything is observed at them, so that tables stay narrow.
+/// Decimals to which sample times in seconds are rounded before the simulation, so that tables stay narrow.
 const TIME_DECIMALS: i32 = 6;
 
-/// What all flights share.
+/// Model, plan and markers shared by all flights of a synthetic dataset.
 pub(super) struct Maker<'a> {
     pub model: &'a Model,
     pub plan: &'a Plan,
     pub body: CompiledModel,
-    /// The markers.
+    /// Marker positions in the model's marker frame, m.
     pub positions: Vec<[f64; 3]>,
 }
 
 impl Maker<'_> {
-    /// One flight, and its initial state.
+    /// Simulates flight `index` from a release; returns the flight with its noise and the true initial state.
     pub fn flight(&self, index: usize, release: &Release) -> Result<(Flight, Vec<f64>), String> {
         let plan = self.plan;
         // A generator of its own for each flight: one more flight does not change the others.
@@ -64,7 +64,7 @@ impl Maker<'_> {
         Ok((flight, state))
     }
 
-    /// The times of the samples.
+    /// Sample times of a flight, s from release.
     fn times(
         &self,
         release: &Release,
@@ -87,7 +87,7 @@ impl Maker<'_> {
         Ok((0..count as usize).map(time).collect())
     }
 
-    /// When the flight comes to the ground, or is watched no longer.
+    /// Time, s, at which the body reaches the ground or the observed time `watched` ends.
     fn landing(
         &self,
         parameters: &[f64],
@@ -114,7 +114,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Where the markers are: `[sample][marker]`.
+    /// True marker positions at the sample times, `[sample][marker]`, m.
     fn seen(
         &self,
         parameters: &[f64],

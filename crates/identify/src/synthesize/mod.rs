@@ -1,6 +1,6 @@
-//! Datasets that are made, not measured: a model flies releases, and its markers are seen through noise.
+//! Synthetic datasets: simulated flights of a model, observed at its markers with measurement noise.
 //!
-//! What was put in is the [`Truth`], so that what a fit finds can be held against it.
+//! The true values are returned as [`Truth`], for comparison with the estimates of a fit.
 
 mod maker;
 mod noise;
@@ -18,38 +18,39 @@ pub use truth::Truth;
 use self::maker::Maker;
 use crate::dataset::{Dataset, Marker};
 
-/// Most flights of a dataset.
+/// Greatest number of flights of a synthetic dataset.
 const MOST_FLIGHTS: usize = 100_000;
-/// Most marker points of a dataset: they bound the memory that it takes.
+/// Limit of samples × markers × flights of a synthetic dataset, which bounds the memory used.
 const MOST_POINTS: f64 = 2e7;
-/// Highest rate, Hz.
+/// Greatest sampling rate, Hz.
 const FASTEST: f64 = 1e6;
 
-/// What is to be made.
+/// Settings of a synthetic dataset.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// How many flights; they take the releases in turn.
+    /// Number of flights; the releases are used in rotation.
     pub flights: usize,
-    /// How many of them, the last, are held out.
+    /// Number of held-out flights, which are the last ones.
     pub held_out: usize,
-    /// How long each is watched, s; by default as its release says. A release until the ground ends there in any case.
+    /// Observed time of each flight, s; `None` for the duration of the release. A release that stops at the ground
+    /// ends there at the latest.
     pub duration: Option<f64>,
-    /// Samples per second.
+    /// Sampling rate, Hz.
     pub rate: f64,
-    /// What is tracked; where none is given, see [`default_markers`].
+    /// Tracked markers; if empty, those of [`default_markers`].
     pub markers: Vec<Marker>,
-    /// How the flights differ.
+    /// Random variation of the initial states between flights.
     pub spread: Spread,
-    /// How they are seen.
+    /// Measurement noise, outliers and dropouts.
     pub noise: Corruption,
-    /// Decimals of a metre to which positions are rounded; none for all digits.
+    /// Decimals to which positions in metres are rounded; `None` for no rounding.
     pub decimals: Option<u8>,
-    /// Seed of everything random.
+    /// Seed of all random numbers.
     pub seed: u64,
 }
 
 impl Default for Plan {
-    /// Eight flights at 120 Hz, none held out, to 0.01 mm.
+    /// Eight flights at 120 Hz, none held out, positions rounded to 0.01 mm.
     fn default() -> Self {
         Self {
             flights: 8,
@@ -65,18 +66,18 @@ impl Default for Plan {
     }
 }
 
-/// Why a dataset cannot be made.
+/// Why a synthetic dataset cannot be generated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SynthesisError {
-    /// Something that was asked for makes no sense.
+    /// A setting of the plan, the model or the releases is invalid; the message says which.
     #[error("{0}")]
     Plan(String),
-    /// A flight is impossible.
+    /// A flight cannot be simulated.
     #[error("flight {number}: {reason}")]
     Flight {
-        /// Its number, from 1.
+        /// Number of the flight, from 1.
         number: usize,
-        /// In words.
+        /// Reason, as a message.
         reason: String,
     },
 }
@@ -85,23 +86,24 @@ fn refuse<T>(why: impl Into<String>) -> Result<T, SynthesisError> {
     Err(SynthesisError::Plan(why.into()))
 }
 
-/// A dataset and what is behind it.
+/// A synthetic dataset with its true values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Made {
-    /// What would have been measured.
+    /// The dataset, as if measured.
     pub dataset: Dataset,
-    /// What was put in.
+    /// True values from which the dataset was generated.
     pub truth: Truth,
 }
 
-/// Three points of a disc that are not in line, as the paper's markers were, m.
+/// Default marker positions on a disc, in body axes, m: three points that are not collinear, like the paper's
+/// markers.
 pub const MARKERS: [[f64; 3]; 3] = [
     [0.1, 0.0, 0.01],
     [-0.05, 0.0866, 0.01],
     [-0.04, -0.08, 0.01],
 ];
 
-/// [`MARKERS`] of a rigid body; of a point mass its centre.
+/// Default markers of a model: [`MARKERS`] on a rigid body; the centre of a point mass.
 pub fn default_markers(model: &Model) -> Vec<Marker> {
     let marker = |name: &str, position| Marker {
         name: name.into(),
@@ -117,10 +119,10 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
     }
 }
 
-/// Flies releases of a model and observes its markers: as many flights as planned, each around its release.
+/// Simulates releases of a model and observes its markers; each flight starts from a random state around its release.
 ///
 /// # Errors
-/// See [`SynthesisError`].
+/// [`SynthesisError::Plan`] for an invalid plan, [`SynthesisError::Flight`] if a flight cannot be simulated.
 pub fn flights(model: &Model, releases: &[Release], plan: &Plan) -> Result<Made, SynthesisError> {
     check(model, releases, plan)?;
     let markers = if plan.markers.is_empty() {

@@ -1,24 +1,25 @@
-//! Noise of made measurements: correlated noise, outliers and dropouts, the same for the same seed on every machine.
+//! Noise of synthetic measurements: AR(1) noise, outliers and dropouts; the same seed gives the same noise on every
+//! machine.
 
 use rand::RngExt;
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::StandardNormal;
 
-/// What is done to true positions. By default white noise of 1.5 mm and nothing else.
+/// Measurement errors added to true positions; by default white noise of 1.5 mm without outliers and dropouts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corruption {
-    /// Standard deviation along each axis, m.
+    /// Standard deviation of the noise along each axis, m.
     pub sigma: f64,
-    /// Correlation of the noise of one sample with that of the sample before, above -1 and below 1. The noise is
-    /// stationary: `sigma` is its standard deviation whatever the correlation.
+    /// Lag-1 autocorrelation of the noise, −0.999 to 0.999. The noise is a stationary AR(1) process of standard
+    /// deviation `sigma`.
     pub ar1: f64,
-    /// Fraction of marker points that are outliers.
+    /// Fraction of marker positions that are outliers.
     pub outliers: f64,
-    /// Standard deviation of each axis of an outlier, m, beside the noise.
+    /// Standard deviation of an outlier's additional error along each axis, m.
     pub outlier_size: f64,
-    /// Fraction of marker points that are not seen: half of them singly, half in runs of 3 to 12 samples in which a
-    /// marker is hidden. At most 0.9.
+    /// Fraction of marker positions that are missing, at most 0.9: half of them singly, half in runs of 3 to 12
+    /// consecutive samples of a marker.
     pub dropouts: f64,
 }
 
@@ -34,20 +35,21 @@ impl Default for Corruption {
     }
 }
 
-/// Largest standard deviation, m.
+/// Greatest standard deviation of noise and outliers, m.
 const LARGEST: f64 = 100.0;
-/// Greatest fraction of dropouts.
+/// Greatest fraction of missing marker positions.
 const MOST_HIDDEN: f64 = 0.9;
-/// Shortest and longest run in which a marker is hidden, samples.
+/// Least and greatest length of a run of missing positions, samples.
 const RUN: [usize; 2] = [3, 12];
-/// Samples ahead of the first: then the dropouts there are as many as later.
+/// Number of initial samples discarded from the dropout process, so that its rate is stationary from the first
+/// sample.
 const AHEAD: usize = 64;
 
 impl Corruption {
-    /// Checks every number.
+    /// Checks that every value is within its range.
     ///
     /// # Errors
-    /// In words: the name, what was found and what was expected.
+    /// A message with the name, the value found and the range expected.
     pub fn check(&self) -> Result<(), String> {
         let within = |name: &str, value: f64, least: f64, most: f64| {
             if (least..=most).contains(&value) {
@@ -64,16 +66,16 @@ impl Corruption {
     }
 }
 
-/// What a stream of random numbers is for.
+/// Use of a stream of random numbers.
 #[derive(Clone, Copy)]
 enum Purpose {
-    /// The noise along an axis.
+    /// Noise along one axis.
     Axis(usize),
     Outliers,
     Dropouts,
 }
 
-/// A stream of its own for each marker and purpose, so that one more marker does not change the others.
+/// Independent random stream for each marker and purpose, so that an additional marker leaves the others unchanged.
 fn stream(seed: u64, marker: usize, purpose: Purpose) -> ChaCha12Rng {
     let purpose = match purpose {
         Purpose::Axis(axis) => axis,
@@ -85,7 +87,7 @@ fn stream(seed: u64, marker: usize, purpose: Purpose) -> ChaCha12Rng {
     random
 }
 
-/// Applies noise to `positions[sample][marker]`, m. What is not seen stays so.
+/// Adds noise to `positions[sample][marker]`, m, and removes dropouts. Missing positions (`None`) stay missing.
 pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed: u64) {
     let markers = positions.iter().map(Vec::len).max().unwrap_or(0);
     for marker in 0..markers {
@@ -124,8 +126,8 @@ pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed
     }
 }
 
-/// Whether a marker is hidden, sample by sample without end: a fraction of the samples in all, half of it singly and
-/// half in runs.
+/// Endless sequence of flags, one per sample: whether a marker is missing. The given fraction of samples is missing,
+/// half of them singly and half in runs.
 fn hidden(fraction: f64, mut random: ChaCha12Rng) -> impl Iterator<Item = bool> {
     let [shortest, longest] = RUN;
     let mean = (shortest + longest) as f64 / 2.0;

@@ -1,4 +1,4 @@
-//! How the flights of a made dataset differ: their initial states vary around a release.
+//! Random variation of the initial states of synthetic flights around a release.
 
 use flight::release::Vocabulary;
 use model_spec::model::Model;
@@ -7,22 +7,22 @@ use rand::RngExt;
 use rand_chacha::ChaCha12Rng;
 use rand_distr::StandardNormal;
 
-/// The variation of initial states. A state s of the body's position stays; any other gets a normal deviation of
-/// standard deviation `fraction` · max(|s|, scale), where the scale is that of its kind.
+/// Random variation of initial states. Position states are not varied; any other state s gets a normal deviation of
+/// standard deviation `fraction` · max(|s|, scale), with the scale of its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// Fraction; 0 throws all flights alike.
+    /// Standard deviation relative to max(|state|, scale); 0 gives all flights the release's initial state.
     pub fraction: f64,
-    /// Scale of a velocity, m/s.
+    /// Least magnitude of a velocity to which `fraction` refers, m/s.
     pub speed: f64,
-    /// Scale of an angle, rad.
+    /// Least magnitude of an angle to which `fraction` refers, rad.
     pub angle: f64,
-    /// Scale of a rate of turn, rad/s.
+    /// Least magnitude of an angular rate to which `fraction` refers, rad/s.
     pub rate: f64,
 }
 
 impl Default for Spread {
-    /// A tenth; of 5 m/s, 1 rad and 10 rad/s where the state is smaller.
+    /// Fraction 0.1, with scales of 5 m/s, 1 rad and 10 rad/s.
     fn default() -> Self {
         Self {
             fraction: 0.1,
@@ -33,14 +33,14 @@ impl Default for Spread {
     }
 }
 
-/// Greatest fraction.
+/// Greatest allowed `fraction`.
 const MOST: f64 = 2.0;
 
 impl Spread {
-    /// Checks the fraction.
+    /// Checks that the fraction is within its range.
     ///
     /// # Errors
-    /// In words: what was found and what was expected.
+    /// A message with the value found and the range expected.
     pub fn check(&self) -> Result<(), String> {
         if (0.0..=MOST).contains(&self.fraction) {
             Ok(())
@@ -50,7 +50,7 @@ impl Spread {
         }
     }
 
-    /// The standard deviation of each state of a model around these values.
+    /// Standard deviation of each state of a model around the values `state`, SI; 0 for positions.
     pub fn deviations(&self, model: &Model, state: &[f64]) -> Vec<f64> {
         let each = model.states.iter().zip(state);
         each.map(|(declared, value)| {
@@ -68,7 +68,7 @@ impl Spread {
         .collect()
     }
 
-    /// A state drawn around another.
+    /// Draws a state around the values `state`; quaternions are normalised.
     pub fn draw(&self, model: &Model, state: &[f64], random: &mut ChaCha12Rng) -> Vec<f64> {
         let deviations = self.deviations(model, state);
         let mut drawn: Vec<f64> = state

@@ -1,31 +1,31 @@
-//! What was put into a made dataset, for people and tests: no fit reads it.
+//! True values behind a synthetic dataset, for readers and tests; fits do not use them.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::{Corruption, Spread};
 
-/// What was put into a made dataset.
+/// True values and settings from which a synthetic dataset was generated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Truth {
-    /// The model.
+    /// Name of the model.
     pub model: String,
-    /// Effects that were switched on.
+    /// Names of the model's effects that were switched on.
     pub effects: Vec<String>,
-    /// Every coefficient.
+    /// True value of every coefficient by name, SI.
     pub coefficients: BTreeMap<String, f64>,
-    /// The noise.
+    /// Measurement noise that was applied.
     pub noise: Corruption,
-    /// How the flights differ.
+    /// Variation of the initial states between flights.
     pub spread: Spread,
-    /// The seed.
+    /// Seed of the random numbers.
     pub seed: u64,
-    /// Each flight's file and initial state, by name.
+    /// File name and true initial state (by state name, SI) of each flight.
     pub initial: Vec<(String, BTreeMap<String, f64>)>,
 }
 
 impl Truth {
-    /// As TOML.
+    /// The true values as TOML text.
     pub fn text(&self) -> String {
         let mut text = "# What was put into this dataset, which was made and not measured. `hyzer fit` does not read this file.\n".to_owned();
         let _ = writeln!(text, "model = {}", quoted(&self.model));

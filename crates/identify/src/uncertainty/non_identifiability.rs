@@ -9,10 +9,10 @@ use crate::problem::GlobalParameter;
 use crate::report::NonIdentifiable;
 use crate::wording::listed;
 
-/// Standard error over the typical magnitude above which a direction is not identifiable.
+/// Standard error, relative to the typical magnitude, above which a direction is not identifiable.
 const MAX_RELATIVE_ERROR: f64 = 0.5;
 
-/// Component over the greatest one from which a coefficient belongs to a direction.
+/// Component, relative to the greatest one, from which a coefficient is listed with a direction.
 const MIN_COMPONENT: f64 = 0.3;
 
 /// Least and greatest value of each quantity and state in the flights, by name.

@@ -13,10 +13,10 @@ use crate::report::Profile;
 /// 95 % quantile of χ² with 1 degree of freedom.
 const CHI2_95: f64 = 3.841_458_820_694_124;
 
-/// Points on either side of the estimate.
+/// Number of profile points on either side of the estimate.
 const POINTS_PER_SIDE: usize = 6;
 
-/// Distance between points, over the standard error.
+/// Spacing of the profile points, in standard errors.
 const SPACING: f64 = 0.5;
 
 /// Profiles one global parameter of standard error `error` around a solution: it is fixed at several values, and all other
@@ -85,7 +85,7 @@ fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     })
 }
 
-/// A problem with other constraints.
+/// A least-squares problem with its constraints replaced.
 struct Constrained<'a, P> {
     problem: &'a P,
     constraints: Vec<Constraint>,

@@ -3,7 +3,7 @@
 use crate::primitive::Primitive;
 use std::hint::cold_path;
 
-/// Magnitude below which a number counts as zero; its square is still a normal number.
+/// Threshold on |x| below which guarded functions treat x as 0; its square is still a normal number.
 const ZERO: f64 = 1e-75;
 
 #[inline(always)]

@@ -4,13 +4,13 @@ use super::{ROUND_TO_INTEGER, polynomial};
 use crate::primitive::Primitive;
 use std::f64::consts::LOG2_E;
 
-/// ln 2 in 42 bits, so that its multiples are exact, and the rest.
+/// ln 2 as head and tail: the head has 42 bits, so that its multiples are exact.
 const LN_2: [f64; 2] = [
     f64::from_bits(0x3fe6_2e42_fefa_3800),
     5.497_923_018_708_371e-14,
 ];
 
-/// (exp(r) - 1 - r)/r² for |r| up to ln(2)/2, by Remez exchange; relative error 4e-18.
+/// Polynomial coefficients of (exp(r) - 1 - r)/r² for |r| up to ln(2)/2, by Remez exchange; relative error 4e-18.
 const EXPONENTIAL: [f64; 10] = [
     0.5000000000000012,
     0.166666666666667,

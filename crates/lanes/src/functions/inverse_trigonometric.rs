@@ -5,17 +5,18 @@ use crate::primitive::{Primitive, map_lanes};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::hint::cold_path;
 
-/// Bound on |x| + |y| below which no intermediate result overflows.
+/// Maximum |x| + |y| for which no intermediate result overflows.
 const MAX_SUM: f64 = 1e300;
 
 /// π/4 minus its `f64` approximation.
 const FRAC_PI_4_REST: f64 = 3.061_616_997_868_383e-17;
 
-/// Tangent above which the angle is computed relative to π/4; the result then exceeds 1/2 rad, which halves the
-/// relative weight of its rounding errors.
+/// Tangent above which the angle is computed relative to π/4; the result then exceeds 1/2 rad, so that the relative
+/// effect of rounding errors halves.
 const MAX_DIRECT_TANGENT: f64 = 0.5625;
 
-/// (atan(q)/q - 1)/z in powers of z = q² up to `MAX_DIRECT_TANGENT`², by Remez exchange; relative error 5e-18.
+/// Polynomial coefficients of (atan(q)/q - 1)/z in powers of z = q², q up to `MAX_DIRECT_TANGENT`, by Remez exchange;
+/// relative error 5e-18.
 const TANGENT: [f64; 13] = [
     -0.3333333333333314,
     0.199999999999424,
@@ -78,7 +79,7 @@ fn general<T: Primitive>(y: T, x: T) -> T {
     let right_tail = T::select(mirror, T::broadcast(4.0 * FRAC_PI_4_REST), zero);
     let base = T::select(steep, T::broadcast(FRAC_PI_2), right);
     let base_tail = T::select(steep, T::broadcast(2.0 * FRAC_PI_4_REST), right_tail);
-    // The sense in which the angle grows from that base: steep and mirrored cancel.
+    // Sign with which the angle is measured from the offset: steep and mirrored cancel.
     let sense = T::select(steep, -x, x).sign_bit();
     let head = base + eighth.xor_bits(sense);
     let tail = base_tail + eighth_tail.xor_bits(sense);

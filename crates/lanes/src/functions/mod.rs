@@ -7,10 +7,11 @@ pub(crate) mod trigonometric;
 
 use crate::primitive::Primitive;
 
-/// 1.5 · 2^52: adding and subtracting it rounds to the nearest integer, which the sum holds in its low bits.
+/// Rounding constant 1.5 · 2^52: adding and subtracting it rounds to the nearest integer, whose bits are the low bits
+/// of the sum.
 const ROUND_TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
-/// `c[0] + c[1] x + c[2] x² + …` by Estrin's scheme (independent halves).
+/// Polynomial `c[0] + c[1] x + c[2] x² + …` by Estrin's scheme (independent halves).
 #[inline(always)]
 fn polynomial<T: Primitive, const N: usize>(x: T, c: [f64; N]) -> T {
     const { assert!(N >= 3 && N <= 16) };

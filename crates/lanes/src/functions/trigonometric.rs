@@ -1,10 +1,10 @@
-//! Sine and cosine together.
+//! Sine and cosine, computed together.
 
 use super::{ROUND_TO_INTEGER, polynomial};
 use crate::primitive::{Primitive, map_lanes};
 use std::hint::cold_path;
 
-/// Largest argument of the Cody–Waite reduction, rad: its products are e/// Polynomials on the unreduced range, `|x| < MAX_UNREDUCED`.act while the quadrant count fits 16 bits.
+/// Maximum argument of the Cody–Waite reduction, rad: its products are exact while the quadrant count fits 16 bits.
 const MAX_REDUCED: f64 = 1e5;
 
 /// π/2 as three summands (Cody & Waite): 37 bits, the next 37, and the remainder.
@@ -47,7 +47,7 @@ pub(crate) fn sin_cos<T: Primitive>(x: T) -> (T, T) {
     reduced(x)
 }
 
-/// For `|x|` below `MAX_UNREDUCED`.
+/// Sine and cosine by polynomials, for `|x| < MAX_UNREDUCED`.
 #[inline(always)]
 fn kernel<T: Primitive>(x: T) -> (T, T) {
     let z = x * x;
@@ -80,7 +80,7 @@ fn reduced<T: Primitive>(x: T) -> (T, T) {
         tail.neg_mul_add_op(sine, cosine),
     );
 
-    // Bit 0 of the count of quarters exchanges the two, bits 0 and 1 give their signs.
+    // Bit 0 of the quadrant count swaps sine and cosine, bits 0 and 1 give their signs.
     let (odd, upper) = (rounded.shl_bits::<63>(), rounded.shl_bits::<62>());
     let exchange = odd.sign_mask();
     let s = T::select(exchange, cosine, sine).xor_bits(upper.sign_bit());

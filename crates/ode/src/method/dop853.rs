@@ -4,14 +4,14 @@ use super::dop853_table::*;
 use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, slices};
 use crate::rhs::{OdeRhs, StateVector};
 
-/// Stages of a step: twelve, the derivative at its end, and three more for dense output.
+/// Stage derivatives of a step: twelve, the derivative at the end, and three more for dense output.
 pub(crate) struct Dop853<X> {
     k: [X; 16],
     stage: X,
     end: X,
 }
 
-/// `to = from + h Σ weight · k[stage]`
+/// Runge–Kutta stage with sparse weights: `to = from + h Σ weight · k[stage]`.
 #[inline(always)]
 fn combine<X: StateVector, const M: usize>(
     to: &mut X,
@@ -154,7 +154,7 @@ fn append_row<X: StateVector, const M: usize>(
     }));
 }
 
-/// Weights of the interpolant of order 7 at the fraction `s` of the step: products of `s` and `1 - s` in turns.
+/// Weights of the order-7 interpolant at the fraction `s` of the step: alternating products of `s` and `1 - s`.
 pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     let r = 1.0 - s;
     let sr = s * r;

@@ -3,7 +3,7 @@
 //!
 //! Rows are sparse: pairs of stage index (from 0) and weight; weights that are not listed are 0.
 
-/// Sparse row: stage index and weight.
+/// Sparse row of a coefficient matrix: (stage index, weight) of each nonzero.
 pub(super) type Terms<const M: usize> = [(usize, f64); M];
 
 /// Nodes: time of each stage as a fraction of the step.
@@ -184,7 +184,7 @@ pub(super) const E5: Terms<8> = [
     (11, -0.022355307863886294),
 ];
 
-/// Row 4 of the dense output.
+/// Stage weights for row 4 of the dense output.
 pub(super) const D0: Terms<12> = [
     (0, -8.428938276109013),
     (5, 0.5667149535193777),
@@ -200,7 +200,7 @@ pub(super) const D0: Terms<12> = [
     (15, -4.436036387594894),
 ];
 
-/// Row 5 of the dense output.
+/// Stage weights for row 5 of the dense output.
 pub(super) const D1: Terms<12> = [
     (0, 10.427508642579134),
     (5, 242.28349177525817),
@@ -216,7 +216,7 @@ pub(super) const D1: Terms<12> = [
     (15, 35.81684148639408),
 ];
 
-/// Row 6 of the dense output.
+/// Stage weights for row 6 of the dense output.
 pub(super) const D2: Terms<12> = [
     (0, 19.985053242002433),
     (5, -387.0373087493518),
@@ -232,7 +232,7 @@ pub(super) const D2: Terms<12> = [
     (15, 11.99229113618279),
 ];
 
-/// Row 7 of the dense output.
+/// Stage weights for row 7 of the dense output.
 pub(super) const D3: Terms<12> = [
     (0, -25.69393346270375),
     (5, -154.18974869023643),

@@ -10,7 +10,7 @@ use crate::rhs::{OdeRhs, StateVector};
 /// Runge–Kutta method of an integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// Tsitouras (2011), order 5 with dense output of order 4: the cheaper one at tolerances of 1e-6 and looser.
+    /// Tsitouras (2011), order 5 with dense output of order 4; efficient at tolerances of 1e-6 and looser.
     #[default]
     Tsit5,
     /// Dormand & Prince's method of order 8 with Hairer's dense output of order 7: for tight tolerances.
@@ -46,7 +46,7 @@ pub(crate) struct ErrorTolerance {
 }
 
 impl ErrorTolerance {
-    /// Tolerated error of a component whose values at the ends of the step are `a` and `b`.
+    /// Tolerated error `atol + rtol · max(|a|, |b|)` of a component with the values `a` and `b` at the ends of a step.
     #[inline(always)]
     pub(crate) fn scale(&self, a: f64, b: f64) -> f64 {
         self.atol + self.rtol * a.abs().max(b.abs())
@@ -60,7 +60,7 @@ pub(crate) struct StepStart<'a, X> {
     pub dx: &'a X,
 }
 
-/// Stages of an embedded Runge–Kutta pair.
+/// Explicit Runge–Kutta stepper: computes the stages, error norm and dense output of a step.
 pub(crate) trait Stepper<X: StateVector> {
     const METHOD: Method;
     /// Evaluations of the right-hand side per step, the derivative at its end included.
@@ -72,10 +72,10 @@ pub(crate) trait Stepper<X: StateVector> {
     /// Minimum and maximum ratio of successive step sizes.
     const STEP_FACTOR_BOUNDS: (f64, f64);
 
-    /// Stages for states of the length of `like`.
+    /// Allocates stages for states of the length of `like`.
     fn new(like: &X) -> Self;
 
-    /// Computes a step of size `h` and returns its error norm, tolerated up to 1; NaN or infinite where the
+    /// Computes a step of size `h` and returns its error norm, acceptable up to 1; NaN or infinite where the
     /// right-hand side is not finite.
     fn try_step<D: OdeRhs<State = X>>(
         &mut self,
@@ -85,7 +85,8 @@ pub(crate) trait Stepper<X: StateVector> {
         tolerance: &ErrorTolerance,
     ) -> f64;
 
-    /// Computes the derivative at the end `t_end` of an accepted step, where the last stage has not (no FSAL).
+    /// Completes an accepted step: computes the derivative at its end `t_end`, unless the last stage is that
+    /// derivative (FSAL).
     fn accept<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t_end: f64);
 
     /// State at the end of the step.
@@ -104,7 +105,7 @@ pub(crate) trait Stepper<X: StateVector> {
     ) -> ([&'s [f64]; ROWS], usize);
 }
 
-/// `to = from + h Σ weight · k`
+/// Runge–Kutta stage: `to = from + h Σ weight · k`.
 // Loops instead of iterator closures, which are not always inlined.
 #[inline(always)]
 pub(crate) fn combine<X: StateVector, const M: usize>(
@@ -136,7 +137,7 @@ pub(crate) fn combine<X: StateVector, const M: usize>(
     }
 }
 
-/// First `n` components of each vector.
+/// First `n` components of each stage vector.
 #[inline(always)]
 pub(crate) fn slices<X: StateVector, const M: usize>(k: [&X; M], n: usize) -> [&[f64]; M] {
     let mut slices: [&[f64]; M] = [&[]; M];

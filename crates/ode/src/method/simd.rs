@@ -1,4 +1,4 @@
-//! SIMD kernels for long states, equal in their bits to the scalar loops for short ones.
+//! SIMD kernels for long states, bit-identical to the scalar loops for short ones.
 
 use super::ROWS;
 use lanes::{Kernel, Lanes};
@@ -6,7 +6,7 @@ use lanes::{Kernel, Lanes};
 /// Minimum state length for SIMD kernels; below it the scalar loops are faster.
 pub(crate) const MIN_SIMD_LEN: usize = 64;
 
-/// `to = from + h Σ weight · k`
+/// Kernel of a Runge–Kutta stage: `to = from + h Σ weight · k`.
 pub(crate) struct Combine<'a, const M: usize> {
     pub to: &'a mut [f64],
     pub from: &'a [f64],
@@ -47,7 +47,7 @@ impl<const M: usize> Kernel for Combine<'_, M> {
     }
 }
 
-/// `to = Σ weight · row`, where the first weight is 1.
+/// Kernel of dense output: `to = Σ weight · row`, where the first weight is 1.
 pub(crate) struct WeightedRows<'a> {
     pub rows: [&'a [f64]; ROWS],
     pub weights: [f64; ROWS],
@@ -84,7 +84,7 @@ impl Kernel for WeightedRows<'_> {
     }
 }
 
-/// Whether all elements are finite.
+/// Kernel that checks whether all elements are finite.
 pub(crate) struct AllFinite<'a>(pub &'a [f64]);
 
 impl Kernel for AllFinite<'_> {

@@ -1,12 +1,12 @@
-//! Ch. Tsitouras, "Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying assumption",
-//! Computers & Mathematics with Applications 62 (2011).
+//! Tsit5 method of Ch. Tsitouras, "Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying
+//! assumption", Computers & Mathematics with Applications 62 (2011).
 
 use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, combine, slices};
 use crate::rhs::{OdeRhs, StateVector};
 
-/// Nodes.
+/// Nodes: time of each stage as a fraction of the step.
 pub(crate) const C: [f64; 7] = [0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0];
-/// Row of the Runge–Kutta matrix for stage 2; A2 to A5 are those for stages 3 to 6.
+/// Row of the Runge–Kutta matrix for stage 2; A2 to A5 are the rows for stages 3 to 6.
 const A1: [f64; 1] = [0.161];
 const A2: [f64; 2] = [-0.008480655492356989, 0.335480655492357];
 const A3: [f64; 3] = [2.8971530571054935, -6.359448489975075, 4.3622954328695815];
@@ -152,8 +152,8 @@ impl<X: StateVector> Stepper<X> for Tsit5<X> {
     }
 }
 
-/// Weights of the interpolant of order 4 at the fraction `s` of the step, all but the first to be multiplied by the step
-/// size; needs no further stages.
+/// Weights of the order-4 interpolant at the fraction `s` of the step; all but the first must be multiplied by the
+/// step size. Needs no additional stages.
 pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     let s2 = s * s;
     [

@@ -7,33 +7,33 @@ use std::ops::Range;
 /// Maximum number of rows of J in a block: their sums stay in registers.
 const MAX_BLOCK_ROWS: usize = 3;
 
-/// Blocked sparsity pattern of J, for sensitivity matrices of one row length.
+/// Sparsity pattern of J grouped into blocks of equal rows, for sensitivity matrices S of one row length.
 ///
-/// A row of S is a number of groups, a group is a number of lines, and a line is `PADDING` numbers.
+/// A row of S consists of groups, a group of lines, and a line of `PADDING` numbers.
 pub(super) struct JacobianProduct {
-    /// Blocks, the one with the fewest columns first: branches of loops as long as the previous one are predicted.
+    /// Blocks in increasing order of column count, so that the branch predictor learns the loop lengths.
     blocks: Vec<Block>,
-    /// Index of the first group of the row of S for each column of each block, block by block.
+    /// Index of the first group of row j of S for each column j of J in each block, block by block.
     columns: Vec<usize>,
-    /// Lines per group: summed together.
+    /// Number of lines per group, which are summed together.
     lines_per_group: usize,
-    /// Groups per row of S.
+    /// Number of groups per row of S.
     groups_per_row: usize,
 }
 
-/// Rows of J with the same sparsity pattern: each row of S is read once for all of them.
+/// Rows of J with equal column indices: each row of S is read once for all of them.
 struct Block {
     count: usize,
     /// Index of the first group of each row of dS/dt.
     rows: [usize; MAX_BLOCK_ROWS],
-    /// Index of the first entry of each row in J; the others follow it.
+    /// Index in J of the first entry of each row; the row's other entries follow.
     entries: [usize; MAX_BLOCK_ROWS],
-    /// Range of the block in `JacobianProduct::columns`.
+    /// Range of the block's columns in `JacobianProduct::columns`.
     columns: Range<usize>,
 }
 
 impl JacobianProduct {
-    /// Blocks of a sparsity pattern ordered by row, for rows of S of `stride` numbers, a multiple of `PADDING`.
+    /// Groups a row-ordered sparsity pattern into blocks, for rows of S of `stride` numbers, a multiple of `PADDING`.
     pub fn new(pattern: &[(usize, usize)], states: usize, stride: usize) -> Self {
         let lines_per_row = stride / PADDING;
         let lines = [4, 3, 2]
@@ -75,7 +75,7 @@ impl JacobianProduct {
         }
     }
 
-    /// `ds = J s` for a J with these entries, in the order of the pattern.
+    /// Computes `ds = J s`; `values` are the entries of J in the order of the pattern.
     pub fn write(&self, values: &[f64], s: &[f64], ds: &mut [f64]) {
         match self.lines_per_group {
             4 => self.write_in::<4>(values, s, ds),
@@ -97,7 +97,7 @@ impl JacobianProduct {
     }
 }
 
-/// Lines of S that are summed together.
+/// Consecutive lines of a row of S that are summed together.
 type Group<const LINES: usize> = [[f64; PADDING]; LINES];
 
 /// SIMD kernel for all blocks, generic in the lines per group so that the sums stay in registers.

@@ -32,7 +32,7 @@ pub trait DifferentiableRhs {
     }
 }
 
-/// Multiple to which rows of S are padded, so that they are whole SIMD vectors on every machine.
+/// Row padding of S: rows are multiples of this many numbers, hence whole SIMD vectors on every machine.
 const PADDING: usize = 8;
 
 /// Augmented right-hand side for the state x and its sensitivities S = ∂x/∂(initial states, parameters).
@@ -44,10 +44,10 @@ const PADDING: usize = 8;
 pub struct Sensitivities<M> {
     rhs: M,
     layout: SensitivityLayout,
-    /// Initial states that S is taken by: the state of each of the first columns.
+    /// State index of each of the first columns of S, which are derivatives by initial states.
     initial: Vec<usize>,
     product: JacobianProduct,
-    /// For each term that Jp adds to dS/dt: its entry in Jp, and its index in S.
+    /// Terms that Jp adds to dS/dt: (index of the entry in Jp, index of the element in S).
     parameter_terms: Vec<(usize, usize)>,
     jacobian: Vec<f64>,
     parameter_jacobian: Vec<f64>,
@@ -59,7 +59,7 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
     /// `parameters`, by their index in Jp (following columns).
     ///
     /// # Panics
-    /// Where an initial state does not exist, or the entries of J are not ordered by row.
+    /// If an initial state does not exist, or the entries of J are not ordered by row.
     pub fn new(rhs: M, initial: &[usize], parameters: &[usize]) -> Self {
         let states = rhs.states();
         assert!(initial.iter().all(|i| *i < states), "states of the model");
@@ -107,10 +107,10 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         self.layout.columns
     }
 
-    /// Initial state vector: x, and S with an entry of 1 for each initial state it is taken by.
+    /// Augmented initial state: x, and S with an entry of 1 for each selected initial state.
     ///
     /// # Panics
-    /// Where `x` is not as long as the number of states.
+    /// If the length of `x` is not the number of states.
     pub fn initial_state(&self, x: &[f64]) -> AlignedVec {
         let columns = self.initial.iter().enumerate();
         let entries: Vec<_> = columns
@@ -119,11 +119,11 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         self.initial_state_with(x, &entries)
     }
 
-    /// Initial state vector with an S of the given entries (state, column, value), all others 0: for sensitivities
+    /// Augmented initial state with the given entries (state, column, value) of S, all others 0: for sensitivities
     /// along directions in the space of initial states.
     ///
     /// # Panics
-    /// Where `x` is not as long as the number of states, or a state or column does not exist.
+    /// If the length of `x` is not the number of states, or a state or column does not exist.
     pub fn initial_state_with(&self, x: &[f64], entries: &[(usize, usize, f64)]) -> AlignedVec {
         let layout = self.layout;
         assert_eq!(x.len(), layout.states, "one value per state");
@@ -153,12 +153,12 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         self.layout.state(augmented)
     }
 
-    /// Row of S within an augmented state vector: derivatives of one state by each column.
+    /// Row of S within an augmented state vector: derivatives of one state, by column, without padding.
     pub fn row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
         &self.layout.padded_row(augmented, state)[..self.layout.columns]
     }
 
-    /// The right-hand side without sensitivities.
+    /// The differentiable right-hand side that the sensitivities are taken of.
     pub fn rhs(&mut self) -> &mut M {
         &mut self.rhs
     }
@@ -181,18 +181,18 @@ impl SensitivityLayout {
         0..self.states
     }
 
-    /// Indices of the row of S that belongs to one state, padding included.
+    /// Indices of one state's row of S in the augmented state vector, padding included.
     pub fn row_range(&self, state: usize) -> Range<usize> {
         let first = self.first + state * self.stride;
         first..first + self.stride
     }
 
-    /// The state x within an augmented state vector.
+    /// State x within an augmented state vector.
     pub fn state<'x>(&self, augmented: &'x [f64]) -> &'x [f64] {
         &augmented[self.state_range()]
     }
 
-    /// Row of S that belongs to one state, with its padding of zeros.
+    /// Row of S for one state within an augmented state vector, with its padding of zeros.
     pub fn padded_row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
         &augmented[self.row_range(state)]
     }
@@ -240,7 +240,7 @@ impl<M: DifferentiableRhs> OdeRhs for Sensitivities<M> {
 mod tests {
     use super::*;
 
-    /// Right-hand side of four states whose Jacobian has the entries 1, 2, … in the order of its pattern.
+    /// Test right-hand side of four states whose Jacobian has the entries 1, 2, … in the order of its pattern.
     struct Numbered(Vec<(usize, usize)>);
 
     impl DifferentiableRhs for Numbered {

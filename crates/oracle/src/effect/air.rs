@@ -5,7 +5,7 @@ use crate::physical::Physical;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// The effects of this file.
+/// Built-in effects on the surroundings.
 pub(super) const EFFECTS: &[Effect] = &[
     effect("wind", &["W_x", "W_y"], &ANY, Kind::Air(Air::Wind)),
     Effect {
@@ -45,7 +45,7 @@ impl Air {
         Vector3::new(values[0], values[1], T::zero()) * along
     }
 
-    /// Name of the constant that is scaled, and the factor.
+    /// Name of the constant that the effect scales, and the factor; `None` for wind.
     pub fn factor<T: Real>(self, values: &[T]) -> Option<(&'static str, T)> {
         let name = match self {
             Self::Density => "rho",

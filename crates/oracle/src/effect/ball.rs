@@ -7,10 +7,10 @@ use std::f64::consts::PI;
 
 /// Kinematic viscosity of air at 20 °C, m²/s.
 const VISCOSITY: f64 = 1.5e-5;
-/// Critical Reynolds number of the drag crisis, and the width of the transition.
+/// Critical Reynolds number of the drag crisis, and width of the transition (dimensionless).
 const CRISIS: (f64, f64) = (1e5, 2e4);
 
-/// The effects of this file.
+/// Built-in effects on a ball.
 pub(super) const EFFECTS: &[Effect] = &[
     effect("magnus", &["C_Lw"], &BALL, Kind::Ball(Ball::Magnus)),
     effect("spin_decay", &["C_Lwt"], &BALL, Kind::Ball(Ball::SpinDecay)),

@@ -1,9 +1,9 @@
-//! Errors of the clock that time stamps are taken from.
+//! Errors of the clock that produces the time stamps.
 
 use super::{ANY, Effect, Kind, effect};
 use crate::scalar::Real;
 
-/// The effects of this file.
+/// Built-in effects on the clock.
 pub(super) const EFFECTS: &[Effect] = &[effect(
     "clock_rate",
     &["clock_error"],
@@ -18,7 +18,7 @@ pub(super) enum Clock {
 }
 
 impl Clock {
-    /// Factor on the seconds of flight per second of the clock.
+    /// Factor 1/(1 + error) on the seconds of flight per second of the clock.
     pub fn factor<T: Real>(self, values: &[T]) -> T {
         match self {
             Self::Rate => T::one() / (T::one() + values[0]),

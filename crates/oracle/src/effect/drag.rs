@@ -6,7 +6,7 @@ use crate::scalar::Real;
 /// Speed at which the Reynolds-number term of the drag is 0, m/s.
 const REFERENCE_SPEED: f64 = 14.0;
 
-/// The effects of this file.
+/// Built-in effects on the drag of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "zero_lift_drag_angle",
@@ -27,9 +27,9 @@ pub(super) const EFFECTS: &[Effect] = &[
 pub(super) enum Drag {
     /// Minimum drag at a nonzero angle of attack.
     ZeroLiftAngle,
-    /// Proportional to the absolute advance ratio.
+    /// Change of drag proportional to the absolute advance ratio.
     BySpin,
-    /// Proportional to the logarithm of the Reynolds number.
+    /// Change of drag proportional to the logarithm of the Reynolds number.
     ByReynolds,
 }
 
@@ -38,7 +38,7 @@ impl Drag {
         let value = values[0];
         let change = match self {
             Self::ZeroLiftAngle => {
-                // The parabola with the shifted minimum minus the one with its minimum at 0.
+                // Parabola with the shifted minimum, minus the parabola with its minimum at 0.
                 let alpha = flow.alpha();
                 let shifted = alpha - value;
                 flow.constant("C_Da") * (shifted * shifted - alpha * alpha)

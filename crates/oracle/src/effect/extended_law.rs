@@ -1,4 +1,4 @@
-//! A reference law with active effects, evaluated with numbers.
+//! Reference law with active effects, evaluated for numerical values.
 
 use super::{Effect, Flow, Kind, Load};
 use crate::physical::{Motion, Physical};
@@ -7,32 +7,32 @@ use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// An effect with the values of its coefficients and states.
+/// A built-in effect with the values of its coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ActiveEffect<T> {
-    /// The effect.
+    /// The built-in effect.
     pub effect: &'static Effect,
-    /// Values of its coefficients, then of its states.
+    /// Values of the effect's coefficients, then of its states.
     pub values: Vec<T>,
 }
 
-/// A law with its constants, surroundings and active effects, whose order does not matter.
+/// A law with numerical constants, wind and active effects; the order of the effects does not matter.
 #[derive(Clone, Debug)]
 pub struct ExtendedLaw<T> {
-    /// The law.
+    /// The law of motion without effects.
     pub law: Law,
-    /// Its constants, in the order of [`Law::constants`].
+    /// Values of the law's constants, in the order of [`Law::constants`].
     pub constants: Vec<T>,
     /// Wind velocity in inertial components, m/s.
     pub wind: Vector3<T>,
     /// Measured angular velocity of a ball, rad/s; 0 for bodies whose attitude is a state.
     pub omega: Vector3<T>,
-    /// Active effects.
+    /// Active effects with their values.
     pub effects: Vec<ActiveEffect<T>>,
 }
 
 impl<T: Real> ExtendedLaw<T> {
-    /// Loads and accelerations at a state, `time` in seconds of flight.
+    /// Loads and accelerations of a body at state `at`; `time` since release, s.
     pub fn motion(&self, at: &Physical<T>, time: T) -> Motion<T> {
         self.motion_with(at, time, Vector3::zeros(), Vector3::zeros())
     }
@@ -118,7 +118,7 @@ impl<T: Real> ExtendedLaw<T> {
         })
     }
 
-    /// Velocity of the air at the body, m/s.
+    /// Velocity of the air at the body, m/s, in inertial components.
     fn air_velocity(&self, at: &Physical<T>) -> Vector3<T> {
         self.effects
             .iter()
@@ -128,7 +128,7 @@ impl<T: Real> ExtendedLaw<T> {
             })
     }
 
-    /// Constants of the law, scaled by the effects.
+    /// Constants of the law, multiplied by the factors of air-density and gravity effects.
     fn scaled_constants(&self) -> Vec<T> {
         let mut constants = self.constants.clone();
         for active in &self.effects {
@@ -147,7 +147,7 @@ impl<T: Real> ExtendedLaw<T> {
 }
 
 impl<T: Real> ActiveEffect<T> {
-    /// Force and moment of the effect, independent of those of all others.
+    /// Force and moment of one effect, independent of all other effects.
     fn load(&self, flow: &Flow<'_, T>) -> Load<T> {
         let values = self.values.as_slice();
         match self.effect.kind {

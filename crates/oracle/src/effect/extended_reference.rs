@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 /// A reference law with the effects of a model, bound to the model's names.
 #[derive(Clone, Debug)]
 pub struct ExtendedReference {
-    /// The law without effects.
+    /// The reference law without effects.
     pub reference: Reference,
     effects: Vec<(&'static Effect, Vec<Slot>)>,
     omega: Option<usize>,
@@ -52,7 +52,7 @@ impl ExtendedReference {
         })
     }
 
-    /// The law and its effects with the values of a point.
+    /// The law with its effects, evaluated with the values of a point.
     pub fn at<T: Real>(&self, point: &Point<T>) -> ExtendedLaw<T> {
         let value = |slot: &Slot| match *slot {
             Slot::Coefficient(i) => point.coefficients[i],
@@ -71,7 +71,7 @@ impl ExtendedReference {
         }
     }
 
-    /// Derivative of every state by the time of the measuring clock.
+    /// Derivative of every state with respect to the time of the measuring clock.
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let law = self.at(point);
         let chart = &self.reference.chart;
@@ -81,7 +81,7 @@ impl ExtendedReference {
         rates.into_iter().map(|rate| rate * clock_rate).collect()
     }
 
-    /// Reported position of the marker, m.
+    /// Reported position of the marker, m, including observation effects.
     pub fn observation<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
         let at = self.reference.chart.physical(&point.states);
         let which = self.input(self.marker_is, point);
@@ -93,7 +93,7 @@ impl ExtendedReference {
     }
 }
 
-/// Where the values of an effect are in a model: its coefficients, then its states.
+/// Indices of an effect's values in a model: its coefficients, then its states.
 fn slots(effect: &'static Effect, model: &Model) -> Result<Vec<Slot>, BindError> {
     let missing = |name| BindError::MissingEffectValue {
         effect: effect.name,

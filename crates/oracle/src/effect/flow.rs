@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 pub struct Flow<'a, T> {
     law: Law,
     constants: &'a [T],
-    /// State of the body.
+    /// Physical state of the body.
     pub at: &'a Physical<T>,
     /// Time since release, s.
     pub time: T,
@@ -39,7 +39,7 @@ impl<'a, T: Real> Flow<'a, T> {
         }
     }
 
-    /// The constant of the law with the given name.
+    /// Value of the law's constant with the given name.
     ///
     /// # Panics
     /// If the law has no such constant, which an effect's `laws` excludes.
@@ -58,7 +58,7 @@ impl<'a, T: Real> Flow<'a, T> {
         self.stream.speed
     }
 
-    /// Velocity relative to the air, m/s.
+    /// Velocity of the body relative to the air, m/s, in inertial components.
     pub fn through_air(&self) -> Vector3<T> {
         self.stream.through_air
     }
@@ -73,12 +73,12 @@ impl<'a, T: Real> Flow<'a, T> {
         [self.stream.d1, self.stream.d2]
     }
 
-    /// Spin about the axis, rad/s.
+    /// Spin about the axis of symmetry, rad/s.
     pub fn spin(&self) -> T {
         self.stream.spin
     }
 
-    /// Advance ratio r d / 2V; 0 without airspeed.
+    /// Advance ratio r d / 2V, dimensionless; 0 without airspeed.
     pub fn advance_ratio(&self) -> T {
         if self.speed().re() == 0.0 {
             return T::zero();
@@ -87,23 +87,23 @@ impl<'a, T: Real> Flow<'a, T> {
         rim / self.speed()
     }
 
-    /// Force q A C along `direction`, N.
+    /// Force q A C along `direction`, N; q dynamic pressure, A area, C coefficient.
     pub fn pressure_force(&self, coefficient: T, direction: Vector3<T>) -> Vector3<T> {
         let half = self.constant("rho") * self.constant("A") / T::lit(2.0);
         direction * (half * coefficient * self.speed() * self.speed())
     }
 
-    /// Moment q A d C about `axis`, N·m.
+    /// Moment q A d C about `axis`, N·m; q dynamic pressure, A area, d diameter, C coefficient.
     pub fn pressure_moment(&self, coefficient: T, axis: Vector3<T>) -> Vector3<T> {
         self.pressure_force(coefficient, axis) * self.constant("d")
     }
 
-    /// Lift of the given coefficient, along v × d2.
+    /// Lift force for a lift coefficient, N, along v × d2.
     pub fn lift(&self, coefficient: T) -> Vector3<T> {
         self.pressure_force(coefficient, self.across_flow(self.stream.d2))
     }
 
-    /// Drag of the given coefficient, against the velocity.
+    /// Drag force for a drag coefficient, N, against the velocity relative to the air.
     pub fn drag(&self, coefficient: T) -> Vector3<T> {
         let half = self.constant("rho") * self.constant("A") / T::lit(2.0);
         -self.through_air() * (half * coefficient * self.speed())

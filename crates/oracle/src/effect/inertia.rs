@@ -4,7 +4,7 @@ use super::{DISCS, Effect, Flow, Kind, effect};
 use crate::scalar::Real;
 use nalgebra::{Matrix3, Vector3};
 
-/// The effects of this file.
+/// Built-in effects on mass and inertia of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "added_mass",
@@ -37,7 +37,7 @@ pub(super) enum Inertia {
 }
 
 impl Inertia {
-    /// Additional inertia in the body frame, kg·m².
+    /// Change of the inertia tensor in the body frame, kg·m².
     pub fn added<T: Real>(self, values: &[T]) -> Matrix3<T> {
         let mut inertia = Matrix3::zeros();
         match self {

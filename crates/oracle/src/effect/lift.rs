@@ -8,7 +8,7 @@ const STALL_ANGLE: f64 = 8.0;
 /// Scale height of the ground effect, m.
 const GROUND_EFFECT_HEIGHT: f64 = 0.5;
 
-/// The effects of this file.
+/// Built-in effects on the lift of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect("stall", &["C_Ls"], &DISC, Kind::Lift(Lift::Stall)),
     effect("lift_by_spin", &["C_LS"], &DISCS, Kind::Lift(Lift::BySpin)),

@@ -48,13 +48,13 @@ static KINDS: [&[Effect]; 11] = [
 /// An effect with its reference implementation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
-    /// Name of the built-in effect.
+    /// Name of the effect in the model language.
     pub name: &'static str,
-    /// Its coefficients, all with null value 0.
+    /// Names of the effect's coefficients; all null values are 0.
     pub coefficients: &'static [&'static str],
-    /// States that it adds, constant during a flight, with null value 0: values estimated for each flight.
+    /// Names of states that the effect adds: constant during a flight, estimated per flight, null value 0.
     pub states: &'static [&'static str],
-    /// Laws to which it applies.
+    /// Laws to which the effect applies.
     pub laws: &'static [Law],
     kind: Kind,
 }
@@ -96,7 +96,7 @@ const fn effect(
 }
 
 impl Effect {
-    /// Number of values: coefficients and states.
+    /// Number of values of the effect: coefficients and states.
     pub fn values(&self) -> usize {
         self.coefficients.len() + self.states.len()
     }
@@ -107,7 +107,7 @@ pub fn all() -> impl Iterator<Item = &'static Effect> + Clone {
     KINDS.iter().copied().flatten()
 }
 
-/// The effect of the given name.
+/// Built-in effect with the given name; `None` if there is none.
 pub fn by_name(name: &str) -> Option<&'static Effect> {
     all().find(|effect| effect.name == name)
 }

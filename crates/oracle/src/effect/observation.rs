@@ -6,7 +6,7 @@ use crate::physical::Physical;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// The effects of this file.
+/// Built-in effects on the observation.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "tilted_vertical",

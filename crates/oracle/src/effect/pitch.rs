@@ -3,7 +3,7 @@
 use super::{DISC, DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// The effects of this file.
+/// Built-in effects on the pitching moment of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "constant_pitching_moment",
@@ -27,11 +27,11 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Pitch {
-    /// Independent of the angle of attack.
+    /// Pitching moment independent of the angle of attack.
     Constant,
-    /// Proportional to the cube of the angle of attack.
+    /// Pitching moment proportional to the cube of the angle of attack.
     Cubic,
-    /// Proportional to the absolute advance ratio.
+    /// Pitching moment proportional to the absolute advance ratio.
     BySpin,
 }
 

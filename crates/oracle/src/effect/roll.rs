@@ -3,10 +3,10 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Centre and half-width of the transition that ends the low angles of attack, degrees.
+/// Centre and half-width of the transition above which the low-angle moment vanishes, degrees.
 const LOW_ANGLE_END: (f64, f64) = (10.0, 2.0);
 
-/// The effects of this file.
+/// Built-in effects on the rolling moment of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect("roll_damping", &["C_Rp"], &DISCS, Kind::Roll(Roll::Damping)),
     effect(
@@ -33,11 +33,11 @@ pub(super) const EFFECTS: &[Effect] = &[
 pub(super) enum Roll {
     /// Damping proportional to the angular rate about d1.
     Damping,
-    /// Proportional to the angle of attack.
+    /// Rolling moment proportional to the angle of attack.
     ByAngle,
-    /// Proportional to the advance ratio.
+    /// Rolling moment proportional to the advance ratio.
     BySpinRatio,
-    /// Proportional to the advance ratio, at low angles of attack only.
+    /// Rolling moment proportional to the advance ratio, at low angles of attack only.
     AtLowAngle,
 }
 

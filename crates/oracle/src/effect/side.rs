@@ -3,7 +3,7 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// The effects of this file.
+/// Built-in effects on the side force of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "side_force_by_spin",
@@ -21,9 +21,9 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
-    /// Proportional to the advance ratio.
+    /// Side force proportional to the advance ratio.
     BySpin,
-    /// Proportional to the advance ratio and the angle of attack.
+    /// Side force proportional to advance ratio and angle of attack.
     BySpinAndAngle,
 }
 

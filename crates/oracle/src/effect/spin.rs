@@ -3,7 +3,7 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// The effects of this file.
+/// Built-in effects on the spin moment of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "quadratic_spin_down",
@@ -27,11 +27,11 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Spin {
-    /// Proportional to the signed square of the spin.
+    /// Moment proportional to the signed square of the spin.
     Quadratic,
-    /// Proportional to dynamic pressure and advance ratio.
+    /// Moment proportional to dynamic pressure and advance ratio.
     ByPressure,
-    /// Proportional to the spin and the angle of attack.
+    /// Moment proportional to the spin and the angle of attack.
     ByAngle,
 }
 

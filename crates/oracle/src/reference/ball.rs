@@ -1,4 +1,4 @@
-//! A ball as a point mass: its weight, and drag against its motion through the air.
+//! Ball as a point mass with weight and drag.
 
 use crate::dynamics::MassProperties;
 use crate::physical::{Motion, Physical};

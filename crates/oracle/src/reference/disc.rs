@@ -1,4 +1,4 @@
-//! The disc of Hubbard & Hummel (2000), with the signs of the project's contract.
+//! Disc of Hubbard and Hummel (2000), with the sign conventions of this project's model contract.
 
 use super::spinning::{Body, Coefficients, Stream};
 use crate::dynamics::MassProperties;
@@ -34,7 +34,7 @@ pub(super) fn motion<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T
         unreachable!("bound to {CONSTANTS:?}")
     };
     let stream = Stream::new(at, wind);
-    // From the plane of the disc to the velocity, positive when the air comes from below.
+    // Angle of attack, from the plane of the disc to the velocity, positive if the air comes from below.
     let alpha = (-stream.axial_velocity).atan2(stream.in_plane);
     let coefficients = Coefficients {
         lift: C_L0 + C_La * alpha,
@@ -51,7 +51,7 @@ pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {
     body(constants).mass_properties()
 }
 
-/// The first seven constants, which the discus has too.
+/// Body from the first seven constants, which disc and discus have in common.
 pub(super) fn body<T: Real>(constants: &[T]) -> Body<T> {
     let &[mass, axial, diametral, diameter, area, density, gravity, ..] = constants else {
         unreachable!("bound to names that begin with {:?}", &CONSTANTS[..7])

@@ -1,5 +1,5 @@
-//! A discus, top and bottom alike, after Frohlich (1981): lift and pitching moment with sin 2α, stall,
-//! drag with sin² α. Without an angle: sin α and cos α are ratios of velocities.
+//! Symmetric discus of Frohlich (1981): lift and pitching moment with sin 2α, stall, drag with sin² α. The angle of
+//! attack α is not computed: sin α and cos α are ratios of velocities.
 
 use super::disc::body;
 use super::spinning::{Coefficients, Stream};
@@ -39,7 +39,7 @@ pub(super) fn motion<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T
     let [sine, cosine] = [-stream.axial_velocity, stream.in_plane]
         .map(|v| if still { T::zero() } else { v / stream.speed });
     let twice = T::lit(2.0) * sine * cosine;
-    // 1 while the air follows, 0 when it is stalled.
+    // 1 for attached flow, 0 for stalled flow.
     let attached = T::one() / (T::one() + (sine / s_stall).powi(8));
     let coefficients = Coefficients {
         lift: (C_Ls * attached + C_Lp * (T::one() - attached)) * twice,

@@ -33,11 +33,11 @@ pub(crate) const NAMES: [&str; 3] = ["hubbard_hummel_disc", "ball_with_drag", "f
 /// A reference law bound to the names of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
-    /// The law.
+    /// The reference law of motion.
     pub law: Law,
-    /// Meaning of the states, by the names that the contract fixes.
+    /// Physical meaning of the states, by the state names of the model contract.
     pub chart: Chart,
-    /// Indices of the coefficients that the law does not contain: of effects, or of a user's terms.
+    /// Indices of the model's coefficients that the law does not contain: those of effects or user terms.
     pub unknown: Vec<usize>,
     constants: Vec<Slot>,
     wind: usize,
@@ -50,7 +50,7 @@ enum Slot {
 }
 
 impl Law {
-    /// The law of the given name.
+    /// Law with the given name, as written after `reference` in a model; `None` for unknown names.
     pub fn by_name(name: &str) -> Option<Self> {
         match name {
             "hubbard_hummel_disc" => Some(Self::Disc),
@@ -60,7 +60,7 @@ impl Law {
         }
     }
 
-    /// Names of its parameters and coefficients, as the contract fixes them.
+    /// Names of the law's parameters and coefficients, as fixed by the model contract.
     pub fn constants(self) -> &'static [&'static str] {
         match self {
             Self::Disc => &disc::CONSTANTS,
@@ -69,12 +69,12 @@ impl Law {
         }
     }
 
-    /// Whether its body has an attitude.
+    /// Whether the body of the law has an attitude.
     pub fn has_attitude(self) -> bool {
         self != Self::Ball
     }
 
-    /// Loads and accelerations in air of velocity `air`, m/s; constants in the order of [`Law::constants`].
+    /// Loads and accelerations of a body in air of velocity `air`, m/s; constants in the order of [`Law::constants`].
     pub fn motion<T: Real>(self, constants: &[T], at: &Physical<T>, air: Vector3<T>) -> Motion<T> {
         match self {
             Self::Disc => disc::motion(constants, at, air),
@@ -145,18 +145,18 @@ impl Reference {
         self.unknown.iter().map(|&i| (i, null_value(i))).collect()
     }
 
-    /// Loads and accelerations at a point of the model.
+    /// Loads and accelerations at a point of the model, in inertial components.
     pub fn motion<T: Real>(&self, point: &Point<T>) -> Motion<T> {
         self.motion_at(&self.chart.physical(&point.states), point)
     }
 
-    /// Loads and accelerations at a physical state, with constants and wind of a point.
+    /// Loads and accelerations at a physical state, with the constants and the wind of `point`.
     pub fn motion_at<T: Real>(&self, physical: &Physical<T>, point: &Point<T>) -> Motion<T> {
         self.law
             .motion(&self.values(point), physical, self.wind(point))
     }
 
-    /// Wind velocity at a point, m/s; the contract fixes its components as inertial.
+    /// Wind velocity at a point, m/s, in inertial components.
     pub fn wind<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
         point.inputs[self.wind]
     }
@@ -175,7 +175,7 @@ impl Reference {
         self.constants.iter().map(value).collect()
     }
 
-    /// Derivative of every state by the time of flight.
+    /// Derivative of every state with respect to the time of flight.
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         self.chart.derivatives(&point.states, &self.motion(point))
     }

@@ -1,7 +1,7 @@
 //! Loads and accelerations of a body of revolution in an air stream, common to disc and discus.
 //!
-//! Written with vectors and without the models' formulas: lift acts along v × d2, drag against the velocity, and the
-//! accelerations follow from the momenta in the inertial frame.
+//! Formulated with vectors, independent of the models' formulas: lift acts along v × d2, drag against the velocity,
+//! and the accelerations follow from the momenta in the inertial frame.
 
 use crate::dynamics::MassProperties;
 use crate::physical::{Motion, Physical};
@@ -16,32 +16,32 @@ pub(crate) struct Stream<T> {
     pub through_air: Vector3<T>,
     /// Airspeed, m/s.
     pub speed: T,
-    /// Magnitude of the velocity's component in the plane of the body, m/s.
+    /// Magnitude of the airspeed component in the plane of the body, m/s.
     pub in_plane: T,
-    /// Component of the velocity along the axis of the body, m/s.
+    /// Component of the velocity relative to the air along the axis of the body, m/s.
     pub axial_velocity: T,
     /// Axis of symmetry, unit vector.
     pub normal: Vector3<T>,
-    /// Forward unit vector in the plane of the body; 0 without velocity in it.
+    /// Unit vector d1: direction of the velocity in the plane of the body; 0 if that component is 0.
     pub d1: Vector3<T>,
-    /// Unit vector to the left; 0 with `d1`.
+    /// Unit vector d2 to the left, normal × d1; 0 if `d1` is 0.
     pub d2: Vector3<T>,
     /// Spin about the axis, rad/s.
     pub spin: T,
-    /// Angular velocity without the spin, rad/s; 0 with `d1`.
+    /// Angular velocity without the spin, rad/s; 0 if `d1` is 0.
     pub transverse_rate: Vector3<T>,
 }
 
-/// Coefficients of forces and moments.
+/// Dimensionless coefficients of forces and moments, except `damping` and `spin_down`.
 pub(super) struct Coefficients<T> {
     pub lift: T,
     pub drag: T,
-    /// Coefficients of the moments about d1 and d2.
+    /// Coefficient of the rolling moment, about d1.
     pub roll: T,
     pub pitch: T,
-    /// Damping coefficient of the rates about d1 and d2.
+    /// Damping coefficient of the angular rates about d1 and d2, s.
     pub damping: T,
-    /// Moment about the axis per spin, independent of the airspeed.
+    /// Moment about the axis per spin, N·m·s, independent of the airspeed.
     pub spin_down: T,
 }
 

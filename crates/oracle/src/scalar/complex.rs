@@ -5,7 +5,7 @@ use nalgebra::Complex;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// Imaginary step h; its square underflows against every value of a model.
+/// Imaginary step h of the complex-step method; h² is negligible against every value of a model.
 pub const STEP: f64 = 1e-120;
 
 /// A complex number whose imaginary part is [`STEP`] times a derivative; comparisons use the real part.
@@ -13,12 +13,12 @@ pub const STEP: f64 = 1e-120;
 pub struct ComplexStep(pub Complex<f64>);
 
 impl ComplexStep {
-    /// A value with the given derivative.
+    /// Complex number for a value and its derivative.
     pub fn new(value: f64, derivative: f64) -> Self {
         Self(Complex::new(value, derivative * STEP))
     }
 
-    /// Derivative: imaginary part over the step.
+    /// Derivative: imaginary part divided by [`STEP`].
     pub fn derivative(self) -> f64 {
         self.0.im / STEP
     }
@@ -73,7 +73,7 @@ impl Real for ComplexStep {
             Elementary::Cos => self.0.cos(),
             Elementary::Exp => self.0.exp(),
             Elementary::Log => self.0.ln(),
-            // The complex versions of the others go through logarithms or quotients that lose a step of 1e-120.
+            // Complex versions of the other functions use logarithms or quotients that lose a step of 1e-120.
             _ => {
                 let value = function.value(x);
                 Complex::new(value, function.derivative(x, value) * self.0.im)

@@ -4,17 +4,17 @@ use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A value and its derivative in one direction.
+/// Dual number: a value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<T> {
-    /// Value.
+    /// Value of the function.
     pub value: T,
-    /// Derivative.
+    /// Derivative in the seeded direction.
     pub derivative: T,
 }
 
 impl<T: Field> Dual<T> {
-    /// A value with derivative 0.
+    /// Dual number of a constant, with derivative 0.
     pub fn constant(value: T) -> Self {
         Self {
             value,
@@ -22,7 +22,7 @@ impl<T: Field> Dual<T> {
         }
     }
 
-    /// A value with the given derivative.
+    /// Dual number for a value and its derivative.
     pub fn new(value: T, derivative: T) -> Self {
         Self { value, derivative }
     }

@@ -8,10 +8,10 @@ use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A value and the magnitude of the terms that sum to it.
+/// A number with the magnitude of the terms that sum to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorBound {
-    /// Value.
+    /// Computed value.
     pub value: f64,
     /// Sum of the absolute values of the terms; at least |value|.
     pub magnitude: f64,

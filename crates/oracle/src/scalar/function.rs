@@ -19,7 +19,7 @@ pub enum Elementary {
     Sin,
     /// Cosine.
     Cos,
-    /// Arcsine of the argument clamped to [-1, 1]; derivative 0 from there on.
+    /// Arcsine of the argument clamped to [-1, 1]; derivative 0 for |argument| ≥ 1.
     Asin,
     /// Arctangent.
     Atan,
@@ -32,7 +32,7 @@ pub enum Elementary {
 }
 
 impl Elementary {
-    /// Value at a real number.
+    /// Value of the function at `x`.
     pub fn value(self, x: f64) -> f64 {
         match self {
             Self::Sqrt if x > 0.0 => x.sqrt(),
@@ -62,7 +62,7 @@ impl Elementary {
         }
     }
 
-    /// Whether the language defines the derivative at `x` as 0: outside the domain, and at its ends.
+    /// Whether the language defines the derivative at `x` as 0: outside the function's domain, and at its ends.
     pub fn is_constant_at(self, x: f64) -> bool {
         match self {
             Self::Sqrt | Self::Log => x <= 0.0,
@@ -72,7 +72,7 @@ impl Elementary {
     }
 }
 
-/// Value of a function of the language.
+/// Value of a function of the model language at `x`.
 pub(crate) fn call<T: Real>(function: Function, x: T) -> T {
     let elementary = |function| x.elementary(function);
     match function {

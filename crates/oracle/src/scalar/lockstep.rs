@@ -1,4 +1,4 @@
-//! Two scalars evaluated side by side.
+//! Pairs of scalars evaluated in one pass.
 
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
@@ -6,12 +6,12 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 /// A pair of scalars on which every operation acts separately; comparisons use `first`.
 ///
-/// Several kinds of derivatives cost one evaluation of a model, and one instantiation of the code that evaluates it.
+/// One evaluation of a model, and one instantiation of its code, yields several kinds of derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lockstep<A, B> {
     /// First scalar, whose real value decides comparisons.
     pub first: A,
-    /// Second scalar.
+    /// Second scalar, without influence on comparisons.
     pub second: B,
 }
 

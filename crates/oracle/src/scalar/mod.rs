@@ -23,7 +23,7 @@ use ::num_traits::{One, Zero};
 use ops::{assign_ops, wrapped_ops};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A field: sums, differences, products and quotients.
+/// An algebraic field: sums, differences, products and quotients.
 pub trait Field:
     nalgebra::Scalar
     + Copy
@@ -42,7 +42,7 @@ pub trait Field:
     /// The image of an integer in the field.
     fn integer(value: i64) -> Self;
 
-    /// A number of the model text, from numerator and denominator if `exact`; `None` if the field has no exact image.
+    /// Field element of a literal, from (numerator, denominator) if `exact`; `None` if it cannot be represented.
     fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self>;
 }
 

@@ -1,6 +1,6 @@
-//! Operators that follow from others.
+//! Macros that implement arithmetic operators in terms of other operators.
 
-/// `+=` and its kin from `+` and its kin.
+/// Implements `+=`, `-=`, `*=` and `/=` by `+`, `-`, `*` and `/`.
 macro_rules! assign_ops {
     ([$($generics:tt)*] $type:ty) => {
         impl<$($generics)*> AddAssign for $type {
@@ -26,7 +26,7 @@ macro_rules! assign_ops {
     };
 }
 
-/// `+` and its kin of a number that wraps another.
+/// Implements `+`, `-`, `*`, `/` and negation of a newtype by those of its inner type.
 macro_rules! wrapped_ops {
     ($type:ident($inner:ty)) => {
         impl Add for $type {

@@ -1,31 +1,31 @@
 //! The field of the integers modulo 2^61 − 1.
 //!
-//! Two rational functions that agree at a random point of this field are the same function, but for a
-//! chance of at most (degree / 2^61): Schwartz and Zippel's lemma.
+//! Two different rational functions agree at a random point of this field with probability at most degree / 2^61
+//! (Schwartz–Zippel lemma).
 
 use super::Field;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// 2^61 − 1, a Mersenne prime.
+/// Modulus of the field: 2^61 − 1, a Mersenne prime.
 pub const PRIME: u64 = (1 << 61) - 1;
 
-/// An element of the field; always below [`PRIME`].
+/// An integer modulo [`PRIME`], stored as its representative below [`PRIME`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Prime(u64);
 
 impl Prime {
-    /// The element of a whole number.
+    /// Residue class of an unsigned integer.
     pub fn new(value: u64) -> Self {
         Self(value % PRIME)
     }
 
-    /// Its representative below [`PRIME`].
+    /// Representative in 0..[`PRIME`].
     pub fn value(self) -> u64 {
         self.0
     }
 
-    /// The inverse; 0 for 0, as a quotient is stated to behave.
+    /// Multiplicative inverse; 0 for 0, by convention.
     pub fn inverse(self) -> Self {
         let (mut power, mut product, mut exponent) = (self, Self(1), PRIME - 2);
         while exponent > 0 {

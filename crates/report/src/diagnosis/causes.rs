@@ -1,4 +1,4 @@
-//! The tables of the causes, and of the throw that would tell them apart.
+//! Tables of the hypotheses (sets of effects that explain the model error) and of the throw that discriminates them.
 
 use diagnose::{Cause, CauseEffect, NextThrow, Report};
 use serde::Serialize;
@@ -8,19 +8,19 @@ use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, plain, significant, stated, unit};
 use crate::fit::page::sentence;
 
-/// Explanations that are shown, and those of them that are unfolded.
+/// Maximum number of hypotheses that are shown.
 pub(super) const MOST: usize = 12;
 
-/// One explanation.
+/// Hypothesis of the report, formatted text.
 #[derive(Serialize)]
 pub(super) struct Explanation {
     name: String,
-    /// By how much the weighted sum of squares falls.
+    /// Decrease of the weighted sum of squares χ².
     gain: String,
-    /// What comes next.
+    /// Strongest remaining candidate effect: name and p-value, formatted.
     rival: Option<[String; 2]>,
     effects: Vec<Effect>,
-    /// Each of its coefficients.
+    /// Rows of the coefficients of the hypothesis' effects.
     rows: Vec<Row>,
 }
 
@@ -32,7 +32,7 @@ struct Effect {
 
 #[derive(Serialize)]
 struct Row {
-    /// Name of the effect, and how many rows it takes; none in those after its first.
+    /// Name of the effect and its row span; `None` in further rows of the same effect.
     effect: Option<(String, usize)>,
     site: String,
     variables: String,
@@ -45,7 +45,7 @@ struct Row {
     immaterial: bool,
 }
 
-/// The explanations, the best first.
+/// Hypotheses of the report, the best first.
 pub(super) fn explanations(report: &Report) -> Vec<Explanation> {
     report.causes.iter().take(MOST).map(explanation).collect()
 }
@@ -105,17 +105,17 @@ fn rows(effect: &CauseEffect) -> Vec<Row> {
     all
 }
 
-/// The next throw.
+/// Discriminating throw, formatted text.
 #[derive(Serialize)]
 pub(super) struct Throw {
     says: String,
-    /// What is set, and to what.
+    /// Release quantities: name and value.
     rows: Vec<(&'static str, String)>,
     separation: String,
     separation_now: String,
 }
 
-/// The throw that would tell causes apart, in the numbers that people throw by.
+/// Formats the throw that discriminates the hypotheses, in the quantities common for disc throws.
 pub(super) fn throw(next: &NextThrow) -> Throw {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
     let turns = plain(next.spin / std::f64::consts::TAU, 1);

@@ -1,34 +1,34 @@
-//! The table of the coefficients: what a missing effect did to the others.
+//! Table of the coefficients before and after the extension of the model.
 
 use diagnose::{Coefficient, Report};
 use serde::Serialize;
 
 use crate::fit::numbers::{Digits, plain, unit};
 
-/// A coefficient that changes by more of its standard errors was biased.
+/// Change of a coefficient, in standard errors, above which its previous estimate counts as biased.
 const BIASED: f64 = 3.0;
 
-/// One row.
+/// Row of the coefficient table, formatted text.
 #[derive(Serialize)]
 pub(super) struct Row {
     name: String,
     before: String,
     value: String,
     error: String,
-    /// Change in standard errors.
+    /// Change of the estimate, in standard errors.
     change: String,
     biased: bool,
-    /// Whether the extension brought it.
+    /// Whether the coefficient belongs to an effect added to the model.
     added: bool,
     unit: String,
 }
 
-/// Whether anything is known of before.
+/// Whether any coefficient has an estimate from before the extension of the model.
 pub(super) fn extended(report: &Report) -> bool {
     report.coefficients.values().any(|c| c.before.is_some())
 }
 
-/// The rows: what the model had, then what the extension adds.
+/// Rows of the coefficient table: coefficients of the original model, then those of the added effects.
 pub(super) fn rows(report: &Report) -> Vec<Row> {
     let extended = extended(report);
     let all = report.coefficients.iter();

@@ -1,4 +1,4 @@
-//! The tables of what these flights cannot show, of what lies outside the catalogue, and of the flights.
+//! Tables of undetectable effects, minimum detectable effects, stepwise terms, score tests and flights.
 
 use diagnose::{CandidateTest, FlightGain, Report, StepwiseTerm};
 use identify::dataset::Role;
@@ -8,10 +8,10 @@ use super::words;
 use crate::fit::numbers::{Digits, millimetres, significant, unit};
 use crate::fit::words::names;
 
-/// Rows of a table, at most.
+/// Maximum number of rows of a table.
 const MOST_ROWS: usize = 60;
 
-/// An effect that leaves no trace of its own.
+/// Undetectable effects: name of the effect, and names of what absorbs the effect.
 pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     let all = report.undetectable.iter().take(MOST_ROWS);
     all.map(|u| {
@@ -26,7 +26,7 @@ pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     .collect()
 }
 
-/// Effect, coefficient, size, unit.
+/// Minimum detectable effects: name, coefficient, size, unit.
 pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
     let all = report.smallest_detectable.iter().take(MOST_ROWS);
     all.map(|d| {
@@ -36,7 +36,7 @@ pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
     .collect()
 }
 
-/// A term that was tried.
+/// Row of a term tried by stepwise regression, formatted text.
 #[derive(Serialize)]
 pub(super) struct TermRow {
     site: String,
@@ -47,7 +47,7 @@ pub(super) struct TermRow {
     taken: bool,
 }
 
-/// The terms of the grammar, as they came.
+/// Rows of the terms tried by stepwise regression, in the order of the trials.
 pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     let row = |term: &StepwiseTerm| {
         let digits = Digits::of(term.value, term.std_error);
@@ -63,7 +63,7 @@ pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     terms.iter().take(MOST_ROWS).map(row).collect()
 }
 
-/// A candidate's score.
+/// Row of a candidate's score test, formatted text.
 #[derive(Serialize)]
 pub(super) struct Score {
     name: String,
@@ -78,7 +78,7 @@ pub(super) struct Score {
     significant: bool,
 }
 
-/// What was asked of each effect, the most significant first.
+/// Rows of the score tests, the most significant candidate first.
 pub(super) fn scores(report: &Report) -> Vec<Score> {
     let row = |c: &CandidateTest| {
         let expected = c.one_step.iter().take(6).map(|(name, e)| {
@@ -104,7 +104,7 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
     report.candidates.iter().take(MOST_ROWS).map(row).collect()
 }
 
-/// A flight: file, role, before, after.
+/// Row of a flight: file, role, RMS residual before and after the extension of the model.
 #[derive(Serialize)]
 pub(super) struct Flight {
     file: String,
@@ -113,7 +113,7 @@ pub(super) struct Flight {
     after: String,
 }
 
-/// The flights in their own order, or the worst of many.
+/// Rows of the flights in dataset order; if there are too many, those with the largest RMS residuals.
 pub(super) fn flights(report: &Report) -> Vec<Flight> {
     let mut all: Vec<&FlightGain> = report.flights.iter().collect();
     if all.len() > MOST_ROWS {

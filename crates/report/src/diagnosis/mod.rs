@@ -1,4 +1,4 @@
-//! The page of a diagnosis: one file that loads nothing, and each of its figures by itself.
+//! HTML report of a diagnosis: one self-contained file, and each figure as a separate SVG file.
 
 mod causes;
 mod coefficients;
@@ -10,29 +10,29 @@ mod words;
 use diagnose::Report;
 use identify::FlightEvidence;
 
-/// What the page is made of.
+/// Contents of the HTML report of a diagnosis.
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisPage<'a> {
-    /// What was found.
+    /// Results of the diagnosis.
     pub report: &'a Report,
-    /// The flights as the model has them; the first twelve are drawn.
+    /// Flights as predicted by the original model; at most the first twelve are drawn.
     pub before: &'a [FlightEvidence],
-    /// The same flights as the extended model has them; empty where nothing was extended.
+    /// Flights as predicted by the extended model; empty if the model was not extended.
     pub after: &'a [FlightEvidence],
-    /// Text of the effect, or of the file, that extends the model.
+    /// Text of the added effect or of the extended model file, in the model language.
     pub extended: Option<&'a str>,
 }
 
-/// The page and its figures.
+/// HTML report of a diagnosis with its figures.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Made {
-    /// The page.
+    /// Self-contained HTML page.
     pub html: String,
-    /// Name of each figure's file and its text, in the order of the page.
+    /// File name and SVG text of each figure, in the order of the page.
     pub figures: Vec<(String, String)>,
 }
 
-/// Draws every figure once, and writes the page about them.
+/// Draws every figure once and renders the HTML page.
 pub fn make(page: &DiagnosisPage<'_>) -> Made {
     let figures = draw::Figures::of(page);
     let html = page::html(page, &figures);

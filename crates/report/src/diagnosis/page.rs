@@ -1,4 +1,4 @@
-//! From all that to HTML.
+//! HTML page of a diagnosis, rendered from a template.
 
 use diagnose::{Report, Verified};
 use identify::dataset::Role;
@@ -15,14 +15,14 @@ use crate::fit::numbers::{millimetres, percent, plain};
 use crate::fit::page::{plain_values, rendered, sentence};
 use crate::fit::words::names;
 
-/// Letters of the extended model that are shown, at most.
+/// Maximum length of the shown text of the extended model, characters.
 const MOST_TEXT: usize = 60_000;
-/// Notes and checks that are shown, at most.
+/// Maximum number of shown notes and of shown checks.
 const MOST_NOTES: usize = 40;
-/// Channels and curves that are unfolded.
+/// Number of load channels and of curves that are expanded initially.
 const OPEN: usize = 6;
 
-/// The page: one file, that loads nothing.
+/// Renders the self-contained HTML page.
 pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
     let report = page.report;
     let (curves, more_curves) = split(&figures.curves);
@@ -97,7 +97,7 @@ fn shown(drawn: &[Drawn]) -> Vec<Value> {
 }
 
 fn one(drawn: &Drawn) -> Value {
-    // The figures' own writer has escaped whatever came from outside.
+    // The SVG writer has already escaped all external text.
     let safe = |svg: &String| Value::from_safe_string(draw::without_style(svg));
     context! {
         name => &drawn.figure.name,
@@ -107,7 +107,7 @@ fn one(drawn: &Drawn) -> Value {
     }
 }
 
-/// A file's text, as far as a page bears it.
+/// Truncates a file's text to the maximum length shown on the page.
 fn beginning(text: &str) -> String {
     let mut shown: String = text.chars().take(MOST_TEXT).collect();
     if shown.len() < text.len() {
@@ -124,7 +124,7 @@ fn verified(found: &Verified) -> Value {
     context! { holds => found.holds, checks => plain_values(&checks) }
 }
 
-/// The noise in a sentence.
+/// Sentence on the estimated noise.
 fn noise(report: &Report) -> String {
     let noise = &report.noise;
     format!(

@@ -1,4 +1,4 @@
-//! A diagnosis in plain words.
+//! Summary of a diagnosis in sentences.
 
 use diagnose::{Cause, PredictiveGain, Report, Verdict};
 use identify::wording::count;
@@ -6,7 +6,7 @@ use identify::wording::count;
 use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;
 
-/// An explanation's name: that of its effects.
+/// Name of a hypothesis: the names of its effects.
 pub(super) fn cause(cause: &Cause) -> String {
     let effects = names(cause.effects.iter().map(|e| e.name.as_str()));
     match cause.effects.len() {
@@ -16,7 +16,7 @@ pub(super) fn cause(cause: &Cause) -> String {
     }
 }
 
-/// The verdict in a sentence.
+/// Sentence that states the verdict.
 pub(super) fn verdict(report: &Report) -> String {
     let first = report.causes.first();
     match report.verdict {
@@ -49,7 +49,7 @@ pub(super) fn verdict(report: &Report) -> String {
     }
 }
 
-/// Of what colour the verdict is.
+/// CSS class of the verdict.
 pub(super) fn kind(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "none",
@@ -60,7 +60,7 @@ pub(super) fn kind(verdict: Verdict) -> &'static str {
     }
 }
 
-/// What the extension gains, or why nothing says so.
+/// Sentences on the out-of-sample error reduction by the extension, or why none is known.
 pub(super) fn gain(report: &Report) -> String {
     let Some(gain) = &report.gain else {
         return match (report.extended_model.is_some(), report.verdict) {
@@ -95,7 +95,7 @@ pub(super) fn gain(report: &Report) -> String {
     )
 }
 
-/// `19.4 ± 0.4 mm`.
+/// Formats the reduction of the prediction error with its standard error: `19.4 ± 0.4 mm`.
 pub(super) fn gained(gain: &PredictiveGain) -> String {
     let value = 1e3 * (gain.held_out_rms_before_m - gain.held_out_rms_after_m);
     let error = 1e3 * gain.standard_error_m;
@@ -107,7 +107,7 @@ pub(super) fn gained(gain: &PredictiveGain) -> String {
     }
 }
 
-/// Where an effect acts, as people say it.
+/// Readable name of the site (force, moment or measurement) on which an effect acts.
 pub(super) fn site(site: &str) -> &str {
     match site {
         "side" => "side force",
@@ -122,7 +122,7 @@ pub(super) fn site(site: &str) -> &str {
     }
 }
 
-/// How likely chance does as much.
+/// Formats a p-value; `–` if not between 0 and 1.
 pub(super) fn probability(p: f64) -> String {
     if !(0.0..=1.0).contains(&p) {
         "–".to_owned()
@@ -135,7 +135,7 @@ pub(super) fn probability(p: f64) -> String {
     }
 }
 
-/// The same from its logarithm, where the number itself may be too small to be held.
+/// Formats a p-value given by its natural logarithm, which may be below the range of `f64`.
 pub(super) fn probability_of_ln(ln_p: f64) -> String {
     if ln_p.is_nan() || ln_p > 0.0 {
         return "–".to_owned();
@@ -150,7 +150,7 @@ pub(super) fn probability_of_ln(ln_p: f64) -> String {
     format!("10{}", raised(power.round() as i32))
 }
 
-/// The size of a standard normal number.
+/// Formats a z-equivalent (standard normal quantile).
 pub(super) fn sigmas(value: f64) -> String {
     plain(value, if value.abs() < 99.95 { 1 } else { 0 })
 }

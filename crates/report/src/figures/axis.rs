@@ -1,6 +1,6 @@
 //! Ranges, ticks and numbers of an axis.
 
-/// The least range that holds all finite values; 0 .. 1 where there are none.
+/// Smallest interval containing all finite values; 0 to 1 if there are none.
 pub(crate) fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let finite = values.filter(|v| v.is_finite());
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
@@ -9,7 +9,7 @@ pub(crate) fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if low > high { (0.0, 1.0) } else { (low, high) }
 }
 
-/// A range a little wider, and never empty: numbers that are all alike get room about them.
+/// Range widened by a margin; a range of zero length is widened to a positive length.
 pub(super) fn with_room((low, high): (f64, f64)) -> (f64, f64) {
     let size = low.abs().max(high.abs());
     let least = if size == 0.0 { 1.0 } else { 1e-3 * size };
@@ -17,7 +17,7 @@ pub(super) fn with_room((low, high): (f64, f64)) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// Round numbers within a range, at most so many, and how many decimals they need.
+/// Round tick values within a range, at most `most`, and the number of decimals of their labels.
 pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let rough = (high - low) / most as f64;
     let power = 10_f64.powf(rough.log10().floor());
@@ -27,7 +27,7 @@ pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
         .find(|s| *s >= rough * 0.999)
         .unwrap_or(10.0 * power);
     let (first, last) = ((low / step).ceil(), (high / step).floor());
-    // 0 comes out as 0, not as -0.
+    // Avoids −0.
     let ticks = (0..=(last - first) as usize)
         .map(|i| (first + i as f64) * step + 0.0)
         .collect();
@@ -35,13 +35,13 @@ pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
     (ticks, decimals)
 }
 
-/// A number of a tick.
+/// Formats a tick label with the given number of decimals.
 pub(crate) fn number(value: f64, decimals: usize) -> String {
     if value.abs() >= 1e6 {
         return format!("{value:.1e}");
     }
     let text = format!("{value:.decimals$}");
-    // A true minus is as wide as a plus, and stands clear of the digit.
+    // A minus sign (U+2212) is as wide as a plus sign.
     text.replace('-', "−")
 }
 

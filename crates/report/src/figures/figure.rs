@@ -62,7 +62,7 @@ impl Panel {
         scale.bottom() + layout.below
     }
 
-    /// What lies behind the axes.
+    /// Draws the background of a panel, behind the axes.
     fn draw_ground(&self, svg: &mut Svg, scale: &Scale) {
         if let Some((low, high)) = self.band {
             let (top, bottom) = (scale.y(high), scale.y(low));
@@ -96,7 +96,7 @@ impl Panel {
         for bar in &self.bars {
             let (left, end) = (scale.x(bar.from), scale.x(bar.to));
             let y = scale.y(bar.height);
-            // A hair of ground between neighbours.
+            // A narrow gap separates adjacent bars.
             svg.block("bar", (left + 0.5, y), (end - left - 1.0, bottom - y));
         }
         svg.line("axis", (scale.left, bottom), (right, bottom));

@@ -1,20 +1,20 @@
-//! A flight, like Figures 5 and 6 of Hubbard & Hummel (2000): its path, and its states in time.
+//! Figure of a flight, as Figures 5 and 6 of Hubbard & Hummel (2000): path, and states over time.
 
 use super::figure::figure;
 use super::panel::{Line, Mark, Panel};
 use super::states::{StateLabel, groups, symbol, what};
 use ode::Trajectory;
 
-/// Points of a line.
+/// Number of points of a line.
 const SAMPLES: usize = 400;
-/// Lines share a panel unless one of them varies so many times more than another.
+/// Largest ratio of the peak magnitudes of two lines in one panel.
 const APART: f64 = 8.0;
 
-/// A flight as SVG: seen from the side and from above, where its states have `x`, `y` and `z`, and then all
-/// states in time, those of one unit and like size in one panel.
+/// Draws a flight as SVG: side view and top view if the states include `x`, `y` and `z`, then all states over time;
+/// states of equal unit and similar range share a panel.
 ///
 /// # Panics
-/// Where there are not as many labels as states.
+/// If the number of labels differs from the number of states.
 pub fn flight(title: &str, flight: &Trajectory, states: &[StateLabel<'_>]) -> String {
     assert_eq!(states.len(), flight.states(), "a label for each state");
     let (rows, times) = sampled(flight);

@@ -1,31 +1,31 @@
-//! How wide a figure is, and from numbers to places on it.
+//! Layout of a figure: widths, and the map from data units to pixels.
 
 use super::axis::{number, range, ticks, with_room};
 use super::panel::Panel;
 
-/// Widths of a figure and its letters.
+/// Dimensions of a figure and its text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
-    /// Width of the drawing.
+    /// Width of the drawing, SVG units.
     pub width: f64,
-    /// Width at which it is shown at most, pixels.
+    /// Maximum displayed width, pixels.
     pub most: f64,
-    /// Size of its letters.
+    /// Font size, SVG units.
     pub letters: f64,
-    /// Where titles begin.
+    /// Left margin of titles, SVG units.
     pub(super) margin: f64,
     pub(super) left: f64,
     pub(super) right: f64,
-    /// Height of a plot in time.
+    /// Default height of a plot, SVG units.
     pub(super) height: f64,
-    /// Space above a panel, for its title.
+    /// Space above a plot for its title, SVG units.
     pub(super) above: f64,
-    /// Space below it, for the numbers and the title of its axis.
+    /// Space below a plot for tick labels and axis title, SVG units.
     pub(super) below: f64,
 }
 
 impl Layout {
-    /// A figure that stands by itself.
+    /// Layout of a figure in a text column.
     pub const COLUMN: Layout = Layout {
         width: 520.0,
         most: 640.0,
@@ -37,7 +37,7 @@ impl Layout {
         above: 36.0,
         below: 46.0,
     };
-    /// One of several beside each other; on a phone it is as wide as the screen, and its letters keep their size.
+    /// Layout of one of several figures in a row, or of a figure as wide as a phone screen.
     pub const SMALL: Layout = Layout {
         width: 360.0,
         most: 460.0,
@@ -49,7 +49,7 @@ impl Layout {
         above: 32.0,
         below: 42.0,
     };
-    /// As wide as a page.
+    /// Layout of a figure of page width.
     pub const WIDE: Layout = Layout {
         width: 1080.0,
         most: 1180.0,
@@ -62,12 +62,12 @@ impl Layout {
         self.width - self.left - self.right
     }
 
-    /// Width of a letter, about.
+    /// Approximate width of a character, SVG units.
     pub(crate) fn letter(&self) -> f64 {
         0.56 * self.letters
     }
 
-    /// The same with room for the numbers and the names of these panels.
+    /// Layout with margins widened for the tick labels and line names of `panels`.
     pub(super) fn fitted(mut self, panels: &[Panel]) -> Layout {
         let letter = self.letter();
         let (mut left, mut right) = (self.left, self.right);
@@ -79,7 +79,7 @@ impl Layout {
             }
             let names = panel.lines.iter().filter(|_| !panel.map);
             let longest = names.map(|l| l.name.chars().filter(|c| *c != '\u{307}').count());
-            // Names are bold: a little wider.
+            // Names are bold and therefore slightly wider.
             right = right.max(14.0 + 1.1 * letter * longest.max().unwrap_or(0) as f64);
         }
         self.left = left.min(0.3 * self.width);
@@ -88,10 +88,10 @@ impl Layout {
     }
 }
 
-/// Least and greatest height of a map, by its width.
+/// Minimum and maximum height of a panel with equal scales, as fractions of its width.
 const MAP_HEIGHTS: (f64, f64) = (0.22, 0.82);
 
-/// From numbers to places on the figure.
+/// Map from data units to positions in the figure.
 pub(super) struct Scale {
     pub(super) across: (f64, f64),
     pub(super) up: (f64, f64),
@@ -123,7 +123,7 @@ impl Scale {
     }
 }
 
-/// About so many ticks; more of them before there are fewer than three, which make no scale.
+/// Ticks of a range, about `most`; more if fewer than three would result.
 fn scale_of(of: (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let found = ticks(of, most);
     if found.0.len() < 3 {
@@ -134,7 +134,7 @@ fn scale_of(of: (f64, f64), most: usize) -> (Vec<f64>, usize) {
 }
 
 impl Panel {
-    /// The scale of a panel whose place begins at `top`.
+    /// Map from data units to positions for a panel whose upper edge is at `top`.
     pub(super) fn scale(&self, layout: &Layout, top: f64) -> Scale {
         let points = || {
             let lines = self.lines.iter().flat_map(|line| &line.points);
@@ -156,7 +156,7 @@ impl Panel {
         );
         let mut up = self.up.unwrap_or_else(|| with_room(whole));
         if !self.bars.is_empty() && self.up.is_none() {
-            // Bars stand on the axis.
+            // Bars start at 0.
             up.0 = 0.0;
         }
         let plot = layout.plot();
@@ -168,7 +168,7 @@ impl Panel {
                 .heights
                 .unwrap_or((MAP_HEIGHTS.0 * plot, MAP_HEIGHTS.1 * plot));
             height = (plot * tall / wide).clamp(least, most);
-            // Whichever axis has room to spare shows more, so that both have one scale.
+            // The axis with spare space shows a longer range, so that both axes have equal scale.
             let unit = (plot / wide).min(height / tall);
             across = about(across, plot / unit);
             up = about(up, height / unit);
@@ -186,7 +186,7 @@ impl Panel {
     }
 }
 
-/// A range of this length with the same middle.
+/// Interval of the given length with the centre of the given interval.
 fn about((low, high): (f64, f64), length: f64) -> (f64, f64) {
     let middle = 0.5 * (low + high);
     (middle - 0.5 * length, middle + 0.5 * length)

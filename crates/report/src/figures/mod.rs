@@ -1,8 +1,8 @@
-//! Figures as SVG, drawn by ourselves: a few hundred lines that give the same text everywhere, need no font
-//! files, and never cut a label off.
+//! Figures as SVG, without a plotting library: the SVG text is deterministic, needs no font files, and never clips
+//! a label.
 //!
-//! A figure is one column of panels on a light ground, so that it is read as well on a phone as beside a text;
-//! colours (Okabe & Ito's) are told apart by the colour-blind, and each line bears its name at its end.
+//! A figure is one column of panels on a light background, readable on a phone and next to a text;
+//! colours (Okabe & Ito's) are distinguishable for the colour-blind, and each line is labelled at its end.
 
 pub(crate) mod axis;
 mod figure;

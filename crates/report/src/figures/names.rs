@@ -1,13 +1,13 @@
-//! Names within a panel: of lines at their ends, of events beside them, none upon another.
+//! Labels within a panel without overlaps: names of lines and of events.
 
 use super::layout::Scale;
 use super::panel::{Line, Panel};
 use super::svg::{Svg, cut};
 
 impl Panel {
-    /// Names at the lines' ends, moved apart where they would overlap, and kept within the panel.
+    /// Draws line names at the ends of the lines, moved apart where they overlap and kept inside the panel.
     pub(super) fn draw_names(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
-        // Names stand this far apart at least.
+        // Minimum vertical distance of two names.
         let apart = 2.05 * letter;
         let last = |line: &Line| {
             let mut points = line.points.iter().rev();
@@ -26,7 +26,7 @@ impl Panel {
             name.0 = name.0.min(greatest);
             greatest = name.0 - apart;
         }
-        // A map's lines end anywhere: their names are in its title.
+        // In a map the lines may end anywhere; names are given in its title.
         for (y, i) in names.into_iter().filter(|_| !self.map) {
             let x = scale.right() + 6.0;
             let name = cut(&self.lines[i].name, width - x - 2.0, 1.05 * letter);
@@ -34,7 +34,7 @@ impl Panel {
         }
     }
 
-    /// Events that have a time alone: lines behind the others, with names above the plot.
+    /// Draws events that have only a time: vertical lines behind the data, labelled above the plot.
     pub(super) fn draw_marks(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let title = self.title.chars().count() as f64;
         let mut free = (14.0 + 1.1 * letter * title).max(scale.left - 20.0);
@@ -43,7 +43,7 @@ impl Panel {
             svg.line("mark", (x, scale.top), (x, scale.bottom()));
             let half = 0.45 * letter * mark.name.chars().count() as f64;
             let middle = x.min(width - 8.0 - half);
-            // A name without room is left to the other panels.
+            // A name without space is omitted here; other panels show it.
             if middle - half > free && half > 0.0 {
                 svg.text("mark", (middle, scale.top - 4.0), "middle", &mark.name);
                 free = middle + half + 6.0;
@@ -51,7 +51,7 @@ impl Panel {
         }
     }
 
-    /// Events that have a place: dots, with names beside them where the fewest points of the lines are.
+    /// Draws events that have a position: dots, labelled where the fewest line points are.
     pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let places = self.lines.iter().flat_map(|line| &line.points);
         let places: Vec<(f64, f64)> = places.map(|(x, y)| (scale.x(*x), scale.y(*y))).collect();
@@ -89,7 +89,7 @@ impl Panel {
     }
 }
 
-/// Where a name stands.
+/// Position of a label.
 struct Place {
     left: f64,
     right: f64,

@@ -1,6 +1,6 @@
-//! States by their names: the paper's letters, and which of them share a panel.
+//! Labels of states: symbols of Hubbard & Hummel (2000), and the grouping of states into panels.
 
-/// A state, as a figure names it.
+/// Label of a state in a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLabel<'a> {
     /// Name, as in the model.
@@ -9,7 +9,7 @@ pub struct StateLabel<'a> {
     pub unit: &'a str,
 }
 
-/// What a number of this unit is called.
+/// Name of the physical quantity of a unit, such as angle for rad.
 pub(crate) fn what(unit: &str) -> &'static str {
     match unit {
         "m" => "Position",
@@ -20,7 +20,8 @@ pub(crate) fn what(unit: &str) -> &'static str {
     }
 }
 
-/// States of one unit together, at most four, those that vary `apart` times more apart from those that vary less.
+/// Groups state indices into panels: equal unit, at most four states, peak magnitudes (except of m and m/s) within a
+/// factor `apart`.
 pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<usize>> {
     let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -43,7 +44,7 @@ pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -
     groups
 }
 
-/// A state's name in the paper's letters.
+/// Symbol of a state in the notation of Hubbard & Hummel (2000).
 pub(crate) fn symbol(name: &str) -> String {
     let (base, dot) = match name.strip_suffix("dot") {
         Some(base) if !base.is_empty() => (base, "\u{307}"),

@@ -1,8 +1,8 @@
-//! Writing SVG.
+//! SVG writer.
 
 use std::fmt::Write;
 
-/// Colours and letters of every figure. A page that holds figures states it once; see [`without_style`].
+/// Style sheet of every figure. A page of several figures includes the sheet once; see [`without_style`].
 pub(crate) const STYLE: &str = r##"text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; fill: #333 }
 text.title { font-size: 1.2em; font-weight: 600; fill: #111 }
 text.panel { font-weight: 600; fill: #111 }
@@ -23,7 +23,7 @@ path.d0, path.d1, path.d2, path.d3, path.dg { stroke-width: 3; stroke-linecap: r
 path.diagonal { stroke: #777; stroke-width: 1 }
 "##;
 
-/// An SVG that is being drawn, downwards.
+/// SVG document under construction, y axis downwards.
 pub(crate) struct Svg {
     body: String,
 }
@@ -42,7 +42,7 @@ impl Svg {
         );
     }
 
-    /// Text whose anchor is `start`, `middle` or `end`; its colour that of the class.
+    /// Draws text at (x, y); `anchor` is `start`, `middle` or `end`; `class` sets the colour.
     pub(crate) fn text(&mut self, class: &str, (x, y): (f64, f64), anchor: &str, text: &str) {
         let text = escape(text);
         let _ = writeln!(
@@ -58,7 +58,7 @@ impl Svg {
         );
     }
 
-    /// A box whose colour is that of its class.
+    /// Draws a rectangle at (x, y), filled by the style of `class`.
     pub(crate) fn block(&mut self, class: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
         let (wide, tall) = (wide.max(0.0), tall.max(0.0));
         let _ = writeln!(
@@ -67,7 +67,7 @@ impl Svg {
         );
     }
 
-    /// A box through which the ground shows, the less the closer `cover` is to 1.
+    /// Draws a translucent rectangle filled by the style of `class`; `cover` is the opacity, 0 to 1.
     pub(crate) fn veil(
         &mut self,
         class: &str,
@@ -81,7 +81,7 @@ impl Svg {
         );
     }
 
-    /// A box of its own colour.
+    /// Draws a rectangle at (x, y) filled with `colour`.
     pub(crate) fn cell(&mut self, colour: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
         let _ = writeln!(
             self.body,
@@ -89,7 +89,7 @@ impl Svg {
         );
     }
 
-    /// A line through points; broken where one of them is not finite.
+    /// Draws a polyline, interrupted at points that are not finite.
     pub(crate) fn path(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         let mut pen = 'M';
@@ -104,7 +104,7 @@ impl Svg {
         let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
     }
 
-    /// Dots, all in one path, as a tenth of the text of circles.
+    /// Draws dots as one path, which needs a tenth of the text of circles.
     pub(crate) fn dots(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
@@ -115,7 +115,7 @@ impl Svg {
         }
     }
 
-    /// Small crosses.
+    /// Draws small crosses at the given points.
     pub(crate) fn crosses(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
@@ -127,7 +127,7 @@ impl Svg {
         }
     }
 
-    /// The whole file. The text grows with the figure, to `most` pixels of width and no more.
+    /// Completes the SVG document; the displayed width grows with the page up to `most` pixels.
     pub(crate) fn finish(
         self,
         title: &str,
@@ -149,14 +149,14 @@ impl Svg {
     }
 }
 
-/// A figure for a page that states [`STYLE`] itself.
+/// SVG text without the style sheet, for a page that includes [`STYLE`] itself.
 pub(crate) fn without_style(svg: &str) -> String {
     svg.replacen(&format!("<style>\n{STYLE}</style>\n"), "", 1)
 }
 
-/// So many letters of a text as there is room for; the last of them `…` where it is cut.
+/// Shortens a text to the width `room`, ending in `…` where cut; `letter` is the width of a character.
 pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
-    // Letters of the far east are twice as wide; a dot above a letter takes no room.
+    // Wide East Asian characters count twice; combining marks have no width.
     let wide = |c: char| match c {
         '\u{300}'..='\u{36f}' => 0.0,
         '\u{1100}'.. => 2.0 * letter,
@@ -174,7 +174,7 @@ pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
 }
 
 pub(crate) fn escape(text: &str) -> String {
-    // Neither may stand in XML, even as a reference.
+    // Control characters are not permitted in XML, even as references.
     let printable = text
         .chars()
         .filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'));

@@ -1,4 +1,4 @@
-//! The table of the coefficients, and what others found for them.
+//! Table of the estimated coefficients, with values from the literature.
 
 use identify::Coefficient;
 use serde::Serialize;
@@ -7,7 +7,7 @@ use super::FitPage;
 use super::numbers::{Digits, stated, unit};
 use crate::literature::{Source, sources};
 
-/// One row.
+/// Row of the coefficient table, formatted text.
 #[derive(Serialize)]
 pub(super) struct Row {
     name: String,
@@ -16,18 +16,18 @@ pub(super) struct Row {
     interval: String,
     error: String,
     clustered: String,
-    /// Whether the scatter of the flights says an error more than half as large again.
+    /// Whether the cluster-robust standard error exceeds the Cramér–Rao one by more than half.
     doubtful: bool,
     unit: String,
     at_bound: bool,
-    /// Held, with a prior.
+    /// Notes on the estimate: fixed, or with a Gaussian prior.
     notes: Vec<String>,
     picture: Option<Picture>,
-    /// What the model's file says, then each source.
+    /// Value in the model file, then the value of each literature source.
     literature: Vec<String>,
 }
 
-/// The interval about the value, with 0 beside it: places from 0 to 100.
+/// Confidence interval and value on an axis that includes 0; positions from 0 to 100.
 #[derive(Serialize)]
 struct Picture {
     zero: f64,
@@ -37,7 +37,7 @@ struct Picture {
     model: Option<f64>,
 }
 
-/// The rows, in the model's own order; what it does not know comes last.
+/// Rows of the coefficient table in the order of the model; names unknown to the model come last.
 pub(super) fn rows(page: &FitPage<'_>) -> Vec<Row> {
     let sources = sources(page.model.reference.as_deref());
     let found = page.coefficients().into_iter();
@@ -92,7 +92,7 @@ fn picture(found: &Coefficient) -> Option<Picture> {
     if !all.iter().all(|v| v.is_finite()) || low > high {
         return None;
     }
-    // The model's own value is shown where it does not push the interval into a corner.
+    // The default value of the model is drawn unless it would compress the interval too much.
     let near = all.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
     let model = Some(model).filter(|m| m.is_finite() && m.abs() <= 2.0 * near);
     let values = || all.into_iter().chain(model);

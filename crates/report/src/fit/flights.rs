@@ -1,4 +1,4 @@
-//! The tables of flights: those fitted, the worst first where there are many, those held out, and those left out.
+//! Tables of the flights: fitted (the worst first if there are many), held out, and excluded.
 
 use identify::FlightReport;
 use identify::dataset::Role;
@@ -7,17 +7,17 @@ use serde::Serialize;
 use super::FitPage;
 use super::numbers::{millimetres, plain};
 
-/// Rows of a table, at most.
+/// Maximum number of rows of a table.
 const MOST_ROWS: usize = 50;
-/// Letters of a note, at most.
+/// Maximum length of a note, characters.
 const MOST_LETTERS: usize = 300;
 
-/// One table.
+/// Table of flights for the HTML template.
 #[derive(Serialize)]
 pub(super) struct Table {
-    /// Flights there are.
+    /// Total number of flights, including those not listed.
     all: usize,
-    /// Whether the worst alone are shown.
+    /// Whether only the flights with the largest RMS residuals are listed.
     worst: bool,
     rows: Vec<Row>,
 }
@@ -32,13 +32,13 @@ struct Row {
     notes: String,
 }
 
-/// The flights of one role: in their own order, or, where they are many, the worst in order of their rms.
+/// Table of the flights of one role: in dataset order, or, if there are too many, the largest RMS residuals first.
 pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     let mut flights: Vec<&FlightReport> = page.report.used(role).collect();
     let number = flights.len();
     let worst = number > MOST_ROWS;
     if worst {
-        // A flight without a number is the worst of all.
+        // A flight without a finite RMS residual ranks as the worst.
         let size = |f: &FlightReport| {
             if f.rms().is_nan() {
                 f64::INFINITY
@@ -56,7 +56,7 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     }
 }
 
-/// The first of the flights that were left out.
+/// Table of the excluded flights, limited to the maximum number of rows.
 pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     Table {
         all: page.report.excluded().count(),
@@ -87,7 +87,7 @@ fn row(flight: &FlightReport) -> Row {
     }
 }
 
-/// The beginning of a text.
+/// Truncates a text to the maximum length of a note.
 pub(crate) fn short(text: &str) -> String {
     if text.chars().count() <= MOST_LETTERS {
         return text.to_owned();

@@ -1,4 +1,4 @@
-//! The page of a fit: one file for a colleague, that loads nothing, and each of its figures by itself.
+//! HTML report of a fit: one self-contained file, and each figure as a separate SVG file.
 
 mod coefficients;
 pub(crate) mod draw;
@@ -12,27 +12,27 @@ pub(crate) mod words;
 use identify::{Coefficient, FitReport, FlightEvidence};
 use model_spec::model::Model;
 
-/// What the page is made of.
+/// Contents of the HTML report of a fit.
 #[derive(Clone, Copy, Debug)]
 pub struct FitPage<'a> {
-    /// What was found.
+    /// Results of the fit.
     pub report: &'a FitReport,
-    /// The flights that are drawn; the first twelve of them, if there are more.
+    /// Measurements and predictions of the flights to draw; at most the first twelve are drawn.
     pub evidence: &'a [FlightEvidence],
-    /// The model that was fitted.
+    /// Fitted model.
     pub model: &'a Model,
     /// Name of the dataset.
     pub dataset: &'a str,
 }
 
 impl FitPage<'_> {
-    /// Where the model declares a coefficient or a parameter; what it does not know comes last.
+    /// Rank of a coefficient or parameter in the order of declaration; names unknown to the model come last.
     fn place(&self, name: &str) -> usize {
         let known = self.model.coefficients.iter().chain(&self.model.params);
         known.take_while(|known| known.name != name).count()
     }
 
-    /// What was estimated, in the model's own order.
+    /// Estimated coefficients with their names, in the order of the model.
     fn coefficients(&self) -> Vec<(&str, &Coefficient)> {
         let all = self.report.coefficients.iter();
         let mut all: Vec<(&str, &Coefficient)> = all.map(|(n, c)| (n.as_str(), c)).collect();
@@ -41,36 +41,36 @@ impl FitPage<'_> {
     }
 }
 
-/// A figure.
+/// Figure of the report as an SVG file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
-    /// Name of its file, without `.svg`: letters, digits and hyphens.
+    /// File name without `.svg`: letters, digits and hyphens.
     pub name: String,
-    /// What it shows.
+    /// Title of the figure.
     pub title: String,
-    /// How it is read.
+    /// Caption of the figure: how to read the figure.
     pub caption: String,
-    /// The file.
+    /// SVG text of the figure.
     pub svg: String,
 }
 
-/// The page: one file, that loads nothing.
+/// Self-contained HTML report of a fit.
 pub fn html(page: &FitPage<'_>) -> String {
     page::written(page, &Figures::of(page))
 }
 
-/// Every figure of the page, in its order.
+/// All figures of the HTML report, in the order of the page.
 pub fn figures(page: &FitPage<'_>) -> Vec<Figure> {
     Figures::of(page).in_order()
 }
 
-/// The page and every figure of it, drawn once.
+/// HTML report and all of its figures, each figure drawn once.
 pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
     let figures = Figures::of(page);
     (page::written(page, &figures), figures.in_order())
 }
 
-/// The figures by their place on the page.
+/// Figures of the report, grouped by section.
 struct Figures {
     profiles: Vec<Drawn>,
     tracks: Vec<Drawn>,
@@ -94,7 +94,7 @@ impl Figures {
         }
     }
 
-    /// All of them, in the order of the page.
+    /// All figures in the order of the page.
     fn in_order(self) -> Vec<Figure> {
         let all = [
             self.profiles,
@@ -109,7 +109,7 @@ impl Figures {
     }
 }
 
-/// A figure, and the same for a narrow screen where it is too wide for one.
+/// Figure, with a second version for narrow screens (`None` if the figure is narrow itself).
 pub(crate) struct Drawn {
     pub(crate) figure: Figure,
     pub(crate) narrow: Option<String>,

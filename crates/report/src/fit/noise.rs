@@ -1,21 +1,21 @@
-//! The table of the noise.
+//! Table of the estimated noise.
 
 use identify::FitReport;
 use serde::Serialize;
 
 use super::numbers::{millimetres, plain};
 
-/// The noise along one axis.
+/// Noise along one axis, formatted text.
 #[derive(Serialize)]
 pub(super) struct Row {
     axis: String,
     sigma: String,
     ar1: String,
-    /// Time in which the correlation falls to 1/e.
+    /// Correlation time of the noise, after which the correlation has fallen to 1/e.
     memory: String,
 }
 
-/// Each axis, then all of them.
+/// Rows of the noise table: each axis, then all axes together.
 pub(super) fn rows(report: &FitReport) -> Vec<Row> {
     let noise = &report.noise;
     let row = |axis: &str, sigma: f64, ar1: f64| Row {

@@ -1,6 +1,6 @@
-//! Numbers for people: as many digits as the error warrants, a true minus, and a dash for what is no number.
+//! Number formatting: digits according to the standard error, a true minus sign, and a dash for values not finite.
 
-/// A number with so many decimals; `–` where it is none.
+/// Formats a number with the given number of decimals; `–` if not finite.
 pub(crate) fn plain(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
@@ -15,7 +15,7 @@ pub(crate) fn plain(value: f64, decimals: usize) -> String {
     text.replace('-', "−")
 }
 
-/// How a number and its error are written: times a power of ten, with so many decimals.
+/// Number format of a value and its standard error: power of ten and number of decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Digits {
     exponent: i32,
@@ -23,7 +23,7 @@ pub(crate) struct Digits {
 }
 
 impl Digits {
-    /// Two digits of the error; five of the value where there is no error.
+    /// Format with two significant digits of the standard error; five digits of the value if there is no error.
     pub(crate) fn of(value: f64, error: f64) -> Digits {
         let value = if value.is_finite() { value.abs() } else { 0.0 };
         let known = error.is_finite() && error > 0.0;
@@ -34,7 +34,7 @@ impl Digits {
                 decimals: 1,
             };
         }
-        // 0.0996 counts as 0.10.
+        // An error of 0.0996 is rounded to 0.10.
         let last = if known {
             (error * 1.005).log10().floor() as i32 - 1
         } else {
@@ -49,9 +49,9 @@ impl Digits {
         }
     }
 
-    /// The number alone, without its power of ten.
+    /// Formats the mantissa, without the power of ten.
     fn mantissa(self, value: f64) -> String {
-        // Dividing by 1e5 is exact to the last place where multiplying by 1e-5 is not.
+        // Division by 1e5 is correctly rounded; multiplication by 1e-5 is not.
         let scaled = if self.exponent < 0 {
             value * 10_f64.powi(-self.exponent)
         } else {
@@ -60,7 +60,7 @@ impl Digits {
         plain(scaled, self.decimals)
     }
 
-    /// A number.
+    /// Formats a number with its power of ten.
     pub(crate) fn one(self, value: f64) -> String {
         let text = self.mantissa(value);
         if self.exponent == 0 || !value.is_finite() {
@@ -70,7 +70,7 @@ impl Digits {
         }
     }
 
-    /// A range.
+    /// Formats a range of two numbers.
     pub(crate) fn range(self, [low, high]: [f64; 2]) -> String {
         let (low, high) = (self.mantissa(low), self.mantissa(high));
         if self.exponent == 0 {
@@ -81,13 +81,13 @@ impl Digits {
     }
 }
 
-/// A number with so many significant digits.
+/// Formats a number with the given number of significant digits.
 pub(crate) fn significant(value: f64, digits: i32) -> String {
     let unit = 10_f64.powf(value.abs().log10().floor() + 2.0 - f64::from(digits));
     Digits::of(value, unit).one(value)
 }
 
-/// A length in m, as mm with three digits.
+/// Formats a length, given in m, in mm with three significant digits.
 pub(crate) fn millimetres(metres: f64) -> String {
     if !metres.is_finite() {
         return "–".to_owned();
@@ -95,7 +95,7 @@ pub(crate) fn millimetres(metres: f64) -> String {
     format!("{}\u{a0}mm", significant(1e3 * metres, 3))
 }
 
-/// A share, in per cent.
+/// Formats a fraction (0 to 1) as a percentage.
 pub(crate) fn percent(share: f64) -> String {
     if !share.is_finite() {
         return "–".to_owned();
@@ -104,7 +104,7 @@ pub(crate) fn percent(share: f64) -> String {
     format!("{}\u{a0}%", plain(100.0 * share, decimals))
 }
 
-/// The unit as people write it; nothing for pure numbers.
+/// Typeset unit, such as `m²`; empty for dimensionless quantities.
 pub(crate) fn unit(text: &str) -> String {
     if matches!(text, "1" | "[1]") {
         return String::new();
@@ -113,7 +113,7 @@ pub(crate) fn unit(text: &str) -> String {
     text.replace('*', "\u{a0}")
 }
 
-/// A number as a file states it, without zeros at its end.
+/// Formats a number as in a model file, without trailing zeros.
 pub(crate) fn stated(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {

@@ -1,4 +1,4 @@
-//! From all that to HTML.
+//! HTML page of a fit, rendered from a template.
 
 use identify::dataset::Role;
 use identify::wording::count;
@@ -12,24 +12,24 @@ use super::{Drawn, Figures, FitPage, coefficients, flights, noise, words};
 use crate::figures::svg::{STYLE, without_style};
 use crate::literature::sources;
 
-/// Flights whose states are unfolded.
+/// Number of flights whose state figures are expanded initially.
 const OPEN: usize = 3;
-/// Flights whose tracks are unfolded.
+/// Number of flights whose marker-path figures are expanded initially.
 const OPEN_TRACKS: usize = 6;
-/// What is not determined is listed so far.
+/// Maximum number of listed non-identifiable directions.
 const MOST_UNDETERMINED: usize = 20;
 
-/// What the flights do not tell.
+/// Direction in parameter space that the flights do not determine.
 #[derive(Serialize)]
 struct Undetermined {
     names: String,
-    /// The direction, where it is of several coefficients: `0.71 C_L0 − 0.70 C_La`.
+    /// Linear combination, if of several coefficients: `0.71 C_L0 − 0.70 C_La`.
     direction: String,
     error: String,
     why: String,
 }
 
-/// The page, with figures that were drawn of it.
+/// Renders the HTML page with the given figures.
 pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     let (first, rest) = figures.states.split_at(OPEN.min(figures.states.len()));
     let (tracks, more_tracks) = figures
@@ -86,7 +86,7 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     rendered(include_str!("page.html"), context)
 }
 
-/// A template of this crate's own with its values.
+/// Renders a template of this crate with the given values.
 pub(crate) fn rendered(template: &str, context: Value) -> String {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
@@ -103,7 +103,7 @@ pub(crate) fn rendered(template: &str, context: Value) -> String {
         })
 }
 
-/// What the template escapes.
+/// Template value whose texts the template engine escapes.
 pub(crate) fn plain_values(of: &impl Serialize) -> Value {
     Value::from(Serde(of))
 }
@@ -113,7 +113,7 @@ pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
 }
 
 pub(crate) fn one(drawn: &Drawn) -> Value {
-    // The figures' own writer has escaped whatever came from outside.
+    // The SVG writer has already escaped all external text.
     let safe = |svg: &String| Value::from_safe_string(without_style(svg));
     let figure = &drawn.figure;
     context! {
@@ -124,7 +124,7 @@ pub(crate) fn one(drawn: &Drawn) -> Value {
     }
 }
 
-/// A text with its full stop.
+/// Truncates a text to the length of a note and ends it with a full stop.
 pub(crate) fn sentence(text: &str) -> String {
     let text = flights::short(text);
     if text.ends_with(['.', '…', '!', '?']) {

@@ -1,16 +1,16 @@
-//! Fewer points for the same picture, so that a page of long flights stays small.
+//! Reduction of the number of points of a figure, so that pages of long flights remain small.
 
-/// Points of a curve, at most.
+/// Maximum number of points of a curve.
 pub(crate) const MOST: usize = 400;
 
-/// Every so-manieth point.
+/// Every n-th point, with the smallest n that gives at most `most` points.
 pub(crate) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {
     let step = points.len().div_ceil(most.max(1)).max(1);
     points.iter().copied().step_by(step).collect()
 }
 
-/// Points of a curve over time: of each stretch the first, the least and the greatest, so that no peak is lost.
-/// A stretch with a gap keeps the gap.
+/// Thins a curve over time: of each segment the first, the lowest and the highest point remain, so that peaks remain
+/// visible. Gaps (NaN) remain gaps.
 pub(crate) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
     if points.len() <= most {
         return points.to_vec();
@@ -19,7 +19,7 @@ pub(crate) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
     let mut kept = Vec::with_capacity(most);
     for part in points.chunks(length) {
         let by = |a: &usize, b: &usize| part[*a].1.total_cmp(&part[*b].1);
-        // A NaN is greater than all numbers, or less: it is kept, and breaks the line.
+        // NaN is an extreme in the total order; it remains and interrupts the line.
         let extremes = [
             0,
             (0..part.len()).min_by(by).unwrap_or(0),

@@ -1,4 +1,4 @@
-//! The fit in plain words: what was done, what is known, what is not, and what is alarming.
+//! Summary of a fit in sentences: method, determined and undetermined coefficients, warnings.
 
 use identify::dataset::Role;
 use identify::wording::{count, listed};
@@ -8,14 +8,14 @@ use super::FitPage;
 use super::flights::short;
 use super::numbers::{millimetres, percent, plain};
 
-/// A standard error of less than so much of the value is good.
+/// Relative standard error below which a coefficient counts as well determined.
 const GOOD: f64 = 0.1;
-/// A held-out flight that is missed by more than so many times the noise is badly predicted.
+/// Ratio of a held-out flight's RMS residual to the noise above which the flight counts as badly predicted.
 const FAR: f64 = 3.0;
-/// Names in a sentence, at most.
+/// Maximum number of names in a sentence.
 const MOST_NAMES: usize = 24;
 
-/// What was done, and how well it fits.
+/// Sentences on the fitted data, the noise and the goodness of fit.
 pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let report = page.report;
     let number = |role: Role| report.used(role).count();
@@ -66,7 +66,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     all
 }
 
-/// How well the held-out flights were predicted.
+/// Sentence on the prediction error of the held-out flights; `None` without such flights.
 fn held_out_words(report: &FitReport) -> Option<String> {
     let held_out = report.used(Role::HeldOut);
     let mut rms: Vec<f64> = held_out
@@ -88,7 +88,7 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     })
 }
 
-/// Which coefficients are known well, loosely, and not at all.
+/// Sentences that list well determined, loosely determined, undetermined and fixed coefficients.
 fn determined(page: &FitPage<'_>) -> Vec<String> {
     let mut kinds: [Vec<&str>; 4] = Default::default();
     for (name, found) in page.coefficients() {
@@ -124,7 +124,7 @@ fn kind(found: &Coefficient) -> usize {
     }
 }
 
-/// What a reader must know before relying on it; empty where there is nothing.
+/// Warnings on the reliability of the fit; empty if there are none.
 pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     let report = page.report;
     let mut alarms = Vec::new();
@@ -211,7 +211,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         let lags = left.whitened_autocorrelation.get(1..).unwrap_or_default();
         let outside = lags.iter().filter(|v| v.abs() > left.band).count();
         let first = lags.first().copied().unwrap_or(0.0);
-        // One lag in twenty lies outside by chance.
+        // At the 5 % level, one lag in twenty lies outside the band by chance.
         let many = outside as f64
             > 0.05 * lags.len() as f64 + 2.5 * (0.05 * lags.len() as f64).sqrt() + 0.5;
         add(
@@ -235,7 +235,7 @@ fn were(flights: usize) -> String {
     )
 }
 
-/// `a, b and c`; the first of many.
+/// Joins names as `a, b and c`; shortens long lists.
 pub(crate) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let all: Vec<&str> = names.collect();
     let more = all.len().saturating_sub(MOST_NAMES);

@@ -14,7 +14,7 @@ use crate::error::StudyError;
 use crate::page::{Page, render};
 use crate::seeded::unlisted;
 
-/// Answers that are listed for a row that fails.
+/// Greatest number of answers listed for a row that fails.
 const MAX_ANSWERS: usize = 3;
 
 /// Fraction of a row's runs that may miss a detectable truth before the row is listed: one in ten.

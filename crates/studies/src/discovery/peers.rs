@@ -1,9 +1,9 @@
 //! Tables of docs/discovery-peers.md, which benches/discovery writes, as a section of docs/discovery.md.
 
-/// Heading before which the section stands.
+/// Heading before which the section is inserted.
 const BEFORE: &str = "## Every row";
 
-/// Headings of the tables that are taken over.
+/// Headings of the tables that are copied.
 const TABLES: [&str; 3] = [
     "## A strong effect is seeded",
     "## A weak effect is seeded",

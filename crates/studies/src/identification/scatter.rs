@@ -4,7 +4,7 @@ use report::figures::{Dots, Line, Look, Panel, figure};
 
 use super::paper_fits::{PaperFits, Scenario};
 
-/// Greatest number of dots for one scenario.
+/// Greatest number of dots drawn for one scenario.
 const MAX_DOTS: usize = 100;
 
 /// One panel for each coefficient, one column of dots for each scenario. SVG.

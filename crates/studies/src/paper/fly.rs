@@ -16,7 +16,7 @@ const READINGS: &str = include_str!("data/readings.hyz");
 /// Relative tolerance of the integration; a hundredth of the narrowest tolerance of a claim is 1e-4.
 const TOLERANCE: f64 = 1e-7;
 
-/// One release of the paper, which can be flown under any reading.
+/// One release of the paper, for simulation under any reading.
 pub(super) struct Flyer {
     body: CompiledModel,
     parameters: Vec<f64>,
@@ -25,7 +25,7 @@ pub(super) struct Flyer {
 }
 
 impl Flyer {
-    /// The built-in release of this name, to be flown for `duration` s.
+    /// Loads the built-in release `name`, to be simulated for `duration` s.
     pub(super) fn new(name: &str, duration: f64) -> Result<Self, StudyError> {
         let model = model()?;
         let body = CompiledModel::new(&model);

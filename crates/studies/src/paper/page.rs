@@ -10,7 +10,7 @@ use super::table::Table1;
 use crate::error::StudyError;
 use crate::page::{Page, render};
 
-/// Readings that the ranking shows.
+/// Number of readings shown in the ranking.
 const SHOWN: usize = 20;
 
 #[derive(Serialize)]
@@ -35,7 +35,7 @@ struct ClaimRow {
     claim: String,
     /// Stated value and tolerance.
     stated: [f64; 2],
-    /// With a space before it; empty if dimensionless.
+    /// Unit with a leading space; empty if dimensionless.
     unit: String,
     /// Simulated value and departure in tolerances; `None` if the integration fails.
     simulated: Option<(f64, f64)>,

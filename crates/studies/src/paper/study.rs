@@ -9,7 +9,7 @@ use super::reading::Reading;
 use super::table::Table1;
 use crate::error::StudyError;
 
-/// Greatest departure from a claim that is counted, in tolerances.
+/// Limit of the departure from a claim in the misfit, in tolerances.
 const MAX_DEPARTURE: f64 = 10.0;
 
 /// Cost of a hypothesis in squared tolerances: Akaike's penalty of one more parameter.
@@ -114,7 +114,7 @@ impl Study {
         self.ranking = ranking;
     }
 
-    /// Misfit and number of claims within their tolerance, of one flight.
+    /// Misfit and number of claims within tolerance for one flight.
     fn judge(&self, flight: &str, outcome: Option<&Outcome>) -> (f64, usize) {
         let claims = self.claims.iter().filter(|claim| claim.flight == flight);
         claims.fold((0.0, 0), |(misfit, held), claim| {

@@ -1,8 +1,8 @@
-//! What is seeded into a dataset.
+//! Effects and noise added to a simulated dataset.
 
 use identify::synthesize::Corruption;
 
-/// Effects and noise that are put into a dataset.
+/// Effects and noise added to a simulated dataset.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SeededEffects {
     /// Effects of the catalogue: name, and its coefficients (SI) in their order. An effect with states has their standard

@@ -11,7 +11,7 @@ use super::effects::SeededEffects;
 use super::world::SeededWorld;
 use crate::oracle_flights::file_name;
 
-/// A place in a dataset, from which the random stream of a flight follows.
+/// Position of a flight in a dataset, which determines its random stream.
 #[derive(Clone, Copy)]
 pub(super) struct FlightPlace {
     /// Seed of the dataset.

@@ -8,7 +8,7 @@ use oracle::{Point, Tree, Value};
 /// Name of the check.
 pub const CASES: &str = "check cases of the model";
 
-/// Every case: derivatives by the equations, auxiliary variables by the tree.
+/// Compares every stated case: derivatives from the equations, auxiliary variables from the vector tree.
 pub fn check(subject: &Subject<'_>) -> Row {
     let model = subject.model;
     if model.checks.is_empty() {
@@ -43,7 +43,7 @@ pub fn check(subject: &Subject<'_>) -> Row {
     Row::counted(CASES, model.checks.len(), &faults, "")
 }
 
-/// The point of a case: default values except those it sets.
+/// Point of a check case: default values, overridden by the settings of the case.
 pub fn set(model: &Model, settings: &[(Target, f64)]) -> Point<f64> {
     let mut point = Point::defaults(model);
     for &(target, value) in settings {

@@ -2,7 +2,7 @@
 //! differentiations of the vector tree that share nothing with the compiler's rules (dual numbers of `num-dual`,
 //! complex steps, dual numbers with error bounds), and against dual numbers through the reference implementation.
 //!
-//! Quaternions are varied along the unit sphere only: off it they represent no attitude.
+//! Quaternions are varied on the unit sphere only; other quaternions represent no attitude.
 
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -23,7 +23,7 @@ pub const CHECKS: [&str; 4] = [
 
 type Bounded = Dual<ErrorBound>;
 
-/// A derivative in three ways at once.
+/// Derivative by three methods at once: bounded dual numbers, `num-dual`, complex step.
 type ThreeWays = Lockstep<Bounded, Lockstep<NumDual, ComplexStep>>;
 
 fn bounded(value: f64, derivative: f64) -> Bounded {
@@ -40,7 +40,7 @@ fn three_ways(value: f64, derivative: f64) -> ThreeWays {
     }
 }
 
-/// Every entry of every Jacobian, structural zeros included.
+/// Checks every entry of every Jacobian, structural zeros included.
 pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Options) -> Vec<Row> {
     let cases = options.cases.div_ceil(4);
     let mut random = Random::new(options.seed, "derivatives");
@@ -236,7 +236,7 @@ fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<
     got.entries.iter().map(sum).collect()
 }
 
-/// Difference of two derivatives relative to the larger magnitude.
+/// Difference of two derivatives, relative to the larger running magnitude.
 fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     ErrorBound {
         value: expected,
@@ -245,7 +245,7 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     .relative_error(got.value)
 }
 
-/// State derivatives and observation by the vector tree.
+/// State derivatives, then observation, from the vector tree; `None` if the tree cannot be evaluated.
 fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     let tree = Tree::new(model, point);
     let mut out = derivatives_of(&tree).ok()?;
@@ -255,7 +255,7 @@ fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     Some(out)
 }
 
-/// State derivatives by the time of the clock, and observation, by the reference implementation.
+/// State derivatives with respect to the clock's time, then observation, from the reference implementation.
 fn reference_column(
     reference: &Reference,
     model: &Model,

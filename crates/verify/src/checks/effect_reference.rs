@@ -17,7 +17,7 @@ use oracle::{BindError, Point};
 /// Name of the check.
 pub const EFFECT_REFERENCE: &str = "effects: reference";
 
-/// Checks each model whose effects are all built in.
+/// Compares each model whose effects are all built in with its reference implementation.
 pub fn check(with: &[Model], options: &Options) -> Row {
     let catalogued: Vec<&Model> = with.iter().filter(|model| catalogued(model)).collect();
     if catalogued.is_empty() {
@@ -38,7 +38,7 @@ pub fn check(with: &[Model], options: &Options) -> Row {
 /// Largest error of a model with effects against its reference implementation; `None` if the model claims no law.
 ///
 /// # Errors
-/// As [`ExtendedReference::bind`].
+/// The errors of [`ExtendedReference::bind`].
 pub fn compare(
     model: &Model,
     equations: &dyn Equations,
@@ -61,7 +61,7 @@ pub fn compare(
     let mut worst = Worst::default();
     for _ in 0..options.cases.div_ceil(10) {
         let mut point = sample::point(model, &mut random);
-        // Terms of the model's own are nothing the law knows.
+        // Terms added by the model's author are unknown to the reference law.
         for (index, null_value) in reference.reference.null_values(model) {
             point.coefficients[index] = null_value;
         }
@@ -93,7 +93,7 @@ pub fn compare(
     Some(Ok(worst))
 }
 
-/// The point with the coefficients of effects within half their bounds: beyond, a body may have no inertia.
+/// The point with random effect coefficients within half their bounds; beyond, the inertia may be singular.
 fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         let (low, high) = model.coefficients[c.index].bounds.unwrap_or((-1.0, 1.0));
@@ -102,7 +102,7 @@ fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f
     point
 }
 
-/// Whether every effect of the model is the built-in one, and not one of the same name.
+/// Whether every effect of the model is a built-in one, not a user effect of equal name.
 fn catalogued(model: &Model) -> bool {
     let built_in = |name: &str| {
         let text = load::EFFECTS.iter().find(|(n, _)| *n == name);

@@ -1,6 +1,5 @@
-//! Effects off are effects absent: where its coefficients and states vanish, a model with an effect
-//! flies as the model without it; and with that value put in as a number it compiles to no more
-//! operations.
+//! Effects at null values: a model whose effects have null coefficients and states must have the derivatives of the
+//! model without effects, and must compile to no more operations once the null values are substituted.
 
 use crate::expressions::{fix_coefficient, fix_state};
 use crate::random::Random;
@@ -18,9 +17,8 @@ use oracle::{Point, derivatives};
 /// Name of the check.
 pub const EFFECTS: &str = "effects at null values";
 
-/// The effects that a model could have, each switched on by itself: those of its own file and those that
-/// are built in, and those that are built in all at once; or those that it has, where it has any. The second is the
-/// model without.
+/// Models with effects, and the model without. If the model has effects, the list contains only that model; otherwise
+/// one model per applicable effect, and one with all applicable built-in effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
@@ -39,7 +37,7 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let own: Vec<&str> = own.collect();
     let catalogue = load::EFFECTS.iter().map(|(name, _)| *name);
     let catalogue = catalogue.filter(|name| !own.contains(name));
-    // One that is made for another model cannot be applied.
+    // An effect for another kind of model cannot be applied.
     let mut alone = Vec::new();
     let mut together = Vec::new();
     for name in own.iter().copied().chain(catalogue) {
@@ -56,7 +54,7 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     Some((alone, without))
 }
 
-/// Each model with effects against the model without.
+/// Compares each model with effects at their null values with the model without effects.
 pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");
@@ -113,7 +111,7 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
     }
 }
 
-/// The point with every effect at the value where it vanishes.
+/// The point with all coefficients and states of effects at their null values.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.null_value;
@@ -124,7 +122,7 @@ fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     point
 }
 
-/// The same point of the model without effects.
+/// The point in the index space of the model without effects; `None` if a name is missing.
 fn bare(without: &Model, with: &Model, point: &Point<f64>) -> Option<Point<f64>> {
     let mut bare = Point::defaults(without);
     bare.time = point.time;

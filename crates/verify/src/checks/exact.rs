@@ -1,7 +1,7 @@
-//! Exact arithmetic: with a force and a moment as free symbols, what is left of a model is a rational
-//! function of its states, of sines and cosines of its angles, and of its constants. The compiler's
-//! schedule for it and the oracle's derivation are evaluated at random points of the field of integers
-//! modulo 2^61 − 1; equal at all of them, they are the same function but for a chance that is stated.
+//! Exact arithmetic: with a free force and moment, the derivatives of a rigid body are rational functions of states,
+//! sines and cosines of angles, and constants. The compiled program and the oracle's derivation are compared at random
+//! points of the field of integers modulo 2^61 − 1. Equality at all points proves equality up to the stated
+//! probability (Schwartz–Zippel lemma).
 
 use crate::Options;
 use crate::field::{Machine, on_circle};
@@ -19,12 +19,12 @@ use oracle::{Point, free_load_derivatives};
 /// Name of the check.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Random points; each leaves a chance of at most degree / 2^61.
+/// Number of random points; different functions agree at one with probability at most degree / 2^61.
 const POINTS: usize = 8;
-/// Far above the degree of any of these functions in its variables.
+/// Upper bound of the total degree of the compared rational functions.
 const DEGREE: f64 = 1e3;
 
-/// The compiler's equations against the oracle's at random points of the field.
+/// Compares compiled derivatives with the oracle's under free loads; skipped for models with stated equations.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.model.body.is_none() {
         return Row::skipped(EXACT, "its equations are stated");
@@ -33,7 +33,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     compare(&model, &codegen::compile(&model), options)
 }
 
-/// A model with free loads against what it is said to compile to.
+/// Compares a compiled model with the oracle; its last two inputs must be the free force and moment.
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
@@ -71,7 +71,7 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(EXACT, POINTS, &faults, &says)
 }
 
-/// The model with one force and one moment, which are inputs in inertial components.
+/// Replaces the loads of a model by a free force and a free moment: inputs in inertial components.
 pub fn free_loads(model: &Model) -> Model {
     let mut model = model.clone();
     let mut load = |name: &str| {
@@ -100,8 +100,7 @@ pub fn free_loads(model: &Model) -> Model {
     };
     let (force, moment) = (load("free_force"), load("free_moment"));
     model.forces = force;
-    // States that are not the body's act through the loads alone; their own equations are the tree's to check,
-    // as the clock is.
+    // Stated equations of added states and the clock are checked by the vector tree instead.
     model.equations.clear();
     model.clock = None;
     model.moments = if model.body.as_ref().is_some_and(|b| b.rotation.is_some()) {
@@ -112,16 +111,16 @@ pub fn free_loads(model: &Model) -> Model {
     model
 }
 
-/// A random point of the field, with the sine and cosine of every state.
+/// A random point of the prime field, with the sine and cosine of every state.
 pub struct Spot {
-    /// A number for every name.
+    /// Field elements for time, parameters, coefficients, inputs, states and marker.
     pub point: Point<Prime>,
-    /// Sine and cosine of every state.
+    /// (sine, cosine) of every state.
     pub circles: Vec<(Prime, Prime)>,
 }
 
 impl Spot {
-    /// Draws one; quaternions are of unit length.
+    /// Draws a random point; quaternions have norm 1.
     pub fn random(model: &Model, random: &mut Random) -> Self {
         let mut point = Point::defaults(model).map(|_| random.prime());
         for frame in &model.frames {
@@ -140,7 +139,7 @@ impl Spot {
     }
 }
 
-/// A point of the sphere in four dimensions, as [`on_circle`].
+/// Random unit quaternion of the field, by a rational parametrization of the sphere.
 fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
     let v = [random.prime(), random.prime(), random.prime()];
     let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);

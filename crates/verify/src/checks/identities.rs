@@ -1,5 +1,4 @@
-//! Laws that hold at every instant, whatever acts: the momentum changes by the force, the angular
-//! momentum by the moment, the energy by their power, and positions and angles by the velocities.
+//! Balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -15,7 +14,7 @@ pub const IDENTITIES: &str = "momentum and energy";
 
 type Bounded = Dual<ErrorBound>;
 
-/// dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, dr/dt = v.
+/// Checks dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω and dr/dt = v at random points.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let Some(chart) = &subject.chart else {
@@ -32,7 +31,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         if rates.len() != point.states.len() {
             return Row::skipped(IDENTITIES, "there are no equations to evaluate");
         }
-        // Along the motion every state moves at its rate.
+        // Seed each state with its rate: the dual parts are time derivatives.
         let along: Vec<Bounded> = point
             .states
             .iter()
@@ -79,8 +78,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// What acts: the model's own loads where it has a body, else the reference's. Mass and inertia are the
-/// reference's where there is one, so that a body that answers with another mass is noticed.
+/// Loads and mass properties: loads of the model's body, else of the reference law; mass and inertia of the reference
+/// law where there is one, so that a wrong mass in the model is detected.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,
@@ -104,7 +103,7 @@ fn loads(
     Some((motion, properties))
 }
 
-/// The inertia in the body's own frame; the frame it is given in differs from it by a turn.
+/// Mass properties with the inertia tensor rotated from the frame of its declaration to the body frame.
 fn in_body_frame(
     tree: &Tree<'_, ErrorBound>,
     given: MassProperties<ErrorBound>,

@@ -18,7 +18,7 @@ use oracle::{Chart, Physical, PhysicalRate, Point, Quaternion, Tree};
 /// Name of the check.
 pub const METAMORPHIC: &str = "metamorphic relations";
 
-/// Largest relative error; the states of a physical state are found through arcsines, which lose digits near ±1.
+/// Largest relative error; the states are computed with arcsines, which lose digits near ±1.
 const TOLERANCE: f64 = 1e-10;
 
 /// A transformation under which the laws are invariant.
@@ -43,8 +43,8 @@ impl Relation {
     ];
 }
 
-/// Checks every relation with the extra coefficients at their null values, which must hold; and reports the relations
-/// that each extra coefficient breaks.
+/// Checks every relation with the extra coefficients at their null values; also reports the relations that each extra
+/// coefficient breaks, which is no fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(chart) = &subject.chart else {
         return Row::skipped(METAMORPHIC, "the meaning of the states is unknown");
@@ -145,7 +145,7 @@ fn error(
         (got.angular_velocity, expected.angular_velocity),
         (got.angular_acceleration, expected.angular_acceleration),
     ];
-    // Positions and accelerations are of order 1 to 1000; the floor is far below what a fault makes.
+    // Positions and accelerations are of order 1 to 1000; the floor is far below a typical fault.
     let error = |(got, expected): (Vector3<f64>, Vector3<f64>)| {
         (got - expected).norm() / (got.norm() + expected.norm() + 1.0)
     };
@@ -176,7 +176,7 @@ fn transform(
         }
         Relation::Mirror => {
             let polar = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
-            // The mirror image of a turn is a turn; a body that is its own image stays itself.
+            // Reflecting a rotation matrix from both sides gives a rotation; a symmetric body is mapped to itself.
             let attitude = Quaternion::from_matrix(&(polar * p.attitude.matrix() * polar));
             p = map(&p, &polar, &-polar, attitude);
             change = map_change(&change, &polar, &-polar);
@@ -237,8 +237,7 @@ fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     })
 }
 
-/// Whether the inertia is given in a frame that does not turn with the body, so that it must be a body
-/// of revolution.
+/// Whether the inertia is declared in a frame other than the body frame, which implies a body of revolution.
 fn axis_of_revolution(model: &Model) -> bool {
     let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
     rotation.is_some_and(|r| r.inertia_frame != r.body_frame)

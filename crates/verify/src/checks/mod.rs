@@ -1,4 +1,4 @@
-//! The checks, one file each.
+//! Checks of a model, one module each.
 
 pub mod backends;
 pub mod cases;

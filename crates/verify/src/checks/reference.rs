@@ -13,8 +13,7 @@ pub const REFERENCE: &str = "reference";
 /// Name of the check against the vector tree.
 pub const TREE: &str = "vector tree";
 
-/// Derivatives and observation against the reference law that the model claims, extra coefficients at their null
-/// values.
+/// Compares derivatives and observation with the reference law of the model; extra coefficients at their null values.
 pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if let Some(why) = &subject.unbound {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");
@@ -23,7 +22,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
         return Row::skipped(REFERENCE, "the model claims no reference");
     };
     let model = subject.model;
-    // The law does not contain added states; the vector tree does.
+    // The reference law does not contain added states; the vector tree does.
     let added = model.added_states();
     let mut random = Random::new(options.seed, REFERENCE);
     let mut worst = Worst::default();
@@ -70,7 +69,7 @@ fn note(worst: &mut Worst, refused: &mut Vec<String>, error: f64, name: String) 
     worst.see(error, || name);
 }
 
-/// Derivatives and observation against the vector tree of the model, with all coefficients nonzero.
+/// Compares derivatives and observation with the vector tree of the model; all coefficients nonzero.
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);

@@ -1,4 +1,4 @@
-//! Singular points: nothing is ever less than a number, in value or in derivative, in any backend.
+//! Singular points: all values and derivatives must be finite in every backend.
 
 use super::backends::{Run, function_at};
 use crate::row::Row;
@@ -11,7 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Name of the check.
 pub const SINGULAR: &str = "singular points";
 
-/// Every function of every backend at every singular point.
+/// Checks that every result of every function of every backend is finite at every singular point.
 pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run]) -> Row {
     let mut faults = Vec::new();
     for run in runs {
@@ -28,7 +28,7 @@ pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run])
     Row::counted(SINGULAR, points.len() * runs.len(), &faults, "")
 }
 
-/// Points at which something may be divided by zero.
+/// Points, with descriptions, at which a divisor may vanish.
 pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let base = moving(model);
     let velocities = by_unit(model, |metre, second, _| (metre, second) == (2, -2));
@@ -46,7 +46,7 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
             with(&base, velocities.iter().copied(), 0.0),
         ),
     ];
-    // Only one component of the velocity left; for the disc the third is along its axis.
+    // One nonzero velocity component; for the disc the third is along its axis.
     for &kept in &velocities {
         let others = velocities.iter().copied().filter(|&i| i != kept);
         out.push((
@@ -55,7 +55,7 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
         ));
     }
     for wind in 0..model.inputs.len() {
-        // As fast as the air, in a model whose axes stand along the inertial ones.
+        // Zero airspeed, in a model whose axes are parallel to the inertial axes.
         let mut point = with(&Point::defaults(model), 0..0, 0.0);
         for (axis, &state) in velocities.iter().take(3).enumerate() {
             point.states[state] = 3.0;

@@ -1,4 +1,4 @@
-//! Units and frames: what the checker of the language refuses.
+//! Units and frames: diagnostics of the language checker.
 
 use crate::row::Row;
 use model_spec::diagnostic::Diagnostic;
@@ -8,7 +8,7 @@ use model_spec::model::Source;
 /// Name of the check.
 pub const UNITS: &str = "units and frames";
 
-/// One line a fault, with its place.
+/// Checks that the language checker reports no errors; one line per diagnostic, with its source location.
 pub fn check(loaded: &Loaded) -> Row {
     let lines: Vec<String> = loaded
         .diagnostics

@@ -15,14 +15,15 @@ const SAME: &str = "compiles to the same derivatives and observation, node for n
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 
-/// Points at which two programs are compared.
+/// Number of random field points at which two programs are compared.
 const POINTS: usize = 4;
-/// Trial points, at most; a point is usable if the argument of every root is a square, one in two for each root.
+/// Maximum number of trial points; a point is usable if the argument of every square root is a square in the field,
+/// probability 1/2 per root.
 const MAX_TRIALS: usize = 4096;
 
-/// The model that mutants are compared with.
+/// The original model, prepared for comparison with mutants.
 pub struct Original<'a> {
-    /// The model and its equations.
+    /// The original model and its equations.
     pub subject: &'a Subject<'a>,
     values: Values,
     interner: Interner,
@@ -30,7 +31,7 @@ pub struct Original<'a> {
 }
 
 impl<'a> Original<'a> {
-    /// Compiles the model.
+    /// Compiles the original model.
     pub fn new(subject: &'a Subject<'a>) -> Self {
         let values = Values::of(subject.model);
         let mut interner = Interner::default();
@@ -43,7 +44,7 @@ impl<'a> Original<'a> {
         }
     }
 
-    /// Kind of proof that a mutant is equivalent; `None` if it is not proved.
+    /// Kind of proof that a mutant is equivalent to the original; `None` if unproved.
     pub fn same(&self, mutant: &Values) -> Option<&'static str> {
         let (here, there) = (&self.values.layout, &mutant.layout);
         let named = here.states == there.states && here.parameters == there.parameters;
@@ -97,7 +98,7 @@ impl<'a> Original<'a> {
     }
 }
 
-/// Hash-consed expressions: equal expressions have equal numbers.
+/// Hash-consing table of expressions: equal expressions have equal value numbers.
 #[derive(Clone, Debug, Default)]
 struct Interner {
     numbers: HashMap<Key, u32>,
@@ -116,7 +117,7 @@ enum Key {
     IfZero(u32, u32, u32),
 }
 
-/// An operation on two, in one order where both give the same.
+/// Key of a binary operation; operands of commutative operations are sorted.
 fn binary(op: Binary, a: u32, b: u32) -> Key {
     match op {
         Binary::Add | Binary::Mul | Binary::Min | Binary::Max if b < a => Key::Binary(op, b, a),
@@ -125,7 +126,7 @@ fn binary(op: Binary, a: u32, b: u32) -> Key {
 }
 
 impl Interner {
-    /// Numbers of the results of a program.
+    /// Value numbers of the outputs of a program.
     fn outputs(&mut self, program: &Program) -> Vec<u32> {
         let mut temps: Vec<u32> = Vec::with_capacity(program.statements.len());
         for statement in &program.statements {
@@ -133,7 +134,7 @@ impl Interner {
             let key = match statement.op {
                 Op::Unary(op, a) => Key::Unary(op, operand(a)),
                 Op::Binary(op, a, b) => binary(op, operand(a), operand(b)),
-                // Fused or not, it is the same expression.
+                // Fused and unfused forms have equal value numbers.
                 Op::Fused(fused, a, b, c) => {
                     let (product, c) = (binary(Binary::Mul, operand(a), operand(b)), operand(c));
                     let product = self.number(product);

@@ -13,9 +13,9 @@ pub struct MutationMatrix {
     pub checks: Vec<&'static str>,
     /// One row per mutation operator.
     pub rows: Vec<MutationRow>,
-    /// Mutants that no check kills.
+    /// Descriptions of the mutants that no check kills.
     pub survivors: Vec<String>,
-    /// Surviving mutants of terms that the reference implementation does not contain.
+    /// Descriptions of surviving mutants of terms that the reference implementation does not contain.
     #[serde(rename = "unwatched")]
     pub not_covered: Vec<String>,
     /// Mutants proved equivalent to the model, each with the kind of proof.
@@ -31,14 +31,14 @@ pub struct MutationRow {
     pub mutants: usize,
     /// Number of killed mutants.
     pub killed: usize,
-    /// Number of mutants that each check is the first to kill.
+    /// Number of mutants that each check is the first to kill, in the order of the checks.
     pub first: Vec<usize>,
-    /// Number of mutants that each check kills.
+    /// Number of mutants that each check kills, in the order of the checks.
     pub noticed: Vec<usize>,
 }
 
 impl MutationMatrix {
-    /// Counts the statuses of mutants.
+    /// Builds the matrix from mutants and their statuses.
     pub fn of(mutants: &[Mutant], statuses: &[MutantStatus]) -> Self {
         let mut table = Self {
             checks: CHECKS.to_vec(),
@@ -101,7 +101,7 @@ impl MutationMatrix {
         Row::counted("mutants", mutants, &self.survivors, "").saying(says)
     }
 
-    /// The matrix as text; each cell is `first/all`: killed by this check first, and killed by it at all.
+    /// The matrix as text; a cell `first/all` has the number killed first by the check, and killed by it at all.
     pub fn table(&self) -> String {
         let mut header = vec!["mutation operator", "mutants", "killed"];
         header.extend(&self.checks);

@@ -1,4 +1,4 @@
-//! Mutation testing: the model with one plausible mistake each, every one of which must be killed by a check.
+//! Mutation testing: models with one plausible mistake each, every one of which a check should kill.
 
 pub mod equivalence;
 mod matrix;
@@ -58,7 +58,7 @@ impl Operator {
         Self::Unit,
     ];
 
-    /// Name in tables.
+    /// Name of the operator in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign flipped",
@@ -79,17 +79,17 @@ impl Operator {
 /// A model with one mutation.
 #[derive(Clone, Debug)]
 pub struct Mutant {
-    /// Operator that made it.
+    /// Mutation operator that made the mutant.
     pub operator: Operator,
-    /// Mutated statement.
+    /// Name of the mutated statement.
     pub place: String,
-    /// Description of the change.
+    /// Description of the mutation.
     pub change: String,
     /// Syntax tree of the mutated model.
     pub file: File,
 }
 
-/// Every mutant of a file, in the order of its statements.
+/// All mutants of a model file, in the order of its statements.
 pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
     let names = Names::of(file);
     let angles: Vec<Name> = file

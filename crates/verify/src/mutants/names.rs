@@ -1,8 +1,8 @@
-//! Which names of a model could be mistaken for one another.
+//! Names of a model that could be confused with one another.
 
 use model_spec::syntax::ast::{File, ItemKind, Parameter};
 
-/// The names of a file, with the statement that declares each.
+/// Names of frames, constants and auxiliary variables of a file, with the declaring statements.
 pub struct Names {
     frames: Vec<String>,
     constants: Vec<(String, String)>,
@@ -28,18 +28,18 @@ impl Names {
         names
     }
 
-    /// Whether a frame has that name.
+    /// Whether a frame has the given name.
     pub fn is_frame(&self, name: &str) -> bool {
         self.frames.iter().any(|f| f == name)
     }
 
-    /// Every other frame.
+    /// Names of all frames except the given one.
     pub fn other_frames<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a String> {
         self.frames.iter().filter(move |f| *f != name)
     }
 
-    /// Names that one could write by mistake for this one in statement `item`: a constant of the same
-    /// unit, another constant, and the named quantities declared around it that are known by then.
+    /// Plausible replacements of a name in statement `item`: two constants of the same unit, one of another unit, or
+    /// nearby auxiliary variables that are declared before the statement.
     pub fn exchanges(&self, name: &str, item: usize) -> Vec<String> {
         let mut out = Vec::new();
         if let Some(at) = self.constants.iter().position(|(n, _)| n == name) {

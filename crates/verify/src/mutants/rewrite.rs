@@ -1,21 +1,21 @@
-//! What can be done to one expression.
+//! Mutations of one expression.
 
 use super::Operator;
 use super::names::Names;
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, Name, Number, Quantity};
 
-/// An expression in the place of another.
+/// A mutation of an expression.
 pub struct Rewrite {
-    /// Kind of the change.
+    /// Mutation operator.
     pub operator: Operator,
-    /// What was done, in a few words.
+    /// Short description of the mutation.
     pub how: String,
-    /// The new expression.
+    /// The mutated expression.
     pub to: Expr,
 }
 
-/// Everything that can be done to `e`, which stands in statement `item`. `serial` varies the factors
-/// from place to place, so that each is tried somewhere in every statement.
+/// All mutations of `e` in the statement with index `item`; `root` if `e` is a whole right-hand side. Other
+/// expressions get only one of the three inserted factors, selected by `serial`.
 pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize) -> Vec<Rewrite> {
     let mut out = Vec::new();
     let mut push = |operator, how: String, to: Expr| out.push(Rewrite { operator, how, to });

@@ -8,7 +8,7 @@ use flight::batch;
 use model_spec::model::Source;
 use model_spec::syntax::ast::File;
 
-/// Random points per check of a mutant, at most.
+/// Maximum number of random points per check of a mutant.
 const MAX_CASES: usize = 6;
 
 /// Runs every check on every mutant of a model file.

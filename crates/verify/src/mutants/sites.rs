@@ -1,9 +1,8 @@
-//! Where a model file can be changed: its expressions, numbered in the order in which they are written.
+//! Sites of mutations in a model file: its expressions, numbered in source order.
 
 use model_spec::syntax::ast::{BinaryOp, BodyPartKind, Expr, ExprKind, Item, ItemKind};
 
-/// The expressions of a statement that say something about the physics. Limits and check cases are left
-/// out: they say where a model holds and what is known of it.
+/// Root expressions of a statement that describe physics; validity limits and check cases are excluded.
 pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     match &mut item.kind {
         ItemKind::Let(l) => vec![&mut l.value],
@@ -23,7 +22,7 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     }
 }
 
-/// A statement's name for messages.
+/// Name of a statement for messages.
 pub fn place(item: &Item) -> String {
     match &item.kind {
         ItemKind::Parameter(c) => format!("declaration of {}", c.name.text),
@@ -40,25 +39,25 @@ pub fn place(item: &Item) -> String {
     }
 }
 
-/// The parts of an expression that are expressions.
+/// Direct subexpressions of an expression.
 pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
     match &mut e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Derivative(_) => Vec::new(),
         ExprKind::Part(a, _) | ExprKind::Neg(a) => vec![a],
         ExprKind::Components(parts, _) => parts.iter_mut().collect(),
-        // An exponent is a literal and is changed with its power.
+        // An exponent is a literal and is mutated with its power.
         ExprKind::Binary(BinaryOp::Pow, a, _) => vec![a],
         ExprKind::Binary(_, a, b) => vec![a, b],
         ExprKind::Call(_, arguments) => arguments.iter_mut().collect(),
     }
 }
 
-/// How many expressions there are in this one, itself included.
+/// Number of expressions in the tree of `e`, including `e`.
 pub fn count(e: &mut Expr) -> usize {
     1 + children(e).into_iter().map(count).sum::<usize>()
 }
 
-/// The expression of that number inside this one, itself being 0.
+/// Expression with index `n` in the tree of `e` in preorder, `e` being 0; `None` if out of range.
 pub fn nth(e: &mut Expr, n: usize) -> Option<&mut Expr> {
     if n == 0 {
         return Some(e);

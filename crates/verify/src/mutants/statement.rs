@@ -1,4 +1,4 @@
-//! What can be done to a statement as a whole: frames, turns, the body, units, loads.
+//! Mutations of whole statements: frames, rotations, body, units, loads.
 
 use super::Operator;
 use super::names::Names;
@@ -6,17 +6,17 @@ use model_spec::syntax::ast::{
     BodyPartKind, FrameKind, Item, ItemKind, LoadClass, Name, UnitExpr, UnitFactor,
 };
 
-/// A change of one statement.
+/// A mutation of one statement.
 pub struct Change {
-    /// Kind of the change.
+    /// Mutation operator.
     pub operator: Operator,
-    /// What was done, in a few words.
+    /// Short description of the mutation.
     pub how: String,
-    /// The new statement; none where it is left out.
+    /// The mutated statement; `None` if it is deleted.
     pub to: Option<Item>,
 }
 
-/// Everything that can be done to a statement.
+/// All mutations of a statement as a whole; `angles` are the names that may replace a frame's angle.
 pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
     let mut out = Changes {
         item,

@@ -11,14 +11,14 @@ use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
-/// Killed by the unit check of the language.
+/// Name of the killing check: unit check of the language.
 pub const UNITS: &str = "units";
-/// Killed by the frame check of the language.
+/// Name of the killing check: frame check of the language.
 pub const FRAMES: &str = "frames";
-/// Killed by any other check of the language.
+/// Name of the killing check: all other checks of the language.
 pub const GRAMMAR: &str = "names and shapes";
 
-/// Checks that are run on mutants, cheapest first.
+/// Names of the checks that are run on mutants, cheapest first.
 pub const CHECKS: [&str; 7] = [
     UNITS,
     FRAMES,
@@ -42,7 +42,7 @@ pub enum MutantStatus {
     Survived,
 }
 
-/// Runs every check on a mutant.
+/// Runs every check on a mutant and returns its status.
 pub fn evaluate(
     mutant: &Mutant,
     sources: &[Source],
@@ -77,8 +77,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Checks that refute the equations of a mutant by its vector tree. Whether the compiler follows the tree is checked
-/// separately.
+/// Indices into [`CHECKS`] of the checks that refute the mutant's equations, evaluated by the vector tree. Agreement
+/// of compiler and vector tree is checked separately.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

@@ -1,27 +1,27 @@
-//! Small corrections of an equation: what a misprint would need.
+//! Small corrections of an equation, as candidate explanations of a misprint.
 
 use crate::expressions::{children, children_mut};
 use model_spec::model::{Expr, ExprKind, Function, Model, Source};
 
-/// A corrected expression.
+/// A candidate correction of an expression.
 #[derive(Clone)]
 pub struct Edit {
-    /// What was corrected, in a sentence without its end.
+    /// Description of the fault: a clause without a full stop.
     pub says: String,
-    /// Smaller is likelier: a factor too many, a sign, a bracket, a function, a factor too few.
+    /// Rank of likelihood, likeliest first: 0 extra factor, 1 sign, 2 bracket, 3 function, 4 missing factor.
     pub rank: u8,
-    /// The whole expression, corrected.
+    /// The complete corrected expression.
     pub to: Expr,
 }
 
-/// Where corrections are looked for.
+/// Generator of candidate corrections of expressions.
 pub struct Editor<'a> {
     model: &'a Model,
     factors: Vec<(String, Expr)>,
 }
 
 impl<'a> Editor<'a> {
-    /// An editor for the equations of a model.
+    /// Generator for the equations of a model, without insertion of missing factors.
     pub fn new(model: &'a Model) -> Self {
         Self {
             model,
@@ -29,12 +29,12 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Also looks for factors that were left out, from among these.
+    /// Generator that also inserts each of the given named factors into terms of sums.
     pub fn lacking(model: &'a Model, factors: Vec<(String, Expr)>) -> Self {
         Self { model, factors }
     }
 
-    /// Every correction of `e`, which belongs to the term `term` of the equation's sum.
+    /// All single corrections of `e` and its subexpressions; `term` is the text of the enclosing term of the sum.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
         self.here(e, term, &mut out);
@@ -45,7 +45,7 @@ impl<'a> Editor<'a> {
         let count = children(&e.kind).len();
         for k in 0..count {
             let child = children(&e.kind)[k];
-            // A sum's parts are terms; what is inside a part belongs to it.
+            // The operands of a sum are terms; subexpressions of a term belong to that term.
             let inner = if is_sum {
                 self.text(child)
             } else {
@@ -146,7 +146,7 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// `(a ± b ± …)/d` where only the first term, or the first few, should be divided.
+    /// Corrections of `(a ± b ± …)/d` in which only the leading terms are divided by `d`.
     fn divisor_of_some(&self, sum: &Expr, divisor: &Expr, push: &mut impl FnMut(u8, String, Expr)) {
         let (ExprKind::Add(left, _) | ExprKind::Sub(left, _)) = &sum.kind else {
             return;
@@ -155,7 +155,7 @@ impl<'a> Editor<'a> {
             kind: ExprKind::Div(Box::new(e.clone()), Box::new(divisor.clone())),
             ..e.clone()
         };
-        // Every left part of the sum in turn: a - b + c is ((a - b) + c).
+        // Each leading part of the sum in turn: a - b + c is ((a - b) + c).
         let mut outer: Vec<&Expr> = vec![sum];
         let mut part: &Expr = left;
         loop {
@@ -189,7 +189,7 @@ impl<'a> Editor<'a> {
     }
 }
 
-/// What was written for an expression, on one line.
+/// Source text of an expression, on one line.
 pub fn snippet(sources: &[Source], e: &Expr) -> String {
     let text = sources
         .get(usize::from(e.span.source))

@@ -1,8 +1,8 @@
-//! What is wrong with an equation that the oracle refuses: which one, and which of its terms.
+//! Diagnosis of refuted equations: which equation disagrees with the reference, and in which term.
 //!
-//! Every stated equation is put to the reference by itself, the derivatives that it uses being the
-//! reference's own, so that one misprint is not blamed for another. Then the smallest correction is
-//! looked for that makes the equation agree.
+//! Each stated equation is compared with the reference separately; derivatives that it uses take the reference's
+//! values, so that a misprint is attributed to one equation only. Then the smallest correction is searched for with
+//! which the equation agrees.
 
 mod edit;
 
@@ -17,23 +17,23 @@ use oracle::scalar::ErrorBound;
 use oracle::{Point, Tree, Value};
 use serde::Serialize;
 
-/// An equation that the reference refuses.
+/// A stated equation that disagrees with the reference.
 #[derive(Clone, Debug, Serialize)]
 pub struct Refutation {
-    /// The state whose derivative it is.
+    /// Name of the state whose derivative the equation defines.
     pub state: String,
-    /// The equation as it was written.
+    /// Source text of the equation.
     pub equation: String,
-    /// Its worst error, against the sum of the magnitudes of its terms.
+    /// Largest error, relative to the sum of the magnitudes of the terms.
     pub error: f64,
-    /// The corrections that make it agree, likeliest first; empty where none was found.
+    /// Corrections that together make the equation agree; empty if none was found.
     pub corrections: Vec<String>,
-    /// The error that is left after them.
+    /// Largest relative error of the corrected equation.
     pub error_corrected: f64,
 }
 
 impl Refutation {
-    /// In a sentence.
+    /// Description of the refutation and its corrections, as one sentence.
     pub fn sentence(&self) -> String {
         let Self {
             state,
@@ -55,7 +55,7 @@ impl Refutation {
 
 const POINTS: usize = 8;
 
-/// Every stated equation that the reference refuses.
+/// Diagnoses all stated equations; returns those that disagree with the reference.
 pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
     let Some(reference) = &subject.reference else {
         return Vec::new();
@@ -80,7 +80,7 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
         trees,
         truths,
     };
-    // The law says nothing of states that were added.
+    // The reference law does not contain added states.
     let added = model.added_states();
     let of_law = model.equations.iter().filter(|e| !added.contains(&e.state));
     of_law
@@ -88,7 +88,7 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
         .collect()
 }
 
-/// Derivatives that other equations use: named quantities whose expression is an equation's own.
+/// Reference values of the auxiliary variables that stand for derivatives used in other equations.
 fn used_derivatives(model: &Model, truth: &[ErrorBound]) -> Vec<(usize, Value<ErrorBound>)> {
     let mut out = Vec::new();
     for (index, named) in model.aux_variables.iter().enumerate() {
@@ -108,7 +108,7 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// The worst error of an expression as the derivative of a state; stops once it is refused.
+    /// Largest relative error of an expression as the derivative of a state; stops early once it exceeds `stop`.
     fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
         let mut worst = 0.0_f64;
         for (tree, truth) in self.trees.iter().zip(&self.truths) {
@@ -130,7 +130,7 @@ impl Bench<'_> {
 
     fn examine(&self, equation: &Equation) -> Option<Refutation> {
         let state = equation.state;
-        // A derivative that others use is stated as a named quantity; look at what it stands for.
+        // A derivative used elsewhere is stated as an auxiliary variable: take its expression.
         let stated = match &equation.value.kind {
             ExprKind::AuxVariable(i)
                 if self.model.aux_variables[*i].value.span == equation.value.span =>
@@ -154,7 +154,7 @@ impl Bench<'_> {
         })
     }
 
-    /// One correction; else one factor that was left out; else two or three corrections.
+    /// Searches for one correction, else one missing factor, else two or three corrections; `None` if none agrees.
     fn mend(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
         let whole = snippet(&self.model.sources, e);
         let plain = Editor::new(self.model);
@@ -199,8 +199,7 @@ impl Bench<'_> {
     }
 }
 
-/// Factors that a term may lack: 2, 1/2, sines and cosines of the angles of the frames, and their
-/// inverses, and the parameters.
+/// Candidate missing factors of a term: 2, 1/2, parameters, sines and cosines of frame angles and their inverses.
 fn factors(model: &Model, at: &Expr) -> Vec<(String, Expr)> {
     let scalar = |kind| Expr {
         kind,

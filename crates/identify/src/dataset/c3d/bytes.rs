@@ -1,9 +1,9 @@
-//! Numbers in the bytes of a C3D file, in the order of the machine that wrote it.
+//! Decoding of numbers from the bytes of a C3D file, in the byte order of the machine that wrote the file.
 
-/// Bytes of a block, the unit in which the parts of a file are placed.
+/// Size of a C3D block, bytes; the sections of a C3D file are addressed in blocks.
 pub(super) const BLOCK: usize = 512;
 
-/// The machine that wrote the file.
+/// Byte order and floating-point format of the machine that wrote the C3D file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Order {
     Intel,
@@ -22,7 +22,7 @@ impl Order {
     }
 }
 
-/// Bytes to read from. What lies beyond their end reads as 0: callers check lengths first.
+/// Byte slice with a byte order. Bytes beyond its end read as 0: callers check lengths first.
 #[derive(Clone, Copy)]
 pub(super) struct Bytes<'a> {
     pub bytes: &'a [u8],

@@ -1,8 +1,8 @@
-//! C3D, the motion-capture labs' own format: a header, parameters by group and name, and points frame by frame.
+//! Reader of C3D files (motion capture): a header, parameters by group and name, and marker points frame by frame.
 //!
-//! The format is read here rather than by a crate, since what it needs is little and its files are hostile: every
-//! count is held against the length of the file before anything is made of it. Only points are read; analogue
-//! samples are stepped over, and labels that the dataset does not declare are ignored.
+//! The format is read without an external crate, since only a small part is needed and files may be malformed: every
+//! count is checked against the file length before memory is allocated. Only marker points are read; analogue samples
+//! are skipped, and labels that the dataset does not declare are ignored.
 
 mod bytes;
 mod parameters;
@@ -17,12 +17,12 @@ use super::table::Table;
 use super::words::{listed, shown};
 use crate::input_error::InputError;
 
-/// Highest rate, Hz.
+/// Greatest frame rate of a C3D file, Hz.
 const FASTEST: f64 = 1e6;
-/// The header counts frames in 16 bits: this last frame may stand for any later one.
+/// Greatest frame number in the 16-bit header; as last frame it may stand for any greater number.
 const LAST_OF_HEADER: u32 = 0xffff;
 
-/// What was found and what was expected.
+/// What was found and what was expected, in words.
 type Wrong = (String, String);
 
 fn wrong<T>(found: impl Display, expected: impl Display) -> Result<T, Wrong> {
@@ -35,12 +35,12 @@ pub(super) fn parse(file: &Path, bytes: &[u8], markers: &[&str]) -> Result<Table
         .map_err(|(found, expected)| InputError::of_file(file, found, expected))
 }
 
-/// A file whose header and parameters agree with each other and with its length.
+/// C3D file whose header, parameters and file length are consistent.
 struct Trial<'a> {
     data: &'a [u8],
     order: Order,
     labels: Vec<String>,
-    /// Metres per unit.
+    /// Length of the file's coordinate unit, m.
     unit: f64,
     rate: f64,
     first: u32,
@@ -50,11 +50,11 @@ struct Trial<'a> {
     storage: Storage,
 }
 
-/// How a coordinate is stored.
+/// Storage format of a coordinate.
 #[derive(Clone, Copy)]
 enum Storage {
     Float,
-    /// In 16 bits, each step worth so many units.
+    /// 16-bit integer, multiplied by this scale factor to give a coordinate in the file's unit.
     Integer(f64),
 }
 
@@ -157,7 +157,7 @@ impl<'a> Trial<'a> {
         Ok(table)
     }
 
-    /// Where a marker's points are.
+    /// Index of a marker among the points of a frame, by its label.
     fn place(&self, marker: &str) -> Result<usize, Wrong> {
         let mut found =
             (0..self.points.min(self.labels.len())).filter(|&place| self.labels[place] == marker);
@@ -244,7 +244,8 @@ fn rate(parameters: &Parameters<'_>, in_header: f32) -> Result<f64, Wrong> {
     }
 }
 
-/// A parameter, or what the header says; where both speak (a header's 0 is silence), they must agree.
+/// Value of a parameter or of the header. If both are given (0 in the header means absent), they must agree within
+/// `within`.
 fn agreed(name: &str, parameter: Option<f64>, header: f64, within: f64) -> Result<f64, Wrong> {
     let agrees = |value: f64| header == 0.0 || (value - header).abs() <= within * header.abs();
     match parameter {
@@ -270,7 +271,7 @@ fn unit(parameters: &Parameters<'_>) -> Result<f64, Wrong> {
     }
 }
 
-/// Number of the first frame, and how many there are: from the parameters where the header's 16 bits are too few.
+/// Number of the first frame and number of frames; from the parameters if 16 bits in the header do not suffice.
 fn frames(parameters: &Parameters<'_>, first: u32, last: u32) -> Result<(u32, usize), Wrong> {
     let start = parameters.long("TRIAL", "ACTUAL_START_FIELD")?;
     let end = parameters.long("TRIAL", "ACTUAL_END_FIELD")?;

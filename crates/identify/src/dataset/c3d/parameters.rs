@@ -1,4 +1,4 @@
-//! The parameter section of a C3D file: groups of named values.
+//! Parameter section of a C3D file: groups of named values.
 
 use std::collections::BTreeMap;
 
@@ -6,24 +6,24 @@ use super::bytes::{Bytes, Order};
 use super::{Wrong, wrong};
 use crate::dataset::words::shown;
 
-/// Most groups and parameters of a file: they bound the memory that they take.
+/// Greatest number of groups and parameters in a C3D file, which bounds the memory used.
 const MOST: usize = 20_000;
 
-/// One parameter, as it is stored.
+/// One C3D parameter in its stored form.
 struct Parameter<'a> {
     kind: i8,
     dimensions: &'a [u8],
     data: Bytes<'a>,
 }
 
-/// The parameters by group and name, in capitals.
+/// C3D parameters by group and name, both in capitals.
 pub(super) struct Parameters<'a> {
     groups: BTreeMap<String, u8>,
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
 }
 
 impl<'a> Parameters<'a> {
-    /// Reads the section, which lies between the header and the data.
+    /// Parses the parameter section, which lies between the header and the data.
     pub fn read(section: &'a [u8], order: Order) -> Result<Self, Wrong> {
         let mut found = Self {
             groups: BTreeMap::new(),
@@ -75,7 +75,7 @@ impl<'a> Parameters<'a> {
         self.parameters.get(&(group, name.to_owned()))
     }
 
-    /// The first number of a parameter; `None` where there is no such parameter.
+    /// First number of a parameter; `None` if the parameter is absent.
     pub fn number(&self, group: &str, name: &str) -> Result<Option<f64>, Wrong> {
         let Some(parameter) = self.get(group, name) else {
             return Ok(None);
@@ -88,7 +88,7 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// A number that counts something: 16 bits without a sign, or a float.
+    /// Parameter that is a count: an unsigned 16-bit integer or a float; `None` if the parameter is absent.
     pub fn count(&self, group: &str, name: &str) -> Result<Option<u64>, Wrong> {
         match self.number(group, name)? {
             None => Ok(None),
@@ -102,7 +102,7 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// A number of 32 bits that is stored as two of 16, the lower first.
+    /// Unsigned 32-bit number stored as two 16-bit words, low word first; `None` if the parameter is absent.
     pub fn long(&self, group: &str, name: &str) -> Result<Option<u32>, Wrong> {
         match self.get(group, name) {
             None => Ok(None),
@@ -114,7 +114,7 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// A parameter as one text, without the blanks around it.
+    /// Text of a parameter, without surrounding blanks; `None` if the parameter is absent.
     pub fn text(&self, group: &str, name: &str) -> Result<Option<String>, Wrong> {
         match self.get(group, name) {
             None => Ok(None),
@@ -123,7 +123,7 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// The labels of so many points: LABELS, and beyond 255 of them LABELS2 and so on.
+    /// Labels of this number of points, from the parameters LABELS, LABELS2, …; each of them has at most 255 labels.
     pub fn labels(&self, points: usize) -> Result<Vec<String>, Wrong> {
         let mut labels = Vec::new();
         for number in 1.. {
@@ -179,7 +179,7 @@ impl<'a> Parameter<'a> {
     }
 }
 
-/// A part of the section, or the fault that it is not there.
+/// Bytes `at..at + length` of the section, or an error if the section is shorter.
 fn part(section: &[u8], at: usize, length: usize) -> Result<&[u8], Wrong> {
     let end = at.checked_add(length);
     match end.and_then(|end| section.get(at..end)) {
@@ -191,7 +191,7 @@ fn part(section: &[u8], at: usize, length: usize) -> Result<&[u8], Wrong> {
     }
 }
 
-/// A text without the blanks and zeros around it.
+/// Decodes a text, without surrounding blanks and zero bytes.
 fn text(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes);
     text.trim_matches([' ', '\0', '\t', '\r', '\n']).to_owned()

@@ -1,4 +1,4 @@
-//! How alike the effects look in these flights, as half a matrix of colours.
+//! Figure of the correlations of the effective scores of candidate effects, as a triangular matrix.
 
 use diagnose::Report;
 
@@ -7,12 +7,12 @@ use crate::figures::Layout;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
 
-/// Coefficients that are drawn at most.
+/// Maximum number of coefficients that are drawn.
 const MOST: usize = 25;
-/// Parts of the scale.
+/// Number of colour steps of the scale.
 const STEPS: usize = 40;
 
-/// The strongest names and their correlations; none for fewer than two.
+/// Draws the score correlations of the most significant coefficients; `None` for fewer than two.
 pub(super) fn alike(report: &Report) -> Option<Drawn> {
     let all = &report.score_correlations.names;
     let order = strongest(report);
@@ -39,7 +39,7 @@ pub(super) fn alike(report: &Report) -> Option<Drawn> {
     }))
 }
 
-/// The names by the significance of the effect that they belong to.
+/// Indices of the coefficients, by decreasing significance of their effects; at most 25.
 fn strongest(report: &Report) -> Vec<usize> {
     let sigmas = |name: &String| {
         let owner = report
@@ -68,7 +68,7 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
         .collect();
     let longest = names.iter().map(|n| n.chars().count()).max().unwrap_or(0) as f64;
     let room = (letter * longest + 8.0).min(0.44 * layout.width);
-    // A name stands at the end of its row, and so at the head of its column.
+    // A name is printed at the end of its row, which is the head of its column.
     let side = ((layout.width - room - 8.0) / (names.len() - 1) as f64).min(34.0);
     let tall = side.max(letters + 3.0);
     let (left, top) = (4.0, 2.0 * letters + 14.0);
@@ -118,7 +118,7 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
     )
 }
 
-/// A square, the stronger the closer to 1, on a light ground as on a dark one.
+/// Draws a cell whose opacity increases with the absolute correlation `value`.
 fn shade(svg: &mut Svg, value: f64, place: (f64, f64), size: (f64, f64)) {
     if value.is_finite() {
         svg.veil("alike", 0.05 + 0.95 * value.abs().min(1.0), place, size);

@@ -1,4 +1,4 @@
-//! The loads that the flights ask for besides what the model says: small multiples, a flight each.
+//! Figures of the unexplained loads over time: small multiples, one plot per flight.
 
 use diagnose::{LoadChannel, LoadHistory, Report};
 
@@ -11,16 +11,16 @@ use crate::fit::Drawn;
 use crate::fit::numbers::{percent, raised};
 use crate::fit::thin::stride;
 
-/// Channels, histories of each and points of those, at most.
+/// Maximum numbers of channels, of load histories per channel, and of points per history.
 const MOST_CHANNELS: usize = 12;
 const MOST_HISTORIES: usize = 12;
 const MOST_POINTS: usize = 120;
-/// Height of a small plot, and the room about it.
+/// Height of a small plot and the space above and below, SVG units.
 const TALL: f64 = 84.0;
 const ABOVE: f64 = 24.0;
 const BELOW: f64 = 24.0;
 
-/// A figure for each channel.
+/// Draws the load histories of each channel, one figure per channel.
 pub(super) fn channels(report: &Report) -> Vec<Drawn> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
     let all = all.filter(|c| !c.histories.is_empty()).take(MOST_CHANNELS);
@@ -50,7 +50,7 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
     })
 }
 
-/// Times, values and standard errors of a history, as far as all three go.
+/// Time (s), value and standard error at each point of a load history; truncated to the shortest of the three.
 fn points(history: &LoadHistory) -> Vec<[f64; 3]> {
     let all = history.t.iter().zip(&history.value).zip(&history.std_error);
     let all: Vec<[f64; 3]> = all.map(|((t, v), e)| [*t, *v, *e]).collect();
@@ -70,7 +70,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
         .map(|h| (h.file.as_str(), points(h)))
         .collect();
     let all = || histories.iter().flat_map(|(_, points)| points);
-    // A band that is wider than all values is cut at its plot's edge: it says nothing is known there.
+    // The vertical range follows the values; wider error bands are clipped.
     let values = range(all().map(|p| p[1]).chain([0.0]));
     let bands = range(
         all()
@@ -86,7 +86,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
     } else {
         1.0
     };
-    // Ticks of tiny numbers are in powers of ten, so that they can be read.
+    // Axes of very small or large values are scaled by a power of ten, so that tick labels are readable.
     let largest = low.abs().max(high.abs());
     let power = match largest.log10().floor() as i32 {
         p if largest > 0.0 && !(-2..5).contains(&p) => p,
@@ -108,7 +108,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
     let columns = columns.min(histories.len().max(1));
     let gap = 14.0;
     let wide = (layout.width - left - 8.0 - gap * (columns - 1) as f64) / columns as f64;
-    // A lone flight need not be as wide as the page.
+    // A single plot does not fill the page width.
     let wide = wide.min(420.0);
     let mut svg = Svg::new();
     let shown = cut(title, layout.width - 12.0, 1.22 * letter);
@@ -150,7 +150,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
     svg.finish(title, (layout.width, tall), layout.most, letters)
 }
 
-/// The band of ±2 standard errors: there and back.
+/// Draws the band of ±2 standard errors as a closed path.
 fn ribbon(svg: &mut Svg, points: &[[f64; 3]], x: &impl Fn(f64) -> f64, y: &impl Fn(f64) -> f64) {
     let upper = points.iter().map(|[t, v, e]| (x(*t), y(v + 2.0 * e)));
     let lower = points.iter().rev().map(|[t, v, e]| (x(*t), y(v - 2.0 * e)));

@@ -1,4 +1,4 @@
-//! The model's own curves before and after, and beneath each how many samples speak for it.
+//! Figures of coefficient curves before and after the extension, with the number of supporting samples.
 
 use diagnose::{CoefficientCurve, Report};
 
@@ -9,10 +9,10 @@ use crate::fit::Drawn;
 use crate::fit::numbers::unit;
 use crate::fit::thin::MOST as MOST_POINTS;
 
-/// Curves that are drawn at most.
+/// Maximum number of curves that are drawn.
 const MOST: usize = 24;
 
-/// Whether the extension moves a curve.
+/// Whether the curve differs before and after the extension of the model.
 fn moves(curve: &CoefficientCurve) -> bool {
     let largest = curve
         .before
@@ -23,7 +23,7 @@ fn moves(curve: &CoefficientCurve) -> bool {
     pairs.any(|(b, a)| (a - b).abs() > 1e-9 * largest)
 }
 
-/// A figure for each curve that has points, those that move first.
+/// Draws each curve that has points, changed curves first.
 pub(super) fn curves(report: &Report) -> Vec<Drawn> {
     let mut curves: Vec<&CoefficientCurve> =
         report.curves.iter().filter(|c| !c.x.is_empty()).collect();
@@ -51,7 +51,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     let bars = bars(curve);
     let moved = moves(curve);
     let lines = if moved {
-        // The broken line lies on the unbroken one, so that both are seen where they agree.
+        // The dashed line is drawn over the solid one, so that both are visible where they coincide.
         vec![
             line("extended", &curve.after),
             line("before", &curve.before),
@@ -93,7 +93,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     )
 }
 
-/// The support: each bar reaches half way to its neighbours.
+/// Histogram bars of the number of samples; each bar extends half way to its neighbours.
 fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     let points = curve.x.iter().zip(&curve.support).take(MOST_POINTS);
     let points: Vec<(f64, f64)> = points
@@ -113,7 +113,7 @@ fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     (0..points.len()).map(bar).collect()
 }
 
-/// Quantities that the extension leaves as they are, if it moves others.
+/// Names of the curves that the extension leaves unchanged; empty if the extension changes none.
 pub(in super::super) fn unmoved(page: &DiagnosisPage<'_>) -> Vec<String> {
     let curves = &page.report.curves;
     if !curves.iter().any(moves) {

@@ -1,4 +1,4 @@
-//! How far each fitted flight is missed before and after.
+//! Figure of the RMS residual of each fitted flight before and after the extension of the model.
 
 use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
@@ -10,12 +10,12 @@ use crate::figures::{Dots, Layout, Line, Look, Panel, figure_of};
 use crate::fit::Drawn;
 use crate::fit::thin::stride;
 
-/// So many flights have a row each; of more there are two dots each.
+/// Maximum number of flights with one row each; more flights are drawn as ranked dots.
 const MOST_ROWS: usize = 16;
-/// Dots at most.
+/// Maximum number of dots.
 const MOST_DOTS: usize = 2000;
 
-/// The fitted flights; none where nothing was extended.
+/// Draws the RMS residuals of the fitted flights; `None` if the model was not extended.
 pub(super) fn flights(report: &Report) -> Option<Drawn> {
     let fitted = report.flights.iter();
     let fitted = fitted.filter(|f| f.role == Role::Fit && f.rms_after_m.is_some());
@@ -55,7 +55,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
     ))
 }
 
-/// Both sizes of each flight, in order of the one before.
+/// Draws RMS residuals before and after for each flight, ranked by the value before; `noise` in mm.
 fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     let sizes = fitted
         .iter()
@@ -84,7 +84,7 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
         .chain([noise])
         .filter(|v| v.is_finite());
     let largest = largest.fold(1e-6, f64::max);
-    // A line of one point is a name alone.
+    // A line of a single point shows only its label.
     let name = |name: &str, points: &[(f64, f64)]| Line {
         name: name.into(),
         points: points.last().map(|p| (last, p.1)).into_iter().collect(),

@@ -1,4 +1,4 @@
-//! What the extension gains on flights that it has not seen.
+//! Figure of the prediction error on held-out flights before and after the extension of the model.
 
 use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
@@ -8,10 +8,10 @@ use super::rows::{Chart, Row, Shape, axis_for};
 use crate::figures::Layout;
 use crate::fit::Drawn;
 
-/// Flights that have a row, at most.
+/// Maximum number of flights with a row.
 const MOST: usize = 12;
 
-/// One row for all, and one for each held-out flight; none where the gain is not known.
+/// Draws prediction errors (mm): a row for all flights, one per held-out flight; `None` if the gain is unknown.
 pub(super) fn gain(report: &Report) -> Option<Drawn> {
     let gain = report.gain.as_ref()?;
     let mm = |metres: f64| 1e3 * metres;
@@ -42,7 +42,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
         ],
         words: String::new(),
     };
-    // A single flight is all of them.
+    // A single flight would repeat the row of all flights.
     let shown = if number > 1 { &held_out[..] } else { &[] };
     let rows: Vec<Row> = std::iter::once(all)
         .chain(shown.iter().map(|f| row(f)))
@@ -78,7 +78,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
     }))
 }
 
-/// A flight before and after.
+/// Row of a flight: error before and after the extension of the model.
 pub(super) fn row(flight: &FlightGain) -> Row {
     let before = 1e3 * flight.rms_before_m.unwrap_or(f64::NAN);
     let after = flight.rms_after_m.map(|rms| 1e3 * rms);

@@ -1,4 +1,4 @@
-//! The figures of a diagnosis, one kind a file.
+//! Figures of the diagnosis report, one kind per file.
 
 mod alike;
 mod channels;
@@ -15,7 +15,7 @@ use super::DiagnosisPage;
 use crate::figures::Layout;
 use crate::fit::Drawn;
 
-/// What these figures need besides the looks of all.
+/// Style sheet of the diagnosis figures, in addition to the common style sheet.
 pub(super) const STYLE: &str = r##"rect.bar.cause { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
 circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
 line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
@@ -23,7 +23,7 @@ rect.alike { fill: #00437c } rect.unknown { fill: #c9b9b9 }
 path.ribbon { fill: #cfe2f1; stroke: none } path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
 "##;
 
-/// The figures by their place on the page.
+/// Figures of the report, grouped by section.
 pub(super) struct Figures {
     pub(super) gain: Option<Drawn>,
     pub(super) sigmas: Option<Drawn>,
@@ -47,7 +47,7 @@ impl Figures {
         }
     }
 
-    /// All of them, in the order of the page.
+    /// All figures in the order of the page.
     pub(super) fn into_all(self) -> Vec<Drawn> {
         let mut all: Vec<Drawn> = Vec::new();
         all.extend(self.gain);
@@ -61,7 +61,7 @@ impl Figures {
     }
 }
 
-/// A figure in its own width and, where that is another, in that of a phone.
+/// Draws a figure in the layout `wide` and, if that is not the small layout, a second version for narrow screens.
 fn drawn(
     name: &str,
     title: &str,
@@ -76,14 +76,14 @@ fn drawn(
     drawn
 }
 
-/// A figure that says how it is read to those who do not see it, and has what it needs to stand alone.
+/// Adds a text description for screen readers and the style sheet of the diagnosis figures to an SVG.
 fn described(svg: &str, words: &str) -> String {
     let words = crate::figures::svg::escape(words);
     let more = format!("</title>\n<desc>{words}</desc>\n<style>\n{STYLE}</style>\n");
     svg.replacen("</title>\n", &more, 1)
 }
 
-/// A figure for a page that states the looks itself.
+/// SVG text without style sheets, for a page that includes the style sheets itself.
 pub(super) fn without_style(svg: &str) -> String {
     let own = format!("<style>\n{STYLE}</style>\n");
     crate::figures::svg::without_style(&svg.replacen(&own, "", 1))

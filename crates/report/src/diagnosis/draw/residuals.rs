@@ -1,4 +1,4 @@
-//! The residuals of all flights, end to end: as the model leaves them, and as the extended model does.
+//! Figures of the residuals of all flights end to end, of the original and of the extended model.
 
 use identify::FlightEvidence;
 use identify::dataset::Role;
@@ -11,10 +11,10 @@ use crate::fit::draw::MOST_FLIGHTS;
 use crate::fit::draw::residuals::panel;
 use crate::fit::thin::stride;
 
-/// Dots of a kind on a narrow screen, at most.
+/// Maximum number of dots per series on a narrow screen.
 const NARROW_DOTS: usize = 400;
 
-/// A figure of the fitted flights and one of those held out, where there are such.
+/// Draws the residuals of the fitted and of the held-out flights; no figure for a role without flights.
 pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     let kinds = [
         (
@@ -65,13 +65,13 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     figures.collect()
 }
 
-/// The flights of one role among those that are drawn.
+/// Flights of one role among the drawn flights.
 fn of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
     let drawn = evidence.iter().take(MOST_FLIGHTS);
     drawn.filter(|f| f.role == role).collect()
 }
 
-/// One axis: what was, in grey, and upon it what is.
+/// Panel of one axis: residuals of the original model in grey, of the extended model on top.
 fn both(
     before: &[&FlightEvidence],
     after: &[&FlightEvidence],

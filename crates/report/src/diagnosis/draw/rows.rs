@@ -1,60 +1,60 @@
-//! A chart of rows: a name at the left, and beside it bars or dots along one axis that all rows share.
+//! Chart of labelled rows: bars or dots along a common horizontal axis.
 
 use crate::figures::Layout;
 use crate::figures::axis::{number, ticks};
 use crate::figures::svg::{Svg, cut};
 use crate::fit::numbers::stated;
 
-/// How numbers become places.
+/// Scale of the horizontal axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Axis {
-    /// In proportion, from 0.
+    /// Linear scale from 0.
     Linear,
-    /// By their logarithms, from this one on.
+    /// Logarithmic scale, starting at the given value.
     Log(f64),
-    /// Nearly in proportion up to 1 and by their logarithms far beyond it: sizes from 0 to thousands.
+    /// Scale of ln(1 + value): nearly linear up to 1, logarithmic far above.
     Sizes,
 }
 
-/// What stands in a row.
+/// Shape drawn in a row; each has a CSS class.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Shape {
-    /// A bar from 0, and its class.
+    /// Bar from 0 to a value, and its CSS class.
     Bar(f64, &'static str),
-    /// A dot, and its class.
+    /// Dot at a value, and its CSS class.
     Dot(f64, &'static str),
-    /// A line between two numbers, and its class.
+    /// Line between two values, and its CSS class.
     Span(f64, f64, &'static str),
 }
 
-/// One row.
+/// Row of a chart.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row {
-    /// Its name.
+    /// Label at the left end of the row.
     pub(super) name: String,
-    /// Class of the name.
+    /// CSS class of the label.
     pub(super) class: &'static str,
-    /// What is drawn.
+    /// Bars, dots and lines of the row.
     pub(super) shapes: Vec<Shape>,
-    /// Words at its right end.
+    /// Text at the right end of the row.
     pub(super) words: String,
 }
 
-/// The chart.
+/// Chart of labelled rows along one axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Chart {
     pub(super) title: String,
-    /// What its marks mean: class of each, and its words.
+    /// Legend entries: shape and its meaning.
     pub(super) legend: Vec<(Shape, String)>,
     pub(super) rows: Vec<Row>,
     pub(super) axis: Axis,
     pub(super) across: String,
-    /// A broken line over all rows, and its name.
+    /// Dashed vertical line over all rows: value and label.
     pub(super) level: Option<(f64, String)>,
 }
 
 impl Chart {
-    /// The figure's text.
+    /// SVG text of the chart.
     pub(super) fn draw(&self, layout: Layout) -> String {
         let (letters, letter) = (layout.letters, layout.letter());
         let mut svg = Svg::new();
@@ -95,7 +95,7 @@ impl Chart {
             for shape in &row.shapes {
                 draw_shape(&mut svg, shape, middle, letters, left, &place);
             }
-            // Words stand in a column of their own, clear of every line.
+            // The texts at the right end have a column of their own.
             svg.text("mark", (layout.width - 4.0, base), "end", &row.words);
         }
         svg.line("axis", (left, top), (left, bottom));
@@ -132,7 +132,7 @@ impl Chart {
         if most > 0.0 { most * 1.02 } else { 1.0 }
     }
 
-    /// The legend, in as many lines as it takes; gives where it ends.
+    /// Draws the legend, on as many lines as needed; returns its lower edge.
     fn draw_legend(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
         if self.legend.is_empty() {
             return top;
@@ -182,7 +182,7 @@ fn draw_shape(
 }
 
 impl Axis {
-    /// From 0 to 1; what lies below the axis is below 0.
+    /// Position of a value along the axis, 0 to 1 (at `greatest`); negative below the axis.
     fn part(self, value: f64, greatest: f64) -> f64 {
         let part = match self {
             Axis::Linear => value / greatest,
@@ -216,7 +216,7 @@ impl Axis {
             [1.0, 2.0, 5.0].map(unit)
         });
         let mut all: Vec<f64> = all.filter(|v| (least..=greatest).contains(v)).collect();
-        // Fewer of each decade, then of the decades, until there is room.
+        // Too many ticks: only powers of ten, then only some of those.
         if all.len() > most + 2 {
             all.retain(|v| (v.log10() - v.log10().round()).abs() < 1e-9);
         }
@@ -230,12 +230,12 @@ impl Axis {
     }
 }
 
-/// The axis for lengths: in proportion, unless some are so much smaller that they could not be told apart.
+/// Axis scale for positive values: linear, or logarithmic if the values differ by more than a factor of 30.
 pub(super) fn axis_for(values: impl Iterator<Item = f64> + Clone) -> Axis {
     let good = values.filter(|v| v.is_finite() && *v > 0.0);
     let least = good.clone().fold(f64::INFINITY, f64::min);
     let most = good.fold(0.0, f64::max);
-    // The logarithm of what is nearly nothing would leave no room for the rest.
+    // Values below 1e-6 of the largest do not extend the logarithmic range.
     if most > 30.0 * least {
         Axis::Log((0.8 * least).max(1e-6 * most))
     } else {

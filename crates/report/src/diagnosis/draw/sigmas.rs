@@ -1,4 +1,4 @@
-//! The scores of all candidates.
+//! Figure of the score tests of all candidate effects.
 
 use diagnose::{CandidateTest, Report};
 
@@ -8,13 +8,13 @@ use super::rows::{Axis, Chart, Row, Shape};
 use crate::figures::Layout;
 use crate::fit::Drawn;
 
-/// Candidates that are drawn at most.
+/// Maximum number of candidates that are drawn.
 const MOST: usize = 60;
 
-/// A bar for each candidate, the most significant first; none where nothing was asked.
+/// Draws a bar per candidate, the most significant first; `None` if there are no candidates.
 pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
-    // What has no number comes last.
+    // Candidates without a finite z-equivalent come last.
     let size = |c: &CandidateTest| {
         if c.z.is_nan() { f64::NEG_INFINITY } else { c.z }
     };

@@ -1,4 +1,4 @@
-//! The correlations of the coefficients, as a matrix of colours.
+//! Figure of the correlation matrix of the estimated coefficients.
 
 use super::super::numbers::plain;
 use super::super::{Drawn, FitPage};
@@ -6,13 +6,13 @@ use crate::figures::svg::{Svg, cut};
 
 const WIDTH: f64 = 360.0;
 const LETTERS: f64 = 13.0;
-/// Coefficients that are drawn at most, and whose numbers are written at most.
+/// Maximum numbers of coefficients that are drawn (`MOST`) and whose values are printed (`MOST_WRITTEN`).
 const MOST: usize = 40;
 const MOST_WRITTEN: usize = 12;
-/// So many have their names on the diagonal.
+/// Maximum number of coefficients for which the diagonal shows names instead of numbers.
 const MOST_NAMED: usize = 8;
 
-/// The lower half of the matrix of what was estimated; none for fewer than two.
+/// Draws the lower triangle of the correlation matrix of estimated coefficients; `None` for fewer than two.
 pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     let report = page.report;
     let estimated = |name: &&String| report.coefficients.get(*name).is_none_or(|c| !c.held);
@@ -22,7 +22,7 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     if names.len() < 2 {
         return None;
     }
-    // A few have their names on the diagonal; of more, the columns are numbered there.
+    // Few coefficients have their names on the diagonal; otherwise the columns are numbered there.
     let named = names.len() <= MOST_NAMED;
     let label = |i: usize| match named {
         true => names[i].clone(),
@@ -35,7 +35,7 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     let top = 44.0;
     let mut side = ((WIDTH - left - 4.0) / names.len() as f64).min(44.0);
     if named {
-        // The last name but one stands beside the last row.
+        // The last diagonal name is printed at the right of the last but one row and needs space.
         side = side.min((WIDTH - left - room(longest)) / (names.len() - 1) as f64);
     }
     let mut svg = Svg::new();
@@ -81,7 +81,7 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     ))
 }
 
-/// What the colours mean.
+/// Draws the colour scale, correlation −1 to 1, at (`left`, `top`), pixels.
 fn scale(svg: &mut Svg, left: f64, top: f64) {
     let steps = 40;
     let wide = (WIDTH - left - 30.0) / f64::from(steps);
@@ -99,13 +99,13 @@ fn scale(svg: &mut Svg, left: f64, top: f64) {
     }
 }
 
-/// `−.87`: a matrix has no room for more.
+/// Formats a correlation briefly, such as `−.87`, for a cell of width `side`, pixels.
 fn short(value: f64, side: f64) -> String {
     let text = plain(value, if side < 27.0 { 1 } else { 2 });
     text.replacen("0.", ".", 1)
 }
 
-/// From blue by white to orange, which all eyes tell apart; grey where there is no number.
+/// Colour of a correlation: blue (−1) through white (0) to orange (1), safe for colour blindness; grey if not finite.
 fn colour(value: f64) -> String {
     if !value.is_finite() {
         return "#bbb".to_owned();

@@ -1,4 +1,4 @@
-//! How well the flights fit, all of them at a glance.
+//! Histogram of the RMS residuals of the fitted flights.
 
 use identify::FitReport;
 use identify::dataset::Role;
@@ -7,10 +7,10 @@ use super::super::Drawn;
 use super::small;
 use crate::figures::{Bar, Panel};
 
-/// Fewer flights are read from the table.
+/// Minimum number of flights for which a histogram is drawn.
 const LEAST: usize = 8;
 
-/// The rms of the fitted flights, where there are enough.
+/// Draws the histogram of RMS residuals (mm) of the fitted flights; `None` for fewer than 8 flights.
 pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
     let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms()).collect();
     rms.retain(|v| v.is_finite());
@@ -19,7 +19,7 @@ pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
     }
     rms.sort_by(f64::total_cmp);
     let low = rms[0];
-    // A few flights that went wrong would press all others into one bar.
+    // The upper limit is the 98 % quantile, so that a few bad flights do not press the others into one bar.
     let usual = rms[(rms.len() - 1) * 98 / 100];
     let high = if usual > low {
         usual

@@ -1,4 +1,4 @@
-//! The figures of a fit, one kind a file.
+//! Figures of the fit report, one kind per file.
 
 mod correlations;
 mod histogram;
@@ -21,7 +21,7 @@ use identify::FlightEvidence;
 use super::Drawn;
 use crate::figures::{Layout, Panel, figure_of};
 
-/// Flights that are drawn at most.
+/// Maximum number of flights that are drawn.
 pub(crate) const MOST_FLIGHTS: usize = 12;
 
 pub(crate) fn small(name: String, title: String, caption: String, panels: &[Panel]) -> Drawn {
@@ -29,18 +29,18 @@ pub(crate) fn small(name: String, title: String, caption: String, panels: &[Pane
     Drawn::new(name, title, caption, svg)
 }
 
-/// The samples of a flight of which everything is there that a picture needs, whatever a caller put together.
+/// Sample indices for which times, measurements and predictions all exist.
 fn samples(flight: &FlightEvidence) -> std::ops::Range<usize> {
     let lengths = [flight.measured.len(), flight.predicted.len()];
     0..lengths.into_iter().fold(flight.times.len(), usize::min)
 }
 
-/// Where a marker was seen.
+/// Measured position of a marker at a sample, m; `None` if missing.
 fn seen(flight: &FlightEvidence, sample: usize, marker: usize) -> Option<[f64; 3]> {
     flight.measured[sample].get(marker).copied().flatten()
 }
 
-/// Whether a point was taken for an outlier.
+/// Whether a measured marker position was classified as an outlier.
 fn is_outlier(flight: &FlightEvidence, sample: usize, marker: usize) -> bool {
     let row = flight.outlier.get(sample);
     row.and_then(|row| row.get(marker))
@@ -48,7 +48,7 @@ fn is_outlier(flight: &FlightEvidence, sample: usize, marker: usize) -> bool {
         .unwrap_or(false)
 }
 
-/// Where a marker should have been.
+/// Predicted position of a marker at a sample, m; NaN if there is no prediction.
 fn predicted(flight: &FlightEvidence, sample: usize, marker: usize) -> [f64; 3] {
     let row = flight.predicted[sample].get(marker);
     row.copied().unwrap_or([f64::NAN; 3])

@@ -1,4 +1,4 @@
-//! How the likelihood falls off as one coefficient is held and all else is fitted again.
+//! Figures of profile likelihoods: deviance with one coefficient fixed and all others refitted.
 
 use identify::FitReport;
 
@@ -7,12 +7,12 @@ use super::super::numbers::{Digits, raised, unit};
 use super::small;
 use crate::figures::{Dots, Line, Look, Mark, Panel};
 
-/// The deviance at which a value is rejected at 5\u{a0}%.
+/// Deviance at which a value is rejected at the 5 % level: 95 % quantile of χ²(1).
 const LEVEL: f64 = 3.84;
-/// Profiles that are drawn at most.
+/// Maximum number of profiles that are drawn.
 const MOST_PROFILES: usize = 24;
 
-/// A figure for each profile.
+/// Draws one figure per profile likelihood.
 pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
     let wanted = report.profiles.iter().take(MOST_PROFILES).enumerate();
     wanted
@@ -25,7 +25,7 @@ pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             let highest = points.iter().map(|p| p.1).fold(2.0 * LEVEL, f64::max);
             let top = highest.min(4.0 * LEVEL);
-            // Axes of tiny numbers are in powers of ten, so that their ticks can be read.
+            // Axes of very small or large values are scaled by a power of ten, so that tick labels are readable.
             let largest = points.iter().map(|p| p.0.abs()).fold(0.0, f64::max);
             let power = match largest.log10().floor() as i32 {
                 p if largest > 0.0 && !(-3..5).contains(&p) => p,

@@ -1,4 +1,4 @@
-//! The residuals of all flights, one flight after the other, as in the paper's Figure 4.
+//! Figures of the residuals of all flights end to end, as in Figure 4 of Hubbard & Hummel (2000).
 
 use identify::dataset::Role;
 use identify::{FlightEvidence, NoiseReport};
@@ -8,12 +8,12 @@ use super::super::thin::stride;
 use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen};
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 
-/// Dots of a panel, at most.
+/// Maximum number of dots in a panel.
 const MOST_DOTS: usize = 1500;
-/// Dots of a marker on a narrow screen, at most.
+/// Maximum number of dots per marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
 
-/// A figure of the fitted flights and one of those held out, where there are such.
+/// Draws the residuals of the fitted flights and of the held-out flights; no figure for a role without flights.
 pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Drawn> {
     let of = |role: Role| {
         let flights = evidence.iter().take(MOST_FLIGHTS);
@@ -65,7 +65,7 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseRepo
     kinds.into_iter().filter_map(figure).collect()
 }
 
-/// One axis, with the noise of one coordinate along it, m.
+/// Panel of residuals (measured − predicted, mm) along `axis` (0 x, 1 y, 2 z); `sigma`: noise standard deviation, m.
 pub(crate) fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, sigma: f64) -> Panel {
     let markers = flights.iter().map(|f| f.markers.len()).max().unwrap_or(0);
     let mut dots: Vec<Vec<(f64, f64)>> = vec![Vec::new(); markers];

@@ -1,5 +1,5 @@
-//! The states of a flight in time, as in the paper's Figures 5 and 6, with the angle of attack and the speed
-//! where the model has them.
+//! Figures of the states over time, as in Figures 5 and 6 of Hubbard & Hummel (2000), with angle of attack and airspeed
+//! where the model defines these quantities.
 
 use identify::FlightEvidence;
 use model_spec::model::Model;
@@ -9,19 +9,19 @@ use super::super::thin::{MOST, curve};
 use super::{MOST_FLIGHTS, samples, small};
 use crate::figures::{Line, Panel, StateLabel, groups, symbol, what};
 
-/// Lines share a panel unless one of them varies so many times more than another: a small panel must show the
-/// wobble of the rates beside the spin.
+/// Largest ratio of the peak magnitudes of two lines in one panel: in a small panel the wobble of the angular rates
+/// must remain visible next to the spin.
 const APART: f64 = 3.0;
-/// Lines of a figure, at most.
+/// Maximum number of lines in a figure.
 const MOST_LINES: usize = 24;
-/// Quantities that are drawn where the model has them: name, title, unit.
+/// Quantities that are drawn if the model defines them: name, title, unit.
 const QUANTITIES: [(&str, &str, &str); 3] = [
     ("alpha", "Angle of attack α", "rad"),
     ("V", "Speed through the air V", "m/s"),
     ("r", "Spin r", "rad/s"),
 ];
 
-/// A figure for each flight.
+/// Draws the states of each flight over time, one figure per flight.
 pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Vec<Drawn> {
     let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
     let figures = flights.filter_map(|(i, flight)| state_figure(i, flight, model));
@@ -66,7 +66,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
             unit: unit(name),
         })
         .collect();
-    // Rows of another length would be a fault of the caller; they are not drawn rather than trusted.
+    // Rows that are too short are an error of the caller and are not drawn.
     let rows: Vec<Vec<f64>> = flight
         .states
         .iter()
@@ -97,7 +97,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
         .collect()
 }
 
-/// One column of a table in time.
+/// Line of column `at` of a table over time (s); `name` becomes the label.
 fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize, name: &str) -> Line {
     let value = |s: usize| table.get(s).and_then(|row| row.get(at)).copied();
     let points = samples(flight).map(|s| (flight.times[s], value(s).unwrap_or(f64::NAN)));

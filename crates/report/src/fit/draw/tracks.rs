@@ -1,4 +1,4 @@
-//! Where the markers were seen and where the model puts them, as in the paper's Figure 3.
+//! Figures of measured and predicted marker positions, as in Figure 3 of Hubbard & Hummel (2000).
 
 use identify::FlightEvidence;
 
@@ -8,16 +8,16 @@ use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen, small};
 use crate::figures::axis::range;
 use crate::figures::{Dots, Line, Look, Panel};
 
-/// Markers that are drawn at most: as many as there are colours.
+/// Maximum number of markers that are drawn: the number of distinct colours.
 const MOST_MARKERS: usize = 4;
-/// Dots of a marker, at most: closer than this they hide the line.
+/// Maximum number of dots per marker; more would hide the line.
 const MOST_DOTS: usize = 80;
 
-/// A figure for each flight: from above, and height in time.
+/// Draws the marker paths of each flight: top view, and height over time.
 pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Drawn> {
     let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
     let maps: Vec<Panel> = evidence.iter().take(MOST_FLIGHTS).map(map).collect();
-    // All as high as the highest needs to be, so that those beside each other stay in line.
+    // All top views have equal height, so that figures in a row are aligned.
     let shapes = maps.iter().map(shape).filter(|shape| shape.is_finite());
     let height = (shapes.fold(0.0, f64::max) * 300.0).clamp(80.0, 190.0);
     flights
@@ -30,7 +30,7 @@ fn map(flight: &FlightEvidence) -> Panel {
     panel(flight, |_, p| (p[0], p[1]))
 }
 
-/// Height of a map over its width.
+/// Aspect ratio of a top view, height over width, 10 % margin included.
 fn shape(map: &Panel) -> f64 {
     let points = || map.lines.iter().flat_map(|line| &line.points);
     let (x, y) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
@@ -70,7 +70,7 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn 
     )
 }
 
-/// The markers of a flight, on axes of this kind.
+/// Panel of measured and predicted marker positions; `at` maps time (s) and position (m) to panel axes.
 fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> Panel {
     let mut panel = Panel {
         thin: true,
@@ -101,7 +101,7 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
             points: stride(&dots, MOST_DOTS),
         });
     }
-    // An outlier may lie metres away: what is beyond the flight's own place is not drawn.
+    // Outliers far outside the predicted range are not drawn.
     let reach = |axis: fn(&(f64, f64)) -> f64| {
         let all = panel.lines.iter().flat_map(|l| &l.points).map(axis);
         let (low, high) = range(all);

@@ -1,4 +1,4 @@
-//! Whether the residuals look like the noise that was assumed: their autocorrelation and their quantiles.
+//! Figures of residual diagnostics: autocorrelation (whiteness) and normal Q–Q plot.
 
 use identify::{AxisResiduals, FitReport};
 
@@ -7,7 +7,7 @@ use super::super::thin::{MOST, stride};
 use super::small;
 use crate::figures::{Dots, Line, Look, Panel};
 
-/// A figure for each axis.
+/// Draws autocorrelation and Q–Q plot of the residuals, one figure per axis.
 pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Drawn> {
     let axes = report.residuals.iter().take(3).enumerate();
     let figures = axes.filter_map(|(i, (axis, found))| figure(i, axis, found));
@@ -16,12 +16,12 @@ pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Drawn> {
 
 fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
     let mut panels = Vec::new();
-    // At lag 0 it is 1 by definition, and would hide the rest.
+    // The autocorrelation at lag 0 is 1 by definition and is omitted.
     let lags = |values: &[f64]| {
         let values = values.iter().enumerate().skip(1).take(MOST);
         values.map(|(lag, v)| (lag as f64, *v)).collect::<Vec<_>>()
     };
-    // The broken line lies on the unbroken one, so that both are seen where they agree.
+    // The dashed line is drawn over the solid one, so that both are visible where they coincide.
     let lines = [
         ("raw", lags(&found.autocorrelation)),
         ("white", lags(&found.whitened_autocorrelation)),

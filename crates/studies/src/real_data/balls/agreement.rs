@@ -8,13 +8,13 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::lift::Lift;
 
-/// Permutations of the spins among the flights.
+/// Number of permutations of the spins among the flights.
 const PERMUTATIONS: usize = 10_000;
 
-/// Rotations of all spins that are tried.
+/// Number of random rotations applied to all spins.
 const ROTATIONS: usize = 2_000;
 
-/// Permutations under which the rotations are tried.
+/// Number of permutations for which the rotations are tried.
 const ROTATED_PERMUTATIONS: usize = 20;
 
 /// Agreement between the lifts of flights and their stated spins; permutation test.
@@ -26,9 +26,9 @@ pub struct Agreement {
     pub cosine: f64,
     /// Mean of that mean over permutations.
     pub permuted: f64,
-    /// Its standard deviation over permutations.
+    /// Standard deviation of the mean cosine over permutations.
     pub permuted_deviation: f64,
-    /// Fraction of the permutations whose mean cosine is as great.
+    /// Fraction of the permutations whose mean cosine is at least as great.
     pub p_value: f64,
     /// Greatest mean cosine that a common rotation or reflection of all spins gives.
     pub rotated: f64,

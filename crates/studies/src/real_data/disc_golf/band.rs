@@ -1,4 +1,4 @@
-//! Where launches within their uncertainties end.
+//! Scatter of the landing points of launches drawn within their uncertainties.
 
 use flight::batch;
 use rand::SeedableRng;
@@ -8,12 +8,12 @@ use rand_distr::{Distribution, StandardNormal};
 use super::simulate::Simulator;
 use super::throw::{Launch, TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 
-/// Ends of the tracks of random launches.
+/// Statistics of the last track points of random launches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Band {
     /// Mean of the last position, m.
     pub(super) mean: [f64; 2],
-    /// Its standard deviation, m.
+    /// Standard deviation of the last position, m.
     pub(super) deviation: [f64; 2],
     /// Fraction of the launches whose RMS distance from the track is below [`TRACK_UNCERTAINTY`] per coordinate.
     pub(super) within: f64,

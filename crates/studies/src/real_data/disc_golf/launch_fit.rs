@@ -9,17 +9,17 @@ use super::throw::{TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 /// Prior standard deviation of a factor on the table; its mean is 1.
 const FACTOR_UNCERTAINTY: f64 = 1.0;
 
-/// Quantities of a launch, and with the three factors.
+/// Number of launch quantities; the three factors are added to them.
 const LAUNCH_UNKNOWNS: usize = 7;
 const ALL_UNKNOWNS: usize = 10;
 
 /// Step of the finite differences, in prior standard deviations.
 const DIFFERENCE: f64 = 0.05;
 
-/// Gauss–Newton steps at most.
+/// Greatest number of Gauss–Newton steps.
 const MAX_STEPS: usize = 8;
 
-/// Halvings of a step at most.
+/// Greatest number of halvings of a step.
 const MAX_HALVINGS: usize = 6;
 
 /// Decrease of the weighted squares below which the fit ends.

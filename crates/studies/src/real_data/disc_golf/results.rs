@@ -11,7 +11,7 @@ use super::simulate::Simulator;
 use super::throw::Throw;
 use crate::error::StudyError;
 
-/// Random launches of each throw.
+/// Number of random launches simulated for each throw.
 pub(super) const DRAWS: usize = 100;
 
 /// Results on one throw.

@@ -26,7 +26,7 @@ pub(super) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RA
 /// Uncertainty of a point of a track, m: a camera at 100 m sees a disc at 5 to 10 m above the ground 5 to 10 % too far out.
 pub(super) const TRACK_UNCERTAINTY: f64 = 1.0;
 
-/// Points of a track that are compared; neighbouring points have the same error.
+/// Number of track points compared; neighbouring points have nearly the same error.
 const POINTS: usize = 12;
 
 /// A disc.
@@ -46,7 +46,7 @@ pub(super) type TrackPoint = (f64, [f64; 2]);
 /// A throw.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Throw {
-    /// Number in the data.
+    /// Number of the throw in the data.
     pub(super) number: u32,
     /// Stated launch.
     pub(super) launch: Launch,

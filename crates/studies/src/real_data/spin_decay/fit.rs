@@ -5,10 +5,10 @@ use nalgebra::{DMatrix, DVector};
 use super::form::Form;
 use super::record::Record;
 
-/// Lag-1 correlations that are tried: multiples of 1 / this below 1.
+/// Number of intervals of the grid of lag-1 correlations in [0, 1).
 const CORRELATIONS: usize = 400;
 
-/// Gauss–Newton steps.
+/// Number of Gauss–Newton steps.
 const STEPS: usize = 12;
 
 /// A form fitted under AR(1) noise.

@@ -10,10 +10,10 @@ use crate::oracle_flights::{paper_flight, release_angle_of_attack};
 use crate::page::render;
 use crate::paper::printed_coefficient;
 
-/// Seeds of the noise.
+/// Number of noise seeds.
 const SEEDS: u64 = 40;
 
-/// Standard deviations of a difference above which two estimates count as different.
+/// Difference of two estimates, in standard deviations, above which they count as different.
 const DIFFERENT: f64 = 3.0;
 
 const FLIGHTS: [&str; 2] = ["fssh3", "bffl8"];

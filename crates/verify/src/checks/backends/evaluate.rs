@@ -1,11 +1,11 @@
-//! All functions of a model at many points, on tapes and through the generated functions for `f64`.
+//! Evaluates all functions of a model at many points: on tapes, and through generated code for `f64`.
 
 use codegen::program::Program;
 use codegen::tape::{Inputs, Tape};
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
 use oracle::Point;
 
-/// A point in the compiler's order of names.
+/// Values of a point, in the order of the compiler's variables.
 pub(super) struct Numbers<T> {
     t: T,
     x: Vec<T>,
@@ -24,8 +24,8 @@ impl Numbers<f64> {
     }
 }
 
-/// The functions of a model in the order of [`codegen::Compiled::functions`], the first of which computes what the
-/// others use of the parameters.
+/// Tapes of all functions of a model, in the order of [`codegen::Compiled::functions`]. The first computes the
+/// parameter-only values that the others use.
 pub(super) struct Tapes(Vec<Tape>);
 
 impl Tapes {
@@ -33,7 +33,7 @@ impl Tapes {
         Self(programs.into_iter().map(Tape::new).collect())
     }
 
-    /// Results of every function, end to end.
+    /// Results of all functions at a point, concatenated.
     #[inline(always)]
     pub fn results<T: Real>(&self, at: &Numbers<T>) -> Vec<T> {
         let (mut all, mut prepared, mut scratch) = (Vec::new(), Vec::new(), Vec::new());
@@ -55,7 +55,7 @@ impl Tapes {
         all
     }
 
-    /// Results of every function at each point, on one instruction set; `None` if this machine lacks it.
+    /// Concatenated results at each point, computed with one instruction set; `None` if this machine lacks it.
     pub fn on_lanes(&self, isa: Isa, points: &[Point<f64>]) -> Option<Vec<Vec<f64>>> {
         dispatch_with(
             isa,
@@ -80,7 +80,7 @@ impl Kernel for Batch<'_> {
         let mut results = Vec::with_capacity(self.points.len());
         for chunk in self.points.chunks(T::WIDTH) {
             let each: Vec<Numbers<f64>> = chunk.iter().map(Numbers::of).collect();
-            // Lanes beyond the last point repeat it.
+            // Lanes beyond the last point repeat the last point.
             let pick = |value: &dyn Fn(&Numbers<f64>) -> f64| {
                 T::from_fn(|lane| value(&each[lane.min(each.len() - 1)]))
             };
@@ -97,7 +97,7 @@ impl Kernel for Batch<'_> {
     }
 }
 
-/// Results of every function of a generated model for `f64`, in the order of [`Tapes::results`].
+/// Results of all functions of a generated model for `f64`, in the order of [`Tapes::results`].
 pub(super) fn generated_results(m: &generated::Model, at: &Numbers<f64>) -> Vec<f64> {
     let zeros = |n: usize| vec![0.0; n];
     let (n, Numbers { t, x, p, marker }) = (m.states.len(), at);

@@ -13,27 +13,28 @@ use lanes::Isa;
 use model_spec::model::Model;
 use oracle::Point;
 
-/// Name of the check.
+/// Name of the check of bitwise agreement between backends.
 pub const BACKENDS: &str = "backends";
 
-/// Name of the check of fusing backends against non-fusing ones.
+/// Name of the comparison of backends with and without fused multiply-add.
 pub const FMA: &str = "FMA and non-FMA";
 
-/// Largest error relative to the largest result of a function: 1e4 roundings, because of cancellation.
+/// Largest difference by fused multiply-add, relative to the function's largest result: 1e4 roundings, for
+/// cancellation.
 const FMA_TOLERANCE: f64 = 1e-12;
 
-/// Results of one backend at a list of points: for each point those of every function, end to end.
+/// Results of one backend at a list of points; for each point the results of all functions, concatenated.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// The backend.
+    /// Name of the backend.
     pub backend: String,
-    /// Whether it fuses multiply and add.
+    /// Whether the backend fuses multiply and add.
     pub fuses: bool,
-    /// Results at each point.
+    /// Concatenated results at each point.
     pub results: Vec<Vec<f64>>,
 }
 
-/// Functions in the order of the results, each with its length.
+/// Name and number of results of each function, in the order of the concatenated results.
 pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
     compiled
         .functions()
@@ -41,7 +42,7 @@ pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
         .into()
 }
 
-/// Runs every backend. Generated code takes part if it was generated from the same model text.
+/// Evaluates every backend at the points; generated code only if its source hash matches the model.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
     let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
     let mut runs = vec![Run {
@@ -81,12 +82,12 @@ fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
     Isa::ALL.into_iter().filter_map(run).collect()
 }
 
-/// The first run that fuses, or the first that does not.
+/// The first run with (`fuses`) or without fused multiply-add.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Every run against the first of its kind, bit for bit.
+/// Compares each run bit for bit with the first run of equal multiply-add fusion.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {
@@ -123,7 +124,7 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     }
 }
 
-/// A fusing run against a non-fusing one; errors relative to the largest result of the function.
+/// Compares a run with fused multiply-add with one without; errors relative to the function's largest result.
 pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");
@@ -145,7 +146,7 @@ pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     Row::judged(FMA, plain.results.len(), &worst, FMA_TOLERANCE)
 }
 
-/// The function that a result belongs to.
+/// Name of the function that the concatenated result with this index belongs to.
 pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     let mut end = 0;
     let found = functions(compiled).into_iter().find(|(_, len)| {
@@ -155,12 +156,12 @@ pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     found.map_or("nothing", |(name, _)| name)
 }
 
-/// Steps between two numbers; 0 for two that are none.
+/// Distance of two numbers in units in the last place; 0 if both are NaN, infinite if one is.
 fn ulps(a: f64, b: f64) -> f64 {
     if a == b || (a.is_nan() && b.is_nan()) {
         return 0.0;
     }
-    // Bits in the order of the numbers, on both sides of 0.
+    // Integers in the order of the numbers, on both sides of 0.
     let place = |v: f64| {
         let bits = v.to_bits() as i64;
         if bits < 0 {

@@ -1,4 +1,4 @@
-//! Generated code recorded as programs.
+//! Generated code recorded as intermediate-representation programs.
 //!
 //! Generated functions are generic over [`Real`], which has no comparison that returns a `bool`: every scalar type
 //! goes through the same operations in the same order. Evaluating a function on [`Recorded`] therefore yields its
@@ -19,7 +19,7 @@ thread_local! {
 /// The program being recorded on this thread.
 struct Recording {
     statements: Vec<Statement>,
-    /// Inputs, constants and results of statements, in the order of their appearance.
+    /// Inputs, constants and results of statements, in order of appearance.
     operands: Vec<Operand>,
 }
 
@@ -41,9 +41,9 @@ fn index(k: usize) -> u32 {
     u32::try_from(k).expect("fewer than 2^32 operands")
 }
 
-/// A scalar whose operations are appended to the recording: the index of its operand.
+/// Scalar type that appends its operations to the recording; the value is an index into the recorded operands.
 ///
-/// A small number and calls that are not inlined keep the instantiation of a model's functions cheap.
+/// A four-byte value and calls that are not inlined keep the instantiation of a model's functions cheap.
 #[derive(Clone, Copy)]
 struct Recorded(u32);
 
@@ -248,7 +248,7 @@ fn inputs(count: usize, operand: fn(u32) -> Operand) -> Vec<Recorded> {
     (0..index(count)).map(|k| input(operand(k))).collect()
 }
 
-/// Records one function with result slices of the given lengths.
+/// Records one function as a program; `lengths` are the lengths of its result slices.
 fn record<const N: usize>(
     lengths: [usize; N],
     function: impl FnOnce([&mut [Recorded]; N]),
