@@ -3,7 +3,7 @@
 //! A [`Model`] is loaded by name, path or text, with built-in effects or effects of your own. It flies a [`Release`];
 //! a [`Flight`] gives states and marker positions at any time. A [`Dataset`] is read from files ([`read_dataset`]) or
 //! built in memory ([`DatasetBuilder`]). [`fit`] estimates the model's coefficients from it, with their standard errors;
-//! [`diagnose`] tests which effects the model lacks. All operations fail with an [`Error`].
+//! [`diagnose`](fn@diagnose) tests which effects the model lacks. All operations fail with an [`Error`].
 //!
 //! ```
 #![doc = include_str!("../examples/library.rs")]

@@ -114,7 +114,7 @@ pub struct Statement {
 /// Auxiliary variable that a statement belongs to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct About {
-    /// Index into [`crate::lower::Lowered::origins`].
+    /// Index into `Lowered::origins`.
     pub origin: usize,
     /// Whether the statement computes the variable itself rather than a subexpression of it.
     pub exact: bool,

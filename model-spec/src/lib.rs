@@ -5,7 +5,7 @@
 //! |---|---|
 //! | load a model by name or path, with effects | [`load`](mod@load) |
 //! | combine a model with many effects | [`compose`]: [`ModelTree`], [`EffectTree`] |
-//! | read a checked model | [`model`], [`unit`], [`summary`], [`singular_points`] |
+//! | read a checked model | [`model`], [`unit`](mod@unit), [`summary`], [`singular_points`] |
 //! | order of states and parameters in arrays | [`layout`]: [`Layout`], [`index`] |
 //! | products of variables for unknown effects | [`term_library`] |
 //! | read, change and print syntax trees | [`syntax`], [`check`] |

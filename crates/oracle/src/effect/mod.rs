@@ -5,7 +5,7 @@
 //! fixed constants of an effect's form (stall angle, height of the ground effect) are the same in both.
 //!
 //! A new effect is a row of `EFFECTS` and a variant with its law in the file of its kind; a new kind is a file, listed
-//! in [`Kind`] and in `KINDS`.
+//! in `Kind` and in `KINDS`.
 
 mod air;
 mod ball;

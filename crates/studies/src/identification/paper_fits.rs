@@ -19,7 +19,7 @@ pub struct Scenario {
     pub name: &'static str,
     /// Estimates (SI) by coefficient, in the model's order, and seed.
     pub estimates: Vec<Vec<f64>>,
-    /// Number of seeds with a physically implausible estimate; see [`is_plausible`].
+    /// Number of seeds with a physically implausible estimate; see `is_plausible`.
     pub implausible: usize,
     /// Number of seeds whose report names the coefficient as practically non-identifiable, by coefficient.
     pub non_identifiable: Vec<usize>,
