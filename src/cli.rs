@@ -270,6 +270,9 @@ pub struct Fit {
     /// Profile the likelihood of a coefficient: an interval that needs no straight lines; may be repeated
     #[arg(long, value_name = "NAME")]
     pub profile: Vec<String>,
+    /// Use flights whose data seem faulty too: exchanged labels, wrong units or axes, samples in the hand
+    #[arg(long)]
+    pub trust_data: bool,
     /// Flights worked on at once; the result does not depend on it
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
@@ -301,6 +304,9 @@ pub struct Diagnose {
     /// What is known of a coefficient beforehand: value and standard deviation, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE+-SIGMA")]
     pub prior: Vec<String>,
+    /// Use flights whose data seem faulty too: exchanged labels, wrong units or axes, samples in the hand
+    #[arg(long)]
+    pub trust_data: bool,
     /// Flights worked on at once; the result does not depend on it
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,

@@ -7,7 +7,9 @@ mod progress;
 
 use std::process::ExitCode;
 
+use ::diagnose::DiagnosisError;
 use clap::Parser;
+use identify::FitError;
 
 /// Outcome of a command: yes (exit status 0), or no (1), such as a failed check. Bad input is an error (2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,14 +31,19 @@ fn main() -> ExitCode {
             if !closed {
                 eprintln!("{}", output::told(&error));
             }
-            let interrupted = error
-                .downcast_ref::<identify::FitError>()
-                .is_some_and(|e| *e == identify::FitError::Interrupted);
-            ExitCode::from(if interrupted {
-                progress::INTERRUPTED
-            } else {
-                2
+            ExitCode::from(match fit_error(&error) {
+                Some(FitError::Interrupted) => progress::INTERRUPTED,
+                Some(FitError::FaultyData(_)) => 1,
+                _ => 2,
             })
         }
+    }
+}
+
+/// The error of a fit that ended the command, if one did.
+fn fit_error(error: &anyhow::Error) -> Option<&FitError> {
+    match error.downcast_ref::<DiagnosisError>() {
+        Some(DiagnosisError::Fit(error)) => Some(error),
+        _ => error.downcast_ref(),
     }
 }

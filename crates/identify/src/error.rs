@@ -1,6 +1,7 @@
 //! Why a dataset cannot be fitted, and why one flight cannot be used.
 
 use crate::ids::FlightId;
+use crate::screening::DataFault;
 use crate::wording::count;
 
 /// Why one flight cannot be fitted or predicted.
@@ -64,6 +65,9 @@ pub enum FlightError {
         /// Number of samples required.
         needed: usize,
     },
+    /// The flight's data have a fault.
+    #[error("{}; {}", .0.detail, .0.mend)]
+    DataFault(DataFault),
     /// No pair of poses is near enough in time to give an angular velocity.
     #[error("no two neighbouring samples show three markers each")]
     NoNeighbouringPoses,
@@ -201,6 +205,9 @@ pub enum FitError {
         /// Reason why the flight cannot be used.
         reason: FlightError,
     },
+    /// The data of every flight to be fitted have a fault.
+    #[error("the data of every flight are faulty; do not rely on them:\n{}", first_faults(.0))]
+    FaultyData(Vec<DataFault>),
     /// No flight can be used; lists all excluded flights.
     #[error("none of the flights can be fitted:\n{}", first_reasons(.0))]
     NoUsableFlight(Vec<ExcludedFlight>),
@@ -211,6 +218,12 @@ pub enum FitError {
 
 /// Greatest number of excluded flights that an error message lists.
 const MAX_LISTED_FLIGHTS: usize = 10;
+
+fn first_faults(faults: &[DataFault]) -> String {
+    let each = faults.iter().take(MAX_LISTED_FLIGHTS);
+    let faults: Vec<String> = each.map(|fault| format!("  {fault}")).collect();
+    faults.join("\n")
+}
 
 fn first_reasons(excluded: &[ExcludedFlight]) -> String {
     let each = excluded.iter().take(MAX_LISTED_FLIGHTS);

@@ -22,6 +22,7 @@ mod pose;
 mod predict;
 mod problem;
 mod report;
+mod screening;
 mod state_manifold;
 mod statistics;
 pub mod synthesize;
@@ -53,6 +54,9 @@ pub use predict::{
 };
 pub use problem::{FitProblem, GlobalParameter};
 pub use state_manifold::StateManifold;
+
+// Mistakes in the data.
+pub use screening::{DataFault, FaultKind};
 
 // Least squares over many flights.
 pub use least_squares::{

@@ -19,6 +19,8 @@ pub struct FitOptions<'a> {
     pub unbounded: bool,
     /// Global parameters whose likelihood is profiled.
     pub profiles: &'a [String],
+    /// Whether flights with a [`DataFault`](crate::DataFault) are used nevertheless; the report lists the faults either way.
+    pub trust_data: bool,
     /// Number of threads; none for the number of processors. The result does not depend on it.
     pub threads: Option<usize>,
     /// Receives the progress.

@@ -41,6 +41,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
             fixed: &hold,
             free: &options.free,
             priors: &priors,
+            trust_data: options.trust_data,
             threads: options.threads,
             progress: Some(&progress),
             cancellation: Some(progress.cancellation()),

@@ -30,6 +30,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         priors: &priors,
         unbounded: options.unbounded,
         profiles: &options.profile,
+        trust_data: options.trust_data,
         threads: options.threads,
         progress: Some(&progress),
         cancellation: Some(progress.cancellation()),

@@ -58,6 +58,7 @@ pub(crate) fn build_report(
             z: ln_p_to_z(detect),
         },
         score_correlations: score_correlations(model, search),
+        data_faults: before.report.data_faults.clone(),
         flights: before.report.flights.iter().map(flight_before).collect(),
         curves: Vec::new(),
         unattributed: None,

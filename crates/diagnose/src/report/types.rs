@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use identify::DataFault;
 use identify::dataset::Role;
 use serde::{Deserialize, Serialize};
 
@@ -52,6 +53,9 @@ pub struct Report {
     /// Correlations of the candidates' effective scores.
     #[serde(rename = "alike")]
     pub score_correlations: ScoreCorrelations,
+    /// Mistakes in the data of the flights, in the dataset's order.
+    #[serde(default)]
+    pub data_faults: Vec<DataFault>,
     /// Residuals of each flight, without and with the extension.
     pub flights: Vec<FlightGain>,
     /// Coefficients of the model over angle of attack or speed, without and with the extension.

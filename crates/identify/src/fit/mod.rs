@@ -32,6 +32,7 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::report::{FitReport, FlightEvidence, FlightReport};
+use crate::screening;
 use crate::tolerance;
 pub use held_out::CONDITIONING_FRACTION;
 
@@ -77,15 +78,24 @@ pub(crate) struct State {
 /// # Errors
 /// [`FitError::InvalidOption`] for impossible options; [`FitError::UnknownName`], [`FitError::NotEstimated`],
 /// [`FitError::NoObservation`] and [`FitError::AttitudeNotObservable`] if model, dataset and options do not match;
-/// [`FitError::NothingToFit`] and [`FitError::NoUsableFlight`] without usable flights; [`FitError::Flight`] if a
+/// [`FitError::NothingToFit`], [`FitError::FaultyData`] and [`FitError::NoUsableFlight`] without usable flights; [`FitError::Flight`] if a
 /// trajectory cannot be computed; [`FitError::Interrupted`].
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
     let clock = Instant::now();
     options.validate()?;
     let mut problem = FitProblem::new(model, dataset, options)?;
-    let fitted = flights_of(dataset, Role::Fit);
+    let mut fitted = flights_of(dataset, Role::Fit);
     if fitted.is_empty() {
         return Err(FitError::NothingToFit);
+    }
+    let mut held_out = flights_of(dataset, Role::HeldOut);
+    let data_faults = screening::screen(&problem, dataset, options.threads());
+    let faulty = screening::excluded(dataset, &data_faults, options);
+    let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
+    fitted.retain(|flight| !is_faulty(flight));
+    held_out.retain(|flight| !is_faulty(flight));
+    if fitted.is_empty() {
+        return Err(FitError::FaultyData(data_faults));
     }
     let observed = initial_guess::observe(&problem, dataset, &fitted, options);
     problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
@@ -109,10 +119,9 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     let reweighting::Reweighted {
         noise, solution, ..
     } = reweighted;
-    let held_out = flights_of(dataset, Role::HeldOut);
     let predicted = held_out::held_out(&problem, dataset, &held_out, &state, &noise, options)?;
     let mut flights = FlightTable::new(dataset.flights.len());
-    for excluded in &guesses.excluded {
+    for excluded in guesses.excluded.iter().chain(&faulty) {
         flights.exclude(dataset, excluded);
     }
     let states = state.flights.into_iter().zip(solution.iterate.local);
@@ -131,6 +140,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     for (&flight, predicted) in held_out.iter().zip(predicted) {
         flights.set(flight, predicted.report, predicted.fitted);
     }
+    report.data_faults = data_faults;
     report.flights = flights.reports.into_iter().flatten().collect();
     let total = clock.elapsed().as_secs_f64();
     let seconds = [

@@ -111,6 +111,7 @@ impl<'a> Outcome<'a> {
             coefficients: self.coefficients(),
             correlations: self.correlations(),
             flights: Vec::new(),
+            data_faults: Vec::new(),
             undetermined: non_identifiable(
                 &problem.model,
                 globals,

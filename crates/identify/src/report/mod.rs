@@ -13,6 +13,7 @@ pub use outcome::{FitStatus, FlightOutcome, Iterations};
 pub(crate) use residuals::ResidualPool;
 
 use crate::dataset::Role;
+use crate::screening::DataFault;
 
 /// `report.json` of a fit, schema `hyzer.fit/1`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -33,6 +34,9 @@ pub struct FitReport {
     pub correlations: BTreeMap<String, BTreeMap<String, f64>>,
     /// Every flight, in the dataset's order.
     pub flights: Vec<FlightReport>,
+    /// Mistakes in the data of the flights, in the dataset's order.
+    #[serde(default)]
+    pub data_faults: Vec<DataFault>,
     /// Non-identifiable coefficients and combinations, the least determined first.
     pub undetermined: Vec<NonIdentifiable>,
     /// Profile likelihoods that the options ask for.

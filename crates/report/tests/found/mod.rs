@@ -251,6 +251,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
                 .map(|i| (0..number).map(|j| alike(i, j)).collect())
                 .collect(),
         },
+        data_faults: Vec::new(),
         flights: flights.iter().enumerate().map(each).collect(),
         curves,
         unattributed: (verdict == Verdict::Unattributed).then(|| outside(flights)),

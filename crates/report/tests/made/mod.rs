@@ -260,6 +260,7 @@ pub fn report(flights: usize) -> FitReport {
         coefficients: found.iter().map(coefficient).collect(),
         correlations,
         flights,
+        data_faults: Vec::new(),
         undetermined: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),

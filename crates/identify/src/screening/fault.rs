@@ -1,0 +1,92 @@
+//! A mistake in the data of a flight, with its mend.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+/// A mistake in the data of one flight.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct DataFault {
+    /// File name of the flight.
+    pub file: String,
+    /// Kind of the mistake.
+    pub fault: FaultKind,
+    /// What was found, in words.
+    pub detail: String,
+    /// What to do about it, in words.
+    pub mend: String,
+}
+
+/// Kind of a mistake in the data of a flight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FaultKind {
+    /// The tracks of markers carry each other's names, in the whole flight or in a part of it.
+    LabelsExchanged,
+    /// The axes are left-handed: the tracks are the mirror image of a flight.
+    Mirrored,
+    /// Lengths are not in metres.
+    Units,
+    /// The z axis does not point up.
+    Axes,
+    /// Times are not in seconds, or the frame rate is another.
+    TimeUnit,
+    /// Some samples are not of free flight: in the hand, after the catch, in a net, on the ground.
+    NotFreeFlight,
+    /// A track repeats the same coordinates while the body moves.
+    Frozen,
+    /// Another mistake, described by the fault's detail.
+    Other,
+}
+
+impl FaultKind {
+    /// Name of the kind, as in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LabelsExchanged => "labels-exchanged",
+            Self::Mirrored => "mirrored",
+            Self::Units => "units",
+            Self::Axes => "axes",
+            Self::TimeUnit => "time-unit",
+            Self::NotFreeFlight => "not-free-flight",
+            Self::Frozen => "frozen",
+            Self::Other => "other",
+        }
+    }
+}
+
+impl fmt::Display for FaultKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl fmt::Display for DataFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}; {}", self.file, self.detail, self.mend)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_are_written_as_they_are_named() {
+        use FaultKind::*;
+        for kind in [
+            LabelsExchanged,
+            Mirrored,
+            Units,
+            Axes,
+            TimeUnit,
+            NotFreeFlight,
+            Frozen,
+            Other,
+        ] {
+            let quoted = format!("\"{kind}\"");
+            let value = toml::Value::try_from(kind).map(|value| value.to_string());
+            assert_eq!(value, Ok(quoted));
+        }
+    }
+}
