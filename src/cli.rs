@@ -276,6 +276,9 @@ pub struct Fit {
     /// Flights worked on at once; the result does not depend on it
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
+    /// Stop after this many seconds with the best answer so far, which is said in the result
+    #[arg(long, value_name = "S")]
+    pub max_seconds: Option<f64>,
     /// Folder for report.html, report.json, figures and tables; without it a summary is printed
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

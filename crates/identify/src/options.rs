@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use crate::error::FitError;
 
@@ -27,6 +28,9 @@ pub struct FitOptions<'a> {
     pub progress: Option<&'a dyn Progress>,
     /// Cancels the fit.
     pub cancellation: Option<&'a CancellationToken>,
+    /// Time at which the iteration stops with the best answer so far, whose status is
+    /// [`FitStatus::Deadline`](crate::FitStatus::Deadline). That answer depends on the speed of the machine.
+    pub deadline: Option<Instant>,
 }
 
 /// Gaussian prior of a global parameter.
@@ -126,6 +130,12 @@ impl FitOptions<'_> {
     pub fn is_cancelled(&self) -> bool {
         let token = self.cancellation;
         token.is_some_and(CancellationToken::is_cancelled)
+    }
+
+    /// Whether the deadline has passed.
+    pub fn is_past_deadline(&self) -> bool {
+        self.deadline
+            .is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// Number of threads, at least 1.

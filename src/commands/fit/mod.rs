@@ -6,6 +6,7 @@ mod tables;
 pub(super) use tables::role;
 
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
 use identify::dataset::{self, Dataset, Role};
@@ -34,6 +35,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         threads: options.threads,
         progress: Some(&progress),
         cancellation: Some(progress.cancellation()),
+        deadline: deadline(options.max_seconds)?,
     };
     progress.working();
     let fitted = identify::fit(&model, &dataset, &asked);
@@ -43,14 +45,11 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     if let Some(folder) = &options.out {
         write(folder, &options.dataset, &model, &dataset, &fitted)?;
     }
-    if !fitted.report.iterations.converged {
-        eprintln!(
-            "the fit did not converge in {} steps: do not rely on it",
-            fitted.report.iterations.steps
-        );
-        return Ok(Answer::No);
+    if fitted.report.reliable {
+        return Ok(Answer::Yes);
     }
-    Ok(Answer::Yes)
+    eprintln!("do not rely on this fit: {}", fitted.report.why.join("; "));
+    Ok(Answer::No)
 }
 
 /// Numbers of drawn flights: first ones, those with the largest residuals, held-out ones.
@@ -137,6 +136,18 @@ pub(super) fn model_of(
         Some(path) if is_path => Ok(path.to_owned()),
         _ => Ok(dataset.model.clone()),
     }
+}
+
+/// Time after `seconds` from now; `None` without a limit, or where the limit is beyond what the clock can tell.
+pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> {
+    let Some(seconds) = seconds else {
+        return Ok(None);
+    };
+    if !(seconds > 0.0 && seconds.is_finite()) {
+        bail!("--max-seconds: found {seconds}, expected a number above 0");
+    }
+    let limit = Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
+    Ok(Instant::now().checked_add(limit))
 }
 
 /// Parses the options of fixed coefficients, `NAME` or `NAME=VALUE` each; value in SI units.

@@ -31,7 +31,7 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::report::{FitReport, FlightEvidence, FlightReport};
+use crate::report::{FitReport, FlightEvidence, FlightReport, reasons_against};
 use crate::screening;
 use crate::tolerance;
 pub use held_out::CONDITIONING_FRACTION;
@@ -142,6 +142,8 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     }
     report.data_faults = data_faults;
     report.flights = flights.reports.into_iter().flatten().collect();
+    report.why = reasons_against(&report);
+    report.reliable = report.why.is_empty();
     let total = clock.elapsed().as_secs_f64();
     let seconds = [
         ("start", started),

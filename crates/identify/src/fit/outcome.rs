@@ -106,6 +106,8 @@ impl<'a> Outcome<'a> {
             schema: "hyzer.fit/1".into(),
             model: problem.model.name.clone(),
             effects: effects.map(|effect| effect.name.clone()).collect(),
+            reliable: true,
+            why: Vec::new(),
             rms_m: self.pool.rms(),
             noise: self.noise_report(),
             coefficients: self.coefficients(),

@@ -117,4 +117,8 @@ impl LeastSquaresProblem for OutputError<'_> {
     fn is_cancelled(&self) -> bool {
         self.options.is_cancelled()
     }
+
+    fn is_past_deadline(&self) -> bool {
+        self.options.is_past_deadline()
+    }
 }

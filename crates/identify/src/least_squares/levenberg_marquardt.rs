@@ -40,6 +40,11 @@ pub trait LeastSquaresProblem: Sync {
     fn is_cancelled(&self) -> bool {
         false
     }
+
+    /// Whether the iteration is to stop at its present iterate.
+    fn is_past_deadline(&self) -> bool {
+        false
+    }
 }
 
 /// Values of all unknowns.
@@ -142,6 +147,10 @@ pub fn solve_after(
     let mut iterations = 0;
     let mut stop_reason = StopReason::MaxSteps;
     while iterations < criteria.max_steps {
+        if problem.is_past_deadline() {
+            stop_reason = StopReason::Deadline;
+            break;
+        }
         iterations += 1;
         let Some(step) = linearization.step(problem, &iterate, damping) else {
             if damping >= MAX_DAMPING {

@@ -74,4 +74,6 @@ pub enum StopReason {
     MaxSteps,
     /// No step decreased the sum of squares, even with the greatest damping.
     NoDescent,
+    /// The deadline passed.
+    Deadline,
 }

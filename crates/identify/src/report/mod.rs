@@ -2,6 +2,7 @@
 
 mod evidence;
 mod outcome;
+mod reliability;
 mod residuals;
 
 use std::collections::BTreeMap;
@@ -10,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 pub use evidence::{AxisResiduals, FlightEvidence};
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
+pub(crate) use reliability::reasons_against;
 pub(crate) use residuals::ResidualPool;
 
 use crate::dataset::Role;
@@ -24,6 +26,10 @@ pub struct FitReport {
     pub model: String,
     /// Effects that the model includes.
     pub effects: Vec<String>,
+    /// Whether the estimates and their standard errors can be relied on.
+    pub reliable: bool,
+    /// Reasons why they cannot; empty if they can.
+    pub why: Vec<String>,
     /// Root mean square residual of one coordinate over the fitted flights, outliers excluded, m.
     pub rms_m: f64,
     /// Estimated noise.

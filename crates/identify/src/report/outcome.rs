@@ -29,6 +29,8 @@ pub enum FitStatus {
     MaxSteps,
     /// The last least squares found no step that decreases the sum of squares.
     NoDescent,
+    /// The deadline passed; the answer is the best one until then.
+    Deadline,
     /// Noise and residuals did not agree after the greatest number of noise estimates.
     NoiseNotConverged,
 }
@@ -39,6 +41,7 @@ impl FitStatus {
         match least_squares {
             StopReason::MaxSteps => Self::MaxSteps,
             StopReason::NoDescent => Self::NoDescent,
+            StopReason::Deadline => Self::Deadline,
             StopReason::Converged if !noise_agrees => Self::NoiseNotConverged,
             StopReason::Converged => Self::Converged,
         }

@@ -115,6 +115,9 @@ impl<P: LeastSquaresProblem> LeastSquaresProblem for Constrained<'_, P> {
     fn is_cancelled(&self) -> bool {
         self.problem.is_cancelled()
     }
+    fn is_past_deadline(&self) -> bool {
+        self.problem.is_past_deadline()
+    }
 }
 
 #[cfg(test)]

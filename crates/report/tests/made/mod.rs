@@ -234,6 +234,8 @@ pub fn report(flights: usize) -> FitReport {
         schema: "hyzer.fit/1".into(),
         model: "disc".into(),
         effects: Vec::new(),
+        reliable: true,
+        why: Vec::new(),
         rms_m: 0.001523,
         noise: NoiseReport {
             sigma_m: 0.001517,
