@@ -12,6 +12,7 @@ use crate::consensus::consensus;
 use crate::context::{Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
 use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
+use crate::lack_of_fit::LackOfFit;
 use crate::noise::random_walk_loads;
 use crate::optimal_design::next_throw;
 use crate::report::{self, Consensus, Report, Verdict};
@@ -140,6 +141,8 @@ struct Analysis<'a> {
     context: Context<'a>,
     clock: Clock,
     before: Fit,
+    /// Test of the residuals of the model under test.
+    residuals: Option<LackOfFit>,
     model: ScoreTestModel,
     /// The fit of the model under test, in the score-test model.
     base: Iterate,
@@ -177,11 +180,27 @@ impl<'a> Analysis<'a> {
         let (before, encompassing) = (before?, encompassing?);
         clock.record("fit");
         let (mut model, base) = ScoreTestModel::new(encompassing, context, &before)?;
-        let search = Search::new(&mut model, &base, before.noise(), context)?;
+        let threads = options.fit.threads();
+        let (search, residuals) = join(
+            threads,
+            || Search::new(&mut model, &base, before.noise(), context),
+            || LackOfFit::of_fit(&before, threads),
+        );
+        let (mut search, residuals) = (search?, residuals?);
+        let unexplained = residuals
+            .as_ref()
+            .filter(|residuals| residuals.p < options.alpha_detect);
+        if let Some(residuals) = unexplained
+            && !search.is_significant()
+        {
+            // The noise that the model leaves hides what the noise floor shows.
+            search = Search::with_noise(&mut model, &base, residuals.noise, context)?;
+        }
         let mut analysis = Self {
             context,
             clock,
             before,
+            residuals,
             model,
             base,
             search,
@@ -266,7 +285,8 @@ impl<'a> Analysis<'a> {
         let (validated, refused) = self.validate_overflexible()?;
         self.clock.record("search");
         let (context, search) = (self.context, &self.search);
-        let mut report = report::build_report(context, &self.before, &self.model, search);
+        let fitted = (&self.before, self.residuals.as_ref());
+        let mut report = report::build_report(context, fitted, &self.model, search);
         report.consensus = self.consensus.take();
         report.notes.extend(refused);
         report.next_throw = next_throw(&self.model, search, &context.options.throws)?;
@@ -276,9 +296,12 @@ impl<'a> Analysis<'a> {
             let before = &self.before;
             let (extended, from_extension) =
                 measure(context, before, &mut report, chosen, on_extension)?;
+            let residuals = LackOfFit::of_fit(&extended.1, context.options.fit.threads())?;
+            report::add_residuals(&mut report, residuals);
             after = Some(extended);
             made = Some(from_extension);
         }
+        report::describe_departures(&mut report);
         report.summary = report::summary(&report);
         self.clock.record("total");
         report.seconds = self.clock.seconds;
@@ -382,7 +405,7 @@ fn measure<R: Send>(
     let (cross_validated, (made, after)) = join(
         threads,
         || match has_held_out || known_gain.is_some() {
-            true => Ok(known_gain),
+            true => Ok(known_gain.clone()),
             false => {
                 let models = [model, &extension.model];
                 cross_validate(models, dataset, &options.fit, apply_to, noise_floor)

@@ -35,6 +35,7 @@ mod context;
 mod diagnosis;
 mod error;
 mod extension;
+mod lack_of_fit;
 mod noise;
 mod optimal_design;
 mod power;
@@ -55,6 +56,7 @@ pub use extension::ExtendedModel;
 pub use validation::held_out_gain;
 
 // What a diagnosis reports.
+pub use lack_of_fit::{LackOfFit, SmoothMisfit};
 pub use noise::LoadHistory;
 pub use optimal_design::NextThrow;
 pub use power::{MinDetectableEffect, NotIdentifiable};

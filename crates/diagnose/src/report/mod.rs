@@ -3,6 +3,7 @@
 mod curves;
 mod narrative;
 mod report_builder;
+mod residuals;
 mod types;
 
 pub(crate) use curves::curves;
@@ -10,6 +11,7 @@ pub(crate) use narrative::{refused, summary};
 pub(crate) use report_builder::{
     add_extension, build_report, note_not_applied, unattributed_report, use_clustered_errors,
 };
+pub(crate) use residuals::{add_residuals, describe_departures};
 
 pub use curves::CoefficientCurve;
 pub use types::{

@@ -111,6 +111,20 @@ fn prediction(gain: &PredictiveGain) -> String {
     if gain.error_reduction_m() < 0.0 {
         text = text.replace(" falls from ", " rises from ");
     }
+    text.push_str(&format!(
+        " {} of {} flights are predicted better, {} worse (median {} to {}).",
+        gain.improved,
+        gain.flights,
+        gain.worsened,
+        millimetres(gain.median_before_m),
+        millimetres(gain.median_after_m)
+    ));
+    if !gain.set_apart.is_empty() {
+        text.push_str(&format!(
+            " Set apart, as no model follows: {}.",
+            listed(&gain.set_apart)
+        ));
+    }
     if gain.without > 0 {
         text.push_str(&format!(
             " {} of these {} flights contradict it in the segment on which their initial state is fitted, and are predicted without \
@@ -238,6 +252,10 @@ mod tests {
             flights: 4,
             without: 0,
             held_out_by_dataset: true,
+            improved: 3,
+            worsened: 1,
+            set_apart: vec!["f9.csv".into()],
+            ..PredictiveGain::default()
         }
     }
 
@@ -245,6 +263,14 @@ mod tests {
     fn a_prediction_error_falls_or_rises() {
         let text = prediction(&gain(0.002));
         assert!(text.contains("falls from 20.0 mm to 2.0 mm"), "{text}");
+        assert!(
+            text.contains("3 of 4 flights are predicted better, 1 worse"),
+            "{text}"
+        );
+        assert!(
+            text.contains("Set apart, as no model follows: f9.csv"),
+            "{text}"
+        );
         let text = prediction(&gain(0.03));
         assert!(text.contains("rises from 20.0 mm to 30.0 mm"), "{text}");
     }

@@ -14,6 +14,7 @@ use crate::context::{
     Candidate, CandidateParameter, ColumnId, Context, ScoreTestModel, display_name,
 };
 use crate::extension::ExtendedModel;
+use crate::lack_of_fit::LackOfFit;
 use crate::noise::LoadHistory;
 use crate::power::detectable;
 use crate::score_test::{MIN_TOLERANCE, ScoreTest, ln_p_to_z};
@@ -22,12 +23,19 @@ use crate::selection::{Hypothesis, Search, StepwiseModel};
 /// The report of a search, before anything is extended.
 pub(crate) fn build_report(
     context: Context<'_>,
-    before: &Fit,
+    (before, residuals): (&Fit, Option<&LackOfFit>),
     model: &ScoreTestModel,
     search: &Search<'_>,
 ) -> Report {
     let causes = search.accepted.iter();
-    let causes: Vec<Cause> = causes.map(|h| cause(model, search, h)).collect();
+    let mut causes: Vec<Cause> = causes.map(|h| cause(model, search, h)).collect();
+    if let Some(residuals) = residuals {
+        causes
+            .iter_mut()
+            .for_each(|cause| add_share(cause, residuals));
+    }
+    let alpha = context.options.alpha_detect;
+    let is_noise = residuals.is_none_or(|residuals| residuals.p >= alpha);
     let detect = search.thresholds.detect;
     let (undetectable, smallest_detectable) = detectable(model, &search.tests, detect);
     let mut report = Report {
@@ -40,7 +48,7 @@ pub(crate) fn build_report(
             .iter()
             .map(|e| display_name(&e.name))
             .collect(),
-        verdict: verdict(search.is_significant(), &causes),
+        verdict: verdict(search.is_significant() || !is_noise, &causes),
         summary: String::new(),
         causes,
         noise: noise(model, search),
@@ -63,6 +71,7 @@ pub(crate) fn build_report(
         curves: Vec::new(),
         unattributed: None,
         consensus: None,
+        lack_of_fit: residuals.cloned(),
         verified: None,
         converged: true,
         notes: Vec::new(),
@@ -81,6 +90,13 @@ fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
         [_] => Verdict::Named,
         _ => Verdict::Ambiguous,
     }
+}
+
+/// Adds to a cause what it explains of the misfit that smooth motions could take away.
+fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
+    let share = cause.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
+    cause.explained = share.clamp(0.0, 1.0);
+    cause.remaining_m = residuals.beyond_noise_m * (1.0 - cause.explained).sqrt();
 }
 
 fn noise(model: &ScoreTestModel, search: &Search<'_>) -> NoiseSummary {
@@ -238,6 +254,8 @@ fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -
     Cause {
         effects: effects.collect(),
         chi2_decrease: (search.squares - hypothesis.squares).max(0.0),
+        explained: 0.0,
+        remaining_m: 0.0,
         strongest_remaining: remaining.map(|(id, ln_p)| RemainingEffect {
             name: model.candidate(id).name.clone(),
             p: ln_p.exp(),
@@ -305,6 +323,8 @@ pub(crate) fn add_extension(
         report.causes.push(Cause {
             effects: extension_effects(extension, after),
             chi2_decrease,
+            explained: 0.0,
+            remaining_m: 0.0,
             strongest_remaining: None,
         });
     }
@@ -425,7 +445,7 @@ mod tests {
         search.thresholds.detect = f64::NEG_INFINITY;
         let after = search.is_significant();
         (
-            build_report(context, &fit, &tests, &search),
+            build_report(context, (&fit, None), &tests, &search),
             [before, after],
         )
     }

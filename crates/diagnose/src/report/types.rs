@@ -7,6 +7,7 @@ use identify::dataset::Role;
 use serde::{Deserialize, Serialize};
 
 use super::curves::CoefficientCurve;
+use crate::lack_of_fit::LackOfFit;
 use crate::noise::LoadHistory;
 use crate::optimal_design::NextThrow;
 use crate::power::{MinDetectableEffect, NotIdentifiable};
@@ -66,6 +67,10 @@ pub struct Report {
     /// Agreement of the flights, where the causes do not explain all.
     #[serde(rename = "agreement")]
     pub consensus: Option<Consensus>,
+    /// Test of the residuals of the answer; none if they are too few to tell noise from motion. A verdict
+    /// [`Verdict::None`] needs it to pass.
+    #[serde(default)]
+    pub lack_of_fit: Option<LackOfFit>,
     /// Verification of the extended model.
     pub verified: Option<Verified>,
     /// Whether every fit converged.
@@ -84,7 +89,7 @@ fn converged_by_default() -> bool {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// No model error is detected.
+    /// No model error is detected, and the residuals are noise.
     None,
     /// One explanation.
     Named,
@@ -106,6 +111,12 @@ pub struct Cause {
     /// Decrease of the weighted sum of squares, χ².
     #[serde(rename = "gain")]
     pub chi2_decrease: f64,
+    /// Share of the weighted misfit that any smooth motion could take away, 0 … 1.
+    #[serde(default)]
+    pub explained: f64,
+    /// Root mean square that is left beyond the noise, m.
+    #[serde(default)]
+    pub remaining_m: f64,
     /// The strongest remaining candidate effect, given this explanation.
     #[serde(rename = "rival")]
     pub strongest_remaining: Option<RemainingEffect>,

@@ -84,6 +84,33 @@ impl<'a> Search<'a> {
         first_noise: &NoiseModel,
         context: Context<'a>,
     ) -> Result<Self, DiagnosisError> {
+        Self::at_base(model, base, context, |model, base| {
+            model.estimate_noise(base, &[], first_noise)
+        })
+    }
+
+    /// Like [`Search::new`], with a given noise.
+    ///
+    /// # Errors
+    /// Those of [`Search::new`].
+    pub fn with_noise(
+        model: &mut ScoreTestModel,
+        base: &Iterate,
+        noise: NoiseModel,
+        context: Context<'a>,
+    ) -> Result<Self, DiagnosisError> {
+        Self::at_base(model, base, context, |_, _| Ok(noise))
+    }
+
+    fn at_base(
+        model: &mut ScoreTestModel,
+        base: &Iterate,
+        context: Context<'a>,
+        noise: impl FnOnce(
+            &mut ScoreTestModel,
+            LinearizationPoint<'_>,
+        ) -> Result<NoiseModel, DiagnosisError>,
+    ) -> Result<Self, DiagnosisError> {
         let problem = model.problem.clone();
         let cache = TrajectoryCache::for_flights(model.flights.len());
         let base = LinearizationPoint {
@@ -91,7 +118,7 @@ impl<'a> Search<'a> {
             iterate: base,
             cache: &cache,
         };
-        let noise = model.estimate_noise(base, &[], first_noise)?;
+        let noise = noise(model, base)?;
         let at_base = model.tests_at(base, &noise, context)?;
         let mut search = Self {
             context,

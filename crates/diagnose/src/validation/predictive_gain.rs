@@ -1,12 +1,12 @@
 //! Out-of-sample error reduction.
 
 use identify::dataset::Role;
-use identify::{Fit, FitReport};
+use identify::{Fit, FitReport, median};
 use serde::{Deserialize, Serialize};
 
 /// Prediction errors on held-out flights, whose initial state is fitted on their first 30 %, without and with an
-/// extension.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// extension. Flights that neither follows are set apart, and counted in none of the figures.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PredictiveGain {
     /// RMS error without the extension, m.
     pub held_out_rms_before_m: f64,
@@ -23,6 +23,24 @@ pub struct PredictiveGain {
     pub without: usize,
     /// Whether the dataset declares the held-out flights; otherwise every flight is predicted by a fit of the others.
     pub held_out_by_dataset: bool,
+    /// Number of flights that the extension predicts better.
+    #[serde(default)]
+    pub improved: usize,
+    /// Number of flights that the extension predicts worse.
+    #[serde(default)]
+    pub worsened: usize,
+    /// Median over flights of the RMS error without the extension, m.
+    #[serde(default)]
+    pub median_before_m: f64,
+    /// Median over flights of the RMS error with the extension, m.
+    #[serde(default)]
+    pub median_after_m: f64,
+    /// Sign test: probability that at least so many of the flights improve by chance.
+    #[serde(default)]
+    pub p_sign: f64,
+    /// Files of the flights that are predicted neither with nor without the extension.
+    #[serde(default)]
+    pub set_apart: Vec<String>,
 }
 
 impl PredictiveGain {
@@ -35,11 +53,30 @@ impl PredictiveGain {
     pub(crate) fn is_improvement(&self) -> bool {
         self.error_reduction_m() > self.standard_error_m
     }
+
+    /// Whether the extension predicts worse by more than chance, or the same to within a thousandth of the noise.
+    pub(crate) fn is_no_gain(&self) -> bool {
+        let reduction = self.error_reduction_m();
+        let same = SAME_ERROR * self.noise_floor_m;
+        reduction < -self.standard_error_m
+            || (reduction.abs() < same && self.standard_error_m < same)
+    }
 }
 
-/// Mean squared errors of one flight.
-#[derive(Clone, Copy, Debug)]
+/// Difference of errors, over the noise, below which two models predict the same.
+const SAME_ERROR: f64 = 1e-3;
+
+/// Ratio of a flight's least error to the median over flights from which no model follows it.
+const SET_APART: f64 = 6.0;
+
+/// Least number of flights of which some may be set apart.
+const MIN_FLIGHTS: usize = 4;
+
+/// Errors of one flight.
+#[derive(Clone, Debug)]
 pub(super) struct FlightErrors {
+    /// File of the flight.
+    file: String,
     /// Mean squared error without the extension, m².
     before: f64,
     /// Mean squared error with the extension, or without it where the extension is not applied, m².
@@ -80,12 +117,14 @@ pub(super) fn errors(
     predicted
         .map(|(flight, (before, after))| {
             let is_applied = !not_applied.contains(&flight);
+            let file = before.file.clone();
             let after = if is_applied {
                 after.rms()
             } else {
                 before.rms()
             };
             FlightErrors {
+                file,
                 before: before.rms().powi(2),
                 after: after.powi(2),
                 is_applied,
@@ -94,33 +133,33 @@ pub(super) fn errors(
         .collect()
 }
 
-/// RMS errors over flights, and the jackknife standard error of their difference.
+/// RMS errors over flights with the jackknife standard error of their difference, and the paired comparison of flights.
 pub(super) fn summarize(
     flights: Vec<FlightErrors>,
     noise_floor_m: f64,
     held_out_by_dataset: bool,
 ) -> Option<PredictiveGain> {
+    let (apart, flights) = without_set_apart(flights, noise_floor_m);
     if flights.is_empty() {
         return None;
     }
     let count = flights.len() as f64;
-    let rms = |flights: &[FlightErrors], error: fn(&FlightErrors) -> f64| {
-        (flights.iter().map(error).sum::<f64>() / flights.len().max(1) as f64).sqrt()
-    };
-    let difference =
-        |flights: &[FlightErrors]| rms(flights, |f| f.before) - rms(flights, |f| f.after);
-    let leave_one_out: Vec<f64> = (0..flights.len())
-        .map(|index| {
-            let mut others = flights.clone();
-            others.remove(index);
-            difference(&others)
-        })
-        .collect();
+    let sum = |error: fn(&FlightErrors) -> f64| flights.iter().map(error).sum::<f64>();
+    let (before, after) = (sum(|f| f.before), sum(|f| f.after));
+    let others = (count - 1.0).max(1.0);
+    let rms = |sum: f64, count: f64| (sum.max(0.0) / count).sqrt();
+    let without = |f: &FlightErrors| rms(before - f.before, others) - rms(after - f.after, others);
+    let leave_one_out: Vec<f64> = flights.iter().map(without).collect();
     let mean = leave_one_out.iter().sum::<f64>() / count;
     let spread: f64 = leave_one_out.iter().map(|d| (d - mean).powi(2)).sum();
+    let median_of = |error: fn(&FlightErrors) -> f64| {
+        median(&mut flights.iter().map(|f| error(f).sqrt()).collect::<Vec<_>>())
+    };
+    let improved = flights.iter().filter(|f| f.after < f.before).count();
+    let worsened = flights.iter().filter(|f| f.after > f.before).count();
     Some(PredictiveGain {
-        held_out_rms_before_m: rms(&flights, |f| f.before),
-        held_out_rms_after_m: rms(&flights, |f| f.after),
+        held_out_rms_before_m: rms(before, count),
+        held_out_rms_after_m: rms(after, count),
         standard_error_m: match flights.len() {
             1 => f64::NAN,
             _ => (spread * (count - 1.0) / count).sqrt(),
@@ -129,7 +168,47 @@ pub(super) fn summarize(
         flights: flights.len(),
         without: flights.iter().filter(|flight| !flight.is_applied).count(),
         held_out_by_dataset,
+        improved,
+        worsened,
+        median_before_m: median_of(|f| f.before),
+        median_after_m: median_of(|f| f.after),
+        p_sign: sign_test(improved, improved + worsened),
+        set_apart: apart.into_iter().map(|flight| flight.file).collect(),
     })
+}
+
+/// Flights that neither model follows, and the others: their lesser error is far above that of most flights and above the
+/// noise. A quarter of the flights at most.
+fn without_set_apart(
+    flights: Vec<FlightErrors>,
+    noise_floor_m: f64,
+) -> (Vec<FlightErrors>, Vec<FlightErrors>) {
+    if flights.len() < MIN_FLIGHTS {
+        return (Vec::new(), flights);
+    }
+    let least = |flight: &FlightErrors| flight.before.min(flight.after).sqrt();
+    let typical = median(&mut flights.iter().map(least).collect::<Vec<_>>());
+    let limit = SET_APART * typical.max(noise_floor_m);
+    let is_apart = |flight: &FlightErrors| least(flight) > limit || least(flight).is_nan();
+    if flights.iter().filter(|flight| is_apart(flight)).count() > flights.len() / 4 {
+        return (Vec::new(), flights);
+    }
+    flights.into_iter().partition(is_apart)
+}
+
+/// Probability of at least `improved` heads in `count` throws of a fair coin.
+fn sign_test(improved: usize, count: usize) -> f64 {
+    let mut probability = 0.0;
+    let mut ln_binomial = 0.0;
+    for heads in 0..=count {
+        if heads > 0 {
+            ln_binomial += ((count - heads + 1) as f64 / heads as f64).ln();
+        }
+        if heads >= improved {
+            probability += (ln_binomial - count as f64 * std::f64::consts::LN_2).exp();
+        }
+    }
+    probability.min(1.0)
 }
 
 #[cfg(test)]
@@ -142,6 +221,7 @@ mod tests {
         let flights: Vec<FlightErrors> = [1e-3, 2e-3, 3e-3, 4e-3]
             .iter()
             .map(|d| FlightErrors {
+                file: String::new(),
                 before: 0.1_f64.powi(2),
                 after: (0.1_f64 - d).powi(2),
                 is_applied: true,
@@ -155,5 +235,54 @@ mod tests {
         );
         assert!(found.is_improvement());
         assert!(summarize(Vec::new(), 0.0, true).is_none());
+    }
+
+    #[test]
+    fn a_flight_that_no_model_follows_is_set_apart() {
+        // 16 of 19 flights improve, and the track of one more is a metre off.
+        let flight = |k: usize, before: f64, after: f64| FlightErrors {
+            file: format!("f{k}.csv"),
+            before: before * before,
+            after: after * after,
+            is_applied: true,
+        };
+        let mut flights: Vec<FlightErrors> = (0..19)
+            .map(|k| flight(k, 0.041, if k < 16 { 0.028 } else { 0.043 }))
+            .collect();
+        flights.push(flight(19, 1.0, 1.01));
+        let found = summarize(flights, 0.0015, true).unwrap();
+        assert_eq!(found.set_apart, ["f19.csv"]);
+        assert_eq!((found.improved, found.worsened, found.flights), (16, 3, 19));
+        assert!((found.median_after_m - 0.028).abs() < 1e-12);
+        assert!(found.held_out_rms_before_m < 0.042);
+        // 1160 of 2^19 sequences have at least 16 heads.
+        assert!(
+            (found.p_sign - 1160.0 / 524_288.0).abs() < 1e-9,
+            "{}",
+            found.p_sign
+        );
+        // Two metres off of four flights are not the exception.
+        let half = vec![
+            flight(0, 0.1, 0.1),
+            flight(1, 0.1, 0.1),
+            flight(2, 9.0, 9.0),
+            flight(3, 9.0, 9.0),
+        ];
+        assert!(summarize(half, 0.0015, true).unwrap().set_apart.is_empty());
+    }
+
+    #[test]
+    fn an_extension_that_changes_nothing_is_no_gain() {
+        let gain = |after: f64, standard_error_m: f64| PredictiveGain {
+            held_out_rms_before_m: 0.002,
+            held_out_rms_after_m: after,
+            standard_error_m,
+            noise_floor_m: 0.0015,
+            ..PredictiveGain::default()
+        };
+        assert!(gain(0.002, 1e-9).is_no_gain());
+        assert!(gain(0.0025, 1e-4).is_no_gain());
+        assert!(!gain(0.00199, 1e-4).is_no_gain());
+        assert!(!gain(0.00201, 1e-4).is_no_gain());
     }
 }

@@ -199,6 +199,11 @@ impl Fit {
         &self.problem
     }
 
+    /// Names of the markers, in the order of the dataset.
+    pub fn marker_names(&self) -> &[String] {
+        &self.marker_names
+    }
+
     /// Estimated global parameters, in the order of [`FitProblem::globals`], SI.
     pub fn global(&self) -> &DVector<f64> {
         &self.global

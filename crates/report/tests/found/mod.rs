@@ -60,6 +60,8 @@ fn cause(at: usize, value: f64, std_error: f64) -> Cause {
             negligible: false,
         }],
         chi2_decrease: 659_973.0,
+        explained: 0.98,
+        remaining_m: 0.0002,
         strongest_remaining: Some(RemainingEffect {
             name: "tilted-vertical".into(),
             p: 0.31,
@@ -205,6 +207,10 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
             flights: flights.len() / 4,
             without: 0,
             held_out_by_dataset: true,
+            improved: flights.len() / 4,
+            median_before_m: 0.0131,
+            median_after_m: 0.0016,
+            ..PredictiveGain::default()
         }),
         coefficients,
         undetectable: vec![
@@ -257,6 +263,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         unattributed: (verdict == Verdict::Unattributed).then(|| outside(flights)),
         consensus: None,
         converged: true,
+        lack_of_fit: None,
         verified: extended.then(|| Verified {
             holds: true,
             checks: vec![

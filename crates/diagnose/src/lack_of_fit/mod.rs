@@ -1,0 +1,353 @@
+//! Lack of fit: whether the residuals of a fit are noise.
+//!
+//! What is noise is told by what no smooth motion can follow: the short time scales of the residuals, whatever the model
+//! leaves in the longer ones. Under that noise, a fit whose model is right leaves nothing to splines beyond chance.
+
+mod banded;
+mod f_test;
+mod localize;
+mod noise_floor;
+mod series;
+mod smooth_misfit;
+mod spline_basis;
+
+use std::collections::BTreeMap;
+
+use flight::batch;
+use identify::dataset::Role;
+use identify::{Fit, FitError, FlightId, NoiseModel, Observations, each_residual};
+use serde::{Deserialize, Serialize};
+
+use self::f_test::ScaledStatistic;
+use self::localize::greatest_misfit;
+use self::noise_floor::{FlightSeries, NoiseFloor};
+use self::series::Series;
+use self::smooth_misfit::{FlightMisfit, least_p};
+use self::spline_basis::SplineBasis;
+
+pub use self::localize::SmoothMisfit;
+
+/// Number of knot intervals of a flight for slow misfits.
+const SLOW_INTERVALS: f64 = 5.0;
+
+/// Least number of knot intervals of a flight for fine misfits.
+const FINE_INTERVALS: f64 = 12.0;
+
+/// Number of knots in one period of the fastest motion of the markers.
+const KNOTS_PER_PERIOD: f64 = 4.0;
+
+/// Least knot interval, in samples: what is faster is noise.
+const MIN_SAMPLES_PER_KNOT: f64 = 3.0;
+
+/// Integration error of the residuals over the scale of the noise before any fit: the least noise that is told from 0.
+const INTEGRATION_ERROR: f64 = 0.02;
+
+/// Greatest number of flights whose departure is described.
+const MAX_DESCRIBED: usize = 6;
+
+/// Test of the residuals of a fit against the noise that no smooth motion can follow.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LackOfFit {
+    /// p-value, familywise over all flights together and each alone.
+    pub p: f64,
+    /// p-value of each fitted flight, by file.
+    pub flights: BTreeMap<String, f64>,
+    /// The greatest departures, the least p-value first, where the test rejects.
+    #[serde(rename = "where", default)]
+    pub departures: Vec<SmoothMisfit>,
+    /// Standard deviation of one coordinate's noise, m: what no smooth motion can follow.
+    pub noise_floor_m: f64,
+    /// Root mean square of the residuals beyond that noise, m.
+    pub beyond_noise_m: f64,
+    /// Squares that smooth motions would take away beyond chance, over the variance of the noise.
+    #[serde(skip)]
+    pub(crate) excess_chi2: f64,
+    /// The noise.
+    #[serde(skip, default = "no_noise")]
+    pub(crate) noise: NoiseModel,
+}
+
+fn no_noise() -> NoiseModel {
+    NoiseModel::white(0.0, 1.0)
+}
+
+impl LackOfFit {
+    /// Tests the residuals of a fit's fitted flights; `None` if they are too few to tell noise from motion.
+    ///
+    /// # Errors
+    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    pub(crate) fn of_fit(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
+        let flights = fitted_flights(fit);
+        let intervals: Vec<f64> = flights
+            .iter()
+            .filter_map(|f| f.observed.interval())
+            .collect();
+        let Some(interval) = (!intervals.is_empty()).then(|| identify::median(&mut { intervals }))
+        else {
+            return Ok(None);
+        };
+        let residuals = batch::each_on(threads, flights.len(), |index| {
+            flights[index].residuals(fit)
+        });
+        let (mut kept, mut series) = (Vec::new(), Vec::new());
+        for (flight, found) in flights.into_iter().zip(residuals) {
+            if let Some(found) = found {
+                series.push(found);
+                kept.push(flight);
+            }
+        }
+        let Some(floor) = NoiseFloor::estimate(&series, interval, threads) else {
+            return Ok(None);
+        };
+        let sigma0 = INTEGRATION_ERROR * fit.problem().sigma0;
+        let least_ratio = sigma0 / floor.noise.overall();
+        let misfits = batch::each_on(threads, kept.len(), |index| {
+            let with = kept[index].with_derivatives(fit, &series[index])?;
+            let slow = kept[index].slow();
+            Ok(FlightMisfit::new(&with, &slow, &floor.noise, least_ratio))
+        });
+        let misfits: Vec<Option<FlightMisfit>> = misfits.into_iter().collect::<Result<_, _>>()?;
+        Ok(Some(Self::of_misfits((&kept, &series), &misfits, &floor)))
+    }
+
+    fn of_misfits(
+        (flights, series): (&[FittedFlight<'_>], &[FlightSeries]),
+        misfits: &[Option<FlightMisfit>],
+        floor: &NoiseFloor,
+    ) -> Self {
+        let error = floor.relative_error();
+        let (mut slow, mut fine) = (ScaledStatistic::default(), ScaledStatistic::default());
+        let mut p_values: Vec<(usize, f64)> = Vec::new();
+        for (index, misfit) in misfits.iter().enumerate() {
+            let Some(misfit) = misfit else { continue };
+            slow.add(&misfit.slow);
+            fine.add(&misfit.fine);
+            p_values.push((index, misfit.p_value(error)));
+        }
+        let count = p_values.len() as f64;
+        p_values.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let least = p_values.first().map_or(1.0, |(_, p)| count * p);
+        let p = (2.0 * least_p(slow, fine, error).min(least)).min(1.0);
+        let departures = p_values
+            .iter()
+            .take(MAX_DESCRIBED)
+            .filter_map(|&(index, p)| {
+                let flight = &flights[index];
+                let basis = flight.slow();
+                let found = greatest_misfit(&series[index], &basis, &floor.noise, &flight.markers)?;
+                Some(SmoothMisfit {
+                    file: flight.observed.file.clone(),
+                    p,
+                    ..found
+                })
+            });
+        let departures = departures.collect();
+        let (mut squares, mut points) = (0.0, 0.0);
+        for series in series
+            .iter()
+            .flat_map(|flight| flight.series.iter().flatten())
+        {
+            squares += series.sides.iter().map(|r| r * r).sum::<f64>();
+            points += series.sides.len() as f64;
+        }
+        let noise_floor_m = floor.noise.overall();
+        let beyond = squares / f64::max(points, 1.0) - noise_floor_m * noise_floor_m;
+        Self {
+            p,
+            flights: p_values
+                .iter()
+                .map(|&(index, p)| (flights[index].observed.file.clone(), p))
+                .collect(),
+            departures,
+            noise_floor_m,
+            beyond_noise_m: beyond.max(0.0).sqrt(),
+            excess_chi2: (slow.value - slow.dof).max(fine.value - fine.dof).max(0.0),
+            noise: floor.noise,
+        }
+    }
+}
+
+/// A fitted flight.
+struct FittedFlight<'f> {
+    observed: &'f Observations,
+    id: FlightId,
+    markers: Vec<String>,
+}
+
+/// The fitted flights of a fit.
+fn fitted_flights(fit: &Fit) -> Vec<FittedFlight<'_>> {
+    let all = (0..fit.report.flights.len()).map(FlightId::new);
+    let fitted = all.filter_map(|id| {
+        let (observed, _) = fit.flight(id)?;
+        (observed.role == Role::Fit).then(|| FittedFlight {
+            observed,
+            id,
+            markers: fit.marker_names().to_vec(),
+        })
+    });
+    fitted.collect()
+}
+
+impl FittedFlight<'_> {
+    /// Time from the first to the last sample, s.
+    fn duration(&self) -> f64 {
+        self.observed.times.last().copied().unwrap_or(0.0)
+    }
+
+    /// Splines that follow slow misfits.
+    fn slow(&self) -> SplineBasis {
+        let duration = self.duration();
+        let least = MIN_SAMPLES_PER_KNOT * self.observed.interval().unwrap_or(duration);
+        SplineBasis::new((0.0, duration), (duration / SLOW_INTERVALS).max(least))
+    }
+
+    /// Residuals of the inliers, without derivatives, and the splines that follow every smooth motion; `None` if there is
+    /// nothing to test.
+    fn residuals(&self, fit: &Fit) -> Option<FlightSeries> {
+        let duration = self.duration();
+        let interval = self
+            .observed
+            .interval()
+            .filter(|interval| *interval > 0.0)?;
+        let evidence = fit.evidence(self.id)?;
+        let frequency = frequency(&evidence.predicted, interval);
+        let wanted = (1.0 / (KNOTS_PER_PERIOD * frequency)).min(duration / FINE_INTERVALS);
+        let knot_interval = wanted.max(MIN_SAMPLES_PER_KNOT * interval);
+        let mut series = empty_series(evidence.markers.len(), 1);
+        for (sample, &time) in evidence.times.iter().enumerate() {
+            for (marker, axes) in series.iter_mut().enumerate() {
+                let Some(residual) = evidence.residual(sample, marker) else {
+                    continue;
+                };
+                for (series, residual) in axes.iter_mut().zip(residual) {
+                    series.times.push(time);
+                    series.sides.push(-residual);
+                }
+            }
+        }
+        Some(FlightSeries {
+            series,
+            fine: SplineBasis::new((0.0, duration), knot_interval),
+        })
+    }
+
+    /// Residuals of the inliers with their derivatives by the flight's own unknowns.
+    fn with_derivatives(&self, fit: &Fit, from: &FlightSeries) -> Result<FlightSeries, FitError> {
+        let Some((observed, local)) = fit.flight(self.id) else {
+            return Ok(FlightSeries {
+                series: Vec::new(),
+                fine: from.fine,
+            });
+        };
+        let problem = fit.problem();
+        let unknowns = (fit.global(), local);
+        let conditions = problem
+            .body
+            .bind(observed.parameters(problem, fit.global()));
+        let count = 1 + observed.manifold.dimension();
+        let mut series = empty_series(observed.markers, count);
+        let motion = conditions.differentiable_rhs();
+        each_residual(problem, observed, unknowns, motion, &[], |point| {
+            if observed.inlier(point.sample, point.marker).is_none() {
+                return;
+            }
+            let axes = series[point.marker].iter_mut().zip(point.rows);
+            for ((series, row), residual) in axes.zip(point.residual) {
+                series.times.push(observed.times[point.sample]);
+                series.sides.push(residual);
+                series.sides.extend_from_slice(row);
+            }
+        })
+        .map_err(|reason| FitError::Flight {
+            file: observed.file.clone(),
+            reason,
+        })?;
+        Ok(FlightSeries {
+            series,
+            fine: from.fine,
+        })
+    }
+}
+
+fn empty_series(markers: usize, count: usize) -> Vec<[Series; 3]> {
+    (0..markers)
+        .map(|_| [0; 3].map(|_| Series::new(count)))
+        .collect()
+}
+
+/// Frequency of predicted motions, 1/s: root mean square of the jerk over that of the acceleration's fluctuations (Rice's
+/// formula).
+fn frequency(predicted: &[Vec<[f64; 3]>], interval: f64) -> f64 {
+    let (mut of_jerk, mut of_acceleration) = (0.0, f64::MIN_POSITIVE);
+    let markers = predicted.first().map_or(0, Vec::len);
+    for marker in 0..markers {
+        for axis in 0..3 {
+            let second: Vec<f64> = predicted
+                .windows(3)
+                .map(|w| w[0][marker][axis] - 2.0 * w[1][marker][axis] + w[2][marker][axis])
+                .collect();
+            let mean = second.iter().sum::<f64>() / second.len().max(1) as f64;
+            of_acceleration += second.iter().map(|a| (a - mean).powi(2)).sum::<f64>();
+            of_jerk += second
+                .windows(2)
+                .map(|w| (w[1] - w[0]).powi(2))
+                .sum::<f64>();
+        }
+    }
+    (of_jerk / of_acceleration).sqrt() / (std::f64::consts::TAU * interval)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_support::mystery;
+    use identify::{FitOptions, fit};
+
+    fn tested(effects: &[&str]) -> LackOfFit {
+        let model = model_spec::load::load("disc", effects).unwrap();
+        let fit = fit(&model, &mystery(6), &FitOptions::default()).unwrap();
+        LackOfFit::of_fit(&fit, 1).unwrap().unwrap()
+    }
+
+    #[test]
+    fn residuals_of_the_true_model_are_noise_and_those_of_another_are_not() {
+        let found = tested(&["stall"]);
+        assert!(found.p > 0.05, "{found:?}");
+        // The dataset was made with 1.5 mm.
+        assert!(
+            (found.noise_floor_m / 0.0015 - 1.0).abs() < 0.05,
+            "{found:?}"
+        );
+        assert!(found.beyond_noise_m < 0.0005, "{found:?}");
+        let wrong = tested(&[]);
+        assert!(wrong.p < 1e-6, "{wrong:?}");
+        // What is noise does not depend on what the model leaves.
+        assert!(
+            (wrong.noise_floor_m / 0.0015 - 1.0).abs() < 0.05,
+            "{wrong:?}"
+        );
+        assert!(
+            wrong.beyond_noise_m > 0.002 && wrong.excess_chi2 > 100.0,
+            "{wrong:?}"
+        );
+        assert_eq!(wrong.flights.len(), 6);
+        let first = &wrong.departures[0];
+        let least = wrong.flights.values().copied().fold(1.0, f64::min);
+        assert_eq!((wrong.flights[&first.file], first.p), (least, least));
+        assert!(
+            first.size_m.abs() > 0.002 && first.from_s < first.to_s,
+            "{first:?}"
+        );
+    }
+
+    #[test]
+    fn the_frequency_of_a_turning_marker_is_that_of_its_turns() {
+        let turn = |sample: usize| 50.0 * sample as f64 / 500.0;
+        let samples = (0..400).map(|k| vec![[turn(k).cos(), turn(k).sin(), 3.0 * k as f64]]);
+        let found = frequency(&samples.collect::<Vec<_>>(), 1.0 / 500.0);
+        assert!(
+            (found * std::f64::consts::TAU / 50.0 - 1.0).abs() < 0.02,
+            "{found}"
+        );
+    }
+}

@@ -1,0 +1,159 @@
+//! Smooth part of the residuals of one flight: how much of it a fit with splines would take away, beyond what the flight's
+//! own unknowns take.
+
+use identify::NoiseModel;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use super::f_test::ScaledStatistic;
+use super::noise_floor::FlightSeries;
+use super::series::Series;
+use super::spline_basis::SplineBasis;
+
+/// Squared norm of a direction of the initial state, relative to the whole, below which splines follow it.
+const MIN_TOLERANCE: f64 = 1e-9;
+
+/// Squares of one flight that splines take away.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct FlightMisfit {
+    /// By splines over a fifth of the flight: what forces do.
+    pub slow: ScaledStatistic,
+    /// By splines over a fraction of a turn: what markers, angles and spin do.
+    pub fine: ScaledStatistic,
+}
+
+/// Products of all series of a flight with one basis projected out.
+struct Projection {
+    /// Squares of the residuals on the splines, and number of splines.
+    squares: f64,
+    rank: usize,
+    /// Products of the local columns that the splines leave, and their products with the residuals.
+    left: DMatrix<f64>,
+    left_gradient: DVector<f64>,
+    /// Squares of the residuals, products of the local columns, and their products with the residuals.
+    total: f64,
+    local: DMatrix<f64>,
+    gradient: DVector<f64>,
+    samples: usize,
+}
+
+impl FlightMisfit {
+    /// Tests the residuals of a flight against the noise floor; `least_ratio` is the least noise ratio, which the
+    /// integration error sets. None if the flight has too few samples.
+    pub fn new(
+        flight: &FlightSeries,
+        slow: &SplineBasis,
+        noise: &NoiseModel,
+        least_ratio: f64,
+    ) -> Option<Self> {
+        let of_fine = Projection::new(flight, &flight.fine, noise);
+        let of_slow = Projection::new(flight, slow, noise);
+        let scale = of_fine.local.diagonal().map(|value| {
+            let root = value.max(0.0).sqrt();
+            if root > 0.0 { 1.0 / root } else { 0.0 }
+        });
+        let (of_locals, locals) = decrease(&of_fine.local, &of_fine.gradient, &scale);
+        let statistic = |found: &Projection| {
+            let (left, rank) = decrease(&found.left, &found.left_gradient, &scale);
+            let dof = (found.rank + rank).saturating_sub(locals) as f64;
+            (found.squares + left - of_locals, dof, rank)
+        };
+        let (fine, fine_dof, rank) = statistic(&of_fine);
+        let (slow, slow_dof, _) = statistic(&of_slow);
+        let dof = of_fine.samples as f64 - (of_fine.rank + rank) as f64;
+        if dof < 1.0 {
+            return None;
+        }
+        let remaining = (of_fine.total - of_locals - fine).max(0.0);
+        let variance = (remaining / dof).max(least_ratio * least_ratio);
+        let scaled = |value: f64, of: f64| ScaledStatistic {
+            value: value.max(0.0) / variance,
+            dof: of,
+            noise_variance: of * of * 2.0 / dof,
+        };
+        Some(Self {
+            slow: scaled(slow, slow_dof),
+            fine: scaled(fine, fine_dof),
+        })
+    }
+
+    /// p-value of the flight, given the relative error of the extrapolated noise.
+    pub fn p_value(&self, relative_error: f64) -> f64 {
+        least_p(self.slow, self.fine, relative_error)
+    }
+}
+
+/// p-value of the lesser of two tests, Bonferroni-corrected.
+pub(super) fn least_p(slow: ScaledStatistic, fine: ScaledStatistic, relative_error: f64) -> f64 {
+    let p = [slow, fine].map(|mut statistic| {
+        statistic.noise_variance += (statistic.dof * relative_error).powi(2);
+        statistic.p_value()
+    });
+    (2.0 * p[0].min(p[1])).min(1.0)
+}
+
+impl Projection {
+    fn new(flight: &FlightSeries, basis: &SplineBasis, noise: &NoiseModel) -> Self {
+        let count = flight.series.first().map_or(1, |series| series[0].count);
+        let locals = count - 1;
+        let mut sum = Self {
+            squares: 0.0,
+            rank: 0,
+            left: DMatrix::zeros(locals, locals),
+            left_gradient: DVector::zeros(locals),
+            total: 0.0,
+            local: DMatrix::zeros(locals, locals),
+            gradient: DVector::zeros(locals),
+            samples: 0,
+        };
+        for axes in &flight.series {
+            for (axis, series) in axes.iter().enumerate() {
+                sum.add(series, basis, noise, axis);
+            }
+        }
+        sum.left = &sum.local - &sum.left;
+        sum.left_gradient = &sum.gradient - &sum.left_gradient;
+        sum
+    }
+
+    fn add(&mut self, series: &Series, basis: &SplineBasis, noise: &NoiseModel, axis: usize) {
+        let found = series.whitened(basis, noise, axis);
+        let count = series.count;
+        self.total += found.products[0];
+        self.rank += found.projected.rank;
+        self.samples += found.samples;
+        for i in 1..count {
+            self.gradient[i - 1] += found.products[i];
+            for j in 1..count {
+                self.local[(i - 1, j - 1)] += found.products[i * count + j];
+            }
+        }
+        for row in found.projected.coordinates.chunks_exact(count) {
+            self.squares += row[0] * row[0];
+            for i in 1..count {
+                self.left_gradient[i - 1] += row[0] * row[i];
+                for j in 1..count {
+                    self.left[(i - 1, j - 1)] += row[i] * row[j];
+                }
+            }
+        }
+    }
+}
+
+/// Squares that columns take away, from their products with one another and with the residuals, and the number of their
+/// independent directions. `scale` makes whole columns of unit norm.
+fn decrease(matrix: &DMatrix<f64>, gradient: &DVector<f64>, scale: &DVector<f64>) -> (f64, usize) {
+    let size = gradient.len();
+    if size == 0 {
+        return (0.0, 0);
+    }
+    let scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
+    let Some(eigen) = SymmetricEigen::try_new(scaled, 1e-14, 10_000) else {
+        return (0.0, 0);
+    };
+    let products = eigen.eigenvectors.tr_mul(&gradient.component_mul(scale));
+    let kept = eigen.eigenvalues.iter().zip(products.iter());
+    let kept = kept.filter(|(value, _)| **value > MIN_TOLERANCE);
+    kept.fold((0.0, 0), |(sum, rank), (value, product)| {
+        (sum + product * product / value, rank + 1)
+    })
+}

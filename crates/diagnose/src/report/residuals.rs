@@ -1,0 +1,73 @@
+//! The test of the residuals in the report, and its words.
+
+use super::types::{Report, Unattributed, Verdict};
+use crate::lack_of_fit::{LackOfFit, SmoothMisfit};
+use crate::text::{millimetres, three_figures};
+
+/// Greatest number of departures in a sentence.
+const MAX_DEPARTURES: usize = 3;
+
+/// Replaces the test of the residuals by that of the extended model.
+pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
+    if let (Some(before), Some(after)) = (&report.lack_of_fit, &residuals)
+        && let Some(first) = report.causes.first_mut()
+    {
+        let left = after.excess_chi2 / before.excess_chi2.max(f64::MIN_POSITIVE);
+        first.explained = (1.0 - left).clamp(0.0, 1.0);
+        first.remaining_m = after.beyond_noise_m;
+    }
+    report.lack_of_fit = residuals.or(report.lack_of_fit.take());
+}
+
+/// Drops the departures where the test passes, and says where and when the residuals are no noise where it fails.
+pub(crate) fn describe_departures(report: &mut Report) {
+    let alpha = report.threshold.alpha;
+    let Some(found) = &mut report.lack_of_fit else {
+        return;
+    };
+    if found.p >= alpha {
+        found.departures.clear();
+        return;
+    }
+    let limit = alpha / found.flights.len().max(1) as f64;
+    let alone = found.departures.iter().filter(|d| d.p < limit).count();
+    found.departures.truncate(alone.max(MAX_DEPARTURES));
+    let says = departures(found);
+    match (&mut report.unattributed, report.verdict) {
+        (Some(unattributed), _) => unattributed.says = format!("{} {says}", unattributed.says),
+        (none, Verdict::Unattributed) => {
+            *none = Some(Unattributed {
+                says,
+                channels: Vec::new(),
+                terms: Vec::new(),
+            });
+        }
+        _ => report.notes.push(format!("a lack of fit remains: {says}")),
+    }
+}
+
+fn departures(found: &LackOfFit) -> String {
+    let each = found.departures.iter().take(MAX_DEPARTURES);
+    let each: Vec<String> = each.map(departure).collect();
+    format!(
+        "The residuals are not noise (p = {}): {} beyond the noise of {} that no smooth motion can follow. The greatest departures: {}.",
+        three_figures(found.p),
+        millimetres(found.beyond_noise_m),
+        millimetres(found.noise_floor_m),
+        each.join("; ")
+    )
+}
+
+fn departure(found: &SmoothMisfit) -> String {
+    let SmoothMisfit {
+        file,
+        coordinate,
+        from_s,
+        to_s,
+        size_m,
+        ..
+    } = found;
+    let size = millimetres(*size_m);
+    let sign = if *size_m > 0.0 { "+" } else { "" };
+    format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")
+}
