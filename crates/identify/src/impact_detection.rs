@@ -1,26 +1,54 @@
-//! Impact detection: a flight is truncated before its first upward jump of velocity.
+//! Impact detection: a flight is truncated before the first impact that stops its descent.
+//!
+//! An impact is a jump of velocity within one sampling interval between two stretches of smooth motion. At each interval
+//! a parabola before it and one after it are compared with one smooth polynomial through both stretches. Aerodynamic
+//! loads, however large, change the velocity along the stretches too; an impact does not.
 
-use nalgebra::Vector3;
+use nalgebra::{SMatrix, SVector, Vector3};
 
 use crate::observations::Observations;
 use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::{median, robust_sigma};
 
-/// Number of samples on either side of a velocity jump from which velocities are estimated.
-const SIDE: usize = 5;
-
+/// Greatest number of points on either side of an interval.
+const SIDE: usize = 7;
+/// Least number of points before and after an interval.
+const LEAST_SIDES: (usize, usize) = (6, 3);
+/// Least number of points of a parabola; fewer have the acceleration of the other side.
+const PARABOLA: usize = 5;
+/// Degree of the smooth polynomial plus one.
+const SMOOTH: usize = 5;
 /// Least jump of velocity of an impact, m/s.
-const MIN_JUMP: f64 = 1.0;
+const MIN_JUMP: f64 = 0.5;
+/// Least jump in units of its standard error.
+const MIN_SIGNIFICANCE: f64 = 8.0;
+/// Least jump in units of the median jump over the flight.
+const MIN_RATIO: f64 = 8.0;
+/// Least jump in units of the velocity that the accelerations on either side give in one interval.
+const MIN_IMPULSE: f64 = 3.0;
+/// Least ratio of the vertical component to the magnitude of a jump, and to the speed of descent before it.
+const MIN_VERTICAL_PART: (f64, f64) = (0.3, 0.3);
+/// Least ratio of the squared residuals of the smooth polynomial to those of the two parabolas.
+const MIN_SQUARES_RATIO: f64 = 5.0;
+/// Greatest number of points that are left out as outliers.
+const MOST_OUTLIERS: usize = 2;
+/// Number of intervals that show the usual jump of a flight.
+const USUAL: usize = 24;
 
-/// Least ratio of an impact's velocity jump to the median velocity change between samples.
-const MIN_RATIO: f64 = 10.0;
+/// A sample number, its time, s, and the position of the body's origin, m.
+pub type PathPoint = (usize, f64, Vector3<f64>);
 
-/// Least ratio of the vertical component to the magnitude of an impact's velocity jump.
-const MIN_VERTICAL_PART: f64 = 0.3;
+/// An impact on a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// Index of the first point of the path after the impact.
+    pub index: usize,
+    /// Jump of the velocity, m/s.
+    pub jump: Vector3<f64>,
+}
 
-/// Truncates a flight before its first upward jump of velocity, which only an impact on the ground causes. Returns
-/// the poses in the remaining samples of a body with an attitude.
+/// Truncates a flight before its first impact. Returns the poses in the remaining samples of a body with an attitude.
 pub fn truncate_at_impact(
     problem: &FitProblem,
     observations: &mut Observations,
@@ -37,10 +65,10 @@ pub fn truncate_at_impact(
         true => poses[sample].map(|pose| pose.position),
         false => point_position(&problem.markers, observations.points(sample)),
     };
-    let path: Vec<(usize, f64, Vector3<f64>)> = samples
+    let path: Vec<PathPoint> = samples
         .filter_map(|sample| Some((sample, observations.times[sample], position(sample)?)))
         .collect();
-    if let Some((index, jump)) = jump(&path) {
+    if let Some(Impact { index, jump }) = impact(&path) {
         let (sample, time, _) = path[index];
         let why = format!(
             "the velocity jumps by ({:.1}, {:.1}, {:.1}) m/s at t = {:.3} s, as at a touch of the ground",
@@ -55,88 +83,221 @@ pub fn truncate_at_impact(
     poses
 }
 
-/// Index of the first sample after an impact and the velocity jump there, m/s; `None` without an impact.
-fn jump(path: &[(usize, f64, Vector3<f64>)]) -> Option<(usize, Vector3<f64>)> {
-    if path.len() < 2 * SIDE + 1 {
+/// The first impact on a path; none if nothing touches the body.
+pub fn impact(path: &[PathPoint]) -> Option<Impact> {
+    if path.len() < LEAST_SIDES.0 + LEAST_SIDES.1 {
         return None;
     }
-    let velocities: Vec<Vector3<f64>> = path.windows(SIDE).map(velocity).collect();
-    let pairs = velocities[SIDE..].iter().zip(&velocities);
-    let jumps: Vec<Vector3<f64>> = pairs.map(|(after, before)| after - before).collect();
-    // Gravity and drag change the velocity too, but almost evenly.
-    let usual = [0, 1, 2].map(|axis| {
-        let mut values: Vec<f64> = jumps.iter().map(|jump| jump[axis]).collect();
-        median(&mut values)
-    });
-    let usual = Vector3::from(usual);
-    let mut sizes: Vec<f64> = jumps.iter().map(|jump| (jump - usual).norm()).collect();
-    let limit = MIN_JUMP.max(MIN_RATIO * median(&mut sizes));
-    let beyond = |jump: &Vector3<f64>| {
-        let extra = jump - usual;
-        extra.z > MIN_JUMP.max(MIN_VERTICAL_PART * extra.norm()) && extra.norm() > limit
-    };
-    let first = jumps.iter().position(beyond)?;
-    // Windows that only overlap the impact contain a part of the jump; the full jump is the greatest.
-    let around = &jumps[first..(first + SIDE).min(jumps.len())];
-    let size = |jump: &Vector3<f64>| (jump - usual).norm();
-    let (offset, jump) = around
-        .iter()
-        .enumerate()
-        .max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
-    Some((first + offset + SIDE, *jump))
-}
-
-/// Velocity, m/s, by the median slope of all pairs among `SIDE` samples, which one outlier does not change.
-fn velocity(path: &[(usize, f64, Vector3<f64>)]) -> Vector3<f64> {
-    let slope = |axis: usize| {
-        let mut slopes = [0.0; SIDE * (SIDE - 1) / 2];
-        let mut count = 0;
-        for (i, (_, earlier, from)) in path.iter().enumerate() {
-            for (_, later, to) in &path[i + 1..] {
-                slopes[count] = (to[axis] - from[axis]) / (later - earlier);
-                count += 1;
-            }
+    let noise = noise(path);
+    let candidates = LEAST_SIDES.0..=path.len() - LEAST_SIDES.1;
+    let mut usual = None;
+    let mut found: Option<(usize, Kink)> = None;
+    for index in candidates.clone() {
+        if found.is_some_and(|(first, _)| index > first + 2) {
+            break;
         }
-        median(&mut slopes[..count])
-    };
-    Vector3::new(slope(0), slope(1), slope(2))
+        if !may_be_impact(path, index) {
+            continue;
+        }
+        let Some(kink) = kink(path, index, noise).filter(Kink::is_impact) else {
+            continue;
+        };
+        let usual = *usual.get_or_insert_with(|| usual_jump(path, candidates.clone(), noise));
+        if kink.jump.norm() < MIN_RATIO * usual {
+            continue;
+        }
+        // Intervals beside the impact show a part of it; the right one has the least residuals.
+        let (first, best) = found.get_or_insert((index, kink));
+        if kink.squares < best.squares {
+            (*first, *best) = ((*first).min(index), kink);
+        }
+    }
+    found.map(|(_, kink)| Impact {
+        index: kink.index,
+        jump: kink.jump,
+    })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// Median jump of the velocity over intervals spread over the path, m/s.
+fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
+    let step = candidates.clone().count().div_ceil(USUAL);
+    let kinks = candidates
+        .step_by(step)
+        .filter_map(|index| kink(path, index, noise));
+    let mut jumps: Vec<f64> = kinks.map(|kink| kink.jump.norm()).collect();
+    median(&mut jumps)
+}
 
-    /// Path of a thrown stone that bounces at sample `bounce`, or not at all if `None`.
-    fn stone(bounce: Option<usize>) -> Vec<(usize, f64, Vector3<f64>)> {
-        let (mut position, mut velocity) =
-            (Vector3::new(0.0, 0.0, 1.0), Vector3::new(5.0, 0.0, 1.0));
-        let dt = 1.0 / 120.0;
-        (0..60)
-            .map(|i| {
-                if Some(i) == bounce {
-                    velocity.z *= -0.7;
-                }
-                let jitter = 0.001 * ((i * 7919) as f64).sin();
-                let now = (i, i as f64 * dt, position + Vector3::repeat(jitter));
-                velocity.z -= 9.81 * dt;
-                position += velocity * dt;
-                now
-            })
-            .collect()
-    }
+/// Whether velocities by few points on either side allow an impact before point `index`; they cost little.
+fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
+    let velocity =
+        |from: usize, to: usize| (path[to].2 - path[from].2) / (path[to].1 - path[from].1);
+    let (before, after) = (velocity(index - 4, index - 1), velocity(index, index + 2));
+    before.z < 0.0 && after.z - before.z > 0.5 * MIN_JUMP
+}
 
-    #[test]
-    fn a_bounce_is_found_and_a_fall_is_none() {
-        let (at, jump) = jump(&stone(Some(45))).unwrap();
-        assert!((44..=46).contains(&at), "at {at}");
-        assert!(jump.z > 3.0);
-        assert_eq!(super::jump(&stone(None)), None);
-    }
+/// Motion before and after an interval.
+#[derive(Clone, Copy)]
+struct Kink {
+    /// First point after the interval.
+    index: usize,
+    /// Velocity before, m/s.
+    before: Vector3<f64>,
+    /// Jump of the velocity, m/s.
+    jump: Vector3<f64>,
+    /// Standard error of a component of the jump, m/s.
+    error: f64,
+    /// Greatest change of velocity in one interval by the accelerations on either side, m/s.
+    impulse: f64,
+    /// Squared residuals of the two parabolas, and of the smooth polynomial, by degree of freedom, m².
+    squares: f64,
+    smooth: f64,
+}
 
-    #[test]
-    fn an_outlier_is_no_bounce() {
-        let mut path = stone(None);
-        path[30].2.z += 0.1;
-        assert_eq!(jump(&path), None);
+impl Kink {
+    fn is_impact(&self) -> bool {
+        let size = self.jump.norm();
+        let least = MIN_JUMP
+            .max(MIN_SIGNIFICANCE * self.error)
+            .max(MIN_IMPULSE * self.impulse);
+        let (of_jump, of_descent) = MIN_VERTICAL_PART;
+        size > least
+            && self.before.z < 0.0
+            && self.jump.z > of_jump * size
+            && self.jump.z > -of_descent * self.before.z
+            && self.smooth > MIN_SQUARES_RATIO * self.squares
     }
+}
+
+/// Compares two parabolas with one smooth polynomial around the interval before point `index`.
+fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
+    let (from, to) = (index.saturating_sub(SIDE), (index + SIDE).min(path.len()));
+    let time = 0.5 * (path[index - 1].1 + path[index].1);
+    let half = 0.5 * (path[to - 1].1 - path[from].1);
+    let origin = path[index].2;
+    let mut sides = [Vec::new(), Vec::new()];
+    for (offset, (_, at, position)) in path[from..to].iter().enumerate() {
+        let side = usize::from(from + offset >= index);
+        sides[side].push(((at - time) / half, position - origin));
+    }
+    leave_out_outliers(&mut sides, noise);
+    let [before, after] = &sides;
+    if before.len() < PARABOLA || after.len() < LEAST_SIDES.1 {
+        return None;
+    }
+    let all: Vec<_> = before.iter().chain(after).copied().collect();
+    let first = polynomial::<3>(before, None)?;
+    let known = Vector3::from(first.coefficients.fixed_rows::<1>(2).transpose());
+    let second = match after.len() >= PARABOLA {
+        true => polynomial::<3>(after, None)?,
+        false => polynomial::<3>(after, Some(known))?,
+    };
+    // A polynomial of as many coefficients as there are points would go through all of them.
+    let smooth = polynomial::<SMOOTH>(&all, None)?;
+    let velocity =
+        |side: &Fitted<3>| Vector3::from(side.coefficients.fixed_rows::<1>(1).transpose()) / half;
+    let acceleration =
+        |side: &Fitted<3>| 2.0 * side.coefficients.fixed_rows::<1>(2).norm() / (half * half);
+    let freedom =
+        |points: usize, unknowns: usize| (3 * points.saturating_sub(unknowns)).max(3) as f64;
+    let squares = (first.squares + second.squares) / freedom(all.len(), 6);
+    let deviation = squares.sqrt().max(noise);
+    let variance = first.slope_variance + second.slope_variance;
+    Some(Kink {
+        index,
+        before: velocity(&first),
+        jump: velocity(&second) - velocity(&first),
+        error: deviation * variance.sqrt() / half,
+        impulse: acceleration(&first).max(acceleration(&second))
+            * (path[index].1 - path[index - 1].1),
+        squares: squares.max(noise * noise),
+        smooth: smooth.squares / freedom(all.len(), SMOOTH),
+    })
+}
+
+/// Drops points whose removal makes the smooth polynomial fit: an outlier is one, an impact is not.
+fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
+    for _ in 0..MOST_OUTLIERS {
+        let all: Vec<_> = sides.iter().flatten().copied().collect();
+        if all.len() <= SMOOTH + 2 {
+            return;
+        }
+        let Some(whole) = polynomial::<SMOOTH>(&all, None) else {
+            return;
+        };
+        let without = |left_out: usize| {
+            let mut others = all.clone();
+            others.remove(left_out);
+            polynomial::<SMOOTH>(&others, None).map_or(f64::INFINITY, |fitted| fitted.squares)
+        };
+        let squares: Vec<f64> = (0..all.len()).map(without).collect();
+        let Some(best) = (0..all.len()).min_by(|&a, &b| squares[a].total_cmp(&squares[b])) else {
+            return;
+        };
+        let expected = 9.0 * (3 * (all.len() - SMOOTH)) as f64 * noise * noise;
+        if squares[best] > 0.2 * whole.squares.max(expected) || whole.squares < expected {
+            return;
+        }
+        let before = sides[0].len();
+        match best < before {
+            true => sides[0].remove(best),
+            false => sides[1].remove(best - before),
+        };
+    }
+}
+
+/// A least-squares polynomial along each axis.
+struct Fitted<const N: usize> {
+    /// Coefficients of the powers of time, a column for each axis, m.
+    coefficients: SMatrix<f64, N, 3>,
+    /// Sum of squared residuals, m².
+    squares: f64,
+    /// Variance of the linear coefficient for residuals of variance 1.
+    slope_variance: f64,
+}
+
+/// Polynomial with `N` coefficients through points; `quadratic` holds the coefficient of the second power.
+fn polynomial<const N: usize>(
+    points: &[(f64, Vector3<f64>)],
+    quadratic: Option<Vector3<f64>>,
+) -> Option<Fitted<N>> {
+    let mut normal = SMatrix::<f64, N, N>::zeros();
+    let mut right = SMatrix::<f64, N, 3>::zeros();
+    let powers = |time: f64| SVector::<f64, N>::from_fn(|power, _| time.powi(power as i32));
+    for (time, position) in points {
+        let row = powers(*time);
+        normal += row * row.transpose();
+        right += row * position.transpose();
+    }
+    if let Some(quadratic) = quadratic {
+        // A weight far above that of the points.
+        let weight = 1e6 * points.len() as f64;
+        normal[(2, 2)] += weight;
+        for axis in 0..3 {
+            right[(2, axis)] += weight * quadratic[axis];
+        }
+    }
+    let inverse = normal.try_inverse()?;
+    let coefficients = inverse * right;
+    let squares = points.iter().map(|(time, position)| {
+        let fitted = coefficients.tr_mul(&powers(*time));
+        (fitted - position).norm_squared()
+    });
+    Some(Fitted {
+        squares: squares.sum(),
+        slope_variance: inverse[(1, 1)].max(0.0),
+        coefficients,
+    })
+}
+
+/// Standard deviation of a coordinate by third differences, m.
+fn noise(path: &[PathPoint]) -> f64 {
+    let mut rough: Vec<f64> = path
+        .windows(4)
+        .flat_map(|w| {
+            let third = w[3].2 - 3.0 * w[2].2 + 3.0 * w[1].2 - w[0].2;
+            third.abs().as_slice().to_vec()
+        })
+        .collect();
+    (robust_sigma(&mut rough) / 20.0_f64.sqrt()).max(1e-9)
 }

@@ -1,19 +1,117 @@
 //! Screening of a dataset before a fit: mistakes of the laboratory that a fit cannot recover from, found by the
 //! distances between markers, by poses and by free fall, without the aerodynamic model.
 
+mod distances;
 mod fault;
+mod free_fall;
+mod gravity;
+mod handling;
+mod jumps;
+mod labels;
+mod loads;
+mod mirror;
+mod records;
+#[cfg(test)]
+mod tests;
+mod track;
 
 pub use fault::{DataFault, FaultKind};
 
+use flight::batch;
+
+use self::free_fall::FreeFall;
+use self::track::Track;
 use crate::dataset::Dataset;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
+use crate::impact_detection;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
+use crate::statistics::median;
 
-/// Faults of a dataset's flights, in the dataset's order.
-pub(crate) fn screen(_problem: &FitProblem, _dataset: &Dataset, _threads: usize) -> Vec<DataFault> {
-    Vec::new()
+/// Ratio of a track's noise to the median of all flights above which it is no flight.
+const NOISE_RATIO: f64 = 30.0;
+/// Least ratio of the noise to the length of a track that is no flight.
+const NOISE_PART: f64 = 0.1;
+
+/// Faults of a dataset's flights, in the dataset's order, at most one for each flight. Roles do not matter.
+pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Vec<DataFault> {
+    let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
+    let each = batch::each_on(threads, dataset.flights.len(), |index| {
+        let flight = &dataset.flights[index];
+        let fault = records::check(dataset, index)
+            .or_else(|| distances::check(dataset, index))
+            .or_else(|| mirror_is_decided.then(|| mirror::check(&problem.markers, flight))?);
+        match fault {
+            Some(fault) => (Some(fault), None),
+            None => {
+                let track = track_until_impact(problem, &flight.times, &flight.positions);
+                let fault = jumps::check(&track, flight);
+                let track = fault.is_none().then_some(track);
+                (fault, track)
+            }
+        }
+    });
+    let (mut faults, mut tracks): (Vec<Option<DataFault>>, Vec<Option<Track>>) =
+        each.into_iter().unzip();
+    no_flights(dataset, &mut faults, &mut tracks);
+    let Some(gravity) = gravity::gravity(problem) else {
+        return faults.into_iter().flatten().collect();
+    };
+    let of_fall = FreeFall::new(problem, dataset, gravity, &tracks).check();
+    for (index, flight) in dataset.flights.iter().enumerate() {
+        let found = of_fall.iter().find(|fault| fault.file == flight.file);
+        if faults[index].is_some() {
+            continue;
+        }
+        faults[index] = match (found, &tracks[index]) {
+            (Some(found), _) => Some(found.clone()),
+            (None, Some(track)) => handling::check(track, gravity, flight),
+            (None, None) => None,
+        };
+    }
+    faults.into_iter().flatten().collect()
+}
+
+/// Path of the body's origin up to an impact.
+fn track_until_impact(
+    problem: &FitProblem,
+    times: &[f64],
+    rows: &[Vec<Option<[f64; 3]>>],
+) -> Track {
+    let mut track = Track::of(&problem.markers, problem.has_attitude, times, rows);
+    let path: Vec<_> = track
+        .points
+        .iter()
+        .map(|point| (point.sample, point.time, point.position))
+        .collect();
+    if let Some(impact) = impact_detection::impact(&path) {
+        track.points.truncate(impact.index);
+    }
+    track
+}
+
+/// Marks flights whose tracks are far rougher than those of the others: no camera and no body moves so.
+fn no_flights(dataset: &Dataset, faults: &mut [Option<DataFault>], tracks: &mut [Option<Track>]) {
+    let mut all: Vec<f64> = tracks.iter().flatten().map(|track| track.noise).collect();
+    let usual = median(&mut all);
+    let is_rough =
+        |track: &&Track| track.noise > (NOISE_PART * track.extent()).max(NOISE_RATIO * usual);
+    for (index, flight) in dataset.flights.iter().enumerate() {
+        let Some(track) = tracks[index].as_ref().filter(is_rough) else {
+            continue;
+        };
+        faults[index] = Some(DataFault {
+            file: flight.file.clone(),
+            fault: FaultKind::Other,
+            detail: format!(
+                "its positions scatter by {:.2} m from sample to sample, unlike those of the other flights",
+                track.noise
+            ),
+            mend: "check that the table is of a flight".into(),
+        });
+        tracks[index] = None;
+    }
 }
 
 /// Flights that are excluded because of their faults; none if the options trust the data.

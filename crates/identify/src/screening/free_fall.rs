@@ -1,0 +1,366 @@
+//! Faults that free fall shows: a z axis that does not point up, times or lengths in another unit. All flights together
+//! are compared with gravity, single flights with the loads that the others agree on.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::distances::{UNITS, unit};
+use super::fault::{DataFault, FaultKind};
+use super::loads::{Regression, Row, regress, rows};
+use super::track::Track;
+use crate::dataset::{Dataset, Flight, KnownValue};
+use crate::problem::FitProblem;
+use crate::statistics::median;
+
+/// Least deviation of the constant acceleration from gravity that is a fault, in units of gravity.
+const LEAST_DEVIATION: f64 = 0.5;
+/// Least such deviation in units of its standard error.
+const LEAST_SIGNIFICANCE: f64 = 8.0;
+/// Least ratio of what remains with gravity as it should be to what remains with any constant acceleration.
+const LEAST_RATIO: f64 = 1.7;
+/// Greatest angle between an acceleration and the axis that it is along: cos 30°.
+const ALONG: f64 = 0.866;
+/// Factors on gravity between which it may be a matter of loads; more for a point mass, whose spin is not known.
+const USUAL_FACTORS: [(f64, f64); 2] = [(0.55, 1.8), (0.38, 2.6)];
+/// Least misfit of a single flight that is examined: in units of gravity, and of the median of all flights.
+const SINGLE_MISFIT: (f64, f64) = (0.25, 5.0);
+/// Greatest misfit with the mend: in units of the misfit without it, of the median of all flights, and of gravity.
+const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
+/// Least number of flights of which a single one can differ.
+const LEAST_FLIGHTS: usize = 4;
+
+/// Axes of the table that may point up, with the matrix from its coordinates to those with z up.
+fn orientations() -> [(&'static str, Matrix3<f64>); 6] {
+    let rows =
+        |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Matrix3::from_rows(&[a.into(), b.into(), c.into()]);
+    let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let minus = |axis: [f64; 3]| axis.map(|value: f64| -value);
+    [
+        ("+z", rows(x, y, z)),
+        ("-z", rows(x, minus(y), minus(z))),
+        ("+y", rows(z, x, y)),
+        ("-y", rows(x, z, minus(y))),
+        ("+x", rows(y, z, x)),
+        ("-x", rows(z, y, minus(x))),
+    ]
+}
+
+/// Flights whose accelerations are compared.
+pub struct FreeFall<'a> {
+    problem: &'a FitProblem,
+    dataset: &'a Dataset,
+    gravity: Vector3<f64>,
+    /// Windows of each flight; empty for a flight without any.
+    rows: Vec<Vec<Row>>,
+}
+
+impl<'a> FreeFall<'a> {
+    /// Windows of the flights' tracks; a flight that has another fault has no track.
+    pub fn new(
+        problem: &'a FitProblem,
+        dataset: &'a Dataset,
+        gravity: Vector3<f64>,
+        tracks: &[Option<Track>],
+    ) -> Self {
+        let of_track = |(flight, track): (&Flight, &Option<Track>)| match track {
+            Some(track) => rows(track, omega(problem, flight)),
+            None => Vec::new(),
+        };
+        Self {
+            problem,
+            dataset,
+            gravity,
+            rows: dataset.flights.iter().zip(tracks).map(of_track).collect(),
+        }
+    }
+
+    /// Faults of all flights, or of single ones; empty if gravity is what it should be.
+    pub fn check(&self) -> Vec<DataFault> {
+        let all: Vec<&Row> = self.rows.iter().flatten().collect();
+        if all.is_empty() {
+            return Vec::new();
+        }
+        let Some(fixed) = regress(&all, Some(self.gravity)) else {
+            return Vec::new();
+        };
+        if let Some(free) = regress(&all, None)
+            && let Some((fault, detail, mend)) = self.of_all(&fixed, &free)
+        {
+            let flights = self.dataset.flights.iter().zip(&self.rows);
+            let seen = flights.filter(|(_, rows)| !rows.is_empty());
+            let fault = |flight: &Flight| DataFault {
+                file: flight.file.clone(),
+                fault,
+                detail: detail.clone(),
+                mend: mend.clone(),
+            };
+            return seen.map(|(flight, _)| fault(flight)).collect();
+        }
+        self.single(&fixed)
+    }
+
+    /// Fault that all flights have in common.
+    fn of_all(&self, fixed: &Regression, free: &Regression) -> Option<(FaultKind, String, String)> {
+        let g = self.gravity.norm();
+        let deviation = free.gravity - self.gravity;
+        let size = deviation.norm();
+        let error = (deviation / size)
+            .dot(&(free.covariance * deviation / size))
+            .sqrt();
+        let is_clear = size > LEAST_DEVIATION * g && size > LEAST_SIGNIFICANCE * error;
+        if !is_clear || fixed.remaining < LEAST_RATIO * free.remaining {
+            return None;
+        }
+        let ratio = free.gravity.norm() / g;
+        let cosine = free.gravity.dot(&self.gravity) / (g * g * ratio);
+        if cosine > ALONG {
+            let (least, most) = USUAL_FACTORS[usize::from(!self.problem.has_attitude)];
+            if (least..most).contains(&ratio) {
+                return None;
+            }
+            return Some(self.scale(ratio, free));
+        }
+        let up = orientations().into_iter().find(|(_, to_up)| {
+            let turned = to_up * free.gravity;
+            turned.dot(&self.gravity) > ALONG * g * turned.norm()
+        });
+        match up {
+            Some((axis, _)) => Some((
+                FaultKind::Axes,
+                format!(
+                    "in all flights free fall is along the axes as if {axis} pointed up, not +z"
+                ),
+                axes_mend(axis),
+            )),
+            // Between the axes a strong constant load may be the reason.
+            None if cosine > 0.5 => None,
+            None => {
+                let unit = free.gravity / free.gravity.norm();
+                Some((
+                    FaultKind::Axes,
+                    format!(
+                        "in all flights free fall is along ({:.2}, {:.2}, {:.2}) of the table's axes, not along -z",
+                        unit.x, unit.y, unit.z
+                    ),
+                    "turn the coordinates so that z points up".into(),
+                ))
+            }
+        }
+    }
+
+    /// Fault of times or of lengths where gravity is `ratio` times as great as it should be.
+    fn scale(&self, ratio: f64, free: &Regression) -> (FaultKind, String, String) {
+        let detail = format!("in all flights free fall is {ratio:.3} times as fast as gravity");
+        let length = unit(ratio).or_else(|| {
+            let near = [
+                (1e-3, "millimetres"),
+                (1e-2, "centimetres"),
+                (0.0254, "inches"),
+                (0.3048, "feet"),
+            ];
+            near.into_iter()
+                .find(|(length, _)| (ratio * length).ln().abs() < 0.2)
+        });
+        if let (Some((length, name)), false) = (length, self.template_gives_lengths())
+            && self.drag_suggests_lengths(ratio, free) != Some(false)
+        {
+            return (
+                FaultKind::Units,
+                format!("{detail}, as if positions were in {name}"),
+                format!("multiply the positions by {length}"),
+            );
+        }
+        let (told, mend) = time_words(ratio);
+        (FaultKind::TimeUnit, format!("{detail}{told}"), mend)
+    }
+
+    /// Whether the distances between markers have shown that lengths are in metres.
+    fn template_gives_lengths(&self) -> bool {
+        self.dataset.markers.len() > 1
+    }
+
+    /// Whether the drag, which scales with lengths and not with times, speaks for lengths; none if it says nothing.
+    fn drag_suggests_lengths(&self, ratio: f64, free: &Regression) -> Option<bool> {
+        let expected = super::gravity::drag(self.problem)?;
+        let found = -*free.coefficients.first()?;
+        (expected > 0.0 && found > 0.0).then(|| {
+            let by_length = (found * ratio / expected).ln().abs();
+            let by_time = (found / expected).ln().abs();
+            by_length < by_time
+        })
+    }
+
+    /// Flights that agree with gravity and with the others' loads only after a mend.
+    fn single(&self, fixed: &Regression) -> Vec<DataFault> {
+        let g = self.gravity.norm();
+        let misfit = |rows: &[Row]| self.misfit(fixed, rows);
+        let misfits: Vec<Option<f64>> = self.rows.iter().map(|rows| misfit(rows)).collect();
+        let mut known: Vec<f64> = misfits.iter().flatten().copied().collect();
+        if known.len() < LEAST_FLIGHTS {
+            return Vec::new();
+        }
+        let usual = median(&mut known);
+        let limit = (SINGLE_MISFIT.0 * g).max(SINGLE_MISFIT.1 * usual);
+        let mut faults = Vec::new();
+        for (index, flight) in self.dataset.flights.iter().enumerate() {
+            let Some(before) = misfits[index].filter(|misfit| *misfit > limit) else {
+                continue;
+            };
+            let enough =
+                (MENDED_MISFIT.0 * before).min((MENDED_MISFIT.1 * usual).max(MENDED_MISFIT.2 * g));
+            faults.extend(self.mended(fixed, flight, &self.rows[index], enough));
+        }
+        faults
+    }
+
+    /// Median acceleration of a flight's windows that neither gravity nor the common loads explain, m/s².
+    fn misfit(&self, fixed: &Regression, rows: &[Row]) -> Option<f64> {
+        let rest = rows
+            .iter()
+            .map(|row| (fixed.without_loads(row) - self.gravity).norm());
+        let mut rest: Vec<f64> = rest.collect();
+        (!rest.is_empty()).then(|| median(&mut rest))
+    }
+
+    /// The mend after which a flight's misfit is at most `enough`, m/s².
+    fn mended(
+        &self,
+        fixed: &Regression,
+        flight: &Flight,
+        rows: &[Row],
+        enough: f64,
+    ) -> Option<DataFault> {
+        let fault = |fault, detail: String, mend: String| DataFault {
+            file: flight.file.clone(),
+            fault,
+            detail,
+            mend,
+        };
+        let as_others = "unlike in the other flights,";
+        // Velocities and accelerations change alike with the unit of time, so that loads keep their coefficients.
+        let mut of_axes = [0, 1, 2].map(|axis| {
+            rows.iter()
+                .map(|row| fixed.without_loads(row)[axis])
+                .collect::<Vec<f64>>()
+        });
+        let constant = Vector3::from(of_axes.each_mut().map(|values| median(values)));
+        let ratio = constant.norm() / self.gravity.norm();
+        let is_down = constant.dot(&self.gravity) > ALONG * ratio * self.gravity.norm_squared();
+        let mut rest: Vec<f64> = rows
+            .iter()
+            .map(|row| (fixed.without_loads(row) / ratio - self.gravity).norm())
+            .collect();
+        let of_time = median(&mut rest);
+        let omega = omega(self.problem, flight);
+        let after = |matrix: &Matrix3<f64>| {
+            let track = self.changed(flight, matrix);
+            self.misfit(fixed, &super::loads::rows(&track, omega))
+        };
+        let fits = |matrix: &Matrix3<f64>| after(matrix).is_some_and(|misfit| misfit < enough);
+        if let Some((misfit, length, name)) =
+            self.length(&after).filter(|(misfit, ..)| *misfit < enough)
+            && misfit < of_time
+        {
+            return Some(fault(
+                FaultKind::Units,
+                format!("{as_others} its positions seem to be in {name}"),
+                format!("multiply the positions in {} by {length}", flight.file),
+            ));
+        }
+        if is_down && !(0.75..1.33).contains(&ratio) && of_time < enough {
+            let (told, mend) = time_words(ratio);
+            let detail =
+                format!("{as_others} free fall is {ratio:.3} times as fast as gravity{told}");
+            return Some(fault(FaultKind::TimeUnit, detail, mend));
+        }
+        let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
+        for (axis, to_up) in orientations().into_iter().skip(1) {
+            if fits(&to_up) {
+                let detail =
+                    format!("{as_others} free fall is along the axes as if {axis} pointed up");
+                return Some(fault(FaultKind::Axes, detail, axes_mend(axis)));
+            }
+        }
+        for (axis, to_up) in orientations() {
+            if fits(&(mirror * to_up)) {
+                let up = match axis {
+                    "+z" => String::new(),
+                    _ => format!(", with {axis} up"),
+                };
+                let detail = format!(
+                    "{as_others} it fits as a mirror image only: its axes seem left-handed{up}"
+                );
+                return Some(fault(
+                    FaultKind::Mirrored,
+                    detail,
+                    super::mirror::MEND.into(),
+                ));
+            }
+        }
+        None
+    }
+
+    /// The unit of length that leaves the least misfit of a flight: misfit, m/s², length, m, and name. None where the
+    /// distances between markers have shown that lengths are in metres.
+    fn length(
+        &self,
+        misfit: &impl Fn(&Matrix3<f64>) -> Option<f64>,
+    ) -> Option<(f64, f64, &'static str)> {
+        if self.template_gives_lengths() {
+            return None;
+        }
+        let units = UNITS.iter().filter_map(|&(length, name)| {
+            let misfit = misfit(&(Matrix3::identity() * length))?;
+            Some((misfit, length, name))
+        });
+        units.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Track of a flight with all positions multiplied by a matrix.
+    fn changed(&self, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
+        let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
+        let rows: Vec<Vec<Option<[f64; 3]>>> = flight
+            .positions
+            .iter()
+            .map(|row| row.iter().map(|point| point.map(change)).collect())
+            .collect();
+        super::track_until_impact(self.problem, &flight.times, &rows)
+    }
+}
+
+/// Spin of a point mass that is known from elsewhere, rad/s, as any vector of the flight in the unit of a rate.
+fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
+    let inputs = problem.model.inputs.iter();
+    let rates = inputs.filter(|input| input.unit == model_spec::unit::Unit::RATE);
+    let mut known = rates.map(|input| match flight.known.get(&input.name) {
+        Some(KnownValue::Vector(value)) => Vector3::from(*value),
+        _ => Vector3::from(input.value),
+    });
+    known.next()
+}
+
+/// What a ratio of gravity says of the times, and what to do.
+fn time_words(ratio: f64) -> (String, String) {
+    let factor = ratio.sqrt();
+    let told = match factor {
+        f if (f * 1e3).ln().abs() < 0.2 => ", as if times were in milliseconds".to_owned(),
+        f if (f * 1e6).ln().abs() < 0.2 => ", as if times were in microseconds".to_owned(),
+        f => format!(", as if the true times were {f:.3} times those of the table"),
+    };
+    let mend = match factor {
+        f if (f * 1e3).ln().abs() < 0.2 => "divide the times by 1000".to_owned(),
+        f if (f * 1e6).ln().abs() < 0.2 => "divide the times by 1000000".to_owned(),
+        f => format!("check the frame rate, or multiply the times by {f:.3}"),
+    };
+    (told, mend)
+}
+
+fn axes_mend(axis: &str) -> String {
+    let change = match axis {
+        "-z" => "x, -y, -z",
+        "+y" => "z, x, y",
+        "-y" => "x, z, -y",
+        "+x" => "y, z, x",
+        _ => "z, y, -x",
+    };
+    format!("write ({change}) for (x, y, z), so that z points up")
+}

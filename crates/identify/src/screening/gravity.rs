@@ -1,0 +1,103 @@
+//! The acceleration of gravity in a model, if what is observed falls freely when it is at rest.
+
+use model_spec::unit::Unit;
+use nalgebra::{UnitQuaternion, Vector3};
+use ode::{IntegrationOptions, integrate_at};
+
+use crate::problem::FitProblem;
+
+/// Time of the fall from rest, s: short, so that no speed arises at which air would matter.
+const FALL: f64 = 1e-2;
+/// Relative difference of accelerations below which they are the same.
+const SAME: f64 = 1e-2;
+/// Angles, rad, and shifts, m, of the positions and attitudes that are compared.
+const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
+
+/// Acceleration of the body's origin at rest in still air, m/s², if it is the same at every position and attitude; none
+/// for a body that is held, driven or not under gravity.
+pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
+    let falls = VARIATIONS.map(|variation| fall(problem, variation));
+    let [first, others @ ..] = falls;
+    let first = first.filter(|first| first.norm() > 0.1)?;
+    let same = |other: Option<Vector3<f64>>| {
+        other.is_some_and(|other| (other - first).norm() < SAME * first.norm())
+    };
+    others.into_iter().all(same).then_some(first)
+}
+
+/// Speed at which the drag of a point mass is looked up, m/s.
+const SPEED: f64 = 8.0;
+
+/// Drag of a point mass with the model's coefficients, as deceleration by squared speed, 1/m; none for a body with an
+/// attitude.
+pub fn drag(problem: &FitProblem) -> Option<f64> {
+    if problem.has_attitude {
+        return None;
+    }
+    let model = &problem.model;
+    let first = model
+        .states
+        .iter()
+        .position(|state| state.unit == Unit::SPEED)?;
+    let mut state = problem.body.layout().default_states();
+    for (declared, value) in model.states.iter().zip(&mut state) {
+        if declared.unit == Unit::SPEED {
+            *value = 0.0;
+        }
+    }
+    let still = acceleration(problem, &state)?;
+    state[first] = SPEED;
+    let moving = acceleration(problem, &state)?;
+    Some((moving - still).norm() / (SPEED * SPEED))
+}
+
+/// Acceleration of the origin from rest at a varied position and attitude, m/s².
+fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
+    let model = &problem.model;
+    let mut state = problem.body.layout().default_states();
+    for (index, (declared, value)) in model.states.iter().zip(&mut state).enumerate() {
+        let sign = [1.0, -0.7, 0.5][index % 3];
+        match declared.unit {
+            Unit::METRE => *value += sign * 3.0 * variation,
+            Unit::RADIAN => *value += sign * variation,
+            Unit::SPEED | Unit::RATE => *value = 0.0,
+            _ => {}
+        }
+    }
+    for quaternion in model.quaternions() {
+        let turn = UnitQuaternion::from_euler_angles(variation, -0.7 * variation, 0.5 * variation);
+        let turn = [turn.w, turn.i, turn.j, turn.k];
+        for (place, value) in quaternion.into_iter().zip(turn) {
+            state[place] = value;
+        }
+    }
+    acceleration(problem, &state)
+}
+
+/// Acceleration of the body's origin at a state, m/s².
+fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>> {
+    let conditions = problem.body.bind(problem.parameters.clone());
+    let times = [0.0, FALL, 2.0 * FALL];
+    let mut states = vec![0.0; times.len() * state.len()];
+    let options = IntegrationOptions::with_tolerance(1e-12);
+    let start = (0.0, &state.into());
+    integrate_at(
+        &mut conditions.rhs(),
+        start,
+        &times,
+        &options,
+        &mut [],
+        &mut states,
+    )
+    .ok()?;
+    let mut observer = conditions.observer();
+    let seen = times.iter().zip(states.chunks(state.len()));
+    let seen: Vec<Vector3<f64>> = seen
+        .map(|(&t, x)| observer.position(t, x, &[0.0; 3]).into())
+        .collect();
+    let acceleration = (seen[2] - 2.0 * seen[1] + seen[0]) / (FALL * FALL);
+    acceleration
+        .iter()
+        .all(|axis| axis.is_finite())
+        .then_some(acceleration)
+}

@@ -1,0 +1,184 @@
+//! Samples that are not of free flight: in the hand before the release, after the catch, at rest, and jumps of the
+//! whole track.
+
+use nalgebra::Vector3;
+
+use super::fault::{DataFault, FaultKind};
+use super::track::{MIN_POINTS, Parabola, Track, parabola};
+use crate::dataset::Flight;
+use crate::statistics::median;
+
+/// Numbers of points at the start and at the end of a flight that are examined.
+const LENGTHS: [usize; 12] = [6, 8, 11, 15, 20, 27, 36, 48, 64, 90, 130, 200];
+/// Least force along the velocity that no air in moderate wind exerts, in units of gravity and of the whole force.
+const PUSH: (f64, f64) = (1.0, 0.5);
+/// Least significance of a force.
+const SIGNIFICANT: f64 = 6.0;
+/// Greatest speed of a body at rest, m/s, and in units of the flight's speed.
+const REST: (f64, f64) = (0.5, 0.08);
+/// Least force on a body at rest, in units of gravity.
+const REST_FORCE: f64 = 0.7;
+/// Least force of a catch: in units of gravity, and of what the air exerts in the rest of the flight at that speed.
+const CATCH: (f64, f64) = (3.0, 8.0);
+
+/// First part of a flight that is not free.
+pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
+    let examined = Examined::new(track, gravity)?;
+    let fault = |detail: String, mend: &str| DataFault {
+        file: flight.file.clone(),
+        fault: FaultKind::NotFreeFlight,
+        detail,
+        mend: mend.to_owned(),
+    };
+    if examined.is_at_rest_throughout() {
+        return Some(fault(
+            "the body does not move".into(),
+            "remove the flight, or its samples before the release",
+        ));
+    }
+    if let Some(time) = examined.held_until() {
+        return Some(fault(
+            format!(
+                "the body is pushed or held until t = {time:.3} s, as in the hand before the release"
+            ),
+            "begin the table at the release",
+        ));
+    }
+    examined.stopped_from().map(|time| {
+        fault(
+            format!("the body is stopped or at rest from t = {time:.3} s, as after a catch or on the ground"),
+            "end the table before the body is touched",
+        )
+    })
+}
+
+struct Examined<'a> {
+    track: &'a Track,
+    gravity: Vector3<f64>,
+    /// Median speed of the flight, m/s.
+    speed: f64,
+}
+
+impl<'a> Examined<'a> {
+    fn new(track: &'a Track, gravity: Vector3<f64>) -> Option<Self> {
+        let windows = track.windows();
+        let mut speeds: Vec<f64> = windows
+            .iter()
+            .map(|(_, motion)| motion.velocity.norm())
+            .collect();
+        (!speeds.is_empty()).then(|| Self {
+            track,
+            gravity,
+            speed: median(&mut speeds),
+        })
+    }
+
+    fn motion(&self, from: usize, to: usize) -> Option<Parabola> {
+        parabola(&self.track.points[from..to], self.track.noise)
+    }
+
+    /// Force by mass without gravity, m/s².
+    fn force(&self, motion: &Parabola) -> Vector3<f64> {
+        motion.acceleration - self.gravity
+    }
+
+    /// Force along the velocity, m/s².
+    fn forward(&self, motion: &Parabola) -> f64 {
+        let along = motion
+            .velocity
+            .try_normalize(1e-9)
+            .unwrap_or_else(Vector3::zeros);
+        self.force(motion).dot(&along)
+    }
+
+    fn is_rest(&self, motion: &Parabola, greatest: f64) -> bool {
+        let slow = motion.velocity.norm() < REST.0.min(REST.1 * greatest);
+        slow && self.force(motion).norm()
+            > REST_FORCE * self.gravity.norm() + SIGNIFICANT * motion.error
+    }
+
+    fn is_pushed(&self, motion: &Parabola) -> bool {
+        let (forward, force) = (self.forward(motion), self.force(motion).norm());
+        let least = (PUSH.0 * self.gravity.norm()).max(PUSH.1 * force);
+        // A velocity that is lost in the noise has no direction.
+        let moved = motion.velocity.norm() * motion.half > 3.0 * self.track.noise;
+        moved && forward > least + SIGNIFICANT * motion.error
+    }
+
+    fn is_at_rest_throughout(&self) -> bool {
+        let Some(motion) = self.motion(0, self.track.points.len()) else {
+            return false;
+        };
+        let g = self.gravity.norm();
+        let fall = 0.5 * g * (2.0 * motion.half).powi(2);
+        // Longer than any error of the acceleration could hide the fall.
+        self.is_rest(&motion, f64::INFINITY)
+            && fall > 20.0 * motion.deviation
+            && self.speed < REST.0
+    }
+
+    fn lengths(&self) -> impl Iterator<Item = usize> {
+        let half = self.track.points.len() / 2;
+        LENGTHS
+            .into_iter()
+            .take_while(move |length| *length <= half)
+    }
+
+    /// Time until which the body is held or pushed, s.
+    fn held_until(&self) -> Option<f64> {
+        let count = self.track.points.len();
+        // Forward forces in the second half are those of the body itself, or of a strong wind.
+        let rest = self.motion(count / 2, count)?;
+        if self.forward(&rest) > 0.3 * self.gravity.norm() + SIGNIFICANT * rest.error {
+            return None;
+        }
+        let mut until = None;
+        for length in self.lengths() {
+            let Some(motion) = self.motion(0, length) else {
+                continue;
+            };
+            if self.is_pushed(&motion) || self.is_rest(&motion, self.speed) {
+                until = Some(self.track.points[length - 1].time);
+            }
+        }
+        until
+    }
+
+    /// Time from which the body is stopped or at rest, s.
+    fn stopped_from(&self) -> Option<f64> {
+        let count = self.track.points.len();
+        let mut from = None;
+        for length in self.lengths() {
+            let Some(motion) = self.motion(count - length, count) else {
+                continue;
+            };
+            if self.is_rest(&motion, self.speed) || self.is_caught(&motion, count - length) {
+                from = Some(self.track.points[count - length].time);
+            }
+        }
+        from
+    }
+
+    /// Whether the motion from point `first` on is braked by far more than the air could.
+    fn is_caught(&self, motion: &Parabola, first: usize) -> bool {
+        let g = self.gravity.norm();
+        let force = self.force(motion).norm();
+        if force < CATCH.0 * g + SIGNIFICANT * motion.error || self.forward(motion) > -0.5 * force {
+            return false;
+        }
+        let before = motion.velocity - motion.acceleration * motion.half;
+        let length = self.track.points.len() - first;
+        let mut usual: f64 = 0.0;
+        let mut end = first;
+        while end >= length.max(MIN_POINTS) {
+            if let Some(earlier) = self.motion(end - length.max(MIN_POINTS), end) {
+                let ratio = (before.norm() / earlier.velocity.norm().max(0.1)).powi(2);
+                usual = usual.max(
+                    (self.force(&earlier).norm() + SIGNIFICANT * earlier.error) * ratio.max(0.2),
+                );
+            }
+            end -= length.max(MIN_POINTS);
+        }
+        usual > 0.0 && force > CATCH.1 * usual
+    }
+}

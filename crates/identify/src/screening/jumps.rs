@@ -1,0 +1,96 @@
+//! Jumps of a whole track within one interval: another body, or frames that are missing.
+
+use nalgebra::Vector3;
+
+use super::fault::{DataFault, FaultKind};
+use super::track::{Point, Track};
+use crate::dataset::Flight;
+use crate::statistics::median;
+
+/// Points on either side of a jump that show the motion there.
+const SIDE: usize = 8;
+/// Least jump in units of the noise, and m.
+const JUMP: (f64, f64) = (15.0, 0.08);
+/// Least jump in units of the distance that the body moves in one interval.
+const STEPS: f64 = 0.5;
+/// Least ratio of intervals that is a gap, across which nothing is known.
+const GAP: f64 = 1.5;
+/// Cosine of the greatest angle between a jump and the velocity that is a jump ahead.
+const AHEAD: f64 = 0.97;
+
+/// First jump of a track that its two sides do not share; none if the track is of one body.
+pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
+    let points = &track.points;
+    if points.len() < 2 * SIDE {
+        return None;
+    }
+    let mut intervals: Vec<f64> = points.windows(2).map(|w| w[1].time - w[0].time).collect();
+    let usual = median(&mut intervals);
+    let least = (JUMP.0 * track.noise).max(JUMP.1);
+    for index in SIDE..=points.len() - SIDE {
+        let interval = points[index].time - points[index - 1].time;
+        if interval > GAP * usual || !may_jump(points, index, least) {
+            continue;
+        }
+        let time = points[index - 1].time + 0.5 * interval;
+        let (from, before) = line(&points[index - SIDE..index], time);
+        let (to, after) = line(&points[index..index + SIDE], time);
+        let jump = to - from;
+        let step = 0.5 * (before + after) * interval;
+        // Lines through a curved path end beside it, on both sides alike where these are equally long.
+        let span = |side: &[Point]| side[SIDE - 1].time - side[0].time;
+        let longest = span(&points[index - SIDE..index]).max(span(&points[index..index + SIDE]));
+        let curved = (after - before).norm() * longest / 6.0;
+        if jump.norm() < least.max(STEPS * step.norm()) + curved {
+            continue;
+        }
+        let size = jump.norm();
+        let time = points[index].time;
+        let (detail, mend) = match jump.dot(&step) > AHEAD * size * step.norm() {
+            true => (
+                format!(
+                    "the body jumps ahead by {size:.2} m at t = {time:.3} s, as where frames are missing and the times do not say so"
+                ),
+                "write the times at which the frames were recorded",
+            ),
+            false => (
+                format!("the track jumps by {size:.2} m at t = {time:.3} s"),
+                "end the table there, or check that the track is of one body",
+            ),
+        };
+        return Some(DataFault {
+            file: flight.file.clone(),
+            fault: FaultKind::Other,
+            detail,
+            mend: mend.to_owned(),
+        });
+    }
+    None
+}
+
+/// Whether the step to point `index` differs from those beside it; costs little.
+fn may_jump(points: &[Point], index: usize, least: f64) -> bool {
+    let time = |k: usize| points[k].time - points[k - 1].time;
+    let rate = |k: usize| (points[k].position - points[k - 1].position) / time(k);
+    let rough = rate(index) - 0.5 * (rate(index - 1) + rate(index + 1));
+    rough.norm() * time(index) > 0.5 * least
+}
+
+/// Position at a time and velocity of a line through points, by medians, which a few outliers do not change.
+fn line(points: &[Point], time: f64) -> (Vector3<f64>, Vector3<f64>) {
+    let slope = |axis: usize| {
+        let pairs = points.iter().enumerate().flat_map(|(i, a)| {
+            let later = points[i + 1..].iter();
+            later.map(move |b| (b.position[axis] - a.position[axis]) / (b.time - a.time))
+        });
+        median(&mut pairs.collect::<Vec<f64>>())
+    };
+    let velocity = Vector3::new(slope(0), slope(1), slope(2));
+    let at = |axis: usize| {
+        let values = points
+            .iter()
+            .map(|point| point.position[axis] + velocity[axis] * (time - point.time));
+        median(&mut values.collect::<Vec<f64>>())
+    };
+    (Vector3::new(at(0), at(1), at(2)), velocity)
+}

@@ -1,0 +1,172 @@
+//! Exchanged labels: measured distances that match the template only after a permutation of the markers' names, in the
+//! whole flight or in a part of it.
+
+use super::distances::{Distances, MOST_MARKERS};
+use super::fault::{DataFault, FaultKind};
+use crate::dataset::{Flight, Marker};
+
+/// Greatest number of markers for which all permutations are tried; more markers are exchanged in pairs only.
+const ALL_PERMUTATIONS: usize = 4;
+/// Error of a marker's position in the template that is allowed for, m.
+const TEMPLATE_ERROR: f64 = 1e-3;
+/// Factor on the noise from neighbouring samples, which correlated noise underestimates.
+const CORRELATION: f64 = 2.0;
+/// Greatest contribution of one sample to the log-likelihood ratio, so that outliers do not decide.
+const MOST_OF_SAMPLE: f64 = 25.0;
+/// Least log-likelihood ratio of a permutation over consecutive samples.
+const LEAST_EVIDENCE: f64 = 100.0;
+/// Greatest ratio of squared distance errors with the permutation to those without.
+const ERROR_RATIO: f64 = 0.2;
+/// Fraction of the samples above which the labels are exchanged in the whole flight.
+const WHOLE: f64 = 0.9;
+
+/// Consecutive samples in which a permutation fits better.
+struct Stretch {
+    first: usize,
+    last: usize,
+    evidence: f64,
+}
+
+/// Exchanged labels in a flight; none if the names fit.
+pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
+    let count = markers.len().min(MOST_MARKERS);
+    let mut best: Option<(Vec<usize>, Stretch)> = None;
+    for permutation in permutations(count) {
+        let permuted = permuted(distances, &permutation);
+        let Some(stretch) = stretch(distances, &permuted) else {
+            continue;
+        };
+        let least = best
+            .as_ref()
+            .map_or(LEAST_EVIDENCE, |(_, best)| best.evidence);
+        // Of permutations that fit alike, the one that moves fewest labels comes first.
+        if stretch.evidence > 1.01 * least {
+            best = Some((permutation, stretch));
+        }
+    }
+    let (permutation, stretch) = best?;
+    let names = |change: &dyn Fn(usize) -> String| {
+        let moved = (0..count).filter(|&marker| permutation[marker] != marker);
+        moved.map(change).collect::<Vec<String>>()
+    };
+    let moved = names(&|marker| markers[marker].name.clone());
+    let listed = match &moved[..] {
+        [one, other] => format!("labels {one} and {other} seem exchanged"),
+        _ => {
+            let each = names(&|marker| {
+                format!(
+                    "{} is labelled {}",
+                    markers[permutation[marker]].name, markers[marker].name
+                )
+            });
+            format!("labels seem exchanged: {}", each.join(", "))
+        }
+    };
+    let samples = stretch.last - stretch.first + 1;
+    let file = &flight.file;
+    let (from, to) = (flight.times[stretch.first], flight.times[stretch.last]);
+    let (part, rows) = match samples as f64 >= WHOLE * flight.times.len() as f64 {
+        true => (String::new(), String::new()),
+        false => (
+            format!(" from t = {from:.3} s to {to:.3} s"),
+            " of these rows".to_owned(),
+        ),
+    };
+    Some(DataFault {
+        file: file.clone(),
+        fault: FaultKind::LabelsExchanged,
+        detail: format!(
+            "{listed} in {file}{part}: the distances between markers fit the template only then"
+        ),
+        mend: match moved.len() {
+            2 => format!(
+                "exchange the columns of {} and {}{rows}",
+                moved[0], moved[1]
+            ),
+            _ => format!("rename the columns{rows}"),
+        },
+    })
+}
+
+/// Permutations other than the identity, by the number of labels that they move: all of few markers, exchanges of two
+/// among many.
+fn permutations(count: usize) -> Vec<Vec<usize>> {
+    let identity: Vec<usize> = (0..count).collect();
+    let mut found = Vec::new();
+    for i in 0..count {
+        for j in i + 1..count {
+            let mut exchanged = identity.clone();
+            exchanged.swap(i, j);
+            found.push(exchanged);
+        }
+    }
+    if count <= ALL_PERMUTATIONS {
+        let mut all = vec![Vec::new()];
+        for _ in 0..count {
+            all = all
+                .into_iter()
+                .flat_map(|begun: Vec<usize>| {
+                    let next = (0..count)
+                        .filter(|marker| !begun.contains(marker))
+                        .collect::<Vec<_>>();
+                    next.into_iter()
+                        .map(move |marker| [&begun[..], &[marker]].concat())
+                })
+                .collect();
+        }
+        let moved = |p: &Vec<usize>| p.iter().enumerate().filter(|(i, m)| i != *m).count();
+        all.retain(|permutation| moved(permutation) > 2);
+        all.sort_by_key(moved);
+        found.extend(all);
+    }
+    found
+}
+
+/// Declared distances of the pairs where the track named `marker` is that of `permutation[marker]`, m.
+fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
+    let declared = |a: usize, b: usize| {
+        let pair = (a.min(b), a.max(b));
+        let index = distances.pairs.iter().position(|known| *known == pair);
+        index.map_or(f64::NAN, |index| distances.declared[index])
+    };
+    let pairs = distances.pairs.iter();
+    pairs
+        .map(|&(i, j)| declared(permutation[i], permutation[j]))
+        .collect()
+}
+
+/// The consecutive samples with the greatest log-likelihood ratio of the permuted distances to the declared ones.
+fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
+    let variance = (CORRELATION * distances.noise).powi(2) + TEMPLATE_ERROR.powi(2);
+    let errors = |row: &[f64], declared: &[f64]| -> f64 {
+        let pairs = row.iter().zip(declared).filter(|(d, _)| !d.is_nan());
+        pairs.map(|(d, declared)| (d - declared).powi(2)).sum()
+    };
+    let each = distances.samples.iter();
+    let squares: Vec<(f64, f64)> = each
+        .map(|row| (errors(row, &distances.declared), errors(row, permuted)))
+        .collect();
+    let (mut start, mut sum, mut best) = (0, 0.0, None::<Stretch>);
+    for (sample, (named, exchanged)) in squares.iter().enumerate() {
+        let ratio = (named - exchanged) / variance;
+        sum += ratio.clamp(-MOST_OF_SAMPLE, MOST_OF_SAMPLE);
+        if sum <= 0.0 {
+            (start, sum) = (sample + 1, 0.0);
+        } else if best.as_ref().is_none_or(|best| sum > best.evidence) {
+            best = Some(Stretch {
+                first: start,
+                last: sample,
+                evidence: sum,
+            });
+        }
+    }
+    let best = best.filter(|best| best.evidence > LEAST_EVIDENCE)?;
+    let within = &squares[best.first..=best.last];
+    let mut named: Vec<f64> = within.iter().map(|(named, _)| *named).collect();
+    let mut exchanged: Vec<f64> = within.iter().map(|(_, exchanged)| *exchanged).collect();
+    let [named, exchanged] =
+        [&mut named, &mut exchanged].map(|squares| crate::statistics::median(squares));
+    // Noise alone is in both; what is beyond it must vanish.
+    let noise = distances.pairs.len() as f64 * distances.noise.powi(2);
+    (exchanged - noise < ERROR_RATIO * (named - noise).max(0.0)).then_some(best)
+}

@@ -1,0 +1,177 @@
+//! A regression of measured accelerations on gravity and on loads that any body in air may have, which are quadratic in
+//! the speed. It needs no aerodynamic model: what remains constant is gravity.
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+
+use super::track::{Parabola, Point, Track};
+
+/// Standard deviation of a load of the prior, in units of the typical acceleration.
+const PRIOR: f64 = 3.0;
+/// Part of the typical acceleration that no load explains at first.
+const FIRST_SCALE: f64 = 0.1;
+/// Number of repetitions with weights that bad windows lose.
+const REPETITIONS: usize = 8;
+
+/// One window of a flight: its acceleration and the loads that may cause it.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Motion in the window.
+    pub motion: Parabola,
+    /// Loads by unit coefficients, m²/s².
+    pub loads: Vec<Vector3<f64>>,
+}
+
+/// Gravity and coefficients of the loads.
+pub struct Regression {
+    /// The constant acceleration, m/s².
+    pub gravity: Vector3<f64>,
+    /// Its covariance, m²/s⁴; zero if it was given.
+    pub covariance: Matrix3<f64>,
+    /// Coefficients of the loads, 1/m.
+    pub coefficients: Vec<f64>,
+    /// Median size of the accelerations that remain, m/s².
+    pub remaining: f64,
+}
+
+/// Windows of a flight with the loads on a body there; `omega` is the spin of a point mass, rad/s.
+pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
+    let each = track.windows().into_iter();
+    each.map(|(range, motion)| Row {
+        loads: loads(&motion, &track.points[range], omega),
+        motion,
+    })
+    .collect()
+}
+
+/// Drag, and loads along, across and about each body axis, averaged over the points of a window.
+fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Vec<Vector3<f64>> {
+    let speed = motion.velocity.norm();
+    let along = motion
+        .velocity
+        .try_normalize(1e-12)
+        .unwrap_or_else(Vector3::zeros);
+    let pressure = speed * speed;
+    let mut loads = vec![pressure * along];
+    let attitudes = || points.iter().filter_map(|point| point.attitude);
+    let count = attitudes().count();
+    if count == 0 {
+        // Lift by spin is linear in speed; both regressors have the dimension of an acceleration.
+        loads.extend(omega.map(|omega| omega.cross(&motion.velocity)));
+        return loads;
+    }
+    for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
+        let mut sums = [Vector3::zeros(); 4];
+        for attitude in attitudes() {
+            let axis = attitude * axis;
+            let part = axis.dot(&along);
+            sums[0] += axis;
+            sums[1] += part * axis;
+            sums[2] += axis.cross(&along);
+            sums[3] += part * part * along;
+        }
+        loads.extend(sums.map(|sum| sum * (pressure / count as f64)));
+    }
+    loads
+}
+
+/// Regression over all rows, robust to bad windows; `gravity` holds the constant acceleration. None if the rows do not
+/// determine it.
+pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regression> {
+    let loads = rows.first()?.loads.len();
+    let first = if gravity.is_some() { 0 } else { 3 };
+    let unknowns = first + loads;
+    if 3 * rows.len() < unknowns + 3 {
+        return None;
+    }
+    let given = gravity.unwrap_or_else(Vector3::zeros);
+    let typical = median_of(rows, |row| row.motion.acceleration.norm());
+    let pressure = median_of(rows, |row| row.motion.velocity.norm_squared());
+    if !(typical > 0.0 && pressure > 0.0) {
+        return None;
+    }
+    // Coefficients in units of the load at the typical speed.
+    let column = |row: &Row, k: usize| row.loads[k] / pressure;
+    let mut scale = FIRST_SCALE * typical;
+    let size = |row: &Row| row.motion.acceleration.norm();
+    let mut weights: Vec<f64> = rows
+        .iter()
+        .map(|row| (typical / size(row).max(typical)).powi(2))
+        .collect();
+    let mut found = DVector::zeros(unknowns);
+    let mut inverse = DMatrix::zeros(unknowns, unknowns);
+    let mut remaining = typical;
+    for _ in 0..REPETITIONS {
+        let mut normal = DMatrix::zeros(unknowns, unknowns);
+        let mut right = DVector::zeros(unknowns);
+        for (row, weight) in rows.iter().zip(&weights) {
+            let weight = weight / (scale * scale + row.motion.error * row.motion.error);
+            let wanted = row.motion.acceleration - given;
+            for k in 0..loads {
+                let one = column(row, k);
+                right[first + k] += weight * one.dot(&wanted);
+                for l in 0..=k {
+                    normal[(first + k, first + l)] += weight * one.dot(&column(row, l));
+                }
+                for axis in 0..first {
+                    normal[(first + k, axis)] += weight * one[axis];
+                }
+            }
+            for axis in 0..first {
+                right[axis] += weight * wanted[axis];
+                normal[(axis, axis)] += weight;
+            }
+        }
+        for k in first..unknowns {
+            normal[(k, k)] += (PRIOR * typical).powi(-2);
+        }
+        normal.fill_upper_triangle_with_lower_triangle();
+        inverse = normal.cholesky()?.inverse();
+        found = &inverse * right;
+        let mut sizes = Vec::with_capacity(rows.len());
+        for row in rows {
+            let mut rest = row.motion.acceleration - given;
+            for axis in 0..first {
+                rest[axis] -= found[axis];
+            }
+            for k in 0..loads {
+                rest -= found[first + k] * column(row, k);
+            }
+            sizes.push(rest.norm());
+        }
+        remaining = crate::statistics::median(&mut sizes.clone());
+        scale = (remaining / 3.0_f64.sqrt()).max(1e-6 * typical);
+        for (weight, size) in weights.iter_mut().zip(sizes) {
+            *weight = 1.0 / (1.0 + (size / (2.0 * remaining.max(1e-6 * typical))).powi(2));
+        }
+    }
+    let constant = match gravity {
+        Some(gravity) => gravity,
+        None => Vector3::new(found[0], found[1], found[2]),
+    };
+    let covariance = match gravity {
+        Some(_) => Matrix3::zeros(),
+        None => inverse.fixed_view::<3, 3>(0, 0).into(),
+    };
+    Some(Regression {
+        gravity: constant,
+        covariance,
+        coefficients: (first..unknowns).map(|k| found[k] / pressure).collect(),
+        remaining,
+    })
+}
+
+impl Regression {
+    /// Acceleration of a window without its loads, m/s²: gravity, if the loads are right.
+    pub fn without_loads(&self, row: &Row) -> Vector3<f64> {
+        let loads = row.loads.iter().zip(&self.coefficients);
+        row.motion.acceleration
+            - loads
+                .map(|(load, coefficient)| load * *coefficient)
+                .sum::<Vector3<f64>>()
+    }
+}
+
+fn median_of(rows: &[&Row], value: impl Fn(&Row) -> f64) -> f64 {
+    let mut values: Vec<f64> = rows.iter().map(|row| value(row)).collect();
+    crate::statistics::median(&mut values)
+}

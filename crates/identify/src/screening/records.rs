@@ -1,0 +1,163 @@
+//! Faults of the recorded numbers themselves: tracks that repeat the same coordinates, dropouts written as zeros, a
+//! body that does not move, and a flight that is a copy of another.
+
+use super::fault::{DataFault, FaultKind};
+use crate::dataset::Dataset;
+use crate::statistics::median;
+
+/// Least number of consecutive identical positions of a frozen track.
+const FROZEN_SAMPLES: usize = 4;
+/// Least distance that a marker usually moves during as many intervals as it is frozen for, m.
+const FROZEN_DISTANCE: f64 = 0.005;
+/// Least such distance in units of the resolution of the table.
+const FROZEN_STEPS: f64 = 10.0;
+/// Fraction of intervals without any motion above which values are repeated throughout, as after resampling.
+const REPEATED_FRACTION: f64 = 0.3;
+/// Least number of samples of a flight that is compared with others.
+const COPY_SAMPLES: usize = 8;
+
+/// First fault of a flight's numbers; none if they are as a camera records them.
+pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
+    copy(dataset, flight)
+        .or_else(|| (0..dataset.markers.len()).find_map(|marker| frozen(dataset, flight, marker)))
+}
+
+/// A flight whose samples are those of an earlier one. Exact simulations without noise may repeat; measurements do
+/// not.
+fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
+    let this = &dataset.flights[flight];
+    let count = this.positions.len();
+    if count < COPY_SAMPLES || !is_noisy(dataset, flight) {
+        return None;
+    }
+    let mut earlier = dataset.flights[..flight].iter();
+    let original = earlier.find(|other| other.positions == this.positions)?;
+    Some(DataFault {
+        file: this.file.clone(),
+        fault: FaultKind::Other,
+        detail: format!("its samples are a copy of those of {}", original.file),
+        mend: format!("remove one of {} and {}", original.file, this.file),
+    })
+}
+
+/// Whether third differences of the first marker's track exceed the resolution: a smooth path without noise has none
+/// at the sampling rates of cameras.
+fn is_noisy(dataset: &Dataset, flight: usize) -> bool {
+    let rows = &dataset.flights[flight].positions;
+    let third = |w: &[Vec<Option<[f64; 3]>>]| {
+        let [a, b, c, d] = [w[0][0]?, w[1][0]?, w[2][0]?, w[3][0]?];
+        let axis = |k: usize| (d[k] - 3.0 * c[k] + 3.0 * b[k] - a[k]).abs();
+        Some(axis(0).max(axis(1)).max(axis(2)))
+    };
+    let mut sizes: Vec<f64> = rows.windows(4).filter_map(third).collect();
+    median(&mut sizes) > 1e-4
+}
+
+/// Consecutive identical positions of a marker.
+struct Run {
+    start: usize,
+    samples: usize,
+}
+
+fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> {
+    let this = &dataset.flights[flight];
+    let track: Vec<(usize, [f64; 3])> = (this.positions.iter().enumerate())
+        .filter_map(|(sample, row)| Some((sample, row[marker]?)))
+        .collect();
+    if track.len() < FROZEN_SAMPLES {
+        return None;
+    }
+    let name = &dataset.markers[marker].name;
+    let fault = |detail: String, mend: String| {
+        Some(DataFault {
+            file: this.file.clone(),
+            fault: FaultKind::Frozen,
+            detail,
+            mend,
+        })
+    };
+    let zeros = track.iter().filter(|(_, point)| *point == [0.0; 3]).count();
+    let far = |point: &[f64; 3]| point.iter().any(|axis| axis.abs() > 0.05);
+    if zeros >= 2 && 2 * zeros < track.len() && track.iter().filter(|(_, p)| far(p)).count() > zeros
+    {
+        return fault(
+            format!(
+                "marker {name} is at exactly (0, 0, 0) in {zeros} samples, as where dropouts are written as zeros"
+            ),
+            "leave the cells of a marker that was not seen empty".into(),
+        );
+    }
+    let (runs, still) = runs(&track);
+    let pairs = track.len() - 1;
+    if let Some(whole) = runs.iter().find(|run| run.samples == track.len()) {
+        return fault(
+            format!(
+                "marker {name} has the same coordinates in all {} samples",
+                whole.samples
+            ),
+            "export the recording again, or remove the flight".into(),
+        );
+    }
+    if still as f64 > REPEATED_FRACTION * pairs as f64
+        && moves_by(&track, 1) > resolution(&track) * FROZEN_STEPS
+    {
+        return fault(
+            format!("marker {name} repeats its coordinates in {still} of {pairs} intervals"),
+            "keep only the samples at which the cameras recorded, or leave repeated cells empty"
+                .into(),
+        );
+    }
+    let longest = runs.into_iter().max_by_key(|run| run.samples)?;
+    if longest.samples < FROZEN_SAMPLES {
+        return None;
+    }
+    let usual = moves_by(&track, longest.samples - 1);
+    if usual < FROZEN_DISTANCE.max(FROZEN_STEPS * resolution(&track)) {
+        return None;
+    }
+    let (first, last) = (longest.start, longest.start + longest.samples - 1);
+    fault(
+        format!(
+            "marker {name} stays at the same coordinates from t = {:.3} s to {:.3} s, where it moves by {usual:.2} m otherwise",
+            this.times[track[first].0], this.times[track[last].0]
+        ),
+        format!("leave the cells of {name} empty there"),
+    )
+}
+
+/// Runs of identical positions of two samples and more, and the number of intervals within them.
+fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
+    let (mut runs, mut still, mut start) = (Vec::new(), 0, 0);
+    for end in 1..=track.len() {
+        if end < track.len() && track[end].1 == track[start].1 {
+            continue;
+        }
+        let samples = end - start;
+        if samples > 1 {
+            still += samples - 1;
+            runs.push(Run { start, samples });
+        }
+        start = end;
+    }
+    (runs, still)
+}
+
+/// Median distance that the marker moves in `intervals` intervals, over those in which it moves, m.
+fn moves_by(track: &[(usize, [f64; 3])], intervals: usize) -> f64 {
+    let pairs = track.iter().zip(&track[intervals.min(track.len())..]);
+    let moved = pairs.map(|((_, a), (_, b))| {
+        let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
+        squares.sum::<f64>().sqrt()
+    });
+    let mut moved: Vec<f64> = moved.filter(|distance| *distance > 0.0).collect();
+    median(&mut moved)
+}
+
+/// Resolution of a track: the smallest difference of neighbouring values, m.
+fn resolution(track: &[(usize, [f64; 3])]) -> f64 {
+    let pairs = track.windows(2);
+    let steps = pairs.flat_map(|pair| [0, 1, 2].map(|k| (pair[1].1[k] - pair[0].1[k]).abs()));
+    // Below a tenth of a micrometre differences are rounding of the numbers themselves.
+    let least = steps.filter(|step| *step > 1e-7).min_by(f64::total_cmp);
+    least.unwrap_or(0.0)
+}

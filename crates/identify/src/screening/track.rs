@@ -1,0 +1,200 @@
+//! The measured path of a body's origin, and its velocity and acceleration by local parabolas.
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+use crate::pose::{point_position, pose};
+use crate::statistics::{median, robust_sigma};
+
+/// Ratio of a pose's variance to the median variance above which a marker of the sample is an outlier.
+const MAX_VARIANCE_RATIO: f64 = 25.0;
+/// Least variance of a pose that an outlier has, m².
+const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
+/// Residuals of a parabola in units of their robust deviation above which a point is dropped.
+const OUTLIER: f64 = 4.0;
+/// Least number of points of a parabola.
+pub const MIN_POINTS: usize = 6;
+/// Standard error of an acceleration, relative to the acceleration of the flight, at which windows need not be longer.
+const WINDOW_ERROR: f64 = 0.04;
+/// Least and greatest number of windows of a flight.
+const WINDOWS: [usize; 2] = [4, 30];
+
+/// Position of the origin in one sample.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// Index of the sample in the table.
+    pub sample: usize,
+    /// Time, s.
+    pub time: f64,
+    /// Position, m, inertial frame.
+    pub position: Vector3<f64>,
+    /// Rotates body components into inertial ones; none for a point mass.
+    pub attitude: Option<UnitQuaternion<f64>>,
+}
+
+/// Path of the body's origin in one flight.
+#[derive(Clone, Debug)]
+pub struct Track {
+    /// Samples that show the origin.
+    pub points: Vec<Point>,
+    /// Standard deviation of a coordinate of the origin about a smooth path, m.
+    pub noise: f64,
+}
+
+/// Motion at the middle of some consecutive points.
+#[derive(Clone, Copy, Debug)]
+pub struct Parabola {
+    /// Velocity, m/s.
+    pub velocity: Vector3<f64>,
+    /// Acceleration, m/s².
+    pub acceleration: Vector3<f64>,
+    /// Standard error of a component of the acceleration, m/s².
+    pub error: f64,
+    /// Half of the time that the points span, s.
+    pub half: f64,
+    /// Standard deviation of a coordinate about the parabola, m.
+    pub deviation: f64,
+}
+
+impl Track {
+    /// Path of the origin by the poses of a body's markers, or by the positions of a point mass's.
+    pub fn of(
+        markers: &[[f64; 3]],
+        has_attitude: bool,
+        times: &[f64],
+        rows: &[Vec<Option<[f64; 3]>>],
+    ) -> Self {
+        let mut points = Vec::with_capacity(rows.len());
+        let mut variances = Vec::with_capacity(rows.len());
+        for (sample, (&time, row)) in times.iter().zip(rows).enumerate() {
+            if has_attitude {
+                let Some(pose) = pose(markers, row) else {
+                    continue;
+                };
+                variances.push(pose.variance());
+                points.push(Point {
+                    sample,
+                    time,
+                    position: pose.position,
+                    attitude: Some(pose.attitude),
+                });
+            } else if let Some(position) = point_position(markers, row) {
+                points.push(Point {
+                    sample,
+                    time,
+                    position,
+                    attitude: None,
+                });
+            }
+        }
+        if has_attitude {
+            let limit = MAX_VARIANCE_RATIO * median(&mut variances.clone());
+            let limit = limit.max(MIN_OUTLIER_VARIANCE);
+            let mut each = variances.iter();
+            points.retain(|_| each.next().is_some_and(|variance| *variance <= limit));
+        }
+        let noise = noise(&points);
+        Self { points, noise }
+    }
+
+    /// Greatest extent of the path along an axis, m.
+    pub fn extent(&self) -> f64 {
+        let extent = |axis: usize| {
+            let values = || self.points.iter().map(|point| point.position[axis]);
+            values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+        };
+        (0..3).map(extent).fold(0.0, f64::max)
+    }
+
+    /// Parabolas through windows that follow each other, as long as the noise demands.
+    pub fn windows(&self) -> Vec<(std::ops::Range<usize>, Parabola)> {
+        let count = self.points.len();
+        let Some(whole) = parabola(&self.points, self.noise) else {
+            return Vec::new();
+        };
+        let step = 2.0 * whole.half / (count - 1) as f64;
+        let wanted = WINDOW_ERROR * whole.acceleration.norm();
+        let length = (720.0 * (self.noise / (wanted * step * step)).powi(2)).powf(0.2);
+        let [fewest, most] = WINDOWS.map(|windows| count / windows);
+        let length = match length.is_finite() {
+            true => (length as usize).clamp(most.max(MIN_POINTS), fewest.max(MIN_POINTS).max(most)),
+            false => fewest.max(MIN_POINTS),
+        };
+        let windows = count / length;
+        (0..windows)
+            .filter_map(|window| {
+                let range = window * count / windows..(window + 1) * count / windows;
+                let parabola = parabola(&self.points[range.clone()], self.noise)?;
+                Some((range, parabola))
+            })
+            .collect()
+    }
+}
+
+/// Standard deviation of a coordinate by third differences, which a smooth path does not have.
+fn noise(points: &[Point]) -> f64 {
+    let mut rough: Vec<f64> = points
+        .windows(4)
+        .flat_map(|w| {
+            let third = w[3].position - 3.0 * w[2].position + 3.0 * w[1].position - w[0].position;
+            third.abs().as_slice().to_vec()
+        })
+        .collect();
+    robust_sigma(&mut rough) / 20.0_f64.sqrt()
+}
+
+/// Least-squares parabola through points, refitted without outliers; none through fewer than [`MIN_POINTS`].
+pub fn parabola(points: &[Point], noise: f64) -> Option<Parabola> {
+    let (first, last) = (points.first()?, points.last()?);
+    let time = 0.5 * (first.time + last.time);
+    let half = 0.5 * (last.time - first.time);
+    if points.len() < MIN_POINTS || half <= 0.0 {
+        return None;
+    }
+    let origin = first.position;
+    let mut kept = vec![true; points.len()];
+    for pass in 0.. {
+        let mut normal = Matrix3::zeros();
+        let mut right = Matrix3::zeros();
+        let mut count = 0;
+        for (point, _) in points.iter().zip(&kept).filter(|(_, kept)| **kept) {
+            let s = (point.time - time) / half;
+            let row = Vector3::new(1.0, s, s * s);
+            normal += row * row.transpose();
+            right += row * (point.position - origin).transpose();
+            count += 1;
+        }
+        let inverse = normal.try_inverse()?;
+        let solved = inverse * right;
+        let residual = |point: &Point| {
+            let s = (point.time - time) / half;
+            let row = Vector3::new(1.0, s, s * s);
+            point.position - origin - solved.tr_mul(&row)
+        };
+        let mut sizes: Vec<f64> = points
+            .iter()
+            .flat_map(|p| residual(p).abs().as_slice().to_vec())
+            .collect();
+        let robust = robust_sigma(&mut sizes).max(noise);
+        let keep: Vec<bool> = points
+            .iter()
+            .map(|p| residual(p).amax() <= OUTLIER * robust.max(1e-9))
+            .collect();
+        let left = keep.iter().filter(|keep| **keep).count();
+        if pass > 0 || keep == kept || left < MIN_POINTS {
+            let row = |k: usize| Vector3::new(solved[(k, 0)], solved[(k, 1)], solved[(k, 2)]);
+            let squares: f64 = (points.iter().zip(&kept).filter(|(_, kept)| **kept))
+                .map(|(point, _)| residual(point).norm_squared())
+                .sum();
+            let deviation = (squares / (3 * (count - 3)).max(1) as f64).sqrt();
+            return Some(Parabola {
+                velocity: row(1) / half,
+                acceleration: 2.0 * row(2) / (half * half),
+                error: 2.0 * deviation.max(noise) * inverse[(2, 2)].sqrt() / (half * half),
+                half,
+                deviation,
+            });
+        }
+        kept = keep;
+    }
+    None
+}
