@@ -37,6 +37,34 @@ pub enum Study {
         after_help = "Example:\n  hyzer-studies discovery --seeds 40 --only 'stall strong' --details"
     )]
     Discovery(Discovery),
+    /// How often fits with one to three effects reach the noise from the model's own start
+    #[command(after_help = "Example:\n  hyzer-studies fits --seeds 100 --only stall")]
+    Fits(Runs),
+}
+
+/// Options of a study of random runs.
+#[derive(Args)]
+pub struct Runs {
+    /// Number of runs, or of runs of each row
+    #[arg(long)]
+    pub seeds: Option<u64>,
+    /// Only runs that have all of these words
+    #[arg(long, value_name = "WORDS")]
+    pub only: Option<String>,
+    /// Number of runs at a time; without it one for each processor
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1024))]
+    pub threads: Option<u64>,
+    /// File for the page; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+impl Runs {
+    /// Number of threads.
+    pub fn threads(&self) -> usize {
+        let stated = self.threads.map(|threads| threads as usize);
+        stated.unwrap_or_else(flight::batch::threads)
+    }
 }
 
 /// `hyzer-studies paper`.

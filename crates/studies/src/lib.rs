@@ -6,6 +6,7 @@
 
 pub mod discovery;
 mod error;
+pub mod fits;
 pub mod identification;
 pub mod oracle_flights;
 mod page;

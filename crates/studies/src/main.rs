@@ -6,11 +6,13 @@ mod output;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use anyhow::Context;
 use clap::Parser;
 use studies::Page;
 use studies::discovery::{
     details, discovery_page, peer_section, plan, rejections, run_rows, with_peer_section,
 };
+use studies::fits::{FitCase, fits, fits_page};
 use studies::identification::{coverage, identification_page, paper_fits};
 use studies::oracle_flights::{TWELVE, noise_conditions};
 use studies::paper::{Study, paper_page};
@@ -37,6 +39,7 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
             (real_data_page(&data)?, options.out)
         }
         cli::Study::Discovery(options) => discovery(options)?,
+        cli::Study::Fits(options) => (random_fits(&options)?, options.out),
     };
     match out {
         Some(file) => output::write_page(&file, &page),
@@ -60,6 +63,34 @@ fn identification(seeds: u64) -> anyhow::Result<Page> {
     Ok(identification_page(&coverages, &paper_fits(seeds))?)
 }
 
+/// Prints a line to standard error after each twentieth of the runs.
+fn report_progress(done: usize, of: usize) {
+    if done.is_multiple_of((of / 20).max(1)) {
+        eprintln!("{done} of {of} runs");
+    }
+}
+
+fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {
+    let words = options.only.as_deref().unwrap_or_default();
+    let seeds: Vec<u64> = match words.strip_prefix('#') {
+        Some(seed) => vec![seed.parse().context("a seed is a number")?],
+        None => (0..options.seeds.unwrap_or(1000)).collect(),
+    };
+    let seeds: Vec<u64> = match words.is_empty() || words.starts_with('#') {
+        true => seeds,
+        false => {
+            let has = |seed: &u64| {
+                let names = FitCase::of(*seed).names().join(" ");
+                words.split_whitespace().all(|word| names.contains(word))
+            };
+            seeds.into_iter().filter(has).collect()
+        }
+    };
+    anyhow::ensure!(!seeds.is_empty(), "no fit has the words `{words}`");
+    let outcomes = fits(&seeds, options.threads(), &report_progress);
+    Ok(fits_page(&outcomes)?)
+}
+
 /// Runs the plan, with a line for each run where `--details` asks for it.
 fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
     let mut rows = plan(options.seeds as usize);
@@ -69,11 +100,7 @@ fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)>
     }
     let runs: usize = rows.iter().map(|row| row.runs).sum();
     eprintln!("{} rows, {runs} runs", rows.len());
-    let results = run_rows(&rows, &|done, of| {
-        if done % (of / 20).max(1) == 0 {
-            eprintln!("{done} of {of} runs");
-        }
-    });
+    let results = run_rows(&rows, &report_progress);
     if options.details {
         for (result, rejections) in results.iter().zip(rejections(&results)) {
             let lines = details(result, &rejections);

@@ -1,0 +1,210 @@
+//! One random fit: effects of the catalogue and their sizes, from a seed.
+
+use identify::dataset::Dataset;
+use identify::synthesize::Corruption;
+use model_spec::load::load;
+use model_spec::model::Model;
+use oracle::{Law, effect};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha12Rng;
+
+use crate::oracle_flights::{Plan, TWELVE};
+use crate::seeded::{self, SeededEffects, strength};
+
+/// Least and greatest displacement (m, RMS over the marker coordinates) by one effect: just detectable in twelve flights,
+/// and a metre.
+const DISPLACEMENT: (f64, f64) = (5e-4, 1.0);
+
+/// Greatest number of effects.
+const MAX_EFFECTS: usize = 3;
+
+/// Greatest multiple of the strong size of the discovery study.
+const MAX_MULTIPLE: f64 = 12.0;
+
+/// Number of flights from which displacements are computed.
+const PROBE_FLIGHTS: usize = 2;
+
+/// Steps of the search for a size.
+const STEPS: usize = 7;
+
+/// Random stream of effects and sizes; streams of flights are numbered from 1.
+const SIZE_STREAM: u64 = u64::MAX - 3;
+
+/// One random fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitCase {
+    /// Seed of the effects, the throws and the noise.
+    pub seed: u64,
+    /// Seeded effects with their values, SI.
+    pub effects: Vec<(String, Vec<f64>)>,
+    /// Displacement of the markers by all effects together, without a fit, m: RMS over the coordinates.
+    pub displacement: f64,
+}
+
+impl FitCase {
+    /// The fit of a seed: one to three effects of the disc, whose displacements are log-uniform over a range as far as
+    /// bounds allow.
+    ///
+    /// # Panics
+    /// If the built-in disc does not load.
+    pub fn of(seed: u64) -> Self {
+        let mut random = ChaCha12Rng::seed_from_u64(seed);
+        random.set_stream(SIZE_STREAM);
+        let (names, model) = effects(&mut random);
+        let exact = exact(&[], seed);
+        let each = names.iter().map(|name| {
+            let share: f64 = random.random();
+            let wanted = DISPLACEMENT.0 * (DISPLACEMENT.1 / DISPLACEMENT.0).powf(share);
+            let strong = strength(name).expect("a strength of every effect").strong;
+            let signed = strong.iter().map(|value| match random.random::<bool>() {
+                true => *value,
+                false => -value,
+            });
+            let signed: Vec<f64> = signed.collect();
+            let values = sized(&model, name, &signed, wanted, &exact, seed);
+            ((*name).to_owned(), values)
+        });
+        let effects: Vec<(String, Vec<f64>)> = each.collect();
+        Self {
+            displacement: displacement(&exact, &effects, seed),
+            effects,
+            seed,
+        }
+    }
+
+    /// Names of the effects.
+    pub fn names(&self) -> Vec<&str> {
+        self.effects.iter().map(|(name, _)| name.as_str()).collect()
+    }
+
+    /// Flights without noise, and with white noise.
+    pub(super) fn datasets(&self) -> [Dataset; 2] {
+        let seeded = SeededEffects {
+            listed: self.effects.clone(),
+            ..SeededEffects::default()
+        };
+        [
+            seeded::dataset(&TWELVE, &seeded, self.seed),
+            seeded::dataset(
+                &TWELVE,
+                &seeded.with_noise(Corruption::default()),
+                self.seed,
+            ),
+        ]
+    }
+}
+
+/// One to three effects of the disc that can be switched on together, and the model with them.
+fn effects(random: &mut impl Rng) -> (Vec<&'static str>, Model) {
+    let all = effect::all().filter(|effect| effect.laws.contains(&Law::Disc));
+    let all: Vec<&'static str> = all.map(|effect| effect.name).collect();
+    loop {
+        let count = random.random_range(1..=MAX_EFFECTS);
+        let draw = |_| all[random.random_range(0..all.len())];
+        let mut names: Vec<&'static str> = (0..count).map(draw).collect();
+        names.sort_unstable();
+        names.dedup();
+        if names.len() == count
+            && let Ok(model) = load("disc", &names)
+        {
+            return (names, model);
+        }
+    }
+}
+
+/// Values in the proportions of `strong` that displace the markers by about `wanted`, m, within bounds.
+fn sized(
+    model: &Model,
+    name: &str,
+    strong: &[f64],
+    wanted: f64,
+    exact: &Dataset,
+    seed: u64,
+) -> Vec<f64> {
+    let at = |multiple: f64| within_bounds(model, name, strong, multiple);
+    let (mut low, mut high) = (0.0, MAX_MULTIPLE);
+    let mut multiple = 1.0;
+    for _ in 0..STEPS {
+        let moved = displacement(exact, &[(name.to_owned(), at(multiple))], seed);
+        match moved <= wanted {
+            true => low = multiple,
+            false => high = multiple,
+        }
+        // Displacements are nearly proportional to the size.
+        let proportional = multiple * wanted / moved;
+        let inside = low < proportional && proportional < high;
+        multiple = if inside {
+            proportional
+        } else {
+            f64::midpoint(low, high)
+        };
+    }
+    at(multiple)
+}
+
+/// A multiple of `strong`; each value stays within the bounds of its coefficient, and a sign is kept where the opposite
+/// value is out of bounds.
+fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Vec<f64> {
+    let effect = model.effects.iter().find(|effect| effect.name == name);
+    let coefficients = effect.map_or(&[][..], |effect| &effect.coefficients);
+    let each = strong.iter().enumerate().map(|(k, value)| {
+        let value = multiple * value;
+        let bounds = coefficients
+            .get(k)
+            .and_then(|coefficient| model.coefficients[coefficient.index].bounds);
+        match bounds {
+            Some((low, _)) if low >= 0.0 => value.abs().min(0.9 * bounds.map_or(1.0, |b| b.1)),
+            Some((_, high)) if high <= 0.0 => -value.abs().min(0.9 * -bounds.map_or(-1.0, |b| b.0)),
+            Some((low, high)) => value.clamp(0.9 * low, 0.9 * high),
+            None => value,
+        }
+    });
+    each.collect()
+}
+
+/// The first flights of a seed without noise.
+fn exact(effects: &[(String, Vec<f64>)], seed: u64) -> Dataset {
+    let plan = Plan {
+        flights: PROBE_FLIGHTS,
+        ..TWELVE
+    };
+    let seeded = SeededEffects {
+        listed: effects.to_vec(),
+        ..SeededEffects::default()
+    };
+    seeded::dataset(&plan, &seeded, seed)
+}
+
+/// RMS distance per coordinate between flights with effects and without, m; infinite if a flight is not finite.
+fn displacement(plain: &Dataset, effects: &[(String, Vec<f64>)], seed: u64) -> f64 {
+    rms_distance(plain, &exact(effects, seed)).unwrap_or(f64::INFINITY)
+}
+
+/// RMS distance per coordinate between the same points of two datasets, m; `None` if it is not finite.
+pub(super) fn rms_distance(a: &Dataset, b: &Dataset) -> Option<f64> {
+    let points = |dataset: &Dataset| -> Vec<[f64; 3]> {
+        let rows = dataset.flights.iter().flat_map(|f| f.positions.iter());
+        rows.flatten().flatten().copied().collect()
+    };
+    let (a, b) = (points(a), points(b));
+    let pairs = a.iter().flatten().zip(b.iter().flatten());
+    let squares: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
+    let rms = (squares / (3 * a.len()).max(1) as f64).sqrt();
+    rms.is_finite().then_some(rms)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn displacements_cover_the_range_and_seeds_repeat() {
+        let cases: Vec<FitCase> = (0..12).map(FitCase::of).collect();
+        let moved: Vec<f64> = cases.iter().map(|case| case.displacement).collect();
+        assert!(moved.iter().all(|d| (2e-4..3.0).contains(d)), "{moved:?}");
+        assert!(moved.iter().any(|d| *d < 0.03), "{moved:?}");
+        assert!(moved.iter().any(|d| *d > 0.2), "{moved:?}");
+        assert!((1..=3).all(|n| cases.iter().any(|case| case.effects.len() == n)));
+        assert_eq!(FitCase::of(4), cases[4]);
+    }
+}

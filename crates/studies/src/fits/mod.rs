@@ -1,0 +1,10 @@
+//! Study of the fit: how often, and how fast, a model with the right effects reaches the noise from its own start. Writes
+//! docs/fits.md.
+
+mod case;
+mod page;
+mod run;
+
+pub use case::FitCase;
+pub use page::fits_page;
+pub use run::{FitOutcome, fit_outcome, fits};
