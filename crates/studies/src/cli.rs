@@ -40,6 +40,12 @@ pub enum Study {
     /// How often fits with one to three effects reach the noise from the model's own start
     #[command(after_help = "Example:\n  hyzer-studies fits --seeds 100 --only stall")]
     Fits(Runs),
+    /// Whether mistakes of a laboratory are named, harmless, or reported as unreliable; with the section of `cuts`
+    #[command(after_help = "Example:\n  hyzer-studies spoiled --seeds 2 --only 'labels one'")]
+    Spoiled(Runs),
+    /// Truncation at the ground: flights that touch nothing, and flights that bounce
+    #[command(after_help = "Example:\n  hyzer-studies cuts --seeds 10")]
+    Cuts(Runs),
 }
 
 /// Options of a study of random runs.

@@ -4,6 +4,9 @@
 //! that neither the generated code nor the integrator under test takes part in making them. Each study runs on its
 //! own and writes one page of `docs/`; the program `hyzer-studies` has a command for each.
 
+mod bounded_fit;
+mod contact;
+pub mod cuts;
 pub mod discovery;
 mod error;
 pub mod fits;
@@ -13,6 +16,7 @@ mod page;
 pub mod paper;
 pub mod real_data;
 pub mod seeded;
+pub mod spoiled;
 mod statistics;
 
 pub use error::StudyError;

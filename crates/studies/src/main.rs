@@ -9,6 +9,7 @@ use std::process::ExitCode;
 use anyhow::Context;
 use clap::Parser;
 use studies::Page;
+use studies::cuts::{CutSection, bounces, free_flights};
 use studies::discovery::{
     details, discovery_page, peer_section, plan, rejections, run_rows, with_peer_section,
 };
@@ -17,6 +18,7 @@ use studies::identification::{coverage, identification_page, paper_fits};
 use studies::oracle_flights::{TWELVE, noise_conditions};
 use studies::paper::{Study, paper_page};
 use studies::real_data::{RealData, real_data_page};
+use studies::spoiled::{self, spoiled_page};
 
 fn main() -> ExitCode {
     match run(cli::Cli::parse().study) {
@@ -40,6 +42,11 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
         }
         cli::Study::Discovery(options) => discovery(options)?,
         cli::Study::Fits(options) => (random_fits(&options)?, options.out),
+        cli::Study::Spoiled(options) => (spoiled_datasets(&options)?, options.out),
+        cli::Study::Cuts(options) => {
+            let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());
+            (spoiled_page(&[], Some(cuts))?, options.out)
+        }
     };
     match out {
         Some(file) => output::write_page(&file, &page),
@@ -89,6 +96,23 @@ fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {
     anyhow::ensure!(!seeds.is_empty(), "no fit has the words `{words}`");
     let outcomes = fits(&seeds, options.threads(), &report_progress);
     Ok(fits_page(&outcomes)?)
+}
+
+fn spoiled_datasets(options: &cli::Runs) -> anyhow::Result<Page> {
+    let words = options.only.as_deref().unwrap_or_default();
+    let kinds = spoiled::runs(words);
+    anyhow::ensure!(!kinds.is_empty(), "no kind has the words `{words}`");
+    let (seeds, threads) = (options.seeds.unwrap_or(3), options.threads());
+    let runs = spoiled::spoiled(&kinds, seeds, threads, &report_progress);
+    let cuts = words.is_empty().then(|| cut_section(100, threads));
+    Ok(spoiled_page(&runs, cuts)?)
+}
+
+/// Fits `datasets` datasets that touch nothing, and a quarter as many that bounce.
+fn cut_section(datasets: u64, threads: usize) -> CutSection {
+    let free = free_flights(datasets as usize, threads, &report_progress);
+    let bounces = bounces(datasets.div_ceil(4) as usize, threads, &report_progress);
+    CutSection::new(&free, &bounces)
 }
 
 /// Runs the plan, with a line for each run where `--details` asks for it.

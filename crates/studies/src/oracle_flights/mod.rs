@@ -11,7 +11,9 @@ pub use conditions::{NoiseCondition, TRUTH, TWELVE, noise_conditions};
 pub(crate) use constants::{angle_of_attack, reference_of, set_curves};
 pub use dataset::{Plan, disc, flights, truth};
 pub(crate) use dataset::{disc_constants, empty, file_name, sample_times};
-pub(crate) use integrate::{Derivatives, integrate_law, integrate_with_constants};
+pub(crate) use integrate::{
+    Derivatives, integrate, integrate_law, integrate_with_constants, marker_positions,
+};
 pub use paper_flight::paper_flight;
 pub(crate) use paper_flight::{SAMPLE_RATE, release_angle_of_attack};
 pub use throws::Throws;

@@ -1,0 +1,7 @@
+//! Flights of a disc that touch the ground: rigid-body impulses with restitution and Coulomb friction.
+
+mod fly;
+mod impulse;
+
+pub(crate) use fly::{Touched, fly};
+pub(crate) use impulse::Surface;

@@ -1,0 +1,11 @@
+//! Study of truncation at the ground: flights that touch nothing, and flights that bounce. A section of docs/spoiled.md.
+
+mod bounces;
+mod free;
+mod section;
+
+pub(crate) use bounces::bouncing_flight;
+
+pub use bounces::{Bounce, bounces};
+pub use free::{FreeFlight, free_flights};
+pub use section::CutSection;
