@@ -40,6 +40,9 @@ pub enum Study {
     /// How often fits with one to three effects reach the noise from the model's own start
     #[command(after_help = "Example:\n  hyzer-studies fits --seeds 100 --only stall")]
     Fits(Runs),
+    /// Whether effects hidden in flights of a user's own models are detected, and found at the right site
+    #[command(after_help = "Example:\n  hyzer-studies own-models --only 'glider strong'")]
+    OwnModels(Runs),
     /// Whether mistakes of a laboratory are named, harmless, or reported as unreliable; with the section of `cuts`
     #[command(after_help = "Example:\n  hyzer-studies spoiled --seeds 2 --only 'labels one'")]
     Spoiled(Runs),

@@ -16,6 +16,7 @@ use studies::discovery::{
 use studies::fits::{FitCase, fits, fits_page};
 use studies::identification::{coverage, identification_page, paper_fits};
 use studies::oracle_flights::{TWELVE, noise_conditions};
+use studies::own_models::{self, own_models_page};
 use studies::paper::{Study, paper_page};
 use studies::real_data::{RealData, real_data_page};
 use studies::spoiled::{self, spoiled_page};
@@ -42,6 +43,7 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
         }
         cli::Study::Discovery(options) => discovery(options)?,
         cli::Study::Fits(options) => (random_fits(&options)?, options.out),
+        cli::Study::OwnModels(options) => (models_of_users(&options)?, options.out),
         cli::Study::Spoiled(options) => (spoiled_datasets(&options)?, options.out),
         cli::Study::Cuts(options) => {
             let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());
@@ -96,6 +98,14 @@ fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {
     anyhow::ensure!(!seeds.is_empty(), "no fit has the words `{words}`");
     let outcomes = fits(&seeds, options.threads(), &report_progress);
     Ok(fits_page(&outcomes)?)
+}
+
+fn models_of_users(options: &cli::Runs) -> anyhow::Result<Page> {
+    let words = options.only.as_deref().unwrap_or_default();
+    let tasks = own_models::tasks(options.seeds.unwrap_or(1), words);
+    anyhow::ensure!(!tasks.is_empty(), "no row has the words `{words}`");
+    let outcomes = own_models::own_models(&tasks, options.threads(), &report_progress);
+    Ok(own_models_page(&outcomes)?)
 }
 
 fn spoiled_datasets(options: &cli::Runs) -> anyhow::Result<Page> {

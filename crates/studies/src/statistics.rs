@@ -2,17 +2,9 @@
 
 /// Median of the finite values; the mean of the middle two if their number is even, `None` if there are none.
 pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
-    let mut values: Vec<f64> = values
-        .into_iter()
-        .filter(|value| value.is_finite())
-        .collect();
-    values.sort_by(f64::total_cmp);
-    let half = values.len() / 2;
-    match values.len() {
-        0 => None,
-        n if n % 2 == 1 => Some(values[half]),
-        _ => Some((values[half - 1] + values[half]) / 2.0),
-    }
+    let finite = values.into_iter().filter(|value| value.is_finite());
+    let mut finite: Vec<f64> = finite.collect();
+    (!finite.is_empty()).then(|| identify::median(&mut finite))
 }
 
 /// Mean and sample standard deviation.

@@ -4,7 +4,7 @@ use studies::fits::{fits, fits_page};
 
 #[test]
 fn fits_of_weak_and_strong_effects_reach_the_noise() {
-    let outcomes = fits(&[0, 2, 3, 4], 2, &|_, _| {});
+    let outcomes = fits(&[0, 2, 3, 5], 2, &|_, _| {});
     for outcome in &outcomes {
         assert!(outcome.is_reached(), "{outcome:?}");
         assert!(

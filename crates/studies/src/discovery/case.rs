@@ -58,7 +58,8 @@ impl Case {
         let listed = listed.collect();
         let unlisted = row.unlisted.iter().map(|&name| {
             let effect = seeded::unlisted(name).expect("an unlisted effect");
-            let (value, sign) = draw(effect.strength[size as usize]);
+            let [weak, strong] = effect.strength;
+            let (value, sign) = draw(size.of(weak, strong));
             (name.to_owned(), sign * value)
         });
         let (default, held_out) = default_flights(row.body);
@@ -118,12 +119,9 @@ fn listed_values(
     let model = load(body.model(), &[name]).expect("a built-in effect");
     let coefficients = &model.effects[0].coefficients;
     let strength = seeded::strength(name).expect("a strength of every effect");
-    let values = match size {
-        Size::Weak => strength.weak,
-        Size::Strong => strength.strong,
-    };
-    let each = values.iter().enumerate().map(|(k, &value)| {
-        let (value, sign) = draw(value);
+    let values = strength.weak.iter().zip(strength.strong);
+    let each = values.enumerate().map(|(k, (&weak, &strong))| {
+        let (value, sign) = draw(size.of(weak, strong));
         let Some(coefficient) = coefficients.get(k) else {
             return value;
         };

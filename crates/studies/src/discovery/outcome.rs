@@ -29,6 +29,8 @@ pub struct Outcome {
     pub z: Option<f64>,
     /// Flights that the report lists as discordant.
     pub discordant: Discordant,
+    /// Number of terms that the diagnosis wrote.
+    pub terms: usize,
     /// Sites of the terms that the diagnosis wrote for an unlisted effect.
     pub sites: Vec<String>,
     /// Errors of prediction on the held-out flights.
@@ -72,6 +74,7 @@ impl Outcome {
             detectability: None,
             z: None,
             discordant: Discordant::default(),
+            terms: 0,
             sites: Vec::new(),
             held_out: HeldOutErrors {
                 before: f64::NAN,
@@ -80,6 +83,14 @@ impl Outcome {
             },
             seconds: f64::NAN,
         }
+    }
+
+    /// Number of effects of the first hypothesis that are not seeded, and of library terms in its place.
+    pub fn terms_too_many(&self) -> usize {
+        let truth = self.case.truth();
+        let first = self.hypotheses.first().map_or(&[][..], Vec::as_slice);
+        let extra = first.iter().filter(|name| !truth.contains(name)).count();
+        extra + self.terms
     }
 
     /// Whether the verdict is other than `none`.

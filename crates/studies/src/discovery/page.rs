@@ -30,6 +30,7 @@ struct Results {
     seconds: Option<f64>,
     failed: (usize, usize),
     failures: Vec<Failure>,
+    several: Vec<SeveralRow>,
     confounded: Vec<ConfoundedRow>,
     unlisted: Vec<UnlistedRow>,
     unlisted_many_flights: Vec<UnlistedRow>,
@@ -88,6 +89,24 @@ struct Failure {
     count: usize,
     runs: usize,
     answers: Vec<(String, usize)>,
+}
+
+/// Runs with two or three effects, or with a severe one.
+#[derive(Serialize)]
+struct SeveralRow {
+    seeded: String,
+    size: &'static str,
+    runs: usize,
+    detectability: Option<f64>,
+    in_set: usize,
+    mean_set_size: Option<f64>,
+    uniquely_wrong: usize,
+    failed: usize,
+    /// Greatest number over the runs.
+    terms_too_many: usize,
+    seconds: Option<f64>,
+    slowest: f64,
+    answer: String,
 }
 
 #[derive(Serialize)]
@@ -164,6 +183,7 @@ pub fn discovery_page(results: &[RowResult]) -> Result<Page, StudyError> {
         seconds: rates.seconds,
         failed: (rates.failed.count, rates.failed.total),
         failures: failures(results),
+        several: several_rows(results),
         confounded: of(Group::Confounded).map(confounded_row).collect(),
         unlisted: of(Group::Unlisted).map(unlisted_row).collect(),
         unlisted_many_flights: of(Group::UnlistedManyFlights).map(unlisted_row).collect(),
@@ -194,6 +214,11 @@ fn criteria(rates: &Rates) -> Vec<Criterion> {
             &rates.in_set_strong,
         ),
     ];
+    let several = rates.in_set_several.iter();
+    criteria.extend(several.map(|(number, least, count)| {
+        let what = format!("truth in the set, {number} detectable effects at once");
+        Criterion::at_least(what, *least, count)
+    }));
     let false_alarms = rates.false_alarms.iter();
     criteria.extend(false_alarms.map(|(noise, count)| {
         Criterion::at_most(format!("false alarms, {noise}"), MAX_FALSE_ALARMS, count)
@@ -242,6 +267,34 @@ fn failure(result: &RowResult, what: &'static str, has: impl Fn(&Outcome) -> boo
 
 fn count(result: &RowResult, has: impl Fn(&Outcome) -> bool) -> usize {
     result.outcomes.iter().filter(|o| has(o)).count()
+}
+
+fn several_rows(results: &[RowResult]) -> Vec<SeveralRow> {
+    let rows = results.iter().filter(|result| {
+        let row = &result.row;
+        matches!(row.group, Group::Several | Group::Pair) || row.size == Some(Size::Severe)
+    });
+    let rows = rows.map(|result| {
+        let (row, outcomes) = (&result.row, &result.outcomes);
+        let rates = RowRates::of(outcomes);
+        let extra = outcomes.iter().map(Outcome::terms_too_many);
+        let answers = answers(outcomes, |_| true);
+        SeveralRow {
+            seeded: row.seeded(),
+            size: row.size.map_or("–", Size::label),
+            runs: outcomes.len(),
+            detectability: rates.detectability,
+            in_set: rates.in_set,
+            mean_set_size: rates.mean_set_size,
+            uniquely_wrong: rates.uniquely_wrong,
+            failed: count(result, |o| o.failure.is_some()),
+            terms_too_many: extra.max().unwrap_or(0),
+            seconds: rates.seconds,
+            slowest: outcomes.iter().map(|o| o.seconds).fold(0.0, f64::max),
+            answer: answers.into_iter().next().map_or(String::new(), |(a, _)| a),
+        }
+    });
+    rows.collect()
 }
 
 fn confounded_row(result: &RowResult) -> ConfoundedRow {

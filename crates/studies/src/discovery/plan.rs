@@ -14,6 +14,8 @@ struct Share {
     /// One effect under noise that is not white.
     single_noisy: usize,
     pair: usize,
+    several: usize,
+    severe: usize,
     confounded: usize,
     unlisted: usize,
     ball: usize,
@@ -25,6 +27,8 @@ const SHARE: Share = Share {
     single: 5,
     single_noisy: 2,
     pair: 2,
+    several: 2,
+    severe: 5,
     confounded: 5,
     unlisted: 4,
     ball: 4,
@@ -37,6 +41,15 @@ const PAIRS: usize = 12;
 
 /// Seed of the draw of pairs.
 const PAIR_SEED: u64 = 12;
+
+/// Numbers of combinations of two and of three effects that are drawn.
+const SEVERAL: [(usize, usize); 2] = [(2, 10), (3, 10)];
+
+/// Seed of the draw of combinations.
+const SEVERAL_SEED: u64 = 23;
+
+/// Effects that are seeded severely: the model is badly wrong.
+const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
 /// Effects, and what imitates each.
 const CONFOUNDED: [(&str, &str); 7] = [
@@ -177,6 +190,17 @@ pub fn plan(seeds: usize) -> Vec<Row> {
     for pair in pairs(&names) {
         rows.push(planner.row(Group::Pair, Body::Disc, &pair, SHARE.pair));
     }
+    for (number, count) in SEVERAL {
+        for effects in combinations(&names, number, count) {
+            rows.push(planner.row(Group::Several, Body::Disc, &effects, SHARE.several));
+        }
+    }
+    for name in SEVERE {
+        rows.push(Row {
+            size: Some(Size::Severe),
+            ..planner.row(Group::Single, Body::Disc, &[name], SHARE.severe)
+        });
+    }
     for (name, confounded_with) in CONFOUNDED {
         rows.push(Row {
             confounded_with: Some(confounded_with),
@@ -211,6 +235,35 @@ fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
         }
     }
     pairs
+}
+
+/// Random combinations of effects that act at different sites and are not imitated by another, without repetition.
+fn combinations(names: &[&'static str], number: usize, count: usize) -> Vec<Vec<&'static str>> {
+    let mut random = ChaCha12Rng::seed_from_u64(SEVERAL_SEED + number as u64);
+    let imitated = |name: &str| CONFOUNDED.iter().any(|(of, _)| *of == name);
+    let names: Vec<&'static str> = names
+        .iter()
+        .copied()
+        .filter(|name| !imitated(name))
+        .collect();
+    let mut found: Vec<Vec<&'static str>> = Vec::new();
+    while found.len() < count {
+        let draw = |_| names[random.random_range(0..names.len())];
+        let mut drawn: Vec<&'static str> = (0..number).map(draw).collect();
+        drawn.sort_unstable();
+        drawn.dedup();
+        if drawn.len() < number || found.contains(&drawn) {
+            continue;
+        }
+        let Ok(model) = model_spec::load::load("disc", &drawn) else {
+            continue;
+        };
+        let sites: Vec<_> = model.effects.iter().map(|effect| &effect.site).collect();
+        if (1..number).all(|k| !sites[..k].contains(&sites[k])) {
+            found.push(drawn);
+        }
+    }
+    found
 }
 
 #[cfg(test)]

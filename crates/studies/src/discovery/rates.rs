@@ -22,6 +22,9 @@ pub(super) const MAX_FALSE_ALARMS: f64 = 0.05;
 /// Greatest held-out error, relative to that of the true model.
 pub(super) const MAX_HELD_OUT_RATIO: f64 = 1.05;
 
+/// Least fraction of runs with the truth in the set, where it is two or three detectable effects.
+pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
+
 /// Multiple of the minimum detectable size from which an effect counts as strong.
 pub(super) const STRONG: f64 = 5.0;
 
@@ -100,6 +103,8 @@ pub(super) struct Rates {
     pub(super) in_set: Count,
     /// Truth in the set, of runs with an effect of [`STRONG`] times the minimum detectable size.
     pub(super) in_set_strong: Count,
+    /// Truth in the set, of runs with that many effects of [`Group::Several`], all of them detectable.
+    pub(super) in_set_several: Vec<(usize, f64, Count)>,
     /// Verdict other than `none` without a seeded effect, by noise.
     pub(super) false_alarms: Vec<(&'static str, Count)>,
     /// Held-out error within [`MAX_HELD_OUT_RATIO`] of the true model, of runs with an effect of the catalogue.
@@ -129,7 +134,16 @@ impl Rates {
             let count = Count::of(result.outcomes.iter(), Outcome::is_detected);
             (result.row.noise.name, count)
         });
+        let several = MIN_IN_SET_SEVERAL.iter().map(|(number, least)| {
+            let rows = results.iter().filter(|result| {
+                result.row.group == Group::Several && result.row.effects.len() == *number
+            });
+            let runs = rows.flat_map(|result| &result.outcomes);
+            let counted = Count::of(runs.filter(|o| o.is_detectable(1.0)), |o| o.in_set);
+            (*number, *least, counted)
+        });
         Self {
+            in_set_several: several.collect(),
             uniquely_wrong: Count::of(all(), |o| o.uniquely_wrong),
             in_set: Count::of(detectable(1.0), |o| o.in_set),
             in_set_strong: Count::of(detectable(STRONG), |o| o.in_set),

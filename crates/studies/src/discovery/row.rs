@@ -12,6 +12,8 @@ pub enum Group {
     Single,
     /// Two effects of the catalogue.
     Pair,
+    /// Two or three effects of the catalogue that flights can tell apart, in other combinations than the pairs.
+    Several,
     /// An effect that another one imitates.
     Confounded,
     /// An effect outside the catalogue.
@@ -31,6 +33,7 @@ impl Group {
             Group::Null => "no effect",
             Group::Single => "one effect",
             Group::Pair => "pair",
+            Group::Several => "combination",
             Group::Confounded => "confounded",
             Group::Unlisted => "unlisted",
             Group::Ball => "ball",
@@ -45,6 +48,7 @@ impl Group {
             Group::Null => "null",
             Group::Single => "effects",
             Group::Pair => "pairs",
+            Group::Several => "combinations",
             Group::Confounded => "equivalents",
             Group::Unlisted => "outside",
             Group::Ball => "ball",
@@ -61,7 +65,12 @@ pub enum Size {
     Weak,
     /// Near the greatest that is met in practice.
     Strong,
+    /// Four times that: the model is badly wrong.
+    Severe,
 }
+
+/// Size of a severe effect over that of a strong one.
+const SEVERE: f64 = 4.0;
 
 impl Size {
     /// Name in pages and keys.
@@ -69,6 +78,16 @@ impl Size {
         match self {
             Size::Weak => "weak",
             Size::Strong => "strong",
+            Size::Severe => "severe",
+        }
+    }
+
+    /// The value of this size, of an effect with a weak and a strong one.
+    pub(super) fn of(self, weak: f64, strong: f64) -> f64 {
+        match self {
+            Size::Weak => weak,
+            Size::Strong => strong,
+            Size::Severe => SEVERE * strong,
         }
     }
 }

@@ -5,7 +5,7 @@ use diagnose::{Report, Verdict};
 use super::case::Case;
 use super::outcome::{Discordant, Outcome};
 use crate::oracle_flights::file_name;
-use crate::seeded::InputErrors;
+use crate::seeded::{self, InputErrors};
 
 /// Standard normal quantile of 0.9: an effect whose expected z exceeds a threshold by it is found with power 0.9.
 const POWER_QUANTILE: f64 = 1.281_551_565_544_6;
@@ -31,6 +31,14 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
         Some((underscored(&remaining.name), remaining.p))
     });
     outcome.strongest_remaining = remaining.collect();
+    let terms = report
+        .unattributed
+        .iter()
+        .flat_map(|outside| &outside.terms);
+    let taken: Vec<_> = terms.filter(|term| term.selected).collect();
+    outcome.terms = taken.len();
+    outcome.sites = taken.iter().map(|term| term.site.clone()).collect();
+    outcome.sites.dedup();
     let is_single = outcome.hypotheses.len() == 1
         && matches!(report.verdict, Verdict::Named | Verdict::Negligible);
     if !outcome.case.seeded.unlisted.is_empty() {
@@ -44,15 +52,13 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
 
 /// The right verdict on an unlisted effect is `outside`; any single hypothesis is wrong.
 fn score_unlisted(outcome: &mut Outcome, report: &Report, is_single: bool) {
-    let terms = report
-        .unattributed
-        .iter()
-        .flat_map(|outside| &outside.terms);
-    let taken = terms.filter(|term| term.selected);
-    outcome.sites = taken.map(|term| term.site.clone()).collect();
-    outcome.sites.dedup();
-    outcome.in_set = report.verdict == Verdict::Unattributed;
-    outcome.uniquely_wrong = is_single;
+    // Another effect of the catalogue may come so near that it is as right.
+    let mut seeded = outcome.case.seeded.unlisted.iter();
+    let near = seeded.find_map(|(name, _)| seeded::unlisted(name)?.near);
+    let is_near = |hypothesis: &Vec<String>| near.is_some_and(|near| *hypothesis == [near]);
+    outcome.in_set =
+        report.verdict == Verdict::Unattributed || outcome.hypotheses.iter().any(is_near);
+    outcome.uniquely_wrong = is_single && !is_near(&outcome.hypotheses[0]);
 }
 
 fn score_input_errors(

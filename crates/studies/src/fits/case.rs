@@ -22,7 +22,7 @@ const MAX_EFFECTS: usize = 3;
 const MAX_MULTIPLE: f64 = 12.0;
 
 /// Number of flights from which displacements are computed.
-const PROBE_FLIGHTS: usize = 2;
+const PROBE_FLIGHTS: usize = 4;
 
 /// Steps of the search for a size.
 const STEPS: usize = 7;

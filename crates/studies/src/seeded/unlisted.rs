@@ -10,6 +10,10 @@ pub(super) const LAG: f64 = 0.15;
 const CLIMB_SCALE: f64 = 2.0;
 /// Angular frequency of `gusts`, rad/s.
 const GUST_FREQUENCY: f64 = 8.0;
+/// Speed at which `drag_by_power_of_speed` changes nothing, m/s.
+const REFERENCE_SPEED: f64 = 14.0;
+/// Power of the speed by which `drag_by_power_of_speed` changes the coefficient of drag.
+const SPEED_POWER: f64 = -0.4;
 /// Length by which the phase of `swerve` advances by a radian, m.
 const SWERVE_LENGTH: f64 = 1.0;
 
@@ -24,6 +28,8 @@ pub struct UnlistedEffect {
     pub strength: [f64; 2],
     /// Laws of motion on which it can act.
     pub laws: &'static [Law],
+    /// An effect of the catalogue that comes so near that naming it is right.
+    pub near: Option<&'static str>,
     kind: Kind,
 }
 
@@ -40,6 +46,7 @@ enum Kind {
     Updraft,
     Swerve,
     DragByHeight,
+    DragByPower,
 }
 
 const DISCS: &[Law] = &[Law::Disc, Law::Discus];
@@ -58,6 +65,7 @@ const fn row(
         site,
         strength,
         laws,
+        near: None,
         kind,
     }
 }
@@ -76,6 +84,10 @@ pub const UNLISTED: &[UnlistedEffect] = &[
     row("gusts", "wind", [0.1, 0.5], ANY, Kind::Gusts),
     row("updraft", "wind", [0.05, 0.3], ANY, Kind::Updraft),
     row("swerve", "unknown", [0.005, 0.03], BALL, Kind::Swerve),
+    UnlistedEffect {
+        near: Some("drag_by_reynolds"),
+        ..row("drag_by_power_of_speed", "drag", [0.02, 0.1], DISCS, Kind::DragByPower)
+    },
     row("drag_by_height", "drag", [0.02, 0.1], BALL, Kind::DragByHeight),
 ];
 
@@ -109,6 +121,10 @@ impl UnlistedEffect {
             Kind::DragByClimb => {
                 let climb = flow.at.velocity.z / CLIMB_SCALE;
                 (flow.drag(size * climb.tanh()), zero)
+            }
+            Kind::DragByPower => {
+                let ratio = flow.speed() / REFERENCE_SPEED;
+                (flow.drag(size * (ratio.powf(SPEED_POWER) - 1.0)), zero)
             }
             Kind::SideByAngle => (flow.pressure_force(size * alpha, left), zero),
             Kind::LaggingLift => (flow.lift(size * (lagged_alpha - alpha)), zero),

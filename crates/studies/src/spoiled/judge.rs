@@ -115,11 +115,19 @@ pub(super) fn judge(
 /// Flights that are named as faulty, truncated or excluded, with the reason.
 fn named(report: &FitReport) -> BTreeMap<String, String> {
     let mut named = BTreeMap::new();
+    for fault in &report.data_faults {
+        let says = format!("{}; {}", fault.detail, fault.mend);
+        named.insert(fault.file.clone(), says);
+    }
     for flight in &report.flights {
         if let FlightOutcome::Excluded { reason } = &flight.outcome {
-            named.insert(flight.file.clone(), reason.clone());
+            named
+                .entry(flight.file.clone())
+                .or_insert_with(|| reason.clone());
         } else if let Some(cut) = &flight.cut {
-            named.insert(flight.file.clone(), cut.why.clone());
+            named
+                .entry(flight.file.clone())
+                .or_insert_with(|| cut.why.clone());
         }
     }
     named

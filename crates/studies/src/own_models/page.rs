@@ -1,0 +1,134 @@
+//! docs/own-models.md.
+
+use serde::Serialize;
+
+use super::run::Outcome;
+use super::subjects::SUBJECTS;
+use crate::error::StudyError;
+use crate::page::{Page, render};
+use crate::statistics::median;
+
+/// Multiple of the detectable size from which an effect must not be missed.
+const CLEAR: f64 = 5.0;
+
+/// Greatest length of a quoted answer, characters.
+const MAX_QUOTE: usize = 140;
+
+#[derive(Serialize)]
+struct Results {
+    clear: usize,
+    missed: usize,
+    site_right: usize,
+    nulls: usize,
+    false_alarms: usize,
+    failed: usize,
+    runs: usize,
+    median: Option<f64>,
+    slowest: f64,
+    models: Vec<ModelRow>,
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct ModelRow {
+    name: &'static str,
+    kind: &'static str,
+    clear: usize,
+    missed: usize,
+    site_right: usize,
+    nulls: usize,
+    false_alarms: usize,
+}
+
+#[derive(Serialize)]
+struct Row {
+    model: &'static str,
+    hidden: &'static str,
+    size: &'static str,
+    seed: u64,
+    detectability: Option<f64>,
+    judgement: &'static str,
+    says: String,
+    seconds: f64,
+}
+
+/// The page of own models.
+///
+/// # Errors
+/// [`StudyError::Page`] if the template does not go with the results.
+pub fn own_models_page(outcomes: &[Outcome]) -> Result<Page, StudyError> {
+    let models = SUBJECTS.iter().map(|subject| {
+        let of = outcomes
+            .iter()
+            .filter(|o| o.task.subject.name == subject.name);
+        let of: Vec<&Outcome> = of.collect();
+        model_row(subject.name, subject.kind, &of)
+    });
+    let models: Vec<ModelRow> = models.filter(|row| row.clear + row.nulls > 0).collect();
+    let sum = |of: fn(&ModelRow) -> usize| models.iter().map(of).sum();
+    let rows = outcomes.iter().filter(|o| o.task.hidden.is_some());
+    let seconds = outcomes.iter().map(|o| o.seconds);
+    let results = Results {
+        clear: sum(|row| row.clear),
+        missed: sum(|row| row.missed),
+        site_right: sum(|row| row.site_right),
+        nulls: sum(|row| row.nulls),
+        false_alarms: sum(|row| row.false_alarms),
+        failed: outcomes.iter().filter(|o| o.failure.is_some()).count(),
+        runs: outcomes.len(),
+        median: median(seconds.clone()),
+        slowest: seconds.fold(0.0, f64::max),
+        models,
+        rows: rows.map(row).collect(),
+    };
+    Ok(Page {
+        text: render(include_str!("page.md"), results)?,
+        figures: Vec::new(),
+    })
+}
+
+fn is_clear(outcome: &Outcome) -> bool {
+    outcome.task.hidden.is_some() && outcome.is_detectable(CLEAR)
+}
+
+fn model_row(name: &'static str, kind: &'static str, of: &[&Outcome]) -> ModelRow {
+    let count = |has: &dyn Fn(&Outcome) -> bool| of.iter().filter(|o| has(o)).count();
+    ModelRow {
+        name,
+        kind,
+        clear: count(&is_clear),
+        missed: count(&|o| is_clear(o) && !o.is_detected()),
+        site_right: count(&|o| is_clear(o) && o.is_site_right()),
+        nulls: count(&|o| o.task.hidden.is_none()),
+        false_alarms: count(&|o| {
+            o.task.hidden.is_none() && (o.is_detected() || o.failure.is_some())
+        }),
+    }
+}
+
+fn row(outcome: &Outcome) -> Row {
+    let judgement = match () {
+        () if outcome.failure.is_some() => "**failed**",
+        () if !outcome.is_detected() && is_clear(outcome) => "**missed**",
+        () if !outcome.is_detected() => "not detected",
+        () if outcome.is_site_right() => "right site",
+        () if is_clear(outcome) => "**other site**",
+        () => "other site",
+    };
+    let task = &outcome.task;
+    Row {
+        model: task.subject.name,
+        hidden: task.hidden_name(),
+        size: task.size(),
+        seed: task.seed,
+        detectability: outcome.detectability,
+        judgement,
+        says: outcome
+            .says()
+            .chars()
+            .take(MAX_QUOTE)
+            .collect::<String>()
+            .replace('|', "/"),
+        seconds: outcome.seconds,
+    }
+}

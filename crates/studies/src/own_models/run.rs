@@ -1,0 +1,241 @@
+//! Runs: flights with a hidden effect are made and diagnosed, and the answer is compared with what was hidden.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
+
+use diagnose::{DiagnosisOptions, Report, Verdict, diagnose};
+use flight::batch;
+use identify::dataset::{Dataset, Flight};
+use identify::synthesize::Corruption;
+use identify::{CancellationToken, FitOptions};
+use model_spec::model::Model;
+
+use super::hidden::Hidden;
+use super::hidden_lists::hidden_of;
+use super::subjects::{SUBJECTS, Subject};
+use super::world::dataset;
+use crate::bounded_fit::bounded_fit;
+
+/// Longest time of a diagnosis or a fit.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// Root of the χ² that a diagnosis detects with power 0.9, about: a threshold of 4.4 for some thirty candidates, and 1.3.
+const DETECTABLE: f64 = 5.7;
+
+/// One diagnosis of the study.
+#[derive(Clone, Copy, Debug)]
+pub struct Task {
+    /// The model.
+    pub subject: &'static Subject,
+    /// The hidden effect with its size and the label of the size; `None` where nothing is hidden.
+    pub hidden: Option<(Hidden, f64, &'static str)>,
+    /// Seed of the throws and the noise.
+    pub seed: u64,
+}
+
+impl Task {
+    /// Name of the hidden effect.
+    pub fn hidden_name(&self) -> &'static str {
+        self.hidden.map_or("nothing", |(hidden, _, _)| hidden.name)
+    }
+
+    /// Label of the size.
+    pub fn size(&self) -> &'static str {
+        self.hidden.map_or("", |(_, _, label)| label)
+    }
+}
+
+/// What a diagnosis answered.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The diagnosis.
+    pub task: Task,
+    /// Verdict; `None` if it failed.
+    pub verdict: Option<Verdict>,
+    /// Why it failed.
+    pub failure: Option<String>,
+    /// Effects and sites of the causes, or of the terms that were written.
+    pub answer: Vec<(String, String)>,
+    /// Size of the hidden effect over the smallest detectable: what the model without it leaves of exact flights.
+    pub detectability: Option<f64>,
+    /// Computing time, s.
+    pub seconds: f64,
+}
+
+impl Outcome {
+    /// Whether the verdict is other than `none`.
+    pub fn is_detected(&self) -> bool {
+        self.verdict.is_some_and(|verdict| verdict != Verdict::None)
+    }
+
+    /// Whether the hidden effect is at least this many times detectable.
+    pub fn is_detectable(&self, times: f64) -> bool {
+        self.detectability.is_some_and(|ratio| ratio >= times)
+    }
+
+    /// Whether a cause or a term acts at a site of the hidden effect, or changes the equation in which it is hidden.
+    pub fn is_site_right(&self) -> bool {
+        let Some((hidden, _, _)) = self.task.hidden else {
+            return false;
+        };
+        let is_right = |site: &str| hidden.sites.contains(&site);
+        self.answer.iter().any(|(_, site)| is_right(site))
+    }
+
+    /// The verdict with effects and sites, in words.
+    pub fn says(&self) -> String {
+        let answer = self
+            .answer
+            .iter()
+            .map(|(name, site)| format!("{name} ({site})"));
+        let answer: Vec<String> = answer.collect();
+        match (&self.verdict, &self.failure) {
+            (Some(verdict), _) => format!("{verdict:?}: {}", answer.join(", ")),
+            (None, Some(failure)) => format!("failed: {}", failure.replace('\n', " ")),
+            (None, None) => "failed".to_owned(),
+        }
+    }
+}
+
+/// The diagnoses that have all of the words: of each model `seeds` without a hidden effect for each hidden one.
+pub fn tasks(seeds: u64, words: &str) -> Vec<Task> {
+    let mut tasks = Vec::new();
+    for subject in &SUBJECTS {
+        for seed in 0..10 * seeds {
+            tasks.push(Task {
+                subject,
+                hidden: None,
+                seed,
+            });
+        }
+        for (place, hidden) in hidden_of(subject).into_iter().enumerate() {
+            for (label, size) in ["weak", "strong"].into_iter().zip(hidden.sizes) {
+                for run in 0..seeds {
+                    let seed = 1000 + 100 * place as u64 + run;
+                    let sign = if (place as u64 + run).is_multiple_of(2) {
+                        1.0
+                    } else {
+                        -1.0
+                    };
+                    tasks.push(Task {
+                        subject,
+                        hidden: Some((hidden, sign * size, label)),
+                        seed,
+                    });
+                }
+            }
+        }
+    }
+    tasks.retain(|task| {
+        let text = format!(
+            "{} {} {}",
+            task.subject.name,
+            task.hidden_name(),
+            task.size()
+        );
+        words.split_whitespace().all(|word| text.contains(word))
+    });
+    tasks
+}
+
+/// Makes the flights of each task and diagnoses them, on this number of threads.
+pub fn own_models(
+    tasks: &[Task],
+    threads: usize,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<Outcome> {
+    let models: BTreeMap<&str, Model> = SUBJECTS.iter().map(|s| (s.name, s.model())).collect();
+    let finished = AtomicUsize::new(0);
+    batch::each_on(threads, tasks.len(), |index| {
+        let outcome = outcome(tasks[index], &models[tasks[index].subject.name]);
+        progress(1 + finished.fetch_add(1, Ordering::Relaxed), tasks.len());
+        outcome
+    })
+}
+
+fn outcome(task: Task, model: &Model) -> Outcome {
+    let hidden = task.hidden.map(|(hidden, size, _)| (hidden, size));
+    let noise = Corruption::default();
+    let observed = dataset(task.subject, model, hidden, Some(noise), task.seed);
+    let detectability = hidden.and_then(|hidden| {
+        let exact = dataset(task.subject, model, Some(hidden), None, task.seed);
+        detectability(model, exact, noise.sigma)
+    });
+    let clock = Instant::now();
+    let found = bounded_diagnosis(model, &observed);
+    let mut outcome = Outcome {
+        task,
+        verdict: None,
+        failure: None,
+        answer: Vec::new(),
+        detectability,
+        seconds: clock.elapsed().as_secs_f64(),
+    };
+    match found {
+        Ok(report) => {
+            outcome.answer = answer(&report);
+            outcome.verdict = Some(report.verdict);
+        }
+        Err(failure) => outcome.failure = Some(failure),
+    }
+    outcome
+}
+
+/// A diagnosis on one thread, for at most about [`LIMIT`].
+fn bounded_diagnosis(model: &Model, observed: &Dataset) -> Result<Report, String> {
+    let token = CancellationToken::default();
+    let options = DiagnosisOptions {
+        dataset: "hidden",
+        fit: FitOptions {
+            threads: Some(1),
+            cancellation: Some(&token),
+            ..FitOptions::default()
+        },
+        ..DiagnosisOptions::default()
+    };
+    let (finished, wait) = mpsc::channel::<()>();
+    let watched = token.clone();
+    std::thread::scope(|scope| {
+        scope.spawn(move || {
+            if wait.recv_timeout(LIMIT) == Err(mpsc::RecvTimeoutError::Timeout) {
+                watched.cancel();
+            }
+        });
+        let found = diagnose(model, observed, &options);
+        drop(finished);
+        match found {
+            Ok(found) => Ok(found.report),
+            Err(error) => Err(error.to_string()),
+        }
+    })
+}
+
+/// Root of the χ² that the best fit of the plain model leaves of exact flights, over the detectable one; `None` if the fit
+/// fails.
+fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
+    exact.sigma = Some(sigma);
+    let fitted = bounded_fit(model, &exact, LIMIT).result.ok()?;
+    let flights = fitted.report.flights.iter().zip(&exact.flights);
+    let squares = flights.filter(|(report, _)| report.role == identify::dataset::Role::Fit);
+    let chi2: f64 = squares
+        .map(|(report, flight)| match report.rms_m {
+            Some(rms) => (rms / sigma).powi(2) * Flight::measurements(flight) as f64,
+            None => 0.0,
+        })
+        .sum();
+    Some(chi2.sqrt() / DETECTABLE)
+}
+
+/// Effects of the causes with their sites; the written terms where there is no cause.
+fn answer(report: &Report) -> Vec<(String, String)> {
+    let causes = report.causes.iter().flat_map(|cause| &cause.effects);
+    let mut answer: Vec<(String, String)> = causes
+        .map(|effect| (effect.name.clone(), effect.site.clone()))
+        .collect();
+    let terms = report.unattributed.iter().flat_map(|found| &found.terms);
+    let selected = terms.filter(|term| term.selected);
+    answer.extend(selected.map(|term| (term.name.clone(), term.site.clone())));
+    answer
+}
