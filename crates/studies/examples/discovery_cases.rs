@@ -11,7 +11,7 @@ use identify::synthesize::Corruption;
 use model_spec::load::load;
 use serde_json::{Value, json};
 use studies::oracle_flights::{Plan, TWELVE, disc, truth};
-use studies::seeded::{STRENGTHS, SeededEffects, dataset};
+use studies::seeded::{STRENGTHS, SeededEffects, dataset, unlisted};
 
 /// Twenty throws of a second each, three markers, 120 Hz.
 const TWENTY: Plan<'static> = Plan {
@@ -34,6 +34,15 @@ const NULLS: u64 = 20;
 const SITES: [&str; 6] = ["lift", "drag", "side", "roll", "pitch", "spin"];
 /// Effect that is confounded with the coefficients: denser air is the same as greater coefficients.
 const CONFOUNDED: &str = "air_density";
+/// Effects outside the catalogue that add a term to one load; operon.py has their formulas.
+const OUTSIDE: [&str; 6] = [
+    "roll_by_angle_squared",
+    "drag_by_climb",
+    "side_force_by_angle",
+    "pitching_moment_by_time",
+    "lift_by_pitch_rate",
+    "drag_by_power_of_speed",
+];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args().nth(1).ok_or("which folder?")?;
@@ -86,6 +95,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     add(format!("{effect}-{size}-clean"), seeded, case_seed, facts)?;
                 }
             }
+        }
+    }
+    for (number, name) in OUTSIDE.into_iter().enumerate() {
+        let effect = unlisted(name).ok_or("an effect outside the catalogue")?;
+        for (size, value) in ["weak", "strong"].into_iter().zip(effect.strength) {
+            let facts = json!({"effect": name, "site": effect.site, "size": size, "values": [value], "noise": true});
+            let seeded = SeededEffects::unlisted(name, value).with_noise(WHITE);
+            let seed = 10_000 + 10 * number as u64 + u64::from(size == "weak");
+            add(format!("outside-{name}-{size}"), seeded, seed, facts)?;
         }
     }
     for seed in 1..=NULLS {

@@ -13,6 +13,9 @@ pub(super) struct Scene {
     pub(super) angular_velocity: Vector3<f64>,
 }
 
+/// Rate that is added to a state: a function of the time (s) and of the states by name.
+type AddedRate = fn(f64, &dyn Fn(&str) -> f64) -> f64;
+
 /// What a hidden effect of size 1 does.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Action {
@@ -24,8 +27,8 @@ pub(super) enum Action {
     Wind(fn(&Scene) -> Vector3<f64>),
     /// Relative change of a parameter of the model, as a function of the time, s.
     Parameter(&'static str, fn(f64) -> f64),
-    /// Rate of a state, by its name: a function of the time (s) and of the states by name.
-    Rate(&'static str, fn(f64, &dyn Fn(&str) -> f64) -> f64),
+    /// Rate that is added to a state, by the state's name.
+    Rate(&'static str, AddedRate),
     /// The clock runs fast by a fraction.
     Clock,
     /// Displacement of a measured position (m) of a marker, by its index.

@@ -4,6 +4,9 @@ use model_spec::model::Model;
 use nalgebra::{UnitQuaternion, Vector3};
 use rand::{Rng, RngExt};
 
+/// Draws a uniform number between two limits.
+type Uniform<'u> = &'u mut dyn FnMut(f64, f64) -> f64;
+
 /// A model of a user, with its throws.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject {
@@ -18,7 +21,7 @@ pub struct Subject {
     pub(super) markers: &'static [[f64; 3]],
     /// Observed time, s.
     pub(super) duration: f64,
-    draw: fn(&mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)>,
+    draw: fn(Uniform<'_>) -> Vec<(&'static str, f64)>,
 }
 
 const POINT: &[[f64; 3]] = &[[0.0, 0.0, 0.0]];
@@ -109,11 +112,7 @@ impl Subject {
 }
 
 /// Velocity of a throw.
-fn velocity(
-    uniform: &mut dyn FnMut(f64, f64) -> f64,
-    speed: (f64, f64),
-    launch: (f64, f64),
-) -> [f64; 3] {
+fn velocity(uniform: Uniform<'_>, speed: (f64, f64), launch: (f64, f64)) -> [f64; 3] {
     let (speed, launch) = (uniform(speed.0, speed.1), uniform(launch.0, launch.1));
     let heading = uniform(-0.6, 0.6);
     [
@@ -123,12 +122,12 @@ fn velocity(
     ]
 }
 
-fn shuttlecock(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)> {
+fn shuttlecock(uniform: Uniform<'_>) -> Vec<(&'static str, f64)> {
     let [vx, vy, vz] = velocity(uniform, (8.0, 30.0), (0.0, 0.9));
     vec![("z", 1.5), ("vx", vx), ("vy", vy), ("vz", vz)]
 }
 
-fn spinning_ball(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)> {
+fn spinning_ball(uniform: Uniform<'_>) -> Vec<(&'static str, f64)> {
     let [vx, vy, vz] = velocity(uniform, (12.0, 25.0), (0.1, 0.7));
     let (yaw, pitch) = (uniform(-0.25, 0.25), uniform(-0.25, 0.25));
     vec![
@@ -145,7 +144,7 @@ fn spinning_ball(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str,
     ]
 }
 
-fn dart(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)> {
+fn dart(uniform: Uniform<'_>) -> Vec<(&'static str, f64)> {
     let [vx, vy, vz] = velocity(uniform, (9.0, 17.0), (0.0, 0.5));
     let about = UnitQuaternion::from_axis_angle;
     let attitude = about(&Vector3::z_axis(), vy.atan2(vx) + uniform(-0.2, 0.2))
@@ -169,7 +168,7 @@ fn dart(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)> {
     ]
 }
 
-fn pendulum(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)> {
+fn pendulum(uniform: Uniform<'_>) -> Vec<(&'static str, f64)> {
     let (tilt, heading) = (uniform(0.3, 1.1), uniform(-3.1, 3.1));
     let length = 2.5 + uniform(0.0, 0.004);
     let out = Vector3::new(
@@ -189,7 +188,7 @@ fn pendulum(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)
     ]
 }
 
-fn glider(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)> {
+fn glider(uniform: Uniform<'_>) -> Vec<(&'static str, f64)> {
     vec![
         ("height", uniform(2.0, 4.0)),
         ("V", uniform(2.5, 6.0)),
@@ -197,6 +196,6 @@ fn glider(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)> 
     ]
 }
 
-fn kite(uniform: &mut dyn FnMut(f64, f64) -> f64) -> Vec<(&'static str, f64)> {
+fn kite(uniform: Uniform<'_>) -> Vec<(&'static str, f64)> {
     vec![("beta", uniform(0.4, 1.1)), ("betadot", uniform(-0.3, 0.3))]
 }

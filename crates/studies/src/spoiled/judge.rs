@@ -78,20 +78,20 @@ pub(super) fn judge(
         }
     };
     let named = named(report);
-    let max_z = truth.iter().map(|(name, truth)| {
+    let mut errors = truth.iter().map(|(name, truth)| {
         let found = report.coefficients.get(name)?;
         let error = found
             .std_error
             .max(found.std_error_clustered.unwrap_or(0.0));
         Some((found.value - truth).abs() / error)
     });
-    let max_z = max_z.fold(Some(0.0_f64), |most, z| Some(most?.max(z?)));
+    let max_z = errors.try_fold(0.0_f64, |most, z| Some(most.max(z?)));
     let is_right = max_z.is_some_and(|z| z <= MAX_Z);
     let is_named = spoiled.iter().all(|file| named.contains_key(file));
     let distrust = distrust(report);
     // With a named flight the coefficients must still be right, or the report must warn.
     let judgement = match () {
-        () if !distrust.is_empty() => match is_named {
+        () if !report.reliable => match is_named {
             true => Judgement::Named,
             false => Judgement::Unreliable,
         },
@@ -135,8 +135,8 @@ fn named(report: &FitReport) -> BTreeMap<String, String> {
 
 /// Reasons not to rely on a report.
 fn distrust(report: &FitReport) -> Vec<String> {
-    match report.iterations.converged {
+    match report.reliable {
         true => Vec::new(),
-        false => vec![format!("not converged: {:?}", report.iterations.status)],
+        false => report.why.clone(),
     }
 }
