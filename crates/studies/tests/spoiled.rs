@@ -7,7 +7,7 @@ fn quiet(_: usize, _: usize) {}
 
 #[test]
 fn harmless_changes_leave_the_coefficients_right() {
-    let kinds = ["flight_off all", "millimetre_steps all", "one_point one"].map(|words| {
+    let kinds = ["flight_off all", "millimetre_steps all", "constant one"].map(|words| {
         let found = runs(words);
         assert_eq!(found.len(), 1, "{words}");
         found[0]
