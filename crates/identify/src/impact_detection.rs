@@ -7,9 +7,10 @@
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use crate::observations::Observations;
+use crate::path_noise::path_noise;
 use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::median;
 
 /// Greatest number of points on either side of an interval.
 const SIDE: usize = 7;
@@ -24,13 +25,13 @@ const MIN_JUMP: f64 = 0.5;
 /// Least jump in units of its standard error.
 const MIN_SIGNIFICANCE: f64 = 8.0;
 /// Least jump in units of the median jump over the flight.
-const MIN_RATIO: f64 = 8.0;
+const MIN_RATIO: f64 = 3.5;
 /// Least jump in units of the velocity that the accelerations on either side give in one interval.
 const MIN_IMPULSE: f64 = 3.0;
 /// Least ratio of the vertical component to the magnitude of a jump, and to the speed of descent before it.
 const MIN_VERTICAL_PART: (f64, f64) = (0.3, 0.3);
 /// Least ratio of the squared residuals of the smooth polynomial to those of the two parabolas.
-const MIN_SQUARES_RATIO: f64 = 5.0;
+const MIN_SQUARES_RATIO: f64 = 1.5;
 /// Greatest number of points that are left out as outliers.
 const MOST_OUTLIERS: usize = 2;
 /// Number of intervals that show the usual jump of a flight.
@@ -88,7 +89,7 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     if path.len() < LEAST_SIDES.0 + LEAST_SIDES.1 {
         return None;
     }
-    let noise = noise(path);
+    let noise = path_noise(path.iter().map(|&(_, time, at)| (time, at))).max(1e-9);
     let candidates = LEAST_SIDES.0..=path.len() - LEAST_SIDES.1;
     let mut usual = None;
     let mut found: Option<(usize, Kink)> = None;
@@ -290,14 +291,89 @@ fn polynomial<const N: usize>(
     })
 }
 
-/// Standard deviation of a coordinate by third differences, m.
-fn noise(path: &[PathPoint]) -> f64 {
-    let mut rough: Vec<f64> = path
-        .windows(4)
-        .flat_map(|w| {
-            let third = w[3].2 - 3.0 * w[2].2 + 3.0 * w[1].2 - w[0].2;
-            third.abs().as_slice().to_vec()
-        })
-        .collect();
-    (robust_sigma(&mut rough) / 20.0_f64.sqrt()).max(1e-9)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Deterministic values between −1 and 1.
+    fn jitter(seed: usize) -> f64 {
+        let mixed = (seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        ((mixed >> 11) as f64 / (1_u64 << 53) as f64).mul_add(2.0, -1.0)
+    }
+
+    /// Path of a body that is thrown at `speed` m/s, pulled by `lift` (m/s²) upwards, which fades with the time constant
+    /// `fading`, and that bounces between samples with the given restitution, if any.
+    fn path(
+        speed: f64,
+        (lift, fading): (f64, f64),
+        bounce: Option<(usize, f64)>,
+        seed: usize,
+    ) -> Vec<PathPoint> {
+        let (mut position, mut velocity) =
+            (Vector3::new(0.0, 0.0, 1.0), Vector3::new(speed, 0.0, -1.0));
+        let (dt, fine) = (1.0 / 120.0, 50);
+        (0..90)
+            .map(|i| {
+                let noise = [0, 1, 2].map(|axis| 0.002 * jitter(seed * 1000 + 3 * i + axis));
+                let now = (i, i as f64 * dt, position + Vector3::from(noise));
+                for step in 0..fine {
+                    let time = (i as f64 + step as f64 / fine as f64) * dt;
+                    velocity.z += (lift * (-time / fading).exp() - 9.81) * dt / fine as f64;
+                    position += velocity * dt / fine as f64;
+                    if let Some((sample, restitution)) = bounce
+                        && i + 1 == sample
+                        && step == fine / 2
+                    {
+                        velocity.z = restitution * velocity.z.abs();
+                        velocity.x *= 0.8;
+                    }
+                }
+                now
+            })
+            .collect()
+    }
+
+    #[test]
+    fn bounces_are_found_within_two_samples() {
+        for seed in 0..40 {
+            let at = 20 + seed;
+            let restitution = 0.2 + 0.015 * seed as f64;
+            let path = path(6.0, (0.0, 1.0), Some((at, restitution)), seed);
+            let found = impact(&path).unwrap_or_else(|| panic!("bounce {seed} is missed"));
+            assert!(found.index.abs_diff(at) <= 2, "{} for {at}", found.index);
+            assert!(found.jump.z > 0.5);
+        }
+    }
+
+    #[test]
+    fn a_strong_lift_that_fades_is_no_impact() {
+        for seed in 0..60 {
+            let lift = 10.0 + seed as f64;
+            let fading = 0.03 + 0.01 * (seed % 10) as f64;
+            let path = path(25.0, (lift, fading), None, seed);
+            assert_eq!(impact(&path), None, "lift {lift}, fading in {fading} s");
+        }
+    }
+
+    #[test]
+    fn a_fall_with_outliers_is_no_impact() {
+        for seed in 0..200 {
+            let mut path = path(6.0, (0.0, 1.0), None, seed);
+            for (i, point) in path.iter_mut().enumerate() {
+                if jitter(seed * 7919 + i) > 0.97 {
+                    point.2.z += 0.1 * jitter(seed + 31 * i);
+                    point.2.x += 0.1 * jitter(seed + 37 * i);
+                }
+            }
+            assert_eq!(impact(&path), None, "seed {seed}");
+        }
+    }
+
+    #[test]
+    fn a_bounce_in_the_last_samples_is_found() {
+        let path = path(6.0, (0.0, 1.0), Some((60, 0.7)), 3);
+        let found = impact(&path[..64]).expect("a bounce");
+        assert!(found.index.abs_diff(60) <= 2);
+    }
 }

@@ -18,6 +18,7 @@ mod noise;
 mod observations;
 mod options;
 pub mod outliers;
+mod path_noise;
 mod pose;
 mod predict;
 mod problem;

@@ -33,7 +33,7 @@ pub struct Observations {
     pub known_states: Vec<(StateId, f64)>,
     /// Directions in which the initial state may be varied.
     pub manifold: StateManifold,
-    /// Number of samples in the table.
+    /// Number of samples in the table, without those that were truncated.
     pub samples: usize,
     /// Where and why the samples were truncated, if they were.
     pub truncation: Option<Truncation>,
@@ -118,6 +118,7 @@ impl Observations {
     pub fn truncate(&mut self, samples: usize, why: String) {
         let dropped = self.times.len() - samples;
         self.keep(samples);
+        self.samples -= dropped;
         self.truncation = Some(Truncation {
             t: self.origin + self.times.last().copied().unwrap_or(0.0),
             samples: dropped,

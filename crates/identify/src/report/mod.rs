@@ -120,7 +120,7 @@ pub struct FlightReport {
     /// Whether the flight was fitted, predicted or excluded.
     #[serde(flatten)]
     pub outcome: FlightOutcome,
-    /// Number of samples in the flight's table.
+    /// Number of samples in the flight's table, without those dropped by `cut`.
     pub samples: usize,
     /// Root mean square residual of one coordinate, m; for a held-out flight over the samples after the conditioning
     /// segment. None if excluded.

@@ -25,6 +25,8 @@ const USUAL_FACTORS: [(f64, f64); 2] = [(0.55, 1.8), (0.38, 2.6)];
 const SINGLE_MISFIT: (f64, f64) = (0.25, 5.0);
 /// Greatest misfit with the mend: in units of the misfit without it, of the median of all flights, and of gravity.
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
+/// Part of the scatter of a flight's accelerations that counts as misfit.
+const SCATTER_PART: f64 = 0.25;
 /// Least number of flights of which a single one can differ.
 const LEAST_FLIGHTS: usize = 4;
 
@@ -212,13 +214,11 @@ impl<'a> FreeFall<'a> {
         faults
     }
 
-    /// Median acceleration of a flight's windows that neither gravity nor the common loads explain, m/s².
+    /// Acceleration of a flight that neither gravity nor the common loads explain, m/s²: that of the middle of its
+    /// windows, whose noise is small, and a part of their scatter.
     fn misfit(&self, fixed: &Regression, rows: &[Row]) -> Option<f64> {
-        let rest = rows
-            .iter()
-            .map(|row| (fixed.without_loads(row) - self.gravity).norm());
-        let mut rest: Vec<f64> = rest.collect();
-        (!rest.is_empty()).then(|| median(&mut rest))
+        let rest = rows.iter().map(|row| fixed.without_loads(row));
+        misfit(&rest.collect::<Vec<_>>(), self.gravity)
     }
 
     /// The mend after which a flight's misfit is at most `enough`, m/s².
@@ -237,19 +237,12 @@ impl<'a> FreeFall<'a> {
         };
         let as_others = "unlike in the other flights,";
         // Velocities and accelerations change alike with the unit of time, so that loads keep their coefficients.
-        let mut of_axes = [0, 1, 2].map(|axis| {
-            rows.iter()
-                .map(|row| fixed.without_loads(row)[axis])
-                .collect::<Vec<f64>>()
-        });
-        let constant = Vector3::from(of_axes.each_mut().map(|values| median(values)));
+        let rest: Vec<Vector3<f64>> = rows.iter().map(|row| fixed.without_loads(row)).collect();
+        let constant = middle(&rest);
         let ratio = constant.norm() / self.gravity.norm();
         let is_down = constant.dot(&self.gravity) > ALONG * ratio * self.gravity.norm_squared();
-        let mut rest: Vec<f64> = rows
-            .iter()
-            .map(|row| (fixed.without_loads(row) / ratio - self.gravity).norm())
-            .collect();
-        let of_time = median(&mut rest);
+        let scaled: Vec<Vector3<f64>> = rest.iter().map(|rest| rest / ratio).collect();
+        let of_time = misfit(&scaled, self.gravity).unwrap_or(f64::INFINITY);
         let omega = omega(self.problem, flight);
         let after = |matrix: &Matrix3<f64>| {
             let track = self.changed(flight, matrix);
@@ -325,6 +318,19 @@ impl<'a> FreeFall<'a> {
             .collect();
         super::track_until_impact(self.problem, &flight.times, &rows)
     }
+}
+
+/// Medians of the components of some vectors.
+fn middle(vectors: &[Vector3<f64>]) -> Vector3<f64> {
+    let axis = |axis: usize| median(&mut vectors.iter().map(|v| v[axis]).collect::<Vec<f64>>());
+    Vector3::new(axis(0), axis(1), axis(2))
+}
+
+/// Distance of the middle of some accelerations from gravity, and a part of their scatter, m/s²; none without any.
+fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> {
+    let middle = middle(accelerations);
+    let mut scatter: Vec<f64> = accelerations.iter().map(|a| (a - middle).norm()).collect();
+    (!scatter.is_empty()).then(|| (middle - gravity).norm() + SCATTER_PART * median(&mut scatter))
 }
 
 /// Spin of a point mass that is known from elsewhere, rad/s, as any vector of the flight in the unit of a rate.

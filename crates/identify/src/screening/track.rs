@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
+use crate::path_noise::path_noise;
 use crate::pose::{point_position, pose};
 use crate::statistics::{median, robust_sigma};
 
@@ -92,7 +93,7 @@ impl Track {
             let mut each = variances.iter();
             points.retain(|_| each.next().is_some_and(|variance| *variance <= limit));
         }
-        let noise = noise(&points);
+        let noise = path_noise(points.iter().map(|point| (point.time, point.position)));
         Self { points, noise }
     }
 
@@ -128,18 +129,6 @@ impl Track {
             })
             .collect()
     }
-}
-
-/// Standard deviation of a coordinate by third differences, which a smooth path does not have.
-fn noise(points: &[Point]) -> f64 {
-    let mut rough: Vec<f64> = points
-        .windows(4)
-        .flat_map(|w| {
-            let third = w[3].position - 3.0 * w[2].position + 3.0 * w[1].position - w[0].position;
-            third.abs().as_slice().to_vec()
-        })
-        .collect();
-    robust_sigma(&mut rough) / 20.0_f64.sqrt()
 }
 
 /// Least-squares parabola through points, refitted without outliers; none through fewer than [`MIN_POINTS`].

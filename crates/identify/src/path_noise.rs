@@ -1,0 +1,55 @@
+//! Noise of a measured path, by how far its points are from smooth curves through their neighbours.
+
+use nalgebra::Vector3;
+
+use crate::statistics::{median, robust_sigma};
+
+/// Greatest time that four points span, in units of the median time of four points: longer gaps hide the motion.
+const LONGEST_SPAN: f64 = 1.6;
+
+/// Standard deviation of a coordinate about a smooth path, m: the distance of each point from the parabola through three
+/// of its neighbours, at times that need not be even. 0 for fewer than four points.
+pub fn path_noise(path: impl Iterator<Item = (f64, Vector3<f64>)>) -> f64 {
+    let path: Vec<(f64, Vector3<f64>)> = path.collect();
+    let span = |four: &[(f64, Vector3<f64>)]| four[3].0 - four[0].0;
+    let mut spans: Vec<f64> = path.windows(4).map(span).collect();
+    let longest = LONGEST_SPAN * median(&mut spans);
+    let fours = path.windows(4).filter(|four| span(four) <= longest);
+    let mut rough: Vec<f64> = fours
+        .flat_map(|four| {
+            // Third divided difference, by its standard deviation for points of noise 1.
+            let weight = |i: usize| -> f64 {
+                let others = (0..4).filter(|j| *j != i);
+                1.0 / others.map(|j| four[i].0 - four[j].0).product::<f64>()
+            };
+            let weights = [weight(0), weight(1), weight(2), weight(3)];
+            let size = weights.iter().map(|w| w * w).sum::<f64>().sqrt();
+            let sum: Vector3<f64> = four.iter().zip(weights).map(|((_, p), w)| p * w).sum();
+            (sum / size).abs().as_slice().to_vec()
+        })
+        .collect();
+    robust_sigma(&mut rough)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_and_curves_are_no_noise() {
+        let at = |i: usize| (i as f64 * 0.01, i);
+        let kept = (0..100).filter(|i| i % 5 != 2 && i % 7 != 3).map(at);
+        let path = |noise: f64| {
+            kept.clone().map(move |(t, i)| {
+                let sign = if (i * i) % 3 == 0 { 1.0 } else { -1.0 };
+                (
+                    t,
+                    Vector3::new(5.0 * t, noise * sign, 3.0 * t - 30.0 * t * t),
+                )
+            })
+        };
+        assert!(path_noise(path(0.0)) < 1e-9);
+        let noise = path_noise(path(0.003).map(|(t, p)| (t, Vector3::repeat(p.y))));
+        assert!((0.001..0.006).contains(&noise), "{noise}");
+    }
+}
