@@ -188,6 +188,15 @@ impl Unit {
         }
     }
 
+    /// Nonzero powers of base units in printing order: symbol, exponent times 2.
+    pub(crate) fn powers(self) -> impl Iterator<Item = (&'static str, i8)> {
+        let power = move |&i: &usize| (SYMBOLS[i], self.doubled[i]);
+        WRITTEN
+            .iter()
+            .map(power)
+            .filter(|&(_, doubled)| doubled != 0)
+    }
+
     /// Text of numerator over denominator; `times` separates factors, `power` writes an exponent.
     fn written(self, times: &str, power: impl Fn(i8) -> String) -> String {
         let side = |sign: i8| -> Vec<String> {

@@ -100,8 +100,8 @@ fn values_are_si_and_exact_where_they_can_be() {
 #[test]
 fn units_are_inferred_through_names_and_powers() {
     let model = model(
-        "param k = 3;\nparam l = 2;\nlet spring = -k*position;\nforce spring = spring;\n\
-         let a = l^2 + z/(1 m) + unused*0;\nparam unused = 1;\n",
+        "param k = 3 [?];\nparam l = 2 [?];\nlet spring = -k*position;\nforce spring = spring;\n\
+         let a = l^2 + z/(1 m) + unused*0;\nparam unused = 1 [?];\n",
     );
     let unit = |name: &str| {
         let c = model.params.iter().find(|c| c.name == name).unwrap();
@@ -344,4 +344,42 @@ fn faults_of_units_alone_leave_a_model_to_speak_of() {
     assert_eq!((model.aux_variables.len(), model.forces.len()), (2, 2));
     let loaded = inspect_text("probe.hyz", &format!("{POINT}let a = q;\n"), &[]).unwrap();
     assert!(loaded.model.is_none());
+}
+
+#[test]
+fn a_unit_error_shows_the_declaration_that_would_agree() {
+    for (text, mended) in [
+        (
+            "coefficient C_p = 0.6 in 0 .. 3;\nforce probe = -C_p*norm(velocity)*velocity;\n",
+            "coefficient C_p = 0.6 kg/m in 0 .. 3;",
+        ),
+        // Through a name, by one of two declarations without a unit.
+        (
+            "param k_p = 2;\nparam more = 0.1;\nlet pull = k_p*(1 + more)*z;\nforce probe = pull*N.3;\n",
+            "param k_p = 2 kg/s^2;",
+        ),
+        (
+            "input push in N = (0, 0, 1);\nforce probe = push;\n",
+            "input push in N = (0, 0, 1) N;",
+        ),
+        ("state s_p = 1;\nder(s_p) = z;\n", "state s_p = 1 m*s;"),
+    ] {
+        let wrong = inspect_text("probe.hyz", &format!("{POINT}{text}"), &[]).unwrap();
+        let [fault] = &wrong.diagnostics[..] else {
+            panic!("{text}: {:?}", wrong.diagnostics);
+        };
+        let help = fault.help.as_deref().unwrap_or_default();
+        assert!(
+            help.contains(&format!("write `{mended}`")),
+            "{text}: {help}"
+        );
+        let old = mended.split('=').next().unwrap();
+        let line = text.lines().find(|l| l.starts_with(old)).unwrap();
+        model(&text.replace(line, mended));
+    }
+    assert_eq!(faults("param l_p = 2 [?];\nlet a_p = l_p + z;\n"), []);
+    assert_eq!(
+        faults("param l_p = 2 [1];\nlet a_p = l_p + z;\n"),
+        [Kind::Unit]
+    );
 }

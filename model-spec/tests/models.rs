@@ -134,10 +134,10 @@ fn frames_know_their_states() {
 }
 
 #[test]
-fn units_that_are_not_stated_are_inferred() {
+fn numbers_without_a_unit_are_pure_numbers() {
     let disc = load::load("disc", &[]).unwrap();
     let lift = disc.coefficients.iter().find(|c| c.name == "C_L0").unwrap();
-    assert!(lift.inferred);
+    assert!(!lift.inferred);
     assert_eq!(lift.unit_text, "1");
     let force = disc
         .aux_variables

@@ -290,7 +290,7 @@ fn many_unknown_units_are_digested() {
     let mut text = MODELS[0].1.to_owned();
     for i in 0..5000 {
         text += &format!(
-            "param k{i} = 1;\nlet b{i} = k{i}*{};\n",
+            "param k{i} = 1 [?];\nlet b{i} = k{i}*{};\n",
             if i == 0 {
                 "x".to_owned()
             } else {
@@ -301,7 +301,7 @@ fn many_unknown_units_are_digested() {
     digest(text);
     let mut text = MODELS[0].1.to_owned();
     for i in 0..5000 {
-        text += &format!("param k{i} = 1;\n");
+        text += &format!("param k{i} = 1 [?];\n");
     }
     for i in 1..5000 {
         text += &format!("let c{i} = k{i} + k{};\n", i - 1);
@@ -373,7 +373,7 @@ fn files_as_long_as_they_may_be_are_digested_quickly() {
     }
     // Units inferred from one another, solved from the far end of the chain and then used.
     let mut text = base.to_owned();
-    (0..10_000).for_each(|i| text += &format!("param c{i} = 1;\n"));
+    (0..10_000).for_each(|i| text += &format!("param c{i} = 1 [?];\n"));
     let chain = (0..9_999).rev();
     chain.for_each(|i| text += &format!("let l{i} = c{i} + c{};\n", i + 1));
     (0..5_000).for_each(|i| text += &format!("let u{i} = c9999 + c{};\n", i * 2));

@@ -247,7 +247,11 @@ impl Checker<'_> {
         let message = format!("`{quantity}` is {is}, but this is {found}");
         let (declared, text) = label(&is);
         let fault = Diagnostic::new(Kind::Unit, span, message).label(declared, text);
-        self.report(fault.help(format!("give the number the unit `{}`", unit.tidy())));
+        let help = match unit.tidy() {
+            Unit::ONE => "write the number without a unit".to_owned(),
+            unit => format!("give the number the unit `{unit}`"),
+        };
+        self.report(fault.help(help));
         false
     }
 

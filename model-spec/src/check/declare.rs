@@ -14,6 +14,7 @@ impl<'a> Checker<'a> {
     pub fn declare(&mut self) {
         let file = self.file;
         self.headings();
+        self.declare_unitless();
         self.frame_names();
         for item in &file.items {
             match &item.kind {
@@ -85,29 +86,34 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of a declared number: as stated, otherwise an unknown to be inferred; `true` if it is to be inferred.
-    fn declared_unit(&mut self, name: &str, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
-        match unit {
-            Some(unit) => match self.measure(unit) {
-                Some(measure) => {
-                    let term = Term::known(measure.unit);
-                    (measure, term, false)
-                }
-                // The unknown symbol has been reported; an unknown unit causes no further errors.
-                None => (Measure::one(), self.unknown_unit_of(name), true),
-            },
-            None => (Measure::one(), self.unknown_unit_of(name), true),
+    /// Unit of a declared number: as stated, dimensionless where none is stated; an unknown, and `true`, if it is to
+    /// be inferred.
+    fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
+        let Some(unit) = unit else {
+            let term = self.unitless.term(name.span);
+            return (Measure::one(), term, false);
+        };
+        if unit.is_inferred() {
+            return (Measure::one(), self.unknown_unit_of(&name.text), true);
+        }
+        match self.measure(unit) {
+            Some(measure) => {
+                let term = Term::known(measure.unit);
+                (measure, term, false)
+            }
+            // The unknown symbol has been reported; an unknown unit causes no further errors.
+            None => (Measure::one(), self.unknown_unit_of(&name.text), true),
         }
     }
 
-    fn unknown_unit_of(&mut self, name: &str) -> Term {
+    pub fn unknown_unit_of(&mut self, name: &str) -> Term {
         self.first_uses.push(None);
         self.units.fresh(name)
     }
 
     fn constant(&mut self, constant: &ast::Parameter, item: &Item) {
         let (measure, term, inferred) =
-            self.declared_unit(&constant.name.text, constant.value.unit.as_ref());
+            self.declared_unit(&constant.name, constant.value.unit.as_ref());
         let (value, _) = measure.of(&constant.value.number);
         let bounds = constant.bounds.as_ref().and_then(|(least, greatest)| {
             let least_value = self.bound(least, &measure, inferred)?;
@@ -177,7 +183,9 @@ impl<'a> Checker<'a> {
         let own = self.measure(unit)?;
         if inferred || !own.unit.agrees(of.unit) {
             let should = if inferred {
-                "no unit, as the default has none".to_owned()
+                "no unit, as that of the default is inferred".to_owned()
+            } else if of.unit == Unit::ONE {
+                "no unit, as the default is a pure number".to_owned()
             } else {
                 format!("the unit {}", of.text)
             };
@@ -193,7 +201,7 @@ impl<'a> Checker<'a> {
 
     fn input(&mut self, input: &ast::Input, item: &Item) {
         let frame = self.frame_of(&input.frame);
-        let (measure, term, _) = self.declared_unit(&input.name.text, input.unit.as_ref());
+        let (measure, term, _) = self.declared_unit(&input.name, input.unit.as_ref());
         let index = self.model.inputs.len();
         self.model.inputs.push(model::Input {
             name: input.name.text.clone(),
@@ -257,8 +265,7 @@ impl<'a> Checker<'a> {
             self.of_body = self.model.states.len();
         }
         for state in &stated {
-            let (measure, term, _) =
-                self.declared_unit(&state.name.text, state.value.unit.as_ref());
+            let (measure, term, _) = self.declared_unit(&state.name, state.value.unit.as_ref());
             let index = self.model.states.len();
             self.model.states.push(model::State {
                 name: state.name.text.clone(),

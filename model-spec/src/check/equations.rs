@@ -150,7 +150,10 @@ impl<'a> Checker<'a> {
         };
         let name = self.model.states[state].name.clone();
         let rule = format!("`der({name})` is {}", self.described(&unit));
-        self.must_be(typed, &unit, &rule);
+        if !self.must_be(typed, &unit, &rule) {
+            let name = self.model.states[state].span;
+            self.suspect_declaration(typed.expr.span, name);
+        }
     }
 
     /// Checks all forces, moments, stated differential equations, the clock rate and the measurement equation.

@@ -3,7 +3,7 @@
 use super::term::Term;
 use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{Expr, ExprKind};
+use crate::model::{Expr, ExprKind, Shape};
 use crate::unit::Unit;
 
 /// Maximum number of declarations labelled in one unit error.
@@ -120,7 +120,8 @@ impl Checker<'_> {
     }
 
     /// Adds to a unit error the units of each expression's operands and the source spans of their declarations.
-    fn origins(&self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
+    fn origins(&mut self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
+        self.suspect_unitless(fault.span, sides);
         let mut shown: Vec<Span> = Vec::new();
         for side in sides {
             let mut leaves = Vec::new();
@@ -283,11 +284,14 @@ impl Checker<'_> {
                 ));
             }
             if has(term, inverse) {
-                return Some(format!(
-                    "multiplied by `{}` ({}) it would agree",
-                    param.name,
-                    inverse.tidy().pretty()
-                ));
+                return Some(multiplied_by(&param.name, inverse));
+            }
+        }
+        let named = self.model.aux_variables.iter().zip(&self.let_units);
+        for (variable, unit) in named.filter(|(v, _)| v.value.shape == Shape::Scalar) {
+            let UnitOf::Term(term) = unit else { continue };
+            if has(term, inverse) {
+                return Some(multiplied_by(&variable.name, inverse));
             }
         }
         None
@@ -302,6 +306,11 @@ impl Checker<'_> {
             _ => format!("{text}/{by}"),
         }
     }
+}
+
+fn multiplied_by(name: &str, unit: Unit) -> String {
+    let unit = unit.tidy().pretty();
+    format!("multiplied by `{name}` ({unit}) it would agree")
 }
 
 fn term_of(typed: &Typed) -> Term {

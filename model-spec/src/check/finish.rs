@@ -63,7 +63,7 @@ impl Checker<'_> {
                 Diagnostic::new(Kind::Unit, declared, message)
             };
             fault = fault
-                .label(declared, "declared without a unit")
+                .label(declared, "to be inferred, by `[?]`")
                 .label(used, "used here");
             self.report(fault.help("write its unit behind the number where it is declared"));
         }

@@ -52,6 +52,7 @@ impl Checker<'_> {
                     Diagnostic::new(Kind::Unit, limit.value.span.to(limit.bound.span), message)
                         .label(limit.value.span, is)
                         .label(limit.bound.span, other);
+                self.suspect_unitless(fault.span, &[&typed]);
                 self.report(fault.help("give the bound the unit of what it bounds"));
             }
             self.model.limits.push(model::ValidityLimit {

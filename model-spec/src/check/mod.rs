@@ -22,6 +22,7 @@ mod scope;
 mod singular;
 mod sum;
 mod term;
+mod unitless;
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -31,6 +32,7 @@ use crate::model::{self, Model, Source};
 use crate::syntax::ast;
 use scope::Scope;
 use term::{Term, Units};
+use unitless::Unitless;
 
 pub use singular::{SingularPoint, nonzero_constants, singular_points};
 
@@ -71,17 +73,13 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
             diagnostics: vec![fault],
         };
     }
-    let mut checker = Checker::new(file, sources);
-    checker.declare();
-    checker.definitions();
-    checker.body();
-    checker.equations();
-    checker.limits();
-    checker.finish();
-    if checker.sound() {
-        checker.singularities();
+    let mut checker = Checker::new(file, sources, Unitless::default());
+    checker.run();
+    if checker.unitless.is_suspected() {
+        let mut inferring = Checker::new(file, sources, Unitless::inferred());
+        inferring.run();
+        checker.suggest_units(&inferring);
     }
-    checker.cases();
     let Checker {
         mut diagnostics,
         model,
@@ -130,7 +128,7 @@ struct Checker<'a> {
     units: Units,
     scope: Scope,
     model: Model,
-    /// Units of the known constants, by index into [`Model::params`]; unknown if to be inferred.
+    /// Units of the known constants, by index into [`Model::params`]; unknown if to be inferred (`[?]`).
     params: Vec<Term>,
     coefficients: Vec<Term>,
     inputs: Vec<Term>,
@@ -149,10 +147,12 @@ struct Checker<'a> {
     of_body: usize,
     /// The declared body, even if it has errors.
     declared_body: Option<&'a ast::Body>,
+    /// Declarations without a unit, and the unit errors that they may cause.
+    unitless: Unitless,
 }
 
 impl<'a> Checker<'a> {
-    fn new(file: &'a ast::File, sources: &'a [Source]) -> Checker<'a> {
+    fn new(file: &'a ast::File, sources: &'a [Source], unitless: Unitless) -> Checker<'a> {
         let declared_body = file.items.iter().find_map(|i| match &i.kind {
             ast::ItemKind::Body(body) => Some(body),
             _ => None,
@@ -175,7 +175,22 @@ impl<'a> Checker<'a> {
             derivatives: HashMap::new(),
             of_body: 0,
             declared_body,
+            unitless,
         }
+    }
+
+    /// Runs every pass; afterwards [`Checker::model`] and [`Checker::diagnostics`] are complete.
+    fn run(&mut self) {
+        self.declare();
+        self.definitions();
+        self.body();
+        self.equations();
+        self.limits();
+        self.finish();
+        if self.sound() {
+            self.singularities();
+        }
+        self.cases();
     }
 
     fn report(&mut self, fault: Diagnostic) {

@@ -137,6 +137,12 @@ impl Checker<'_> {
     }
 
     fn unknown_unit(&mut self, symbol: &str, span: crate::diagnostic::Span) {
+        if symbol == UnitExpr::INFERRED {
+            let message = "a unit is inferred only where a number is declared";
+            let fault = Diagnostic::new(Kind::Name, span, message);
+            self.report(fault.help("write the unit, or leave it out"));
+            return;
+        }
         let mut fault = Diagnostic::new(Kind::Name, span, format!("there is no unit `{symbol}`"));
         let name = crate::syntax::spelling::plain(symbol);
         if self.scope.find(&name).is_some() {

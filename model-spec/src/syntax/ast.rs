@@ -114,13 +114,24 @@ pub struct Quantity {
     pub span: Span,
 }
 
-/// Unit expression: a product of powers of unit symbols; without factors it is `1`.
+/// Unit expression: a product of powers of unit symbols; without factors it is `1`. The only factor `?`
+/// ([`UnitExpr::INFERRED`]) asks for the unit that the uses of the declared name imply.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitExpr {
     /// Powers of unit symbols whose product is the unit.
     pub factors: Vec<UnitFactor>,
     /// Source span of the unit expression.
     pub span: Span,
+}
+
+impl UnitExpr {
+    /// Symbol of the unit that is inferred: `[?]` behind the number of a declaration.
+    pub const INFERRED: &str = "?";
+
+    /// Whether the unit is to be inferred from uses, `[?]`.
+    pub fn is_inferred(&self) -> bool {
+        matches!(&self.factors[..], [only] if only.symbol == UnitExpr::INFERRED)
+    }
 }
 
 /// One power of a unit symbol.

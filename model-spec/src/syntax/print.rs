@@ -29,6 +29,9 @@ impl BinaryOp {
 
 impl fmt::Display for UnitExpr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_inferred() {
+            return f.write_str("[?]");
+        }
         let mut any = false;
         for factor in self.factors.iter().filter(|u| u.doubled > 0) {
             write!(f, "{}{}", if any { "*" } else { "" }, factor.symbol)?;
@@ -89,7 +92,11 @@ fn write_expr(f: &mut fmt::Formatter<'_>, expr: &Expr, least: u8) -> fmt::Result
     }
     match &expr.kind {
         ExprKind::Number(q) => match &q.unit {
-            Some(unit) => write!(f, "{} [{unit}]", q.number.text)?,
+            Some(unit) => {
+                let unit = unit.to_string();
+                let bare = unit.trim_start_matches('[').trim_end_matches(']');
+                write!(f, "{} [{bare}]", q.number.text)?;
+            }
             None => f.write_str(&q.number.text)?,
         },
         ExprKind::Name(name) => f.write_str(name)?,

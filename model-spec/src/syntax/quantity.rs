@@ -93,10 +93,29 @@ impl Parser<'_> {
     pub fn square_unit(&mut self) -> Read<UnitExpr> {
         let start = self.here();
         self.need(Token::OpenSquare, "`[`")?;
-        let mut unit = self.unit()?;
+        let mut unit = if self.peek() == Token::Question {
+            self.inferred_unit()
+        } else {
+            self.unit()?
+        };
         self.need(Token::CloseSquare, "`]` after the unit")?;
         unit.span = start.to(self.behind());
         Ok(unit)
+    }
+
+    /// Parses the `?` of `[?]`, a unit to be inferred.
+    fn inferred_unit(&mut self) -> UnitExpr {
+        let span = self.here();
+        self.advance();
+        let symbol = UnitExpr::INFERRED.to_owned();
+        UnitExpr {
+            factors: vec![UnitFactor {
+                symbol,
+                doubled: 2,
+                span,
+            }],
+            span,
+        }
     }
 
     /// Parses a product or quotient of powers of unit symbols; it may begin with `/`.

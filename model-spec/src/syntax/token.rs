@@ -49,6 +49,8 @@ pub(super) enum Token {
     OpenSquare,
     #[token("]")]
     CloseSquare,
+    #[token("?")]
+    Question,
     #[token("{")]
     OpenBrace,
     #[token("}")]
@@ -261,7 +263,7 @@ fn instead(c: char) -> Option<String> {
         '∥' | '|' => "write `norm(…)` for a length, `abs(…)` for a magnitude",
         '≤' | '≥' | '<' => "a limit is written `limit quantity > number \"reason\";`",
         '∂' | '∫' | '∑' => "derivatives of states are written `der(state)`",
-        '!' | '&' | '?' | '@' | '$' | '~' => return None,
+        '!' | '&' | '@' | '$' | '~' => return None,
         _ if c.is_alphabetic() => "names are made of Latin and Greek letters, digits and `_`",
         _ => return None,
     };

@@ -1,0 +1,243 @@
+//! Declarations without a unit: their numbers are dimensionless. Where that leads to a unit error, a second run of the
+//! checker infers their units, and the error shows the declarations as they would have to be.
+
+use std::collections::HashMap;
+
+use super::term::Term;
+use super::{Checker, Typed};
+use crate::diagnostic::{Kind, Label, MAX_SHOWN, Span};
+use crate::model::{Expr, ExprKind};
+use crate::syntax::ast::{Item, ItemKind, Name, UnitExpr, UnitFactor};
+use crate::unit::Unit;
+
+/// Maximum number of declarations that one error suggests to change.
+const MAX_SUGGESTED: usize = 3;
+
+/// Declarations without a unit, identified by the spans of their names.
+#[derive(Default)]
+pub(super) struct Unitless {
+    /// Whether the units are inferred rather than 1.
+    infers: bool,
+    /// Unit of each declaration: 1, or an unknown if units are inferred.
+    terms: HashMap<Span, Term>,
+    /// Spans of unit errors, each with the declarations that its expressions depend on.
+    suspects: Vec<(Span, Vec<Span>)>,
+}
+
+impl Unitless {
+    /// For a run that infers the unit of every declaration without one.
+    pub fn inferred() -> Unitless {
+        Unitless {
+            infers: true,
+            ..Unitless::default()
+        }
+    }
+
+    /// Unit of a declaration without a unit.
+    pub fn term(&self, name: Span) -> Term {
+        self.terms.get(&name).cloned().unwrap_or_else(Term::one)
+    }
+
+    /// Whether a unit error may be caused by a declaration without a unit.
+    pub fn is_suspected(&self) -> bool {
+        !self.suspects.is_empty()
+    }
+}
+
+impl<'a> Checker<'a> {
+    /// Records the declarations without a unit. Their unknowns come before those of `[?]`, which are solved for first.
+    pub fn declare_unitless(&mut self) {
+        let file = self.file;
+        for item in &file.items {
+            let Some(declared) = Declared::of(item).filter(|d| d.unit.is_none()) else {
+                continue;
+            };
+            let term = if self.unitless.infers {
+                self.unknown_unit_of(&declared.name.text)
+            } else {
+                Term::one()
+            };
+            self.unitless.terms.insert(declared.name.span, term);
+        }
+    }
+
+    /// Records the declarations without a unit that the expressions of a unit error depend on, also through auxiliary
+    /// variables, for [`Checker::suggest_units`].
+    pub fn suspect_unitless(&mut self, fault: Span, sides: &[&Typed]) {
+        if self.unitless.suspects.len() >= MAX_SHOWN || self.unitless.terms.is_empty() {
+            return;
+        }
+        let mut names = Vec::new();
+        let mut is_visited = vec![false; self.model.aux_variables.len()];
+        let mut pending: Vec<usize> = Vec::new();
+        for side in sides {
+            self.unitless_operands(&side.expr, &mut pending, &mut names);
+        }
+        while let Some(i) = pending.pop() {
+            if !std::mem::replace(&mut is_visited[i], true) {
+                let definition = &self.model.aux_variables[i].value;
+                self.unitless_operands(definition, &mut pending, &mut names);
+            }
+        }
+        if !names.is_empty() {
+            self.unitless.suspects.push((fault, names));
+        }
+    }
+
+    /// Records one declaration as a possible cause of a unit error, if it has no unit.
+    pub fn suspect_declaration(&mut self, fault: Span, name: Span) {
+        if !self.unitless.terms.contains_key(&name) {
+            return;
+        }
+        match self.unitless.suspects.last_mut() {
+            Some((span, names)) if *span == fault => names.push(name),
+            _ => self.unitless.suspects.push((fault, vec![name])),
+        }
+    }
+
+    /// Collects the declarations without a unit and the auxiliary variables that an expression uses itself.
+    fn unitless_operands(&self, e: &Expr, variables: &mut Vec<usize>, names: &mut Vec<Span>) {
+        let model = &self.model;
+        let name = match &e.kind {
+            ExprKind::Param(i) => model.params[*i].span,
+            ExprKind::Coefficient(i) => model.coefficients[*i].span,
+            ExprKind::Input(i) => model.inputs[*i].span,
+            ExprKind::State(i) => model.states[*i].span,
+            ExprKind::AuxVariable(i) => {
+                variables.extend((*i < model.aux_variables.len()).then_some(*i));
+                return;
+            }
+            _ => {
+                e.children(&mut |child| self.unitless_operands(child, variables, names));
+                return;
+            }
+        };
+        if self.unitless.terms.contains_key(&name) && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+
+    /// Adds to each unit error the declarations that would have to state a unit, as found by a run that infers them.
+    pub fn suggest_units(&mut self, inferring: &Checker<'_>) {
+        let remaining: Vec<Span> = inferring
+            .diagnostics
+            .iter()
+            .filter(|d| d.kind == Kind::Unit)
+            .map(|d| d.span)
+            .collect();
+        for (span, names) in std::mem::take(&mut self.unitless.suspects) {
+            // An error that no unit of these declarations removes has another cause.
+            if remaining.contains(&span) {
+                continue;
+            }
+            let needed: Vec<(Declared<'_>, Unit)> = names
+                .iter()
+                .filter_map(|name| {
+                    let term = inferring.unitless.terms.get(name)?;
+                    let unit = inferring.units.resolve(term).known_part().unit()?.tidy();
+                    Some((self.declaration(*name)?, unit))
+                })
+                .filter(|(_, unit)| !unit.is_pure())
+                .collect();
+            let Some(help) = self.suggestion(&needed) else {
+                continue;
+            };
+            let fault = self.diagnostics.iter_mut();
+            if let Some(fault) = { fault }.find(|d| d.span == span && d.kind == Kind::Unit) {
+                for (declared, _) in needed.iter().take(MAX_SUGGESTED) {
+                    let name = declared.name;
+                    let text = format!("`{}` has no unit here: a pure number", name.text);
+                    fault.labels.push(Label {
+                        span: name.span,
+                        text,
+                    });
+                }
+                fault.help = Some(match fault.help.take() {
+                    Some(other) => format!("{help}; or: {other}"),
+                    None => help,
+                });
+            }
+        }
+    }
+
+    fn declaration(&self, name: Span) -> Option<Declared<'a>> {
+        let declared = self.file.items.iter().filter_map(Declared::of);
+        { declared }.find(|d| d.name.span == name)
+    }
+
+    /// The sentence that tells which declarations would have to be changed to what; `None` if there are none.
+    fn suggestion(&self, needed: &[(Declared<'_>, Unit)]) -> Option<String> {
+        let listed = |texts: Vec<String>| texts.join(" and ");
+        let shown = &needed[..needed.len().min(MAX_SUGGESTED)];
+        let are: Vec<String> = shown
+            .iter()
+            .map(|(d, unit)| format!("`{}` would be needed in {}", d.name.text, unit.pretty()))
+            .collect();
+        let lines: Vec<String> = shown
+            .iter()
+            .map(|(d, unit)| format!("`{}`", d.with_unit(*unit)))
+            .collect();
+        (!shown.is_empty()).then(|| {
+            format!(
+                "{}, but a number without a unit is a pure number: write {}",
+                listed(are),
+                listed(lines)
+            )
+        })
+    }
+}
+
+/// A declaration of a number or a vector of numbers, which may state a unit.
+struct Declared<'a> {
+    item: &'a ItemKind,
+    name: &'a Name,
+    unit: Option<&'a UnitExpr>,
+}
+
+impl<'a> Declared<'a> {
+    /// The declaration that a statement is; `None` for other statements.
+    fn of(item: &'a Item) -> Option<Declared<'a>> {
+        let (name, unit) = match &item.kind {
+            ItemKind::Parameter(p) => (&p.name, &p.value.unit),
+            ItemKind::State(s) => (&s.name, &s.value.unit),
+            ItemKind::Input(i) => (&i.name, &i.unit),
+            _ => return None,
+        };
+        Some(Declared {
+            item: &item.kind,
+            name,
+            unit: unit.as_ref(),
+        })
+    }
+
+    /// The statement as it would be with a unit.
+    fn with_unit(&self, unit: Unit) -> String {
+        let unit = Some(written(unit));
+        let mut item = self.item.clone();
+        match &mut item {
+            ItemKind::Parameter(p) => p.value.unit = unit,
+            ItemKind::State(s) => s.value.unit = unit,
+            ItemKind::Input(i) => i.unit = unit,
+            _ => {}
+        }
+        item.to_string()
+    }
+}
+
+/// A unit in the notation of model files: one derived symbol if there is one, else powers of the base units.
+fn written(unit: Unit) -> UnitExpr {
+    let span = Span::default();
+    let factor = |symbol: &str, doubled: i8| UnitFactor {
+        symbol: symbol.to_owned(),
+        doubled: doubled.into(),
+        span,
+    };
+    let factors = match unit.named() {
+        Some(symbol) if symbol.chars().all(char::is_alphabetic) => vec![factor(symbol, 2)],
+        _ => unit
+            .powers()
+            .map(|(symbol, doubled)| factor(symbol, doubled))
+            .collect(),
+    };
+    UnitExpr { factors, span }
+}
