@@ -52,6 +52,48 @@ fn disc_with_side_force() -> String {
 }
 
 #[test]
+fn check_runs_the_cases_of_a_model() {
+    let text = std::fs::read_to_string(repository().join("model-spec/models/ball.hyz"));
+    let text = text.expect("the ball");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ball.hyz");
+    std::fs::write(&path, &text).expect("a file");
+    let passed = stdout(hyzer().arg("check").arg(&path), 0);
+    assert!(passed.contains("pass  falls freely"), "{passed}");
+    std::fs::write(
+        &path,
+        text.replace("-9.81 m/s^2 within", "-9.8 m/s^2 within"),
+    )
+    .expect("a file");
+    let failed = stdout(hyzer().arg("check").arg(&path), 1);
+    assert!(
+        failed.contains("der(vz) = -9.81 m/s^2, expected -9.8 m/s^2 within 1e-12 m/s^2  ← fails"),
+        "{failed}"
+    );
+}
+
+#[test]
+fn a_table_of_too_many_rows_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut command = hyzer();
+    command.args([
+        "simulate",
+        "--release",
+        "backhand",
+        "--until",
+        "100",
+        "--rate",
+        "1e5",
+    ]);
+    let told = stderr(command.arg("--out").arg(folder.path()), 2);
+    assert!(
+        told.contains("1000000 rows") || told.contains("10000000 rows"),
+        "{told}"
+    );
+    assert!(told.contains("a --rate of at most 10000"), "{told}");
+}
+
+#[test]
 fn the_printed_appendix_is_refused_for_four_units_and_no_more() {
     let told = stderr(hyzer().args(["check", "disc_appendix_printed"]), 1);
     assert_eq!(told.matches("[unit] Error").count(), 4, "{told}");

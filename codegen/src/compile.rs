@@ -3,7 +3,7 @@
 mod jacobians;
 
 use crate::count;
-use crate::graph::{NodeId, Symbol};
+use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::lower::{Lowered, lower};
 use crate::number::Number;
 use crate::program::{Function, Operand, Program, Section};
@@ -156,11 +156,20 @@ pub fn compile_values(model: &Model) -> (Layout, Program) {
         .into_iter()
         .chain(observation.into_iter().flatten())
         .collect();
-    let mut ssa = build(&graph, &wanted);
+    let program = scheduled_values(&mut graph, &layout, &wanted);
+    (layout, program)
+}
+
+/// Program of the values of some nodes, without hoisting.
+pub(crate) fn scheduled_values(
+    graph: &mut ExprGraph,
+    layout: &Layout,
+    wanted: &[NodeId],
+) -> Program {
+    let mut ssa = build(graph, wanted);
     ssa.optimise();
     let mut namer = Namer::new(&layout.states, &layout.parameters, &[]);
-    let program = schedule(&ssa, &mut graph, &mut namer, None, &[]);
-    (layout, program)
+    schedule(&ssa, graph, &mut namer, None, &[])
 }
 
 struct Compiler {

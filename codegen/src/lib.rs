@@ -6,6 +6,7 @@
 //! subexpressions and lists the definitions; [`schedule`] orders them as a [`program`].
 
 pub mod backend;
+mod cases;
 pub mod compile;
 pub mod count;
 mod differentiate;
@@ -26,6 +27,7 @@ pub mod ssa;
 pub mod tape;
 pub mod tape_model;
 
+pub use cases::{Comparison, check_cases};
 pub use compile::{Compiled, Effort, Selection, compile, compile_at, compile_for, compile_values};
 pub use model_spec::layout::{self, Layout};
 pub use tape_model::TapeModel;

@@ -1,21 +1,30 @@
-//! Command `hyzer check`: prints what a model declares, or every error with its location.
+//! Command `hyzer check`: prints what a model declares, or every error with its location, and runs its check cases.
 
+use std::fmt::Write;
 use std::io::IsTerminal;
 
+use codegen::{Comparison, check_cases};
 use model_spec::load::inspect;
-use model_spec::render;
-use model_spec::summary;
+use model_spec::model::Model;
+use model_spec::{render, summary, with_unit};
 
 use crate::cli::Check;
 use crate::{Answer, output};
 
-/// Checks each model; answers no if any model has an error.
+/// Checks each model; answers no if any model has an error or fails one of its check cases.
 pub fn run(options: &Check) -> anyhow::Result<Answer> {
     let mut answer = Answer::Yes;
     for name in &options.models {
         let loaded = inspect(name, &super::names(&options.with))?;
         match loaded.model {
-            Some(model) if loaded.diagnostics.is_empty() => output::print(summary(&model))?,
+            Some(model) if loaded.diagnostics.is_empty() => {
+                output::print(summary(&model))?;
+                let (report, passes) = cases(&model);
+                output::print(report)?;
+                if !passes {
+                    answer = Answer::No;
+                }
+            }
             _ => {
                 eprint!(
                     "{}",
@@ -30,4 +39,28 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
         }
     }
     Ok(answer)
+}
+
+/// The result of each check case of a model as text, and whether all pass.
+fn cases(model: &Model) -> (String, bool) {
+    let mut text = String::new();
+    let mut all_pass = true;
+    for (title, results) in check_cases(model) {
+        let passes = results.iter().all(Comparison::is_met);
+        all_pass &= passes;
+        let verdict = if passes { "pass" } else { "FAIL" };
+        let _ = writeln!(text, "  {verdict}  {title}");
+        for result in &results {
+            let failed = if result.is_met() { "" } else { "  ← fails" };
+            let _ = writeln!(
+                text,
+                "        {} = {}, expected {} within {}{failed}",
+                result.name,
+                with_unit(result.found, &result.unit),
+                with_unit(result.expected.value, &result.unit),
+                with_unit(result.expected.within, &result.unit),
+            );
+        }
+    }
+    (text, all_pass)
 }

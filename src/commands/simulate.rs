@@ -29,14 +29,34 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     }
     check_numbers(options)?;
     let (model, release) = prepare(options)?;
+    if let Stop::Duration(seconds) = release.stop {
+        check_rows(options, seconds)?;
+    }
     let body = CompiledModel::new(&model);
     let settings = IntegrationOptions::with_tolerance(options.tolerance);
     let flight = simulate(&body, &release, &settings)?;
     output::print(summary(&model, &body, &flight))?;
     if let Some(folder) = &options.out {
+        check_rows(options, flight.end)?;
         write(folder, &model, &release, &flight, options)?;
     }
     Ok(Answer::Yes)
+}
+
+/// Maximum number of rows of `trajectory.csv`, some 200 MB.
+const MAX_ROWS: f64 = 1e6;
+
+/// Refuses a table that would have too many rows; says what to change.
+fn check_rows(options: &Simulate, seconds: f64) -> anyhow::Result<()> {
+    let (rate, rows) = (options.rate, seconds * options.rate);
+    if options.out.is_some() && rows > MAX_ROWS {
+        bail!(
+            "--rate: {rate} rows per second for {seconds} s are {rows:.0} rows, expected at most {MAX_ROWS}; \
+             choose a --rate of at most {:.0}, or a shorter --until",
+            (MAX_ROWS / seconds).floor()
+        );
+    }
+    Ok(())
 }
 
 fn check_numbers(options: &Simulate) -> anyhow::Result<()> {

@@ -20,6 +20,7 @@ mod order;
 mod quantity;
 mod scope;
 mod singular;
+mod size;
 mod sum;
 mod term;
 mod unitless;
@@ -189,6 +190,7 @@ impl<'a> Checker<'a> {
         self.finish();
         if self.sound() {
             self.singularities();
+            self.size();
         }
         self.cases();
     }
