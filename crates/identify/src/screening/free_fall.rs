@@ -22,9 +22,17 @@ const ALONG: f64 = 0.866;
 /// Factors on gravity between which it may be a matter of loads; more for a point mass, whose spin is not known.
 const USUAL_FACTORS: [(f64, f64); 2] = [(0.55, 1.8), (0.38, 2.6)];
 /// Least misfit of a single flight that is examined: in units of gravity, and of the median of all flights.
-const SINGLE_MISFIT: (f64, f64) = (0.25, 5.0);
+const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
 /// Greatest misfit with the mend: in units of the misfit without it, of the median of all flights, and of gravity.
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
+/// Greatest misfit with the mend in any case, in units of gravity: where lengths shrink, so does every misfit but that.
+const MOST_MENDED: f64 = 0.4;
+/// Least vertical component of the normal of markers in a plane that tells which side is up.
+const UPRIGHT: f64 = 0.3;
+/// Greatest misfit of a flight that seems turned over when it is mirrored, in units of that without.
+const TURNED_MISFIT: f64 = 0.7;
+/// Ratio of what remains to the standard error of a component of an acceleration below which it is noise.
+const NOISE: f64 = 2.5;
 /// Part of the scatter of a flight's accelerations that counts as misfit.
 const SCATTER_PART: f64 = 0.25;
 /// Least number of flights of which a single one can differ.
@@ -53,6 +61,8 @@ pub struct FreeFall<'a> {
     gravity: Vector3<f64>,
     /// Windows of each flight; empty for a flight without any.
     rows: Vec<Vec<Row>>,
+    /// Median vertical component of the normal of markers in a plane in each flight.
+    upright: Vec<Option<f64>>,
 }
 
 impl<'a> FreeFall<'a> {
@@ -72,6 +82,10 @@ impl<'a> FreeFall<'a> {
             dataset,
             gravity,
             rows: dataset.flights.iter().zip(tracks).map(of_track).collect(),
+            upright: tracks
+                .iter()
+                .map(|track| upright(problem, track.as_ref()?))
+                .collect(),
         }
     }
 
@@ -84,7 +98,11 @@ impl<'a> FreeFall<'a> {
         let Some(fixed) = regress(&all, Some(self.gravity)) else {
             return Vec::new();
         };
-        if let Some(free) = regress(&all, None)
+        // What the noise of the windows explains needs no other gravity.
+        let mut errors: Vec<f64> = all.iter().map(|row| row.motion.error).collect();
+        let is_noise = fixed.remaining < NOISE * median(&mut errors);
+        if !is_noise
+            && let Some(free) = regress(&all, None)
             && let Some((fault, detail, mend)) = self.of_all(&fixed, &free)
         {
             let flights = self.dataset.flights.iter().zip(&self.rows);
@@ -204,14 +222,45 @@ impl<'a> FreeFall<'a> {
         let limit = (SINGLE_MISFIT.0 * g).max(SINGLE_MISFIT.1 * usual);
         let mut faults = Vec::new();
         for (index, flight) in self.dataset.flights.iter().enumerate() {
-            let Some(before) = misfits[index].filter(|misfit| *misfit > limit) else {
+            let Some(before) = misfits[index] else {
                 continue;
             };
-            let enough =
-                (MENDED_MISFIT.0 * before).min((MENDED_MISFIT.1 * usual).max(MENDED_MISFIT.2 * g));
-            faults.extend(self.mended(fixed, flight, &self.rows[index], enough));
+            if before <= limit {
+                faults.extend(self.turned_over(fixed, index, before));
+                continue;
+            }
+            let most = (MENDED_MISFIT.1 * usual).max(MENDED_MISFIT.2 * g);
+            let enough = (MENDED_MISFIT.0 * before).min(most).min(MOST_MENDED * g);
+            let mended = self.mended(fixed, flight, &self.rows[index], enough);
+            faults.extend(mended.or_else(|| self.turned_over(fixed, index, before)));
         }
         faults
+    }
+
+    /// A flight whose markers, which lie in a plane, have the other side up than in all other flights, and that fits
+    /// better as its mirror image.
+    fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
+        let own = self.upright[index]?;
+        let others = self
+            .upright
+            .iter()
+            .enumerate()
+            .filter(|(other, _)| *other != index);
+        let mut others = others.filter_map(|(_, upright)| *upright);
+        if own.abs() < UPRIGHT || !others.all(|other| other * own < 0.0 && other.abs() > UPRIGHT) {
+            return None;
+        }
+        let flight = &self.dataset.flights[index];
+        let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
+        let track = self.changed(flight, &mirror);
+        let rows = rows(&track, omega(self.problem, flight));
+        let after = self.misfit(fixed, &rows)?;
+        (after < TURNED_MISFIT * before).then(|| DataFault {
+            file: flight.file.clone(),
+            fault: FaultKind::Mirrored,
+            detail: "unlike in the other flights, the markers show the body turned over, and it flies as its mirror image: the axes seem left-handed, or labels are exchanged".into(),
+            mend: super::mirror::MEND.into(),
+        })
     }
 
     /// Acceleration of a flight that neither gravity nor the common loads explain, m/s²: that of the middle of its
@@ -318,6 +367,19 @@ impl<'a> FreeFall<'a> {
             .collect();
         super::track_until_impact(self.problem, &flight.times, &rows)
     }
+}
+
+/// Median vertical component of the normal of the markers' plane; none for a point mass.
+fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
+    let normal = problem
+        .has_attitude
+        .then(|| super::mirror::normal(&problem.markers))?;
+    let each = track
+        .points
+        .iter()
+        .filter_map(|point| Some((point.attitude? * normal).z));
+    let mut each: Vec<f64> = each.collect();
+    (!each.is_empty()).then(|| median(&mut each))
 }
 
 /// Medians of the components of some vectors.

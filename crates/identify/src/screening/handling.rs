@@ -9,7 +9,7 @@ use crate::dataset::Flight;
 use crate::statistics::median;
 
 /// Numbers of points at the start and at the end of a flight that are examined.
-const LENGTHS: [usize; 12] = [6, 8, 11, 15, 20, 27, 36, 48, 64, 90, 130, 200];
+const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
 /// Least force along the velocity that no air in moderate wind exerts, in units of gravity and of the whole force.
 const PUSH: (f64, f64) = (1.0, 0.5);
 /// Least significance of a force.
@@ -19,7 +19,7 @@ const REST: (f64, f64) = (0.5, 0.08);
 /// Least force on a body at rest, in units of gravity.
 const REST_FORCE: f64 = 0.7;
 /// Least force of a catch: in units of gravity, and of what the air exerts in the rest of the flight at that speed.
-const CATCH: (f64, f64) = (3.0, 8.0);
+const CATCH: (f64, f64) = (3.0, 5.0);
 
 /// First part of a flight that is not free.
 pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
@@ -173,9 +173,7 @@ impl<'a> Examined<'a> {
         while end >= length.max(MIN_POINTS) {
             if let Some(earlier) = self.motion(end - length.max(MIN_POINTS), end) {
                 let ratio = (before.norm() / earlier.velocity.norm().max(0.1)).powi(2);
-                usual = usual.max(
-                    (self.force(&earlier).norm() + SIGNIFICANT * earlier.error) * ratio.max(0.2),
-                );
+                usual = usual.max(self.force(&earlier).norm() * ratio.max(0.2));
             }
             end -= length.max(MIN_POINTS);
         }

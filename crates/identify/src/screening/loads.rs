@@ -10,7 +10,7 @@ const PRIOR: f64 = 3.0;
 /// Part of the typical acceleration that no load explains at first.
 const FIRST_SCALE: f64 = 0.1;
 /// Number of repetitions with weights that bad windows lose.
-const REPETITIONS: usize = 8;
+const REPETITIONS: usize = 6;
 
 /// One window of a flight: its acceleration and the loads that may cause it.
 #[derive(Clone, Debug)]

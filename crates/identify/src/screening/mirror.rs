@@ -25,17 +25,24 @@ pub fn is_decided_by(markers: &[[f64; 3]]) -> bool {
     if markers.len() < 4 {
         return false;
     }
-    let centre: Vector3<f64> = markers
-        .iter()
-        .map(|m| Vector3::from(*m))
-        .sum::<Vector3<f64>>()
-        / markers.len() as f64;
-    let scatter: Matrix3<f64> = markers
-        .iter()
-        .map(|m| (Vector3::from(*m) - centre) * (Vector3::from(*m) - centre).transpose())
-        .sum();
+    let scatter = scatter(markers);
     let sizes = scatter.symmetric_eigenvalues();
     sizes.min().max(0.0).sqrt() > THICKNESS * sizes.max().sqrt()
+}
+
+/// Normal of the plane that the markers are nearest to, in body components.
+pub fn normal(markers: &[[f64; 3]]) -> Vector3<f64> {
+    let eigen = scatter(markers).symmetric_eigen();
+    eigen.eigenvectors.column(eigen.eigenvalues.imin()).into()
+}
+
+/// Sum of squares and products of the markers' coordinates about their centre, m².
+fn scatter(markers: &[[f64; 3]]) -> Matrix3<f64> {
+    let each = || markers.iter().map(|marker| Vector3::from(*marker));
+    let centre = each().sum::<Vector3<f64>>() / markers.len() as f64;
+    each()
+        .map(|marker| (marker - centre) * (marker - centre).transpose())
+        .sum()
 }
 
 /// A flight whose markers fit the mirror image of the template.

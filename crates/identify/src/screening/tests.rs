@@ -5,7 +5,7 @@ use model_spec::model::Model;
 
 use super::track::{self, Track};
 use super::{DataFault, FaultKind, screen};
-use crate::dataset::{Dataset, Flight};
+use crate::dataset::{Dataset, Flight, Marker};
 use crate::impact_detection;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
@@ -84,6 +84,19 @@ fn disc(seed: u64) -> (Model, Dataset) {
     let mut usual = release(&model, "backhand");
     usual.stop = Stop::Duration(1.0);
     let made = flights(&model, &[usual], &plan(10, seed)).expect("flights");
+    (model, made.dataset)
+}
+
+/// Flights of a disc with white noise alone.
+fn calm_disc(seed: u64) -> (Model, Dataset) {
+    let model = model("disc");
+    let mut usual = release(&model, "backhand");
+    usual.stop = Stop::Duration(1.0);
+    let plan = Plan {
+        noise: Corruption::default(),
+        ..plan(10, seed)
+    };
+    let made = flights(&model, &[usual], &plan).expect("flights");
     (model, made.dataset)
 }
 
@@ -404,4 +417,334 @@ fn two_thousand_flights_are_cut_at_bounces_only() {
     let [_, wrong, bounces, missed] = cuts(0..30);
     assert_eq!(wrong, 0);
     assert!(100 * missed <= bounces);
+}
+
+/// A flight with samples before its release: the body is held, then pushed along its first velocity.
+fn with_hand(flight: &Flight, held: usize, pushed: usize) -> Flight {
+    let mut flight = flight.clone();
+    let dt = flight.times[1] - flight.times[0];
+    let complete = |row: &Vec<Option<[f64; 3]>>| row.iter().all(Option::is_some);
+    let first = flight
+        .positions
+        .iter()
+        .position(complete)
+        .expect("a complete row");
+    flight.positions.drain(..first);
+    let next = (1..)
+        .find(|&i| complete(&flight.positions[i]))
+        .expect("another");
+    let row = |i: usize| {
+        flight.positions[i]
+            .iter()
+            .flatten()
+            .copied()
+            .collect::<Vec<[f64; 3]>>()
+    };
+    let (start, later) = (row(0), row(next));
+    let count = start.len() as f64;
+    let velocity = [0, 1, 2].map(|axis| {
+        let moved = later.iter().zip(&start).map(|(b, a)| b[axis] - a[axis]);
+        moved.sum::<f64>() / count / (next as f64 * dt)
+    });
+    let push = pushed as f64 * dt;
+    let before = (1..=held + pushed).rev().map(|back| {
+        let since = push - back as f64 * dt;
+        let moved = since.max(0.0).powi(2) / (2.0 * push) - push / 2.0;
+        let shift = |(k, p): (usize, &[f64; 3])| {
+            let noise = 0.0015 * ((back * 31 + k * 7) as f64).sin();
+            Some([0, 1, 2].map(|axis| p[axis] + velocity[axis] * moved + noise))
+        };
+        start.iter().enumerate().map(shift).collect()
+    });
+    let mut positions: Vec<Vec<Option<[f64; 3]>>> = before.collect();
+    positions.append(&mut flight.positions);
+    flight.times = (0..positions.len()).map(|i| i as f64 * dt).collect();
+    flight.positions = positions;
+    flight
+}
+
+/// A flight whose body is caught: braked within some samples, then held.
+fn with_catch(flight: &Flight, braked: usize, held: usize) -> Flight {
+    let mut backwards = flight.clone();
+    backwards.positions.reverse();
+    let mut caught = with_hand(&backwards, held, braked);
+    caught.positions.reverse();
+    caught
+}
+
+fn kinds(faults: &[DataFault]) -> Vec<(&str, FaultKind)> {
+    faults
+        .iter()
+        .map(|fault| (fault.file.as_str(), fault.fault))
+        .collect()
+}
+
+#[test]
+fn samples_in_the_hand_and_after_the_catch_are_named() {
+    type Change = fn(&Flight) -> Flight;
+    let changes: [(&str, Change); 6] = [
+        ("held for half a second", |f| with_hand(f, 60, 20)),
+        ("pushed only", |f| with_hand(f, 0, 14)),
+        ("pushed briefly", |f| with_hand(f, 0, 7)),
+        ("caught and held", |f| with_catch(f, 8, 30)),
+        ("caught", |f| with_catch(f, 9, 0)),
+        ("at rest", |f| Flight {
+            positions: f
+                .positions
+                .iter()
+                .map(|_| {
+                    f.positions[0]
+                        .iter()
+                        .map(|p| p.or(Some([1.0; 3])))
+                        .collect()
+                })
+                .collect(),
+            ..f.clone()
+        }),
+    ];
+    let mut wrong = Vec::new();
+    for ((model, clean), which_body) in [(disc(5), "disc"), (ball(6), "ball")] {
+        for (name, change) in &changes {
+            for which in [&[3][..], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]] {
+                let mut dataset = clean.clone();
+                for &flight in which {
+                    dataset.flights[flight] = change(&clean.flights[flight]);
+                }
+                let faults = found(&model, &dataset);
+                let files = faults.iter().map(|fault| fault.file.as_str());
+                let expected = which
+                    .iter()
+                    .map(|&flight| dataset.flights[flight].file.as_str());
+                if !files.eq(expected) {
+                    wrong.push(format!(
+                        "{which_body}, {name}, {}: {:?} {:?}",
+                        which.len(),
+                        kinds(&faults),
+                        faults.first().map(|f| &f.detail)
+                    ));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn a_mirrored_flight_is_named() {
+    let mirror: Spoil = |f| each_point(f, |[x, y, z]| [x, -y, z]);
+    let (model, dataset) = calm_disc(7);
+    let one = found(&model, &spoiled(&dataset, &[5], mirror));
+    assert_eq!(
+        kinds(&one),
+        [("flight06.csv", FaultKind::Mirrored)],
+        "{one:#?}"
+    );
+    let usual = disc_releases(&model).swap_remove(0);
+    let marker = |name: &str, position| Marker {
+        name: name.into(),
+        position,
+    };
+    let markers = vec![
+        marker("a", [0.1, 0.0, 0.02]),
+        marker("b", [-0.05, 0.09, 0.0]),
+        marker("c", [-0.04, -0.08, 0.01]),
+        marker("d", [0.02, 0.03, -0.04]),
+    ];
+    let made = flights(
+        &model,
+        &[usual],
+        &Plan {
+            markers,
+            ..plan(6, 8)
+        },
+    )
+    .expect("flights");
+    assert_eq!(found(&model, &made.dataset), []);
+    let all = found(&model, &spoiled(&made.dataset, &[0, 1, 2, 3, 4, 5], mirror));
+    assert_eq!(all.len(), 6);
+    assert!(all.iter().all(|fault| fault.fault == FaultKind::Mirrored));
+}
+
+#[test]
+fn copies_and_tables_that_are_no_flights_are_named() {
+    let (model, mut dataset) = disc(9);
+    dataset.flights[6].positions = dataset.flights[1].positions.clone();
+    let random = &mut dataset.flights[8];
+    let mut state = 1_u64;
+    each_random(random, &mut state);
+    let faults = found(&model, &dataset);
+    let files: Vec<&str> = faults.iter().map(|fault| fault.file.as_str()).collect();
+    assert_eq!(files, ["flight07.csv", "flight09.csv"], "{faults:#?}");
+    let (model, mut dataset) = ball(9);
+    each_random(&mut dataset.flights[8], &mut state);
+    let later = dataset.flights[4].positions.len() / 2;
+    for row in &mut dataset.flights[4].positions[later..] {
+        for point in row.iter_mut().flatten() {
+            point[1] += 0.5;
+        }
+    }
+    let faults = found(&model, &dataset);
+    assert_eq!(
+        kinds(&faults),
+        [
+            ("flight05.csv", FaultKind::Other),
+            ("flight09.csv", FaultKind::Other)
+        ],
+        "{faults:#?}"
+    );
+}
+
+fn each_random(flight: &mut Flight, state: &mut u64) {
+    for point in flight.positions.iter_mut().flatten().flatten() {
+        *point = point.map(|_| {
+            *state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (*state >> 40) as f64 / (1_u64 << 24) as f64
+        });
+    }
+}
+
+/// Clean flights of models of a user's own.
+#[test]
+fn flights_of_other_models_have_no_fault() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../studies/models");
+    // Names, and initial states other than the defaults.
+    let cases: [(&str, &[(&str, f64)]); 6] = [
+        ("shuttlecock", &[("vx", 40.0), ("vz", 10.0), ("z", 2.0)]),
+        (
+            "spinning_ball",
+            &[("vx", 20.0), ("vz", 6.0), ("z", 2.0), ("p", 40.0)],
+        ),
+        (
+            "quaternion_dart",
+            &[("vx", 15.0), ("vz", 2.0), ("z", 2.0), ("p", 5.0)],
+        ),
+        ("glider", &[]),
+        ("pendulum", &[("x", 1.5), ("z", -2.0)]),
+        ("kite", &[]),
+    ];
+    for (name, initial) in cases {
+        let path = root.join(format!("{name}.hyz"));
+        let model = model(path.to_str().expect("a path"));
+        let states = model.states.iter().map(|state| {
+            let value = initial.iter().find(|(name, _)| *name == state.name);
+            (
+                state.name.clone(),
+                value.map_or(state.value, |(_, value)| *value),
+            )
+        });
+        let release = Release {
+            model: model.name.clone(),
+            stop: Stop::Duration(1.0),
+            parameters: Vec::new(),
+            coefficients: Vec::new(),
+            initial: states.collect(),
+            wind: [0.0; 3],
+            known: Vec::new(),
+        };
+        for seed in 0..5 {
+            let plan = Plan {
+                spread: Spread {
+                    fraction: 0.05,
+                    ..Spread::default()
+                },
+                ..plan(8, seed)
+            };
+            match flights(&model, std::slice::from_ref(&release), &plan) {
+                Ok(made) => assert_eq!(found(&model, &made.dataset), [], "{name}"),
+                Err(error) => eprintln!("skipped: {name}: {error}"),
+            }
+        }
+    }
+}
+
+#[test]
+#[ignore = "measures time"]
+fn time_of_the_screening() {
+    let (model, _) = disc(1);
+    let made = flights(
+        &model,
+        &[disc_releases(&model).swap_remove(0)],
+        &plan(20, 1),
+    )
+    .expect("flights");
+    let problem =
+        FitProblem::new(&model, &made.dataset, &FitOptions::default()).expect("a problem");
+    let time = |name: &str, work: &dyn Fn()| {
+        let clock = std::time::Instant::now();
+        for _ in 0..20 {
+            work();
+        }
+        eprintln!(
+            "{name}: {:.3} ms",
+            1e3 * clock.elapsed().as_secs_f64() / 20.0
+        );
+    };
+    let dataset = &made.dataset;
+    let track =
+        |flight: &Flight| super::track_until_impact(&problem, &flight.times, &flight.positions);
+    let tracks: Vec<Option<Track>> = dataset
+        .flights
+        .iter()
+        .map(|flight| Some(track(flight)))
+        .collect();
+    let gravity = super::gravity::gravity(&problem).expect("gravity");
+    let each = |work: &dyn Fn(usize)| (0..dataset.flights.len()).for_each(work);
+    time("records", &|| {
+        each(&|i| assert!(super::records::check(dataset, i).is_none()))
+    });
+    time("distances", &|| {
+        each(&|i| assert!(super::distances::check(dataset, i).is_none()))
+    });
+    time("tracks", &|| {
+        each(&|i| assert!(!track(&dataset.flights[i]).points.is_empty()))
+    });
+    time("poses", &|| {
+        each(&|i| {
+            let flight = &dataset.flights[i];
+            let track = Track::of(&problem.markers, true, &flight.times, &flight.positions);
+            assert!(!track.points.is_empty());
+        });
+    });
+    time("jumps", &|| {
+        each(&|i| {
+            assert!(
+                super::jumps::check(tracks[i].as_ref().expect("a track"), &dataset.flights[i])
+                    .is_none()
+            )
+        });
+    });
+    time("gravity", &|| {
+        assert!(super::gravity::gravity(&problem).is_some())
+    });
+    time("free fall", &|| {
+        assert!(
+            super::FreeFall::new(&problem, dataset, gravity, &tracks)
+                .check()
+                .is_empty()
+        )
+    });
+    time("handling", &|| {
+        each(&|i| {
+            assert!(
+                super::handling::check(
+                    tracks[i].as_ref().expect("a track"),
+                    gravity,
+                    &dataset.flights[i]
+                )
+                .is_none()
+            )
+        });
+    });
+    time("screening", &|| {
+        assert_eq!(screen(&problem, dataset, 1), [])
+    });
+    let clock = std::time::Instant::now();
+    let options = FitOptions {
+        threads: Some(1),
+        ..FitOptions::default()
+    };
+    crate::fit(&model, dataset, &options).expect("a fit");
+    eprintln!("fit: {:.3} ms", 1e3 * clock.elapsed().as_secs_f64());
 }

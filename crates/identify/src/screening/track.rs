@@ -17,7 +17,7 @@ pub const MIN_POINTS: usize = 6;
 /// Standard error of an acceleration, relative to the acceleration of the flight, at which windows need not be longer.
 const WINDOW_ERROR: f64 = 0.04;
 /// Least and greatest number of windows of a flight.
-const WINDOWS: [usize; 2] = [4, 30];
+const WINDOWS: [usize; 2] = [4, 14];
 
 /// Position of the origin in one sample.
 #[derive(Clone, Copy, Debug)]
