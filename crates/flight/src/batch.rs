@@ -1,6 +1,8 @@
 //! Independent tasks on several threads, by rayon.
 
 use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Runs `task(0)`, …, `task(count - 1)` on all processors; results are in the order of the index.
 ///
@@ -21,8 +23,8 @@ pub fn threads() -> usize {
 }
 
 /// Runs `task(0)`, …, `task(count - 1)` on `threads` threads; results are in index order and do not depend on
-/// `threads`. Uses the current rayon pool if it has as many threads, else a new pool; the calling thread for a single
-/// thread or task.
+/// `threads`. Uses the current rayon pool if it has as many threads, else a pool that later calls share; the calling
+/// thread for a single thread or task.
 ///
 /// # Panics
 /// Where `task` does.
@@ -38,12 +40,26 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     if threads == rayon::current_num_threads() {
         return parallel();
     }
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.min(count));
-    match pool.build() {
+    match shared_pool(threads) {
         Ok(pool) => pool.install(parallel),
         // The system refuses further threads.
         Err(_) => (0..count).map(&task).collect(),
     }
+}
+
+/// Pool of `threads` threads: that of the last call if it has as many, else a new one, which replaces it. A fit calls
+/// thousands of times with one number of threads, so that it starts its threads once.
+fn shared_pool(threads: usize) -> Result<Arc<ThreadPool>, ThreadPoolBuildError> {
+    static LAST: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
+    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(pool) = last.as_ref()
+        && pool.current_num_threads() == threads
+    {
+        return Ok(Arc::clone(pool));
+    }
+    let pool = Arc::new(ThreadPoolBuilder::new().num_threads(threads).build()?);
+    *last = Some(Arc::clone(&pool));
+    Ok(pool)
 }
 
 #[cfg(test)]
@@ -61,5 +77,13 @@ mod tests {
             assert_eq!(results, (0..40).map(work).collect::<Vec<_>>());
         }
         assert!(each(0, |i| i).is_empty());
+        // In the same test: another one, at the same time, would replace the pool.
+        let pool = shared_pool(13).expect("13 threads");
+        let again = shared_pool(13).expect("the same 13 threads");
+        assert!(Arc::ptr_eq(&pool, &again));
+        assert_eq!(
+            shared_pool(11).expect("11 threads").current_num_threads(),
+            11
+        );
     }
 }

@@ -38,9 +38,9 @@ pub struct FitOptions<'a> {
 pub struct Prior {
     /// Name of the parameter.
     pub name: String,
-    /// Mean, SI.
+    /// Mean of the prior distribution, in the SI unit of the parameter.
     pub value: f64,
-    /// Standard deviation, SI.
+    /// Standard deviation of the prior distribution, in the SI unit of the parameter.
     pub sigma: f64,
 }
 

@@ -3,7 +3,7 @@
 use crate::refute::Refutation;
 pub use crate::row::{Measure, Row, Verdict, Worst};
 use crate::table::plain_table;
-use comfy_table::{Attribute, Cell};
+use comfy_table::Cell;
 use serde::Serialize;
 
 /// Results of all checks of one model.
@@ -40,7 +40,7 @@ impl Report {
         for row in &self.rows {
             let verdict = match row.verdict {
                 Verdict::Holds => Cell::new("holds"),
-                Verdict::Refuted => Cell::new("REFUTED").add_attribute(Attribute::Bold),
+                Verdict::Refuted => Cell::new("REFUTED"),
                 Verdict::Skipped => Cell::new("skipped"),
             };
             let [worst, allowed] = match (row.verdict, row.measure) {

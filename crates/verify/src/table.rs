@@ -8,8 +8,7 @@ pub(crate) fn plain_table(header: &[&str]) -> Table {
     table.load_style(comfy_table::presets::ASCII_MARKDOWN);
     table
         .set_content_arrangement(ContentArrangement::Dynamic)
-        .set_width(150)
-        .force_no_tty();
+        .set_width(150);
     table.set_header(header.to_vec());
     table
 }

@@ -4,6 +4,7 @@ mod circles;
 mod dependencies;
 mod docs;
 mod glossary;
+mod packages;
 mod source;
 
 use std::path::{Path, PathBuf};
@@ -33,6 +34,8 @@ enum Task {
     Circles,
     /// Dependencies that no file names, licences that are not allowed, packages that need a newer compiler
     Dependencies,
+    /// Build every package that can be published from its own archive, as a registry would get it
+    Package,
     /// Names in docs/glossary.md that no source file has
     Glossary,
     /// Files longer than 500 lines, and the lines of each crate without its tests
@@ -65,6 +68,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Lint => lint(&root),
         Task::Circles => circles::check(&root),
         Task::Dependencies => dependencies::check(&root),
+        Task::Package => packages::check(&root, true),
         Task::Glossary => glossary::check(&root),
         Task::Lines => source::print_lines(&root),
         Task::DocSample { seed, count } => docs::print_sample(&root, seed, count),
@@ -75,6 +79,8 @@ fn check(root: &Path) -> Result<()> {
     lint(root)?;
     section("dependencies");
     dependencies::check(root)?;
+    section("packages");
+    packages::check(root, false)?;
     section("import circles and long files");
     circles::check(root)?;
     source::check_lengths(root)?;

@@ -133,8 +133,8 @@ impl ScoreTestModel {
             .collect()
     }
 
-    /// Splits the directions of a flight's initial state into those of states of candidates not conditioned on, and
-    /// all others.
+    /// Splits the directions of a flight's initial state in two: those of the states that candidates outside
+    /// `conditioned_on` add, which are at their null values, and all others.
     pub fn local_partition(
         &self,
         flight: usize,

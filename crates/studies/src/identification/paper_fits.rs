@@ -65,7 +65,7 @@ fn is_plausible(name: &str, value: f64) -> bool {
     }
 }
 
-/// Fits the paper's flights, made with the model's own coefficients as the truth.
+/// Fits simulated flights with the releases of the paper; the coefficients of the built-in disc are their true values.
 ///
 /// # Panics
 /// If a built-in model or release does not load.

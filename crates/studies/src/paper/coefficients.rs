@@ -16,9 +16,9 @@ pub(super) struct Coefficients {
     pub(super) pitch_damping: f64,
     /// C_Mq of roll.
     pub(super) roll_damping: f64,
-    /// C_Rr, or the multiple of the advance ratio.
+    /// Roll moment due to spin: C_Rr in s, or the number that multiplies the advance ratio where the reading takes it so.
     pub(super) roll_spin: f64,
-    /// C_Nr, or the multiple of ρ V² A d/2.
+    /// Spin damping: C_Nr in N m s, or the number that multiplies ρ V² A d/2 where the reading takes it so.
     pub(super) spin_down: f64,
 }
 

@@ -9,7 +9,7 @@ use super::reading::Reading;
 use super::table::Table1;
 use crate::error::StudyError;
 
-/// Limit of the departure from a claim in the misfit, in tolerances.
+/// A claim that is missed by more counts as missed by this much in the misfit of a reading, in tolerances of the claim.
 const MAX_DEPARTURE: f64 = 10.0;
 
 /// Cost of a hypothesis in squared tolerances: Akaike's penalty of one more parameter.
