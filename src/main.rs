@@ -20,7 +20,8 @@ enum Answer {
 
 fn main() -> ExitCode {
     let cli = cli::Cli::parse();
-    match commands::run(cli.command) {
+    let answer = progress::handle_signals().and_then(|()| commands::run(cli.command));
+    match answer {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
         Err(error) => {
@@ -29,10 +30,9 @@ fn main() -> ExitCode {
                 .downcast_ref::<std::io::Error>()
                 .is_some_and(|e| e.kind() == std::io::ErrorKind::BrokenPipe);
             if !closed {
-                eprintln!("{}", output::told(&error));
+                eprintln!("{}", output::error_text(&error));
             }
             ExitCode::from(match fit_error(&error) {
-                Some(FitError::Interrupted) => progress::INTERRUPTED,
                 Some(FitError::FaultyData(_)) => 1,
                 _ => 2,
             })

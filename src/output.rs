@@ -1,9 +1,12 @@
-//! Output of the program: standard output, and atomically written files.
+//! Output of the program: standard output, and results that appear whole.
 
 use std::io::Write;
 use std::path::Path;
 
 use anyhow::Context;
+use report::{ResultFile, ResultFolder};
+
+use crate::progress;
 
 /// Writes `contents` to `path` atomically; creates missing parent folders.
 pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
@@ -13,7 +16,18 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
         }
         report::write_atomic(path, contents)
     };
-    whole().with_context(|| format!("cannot write {}", path.display()))
+    progress::writing(whole).with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// Tries the folder of the option `--out`, if it is given, before any work.
+pub fn folder(out: Option<&Path>) -> anyhow::Result<Option<ResultFolder>> {
+    let open = |path| ResultFolder::open(path).context("--out");
+    out.map(open).transpose()
+}
+
+/// Replaces the results in a folder, as a whole.
+pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()> {
+    progress::writing(|| folder.replace(files)).context("--out")
 }
 
 /// Prints text to standard output and flushes it.
@@ -25,7 +39,7 @@ pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
 }
 
 /// Formats an error with its chain of causes for the terminal, prefixed by `error: `.
-pub fn told(error: &anyhow::Error) -> String {
+pub fn error_text(error: &anyhow::Error) -> String {
     let text = format!("{error:#}");
     // Rendered diagnostics of a model file have headings of their own.
     if text.contains("] Error:") {

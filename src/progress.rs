@@ -1,30 +1,100 @@
-//! Progress bar on the terminal, and handling of Ctrl-C.
+//! Progress bar on the terminal, and the end of the program by a signal.
+//!
+//! Ctrl-C (SIGINT), SIGTERM and SIGHUP end every command at once while it works, since nothing is written then. What is
+//! being written is finished, if that takes less than [`WRITING_LIMIT`]; result files and folders appear whole in any case.
 
-use std::sync::Arc;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
+use std::thread;
 use std::time::Duration;
 
-use identify::CancellationToken;
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Phase before any work: Ctrl-C ends the program at once.
-const READING: u8 = 0;
-/// Phase of cancellable work: Ctrl-C cancels the token.
-const WORKING: u8 = 1;
-/// Phase in which result files are written: Ctrl-C is ignored.
-const WRITING: u8 = 2;
-/// Phase after Ctrl-C during work: the token is cancelled.
-const STOPPED: u8 = 3;
+/// Phase of work: a signal ends the program.
+const WORKING: u8 = 0;
+/// Phase in which results are written: a signal ends the program afterwards.
+const WRITING: u8 = 1;
+/// Phase after a signal during work: the program ends.
+const STOPPED: u8 = 2;
+/// Phase after a signal while results are written: the program ends when they are.
+const STOPPED_WRITING: u8 = 3;
+
+static PHASE: AtomicU8 = AtomicU8::new(WORKING);
+
+/// The progress bar that is shown, so that a signal can remove it.
+static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
 /// Exit status of an interrupted program (128 + SIGINT).
-pub const INTERRUPTED: u8 = 130;
+const INTERRUPTED: u8 = 130;
 
-/// Progress bar on standard error (hidden where that is not a terminal) and cancellation by Ctrl-C.
+/// Longest time that a signal waits for results to be written.
+const WRITING_LIMIT: Duration = Duration::from_millis(700);
+
+/// Longest time that a signal waits for its message to be printed.
+const MESSAGE_LIMIT: Duration = Duration::from_millis(200);
+
+/// Installs the handler of signals, for any command.
+pub fn handle_signals() -> anyhow::Result<()> {
+    ctrlc::set_handler(|| {
+        let change = |from, to| {
+            let changed = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
+            changed.is_ok()
+        };
+        if change(WORKING, STOPPED) {
+            end("interrupted; nothing was written");
+        }
+        if change(WRITING, STOPPED_WRITING) {
+            thread::sleep(WRITING_LIMIT);
+            end(
+                "interrupted while results were written; they are the earlier ones or the new ones",
+            );
+        }
+    })?;
+    Ok(())
+}
+
+/// Runs a function that writes results; a signal meanwhile ends the program when the function returns.
+pub fn writing<T>(write: impl FnOnce() -> T) -> T {
+    remove_bar();
+    enter(WORKING, WRITING);
+    let written = write();
+    if PHASE.swap(WORKING, Ordering::SeqCst) == STOPPED_WRITING {
+        end("interrupted; the results had been written");
+    }
+    written
+}
+
+/// Changes the phase; does not return if a signal has already said that nothing is written.
+fn enter(from: u8, to: u8) {
+    let entered = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
+    while entered == Err(STOPPED) {
+        thread::sleep(MESSAGE_LIMIT);
+    }
+}
+
+/// Ends the program, with a message if standard error takes it.
+fn end(message: &str) {
+    // The pipe of standard error may be full with nobody to read it.
+    thread::spawn(|| {
+        thread::sleep(MESSAGE_LIMIT);
+        std::process::exit(INTERRUPTED.into());
+    });
+    remove_bar();
+    eprintln!("{message}");
+    std::process::exit(INTERRUPTED.into());
+}
+
+fn remove_bar() {
+    if let Ok(mut shown) = BAR.try_lock()
+        && let Some(bar) = shown.take()
+    {
+        bar.finish_and_clear();
+    }
+}
+
+/// Progress bar on standard error; hidden where that is not a terminal.
 #[derive(Debug)]
 pub struct Progress {
-    phase: Arc<AtomicU8>,
-    cancellation: CancellationToken,
     bar: ProgressBar,
     stage: Mutex<String>,
     parts: AtomicUsize,
@@ -32,54 +102,29 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Installs the Ctrl-C handler; draws no progress bar yet.
+    /// Draws the progress bar of work that starts.
     pub fn new() -> anyhow::Result<Self> {
-        let phase = Arc::new(AtomicU8::new(READING));
-        let heard = Arc::clone(&phase);
-        let cancellation = CancellationToken::default();
-        let token = cancellation.clone();
-        ctrlc::set_handler(move || {
-            let was = heard.compare_exchange(WORKING, STOPPED, Ordering::SeqCst, Ordering::SeqCst);
-            if was.is_ok() {
-                token.cancel();
-            }
-            if was == Err(READING) {
-                eprintln!("interrupted; nothing was written");
-                std::process::exit(INTERRUPTED.into());
-            }
-        })?;
         let bar = ProgressBar::new(0);
         bar.set_style(
             ProgressStyle::with_template("{msg} [{bar:16}] {pos}/{len} flights, {eta} left")?
                 .progress_chars("=> "),
         );
+        bar.enable_steady_tick(Duration::from_millis(200));
+        if let Ok(mut shown) = BAR.lock() {
+            *shown = Some(bar.clone());
+        }
         Ok(Self {
-            phase,
-            cancellation,
             bar,
             stage: Mutex::default(),
             parts: AtomicUsize::new(0),
             done: AtomicUsize::new(0),
         })
     }
+}
 
-    /// The token that Ctrl-C cancels while work is under way.
-    pub fn cancellation(&self) -> &CancellationToken {
-        &self.cancellation
-    }
-
-    /// Enters the phase of cancellable work and starts the progress bar.
-    pub fn working(&self) {
-        self.phase.store(WORKING, Ordering::SeqCst);
-        self.bar.enable_steady_tick(Duration::from_millis(200));
-    }
-
-    /// Enters the phase of writing files, which Ctrl-C does not interrupt; removes the progress bar.
-    pub fn writing(&self) {
-        let _ = self
-            .phase
-            .compare_exchange(WORKING, WRITING, Ordering::SeqCst, Ordering::SeqCst);
-        self.bar.finish_and_clear();
+impl Drop for Progress {
+    fn drop(&mut self) {
+        remove_bar();
     }
 }
 

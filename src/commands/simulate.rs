@@ -8,6 +8,7 @@ use flight::release::{BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::model::Model;
 use ode::{IntegrationOptions, Trajectory};
+use report::ResultFile;
 use report::figures::{StateLabel, flight as picture};
 
 use super::number;
@@ -28,6 +29,7 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
         return Ok(Answer::Yes);
     }
     check_numbers(options)?;
+    let out = output::folder(options.out.as_deref())?;
     let (model, release) = prepare(options)?;
     if let Stop::Duration(seconds) = release.stop {
         check_rows(options, seconds)?;
@@ -35,10 +37,13 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     let body = CompiledModel::new(&model);
     let settings = IntegrationOptions::with_tolerance(options.tolerance);
     let flight = simulate(&body, &release, &settings)?;
+    if let Some(folder) = &out {
+        check_rows(options, flight.end)?;
+        output::replace(folder, &results(&model, &release, &flight, options))?;
+    }
     output::print(summary(&model, &body, &flight))?;
     if let Some(folder) = &options.out {
-        check_rows(options, flight.end)?;
-        write(folder, &model, &release, &flight, options)?;
+        eprintln!("trajectory.csv and flight.svg are in {}", folder.display());
     }
     Ok(Answer::Yes)
 }
@@ -210,22 +215,18 @@ fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
     text
 }
 
-fn write(
-    folder: &Path,
+/// The files that `--out` holds.
+fn results(
     model: &Model,
     release: &Release,
     flight: &Trajectory,
     options: &Simulate,
-) -> anyhow::Result<()> {
+) -> Vec<ResultFile> {
     let names: Vec<&str> = model
         .states
         .iter()
         .map(|state| state.name.as_str())
         .collect();
-    output::write(
-        &folder.join("trajectory.csv"),
-        trajectory_csv(flight, &names, options.rate),
-    )?;
     let labels = model.states.iter().map(|state| StateLabel {
         name: &state.name,
         unit: &state.unit_text,
@@ -234,10 +235,12 @@ fn write(
         Some(name) => format!("{} · {name}", model.name),
         None => release.model.clone(),
     };
-    output::write(
-        &folder.join("flight.svg"),
-        picture(&title, flight, &labels.collect::<Vec<_>>()),
-    )?;
-    eprintln!("trajectory.csv and flight.svg are in {}", folder.display());
-    Ok(())
+    let labels: Vec<StateLabel<'_>> = labels.collect();
+    vec![
+        ResultFile::new(
+            "trajectory.csv",
+            trajectory_csv(flight, &names, options.rate),
+        ),
+        ResultFile::new("flight.svg", picture(&title, flight, &labels)),
+    ]
 }

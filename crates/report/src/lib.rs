@@ -1,4 +1,5 @@
-//! Reports: figures and tables of flights, HTML pages of fits and diagnoses, and the page of the effects.
+//! Reports: figures and tables of flights, HTML pages of fits and diagnoses, the page of the effects, and the folders that
+//! results are written to.
 
 #![forbid(unsafe_code)]
 
@@ -8,5 +9,7 @@ pub mod effects;
 pub mod figures;
 pub mod fit;
 pub mod literature;
+mod result_folder;
 
 pub use atomic_file::write_atomic;
+pub use result_folder::{MANIFEST, ResultFile, ResultFolder, ResultFolderError};

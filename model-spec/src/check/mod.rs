@@ -35,6 +35,7 @@ use scope::Scope;
 use term::{Term, Units};
 use unitless::Unitless;
 
+pub(crate) use quantity::si_value;
 pub use singular::{SingularPoint, nonzero_constants, singular_points};
 
 /// Result of [`check`](fn@check): the model and the diagnostics.

@@ -2,7 +2,7 @@
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::syntax::ast::{Number, UnitExpr};
+use crate::syntax::ast::{File, Number, UnitExpr};
 use crate::unit::{Unit, symbol};
 
 /// Meaning of a unit expression: SI unit and conversion factor.
@@ -76,6 +76,13 @@ fn reduced(above: i128, below: i128) -> Option<(i64, i64)> {
         i64::try_from(above / divisor).ok()?,
         i64::try_from(below / divisor).ok()?,
     ))
+}
+
+/// SI value of a literal with a unit; `None` if the unit is unknown or out of range.
+pub(crate) fn si_value(number: &Number, unit: &UnitExpr) -> Option<f64> {
+    let nothing = File::default();
+    let measure = Checker::new(&nothing, &[]).measure(unit)?;
+    Some(measure.of(number).0)
 }
 
 impl Checker<'_> {

@@ -24,6 +24,7 @@
 
 mod effect_tree;
 mod offers;
+mod values;
 
 use std::sync::Arc;
 
@@ -38,6 +39,7 @@ use crate::syntax::ast::{File, Item, ItemKind};
 use crate::syntax::{self, Parsed};
 
 pub use effect_tree::EffectTree;
+pub use values::ValueError;
 
 /// A model's syntax tree with effects applied, and the source texts that its spans refer to.
 #[derive(Clone, Debug)]

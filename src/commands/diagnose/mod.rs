@@ -3,16 +3,15 @@
 mod summary;
 mod tables;
 
-use std::path::Path;
-
-use ::diagnose::{Diagnosis, DiagnosisOptions, diagnose_with};
-use ::diagnose::{Verdict, Verified};
+use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_with};
 use anyhow::Context;
-use codegen::backend::SourceFile;
-use identify::{Fit, FitOptions, dataset};
+use codegen::generate::generate_with;
+use identify::dataset::{self, Dataset};
+use identify::{Fit, FitOptions};
+use report::ResultFile;
 use report::diagnosis::DiagnosisPage;
 
-use super::fit::{drawn, held, model_of, priors};
+use super::fit::{dataset_name, drawn, fitted_text, held, model_of, priors};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -20,20 +19,21 @@ use crate::{Answer, output};
 /// File name of the extended model.
 const EXTENDED: &str = "extended.hyz";
 
+/// Folder of the extended model's code.
+const CODE: &str = "extended";
+
 /// Random states for each check of the extended model; `hyzer verify` uses more.
 const CASES: usize = 12;
 
 /// Diagnoses the model, prints a summary, and writes the report files.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
-    let progress = Progress::new()?;
     let (hold, priors) = (held(&options.hold)?, priors(&options.prior)?);
+    let out = output::folder(options.out.as_deref())?;
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
-    let name = options.dataset.file_name().map_or_else(
-        || options.dataset.display().to_string(),
-        |name| name.to_string_lossy().into_owned(),
-    );
+    let name = dataset_name(&options.dataset);
+    let progress = Progress::new()?;
     let asked = DiagnosisOptions {
         dataset: &name,
         without: &options.without,
@@ -44,34 +44,36 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
             trust_data: options.trust_data,
             threads: options.threads,
             progress: Some(&progress),
-            cancellation: Some(progress.cancellation()),
             ..FitOptions::default()
         },
         ..DiagnosisOptions::default()
     };
-    progress.working();
     asked
         .validate(&model)
         .map_err(|error| anyhow::anyhow!("--without: {error}"))?;
     let found = diagnose_with(&model, &dataset, &asked, |extension| {
-        let told = format!(
-            "Extended by {}, found in {name} by `hyzer diagnose`.",
-            extension.effects.join(" and ")
-        );
-        extended(&extension.text(&told))
+        verified(&extension.text(&note(&extension.effects, &name)))
     });
-    progress.writing();
-    let (mut found, extended) =
+    drop(progress);
+    let (mut found, verified) =
         found.with_context(|| format!("cannot diagnose {}", options.dataset.display()))?;
-    let extended = extended.transpose()?;
-    found.report.verified = extended.as_ref().map(|extended| extended.verified.clone());
-    if let Some(folder) = &options.out {
-        if extended.is_some() {
-            found.report.extended_model = Some(EXTENDED.to_owned());
-        }
-        write(folder, extended.as_ref(), &found)?;
+    found.report.verified = verified.transpose()?;
+    let has_extension = found.after.is_some();
+    if let Some(folder) = &out {
+        found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
+        output::replace(folder, &results(&dataset, &name, &found)?)?;
     }
     output::print(summary::summary(&found.report))?;
+    if let Some(folder) = &options.out {
+        let extended = match has_extension {
+            true => "the extended model, ",
+            false => "",
+        };
+        eprintln!(
+            "report.html, report.json, {extended}figures and tables are in {}",
+            folder.display()
+        );
+    }
     if found.report.verified.as_ref().is_some_and(|v| !v.holds) {
         eprintln!("a check refutes the extended model: do not rely on it");
         return Ok(Answer::No);
@@ -79,26 +81,21 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Extended model with its verification and generated code.
-struct Extended {
-    /// Text of the extended model in the model language.
-    text: String,
-    /// Results of the independent checks of the extended model.
-    verified: Verified,
-    /// Generated Rust source files of the extended model.
-    code: Vec<SourceFile>,
+/// Last paragraph of the documentation of an extended model.
+fn note(effects: &[String], dataset: &str) -> String {
+    format!(
+        "Extended by {}, found in {dataset} by `hyzer diagnose`.",
+        effects.join(" and ")
+    )
 }
 
-/// Verifies an extended model, given as text, and generates its code.
-fn extended(text: &str) -> anyhow::Result<Extended> {
+/// Verifies an extended model, given as text.
+fn verified(text: &str) -> anyhow::Result<Verified> {
     let loaded = model_spec::load::inspect_text(EXTENDED, text, &[])?;
-    let model = match &loaded.model {
-        Some(model) if loaded.diagnostics.is_empty() => model,
-        _ => {
-            let told = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
-            anyhow::bail!("the extended model is faulty:\n{told}");
-        }
-    };
+    if loaded.model.is_none() || !loaded.diagnostics.is_empty() {
+        let faults = model_spec::render(&loaded.diagnostics, &loaded.sources, false);
+        anyhow::bail!("the extended model is faulty:\n{faults}");
+    }
     let settings = verify::Options {
         cases: CASES,
         mutants: false,
@@ -113,17 +110,33 @@ fn extended(text: &str) -> anyhow::Result<Extended> {
             format!("{:?}", row.verdict).to_lowercase(),
         )
     });
-    Ok(Extended {
-        verified: Verified {
-            holds: report.refuted.is_empty() && report.holds(),
-            checks: checks.collect(),
-        },
-        code: codegen::rust::emit(&codegen::compile::compile(model), model),
-        text: text.to_owned(),
+    Ok(Verified {
+        holds: report.refuted.is_empty() && report.holds(),
+        checks: checks.collect(),
     })
 }
 
-fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosis) -> anyhow::Result<()> {
+/// The files that `--out` holds.
+fn results(dataset: &Dataset, name: &str, found: &Diagnosis) -> anyhow::Result<Vec<ResultFile>> {
+    let json = serde_json::to_string_pretty(&found.report)?;
+    let mut files = vec![
+        ResultFile::new("report.json", json + "\n"),
+        ResultFile::new("candidates.csv", tables::candidates(&found.report)?),
+        ResultFile::new("coefficients.csv", tables::coefficients(&found.report)?),
+        ResultFile::new("flights.csv", tables::flights(&found.report)?),
+    ];
+    let mut extended = None;
+    if let Some((extension, fitted)) = &found.after {
+        let note = note(&extension.effects, name) + " Its default values were fitted to it.";
+        let text = fitted_text(extension.tree(), &note, dataset, fitted)?;
+        let model = model_spec::load::from_text(EXTENDED, &text, &[])?;
+        let code = generate_with(&codegen::rust::PlainRust, &[model]);
+        let code = code.into_iter();
+        files.extend(code.map(|file| ResultFile::new(format!("{CODE}/{}", file.path), file.text)));
+        files.extend(written_effects(extension));
+        files.push(ResultFile::new(EXTENDED, text.clone()));
+        extended = Some(text);
+    }
     let evidence = |fitted: &Fit, flights: &[usize]| {
         let each = flights
             .iter()
@@ -131,53 +144,26 @@ fn write(folder: &Path, extended: Option<&Extended>, found: &Diagnosis) -> anyho
         each.collect::<Vec<_>>()
     };
     let flights = drawn(&found.before);
-    let before = evidence(&found.before, &flights);
     let after = found.after.as_ref();
-    let after = after.map_or_else(Vec::new, |(_, fitted)| evidence(fitted, &flights));
-    if let (Some(extended), Some((extension, _))) = (extended, &found.after) {
-        output::write(&folder.join(EXTENDED), &extended.text)?;
-        for effect in &extension.written {
-            let name = extension
-                .effects
-                .iter()
-                .find(|name| effect.contains(&format!("effect {name} ")));
-            if let Some(name) = name {
-                output::write(&folder.join(format!("{name}.hyz")), effect)?;
-            }
-        }
-        for file in &extended.code {
-            output::write(&folder.join("extended").join(&file.path), &file.text)?;
-        }
-    }
-    let json = serde_json::to_string_pretty(&found.report)?;
-    output::write(&folder.join("report.json"), json + "\n")?;
     let page = DiagnosisPage {
         report: &found.report,
-        before: &before,
-        after: &after,
-        extended: extended.map(|extended| extended.text.as_str()),
+        before: &evidence(&found.before, &flights),
+        after: &after.map_or_else(Vec::new, |(_, fitted)| evidence(fitted, &flights)),
+        extended: extended.as_deref(),
     };
     let made = report::diagnosis::make(&page);
-    output::write(&folder.join("report.html"), made.html)?;
-    for (name, figure) in made.figures {
-        output::write(&folder.join(name), figure)?;
-    }
-    output::write(
-        &folder.join("candidates.csv"),
-        tables::candidates(&found.report)?,
-    )?;
-    output::write(
-        &folder.join("coefficients.csv"),
-        tables::coefficients(&found.report)?,
-    )?;
-    output::write(&folder.join("flights.csv"), tables::flights(&found.report)?)?;
-    let what = match found.report.verdict {
-        Verdict::None => "report.html, report.json, figures and tables are",
-        _ if extended.is_some() => {
-            "report.html, report.json, the extended model, figures and tables are"
-        }
-        _ => "report.html, report.json, figures and tables are",
-    };
-    eprintln!("{what} in {}", folder.display());
-    Ok(())
+    files.push(ResultFile::new("report.html", made.html));
+    let figures = made.figures.into_iter();
+    files.extend(figures.map(|(name, figure)| ResultFile::new(name, figure)));
+    Ok(files)
+}
+
+/// Files of the effects that the diagnosis generated, each named after its effect.
+fn written_effects(extension: &ExtendedModel) -> Vec<ResultFile> {
+    let each = extension.written.iter().filter_map(|effect| {
+        let declares = |name: &&String| effect.contains(&format!("effect {name} "));
+        let name = extension.effects.iter().find(declares)?;
+        Some(ResultFile::new(format!("{name}.hyz"), effect.clone()))
+    });
+    each.collect()
 }

@@ -11,6 +11,10 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, bail};
 use identify::dataset::{self, Dataset, Role};
 use identify::{FitOptions, Prior};
+use model_spec::ModelTree;
+use model_spec::model::Model;
+use report::ResultFile;
+use report::fit::Figure;
 use report::fit::FitPage;
 
 use super::number;
@@ -18,13 +22,17 @@ use crate::cli::Fit;
 use crate::progress::Progress;
 use crate::{Answer, output};
 
+/// File name of the model with the fitted values.
+const FITTED: &str = "fitted.hyz";
+
 /// Fits the model to the dataset, prints a summary, and writes the report files.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
-    let progress = Progress::new()?;
     let (hold, priors) = (held(&options.hold)?, priors(&options.prior)?);
+    let out = output::folder(options.out.as_deref())?;
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
+    let progress = Progress::new()?;
     let asked = FitOptions {
         fixed: &hold,
         free: &options.free,
@@ -34,16 +42,24 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         trust_data: options.trust_data,
         threads: options.threads,
         progress: Some(&progress),
-        cancellation: Some(progress.cancellation()),
         deadline: deadline(options.max_seconds)?,
+        ..FitOptions::default()
     };
-    progress.working();
     let fitted = identify::fit(&model, &dataset, &asked);
-    progress.writing();
+    drop(progress);
     let fitted = fitted.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
+    if let Some(folder) = &out {
+        output::replace(
+            folder,
+            &results(&options.dataset, &model, &dataset, &fitted)?,
+        )?;
+    }
     output::print(summary::summary(&model, &fitted.report))?;
     if let Some(folder) = &options.out {
-        write(folder, &options.dataset, &model, &dataset, &fitted)?;
+        eprintln!(
+            "report.html, report.json, {FITTED}, figures and tables are in {}",
+            folder.display()
+        );
     }
     if fitted.report.reliable {
         return Ok(Answer::Yes);
@@ -69,17 +85,22 @@ pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     drawn
 }
 
-fn write(
-    folder: &Path,
+/// Name of a dataset in reports: that of its folder.
+pub(super) fn dataset_name(folder: &Path) -> String {
+    folder.file_name().map_or_else(
+        || folder.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    )
+}
+
+/// The files that `--out` holds.
+fn results(
     from: &Path,
-    model: &model_spec::model::Model,
+    model: &Model,
     dataset: &Dataset,
     fitted: &identify::Fit,
-) -> anyhow::Result<()> {
-    let name = from.file_name().map_or_else(
-        || from.display().to_string(),
-        |name| name.to_string_lossy().into_owned(),
-    );
+) -> anyhow::Result<Vec<ResultFile>> {
+    let name = dataset_name(from);
     let evidence: Vec<_> = drawn(fitted)
         .into_iter()
         .filter_map(|flight| fitted.evidence(identify::FlightId::new(flight)))
@@ -91,33 +112,37 @@ fn write(
         dataset: &name,
     };
     let json = serde_json::to_string_pretty(&fitted.report)?;
-    output::write(&folder.join("report.json"), json + "\n")?;
     let (html, figures) = report::fit::html_and_figures(&page);
-    output::write(&folder.join("report.html"), html)?;
-    for figure in figures {
-        output::write(&folder.join(format!("{}.svg", figure.name)), figure.svg)?;
-    }
-    output::write(
-        &folder.join("coefficients.csv"),
-        tables::coefficients(&fitted.report)?,
-    )?;
-    output::write(
-        &folder.join("correlations.csv"),
-        tables::correlations(&fitted.report)?,
-    )?;
-    output::write(
-        &folder.join("flights.csv"),
-        tables::flights(&fitted.report)?,
-    )?;
-    output::write(
-        &folder.join("residuals.csv"),
-        tables::residuals(dataset, fitted)?,
-    )?;
-    eprintln!(
-        "report.html, report.json, figures and tables are in {}",
-        folder.display()
-    );
-    Ok(())
+    let note = format!("Default values fitted to {name} by `hyzer fit`.");
+    let fitted_model = fitted_text(&ModelTree::of(model), &note, dataset, fitted)?;
+    let mut files = vec![
+        ResultFile::new("report.json", json + "\n"),
+        ResultFile::new("report.html", html),
+        ResultFile::new(FITTED, fitted_model),
+        ResultFile::new("coefficients.csv", tables::coefficients(&fitted.report)?),
+        ResultFile::new("correlations.csv", tables::correlations(&fitted.report)?),
+        ResultFile::new("flights.csv", tables::flights(&fitted.report)?),
+        ResultFile::new("residuals.csv", tables::residuals(dataset, fitted)?),
+    ];
+    let figure = |figure: Figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg);
+    files.extend(figures.into_iter().map(figure));
+    Ok(files)
+}
+
+/// Text of a model whose default values are those of the dataset and those that a fit found.
+pub(super) fn fitted_text(
+    tree: &ModelTree,
+    note: &str,
+    dataset: &Dataset,
+    fitted: &identify::Fit,
+) -> anyhow::Result<String> {
+    let given = dataset
+        .parameters
+        .iter()
+        .map(|(name, value)| (name.as_str(), *value));
+    let found = fitted.report.coefficients.iter();
+    let found = found.map(|(name, coefficient)| (name.as_str(), coefficient.value));
+    Ok(tree.with_values(given.chain(found))?.to_text(note))
 }
 
 /// Path or name of the model: the option's, or else the dataset's, with paths relative to the dataset's folder.

@@ -40,6 +40,11 @@ impl ExtendedModel {
         })
     }
 
+    /// Syntax tree of the extended model.
+    pub fn tree(&self) -> &ModelTree {
+        &self.tree
+    }
+
     /// Source text of the extended model, with every effect merged into its equations. `note` is added to its first
     /// comment.
     pub fn text(&self, note: &str) -> String {

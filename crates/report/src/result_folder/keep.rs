@@ -1,0 +1,145 @@
+//! Files in a folder of results that the program did not write: they are carried over, never deleted.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::ResultFile;
+use super::manifest::{MANIFEST, Manifest};
+
+/// Relative paths below a folder: files and symbolic links, then folders; each sorted.
+pub(super) fn entries_below(folder: &Path) -> io::Result<(Vec<PathBuf>, Vec<PathBuf>)> {
+    let (mut files, mut folders) = (Vec::new(), Vec::new());
+    let mut left = vec![PathBuf::new()];
+    while let Some(next) = left.pop() {
+        for entry in fs::read_dir(folder.join(&next))? {
+            let entry = entry?;
+            let path = next.join(entry.file_name());
+            if entry.file_type()?.is_dir() {
+                folders.push(path.clone());
+                left.push(path);
+            } else {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    folders.sort();
+    Ok((files, folders))
+}
+
+/// Whether the program wrote a file, and nobody changed it.
+fn is_own(folder: &Path, manifest: &Manifest, path: &Path) -> bool {
+    let name = path.to_string_lossy().replace('\\', "/");
+    name == MANIFEST || manifest.wrote(folder, &name)
+}
+
+/// Gives `part` what is foreign in `target`: as further names of the same files where the file system has them, else
+/// as copies. What has the name of a new result gets the name `NAME.kept`.
+pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io::Result<()> {
+    let (files, folders) = entries_below(target)?;
+    for folder in &folders {
+        let is_of_results = earlier
+            .paths()
+            .any(|path| Path::new(path).starts_with(folder));
+        if !is_of_results {
+            fs::create_dir_all(part.join(folder))?;
+        }
+    }
+    for path in &files {
+        if !is_own(target, earlier, path) {
+            let kept = free_name(part, path);
+            if let Some(folder) = kept.parent() {
+                fs::create_dir_all(folder)?;
+            }
+            let from = target.join(path);
+            fs::hard_link(&from, &kept).or_else(|_| fs::copy(&from, &kept).map(|_| ()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Renames results that were edited and would be overwritten to `NAME.kept`.
+pub(super) fn set_edited_aside(
+    target: &Path,
+    earlier: &Manifest,
+    files: &[ResultFile],
+) -> io::Result<()> {
+    for file in files {
+        let path = Path::new(&file.path);
+        if target.join(path).exists() && !is_own(target, earlier, path) {
+            fs::rename(target.join(path), free_name(target, path))?;
+        }
+    }
+    Ok(())
+}
+
+/// Removes a replaced folder: what the program wrote, and what `current` has too. Anything else is moved to `current`.
+pub(super) fn discard(old: &Path, current: &Path) -> io::Result<()> {
+    let manifest = Manifest::read(old);
+    let (files, folders) = entries_below(old)?;
+    for path in files.iter().filter(|path| path.as_os_str() != MANIFEST) {
+        let from = old.join(path);
+        if is_own(old, &manifest, path) || is_kept(&from, current, path) {
+            fs::remove_file(&from)?;
+        } else {
+            let to = free_name(current, path);
+            if let Some(folder) = to.parent() {
+                fs::create_dir_all(folder)?;
+            }
+            fs::rename(&from, to)?;
+        }
+    }
+    match fs::remove_file(old.join(MANIFEST)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
+    for folder in folders.iter().rev() {
+        fs::remove_dir(old.join(folder))?;
+    }
+    fs::remove_dir(old)
+}
+
+/// Whether `current` has the file too, under its name or the name it was kept by.
+fn is_kept(file: &Path, current: &Path, path: &Path) -> bool {
+    let same = |other: &Path| match (fs::read(file), fs::read(other)) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    };
+    kept_names(path).take(MAX_KEPT).any(|name| {
+        let other = current.join(name);
+        other.exists() && same(&other)
+    })
+}
+
+/// Maximum number of earlier files of one name that are looked for.
+const MAX_KEPT: usize = 100;
+
+/// Names under which a file is kept: its own, `NAME.kept`, `NAME.kept2`, ….
+fn kept_names(path: &Path) -> impl Iterator<Item = PathBuf> {
+    (0_usize..).map(move |k| {
+        let mut name = path.as_os_str().to_owned();
+        match k {
+            0 => {}
+            1 => name.push(".kept"),
+            _ => name.push(format!(".kept{k}")),
+        }
+        PathBuf::from(name)
+    })
+}
+
+/// First of the names of a kept file that is free in `folder`.
+fn free_name(folder: &Path, path: &Path) -> PathBuf {
+    let mut names = kept_names(path).map(|name| folder.join(name));
+    let is_free = |name: &PathBuf| fs::symlink_metadata(name).is_err();
+    names.find(is_free).unwrap_or_else(|| folder.join(path))
+}
+
+/// Removes the folders that a removed file leaves empty.
+pub(super) fn remove_empty_folders(root: &Path, file: &Path) {
+    for folder in file.ancestors().skip(1) {
+        if folder.as_os_str().is_empty() || fs::remove_dir(root.join(folder)).is_err() {
+            return;
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! The list of the files that a run wrote, with their fingerprints.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::Path;
+
+use super::ResultFile;
+
+/// Name of the manifest in a folder of results.
+pub const MANIFEST: &str = ".hyzer-results";
+
+/// First line of a manifest.
+const HEAD: &str =
+    "# Files that hyzer wrote here, and replaces. Other files in this folder are kept.";
+
+/// Files written by a run: relative path and fingerprint of the contents.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Manifest {
+    files: BTreeMap<String, u64>,
+}
+
+impl Manifest {
+    pub fn of(files: &[ResultFile]) -> Manifest {
+        let each = files
+            .iter()
+            .map(|file| (file.path.clone(), fingerprint(&file.contents)));
+        Manifest {
+            files: each.collect(),
+        }
+    }
+
+    /// The manifest of a folder; empty if there is none that can be read. Lines that are malformed are ignored, and so
+    /// are paths that lead out of the folder.
+    pub fn read(folder: &Path) -> Manifest {
+        let text = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
+        let lines = text.lines().filter_map(|line| {
+            let (hex, path) = line.split_once("  ")?;
+            let is_inside = Path::new(path)
+                .components()
+                .all(|part| matches!(part, std::path::Component::Normal(_)));
+            let fingerprint = u64::from_str_radix(hex, 16).ok()?;
+            is_inside.then(|| (path.to_owned(), fingerprint))
+        });
+        Manifest {
+            files: lines.collect(),
+        }
+    }
+
+    pub fn text(&self) -> String {
+        let mut text = format!("{HEAD}\n");
+        for (path, fingerprint) in &self.files {
+            let _ = writeln!(text, "{fingerprint:016x}  {path}");
+        }
+        text
+    }
+
+    /// Relative paths of the files, sorted.
+    pub fn paths(&self) -> impl Iterator<Item = &str> {
+        self.files.keys().map(String::as_str)
+    }
+
+    /// Whether the file of this relative path in `folder` has the contents that were written.
+    pub fn wrote(&self, folder: &Path, path: &str) -> bool {
+        let contents = || std::fs::read(folder.join(path)).ok();
+        self.files
+            .get(path)
+            .is_some_and(|known| contents().is_some_and(|found| fingerprint(&found) == *known))
+    }
+}
+
+/// FNV-1a hash of a file's contents, the same on every machine.
+fn fingerprint(contents: &[u8]) -> u64 {
+    let start = 0xcbf2_9ce4_8422_2325_u64;
+    contents.iter().fold(start, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}

@@ -1,0 +1,172 @@
+use std::fs;
+use std::path::Path;
+
+use super::keep::entries_below;
+use super::*;
+
+fn files(texts: &[(&str, &str)]) -> Vec<ResultFile> {
+    let each = texts
+        .iter()
+        .map(|(path, text)| ResultFile::new(*path, text.as_bytes()));
+    each.collect()
+}
+
+fn open(path: &Path) -> ResultFolder {
+    ResultFolder::open(path).unwrap()
+}
+
+/// Paths of the files in a folder, without the manifest, and their contents.
+fn contents(folder: &Path) -> Vec<(String, String)> {
+    let (files, _) = entries_below(folder).unwrap();
+    let each = files.iter().filter(|path| path.as_os_str() != MANIFEST);
+    each.map(|path| {
+        let text = fs::read_to_string(folder.join(path)).unwrap();
+        (path.to_string_lossy().into_owned(), text)
+    })
+    .collect()
+}
+
+fn pairs(texts: &[(&str, &str)]) -> Vec<(String, String)> {
+    let each = texts.iter();
+    each.map(|(path, text)| ((*path).to_owned(), (*text).to_owned()))
+        .collect()
+}
+
+#[test]
+fn results_of_an_earlier_run_are_gone_and_files_of_the_user_stay() {
+    let around = tempfile::tempdir().unwrap();
+    let folder = around.path().join("a/found");
+    open(&folder)
+        .replace(&files(&[
+            ("report.json", "1"),
+            ("extended/disc.rs", "code"),
+            ("stall.hyz", "s"),
+        ]))
+        .unwrap();
+    fs::write(folder.join("notes.txt"), "mine").unwrap();
+    fs::create_dir_all(folder.join("plots/empty")).unwrap();
+    fs::write(folder.join("plots/mine.svg"), "mine too").unwrap();
+    // A result that was edited is the user's.
+    fs::write(folder.join("stall.hyz"), "edited").unwrap();
+    open(&folder)
+        .replace(&files(&[("report.json", "2"), ("stall.hyz", "t")]))
+        .unwrap();
+    let expected = [
+        ("notes.txt", "mine"),
+        ("plots/mine.svg", "mine too"),
+        ("report.json", "2"),
+        ("stall.hyz", "t"),
+        ("stall.hyz.kept", "edited"),
+    ];
+    assert_eq!(contents(&folder), pairs(&expected));
+    assert!(folder.join("plots/empty").is_dir() && !folder.join("extended").exists());
+    // Nothing remains beside the folder.
+    let beside: Vec<_> = fs::read_dir(around.path().join("a")).unwrap().collect();
+    assert_eq!(beside.len(), 1);
+    // What was kept stays, again and again.
+    open(&folder)
+        .replace(&files(&[("report.json", "3")]))
+        .unwrap();
+    assert_eq!(contents(&folder).len(), 4);
+}
+
+#[test]
+fn a_folder_of_other_files_and_a_file_are_refused_before_anything_is_written() {
+    let around = tempfile::tempdir().unwrap();
+    fs::write(around.path().join("notes.txt"), "mine").unwrap();
+    let error = ResultFolder::open(around.path()).unwrap_err();
+    assert!(error.to_string().contains("notes.txt"), "{error}");
+    let file = around.path().join("notes.txt");
+    for path in [&file, &file.join("below")] {
+        let error = ResultFolder::open(path).unwrap_err();
+        assert!(matches!(error, ResultFolderError::IsFile { .. }), "{error}");
+        assert!(error.to_string().contains("notes.txt is a file"), "{error}");
+    }
+    // Trying a new folder creates nothing.
+    open(&around.path().join("new/results"));
+    assert_eq!(contents(around.path()), pairs(&[("notes.txt", "mine")]));
+    assert!(!around.path().join("new").exists());
+}
+
+#[test]
+fn an_empty_folder_is_taken_and_keeps_its_permissions() {
+    let around = tempfile::tempdir().unwrap();
+    let folder = around.path().join("empty");
+    fs::create_dir(&folder).unwrap();
+    open(&folder).replace(&files(&[("a.csv", "1")])).unwrap();
+    assert_eq!(contents(&folder), pairs(&[("a.csv", "1")]));
+}
+
+#[test]
+fn files_are_replaced_one_by_one_where_the_folder_cannot_be_renamed() {
+    let around = tempfile::tempdir().unwrap();
+    let folder = around.path().join("here");
+    open(&folder)
+        .replace(&files(&[
+            ("a.csv", "1"),
+            ("code/b.rs", "1"),
+            ("c.hyz", "1"),
+        ]))
+        .unwrap();
+    fs::write(folder.join("c.hyz"), "edited").unwrap();
+    fs::write(folder.join("notes.txt"), "mine").unwrap();
+    let in_place = ResultFolder {
+        part: None,
+        ..open(&folder)
+    };
+    in_place
+        .replace(&files(&[("a.csv", "2"), ("c.hyz", "2")]))
+        .unwrap();
+    let expected = [
+        ("a.csv", "2"),
+        ("c.hyz", "2"),
+        ("c.hyz.kept", "edited"),
+        ("notes.txt", "mine"),
+    ];
+    assert_eq!(contents(&folder), pairs(&expected));
+    assert!(!folder.join("code").exists());
+}
+
+#[test]
+fn remains_of_interrupted_runs_are_removed_and_an_earlier_folder_is_given_back() {
+    let around = tempfile::tempdir().unwrap();
+    let folder = around.path().join("found");
+    open(&folder).replace(&files(&[("a.csv", "1")])).unwrap();
+    // Numbers of processes that do not run.
+    let left = |id: &str| around.path().join(format!(".found.hyzer-{id}"));
+    // Interrupted while it was filled.
+    fs::create_dir(left("2000000001")).unwrap();
+    fs::write(left("2000000001").join("a.csv"), "ha").unwrap();
+    // Interrupted between two renames, where two folders cannot be exchanged.
+    fs::rename(&folder, left("2000000002.old")).unwrap();
+    fs::create_dir(left("2000000002")).unwrap();
+    fs::write(left("2000000002").join("a.csv"), "2").unwrap();
+    // Of another folder, and of a run under way.
+    let other = around.path().join(".other.hyzer-2000000001");
+    fs::create_dir(&other).unwrap();
+    #[cfg(unix)]
+    let running = left(&std::os::unix::process::parent_id().to_string());
+    #[cfg(unix)]
+    fs::create_dir(&running).unwrap();
+    let opened = open(&folder);
+    assert_eq!(contents(&folder), pairs(&[("a.csv", "1")]));
+    assert!(!left("2000000001").exists() && !left("2000000002").exists());
+    assert!(other.exists());
+    #[cfg(unix)]
+    assert!(running.exists());
+    opened.replace(&files(&[("a.csv", "3")])).unwrap();
+    assert_eq!(contents(&folder), pairs(&[("a.csv", "3")]));
+}
+
+#[test]
+fn a_manifest_leads_nowhere_else() {
+    let around = tempfile::tempdir().unwrap();
+    fs::write(around.path().join("precious"), "x").unwrap();
+    let folder = around.path().join("found");
+    fs::create_dir(&folder).unwrap();
+    let print = Manifest::of(&files(&[("../precious", "x")])).text();
+    fs::write(folder.join(MANIFEST), print + "zz  a\nnothing\n").unwrap();
+    assert_eq!(Manifest::read(&folder).paths().count(), 0);
+    open(&folder).replace(&files(&[("a.csv", "1")])).unwrap();
+    assert!(around.path().join("precious").exists());
+}
