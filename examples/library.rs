@@ -29,6 +29,6 @@ fn main() -> Result<(), Error> {
         "C_D1 = {:.3} 1/rad, 95 % interval {low:.3} to {high:.3}",
         drag.value
     );
-    assert!(fit.converged() && (drag.value - 0.1).abs() < 4.0 * drag.std_error);
+    assert!(fit.is_reliable() && (drag.value - 0.1).abs() < 4.0 * drag.std_error);
     Ok(())
 }

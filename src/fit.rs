@@ -1,7 +1,7 @@
 //! Output-error fits of a model to a dataset.
 
 use identify::dataset::Dataset;
-use identify::{FitOptions, FitReport};
+use identify::{DataFault, FitOptions, FitReport};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use crate::{Error, Model};
@@ -47,6 +47,21 @@ impl Fit {
     /// Whether the iteration converged; estimates of a fit that did not are not reliable.
     pub fn converged(&self) -> bool {
         self.fit.report.iterations.converged
+    }
+
+    /// Whether the estimates can be relied on; [`Fit::reasons_against`] says why not.
+    pub fn is_reliable(&self) -> bool {
+        self.fit.report.reliable
+    }
+
+    /// Reasons not to rely on the estimates, such as flights that were excluded; empty for a reliable fit.
+    pub fn reasons_against(&self) -> &[String] {
+        &self.fit.report.why
+    }
+
+    /// Mistakes found in the measured data, such as exchanged markers or wrong units, each with its mend.
+    pub fn data_faults(&self) -> &[DataFault] {
+        &self.fit.report.data_faults
     }
 
     /// Complete report: noise, correlations, flights, coefficients that the flights do not determine.

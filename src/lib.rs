@@ -9,8 +9,9 @@
 #![doc = include_str!("../examples/library.rs")]
 //! ```
 //!
-//! Progress, cancellation and the number of threads are the caller's: see [`FitOptions`]. Results do not depend on the
-//! number of threads.
+//! Progress, cancellation, a deadline and the number of threads are the caller's: see [`FitOptions`]. Results do not
+//! depend on the number of threads. [`Fit::is_reliable`] says whether a fit can be relied on, and
+//! [`Fit::data_faults`] which mistakes the data seem to have.
 //!
 //! The program `hyzer` is behind the feature `cli`, on by default; a library user turns it off with
 //! `default-features = false`.
@@ -39,6 +40,7 @@ pub use identify::dataset::{Dataset, Flight as MeasuredFlight, KnownValue, Marke
 // Fits.
 pub use fit::{Estimate, Fit, fit};
 pub use identify::{CancellationToken, FitOptions, FitReport, FlightOutcome, Prior, Progress};
+pub use identify::{DataFault, FaultKind};
 
 // Diagnoses.
 pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};

@@ -49,6 +49,16 @@ fn the_readme_s_command_names_what_was_hidden_and_measures_the_gain() {
 
     // What was written can be checked, verified and fitted like any other model.
     let extended = out.join(report["extended_model"].as_str().expect("a file"));
+    let model = model_spec::load::load(extended.to_str().expect("a path"), &[]).expect("a model");
+    for coefficient in &model.coefficients {
+        let found = number(&report["coefficients"][&coefficient.name]["value"]);
+        assert!(
+            (coefficient.value - found).abs() <= 1e-15 * found.abs(),
+            "{}: {} in the file, {found} in the report",
+            coefficient.name,
+            coefficient.value
+        );
+    }
     for command in ["check", "verify"] {
         let (status, text, errors) = told(hyzer().arg(command).arg(&extended));
         assert_eq!(status, 0, "{command}: {text}{errors}");
@@ -64,7 +74,7 @@ fn the_readme_s_command_names_what_was_hidden_and_measures_the_gain() {
         "candidates.csv",
         "coefficients.csv",
         "flights.csv",
-        "extended/disc/f.rs",
+        "extended/disc.rs",
     ] {
         assert!(out.join(file).is_file(), "{file}");
     }

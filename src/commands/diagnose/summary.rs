@@ -35,11 +35,11 @@ pub fn summary(report: &Report) -> String {
         let how = if gain.held_out_by_dataset {
             "held-out flights"
         } else {
-            "flights predicted in turn"
+            "cross-validation"
         };
         let _ = writeln!(
             text,
-            "{how} ({}): error of prediction {:.2} mm before, {:.2} mm after (gain {:.2} ± {:.2} mm; noise {:.2} mm)",
+            "{how} ({} flights): RMS prediction error {:.2} mm before, {:.2} mm after (gain {:.2} ± {:.2} mm; noise {:.2} mm)",
             gain.flights,
             1e3 * gain.held_out_rms_before_m,
             1e3 * gain.held_out_rms_after_m,
@@ -55,31 +55,27 @@ pub fn summary(report: &Report) -> String {
         let _ = writeln!(text, "next throw: {}", throw.says);
     }
     if let Some(verified) = &report.verified {
-        let holds = if verified.holds {
-            "holds"
-        } else {
-            "is REFUTED"
-        };
+        let holds = if verified.holds { "passes" } else { "FAILS" };
         let _ = writeln!(
             text,
-            "the extended model {holds} ({} checks)",
+            "the extended model {holds} its checks ({})",
             verified.checks.len()
         );
     }
     let _ = writeln!(text, "\n{}\n", candidates(report));
     if !report.undetectable.is_empty() {
-        text.push_str("these flights cannot show:\n");
+        text.push_str("not identifiable from these flights:\n");
         for hidden in &report.undetectable {
             let by = match hidden.confounded_with.as_slice() {
-                [] => "it does nothing here".to_owned(),
-                names => format!("absorbed by {}", names.join(", ")),
+                [] => "no influence here".to_owned(),
+                names => format!("confounded with {}", names.join(", ")),
             };
             let _ = writeln!(text, "  {} ({by})", hidden.name);
         }
     }
     let _ = writeln!(
         text,
-        "noise of one coordinate: {:.2} mm, correlation from sample to sample {:.2}, {:.1} % outliers",
+        "noise per coordinate: {:.2} mm, lag-1 autocorrelation {:.2}, {:.1} % outliers",
         1e3 * report.noise.sigma_m,
         report.noise.ar1,
         1e2 * report.noise.outlier_fraction
@@ -122,10 +118,10 @@ fn candidates(report: &Report) -> Table {
     table.load_style(UTF8_BORDERS_ONLY).set_header(vec![
         "effect",
         "site",
-        "chi squared",
-        "of",
-        "sigmas",
-        "visible",
+        "score χ²",
+        "d.o.f.",
+        "z",
+        "tolerance",
     ]);
     for candidate in report.candidates.iter().take(LISTED) {
         let mark = if candidate.significant { " *" } else { "" };

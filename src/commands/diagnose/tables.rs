@@ -11,11 +11,11 @@ pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
         "name",
         "site",
         "statistic",
-        "freedom",
+        "dof",
         "ln_p",
-        "sigmas",
+        "z",
         "significant",
-        "visible",
+        "tolerance",
     ])?;
     for candidate in &report.candidates {
         table.write_record([

@@ -28,12 +28,12 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
         report.used(Role::HeldOut).count()
     );
     if left_out > 0 {
-        let _ = write!(text, ", {left_out} left out");
+        let _ = write!(text, ", {left_out} excluded");
     }
     let noise = &report.noise;
     let _ = writeln!(
         text,
-        "; rms {:.2} mm\nnoise of one coordinate: {:.2} mm ({}), correlation from sample to sample {:.2}, {} of {} points outliers\n",
+        "; rms {:.2} mm\nnoise per coordinate: {:.2} mm ({}), lag-1 autocorrelation {:.2}, {} of {} points outliers\n",
         1e3 * report.rms_m,
         1e3 * noise.sigma_m,
         if noise.estimated {
@@ -47,18 +47,20 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
     );
     let _ = writeln!(text, "{}\n", coefficients(model, report));
     for undetermined in &report.undetermined {
-        let _ = writeln!(text, "not determined: {}\n", undetermined.why);
+        let _ = writeln!(text, "not identifiable: {}\n", undetermined.why);
     }
     if let Some(scatter) = scatter(report) {
         let _ = writeln!(text, "{scatter}\n");
     }
     for profile in &report.profiles {
         let end = |end: Option<f64>| {
-            end.map_or("beyond what was tried".into(), |end| format!("{end:.5}"))
+            end.map_or("beyond the profiled range".into(), |end| {
+                format!("{end:.5}")
+            })
         };
         let _ = writeln!(
             text,
-            "{}: 95 % interval by its profile from {} to {}",
+            "{}: 95 % profile-likelihood interval {} .. {}",
             profile.name,
             end(profile.interval[0]),
             end(profile.interval[1])
@@ -108,7 +110,7 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
             false => format!("{:.1e}", found.std_error),
         };
         let remark = match (found.held, found.at_bound, found.prior) {
-            (true, ..) => "held",
+            (true, ..) => "fixed",
             (_, true, _) => "at its bound",
             (.., Some(_)) => "with a prior",
             _ => "",
@@ -153,7 +155,7 @@ fn scatter(report: &FitReport) -> Option<String> {
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
     (worst.1 > 1.7).then(|| {
         format!(
-            "the flights scatter more than their noise explains: by their scatter the standard error of {} is {:.1} times that above; the model may miss something",
+            "the flights differ by more than their noise: the cluster-robust standard error of {} is {:.1} times the one above; the model may lack an effect",
             worst.0, worst.1
         )
     })
@@ -167,7 +169,7 @@ fn flights(report: &FitReport) -> String {
         order.truncate(LISTED);
         let _ = writeln!(
             text,
-            "the {LISTED} flights with the greatest residuals; all are in flights.csv"
+            "the {LISTED} flights with the largest residuals; all are in flights.csv"
         );
     }
     let mut table = table(&["flight", "role", "samples", "rms, mm", "outliers", ""]);
@@ -193,7 +195,7 @@ fn flights(report: &FitReport) -> String {
     let _ = writeln!(text, "{table}");
     if report.used(Role::HeldOut).next().is_some() {
         text.push_str(
-            "held out: initial state fitted on the first 30 % of the samples, rms of the rest as predicted\n",
+            "held out: initial state fitted to the first 30 % of the samples; rms of the prediction of the rest\n",
         );
     }
     text

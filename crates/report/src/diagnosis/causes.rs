@@ -55,7 +55,7 @@ fn explanation(cause: &Cause) -> Explanation {
     let effects = cause.effects.iter().map(|e| Effect {
         name: e.name.clone(),
         doc: match e.doc.trim() {
-            "" => "No words were given for it.".to_owned(),
+            "" => "It has no description.".to_owned(),
             doc => sentence(&doc.replace('\n', " ")),
         },
     });
@@ -123,14 +123,20 @@ pub(super) fn throw(next: &NextThrow) -> Throw {
         says: sentence(&next.says),
         rows: vec![
             ("speed", format!("{}\u{a0}m/s", plain(next.speed, 1))),
-            ("climb of the path", degrees(next.launch)),
-            ("nose above the path", degrees(next.nose)),
-            ("hyzer (lean about the path)", degrees(next.hyzer)),
+            (
+                "launch angle (velocity above the horizontal)",
+                degrees(next.launch),
+            ),
+            ("nose angle (angle of attack)", degrees(next.nose)),
+            ("hyzer angle (tilt about the velocity)", degrees(next.hyzer)),
             (
                 "spin",
-                format!("{}\u{a0}rad/s, {turns} turns a second", plain(next.spin, 1)),
+                format!(
+                    "{}\u{a0}rad/s ({turns} revolutions per second)",
+                    plain(next.spin, 1)
+                ),
             ),
-            ("heading from the x axis", degrees(next.heading)),
+            ("heading, from the x axis", degrees(next.heading)),
         ],
         separation: words::sigmas(next.separation),
         separation_now: words::sigmas(next.separation_now),

@@ -11,13 +11,13 @@ use crate::fit::words::names;
 /// Maximum number of rows of a table.
 const MOST_ROWS: usize = 60;
 
-/// Undetectable effects: name of the effect, and names of what absorbs the effect.
+/// Effects that are not identifiable: name of the effect, and names of what it is confounded with.
 pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     let all = report.undetectable.iter().take(MOST_ROWS);
     all.map(|u| {
         let absorbed = names(u.confounded_with.iter().map(String::as_str));
         let by = if absorbed.is_empty() {
-            "nothing: it does nothing at all in these flights".to_owned()
+            "nothing: it has no influence in these flights".to_owned()
         } else {
             absorbed
         };

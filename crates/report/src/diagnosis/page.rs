@@ -128,8 +128,8 @@ fn verified(found: &Verified) -> Value {
 fn noise(report: &Report) -> String {
     let noise = &report.noise;
     format!(
-        "A measured coordinate has a noise of {} (one standard deviation); neighbouring samples are correlated by {}; \
-         {} of the points were taken for outliers.",
+        "The noise per coordinate is {} (standard deviation), with a lag-1 autocorrelation of {}; {} of the points were \
+         classified as outliers.",
         millimetres(noise.sigma_m),
         plain(noise.ar1, 2),
         percent(noise.outlier_fraction)

@@ -20,7 +20,7 @@ pub(super) fn cause(cause: &Cause) -> String {
 pub(super) fn verdict(report: &Report) -> String {
     let first = report.causes.first();
     match report.verdict {
-        Verdict::None => "Nothing is found that is not noise.".to_owned(),
+        Verdict::None => "No model error detected.".to_owned(),
         Verdict::Named => match first {
             Some(found) if found.effects.len() > 1 => {
                 format!(
@@ -33,18 +33,20 @@ pub(super) fn verdict(report: &Report) -> String {
             None => "The model lacks an effect.".to_owned(),
         },
         Verdict::Ambiguous => match report.causes.len() {
-            0 | 1 => "The model lacks something, but these flights cannot tell what.".to_owned(),
-            n => format!("The model lacks one of {n} things, and these flights cannot tell which."),
+            0 | 1 => "The model lacks an effect, but these flights cannot show which.".to_owned(),
+            n => format!(
+                "The model lacks one of {n} effects; these flights cannot distinguish them."
+            ),
         },
         Verdict::Unattributed => {
-            "The model lacks something that no effect of the catalogue explains.".to_owned()
+            "The model lacks an effect that is not in the catalogue.".to_owned()
         }
         Verdict::Negligible => match first {
             Some(found) => format!(
-                "The model lacks something real, but too small to matter: {}.",
+                "The model lacks an effect below the smallest size of interest: {}.",
                 cause(found)
             ),
-            None => "The model lacks something real, but too small to matter.".to_owned(),
+            None => "The model lacks an effect below the smallest size of interest.".to_owned(),
         },
     }
 }
@@ -64,22 +66,19 @@ pub(super) fn kind(verdict: Verdict) -> &'static str {
 pub(super) fn gain(report: &Report) -> String {
     let Some(gain) = &report.gain else {
         return match (report.extended_model.is_some(), report.verdict) {
-            (true, _) => "No flight says what the extension gains on flights that it has not seen.",
-            (false, Verdict::None) => "Nothing is extended.",
-            (false, _) => "Nothing is extended, and so nothing is gained.",
+            (true, _) => "The gain on flights that were not fitted could not be measured.",
+            (false, Verdict::None) => "The model is not extended.",
+            (false, _) => "The model is not extended.",
         }
         .to_owned();
     };
     let after = millimetres(gain.held_out_rms_after_m);
     let before = millimetres(gain.held_out_rms_before_m);
     let how = match (gain.held_out_by_dataset, gain.flights) {
-        (true, 0) => "On flights that were held out".to_owned(),
-        (true, 1) => "On the one flight that was held out".to_owned(),
-        (true, n) => format!("On the {n} flights that were held out"),
-        (false, n) => format!(
-            "Over {}, each predicted by a fit to the others,",
-            count(n, "flight")
-        ),
+        (true, 0) => "On held-out flights".to_owned(),
+        (true, 1) => "On the one held-out flight".to_owned(),
+        (true, n) => format!("On {n} held-out flights"),
+        (false, n) => format!("By cross-validation over {}", count(n, "flight")),
     };
     let first = "in the first part already, on which the initial state is fitted,";
     let without = match gain.without {
@@ -88,8 +87,8 @@ pub(super) fn gain(report: &Report) -> String {
         n => format!(" {n} of them contradict it {first} and are predicted without it."),
     };
     format!(
-        "{how} a coordinate is missed by {before} without the extension and by {after} with it: a gain of {}.{without} \
-         No model can do better than the noise, {}.",
+        "{how} the RMS prediction error per coordinate is {before} without the extension and {after} with it: a gain of \
+         {}.{without} The noise, {}, is the lower limit of any model.",
         gained(gain),
         millimetres(gain.noise_floor_m)
     )

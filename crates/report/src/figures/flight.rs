@@ -23,7 +23,7 @@ pub fn flight(title: &str, flight: &Trajectory, states: &[StateLabel<'_>]) -> St
     if let (Some(x), Some(y), Some(z)) = (place("x"), place("y"), place("z")) {
         for (title, up) in [
             ("Seen from the side: z, m", z),
-            ("Seen from above: y, m (left is up)", y),
+            ("Top view: y, m (left is up)", y),
         ] {
             let points = rows.iter().map(|row| (row[x], row[up])).collect();
             let line = Line {

@@ -35,30 +35,28 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     );
     if held_out > 0 {
         let flights = count(held_out, "flight");
-        text += &format!("; {flights} held out to judge its predictions");
+        text += &format!("; {flights} held out for validation");
     }
     text.push('.');
     if left_out > 0 {
-        text += &format!(" {} left out.", were(left_out));
+        text += &format!(" {} excluded.", were(left_out));
     }
     let rms = millimetres(report.rms_m);
     let sigma = millimetres(noise.sigma_m);
     let ratio = report.rms_m / noise.sigma_m;
     let fits = if noise.estimated {
         format!(
-            "A coordinate is missed by {rms} (root of the mean square). The noise was estimated from the same residuals, \
-             as {sigma}, so the two alone do not say whether the model is right; what is left in the residuals does."
+            "The RMS residual per coordinate is {rms}. The noise was estimated from the same residuals, as {sigma}, so \
+             these two numbers do not test the model; the residual diagnostics do."
         )
     } else if ratio > 1.2 {
         format!(
-            "A coordinate is missed by {rms} (root of the mean square), {} times the {sigma} of noise that the \
-             dataset states: either the model lacks something or the noise is larger than stated.",
+            "The RMS residual per coordinate is {rms}, {} times the noise of {sigma} that the dataset states: either \
+             the model lacks an effect or the noise is larger than stated.",
             plain(ratio, 1)
         )
     } else {
-        format!(
-            "A coordinate is missed by {rms} (root of the mean square); the dataset states a noise of {sigma}."
-        )
+        format!("The RMS residual per coordinate is {rms}; the dataset states a noise of {sigma}.")
     };
     let mut all = vec![text, fits];
     all.extend(held_out_words(report));
@@ -81,10 +79,10 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     };
     let far = millimetres(*most) + &times(*most);
     Some(if rms.len() == 1 {
-        format!("The held-out flight is predicted to {far}.")
+        format!("The RMS prediction error of the held-out flight is {far}.")
     } else {
         let near = millimetres(*least);
-        format!("The held-out flights are predicted to {near} at best, and at worst to {far}.")
+        format!("The RMS prediction errors of the held-out flights range from {near} to {far}.")
     })
 }
 
@@ -101,9 +99,9 @@ fn determined(page: &FitPage<'_>) -> Vec<String> {
     );
     let sentences = [
         (good_is.as_str(), good),
-        ("Told from 0, but loosely", loose),
-        ("Not told from 0", none),
-        ("Held, not fitted", held),
+        ("Significantly different from 0, but not precise", loose),
+        ("Not significantly different from 0", none),
+        ("Fixed, not estimated", held),
     ];
     let sentences = sentences.into_iter().filter(|(_, names)| !names.is_empty());
     sentences
@@ -149,21 +147,19 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     let at_bound = chosen(&|c| c.at_bound);
     add(
         !at_bound.is_empty(),
-        format!(
-            "At a bound, so that intervals are no longer symmetric and may be wrong: {at_bound}."
-        ),
+        format!("At a bound, where standard errors and intervals are not valid: {at_bound}."),
     );
     let broken = chosen(&|c| !c.value.is_finite() || !c.std_error.is_finite());
     add(
         !broken.is_empty(),
-        format!("Without a number for the value or its error: {broken}."),
+        format!("Without a finite value or standard error: {broken}."),
     );
     let scattered =
         chosen(&|c| !c.held && c.std_error_clustered.is_some_and(|e| e > 2.0 * c.std_error));
     add(
         !scattered.is_empty(),
         format!(
-            "The flights differ among each other by more than twice what the noise explains, so the standard errors are \
+            "The cluster-robust standard errors (by flight) are more than twice those by the noise, so the latter are \
              too small: {scattered}."
         ),
     );
@@ -172,7 +168,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     add(
         fraction > 0.01,
         format!(
-            "{} of the points were taken for outliers and left out.",
+            "{} of the points were classified as outliers and not used.",
             percent(fraction)
         ),
     );
@@ -182,7 +178,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     add(
         far > 0,
         format!(
-            "{} predicted worse than {FAR} times the noise.",
+            "{} predicted with an error above {FAR} times the noise.",
             were(far).replacen(' ', " held-out ", 1)
         ),
     );
@@ -201,7 +197,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     let rest = if more == 0 {
         String::new()
     } else {
-        format!(" And {more} more, in the table of flights.")
+        format!(" {more} more are in the table of flights.")
     };
     add(
         !noted.is_empty(),
@@ -217,9 +213,8 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
         add(
             many || first.abs() > 2.0 * left.band,
             format!(
-                "Residuals along {axis} are still correlated once the noise’s own correlation is taken out \
-                 ({outside} of {} lags beyond the band): the model misses something slow, or the noise is \
-                 not of first order.",
+                "The whitened residuals along {axis} are autocorrelated ({outside} of {} lags outside the 95 % band): \
+                 the model lacks an effect, or the noise is not a first-order process.",
                 lags.len()
             ),
         );

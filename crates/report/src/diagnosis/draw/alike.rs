@@ -20,13 +20,13 @@ pub(super) fn alike(report: &Report) -> Option<Drawn> {
     if order.len() < 2 {
         return None;
     }
-    let title = "How alike effects look";
+    let title = "Correlations of effect signatures";
     let caption = format!(
-        "Each square: the size of the correlation between what two coefficients of effects would do to these flights, \
-         once initial states and the model’s own coefficients are allowed for. Rows are read to the left of a name and \
-         columns below it; pairs of strong colour these flights hardly tell apart. {}",
+        "Each square: the absolute correlation of the signatures of two coefficients of effects in these flights, \
+         adjusted for initial states and the model’s own coefficients. The row of an effect is left of its name and its \
+         column below it; these flights hardly distinguish pairs of strong colour. {}",
         match left_out {
-            0 => "The most significant come first.".to_owned(),
+            0 => "The most significant are first.".to_owned(),
             n => format!(
                 "The {} most significant are drawn, of {}.",
                 order.len(),
@@ -104,10 +104,7 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
         );
     }
     let end = left + wide * STEPS as f64;
-    for (x, anchor, text) in [
-        (left, "start", "0: not at all"),
-        (end, "end", "1: the same"),
-    ] {
+    for (x, anchor, text) in [(left, "start", "0: distinct"), (end, "end", "1: identical")] {
         svg.text("tick", (x, bottom + 10.0 + letters), anchor, text);
     }
     svg.finish(

@@ -40,9 +40,8 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
         n => format!(" {n} more flights are not drawn."),
     };
     let caption = format!(
-        "The coefficient that each flight asks for besides the model’s, in time; in the title the part of what is left \
-         that it would explain; shaded: ±2 standard errors. \
-         All have one scale.{left_out}"
+        "Estimated history of an additional coefficient in each flight; in the title the share of the misfit that it \
+         explains; shaded: ±2 standard errors. All have one scale.{left_out}"
     );
     let name = format!("channel-{:02}", index + 1);
     drawn(&name, &title, caption, Layout::WIDE, |layout| {

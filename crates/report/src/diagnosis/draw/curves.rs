@@ -80,9 +80,9 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
         });
     }
     let caption = if moved {
-        "Without and with the extension; below, how many samples lie there."
+        "Without and with the extension; below, the number of samples."
     } else {
-        "The same without and with an extension; below, how many samples lie there."
+        "The same without and with the extension; below, the number of samples."
     };
     drawn(
         &format!("curve-{:02}", index + 1),

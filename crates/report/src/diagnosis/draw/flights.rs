@@ -42,10 +42,10 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
                 .map(|rms| 1e3 * rms)
                 .chain([1e3 * report.noise.sigma_m]),
         ),
-        across: "rms of the residuals, mm".into(),
+        across: "RMS residual, mm".into(),
         level: Some((1e3 * report.noise.sigma_m, "noise".into())),
     };
-    let caption = "Residuals of the flights that were fitted, without and with the extension.";
+    let caption = "RMS residuals of the fitted flights, without and with the extension.";
     Some(drawn(
         "flights",
         title,
@@ -94,15 +94,16 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
         points,
     };
     let panel = Panel {
-        title: "rms of the residuals, mm".into(),
-        across: "flights in order of their rms before".into(),
+        title: "RMS residual, mm".into(),
+        across: "flights in order of their RMS residual before".into(),
         lines: vec![name("extended", &after), name("before", &before)],
         dots: vec![dots(1, before), dots(0, after)],
         levels: vec![noise],
         up: Some((0.0, 1.05 * largest)),
         ..Panel::default()
     };
-    let caption = "Residuals of the flights that were fitted, two dots a flight; the broken line is the noise.";
+    let caption =
+        "RMS residuals of the fitted flights, two dots per flight; the broken line is the noise.";
     drawn("flights", title, caption.into(), Layout::SMALL, |l| {
         figure_of(l, title, std::slice::from_ref(&panel))
     })

@@ -54,14 +54,14 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
     });
     let axis = axis_for(values.chain([floor]));
     let chart = Chart {
-        title: "Errors of prediction".into(),
+        title: "Prediction errors".into(),
         legend: vec![
             (Shape::Dot(0.0, "before"), "before".into()),
             (Shape::Dot(0.0, "after"), "extended".into()),
         ],
         rows,
         axis,
-        across: "rms of the predicted part, mm".into(),
+        across: "RMS prediction error, mm".into(),
         level: Some((floor, "noise".into())),
     };
     let left_out = match number.saturating_sub(MOST) {
@@ -69,8 +69,8 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
         n => format!(" {n} more flights are not drawn."),
     };
     let caption = format!(
-        "Flights that no coefficient was fitted to; the bar at ‘all’ is the standard error of the difference, the \
-         broken line the noise of one coordinate.{left_out}"
+        "Flights that were not fitted; the bar at ‘all’ is the standard error of the difference, the broken line the \
+         noise per coordinate.{left_out}"
     );
     let title = chart.title.clone();
     Some(drawn("gain", &title, caption, Layout::SMALL, |l| {

@@ -27,7 +27,7 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
             Role::HeldOut,
             "residuals-held-out",
             "Residuals of the held-out flights",
-            " The first 30\u{a0}% of each were used for its initial state, the rest is predicted.",
+            " The first 30\u{a0}% of each were used for its initial state; the rest is a prediction.",
         ),
     ];
     let figures = kinds.into_iter().filter_map(|(role, name, title, meaning)| {
@@ -43,13 +43,13 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
         let files = before.iter().enumerate();
         let files: Vec<String> = files.map(|(i, f)| format!("{} {}", i + 1, f.file)).collect();
         let colours = if after.is_empty() {
-            "a colour a marker"
+            "one colour per marker"
         } else {
-            "grey as the model leaves them, blue as the extended model does"
+            "grey for the model, blue for the extended model"
         };
         let caption = format!(
-            "Measured less predicted, one flight after the other, {colours}; shaded: ±2 standard deviations of the \
-             noise; crosses: taken for outliers.{meaning} Flights: {}.",
+            "Residuals (measured − predicted), one flight after the other, {colours}; shaded: ±2 standard deviations of \
+             the noise; crosses: outliers.{meaning} Flights: {}.",
             files.join(", ")
         );
         Some(drawn(name, title, caption, Layout::WIDE, |layout| {

@@ -44,8 +44,11 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     let rows: Vec<Row> = all.iter().map(row).collect();
     let kinds = [
         ("bar cause", "part of an explanation"),
-        ("bar alarm", "alarm, but not needed"),
-        ("bar calm", "no alarm"),
+        (
+            "bar alarm",
+            "significant alone, explained by the selected effects",
+        ),
+        ("bar calm", "not significant"),
     ];
     let drawn_kinds = kinds.into_iter().filter(|(class, _)| {
         let has = |row: &Row| matches!(row.shapes[0], Shape::Bar(_, c) if c == *class);
@@ -53,7 +56,7 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     });
     let legend = drawn_kinds.map(|(class, words)| {
         let words = if report.causes.is_empty() && class == "bar alarm" {
-            "alarm"
+            "significant"
         } else {
             words
         };
@@ -61,27 +64,27 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     });
     let threshold = report.threshold.z;
     let chart = Chart {
-        title: "What each effect would explain".into(),
+        title: "Score tests of the effects".into(),
         legend: legend.collect(),
         rows,
         axis: Axis::Sizes,
-        across: "size as of a normal number, standard deviations".into(),
+        across: "equivalent z".into(),
         level: Some((
             threshold,
-            format!("alarm from {}", words::sigmas(threshold)),
+            format!("significant from {}", words::sigmas(threshold)),
         )),
     };
     let more = match left_out {
         0 => String::new(),
-        n => format!(" {n} more, all smaller, are not drawn."),
+        n => format!(" {n} more with smaller z are not drawn."),
     };
     let along = match report.causes.is_empty() {
         true => "",
-        false => " Effects that look like a cause are raised along with it.",
+        false => " Effects with a signature like that of a cause are significant with it.",
     };
     let caption = format!(
-        "How significant each effect is when it alone is asked for: what the flights would gain by it, as the size of a \
-         normal number that is as unlikely. Chance alone raises an alarm among all of them with a probability of {}.{along}{more}",
+        "Score test of each effect alone, as the standard normal quantile z of equal p-value. The familywise error rate \
+         of all tests is {}.{along}{more}",
         crate::fit::numbers::percent(report.threshold.alpha)
     );
     let title = chart.title.clone();

@@ -72,7 +72,7 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     scale(&mut svg, left, bottom);
     let title = "Correlations of the coefficients";
     let text = svg.finish(title, (WIDTH, bottom + 36.0), 460.0, LETTERS);
-    let caption = "Between the errors of two coefficients: near ±1 the flights tell only a combination of the two.";
+    let caption = "Of the estimation errors of two coefficients: near ±1 only a combination of the two is identifiable.";
     Some(Drawn::new(
         "correlations".into(),
         title.into(),

@@ -40,18 +40,18 @@ pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
     });
     let panel = Panel {
         title: "Flights".into(),
-        across: "rms of a flight, mm".into(),
+        across: "RMS residual of a flight, mm".into(),
         bars: bars.collect(),
         ..Panel::default()
     };
     let more = match beyond {
         0 => String::new(),
-        n => format!(" {n} with a larger rms are not drawn."),
+        n => format!(" {n} with larger residuals are not drawn."),
     };
     Some(small(
         "rms".into(),
-        "How well the flights fit".into(),
-        format!("Number of fitted flights by their rms.{more}"),
+        "Residuals by flight".into(),
+        format!("Number of fitted flights by RMS residual.{more}"),
         &[panel],
     ))
 }

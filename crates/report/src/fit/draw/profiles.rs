@@ -50,7 +50,7 @@ pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
             let width = coefficient.map_or(f64::NAN, |c| c.std_error);
             let end = |end: Option<f64>| match end {
                 Some(value) => format!("at {} {unit}", Digits::of(value, width).one(value)),
-                None => "nowhere, as far as this goes".to_owned(),
+                None => "nowhere in the profiled range".to_owned(),
             };
             let [low, high] = profile.interval.map(end).map(|end| end.trim().to_owned());
             let panel = Panel {
@@ -72,9 +72,9 @@ pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
             };
             small(
                 format!("profile-{:02}", i + 1),
-                format!("Profile of {}", profile.name),
+                format!("Profile likelihood of {}", profile.name),
                 format!(
-                    "Broken line: 3.84, where a value is rejected at 5\u{a0}%. It is reached below {low}, above {high}."
+                    "Broken line: 3.84, where a value is rejected at the 5\u{a0}% level. It is reached below {low}, above {high}."
                 ),
                 &[panel],
             )

@@ -47,12 +47,12 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseRepo
         let meaning = match role {
             Role::Fit => "",
             Role::HeldOut => {
-                " The first 30\u{a0}% of each were used for its initial state, the rest is predicted."
+                " The first 30\u{a0}% of each were used for its initial state; the rest is a prediction."
             }
         };
         let caption = format!(
-            "Measured less predicted, one flight after the other, a colour a marker; shaded: ±2 standard deviations \
-             of the noise; crosses: taken for outliers, at the edge where they lie beyond it.{meaning} Flights: {}.",
+            "Residuals (measured − predicted), one flight after the other, one colour per marker; shaded: ±2 standard \
+             deviations of the noise; crosses: outliers, at the edge if they are beyond it.{meaning} Flights: {}.",
             files.join(", ")
         );
         let svg = figure_of(Layout::WIDE, title, &panels);
@@ -115,7 +115,7 @@ pub(crate) fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, sigma:
     });
     Panel {
         title: format!("{name}, mm"),
-        across: "time, flights end to end, s".into(),
+        across: "time, flights in sequence, s".into(),
         dots: all,
         marks,
         band: band.map(|b| (-b, b)),

@@ -17,7 +17,7 @@ const MOST_LINES: usize = 24;
 /// Quantities that are drawn if the model defines them: name, title, unit.
 const QUANTITIES: [(&str, &str, &str); 3] = [
     ("alpha", "Angle of attack α", "rad"),
-    ("V", "Speed through the air V", "m/s"),
+    ("V", "Airspeed V", "m/s"),
     ("r", "Spin r", "rad/s"),
 ];
 
@@ -49,7 +49,7 @@ fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<
     Some(small(
         format!("states-{:02}", index + 1),
         flight.file.clone(),
-        "States of the flight as fitted, in time.".into(),
+        "States of the fitted flight over time.".into(),
         &panels,
     ))
 }

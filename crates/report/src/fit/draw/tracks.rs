@@ -40,7 +40,7 @@ fn shape(map: &Panel) -> f64 {
 fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn {
     let height = |t: f64, p: [f64; 3]| (t, p[2]);
     let mut above = Panel {
-        title: "From above: y, m".into(),
+        title: "Top view: y, m".into(),
         across: "x, m".into(),
         map: true,
         heights: Some((tall, tall)),
@@ -64,7 +64,7 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn 
         format!("tracks-{:02}", index + 1),
         flight.file.clone(),
         format!(
-            "Dots: measured; lines: predicted; crosses: taken for outliers. Of long flights not every sample is drawn.{more}"
+            "Dots: measured; lines: predicted; crosses: outliers. Long flights are drawn with fewer samples.{more}"
         ),
         &[above, side],
     )

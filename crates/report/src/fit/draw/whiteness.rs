@@ -47,8 +47,8 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
     let quantiles: Vec<(f64, f64)> = found.quantiles.iter().map(|q| (q[0], q[1])).collect();
     if !quantiles.is_empty() {
         panels.push(Panel {
-            title: "Quantiles, standard deviations".into(),
-            across: "of a normal distribution".into(),
+            title: "Normal Q–Q: sample quantiles".into(),
+            across: "theoretical quantiles".into(),
             dots: vec![Dots {
                 look: Look::Colour(0),
                 points: stride(&quantiles, MOST),
@@ -64,8 +64,8 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
     Some(small(
         format!("noise-{}", index + 1),
         format!("Residuals along {axis}"),
-        "Above: ‘white’ is what is left once the noise’s own correlation is taken out; it should lie within the \
-         shade. Below: found against normal; they should lie on the line."
+        "Above: autocorrelation of the residuals, as they are and whitened by the noise model; the whitened one should be \
+         within the shaded 95 % band. Below: normal Q–Q plot; the points should be on the line."
             .into(),
         &panels,
     ))
