@@ -29,6 +29,7 @@ fn main() -> std::io::Result<()> {
     let extended = report.extended_model.is_some();
     let page = DiagnosisPage {
         report: &report,
+        reasons_against: &[],
         before: if verdict == Verdict::None {
             &after
         } else {

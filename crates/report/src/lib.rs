@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 mod atomic_file;
+mod data_faults;
 pub mod diagnosis;
 pub mod effects;
 pub mod figures;

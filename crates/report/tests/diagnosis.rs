@@ -16,6 +16,7 @@ fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) ->
     let extended = report.extended_model.as_ref().map(|_| found::EXTENDED);
     let made = make(&DiagnosisPage {
         report,
+        reasons_against: &[],
         before,
         after,
         extended,
@@ -282,6 +283,7 @@ fn names_from_outside_are_escaped() {
     report.verified.as_mut().unwrap().checks[0] = (evil(), evil());
     let made = make(&DiagnosisPage {
         report: &report,
+        reasons_against: &[EVIL.to_owned()],
         before: &after,
         after: &after,
         extended: Some(EVIL),

@@ -7,7 +7,7 @@ use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_
 use anyhow::Context;
 use codegen::generate::generate_with;
 use identify::dataset::{self, Dataset};
-use identify::{Fit, FitOptions};
+use identify::{Fit, FitOptions, FitStatus};
 use report::ResultFile;
 use report::diagnosis::DiagnosisPage;
 
@@ -58,12 +58,13 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let (mut found, verified) =
         found.with_context(|| format!("cannot diagnose {}", options.dataset.display()))?;
     found.report.verified = verified.transpose()?;
+    let reasons = reasons_against(&found);
     let has_extension = found.after.is_some();
     if let Some(folder) = &out {
         found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
-        output::replace(folder, &results(&dataset, &name, &found)?)?;
+        output::replace(folder, &results(&dataset, &name, &found, &reasons)?)?;
     }
-    output::print(summary::summary(&found.report))?;
+    output::print(summary::summary(&found.report, &reasons))?;
     if let Some(folder) = &options.out {
         let extended = match has_extension {
             true => "the extended model, ",
@@ -74,11 +75,43 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
             folder.display()
         );
     }
-    if found.report.verified.as_ref().is_some_and(|v| !v.holds) {
-        eprintln!("a check refutes the extended model: do not rely on it");
-        return Ok(Answer::No);
+    if reasons.is_empty() {
+        return Ok(Answer::Yes);
     }
-    Ok(Answer::Yes)
+    eprintln!("do not rely on this diagnosis: {}", reasons.join("; "));
+    Ok(Answer::No)
+}
+
+/// Share of the flights above which their exclusion makes a diagnosis unreliable.
+const MAX_EXCLUDED: f64 = 1.0 / 3.0;
+
+/// Reasons not to rely on a diagnosis; empty if there are none. Large residuals are none: they are what it explains.
+fn reasons_against(found: &Diagnosis) -> Vec<String> {
+    let mut reasons = Vec::new();
+    let (what, fit) = match &found.after {
+        Some((_, fit)) => ("the extended model", fit),
+        None => ("the model", &found.before),
+    };
+    match fit.report.iterations.status {
+        FitStatus::Converged => {}
+        FitStatus::Deadline => reasons.push(format!(
+            "the time limit was reached before the fit of {what} converged"
+        )),
+        FitStatus::MaxSteps | FitStatus::NoDescent | FitStatus::NoiseNotConverged => {
+            reasons.push(format!("the fit of {what} did not converge"));
+        }
+    }
+    let (all, excluded) = (
+        found.before.report.flights.len(),
+        found.before.report.excluded().count(),
+    );
+    if excluded as f64 > MAX_EXCLUDED * all as f64 {
+        reasons.push(format!("{excluded} of {all} flights were excluded"));
+    }
+    if found.report.verified.as_ref().is_some_and(|v| !v.holds) {
+        reasons.push("the extended model fails an independent check".to_owned());
+    }
+    reasons
 }
 
 /// Last paragraph of the documentation of an extended model.
@@ -117,7 +150,12 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
 }
 
 /// The files that `--out` holds.
-fn results(dataset: &Dataset, name: &str, found: &Diagnosis) -> anyhow::Result<Vec<ResultFile>> {
+fn results(
+    dataset: &Dataset,
+    name: &str,
+    found: &Diagnosis,
+    reasons_against: &[String],
+) -> anyhow::Result<Vec<ResultFile>> {
     let json = serde_json::to_string_pretty(&found.report)?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),
@@ -149,6 +187,7 @@ fn results(dataset: &Dataset, name: &str, found: &Diagnosis) -> anyhow::Result<V
         report: &found.report,
         before: &evidence(&found.before, &flights),
         after: &after.map_or_else(Vec::new, |(_, fitted)| evidence(fitted, &flights)),
+        reasons_against,
         extended: extended.as_deref(),
     };
     let made = report::diagnosis::make(&page);

@@ -6,12 +6,20 @@ use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use diagnose::{Report, Verdict};
 
+use crate::commands::fit::cautions;
+
 /// Maximum number of listed candidate effects.
 const LISTED: usize = 10;
 
 /// Text of the terminal summary of a diagnosis.
-pub fn summary(report: &Report) -> String {
-    let mut text = format!("{}: {}\n\n", word(report.verdict), wrapped(&report.summary));
+pub fn summary(report: &Report, reasons_against: &[String]) -> String {
+    let mut text = cautions("diagnosis", reasons_against, &report.data_faults);
+    let _ = write!(
+        text,
+        "{}: {}\n\n",
+        word(report.verdict),
+        wrapped(&report.summary)
+    );
     for (index, cause) in report.causes.iter().enumerate() {
         let names: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
         let _ = write!(text, "cause {}: {}", index + 1, names.join(" with "));

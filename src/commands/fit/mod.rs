@@ -3,6 +3,7 @@
 mod summary;
 mod tables;
 
+pub(super) use summary::cautions;
 pub(super) use tables::role;
 
 use std::path::Path;

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use identify::dataset::Role;
-use identify::{Coefficient, FitReport, FlightReport};
+use identify::{Coefficient, DataFault, FitReport, FlightReport};
 use model_spec::model::Model;
 
 use super::tables::role;
@@ -16,7 +16,9 @@ const LISTED: usize = 20;
 /// Text of the terminal summary of a fit.
 pub fn summary(model: &Model, report: &FitReport) -> String {
     let left_out = report.excluded().count();
-    let mut text = format!(
+    let mut text = cautions("fit", &report.why, &report.data_faults);
+    let _ = write!(
+        text,
         "{}{}: {} flights fitted, {} held out",
         report.model,
         report
@@ -67,6 +69,43 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
         );
     }
     text.push_str(&flights(report));
+    text
+}
+
+/// Reasons not to rely on a result, if there are any, and faults of the data with their mends.
+pub fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> String {
+    let mut text = String::new();
+    if !reasons.is_empty() {
+        let _ = writeln!(text, "DO NOT RELY ON THIS {}:", what.to_uppercase());
+        for reason in reasons {
+            let _ = writeln!(text, "  {reason}");
+        }
+        text.push('\n');
+    }
+    if !faults.is_empty() {
+        let _ = writeln!(text, "faults of the data ({}):", faults.len());
+        for fault in faults.iter().take(LISTED) {
+            let DataFault {
+                file,
+                fault,
+                detail,
+                mend,
+            } = fault;
+            let _ = writeln!(
+                text,
+                "  {file}: {}: {detail}; {mend}",
+                fault.name().replace('-', " ")
+            );
+        }
+        if faults.len() > LISTED {
+            let _ = writeln!(
+                text,
+                "  … and {} more, in report.json",
+                faults.len() - LISTED
+            );
+        }
+        text.push('\n');
+    }
     text
 }
 

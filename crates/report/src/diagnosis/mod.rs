@@ -19,6 +19,8 @@ pub struct DiagnosisPage<'a> {
     pub before: &'a [FlightEvidence],
     /// Flights as predicted by the extended model; empty if the model was not extended.
     pub after: &'a [FlightEvidence],
+    /// Reasons not to rely on the diagnosis; empty if there are none.
+    pub reasons_against: &'a [String],
     /// Text of the added effect or of the extended model file, in the model language.
     pub extended: Option<&'a str>,
 }

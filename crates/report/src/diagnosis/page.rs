@@ -8,6 +8,7 @@ use minijinja::value::Value;
 
 use super::draw::{self, Figures};
 use super::{DiagnosisPage, causes, coefficients, limits, words};
+use crate::data_faults;
 use crate::figures::svg::STYLE;
 use crate::fit::Drawn;
 use crate::fit::flights::short;
@@ -37,6 +38,8 @@ pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
         .take(MOST_NOTES)
         .map(|n| sentence(n))
         .collect();
+    let reasons = page.reasons_against.iter();
+    let reasons_against: Vec<String> = reasons.map(|reason| sentence(reason)).collect();
     let number = |role| report.flights.iter().filter(|f| f.role == role).count();
     let looked_for = report.candidates.len();
     let alarms = report.candidates.iter().filter(|c| c.significant).count();
@@ -52,6 +55,8 @@ pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
         summary => report.summary.trim(),
         gain => words::gain(report),
         notes => plain_values(&notes),
+        reasons_against => plain_values(&reasons_against),
+        faults => plain_values(&data_faults::table(&report.data_faults)),
         gain_figure => figures.gain.iter().map(one).collect::<Vec<_>>(),
         causes => plain_values(&causes::explanations(report)),
         more_causes => report.causes.len().saturating_sub(causes::MOST),

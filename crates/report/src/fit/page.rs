@@ -1,5 +1,6 @@
 //! HTML page of a fit, rendered from a template.
 
+use identify::FitReport;
 use identify::dataset::Role;
 use identify::wording::count;
 use minijinja::syntax::SyntaxConfig;
@@ -9,6 +10,7 @@ use serde::Serialize;
 
 use super::numbers::{percent, plain};
 use super::{Drawn, Figures, FitPage, coefficients, flights, noise, words};
+use crate::data_faults;
 use crate::figures::svg::{STYLE, without_style};
 use crate::literature::sources;
 
@@ -49,6 +51,8 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         effects => words::names(report.effects.iter().map(String::as_str)),
         summary => plain_values(&words::summary(page)),
         alarms => plain_values(&words::alarms(page)),
+        reasons_against => plain_values(&reasons_against(report)),
+        faults => plain_values(&data_faults::table(&report.data_faults)),
         coefficients => plain_values(&coefficients::rows(page)),
         clustered => report.coefficients.values().any(|c| c.std_error_clustered.is_some()),
         sources => plain_values(&sources(page.model.reference.as_deref()).iter().map(|s| (s.short, s.long)).collect::<Vec<_>>()),
@@ -84,6 +88,14 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         version => env!("CARGO_PKG_VERSION"),
     };
     rendered(include_str!("page.html"), context)
+}
+
+/// Reasons not to rely on the fit, as sentences; empty for a reliable fit.
+fn reasons_against(report: &FitReport) -> Vec<String> {
+    match report.reliable {
+        true => Vec::new(),
+        false => report.why.iter().map(|reason| sentence(reason)).collect(),
+    }
 }
 
 /// Renders a template of this crate with the given values.

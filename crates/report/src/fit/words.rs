@@ -131,14 +131,6 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
             alarms.push(text);
         }
     };
-    let steps = report.iterations.steps;
-    add(
-        !report.iterations.converged,
-        format!(
-            "The fit did not converge in {}: do not rely on it.",
-            count(steps, "step")
-        ),
-    );
     let coefficients = page.coefficients();
     let chosen = |which: &dyn Fn(&Coefficient) -> bool| {
         let all = coefficients.iter().filter(|(_, c)| which(c));

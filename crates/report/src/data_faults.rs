@@ -1,0 +1,37 @@
+//! Table of the mistakes found in measured data, for the pages of fits and diagnoses.
+
+use identify::DataFault;
+use serde::Serialize;
+
+/// Maximum number of rows.
+const MAX_ROWS: usize = 60;
+
+/// Table of data faults for the HTML templates.
+#[derive(Serialize)]
+pub(crate) struct Table {
+    /// Total number of faults, including those not listed.
+    all: usize,
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    file: String,
+    fault: String,
+    detail: String,
+    mend: String,
+}
+
+/// Table of the faults, limited to the maximum number of rows.
+pub(crate) fn table(faults: &[DataFault]) -> Table {
+    let row = |fault: &DataFault| Row {
+        file: fault.file.clone(),
+        fault: fault.fault.name().replace('-', " "),
+        detail: fault.detail.clone(),
+        mend: fault.mend.clone(),
+    };
+    Table {
+        all: faults.len(),
+        rows: faults.iter().take(MAX_ROWS).map(row).collect(),
+    }
+}
