@@ -272,8 +272,9 @@ fn much_stays_small() {
 fn alarms_are_said() {
     let mut report = made::report(9);
     let (calm, _) = made(&report, &[]);
-    assert!(!calm.contains("did not converge") && !calm.contains("At a bound"));
-    report.iterations.converged = false;
+    assert!(!calm.contains("Do not rely") && !calm.contains("At a bound"));
+    report.reliable = false;
+    report.why = vec!["the fit did not converge in 9 steps".to_owned()];
     report.noise.outlier_fraction = 0.04;
     report.coefficients.get_mut("C_D0").unwrap().at_bound = true;
     report
@@ -289,12 +290,13 @@ fn alarms_are_said() {
     report.flights[7].rms_m = Some(0.01);
     let (html, _) = made(&report, &[]);
     for text in [
-        "1 held-out flight was predicted worse than 3 times",
-        "did not converge in 9 steps",
-        "may be wrong: C_D0.",
+        "1 held-out flight was predicted with an error above 3 times",
+        "Do not rely on this fit",
+        "the fit did not converge in 9 steps",
+        "are not valid: C_D0.",
         "4.0\u{a0}% of the points",
         "C_La and C_Da",
-        "Residuals along y are still correlated",
+        "The whitened residuals along y are autocorrelated",
         "1 flight was cut",
         "throw02.csv: fitted again",
     ] {
@@ -319,8 +321,8 @@ fn what_was_left_out_is_counted_by_itself() {
     }
     let (html, figures) = made(&report, &[]);
     assert!(html.contains("fitted to 2 flights"));
-    assert!(html.contains("1 flight held out to judge its predictions. 10 flights were left out."));
-    assert!(html.contains("<h3>Left out</h3>") && !html.contains("0.00\u{a0}mm"));
+    assert!(html.contains("1 flight held out for validation. 10 flights were excluded."));
+    assert!(html.contains("<h3>Excluded</h3>") && !html.contains("0.00\u{a0}mm"));
     // Too few are left for a histogram.
     assert!(figures.iter().all(|figure| figure.name != "rms"));
 }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use diagnose::{Report, Verdict};
+use report::diagnosis::{lack_of_fit_sentence, paired_gain_sentence};
 
 use crate::commands::fit::cautions;
 
@@ -37,6 +38,14 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
                 );
             }
         }
+        if cause.explained > 0.0 {
+            let _ = write!(
+                text,
+                "; explains {:.0} % of the misfit, {:.2} mm remain beyond the noise",
+                1e2 * cause.explained,
+                1e3 * cause.remaining_m
+            );
+        }
         text.push('\n');
     }
     if let Some(gain) = &report.gain {
@@ -55,6 +64,14 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
             1e3 * gain.standard_error_m,
             1e3 * gain.noise_floor_m,
         );
+    }
+    if let Some(gain) = &report.gain
+        && let Some(paired) = paired_gain_sentence(gain)
+    {
+        let _ = writeln!(text, "{}", wrapped(&paired));
+    }
+    if let Some(test) = &report.lack_of_fit {
+        let _ = writeln!(text, "{}", wrapped(&lack_of_fit_sentence(test)));
     }
     for note in &report.notes {
         let _ = writeln!(text, "note: {note}");

@@ -49,18 +49,32 @@ pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights, one row each; RMS residual (m) before and after the extension of the model.
+/// CSV table of the flights, one row each: RMS residual (m) before and after the extension of the model, and the p-value of
+/// the lack-of-fit test.
 pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
-    table.write_record(["file", "role", "rms_before_m", "rms_after_m"])?;
+    table.write_record([
+        "file",
+        "role",
+        "outcome",
+        "reason",
+        "rms_before_m",
+        "rms_after_m",
+        "p",
+    ])?;
     for flight in &report.flights {
         let before = flight.rms_before_m.map(|before| before.to_string());
         let after = flight.rms_after_m.map(|after| after.to_string());
+        let tested = report.lack_of_fit.as_ref();
+        let p = tested.and_then(|test| test.flights.get(&flight.file));
         table.write_record([
             &flight.file,
             role(flight.role),
+            flight.outcome.as_deref().unwrap_or_default(),
+            flight.reason.as_deref().unwrap_or_default(),
             &before.unwrap_or_default(),
             &after.unwrap_or_default(),
+            &p.map(f64::to_string).unwrap_or_default(),
         ])?;
     }
     Ok(table.into_inner()?)

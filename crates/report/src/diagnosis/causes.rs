@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::words;
 use crate::fit::flights::short;
-use crate::fit::numbers::{Digits, plain, significant, stated, unit};
+use crate::fit::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
 use crate::fit::page::sentence;
 
 /// Maximum number of hypotheses that are shown.
@@ -17,6 +17,8 @@ pub(super) struct Explanation {
     name: String,
     /// Decrease of the weighted sum of squares χ².
     gain: String,
+    /// Share of the misfit that it explains, and what remains beyond the noise; `None` if not computed.
+    explained: Option<[String; 2]>,
     /// Strongest remaining candidate effect: name and p-value, formatted.
     rival: Option<[String; 2]>,
     effects: Vec<Effect>,
@@ -62,6 +64,8 @@ fn explanation(cause: &Cause) -> Explanation {
     Explanation {
         name: words::cause(cause),
         gain: significant(cause.chi2_decrease, 4),
+        explained: (cause.explained > 0.0)
+            .then(|| [percent(cause.explained), millimetres(cause.remaining_m)]),
         rival: rival.map(|r| [r.name.clone(), words::probability(r.p)]),
         effects: effects.collect(),
         rows: cause.effects.iter().flat_map(rows).collect(),

@@ -1,11 +1,12 @@
 //! Tables of undetectable effects, minimum detectable effects, stepwise terms, score tests and flights.
 
-use diagnose::{CandidateTest, FlightGain, Report, StepwiseTerm};
+use diagnose::{CandidateTest, FlightGain, LackOfFit, Report, SmoothMisfit, StepwiseTerm};
 use identify::dataset::Role;
 use serde::Serialize;
 
 use super::words;
-use crate::fit::numbers::{Digits, millimetres, significant, unit};
+use crate::fit::flights::short;
+use crate::fit::numbers::{Digits, millimetres, plain, significant, unit};
 use crate::fit::words::names;
 
 /// Maximum number of rows of a table.
@@ -111,6 +112,16 @@ pub(super) struct Flight {
     held_out: bool,
     before: String,
     after: String,
+    /// Decrease of the RMS residual; `–` without an extension.
+    gain: String,
+    /// Whether the RMS residual increases.
+    worse: bool,
+    /// p-value of the lack-of-fit test; `–` if the flight was not tested.
+    p: String,
+    /// Whether no model follows the flight, which is then not counted in the gain.
+    apart: bool,
+    /// Reason for the exclusion, if the flight is excluded.
+    excluded: Option<String>,
 }
 
 /// Rows of the flights in dataset order; if there are too many, those with the largest RMS residuals.
@@ -125,11 +136,60 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
         all.sort_by(|a, b| size(b).total_cmp(&size(a)));
         all.truncate(MOST_ROWS);
     }
+    let tested = report.lack_of_fit.as_ref().map(|test| &test.flights);
+    let is_apart = |f: &FlightGain| {
+        let gain = report.gain.as_ref();
+        gain.is_some_and(|gain| gain.set_apart.contains(&f.file))
+    };
+    let gain = |f: &FlightGain| Some(f.rms_before_m? - f.rms_after_m?);
     let row = |f: &FlightGain| Flight {
+        gain: gain(f).map_or("–".to_owned(), millimetres),
+        worse: gain(f).is_some_and(|gain| gain < 0.0),
+        p: tested
+            .and_then(|tested| tested.get(&f.file))
+            .map_or("–".to_owned(), |p| words::probability(*p)),
+        apart: is_apart(f),
+        excluded: (f.outcome.as_deref() == Some("excluded"))
+            .then(|| short(f.reason.as_deref().unwrap_or_default())),
         file: f.file.clone(),
         held_out: f.role == Role::HeldOut,
         before: f.rms_before_m.map_or("–".to_owned(), millimetres),
         after: f.rms_after_m.map_or("–".to_owned(), millimetres),
     };
     all.into_iter().map(row).collect()
+}
+
+/// Test of the residuals for lack of fit, formatted text.
+#[derive(Serialize)]
+pub(super) struct LackOfFitText {
+    says: String,
+    head: [&'static str; 6],
+    /// Departures, the least p-value first.
+    departures: Vec<[String; 6]>,
+}
+
+/// Formats the test of the residuals with its greatest departures.
+pub(super) fn lack_of_fit(test: &LackOfFit) -> LackOfFitText {
+    let row = |d: &SmoothMisfit| {
+        [
+            d.file.clone(),
+            d.coordinate.clone(),
+            plain(d.from_s, 2),
+            plain(d.to_s, 2),
+            millimetres(d.size_m),
+            words::probability(d.p),
+        ]
+    };
+    LackOfFitText {
+        says: words::lack_of_fit(test),
+        head: [
+            "flight",
+            "coordinate",
+            "from, s",
+            "to, s",
+            "largest departure",
+            "p",
+        ],
+        departures: test.departures.iter().take(MOST_ROWS).map(row).collect(),
+    }
 }

@@ -8,7 +8,9 @@ mod page;
 mod words;
 
 use diagnose::Report;
+
 use identify::FlightEvidence;
+pub use words::{lack_of_fit as lack_of_fit_sentence, paired as paired_gain_sentence};
 
 /// Contents of the HTML report of a diagnosis.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! Summary of a diagnosis in sentences.
 
-use diagnose::{Cause, PredictiveGain, Report, Verdict};
+use diagnose::{Cause, LackOfFit, PredictiveGain, Report, Verdict};
 use identify::wording::count;
 
 use crate::fit::numbers::{millimetres, plain, raised, significant};
@@ -92,6 +92,46 @@ pub(super) fn gain(report: &Report) -> String {
         gained(gain),
         millimetres(gain.noise_floor_m)
     )
+}
+
+/// Sentence that compares the predictions flight by flight; `None` if there is nothing to compare.
+pub fn paired(gain: &PredictiveGain) -> Option<String> {
+    let compared = gain.improved + gain.worsened;
+    if compared == 0 && gain.set_apart.is_empty() {
+        return None;
+    }
+    let mut text = String::new();
+    if compared > 0 {
+        text = format!(
+            "{} of {} improve{} (sign test p = {}); the median RMS error over flights changes from {} to {}.",
+            gain.improved,
+            count(compared, "flight"),
+            if gain.improved == 1 { "s" } else { "" },
+            probability(gain.p_sign),
+            millimetres(gain.median_before_m),
+            millimetres(gain.median_after_m)
+        );
+    }
+    if !gain.set_apart.is_empty() {
+        let files = names(gain.set_apart.iter().map(String::as_str));
+        text += &format!(" Set apart, because no model follows them, and not counted: {files}.");
+    }
+    Some(text.trim_start().to_owned())
+}
+
+/// Sentence on the test of the residuals for lack of fit.
+pub fn lack_of_fit(test: &LackOfFit) -> String {
+    let p = probability(test.p);
+    let floor = millimetres(test.noise_floor_m);
+    match test.departures.is_empty() {
+        true => format!(
+            "The residuals are compatible with noise of {floor} (lack-of-fit test, p = {p})."
+        ),
+        false => format!(
+            "The residuals are not noise (lack-of-fit test, p = {p}): {} rms remain beyond the noise of {floor}.",
+            millimetres(test.beyond_noise_m)
+        ),
+    }
 }
 
 /// Formats the reduction of the prediction error with its standard error: `19.4 ± 0.4 mm`.

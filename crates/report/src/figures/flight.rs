@@ -125,7 +125,7 @@ mod tests {
             "A stone &amp; more",
             "ground &lt;1&gt;",
             "from the side: z, m",
-            "from above",
+            "Top view",
             "Position x, y, z, m",
             "θ\u{307}, rad/s",
             "time, s",
