@@ -1,6 +1,7 @@
 //! Literals with units: SI values, and exact rational values where possible.
 
 use super::Checker;
+use super::unitless::Unitless;
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::syntax::ast::{File, Number, UnitExpr};
 use crate::unit::{Unit, symbol};
@@ -81,7 +82,7 @@ fn reduced(above: i128, below: i128) -> Option<(i64, i64)> {
 /// SI value of a literal with a unit; `None` if the unit is unknown or out of range.
 pub(crate) fn si_value(number: &Number, unit: &UnitExpr) -> Option<f64> {
     let nothing = File::default();
-    let measure = Checker::new(&nothing, &[]).measure(unit)?;
+    let measure = Checker::new(&nothing, &[], Unitless::default()).measure(unit)?;
     Some(measure.of(number).0)
 }
 
