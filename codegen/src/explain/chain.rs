@@ -18,11 +18,20 @@ pub(super) struct Formulas {
 /// LaTeX formulas of a quantity and, if `by` is given, of its derivative by that symbol.
 pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>) -> Formulas {
     let mut cut = Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
-    let roots = cut.roots.clone();
-    let values = roots
+    let roots: Vec<NodeId> = cut
+        .roots
+        .clone()
+        .into_iter()
+        .map(|root| cut.inside(root))
+        .collect();
+    let roots: Vec<NodeId> = roots
+        .into_iter()
+        .map(|root| cut.share_repeated(root))
+        .collect();
+    let mut values: Vec<String> = roots
         .iter()
         .zip(&found.symbols)
-        .map(|(&root, left)| format!("{left} = {}", cut.write(cut.inside(root))))
+        .map(|(&root, left)| format!("{left} = {}", cut.write(root)))
         .collect();
     let mut derivatives = Vec::new();
     if let Some((symbol, wrt)) = by {
@@ -30,8 +39,7 @@ pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>)
         cut.wrt = symbol_of(model, wrt);
         let mut needed = Vec::new();
         for (&root, left) in roots.iter().zip(&found.symbols) {
-            let inside = cut.inside(root);
-            let derivative = cut.derivative(inside);
+            let derivative = cut.derivative(root);
             let left = fraction(left, &cut.wrt);
             derivatives.push(format!("{left} = {}", cut.write(derivative)));
             needed.push(derivative);
@@ -42,6 +50,11 @@ pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>)
             derivatives.push(format!("{left} = {}", cut.write(definition)));
         }
     }
+    // Users before the parts they refer to.
+    for &part in cut.parts.iter().rev() {
+        let definition = cut.write(cut.graph.definition(part));
+        values.push(format!("{} = {definition}", cut.names[&part]));
+    }
     Formulas {
         values,
         derivatives,
@@ -51,6 +64,12 @@ pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>)
 fn fraction(above: &str, below: &str) -> String {
     format!(r"\frac{{\partial {above}}}{{\partial {below}}}")
 }
+
+/// Size of a formula, in nodes of its tree, beyond which parts that it repeats are named.
+const MAX_FORMULA: u64 = 2_000;
+
+/// Smallest part that is worth a name, in nodes of its tree.
+const MIN_PART: u64 = 6;
 
 /// Maps each sum that is the negative of a named sum to that named sum; the graph stores no minus before a sum.
 fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
@@ -81,6 +100,8 @@ pub(super) struct Cut {
     squares: FastMap<NodeId, NodeId>,
     /// Indices of local symbols that are derivatives, in order of creation.
     made: Vec<u32>,
+    /// Indices of local symbols that stand for repeated parts of large formulas, in order of creation.
+    parts: Vec<u32>,
     pub by: Symbol,
     wrt: String,
     known: FastMap<NodeId, NodeId>,
@@ -95,6 +116,7 @@ impl Cut {
             names: FastMap::default(),
             squares: FastMap::default(),
             made: Vec::new(),
+            parts: Vec::new(),
             by: Symbol::Time,
             wrt: String::new(),
             known: FastMap::default(),
@@ -155,6 +177,53 @@ impl Cut {
         roots.iter().map(|root| images[root]).collect()
     }
 
+    /// Names the parts that a large formula repeats, whose text would grow exponentially with their nesting; a formula of
+    /// ordinary size is returned unchanged.
+    pub fn share_repeated(&mut self, root: NodeId) -> NodeId {
+        let order = self.graph.reachable(&[root]);
+        let mut uses: FastMap<NodeId, u32> = FastMap::default();
+        let mut sizes: FastMap<NodeId, u64> = FastMap::default();
+        for &id in &order {
+            let size = self.tree_size(id, &sizes);
+            sizes.insert(id, size);
+            self.graph
+                .for_operands(id, |operand| *uses.entry(operand).or_default() += 1);
+        }
+        if sizes[&root] <= MAX_FORMULA {
+            return root;
+        }
+        let source = self.graph.clone();
+        let mut images: FastMap<NodeId, NodeId> = FastMap::default();
+        for id in order {
+            let mut size = self.tree_size(id, &sizes);
+            let mut image = match source.node(id) {
+                Node::Symbol(_) => id,
+                _ => self.copy(&source, id, &images),
+            };
+            if size >= MIN_PART && uses.get(&id).is_some_and(|&uses| uses > 1) {
+                let name = format!("s_{{{}}}", self.parts.len() + 1);
+                let part = self.leaf(source.facts(id), image, name);
+                if let Node::Symbol(Symbol::Local(k)) = self.graph.node(part)
+                    && part != image
+                {
+                    self.parts.push(*k);
+                    (image, size) = (part, 1);
+                }
+            }
+            sizes.insert(id, size);
+            images.insert(id, image);
+        }
+        images[&root]
+    }
+
+    /// Nodes of an expression as a tree, given those of its operands.
+    fn tree_size(&self, id: NodeId, sizes: &FastMap<NodeId, u64>) -> u64 {
+        let mut size = 1_u64;
+        self.graph
+            .for_operands(id, |operand| size = size.saturating_add(sizes[&operand]));
+        size
+    }
+
     fn copy(&mut self, source: &ExprGraph, id: NodeId, images: &FastMap<NodeId, NodeId>) -> NodeId {
         let of = |id: &NodeId| images[id];
         let graph = &mut self.graph;
@@ -212,7 +281,8 @@ impl Cut {
         let derivative = match self.graph.node(id).clone() {
             Node::Number(_) => self.graph.whole(0),
             Node::Symbol(Symbol::Local(k)) => {
-                let inner = self.derivative(self.graph.definition(k));
+                let definition = self.share_repeated(self.graph.definition(k));
+                let inner = self.derivative(definition);
                 let name = fraction(&self.names[&k], &self.wrt);
                 let leaf = self.leaf(self.graph.facts(inner), inner, name);
                 if let Node::Symbol(Symbol::Local(made)) = self.graph.node(leaf)

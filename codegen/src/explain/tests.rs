@@ -248,3 +248,25 @@ fn what_is_not_there_is_said_with_what_is() {
         assert!(error.starts_with(start), "{error}");
     }
 }
+
+/// The text of a formula grows with its parts, not with the paths through them.
+#[test]
+fn a_chain_of_frames_is_explained_in_little_text() {
+    let mut text = String::from("model chain;\nframe F0;\n");
+    for k in 1..=24 {
+        let axis = 1 + k % 3;
+        text += &format!("state a{k} = 0.1 rad;\nder(a{k}) = 0;\n");
+        text += &format!("frame F{k} = F{} turned a{k} about {axis};\n", k - 1);
+    }
+    text += "let v = (1, 2, 3) in F24;\nlet seen = in_F0(v);\nlet first = seen.1;\n";
+    let model = model_spec::load::from_text("chain.hyz", &text, &[]).expect("a model");
+    for quantity in ["first", "seen_1"] {
+        let plain = explain(&model, quantity, None).expect("an explanation");
+        let derived = explain(&model, quantity, Some("a24")).expect("an explanation");
+        for explanation in [plain, derived] {
+            let text = explanation.to_string();
+            assert!(text.len() < 200_000, "{} bytes", text.len());
+            assert!(text.contains("s_{1} = "), "{text}");
+        }
+    }
+}

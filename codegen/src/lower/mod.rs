@@ -11,6 +11,7 @@ use crate::layout::Layout;
 use frames::Vector;
 use model_spec::diagnostic::Span;
 use model_spec::model::{ExprKind, Model};
+use std::collections::HashSet;
 
 /// Provenance of a named node: name and source location in the model text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,6 +62,8 @@ pub(crate) struct Lowering<'a> {
     pub(crate) layout: Layout,
     pub(crate) lets: Vec<Value>,
     pub(crate) provenance: Vec<Provenance>,
+    /// Names in `provenance`.
+    pub(crate) recorded: HashSet<String>,
 }
 
 /// Lowers a model: derives the equations of motion, observation, limits and auxiliary variables as scalar nodes.
@@ -72,6 +75,7 @@ pub fn lower(model: &Model) -> Lowered {
         layout,
         lets: Vec::new(),
         provenance: Vec::new(),
+        recorded: HashSet::new(),
     };
     lowering.leaves();
     lowering.assumptions();
@@ -203,7 +207,7 @@ impl Lowering<'_> {
             return;
         }
         self.graph.name(node, name);
-        if self.provenance.iter().any(|known| known.name == name) {
+        if !self.recorded.insert(name.to_string()) {
             return;
         }
         let source = self.model.sources.get(usize::from(span.source));

@@ -2,6 +2,7 @@
 
 use super::contract_fma::latency;
 use crate::functions::MathFunction;
+use crate::graph::FastMap;
 use crate::program::{Op, Operand, Program, Statement, Unary};
 use std::cmp::Reverse;
 
@@ -30,6 +31,8 @@ struct Order<'a> {
     ready: Vec<Option<u32>>,
     /// Indices of the statements whose ready cycle is known and that are not yet issued.
     waiting: Vec<usize>,
+    /// For each sine or cosine statement the first statement of the other function of the same angle.
+    partners: FastMap<usize, usize>,
     end: Vec<u32>,
     /// Number of pending uses of each statement's result.
     left: Vec<usize>,
@@ -53,6 +56,7 @@ impl<'a> Order<'a> {
             height[k] = latency(&program.statements[k].op) + above.unwrap_or(0);
         }
         Order {
+            partners: partners(program),
             program,
             ready: needs.iter().map(|n| n.is_empty().then_some(0)).collect(),
             waiting: (0..n).filter(|&k| needs[k].is_empty()).collect(),
@@ -104,19 +108,10 @@ impl<'a> Order<'a> {
         last.count() as i64 - i64::from(!self.users[k].is_empty())
     }
 
-    /// The other of the sine and cosine statements of one angle, if not yet issued.
+    /// The other of the sine and cosine statements of one angle, if it can be issued.
     fn partner(&self, k: usize) -> Option<usize> {
-        let statements = &self.program.statements;
-        let op = match statements[k].op {
-            Op::Unary(Unary::Call(MathFunction::Sin), x) => {
-                Op::Unary(Unary::Call(MathFunction::Cos), x)
-            }
-            Op::Unary(Unary::Call(MathFunction::Cos), x) => {
-                Op::Unary(Unary::Call(MathFunction::Sin), x)
-            }
-            _ => return None,
-        };
-        (0..statements.len()).find(|&k| self.ready[k].is_some() && statements[k].op == op)
+        let partner = *self.partners.get(&k)?;
+        self.ready[partner].map(|_| partner)
     }
 
     fn start(&mut self, k: usize, time: u32) {
@@ -139,6 +134,43 @@ impl<'a> Order<'a> {
                 self.waiting.push(user);
             }
         }
+    }
+}
+
+/// Pairs of sine and cosine statements of one angle, each by the index of the other.
+fn partners(program: &Program) -> FastMap<usize, usize> {
+    let mut first: FastMap<(MathFunction, (u8, u64)), usize> = FastMap::default();
+    let calls = program.statements.iter().enumerate();
+    let calls = calls.filter_map(|(k, statement)| match statement.op {
+        Op::Unary(Unary::Call(function @ (MathFunction::Sin | MathFunction::Cos)), x) => {
+            Some((k, function, key(x)))
+        }
+        _ => None,
+    });
+    let calls: Vec<_> = calls.collect();
+    for &(k, function, x) in &calls {
+        first.entry((function, x)).or_insert(k);
+    }
+    let pair = |&(k, function, x): &(usize, MathFunction, (u8, u64))| {
+        let other = match function {
+            MathFunction::Sin => MathFunction::Cos,
+            _ => MathFunction::Sin,
+        };
+        Some((k, *first.get(&(other, x))?))
+    };
+    calls.iter().filter_map(pair).collect()
+}
+
+/// Identity of an operand: equal for equal operands, constants by their bits.
+fn key(operand: Operand) -> (u8, u64) {
+    match operand {
+        Operand::Time => (0, 0),
+        Operand::State(k) => (1, k.into()),
+        Operand::Parameter(k) => (2, k.into()),
+        Operand::Prepared(k) => (3, k.into()),
+        Operand::Marker(k) => (4, k.into()),
+        Operand::Constant(value) => (5, value.to_bits()),
+        Operand::Temp(k) => (6, k.into()),
     }
 }
 
