@@ -89,6 +89,21 @@ pub enum FlightError {
     /// No marker is measured after the conditioning segment of a held-out flight.
     #[error("no marker is measured in the samples that are to be predicted")]
     NothingMeasuredToPredict,
+    /// The residuals of the flight are far above those of the other flights, whatever its initial state.
+    #[error(
+        "its residuals are {:.0} mm, where those of the other flights are {:.1} mm: it does not fly as they do",
+        1e3 * scale,
+        1e3 * usual
+    )]
+    UnlikeTheOthers {
+        /// Robust standard deviation of its residuals, m.
+        scale: f64,
+        /// Median of that of the other flights, m.
+        usual: f64,
+    },
+    /// The deadline passed before the flight was looked at.
+    #[error("the time limit was reached before it was looked at")]
+    Deadline,
     /// The work was cancelled.
     #[error("interrupted")]
     Interrupted,
@@ -197,7 +212,8 @@ pub enum FitError {
         /// Number of states of each fitted flight.
         states: Vec<usize>,
     },
-    /// A flight that cannot be used stops the fit.
+    /// What the dataset says is known of a flight does not match the model, or the flight cannot be predicted from given
+    /// values of the unknowns.
     #[error("{file}: {reason}")]
     Flight {
         /// File name of the flight.

@@ -15,6 +15,7 @@ mod input_error;
 mod least_squares;
 mod marker_observers;
 mod noise;
+mod noise_floor;
 mod observations;
 mod options;
 pub mod outliers;
@@ -49,6 +50,7 @@ pub use uncertainty::interval;
 // The estimation problem, and predictions with their derivatives.
 pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
 pub use noise::{Moments, NoiseModel};
+pub use noise_floor::{median_noise_floor, noise_floor};
 pub use observations::Observations;
 pub use predict::{
     Loss, PointResidual, Residuals, Unknowns, each_residual, linearise, linearise_with,
@@ -61,7 +63,7 @@ pub use screening::{DataFault, FaultKind};
 
 // Least squares over many flights.
 pub use least_squares::{
-    Constraint, Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, Solution, SolveError,
-    StopReason, StoppingCriteria, UndeterminedFlight, constrained_step, eliminate, pseudo_inverse,
-    solve,
+    Constraint, FailedFlight, Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, Solution,
+    SolveError, StopReason, StoppingCriteria, UndeterminedFlight, constrained_step, eliminate,
+    pseudo_inverse, solve,
 };

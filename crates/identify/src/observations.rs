@@ -1,5 +1,7 @@
 //! Observations of one flight: its usable samples, its known values, and the directions of its initial state.
 
+use std::ops::Range;
+
 use model_spec::layout::StateId;
 use nalgebra::DVector;
 
@@ -131,6 +133,34 @@ impl Observations {
         let mut first = self.clone();
         first.keep(samples);
         first
+    }
+
+    /// The samples of a range as a flight of their own, whose initial state is not known. Times stay as they are.
+    pub(crate) fn arc(&self, problem: &FitProblem, samples: Range<usize>) -> Observations {
+        let is_first = samples.start == 0;
+        let mut arc = self.longer(self, samples);
+        if !is_first {
+            arc.known_states = Vec::new();
+            arc.manifold = StateManifold::new(&problem.model, &[]);
+        }
+        arc
+    }
+
+    /// This arc of a flight, with the samples of another range of the flight.
+    pub(crate) fn longer(&self, flight: &Observations, samples: Range<usize>) -> Observations {
+        let points = samples.start * self.markers..samples.end * self.markers;
+        Observations {
+            times: flight.times[samples].to_vec(),
+            measured: flight.measured[points.clone()].to_vec(),
+            outlier: flight.outlier[points].to_vec(),
+            manifold: self.manifold.clone(),
+            file: self.file.clone(),
+            parameters: self.parameters.clone(),
+            known_states: self.known_states.clone(),
+            truncation: None,
+            notes: Vec::new(),
+            ..*self
+        }
     }
 
     fn keep(&mut self, samples: usize) {

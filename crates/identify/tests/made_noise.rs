@@ -196,7 +196,7 @@ fn noise_that_makes_no_sense_is_refused() {
     let wrong = |change: &dyn Fn(&mut Corruption)| {
         let mut noise = Corruption::default();
         change(&mut noise);
-        noise.check().expect_err("it makes no sense")
+        noise.check().expect_err("it makes no sense").to_string()
     };
     assert!(wrong(&|noise| noise.sigma = -1.0).starts_with("noise-sigma: found -1"));
     assert!(wrong(&|noise| noise.sigma = f64::NAN).starts_with("noise-sigma: found NaN"));

@@ -188,6 +188,7 @@ fn plans_that_make_no_sense_are_refused() {
         change(&mut plan);
         match flights(&model, &[release], &plan).expect_err("it makes no sense") {
             SynthesisError::Plan(why) => why,
+            SynthesisError::OutOfRange(why) => why.to_string(),
             other => panic!("{other}"),
         }
     };

@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, DVector};
 use super::horizon_continuation::{fit_initial_state, solve_local};
 use super::initial_guess::{observations, refined_guesses};
 use super::outcome::{excluded_report, initial_state_report};
-use super::{FitError, FittedFlight, State};
+use super::state::State;
+use super::{FitError, FittedFlight};
 use crate::dataset::{Dataset, Flight};
 use crate::error::FlightError;
 use crate::ids::FlightId;
@@ -48,7 +49,10 @@ pub fn held_out(
     }
     let found = batch::each_on(options.threads(), flights.len(), |index| {
         let flight = &dataset.flights[flights[index].index()];
-        let found = predict(problem, flight, state, noise, options);
+        let found = match options.is_past_deadline() {
+            true => Err(FlightError::Deadline),
+            false => predict(problem, flight, state, noise, options),
+        };
         options.flight_done();
         found.unwrap_or_else(|reason| HeldOut {
             report: excluded_report(flight, &reason),

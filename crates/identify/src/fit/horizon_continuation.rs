@@ -2,9 +2,11 @@
 
 use nalgebra::DVector;
 
+use super::FitError;
+use super::exclusion::solve_flights;
 use super::output_error::{OutputError, all_samples};
 use super::residual_cache::{ResidualCache, residual_scale};
-use super::{FitError, State, solve_error};
+use super::state::State;
 use crate::error::FlightError;
 use crate::least_squares::{Constraint, Iterate, Solution, SolveError, StoppingCriteria, solve};
 use crate::observations::Observations;
@@ -43,8 +45,10 @@ const MAX_GROWTH: f64 = 1.1;
 /// Fits all flights over a horizon that grows to their whole length: far from the solution, long flights have minima
 /// that short ones do not have.
 ///
+/// A flight that cannot be flown so far from the present unknowns is used as far as it can be flown.
+///
 /// # Errors
-/// [`FitError::Flight`] if a trajectory cannot be computed; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
 pub fn continue_horizon(
     problem: &FitProblem,
     state: &mut State,
@@ -56,17 +60,14 @@ pub fn continue_horizon(
         .filter_map(|flight| flight.times.last());
     let longest = lengths.copied().fold(0.0, f64::max);
     let mut horizon = FIRST_HORIZON;
-    while horizon < longest / MIN_REMAINING_GROWTH {
+    while horizon < longest / MIN_REMAINING_GROWTH && !options.is_past_deadline() {
         options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
-        let flights = state.flights.iter();
-        let samples: Vec<usize> = flights
-            .map(|flight| flight.samples_until(horizon))
-            .collect();
-        fit_horizon(problem, state, &samples, options)?;
+        fit_horizon(problem, state, horizon, options)?;
         horizon *= HORIZON_GROWTH;
     }
     options.stage_started("whole flights", state.flights.len());
     if horizon > FIRST_HORIZON
+        && !options.is_past_deadline()
         && let Some(cache) = step_to_noise(problem, state, options)?
     {
         return Ok(cache);
@@ -102,7 +103,7 @@ pub struct AcceptedStep {
 }
 
 /// One step of all unknowns, judged only by the residuals after it, which cost far less than derivatives. `None` if
-/// the residuals became greater; the state is then unchanged.
+/// the residuals became greater or a flight cannot be predicted; the state is then unchanged.
 pub fn unevaluated_step(
     problem: &FitProblem,
     state: &mut State,
@@ -112,8 +113,11 @@ pub fn unevaluated_step(
 ) -> Result<Option<AcceptedStep>, FitError> {
     let objective = OutputError::of_all(problem, &state.flights, loss, options);
     let start = state.iterate();
-    let solution = solve(&objective, start.clone(), StoppingCriteria::SINGLE_STEP);
-    let solution = solution.map_err(|error| solve_error(error, &state.flights))?;
+    let solution = match solve(&objective, start.clone(), StoppingCriteria::SINGLE_STEP) {
+        Ok(solution) => solution,
+        Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
+        Err(SolveError::Start(_) | SolveError::Undetermined(_)) => return Ok(None),
+    };
     state.take(&solution);
     let cache = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
     let is_predicted = cache.scales().iter().all(Option::is_some);
@@ -130,10 +134,10 @@ pub fn unevaluated_step(
 
 /// Fits the first samples of all flights until the residuals are small enough for a longer horizon. Parameters
 /// without a prior get a weak one, since short horizons do not determine all parameters.
-fn fit_horizon(
+pub fn fit_horizon(
     problem: &FitProblem,
     state: &mut State,
-    samples: &[usize],
+    horizon: f64,
     options: &FitOptions<'_>,
 ) -> Result<(), FitError> {
     let constraints = problem.globals.iter().map(|global| {
@@ -147,18 +151,18 @@ fn fit_horizon(
     let constraints: Vec<Constraint> = constraints.collect();
     let mut scale = f64::INFINITY;
     for _ in 0..MAX_SCALES {
-        let cache = ResidualCache::new(problem, state, samples, options);
+        let cache = ResidualCache::new(problem, state, &state.samples_until(horizon), options);
+        state.limit_to_flyable(&cache.failures());
         let next = cache.median_scale().max(problem.sigma0);
         if next > MAX_SHRINKAGE * scale {
             break;
         }
         scale = next;
-        let loss = Loss::Huber(scale);
-        let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
-        objective.samples.copy_from_slice(samples);
-        objective.constraints.clone_from(&constraints);
-        let solution = solve(&objective, state.iterate(), StoppingCriteria::HORIZON);
-        let solution = solution.map_err(|error| solve_error(error, &state.flights))?;
+        let by = (Loss::Huber(scale), StoppingCriteria::HORIZON);
+        let solution = solve_flights(problem, state, by, None, options, |state, objective| {
+            objective.samples = state.samples_until(horizon);
+            objective.constraints.clone_from(&constraints);
+        })?;
         state.take(&solution);
         if scale < HORIZON_SCALE * problem.sigma0 {
             break;
@@ -168,7 +172,7 @@ fn fit_horizon(
 }
 
 /// Fits whole flights by a robust loss whose scale shrinks to that of the residuals; returns the residuals of the
-/// fit.
+/// fit, in which some flights may not have been computed.
 ///
 /// # Errors
 /// Those of [`continue_horizon`].
@@ -177,21 +181,23 @@ pub fn anneal_scale(
     state: &mut State,
     options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
-    let samples = all_samples(&state.flights);
     let mut scale = f64::INFINITY;
-    let mut cache = ResidualCache::new(problem, state, &samples, options);
+    let residuals =
+        |state: &State| ResidualCache::new(problem, state, &all_samples(&state.flights), options);
+    let mut cache = residuals(state);
     for _ in 0..MAX_SCALES {
         let next = cache.median_scale().max(problem.sigma0);
         if next > MAX_SHRINKAGE * scale {
             break;
         }
         scale = next;
-        let loss = Loss::Huber(scale);
-        let objective = OutputError::of_all(problem, &state.flights, loss, options);
-        let solution = solve(&objective, state.iterate(), StoppingCriteria::COARSE);
-        let solution = solution.map_err(|error| solve_error(error, &state.flights))?;
+        state.limit_to_flyable(&cache.failures());
+        let by = (Loss::Huber(scale), StoppingCriteria::COARSE);
+        let solution = solve_flights(problem, state, by, None, options, |state, objective| {
+            objective.samples = state.samples_until(f64::INFINITY);
+        })?;
         state.take(&solution);
-        cache = ResidualCache::new(problem, state, &samples, options);
+        cache = residuals(state);
     }
     Ok(cache)
 }
@@ -251,7 +257,10 @@ pub fn solve_local(
     };
     let solution = solve(&objective, start, StoppingCriteria::COARSE);
     let solution = solution.map_err(|error| match error {
-        SolveError::Start { reason, .. } => reason,
+        SolveError::Start(failures) => {
+            let first = failures.into_iter().next();
+            first.map_or(FlightError::NoMatchingState, |(_, reason)| reason)
+        }
         SolveError::Undetermined(_) => FlightError::SingularInitialState,
         SolveError::Cancelled => FlightError::Interrupted,
     })?;

@@ -3,13 +3,15 @@
 use flight::batch;
 use nalgebra::DVector;
 
+use super::FitError;
 use super::horizon_continuation::fit_initial_state;
-use super::{FitError, State};
+use super::state::State;
 use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
 use crate::impact_detection;
 use crate::initial_state::{self, InitialGuess};
+use crate::noise_floor::{median_noise_floor, noise_floor_by_poses};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::pose::Pose;
@@ -25,16 +27,21 @@ const MIN_FIRST_SAMPLES: usize = 12;
 /// Least initial estimate of the noise of one coordinate, m, at the level of rounding in tables.
 const MIN_SIGMA0: f64 = 1e-7;
 
+/// Ratio of the noise floor of the paths to the noise by the rigidity of the markers below which the latter is no noise:
+/// the markers are not where they are said to be, or not seen when they are said to be. Correlated noise is above it.
+const MAX_FLOOR_RATIO: f64 = 0.2;
+
+/// Root mean square of the axes' standard deviations.
+pub fn overall(sigma: [f64; 3]) -> f64 {
+    (sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
+}
+
 /// Flights that can be fitted, with their initial guesses.
 pub struct InitialGuesses {
-    /// Observations of the usable flights, each with its best initial guess.
+    /// The usable flights, each with its best initial guess, and the excluded ones.
     pub state: State,
-    /// Indices of the usable flights in the dataset.
-    pub flights: Vec<FlightId>,
     /// All initial guesses of each flight: several where the sampling interval is too long to determine the spin.
     pub alternatives: Vec<Vec<InitialGuess>>,
-    /// Flights that cannot be fitted.
-    pub excluded: Vec<ExcludedFlight>,
 }
 
 /// Observations of the usable flights, and the excluded flights.
@@ -45,6 +52,8 @@ pub struct ObservedFlights {
     pub excluded: Vec<ExcludedFlight>,
     /// Initial estimate of the noise of one coordinate, m; `None` if the samples do not determine it.
     pub sigma0: Option<f64>,
+    /// Noise of one coordinate along each axis by a smoother, m; `None` if the samples do not determine it.
+    pub noise_floor: Option<[f64; 3]>,
 }
 
 /// Number of samples in the first segment of a flight.
@@ -64,24 +73,34 @@ pub fn observe(
         let flight = &dataset.flights[flights[index].index()];
         let (observations, poses) = observations_and_poses(problem, flight)?;
         let sigma0 = initial_state::sigma0(problem, &observations, &poses);
-        Ok((observations, sigma0))
+        let floor = noise_floor_by_poses(problem, &observations, &poses);
+        Ok((observations, sigma0, floor))
     });
     let (mut usable, mut excluded) = (Vec::with_capacity(flights.len()), Vec::new());
-    let mut estimates = Vec::with_capacity(flights.len());
+    let (mut estimates, mut floors) = (Vec::with_capacity(flights.len()), Vec::new());
     for (&flight, found) in flights.iter().zip(each) {
         match found {
-            Ok((observations, sigma0)) => {
+            Ok((observations, sigma0, floor)) => {
                 usable.push((flight, observations));
                 estimates.extend(sigma0);
+                floors.extend(floor);
             }
             Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    let sigma0 = (!estimates.is_empty()).then(|| median(&mut estimates).max(MIN_SIGMA0));
+    let mut sigma0 = (!estimates.is_empty()).then(|| median(&mut estimates).max(MIN_SIGMA0));
+    let noise_floor = median_noise_floor(&floors);
+    if let (Some(sigma0), Some(floor)) = (&mut sigma0, noise_floor) {
+        let floor = overall(floor);
+        if floor < MAX_FLOOR_RATIO * *sigma0 {
+            *sigma0 = floor.max(MIN_SIGMA0);
+        }
+    }
     ObservedFlights {
         usable,
         excluded,
         sigma0,
+        noise_floor,
     }
 }
 
@@ -130,28 +149,22 @@ pub fn initial_guesses(
         median(&mut intervals)
     };
     let mut state = State::new(global, interval);
-    let (mut flights, mut alternatives) = (Vec::new(), Vec::new());
+    let mut alternatives = Vec::new();
     for ((flight, observations), found) in usable.into_iter().zip(found) {
         match found {
             Ok(guesses) => {
                 let guesses: Vec<_> = guesses.into_iter().map(|(_, guess)| guess).collect();
-                flights.push(flight);
-                state.local.push(guesses[0].state.clone());
-                state.flights.push(observations);
+                state.push(flight, observations, guesses[0].state.clone());
                 alternatives.push(guesses);
             }
             Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    if flights.is_empty() {
-        excluded.sort_unstable_by_key(|excluded| excluded.flight);
-        return Err(FitError::NoUsableFlight(excluded));
-    }
+    state.excluded = excluded;
+    state.exclude(Vec::new())?;
     Ok(InitialGuesses {
         state,
         alternatives,
-        flights,
-        excluded,
     })
 }
 
@@ -189,7 +202,7 @@ fn observations_and_poses(
 }
 
 /// Initial guesses refined by a fit to the first segment with the global parameters fixed, each with its sum of squares;
-/// the guess of slowest spin first.
+/// the guess of slowest spin first. After the deadline they are not refined.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.
@@ -203,6 +216,10 @@ pub fn refined_guesses(
     let mut refined = Vec::new();
     let mut failure = FlightError::NoMatchingState;
     for InitialGuess { state, turns } in initial_state::initial_guesses(problem, observations)? {
+        if options.is_past_deadline() {
+            refined.push((f64::INFINITY, InitialGuess { state, turns }));
+            continue;
+        }
         match fit_initial_state(problem, observations, samples, global, state, options) {
             Ok((squares, state)) => refined.push((squares, InitialGuess { state, turns })),
             Err(reason) => failure = reason,

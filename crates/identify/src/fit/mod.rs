@@ -4,9 +4,11 @@
 //! minimum, and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
 //! with the unknowns.
 
+mod exclusion;
 mod held_out;
 mod horizon_continuation;
 mod initial_guess;
+mod multiple_shooting;
 mod multistart;
 mod outcome;
 mod output_error;
@@ -14,6 +16,7 @@ mod post_fit;
 mod residual_cache;
 mod reweighting;
 mod spin_aliases;
+mod state;
 mod warm_start;
 
 use std::borrow::Borrow;
@@ -26,7 +29,7 @@ use self::outcome::Outcome;
 use crate::dataset::{Dataset, Role};
 use crate::error::{ExcludedFlight, FitError, FlightError};
 use crate::ids::FlightId;
-use crate::least_squares::{Iterate, Solution, SolveError};
+use crate::least_squares::SolveError;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
@@ -56,30 +59,15 @@ struct FittedFlight {
     state: DVector<f64>,
 }
 
-/// Observations, unknowns and counters that the stages of a fit pass on.
-#[derive(Clone)]
-pub(crate) struct State {
-    /// Observations of the flights that are fitted.
-    pub flights: Vec<Observations>,
-    /// Global parameters.
-    pub global: DVector<f64>,
-    /// Initial state of each flight.
-    pub local: Vec<DVector<f64>>,
-    /// Median time between samples, s.
-    pub interval: f64,
-    /// Number of least-squares steps tried so far.
-    pub steps: usize,
-    /// Number of noise estimates so far.
-    pub rounds: usize,
-}
-
 /// Fits a model to the flights of a dataset.
 ///
 /// # Errors
 /// [`FitError::InvalidOption`] for impossible options; [`FitError::UnknownName`], [`FitError::NotEstimated`],
 /// [`FitError::NoObservation`] and [`FitError::AttitudeNotObservable`] if model, dataset and options do not match;
-/// [`FitError::NothingToFit`], [`FitError::FaultyData`] and [`FitError::NoUsableFlight`] without usable flights; [`FitError::Flight`] if a
-/// trajectory cannot be computed; [`FitError::Interrupted`].
+/// [`FitError::Flight`] if the known values of a flight do not match the model; [`FitError::NothingToFit`],
+/// [`FitError::FaultyData`] and [`FitError::NoUsableFlight`] without usable flights; [`FitError::Interrupted`].
+///
+/// A flight that cannot be flown or fitted is excluded; its report says why.
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
     let clock = Instant::now();
     options.validate()?;
@@ -99,6 +87,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     }
     let observed = initial_guess::observe(&problem, dataset, &fitted, options);
     problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
+    let noise_floor = observed.noise_floor;
     problem.tolerance = tolerance::whitened(model, fitted.len());
     let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
     let started = clock.elapsed().as_secs_f64();
@@ -106,13 +95,15 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     let (state, alternatives) = (guesses.state, &guesses.alternatives);
     let (mut state, cache) =
         spin_aliases::resolve_spin_aliases(&problem, state, alternatives, options)?;
+    let cache = multiple_shooting::shoot_again(&problem, &mut state, cache, options)?;
     let cache = multistart::multistart(&problem, &mut state, cache, options)?;
+    let cache = exclusion::exclude_unlike_flights(&problem, &mut state, cache, options)?;
     let reweighted = reweighting::reweight(&problem, &mut state, cache, options)?;
     let solved = clock.elapsed().as_secs_f64();
 
     let outcome = Outcome::new(&problem, &state, &reweighted, options)?;
     let mut report = outcome.report();
-    let reports: Vec<_> = (0..guesses.flights.len())
+    let reports: Vec<_> = (0..state.flights.len())
         .map(|i| outcome.flight(i))
         .collect();
     drop(outcome);
@@ -121,12 +112,11 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     } = reweighted;
     let predicted = held_out::held_out(&problem, dataset, &held_out, &state, &noise, options)?;
     let mut flights = FlightTable::new(dataset.flights.len());
-    for excluded in guesses.excluded.iter().chain(&faulty) {
+    for excluded in state.excluded.iter().chain(&faulty) {
         flights.exclude(dataset, excluded);
     }
     let states = state.flights.into_iter().zip(solution.iterate.local);
-    for ((&flight, report), (observations, state)) in
-        guesses.flights.iter().zip(reports).zip(states)
+    for ((flight, report), (observations, state)) in state.ids.into_iter().zip(reports).zip(states)
     {
         flights.set(
             flight,
@@ -142,6 +132,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     }
     report.data_faults = data_faults;
     report.flights = flights.reports.into_iter().flatten().collect();
+    report.noise.floor_m = noise_floor.map(initial_guess::overall);
     report.why = reasons_against(&report);
     report.reliable = report.why.is_empty();
     let total = clock.elapsed().as_secs_f64();
@@ -231,7 +222,10 @@ impl Fit {
 /// Converts a least-squares error over these flights to a fit error.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
     let (flight, reason) = match error {
-        SolveError::Start { flight, reason } => (flight, reason),
+        SolveError::Start(failures) => match failures.into_iter().next() {
+            Some(failure) => failure,
+            None => return FitError::NothingToFit,
+        },
         SolveError::Undetermined(undetermined) => {
             (undetermined.0, FlightError::SingularInitialState)
         }
@@ -240,33 +234,5 @@ fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitE
     FitError::Flight {
         file: flights[flight].borrow().file.clone(),
         reason,
-    }
-}
-
-impl State {
-    /// State without flights.
-    fn new(global: DVector<f64>, interval: f64) -> Self {
-        Self {
-            flights: Vec::new(),
-            global,
-            local: Vec::new(),
-            interval,
-            steps: 0,
-            rounds: 0,
-        }
-    }
-
-    fn iterate(&self) -> Iterate {
-        Iterate {
-            global: self.global.clone(),
-            local: self.local.clone(),
-        }
-    }
-
-    /// Takes over the iterate and the step count of a solution.
-    fn take(&mut self, solution: &Solution) {
-        self.global.clone_from(&solution.iterate.global);
-        self.local.clone_from(&solution.iterate.local);
-        self.steps += solution.iterations;
     }
 }

@@ -3,10 +3,11 @@
 use flight::batch;
 use nalgebra::DVector;
 
+use super::FitError;
 use super::horizon_continuation::{anneal_scale, fit_initial_state};
 use super::initial_guess::{first_segment, spin_note};
 use super::residual_cache::{ResidualCache, residual_scale};
-use super::{FitError, State};
+use super::state::State;
 use crate::initial_state;
 use crate::observations::Observations;
 use crate::options::FitOptions;
@@ -38,7 +39,7 @@ pub fn multistart(
     let scales: Vec<f64> = scales.map(|s| s.unwrap_or(f64::INFINITY)).collect();
     let limit = SUSPECT_RATIO * reference_scale(&scales, problem.sigma0);
     let suspects: Vec<usize> = (0..scales.len()).filter(|&f| scales[f] > limit).collect();
-    if suspects.is_empty() {
+    if suspects.is_empty() || options.is_past_deadline() {
         return Ok(cache);
     }
     options.stage_started("flights that stand out", suspects.len());

@@ -8,7 +8,8 @@ use nalgebra::{DMatrix, DVector};
 use super::output_error::OutputError;
 use super::post_fit::{EMPTY_RANGE, PostFit, joined, post_fit};
 use super::reweighting::Reweighted;
-use super::{FitError, State, solve_error};
+use super::state::State;
+use super::{FitError, solve_error};
 use crate::dataset::Flight;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
@@ -168,6 +169,7 @@ impl<'a> Outcome<'a> {
             outliers,
             outlier_fraction: outliers as f64 / points.max(1) as f64,
             dropouts: all - points,
+            floor_m: None,
         }
     }
 
@@ -282,6 +284,9 @@ fn evaluate(
     options: &FitOptions<'_>,
 ) -> Result<Vec<(PostFit, InitialState)>, FitError> {
     let each = batch::each_on(options.threads(), state.flights.len(), |index| {
+        if options.is_cancelled() {
+            return Err(FitError::Interrupted);
+        }
         let observations = &state.flights[index];
         let path = fitted.cache.path(&state.flights, index)?;
         let post_fit = post_fit(problem, observations, &fitted.noise, &state.global, path);

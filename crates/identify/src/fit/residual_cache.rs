@@ -3,8 +3,10 @@
 use flight::batch;
 use nalgebra::DVector;
 
-use super::{FitError, State};
+use super::FitError;
+use super::state::{State, retain};
 use crate::error::FlightError;
+use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::{Residuals, residuals, residuals_of, states};
@@ -38,6 +40,12 @@ impl ResidualCache {
     ) -> Self {
         let count = state.flights.len();
         Self(batch::each_on(options.threads(), count, |flight| {
+            if options.is_cancelled() {
+                return CachedFlight {
+                    path: Err(FlightError::Interrupted),
+                    scale: None,
+                };
+            }
             let (observations, global) = (&state.flights[flight], &state.global);
             let unknowns = (global, &state.local[flight]);
             let path =
@@ -60,6 +68,30 @@ impl ResidualCache {
     pub fn median_scale(&self) -> f64 {
         let scales = self.0.iter().filter_map(|flight| flight.scale);
         median(&mut scales.collect::<Vec<f64>>())
+    }
+
+    /// Root mean square of the flights' scales, m; 0 without any.
+    pub fn rms_scale(&self) -> f64 {
+        let scales: Vec<f64> = self.0.iter().filter_map(|flight| flight.scale).collect();
+        let squares: f64 = scales.iter().map(|scale| scale * scale).sum();
+        (squares / scales.len().max(1) as f64).sqrt()
+    }
+
+    /// Flights whose trajectories could not be computed.
+    pub fn failures(&self) -> Vec<FailedFlight> {
+        let flights = self.0.iter().enumerate();
+        flights
+            .filter_map(|(flight, found)| Some((flight, found.path.as_ref().err()?.clone())))
+            .collect()
+    }
+
+    /// Removes the flights with these positions.
+    pub fn remove(&mut self, failures: &[FailedFlight]) {
+        let mut is_kept = vec![true; self.0.len()];
+        for (flight, _) in failures {
+            is_kept[*flight] = false;
+        }
+        retain(&mut self.0, &is_kept);
     }
 
     /// Trajectory of a flight.

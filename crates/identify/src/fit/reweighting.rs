@@ -3,11 +3,14 @@
 
 use flight::batch;
 
+use super::FitError;
+use super::exclusion::{exclude_failed, solve_flights};
 use super::horizon_continuation::unevaluated_step;
-use super::output_error::{OutputError, all_samples};
+use super::output_error::all_samples;
 use super::residual_cache::ResidualCache;
-use super::{FitError, State, solve_error};
-use crate::least_squares::{Solution, StoppingCriteria, solve_after};
+use super::state::State;
+use crate::error::FlightError;
+use crate::least_squares::{FailedFlight, Solution, StopReason, StoppingCriteria};
 use crate::noise::{Moments, NoiseModel};
 use crate::options::FitOptions;
 use crate::outliers;
@@ -22,6 +25,9 @@ const POINTS_PER_CHANGED_MARK: usize = 10_000;
 /// Greatest number of noise estimates.
 const MAX_ROUNDS: usize = 8;
 
+/// Number of least squares that reach their greatest number of steps after which none is tried again.
+const MAX_UNFINISHED: usize = 2;
+
 /// Converged noise estimate and unknowns, or the last iterates without convergence.
 pub struct Reweighted {
     /// The noise by which residuals are weighted.
@@ -34,24 +40,58 @@ pub struct Reweighted {
     pub status: FitStatus,
 }
 
-/// Alternates noise estimates and least squares until they agree; starts from the residuals at the state.
+/// Alternates noise estimates and least squares until they agree; starts from the residuals at the state, whose flights
+/// can all be predicted. Flights whose samples do not determine their initial state are excluded.
 ///
 /// # Errors
-/// [`FitError::Flight`] if a trajectory cannot be computed; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
 pub fn reweight(
     problem: &FitProblem,
     state: &mut State,
     mut cache: ResidualCache,
     options: &FitOptions<'_>,
 ) -> Result<Reweighted, FitError> {
+    loop {
+        if let Some(found) = agree(problem, state, cache, options)? {
+            let undetermined = undetermined_flights(&found.solution);
+            if undetermined.is_empty() {
+                return Ok(found);
+            }
+            state.exclude(undetermined)?;
+        }
+        // Every pass but the last excludes a flight.
+        let samples = all_samples(&state.flights);
+        let residuals = ResidualCache::new(problem, state, &samples, options);
+        cache = exclude_failed(state, residuals, options)?;
+    }
+}
+
+/// Flights whose residuals do not determine their local parameters.
+fn undetermined_flights(solution: &Solution) -> Vec<FailedFlight> {
+    let blocks = solution.blocks.iter().enumerate();
+    let undetermined = blocks.filter(|(_, block)| !block.determines_local());
+    undetermined
+        .map(|(flight, _)| (flight, FlightError::SingularInitialState))
+        .collect()
+}
+
+/// Alternates noise estimates and least squares until they agree; `None` if a flight was excluded meanwhile.
+fn agree(
+    problem: &FitProblem,
+    state: &mut State,
+    mut cache: ResidualCache,
+    options: &FitOptions<'_>,
+) -> Result<Option<Reweighted>, FitError> {
+    let flights = state.flights.len();
     let mut noise = NoiseModel::white(problem.sigma0, state.interval);
     let mut solution: Option<Solution> = None;
     let mut predicted_reduction = None;
+    let mut unfinished = 0;
     for round in 0..MAX_ROUNDS {
         let (estimated, marks_changed) = estimate_noise(problem, state, &cache, options)?;
         let agrees = !marks_changed && estimated.is_close_to(&noise);
         if let Some(solution) = solution.take_if(|_| agrees) {
-            return Ok(Reweighted::new(noise, solution, cache, true));
+            return Ok(Some(Reweighted::new(noise, solution, cache, true)));
         }
         noise = estimated;
         state.rounds = round + 1;
@@ -59,30 +99,43 @@ pub fn reweight(
         let loss = Loss::Whitened(&noise);
         // One step improves the estimate of the noise; its residuals suffice for that.
         if round == 0
+            && !options.is_past_deadline()
             && let Some(step) = unevaluated_step(problem, state, loss, &cache, options)?
         {
             (cache, predicted_reduction) = (step.cache, step.predicted_reduction);
             continue;
         }
-        let objective = OutputError::of_all(problem, &state.flights, loss, options);
         let criteria = StoppingCriteria::CONVERGED;
-        let found = solve_after(
-            &objective,
-            state.iterate(),
-            criteria,
+        let by = (loss, criteria);
+        let found = solve_flights(
+            problem,
+            state,
+            by,
             predicted_reduction.take(),
-        );
-        let found = found.map_err(|error| solve_error(error, &state.flights))?;
+            options,
+            |_, _| {},
+        )?;
+        if state.flights.len() < flights {
+            state.take(&found);
+            return Ok(None);
+        }
         state.take(&found);
         // After a negligible step the residuals, and the noise in them, are the same.
         if found.iterations == 1 && found.last_step_is_negligible(criteria) {
-            return Ok(Reweighted::new(noise, found, cache, true));
+            return Ok(Some(Reweighted::new(noise, found, cache, true)));
         }
-        cache = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
+        let residuals = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
+        cache = exclude_failed(state, residuals, options)?;
+        if state.flights.len() < flights {
+            return Ok(None);
+        }
+        unfinished += usize::from(found.stop_reason == StopReason::MaxSteps);
+        if found.stop_reason == StopReason::Deadline || unfinished >= MAX_UNFINISHED {
+            return Ok(Some(Reweighted::new(noise, found, cache, false)));
+        }
         solution = Some(found);
     }
-    let solution = solution.ok_or(FitError::Interrupted)?;
-    Ok(Reweighted::new(noise, solution, cache, false))
+    Ok(solution.map(|solution| Reweighted::new(noise, solution, cache, false)))
 }
 
 impl Reweighted {

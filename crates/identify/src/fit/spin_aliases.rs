@@ -1,10 +1,11 @@
 //! Aliasing of the spin: where samples are far apart, all flights are fitted with the slowest spin that the samples
 //! allow and with one turn per interval more or less, and the fit of smallest residuals is taken.
 
+use super::FitError;
 use super::horizon_continuation::continue_horizon;
 use super::initial_guess::spin_note;
 use super::residual_cache::ResidualCache;
-use super::{FitError, State};
+use super::state::State;
 use crate::initial_state::InitialGuess;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
@@ -44,7 +45,10 @@ pub fn resolve_spin_aliases(
                 continue;
             }
         };
-        let scale = rms_scale(&cache);
+        let scale = match tried.excluded.len() > state.excluded.len() {
+            true => f64::INFINITY,
+            false => rms_scale(&cache),
+        };
         if best
             .as_ref()
             .is_none_or(|(least, ..)| scale < ACCEPTED_RATIO * least)

@@ -46,7 +46,8 @@ pub fn state(
     };
     let target = target(motion, probes);
     let states = problem.body.layout().states.len();
-    let mut shown = ProbeMotion::new(&conditions, states, probes);
+    let time = observations.times.first().copied().unwrap_or(0.0);
+    let mut shown = ProbeMotion::new(&conditions, states, probes, time);
     // In the order of the distance of the points; the sort is stable.
     let mut guesses: Vec<(f64, DVector<f64>)> = guesses(problem, observations)
         .into_iter()
@@ -64,7 +65,7 @@ pub fn state(
         if better
             && conditions
                 .observer()
-                .is_within_limits(0.0, state.as_slice())
+                .is_within_limits(time, state.as_slice())
         {
             let near = distance < MAX_DISTANCE;
             best = Some((distance, state));
@@ -168,7 +169,9 @@ fn descend(
     target: &DVector<f64>,
     mut state: DVector<f64>,
 ) -> Option<(f64, DVector<f64>)> {
-    let mut shown = ProbeMotion::new(conditions, problem.body.layout().states.len(), probes);
+    let time = observations.times.first().copied().unwrap_or(0.0);
+    let states = problem.body.layout().states.len();
+    let mut shown = ProbeMotion::new(conditions, states, probes, time);
     // ModelState of effects do not follow from the motion and keep their values.
     let added = problem.model.added_states();
     let mut residual = shown.at(&state) - target;
@@ -220,6 +223,8 @@ fn descend(
 
 /// Positions and velocities of the points at a state of the model.
 struct ProbeMotion<'a> {
+    /// Time of the first sample, s.
+    time: f64,
     observer: flight::ModelObserver<'a>,
     motion: flight::ModelRhs<'a>,
     state: ModelState,
@@ -228,8 +233,14 @@ struct ProbeMotion<'a> {
 }
 
 impl<'a> ProbeMotion<'a> {
-    fn new(conditions: &'a BoundModel<'a>, states: usize, probes: &'a [[f64; 3]]) -> Self {
+    fn new(
+        conditions: &'a BoundModel<'a>,
+        states: usize,
+        probes: &'a [[f64; 3]],
+        time: f64,
+    ) -> Self {
         Self {
+            time,
             observer: conditions.observer(),
             motion: conditions.rhs(),
             state: vec![0.0; states].into(),
@@ -242,7 +253,7 @@ impl<'a> ProbeMotion<'a> {
     fn distance(&mut self, state: &DVector<f64>, target: &DVector<f64>) -> f64 {
         let mut squares = 0.0;
         for (probe, wanted) in self.probes.iter().zip(target.as_slice().chunks(3)) {
-            let shown = self.observer.position(0.0, state.as_slice(), probe);
+            let shown = self.observer.position(self.time, state.as_slice(), probe);
             squares += shown
                 .iter()
                 .zip(wanted)
@@ -254,13 +265,14 @@ impl<'a> ProbeMotion<'a> {
 
     fn at(&mut self, state: &DVector<f64>) -> DVector<f64> {
         self.state.as_mut().copy_from_slice(state.as_slice());
-        self.motion.derivative(0.0, &self.state, &mut self.rates);
+        self.motion
+            .derivative(self.time, &self.state, &mut self.rates);
         let count = 3 * self.probes.len();
         let mut shown = DVector::zeros(2 * count);
         for (probe, position) in self.probes.iter().enumerate() {
             let (y, derivatives) =
                 self.observer
-                    .position_with_jacobians(0.0, &self.state, position);
+                    .position_with_jacobians(self.time, &self.state, position);
             for axis in 0..3 {
                 shown[3 * probe + axis] = y[axis];
             }

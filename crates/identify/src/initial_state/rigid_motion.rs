@@ -55,7 +55,9 @@ struct SeenFrame {
 /// The first samples, at most `most`, in which the pose of a body or the position of a point mass is measured.
 fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<SeenFrame> {
     let rows = (0..observations.times.len()).filter_map(|sample| {
-        let (time, row) = (observations.times[sample], observations.points(sample));
+        // Times of an arc do not begin at 0.
+        let time = observations.times[sample] - observations.times[0];
+        let row = observations.points(sample);
         if problem.has_attitude {
             let pose = pose(&problem.markers, row)?;
             return Some(SeenFrame {

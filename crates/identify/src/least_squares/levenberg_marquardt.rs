@@ -86,17 +86,20 @@ impl Solution {
     }
 }
 
+/// Position of a flight in the problem, and the reason why it cannot be predicted.
+pub type FailedFlight = (usize, FlightError);
+
+fn first(failures: &[FailedFlight]) -> String {
+    let reason = failures.first().map(|(_, reason)| reason.to_string());
+    reason.unwrap_or_default()
+}
+
 /// Why there is no solution.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SolveError {
-    /// A flight cannot be predicted from its initial values.
-    #[error("flight {flight} cannot be predicted from its initial values: {reason}")]
-    Start {
-        /// Position of the flight in the problem.
-        flight: usize,
-        /// Reason why the flight cannot be predicted.
-        reason: FlightError,
-    },
+    /// Flights cannot be predicted from their initial values.
+    #[error("{} flights cannot be predicted from their initial values, the first because: {}", .0.len(), first(.0))]
+    Start(Vec<FailedFlight>),
     /// The local normal equations of a flight are singular.
     #[error(transparent)]
     Undetermined(#[from] UndeterminedFlight),
@@ -120,7 +123,7 @@ const MIN_DAMPING: f64 = 1e-12;
 /// Minimises the sum of squares from a starting point.
 ///
 /// # Errors
-/// [`SolveError::Start`] if a flight cannot be predicted at `start`; [`SolveError::Cancelled`].
+/// [`SolveError::Start`] with every flight that cannot be predicted at `start`; [`SolveError::Cancelled`].
 pub fn solve(
     problem: &impl LeastSquaresProblem,
     start: Iterate,
@@ -144,7 +147,7 @@ pub fn solve_after(
     let mut damping = INITIAL_DAMPING;
     let mut linearization = Linearization::new(problem, &iterate, damping)?;
     let mut squares = linearization.squares(problem, &iterate);
-    let mut iterations = 0;
+    let (mut iterations, mut rejections) = (0, 0);
     let mut stop_reason = StopReason::MaxSteps;
     while iterations < criteria.max_steps {
         if problem.is_past_deadline() {
@@ -172,19 +175,37 @@ pub fn solve_after(
             break;
         }
         let less_damping = (damping * 0.1).max(MIN_DAMPING);
-        match evaluate(problem, &candidate, less_damping)? {
-            Some((at_candidate, after)) if after < squares => {
+        let evaluated = evaluate(problem, &candidate, less_damping)?;
+        if let Some((at_candidate, after)) = evaluated {
+            if after < squares {
                 (iterate, linearization, squares) = (candidate, at_candidate, after);
                 // Damped steps do not show the rate of convergence.
                 previous = (damping <= NEGLIGIBLE_DAMPING).then_some(predicted_reduction);
-                damping = less_damping;
+                (damping, rejections) = (less_damping, 0);
+                continue;
             }
-            _ if damping < MAX_DAMPING => damping = (damping * 10.0).max(1e-6),
-            _ => {
-                stop_reason = StopReason::NoDescent;
-                break;
+            if rejections == 0 {
+                iterations += 1;
+                let second = second_step(problem, &candidate, at_candidate, less_damping, squares)?;
+                if let Some((candidate, at_candidate, after)) = second {
+                    (iterate, linearization, squares) = (candidate, at_candidate, after);
+                    (previous, damping) = (None, less_damping);
+                    continue;
+                }
             }
         }
+        if damping >= MAX_DAMPING {
+            stop_reason = StopReason::NoDescent;
+            break;
+        }
+        rejections += 1;
+        // Low damping hardly shortens a step.
+        let growth = if damping < 1e-2 && rejections > 1 {
+            100.0
+        } else {
+            10.0
+        };
+        damping = (damping * growth).max(NEGLIGIBLE_DAMPING);
     }
     Ok(Solution {
         iterate,
@@ -194,6 +215,29 @@ pub fn solve_after(
         stop_reason,
         predicted_reduction: previous,
     })
+}
+
+/// Greatest ratio of the sum of squares after a second step to that before the first at which both are accepted: a
+/// smaller gain may lead far away into another minimum.
+const MAX_SECOND_RATIO: f64 = 0.5;
+
+/// A second step from a candidate iterate at which the sum of squares is not less than `squares`, accepted if it is much
+/// less after both: a full step often leaves a curved valley that the next one leads back to, where short steps
+/// follow the valley slowly.
+fn second_step(
+    problem: &impl LeastSquaresProblem,
+    candidate: &Iterate,
+    mut at_candidate: Linearization,
+    damping: f64,
+    squares: f64,
+) -> Result<Option<(Iterate, Linearization, f64)>, SolveError> {
+    let Some(step) = at_candidate.step(problem, candidate, damping) else {
+        return Ok(None);
+    };
+    let evaluated = evaluate(problem, &step.candidate, damping)?;
+    Ok(evaluated
+        .filter(|(_, after)| *after < MAX_SECOND_RATIO * squares)
+        .map(|(at_second, after)| (step.candidate, at_second, after)))
 }
 
 /// Normal equations and sum of squares at a candidate iterate; `None` if a flight cannot be predicted there.
@@ -234,14 +278,29 @@ impl Linearization {
     ) -> Result<Self, SolveError> {
         let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
             if problem.is_cancelled() {
-                return Err(SolveError::Cancelled);
+                return Err(FlightError::Interrupted);
             }
-            let block = problem.linearise(flight, &iterate.global, &iterate.local[flight]);
-            let block = block.map_err(|reason| SolveError::Start { flight, reason })?;
+            let block = problem.linearise(flight, &iterate.global, &iterate.local[flight])?;
             let complement = SchurComplement::new(&block, damping);
             Ok((block, complement))
         });
-        let (blocks, complements) = each.into_iter().collect::<Result<_, _>>()?;
+        if problem.is_cancelled() {
+            return Err(SolveError::Cancelled);
+        }
+        let (mut blocks, mut complements) = (Vec::new(), Vec::new());
+        let mut failures = Vec::new();
+        for (flight, found) in each.into_iter().enumerate() {
+            match found {
+                Ok((block, complement)) => {
+                    blocks.push(block);
+                    complements.push(complement);
+                }
+                Err(reason) => failures.push((flight, reason)),
+            }
+        }
+        if !failures.is_empty() {
+            return Err(SolveError::Start(failures));
+        }
         Ok(Self {
             blocks,
             complements: (damping, Some(complements)),

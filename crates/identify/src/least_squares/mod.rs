@@ -12,7 +12,7 @@ pub use constrained_step::constrained_step;
 pub use constraint::Constraint;
 pub(crate) use gram_accumulator::GramAccumulator;
 pub use levenberg_marquardt::{
-    Iterate, LeastSquaresProblem, Solution, SolveError, solve, solve_after,
+    FailedFlight, Iterate, LeastSquaresProblem, Solution, SolveError, solve, solve_after,
 };
 pub(crate) use normal_equations::SchurComplement;
 pub use normal_equations::{NormalBlock, ReducedSystem, UndeterminedFlight, eliminate};

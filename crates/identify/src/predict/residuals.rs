@@ -28,7 +28,7 @@ pub fn states(
     let start: ModelState = local.as_slice().into();
     let times = &observations.times[..samples];
     let mut states = vec![0.0; start.len() * times.len()];
-    let options = integration_options(RESIDUAL_TOLERANCE * problem.sigma0);
+    let options = integration_options(RESIDUAL_TOLERANCE * problem.sigma0, times.len());
     let mut motion = conditions.rhs();
     let from = (times[0], &start);
     integrate_at(&mut motion, from, times, &options, &mut [], &mut states)?;

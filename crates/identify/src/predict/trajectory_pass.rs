@@ -19,10 +19,18 @@ const MIN_TOLERANCE: f64 = 1e-10;
 /// Greatest tolerance of an integration, m.
 const MAX_TOLERANCE: f64 = 1e-3;
 
-/// Integration options for a tolerance in m, clamped to the allowed range.
-pub(super) fn integration_options(tolerance: f64) -> IntegrationOptions {
+/// Number of steps, besides [`STEPS_PER_SAMPLE`], after which a trajectory has diverged: so many with sensitivities take
+/// some hundredths of a second.
+const STEPS: usize = 1_000;
+
+/// Number of steps per sample after which a trajectory has diverged.
+const STEPS_PER_SAMPLE: usize = 20;
+
+/// Integration options for a tolerance in m, clamped to the allowed range, and a number of samples.
+pub(super) fn integration_options(tolerance: f64, samples: usize) -> IntegrationOptions {
     IntegrationOptions {
         method: Method::Tsit5,
+        max_steps: STEPS + STEPS_PER_SAMPLE * samples,
         ..IntegrationOptions::with_tolerance(tolerance.clamp(MIN_TOLERANCE, MAX_TOLERANCE))
     }
 }
@@ -106,7 +114,10 @@ impl TrajectoryPass<'_> {
         let tangent = observations.manifold.tangent(self.local.as_slice());
         let start =
             variations.initial_state_with(self.local.as_slice(), &columns.tangent(&tangent));
-        let (from, options) = ((times[0], &start), integration_options(self.tolerance));
+        let (from, options) = (
+            (times[0], &start),
+            integration_options(self.tolerance, times.len()),
+        );
         match cache {
             Some(cache) => {
                 let mut trajectory = vec![0.0; length * times.len()];

@@ -76,6 +76,9 @@ pub struct NoiseReport {
     pub outlier_fraction: f64,
     /// Number of missing points.
     pub dropouts: usize,
+    /// Root mean square of the axes' standard deviations by a smoother that knows no model, m; correlated noise lies above
+    /// it. `None` if the samples do not determine it.
+    pub floor_m: Option<f64>,
 }
 
 /// Noise along one axis.

@@ -4,6 +4,13 @@ use super::{FitReport, FitStatus};
 use crate::dataset::Role;
 use crate::wording::count;
 
+/// Ratio of the rms residual to the noise floor above which a fit is unreliable. An AR(1) noise of coefficient 0.9 is
+/// within it.
+const MAX_NOISE_RATIO: f64 = 5.0;
+
+/// Least noise floor that counts, m: tables are rounded, and integration has errors.
+const MIN_NOISE_FLOOR: f64 = 1e-5;
+
 /// Share of the flights to be fitted above which their exclusion makes a fit unreliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
@@ -12,6 +19,8 @@ pub(crate) fn reasons_against(report: &FitReport) -> Vec<String> {
     let mut reasons = Vec::new();
     reasons.extend(not_converged(report));
     reasons.extend(excluded_flights(report));
+    reasons.extend(above_noise_floor(report));
+    reasons.extend(data_faults(report));
     reasons
 }
 
@@ -26,6 +35,36 @@ fn not_converged(report: &FitReport) -> Option<String> {
             Some(format!("the fit did not converge in {steps}"))
         }
     }
+}
+
+fn above_noise_floor(report: &FitReport) -> Option<String> {
+    let floor = report.noise.floor_m?.max(MIN_NOISE_FLOOR);
+    let ratio = report.rms_m / floor;
+    (ratio > MAX_NOISE_RATIO).then(|| {
+        format!(
+            "the residuals ({:.1} mm) are {ratio:.0} times the noise of the measurements ({:.2} mm): the model does not fly as these flights do",
+            1e3 * report.rms_m,
+            1e3 * floor
+        )
+    })
+}
+
+/// Faults in the data of flights that were fitted all the same.
+fn data_faults(report: &FitReport) -> Option<String> {
+    let is_fitted = |file: &str| report.used(Role::Fit).any(|flight| flight.file == file);
+    let mut faults = report.data_faults.iter().filter(|f| is_fitted(&f.file));
+    let first = faults.next()?;
+    let number = 1 + faults.count();
+    let others = match number {
+        1 => String::new(),
+        _ => format!(", and {} more", number - 1),
+    };
+    Some(format!(
+        "{} in the data that were fitted: {}: {}{others}",
+        count(number, "fault"),
+        first.file,
+        first.detail
+    ))
 }
 
 fn excluded_flights(report: &FitReport) -> Option<String> {

@@ -10,6 +10,7 @@ use rand::Rng;
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 
+use super::error::SimulationError;
 use super::{MOST_POINTS, Plan, corrupt};
 use crate::dataset::{Flight, KnownValue, Role};
 
@@ -29,7 +30,11 @@ pub(super) struct Maker<'a> {
 
 impl Maker<'_> {
     /// Simulates flight `index` from a release; returns the flight with its noise and the true initial state.
-    pub fn flight(&self, index: usize, release: &Release) -> Result<(Flight, Vec<f64>), String> {
+    pub fn flight(
+        &self,
+        index: usize,
+        release: &Release,
+    ) -> Result<(Flight, Vec<f64>), SimulationError> {
         let plan = self.plan;
         // A generator of its own for each flight: one more flight does not change the others.
         let mut random = ChaCha12Rng::seed_from_u64(plan.seed);
@@ -70,7 +75,7 @@ impl Maker<'_> {
         release: &Release,
         parameters: &[f64],
         state: &[f64],
-    ) -> Result<Vec<f64>, String> {
+    ) -> Result<Vec<f64>, SimulationError> {
         let plan = self.plan;
         let end = match (plan.duration, release.stop) {
             (Some(duration), Stop::Duration(_)) | (None, Stop::Duration(duration)) => duration,
@@ -79,9 +84,8 @@ impl Maker<'_> {
         let count = (end * plan.rate + 1e-9).floor() + 1.0;
         let points = count * self.positions.len() as f64 * plan.flights as f64;
         if points > MOST_POINTS {
-            return Err(format!(
-                "at {count} samples a flight there are {points} marker points, expected at most {MOST_POINTS}"
-            ));
+            let samples = count;
+            return Err(SimulationError::TooManyPoints { samples, points });
         }
         let time = |sample: usize| rounded(sample as f64 / plan.rate, TIME_DECIMALS);
         Ok((0..count as usize).map(time).collect())
@@ -93,10 +97,10 @@ impl Maker<'_> {
         parameters: &[f64],
         state: &[f64],
         watched: Option<f64>,
-    ) -> Result<f64, String> {
+    ) -> Result<f64, SimulationError> {
         let conditions = self.body.bind(parameters.to_vec());
         let z = self.body.layout().state("z");
-        let z = z.ok_or("the model has no z")?.index();
+        let z = z.ok_or(SimulationError::NoHeight)?.index();
         let mut events = conditions.limits();
         events.push(Event::falls_to("ground", z, 0.0).terminal());
         let landed = integrate_to_end(
@@ -106,11 +110,11 @@ impl Maker<'_> {
             &IntegrationOptions::with_tolerance(TOLERANCE),
             &mut events,
         );
-        let landed = landed.map_err(|error| error.to_string())?;
+        let landed = landed?;
         if landed.event.is_some() || watched.is_some() {
             Ok(landed.time)
         } else {
-            Err(format!("it is still up after {} s", landed.time))
+            Err(SimulationError::NoLanding)
         }
     }
 
@@ -120,7 +124,7 @@ impl Maker<'_> {
         parameters: &[f64],
         state: &[f64],
         times: &[f64],
-    ) -> Result<Vec<Vec<Option<[f64; 3]>>>, String> {
+    ) -> Result<Vec<Vec<Option<[f64; 3]>>>, SimulationError> {
         let conditions = self.body.bind(parameters.to_vec());
         let mut samples = vec![0.0; times.len() * state.len()];
         // Where the model ends, so does the flight, with an error.
@@ -131,8 +135,7 @@ impl Maker<'_> {
             &IntegrationOptions::with_tolerance(TOLERANCE),
             &mut conditions.limits(),
             &mut samples,
-        )
-        .map_err(|error| error.to_string())?;
+        )?;
         let mut observer = conditions.observer();
         let rows = times.iter().zip(samples.chunks(state.len()));
         let row = |(&t, x): (&f64, &[f64])| {

@@ -2,6 +2,7 @@
 //!
 //! The true values are returned as [`Truth`], for comparison with the estimates of a fit.
 
+mod error;
 mod maker;
 mod noise;
 mod spread;
@@ -11,6 +12,7 @@ use flight::CompiledModel;
 use flight::release::Release;
 use model_spec::model::Model;
 
+pub use error::{OutOfRange, SimulationError, SynthesisError};
 pub use noise::{Corruption, corrupt};
 pub use spread::Spread;
 pub use truth::Truth;
@@ -66,22 +68,6 @@ impl Default for Plan {
     }
 }
 
-/// Why a synthetic dataset cannot be generated.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SynthesisError {
-    /// A setting of the plan, the model or the releases is invalid; the message says which.
-    #[error("{0}")]
-    Plan(String),
-    /// A flight cannot be simulated.
-    #[error("flight {number}: {reason}")]
-    Flight {
-        /// Number of the flight, from 1.
-        number: usize,
-        /// Reason, as a message.
-        reason: String,
-    },
-}
-
 fn refuse<T>(why: impl Into<String>) -> Result<T, SynthesisError> {
     Err(SynthesisError::Plan(why.into()))
 }
@@ -122,7 +108,7 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
 /// Simulates releases of a model and observes its markers; each flight starts from a random state around its release.
 ///
 /// # Errors
-/// [`SynthesisError::Plan`] for an invalid plan, [`SynthesisError::Flight`] if a flight cannot be simulated.
+/// [`SynthesisError::Plan`] and [`SynthesisError::OutOfRange`] for an invalid plan, [`SynthesisError::Flight`] if a flight cannot be simulated.
 pub fn flights(model: &Model, releases: &[Release], plan: &Plan) -> Result<Made, SynthesisError> {
     check(model, releases, plan)?;
     let markers = if plan.markers.is_empty() {
@@ -229,6 +215,7 @@ fn check(model: &Model, releases: &[Release], plan: &Plan) -> Result<(), Synthes
         let (found, most) = (plan.seed, i64::MAX);
         return refuse(format!("seed: found {found}, expected at most {most}"));
     }
-    let checks = plan.noise.check().and(plan.spread.check());
-    checks.map_err(SynthesisError::Plan)
+    plan.noise.check()?;
+    plan.spread.check()?;
+    Ok(())
 }

@@ -6,6 +6,8 @@ use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::StandardNormal;
 
+use super::error::OutOfRange;
+
 /// Measurement errors added to true positions; by default white noise of 1.5 mm without outliers and dropouts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corruption {
@@ -49,15 +51,9 @@ impl Corruption {
     /// Checks that every value is within its range.
     ///
     /// # Errors
-    /// A message with the name, the value found and the range expected.
-    pub fn check(&self) -> Result<(), String> {
-        let within = |name: &str, value: f64, least: f64, most: f64| {
-            if (least..=most).contains(&value) {
-                Ok(())
-            } else {
-                Err(format!("{name}: found {value}, expected {least} to {most}"))
-            }
-        };
+    /// [`OutOfRange`] for the first value that is not.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        let within = OutOfRange::check;
         within("noise-sigma", self.sigma, 0.0, LARGEST)?;
         within("noise-ar1", self.ar1, -0.999, 0.999)?;
         within("outliers", self.outliers, 0.0, 1.0)?;

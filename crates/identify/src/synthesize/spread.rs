@@ -7,6 +7,8 @@ use rand::RngExt;
 use rand_chacha::ChaCha12Rng;
 use rand_distr::StandardNormal;
 
+use super::error::OutOfRange;
+
 /// Random variation of initial states. Position states are not varied; any other state s gets a normal deviation of
 /// standard deviation `fraction` · max(|s|, scale), with the scale of its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,14 +42,9 @@ impl Spread {
     /// Checks that the fraction is within its range.
     ///
     /// # Errors
-    /// A message with the value found and the range expected.
-    pub fn check(&self) -> Result<(), String> {
-        if (0.0..=MOST).contains(&self.fraction) {
-            Ok(())
-        } else {
-            let found = self.fraction;
-            Err(format!("spread: found {found}, expected 0 to {MOST}"))
-        }
+    /// [`OutOfRange`] if it is not.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        OutOfRange::check("spread", self.fraction, 0.0, MOST)
     }
 
     /// Standard deviation of each state of a model around the values `state`, SI; 0 for positions.

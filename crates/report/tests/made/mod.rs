@@ -258,6 +258,7 @@ pub fn report(flights: usize) -> FitReport {
             outliers: 7,
             outlier_fraction: 7.0 / 1104.0,
             dropouts: 21,
+            floor_m: Some(0.00149),
         },
         coefficients: found.iter().map(coefficient).collect(),
         correlations,

@@ -1,0 +1,183 @@
+//! A start from anywhere: the global parameters are fitted to short arcs of all flights, each with an initial state of
+//! its own, and the arcs are joined until they are whole flights (multiple shooting).
+//!
+//! Over a short arc the motion depends on the parameters almost as its accelerations do, which is nearly linear; arcs
+//! of all parts of the flights show every regime at once, and a flight that cannot be flown whole from the present
+//! parameters can still be flown in arcs.
+
+use flight::batch;
+use nalgebra::DVector;
+
+use super::FitError;
+use super::horizon_continuation::{anneal_scale, fit_horizon};
+use super::residual_cache::ResidualCache;
+use super::state::State;
+use crate::initial_state;
+use crate::observations::Observations;
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
+
+/// Length of the shortest arcs, s.
+const ARC: f64 = 0.14;
+
+/// Least number of samples of an arc.
+const MIN_ARC_SAMPLES: usize = 12;
+
+/// Number of neighbouring arcs that are joined to one.
+const JOINED: usize = 3;
+
+/// Residual scale, relative to `sigma0`, above which the start is sought anew.
+const MISFIT_RATIO: f64 = 3.0;
+
+/// Ratio of the new residual scale to the old one below which the new start is taken.
+const ACCEPTED_RATIO: f64 = 0.98;
+
+/// Distance from a bound at which a parameter starts that would start at it, in typical magnitudes.
+const OFF_BOUND: f64 = 0.1;
+
+/// Fits all flights again by multiple shooting where the present fit may have ended in a wrong minimum: its residuals
+/// are above the noise, a flight cannot be flown, or a parameter went to a bound. Takes the residuals at the state and
+/// returns those at the new state, which is the present one unless the new one is better.
+///
+/// # Errors
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+pub fn shoot_again(
+    problem: &FitProblem,
+    state: &mut State,
+    cache: ResidualCache,
+    options: &FitOptions<'_>,
+) -> Result<ResidualCache, FitError> {
+    if options.is_past_deadline() || !is_suspect(problem, state, &cache) {
+        return Ok(cache);
+    }
+    options.stage_started("multiple shooting", state.flights.len());
+    let mut tried = state.clone();
+    tried.limits.fill(f64::INFINITY);
+    let Some(found) = shoot(problem, &mut tried, options)? else {
+        return Ok(cache);
+    };
+    if is_better(&found, &cache) {
+        *state = tried;
+        return Ok(found);
+    }
+    state.steps = tried.steps;
+    Ok(cache)
+}
+
+fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) -> bool {
+    let mut globals = problem.globals.iter().zip(state.global.iter());
+    let is_driven_to_bound = globals.any(|(global, &value)| {
+        let (low, high) = global.constraint.bounds;
+        (value <= low && global.model_value > low) || (value >= high && global.model_value < high)
+    });
+    is_driven_to_bound
+        || !cache.failures().is_empty()
+        || cache.median_scale() > MISFIT_RATIO * problem.sigma0
+}
+
+/// Whether a fit predicts more flights, or as many with smaller residuals.
+fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
+    let (failed, failed_before) = (found.failures().len(), before.failures().len());
+    failed < failed_before
+        || failed == failed_before && found.rms_scale() < ACCEPTED_RATIO * before.rms_scale()
+}
+
+/// Fits arcs of growing length and then whole flights; `None` if too few arcs can be fitted.
+fn shoot(
+    problem: &FitProblem,
+    state: &mut State,
+    options: &FitOptions<'_>,
+) -> Result<Option<ResidualCache>, FitError> {
+    let starts = problem.globals.iter().map(|global| {
+        let (low, high) = global.constraint.bounds;
+        let inside = (OFF_BOUND * global.x_scale).min(0.5 * (high - low));
+        global.model_value.clamp(low + inside, high - inside)
+    });
+    state.global = DVector::from_iterator(problem.globals.len(), starts);
+    let Some(mut arcs) = arcs(problem, state, options)? else {
+        return Ok(None);
+    };
+    loop {
+        if let Err(error) = fit_horizon(problem, &mut arcs, f64::INFINITY, options) {
+            return match error {
+                FitError::NoUsableFlight(_) => Ok(None),
+                error => Err(error),
+            };
+        }
+        state.global.clone_from(&arcs.global);
+        state.steps += std::mem::take(&mut arcs.steps);
+        for (id, local) in state.ids.iter().zip(&mut state.local) {
+            let mut found = arcs.ids.iter().zip(&arcs.flights).zip(&arcs.local);
+            let first = found.find(|((arc, flight), _)| *arc == id && flight.times[0] == 0.0);
+            if let Some((_, found)) = first {
+                local.clone_from(found);
+            }
+        }
+        if options.is_past_deadline() || !join(state, &mut arcs) {
+            break;
+        }
+    }
+    anneal_scale(problem, state, options).map(Some)
+}
+
+/// All flights cut into arcs, each with its initial guess; `None` if no arc has one.
+fn arcs(
+    problem: &FitProblem,
+    state: &State,
+    options: &FitOptions<'_>,
+) -> Result<Option<State>, FitError> {
+    let mut cut = Vec::new();
+    for (&id, flight) in state.ids.iter().zip(&state.flights) {
+        let mut first = 0;
+        while first < flight.times.len() {
+            let end = flight.samples_until(flight.times[first] + ARC);
+            let mut end = end.max(first + MIN_ARC_SAMPLES);
+            if end + MIN_ARC_SAMPLES > flight.times.len() {
+                end = flight.times.len();
+            }
+            cut.push((id, flight.arc(problem, first..end)));
+            first = end;
+        }
+    }
+    let guesses = batch::each_on(options.threads(), cut.len(), |index| {
+        match options.is_cancelled() {
+            true => None,
+            false => guess(problem, &cut[index].1),
+        }
+    });
+    if options.is_cancelled() {
+        return Err(FitError::Interrupted);
+    }
+    let mut arcs = State::new(state.global.clone(), state.interval);
+    for ((id, arc), guess) in cut.into_iter().zip(guesses) {
+        if let Some(guess) = guess {
+            arcs.push(id, arc, guess);
+        }
+    }
+    Ok((!arcs.flights.is_empty()).then_some(arcs))
+}
+
+fn guess(problem: &FitProblem, arc: &Observations) -> Option<DVector<f64>> {
+    let guesses = initial_state::initial_guesses(problem, arc).ok()?;
+    Some(guesses.into_iter().next()?.state)
+}
+
+/// Joins neighbouring arcs; false if they are whole flights already.
+fn join(state: &State, arcs: &mut State) -> bool {
+    let before = std::mem::replace(arcs, State::new(arcs.global.clone(), arcs.interval));
+    let mut has_joined = false;
+    for (id, flight) in state.ids.iter().zip(&state.flights) {
+        let of_flight = (0..before.ids.len()).filter(|&arc| before.ids[arc] == *id);
+        let of_flight: Vec<usize> = of_flight.collect();
+        for group in of_flight.chunks(JOINED) {
+            let (first, last) = (&before.flights[group[0]], group[group.len() - 1]);
+            let end = before.flights[last].times.last().copied();
+            let start = flight.times.partition_point(|time| *time < first.times[0]);
+            let end = flight.samples_until(end.unwrap_or(first.times[0]));
+            has_joined |= group.len() > 1;
+            let arc = first.longer(flight, start..end);
+            arcs.push(*id, arc, before.local[group[0]].clone());
+        }
+    }
+    has_joined
+}

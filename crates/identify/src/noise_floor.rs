@@ -1,0 +1,238 @@
+//! Noise of measured coordinates without a model of the motion: what no smooth path can follow.
+//!
+//! The position of the body's origin (from the pose in each sample, so that spin does not matter; of a point mass the
+//! mean of its markers) is compared with the cubic through its neighbours in time. The median over many samples is
+//! robust to outliers. What biases the estimate: noise that is correlated from sample to sample is partly followed by
+//! the cubic, so that an AR(1) noise of coefficient 0.6 is underestimated by a factor of about 0.6 and one of 0.9 by
+//! 0.3; errors of the marker positions on a spinning body are counted as noise, as no smooth path follows them; a path
+//! that is far from a cubic over nine samples raises the estimate.
+
+use nalgebra::{Matrix4, Vector3, Vector4};
+
+use crate::observations::Observations;
+use crate::pose::{Pose, point_position};
+use crate::problem::FitProblem;
+use crate::statistics::{median, robust_sigma};
+
+/// Number of neighbours on either side of a sample.
+const SIDE: usize = 4;
+
+/// Greatest ratio of the time spanned by the neighbours to that of evenly spaced ones.
+const MAX_GAP_RATIO: f64 = 1.5;
+
+/// Greatest number of samples of one flight that are compared.
+const MAX_SAMPLES: usize = 60;
+
+/// Least number of samples for an estimate.
+const MIN_SAMPLES: usize = 8;
+
+/// Ratio of a sample's variance about the rigid body to the median variance above which the sample contains an outlier.
+const MAX_VARIANCE_RATIO: f64 = 25.0;
+
+/// Position of the body's origin in one sample.
+struct TrackPoint {
+    time: f64,
+    position: Vector3<f64>,
+    /// Number of markers that were averaged.
+    markers: f64,
+}
+
+/// Standard deviation of the noise of one marker coordinate along each axis, m, from the samples of one flight alone;
+/// `None` if there are too few.
+pub fn noise_floor(problem: &FitProblem, observations: &Observations) -> Option<[f64; 3]> {
+    let samples = 0..observations.times.len();
+    let poses: Vec<Option<Pose>> = match problem.has_attitude {
+        true => samples
+            .map(|sample| crate::pose::pose(&problem.markers, observations.points(sample)))
+            .collect(),
+        false => Vec::new(),
+    };
+    noise_floor_by_poses(problem, observations, &poses)
+}
+
+/// As [`noise_floor`], with the pose in each sample of a body that has an attitude.
+pub(crate) fn noise_floor_by_poses(
+    problem: &FitProblem,
+    observations: &Observations,
+    poses: &[Option<Pose>],
+) -> Option<[f64; 3]> {
+    let track = track(problem, observations, poses);
+    let interval = observations.interval()?;
+    let windows = track.len().checked_sub(2 * SIDE)?;
+    let stride = windows.div_ceil(MAX_SAMPLES).max(1);
+    let mut line = Interpolation::default();
+    let mut sizes: [Vec<f64>; 3] = Default::default();
+    for window in track.windows(2 * SIDE + 1).step_by(stride) {
+        let span = window[2 * SIDE].time - window[0].time;
+        if span > MAX_GAP_RATIO * interval * (2 * SIDE) as f64 {
+            continue;
+        }
+        let Some(residual) = line.residual(window) else {
+            continue;
+        };
+        for (sizes, residual) in sizes.iter_mut().zip(residual.iter()) {
+            sizes.push(residual.abs());
+        }
+    }
+    (sizes[0].len() >= MIN_SAMPLES).then(|| sizes.map(|mut sizes| robust_sigma(&mut sizes)))
+}
+
+/// Median over flights of their noise along each axis, m; `None` without any.
+pub fn median_noise_floor(flights: &[[f64; 3]]) -> Option<[f64; 3]> {
+    (!flights.is_empty()).then(|| {
+        [0, 1, 2].map(|axis| {
+            let mut values: Vec<f64> = flights.iter().map(|sigma| sigma[axis]).collect();
+            median(&mut values)
+        })
+    })
+}
+
+fn track(
+    problem: &FitProblem,
+    observations: &Observations,
+    poses: &[Option<Pose>],
+) -> Vec<TrackPoint> {
+    // A sample whose markers are far from rigid contains an outlier.
+    let mut variances: Vec<f64> = poses.iter().flatten().map(Pose::variance).collect();
+    let limit = MAX_VARIANCE_RATIO * median(&mut variances);
+    let samples = observations.times.iter().enumerate();
+    samples
+        .filter_map(|(sample, &time)| match problem.has_attitude {
+            true => {
+                let pose = poses.get(sample)?.as_ref()?;
+                if pose.variance() > limit {
+                    return None;
+                }
+                Some(TrackPoint {
+                    time,
+                    position: pose.position,
+                    markers: pose.markers as f64,
+                })
+            }
+            false => {
+                let points = observations.points(sample);
+                Some(TrackPoint {
+                    time,
+                    position: point_position(&problem.markers, points)?,
+                    markers: points.iter().flatten().count() as f64,
+                })
+            }
+        })
+        .collect()
+}
+
+/// Weights of the neighbours that give the value of their least-squares cubic at the middle sample.
+#[derive(Default)]
+struct Interpolation {
+    offsets: [f64; 2 * SIDE],
+    weights: [f64; 2 * SIDE],
+}
+
+/// Relative difference up to which times count as equal, so that evenly spaced samples share their weights.
+const SAME_TIME: f64 = 1e-6;
+
+impl Interpolation {
+    /// Middle position less the cubic through its neighbours, over the ratio of its standard deviation to that of one
+    /// marker coordinate, m; `None` for times that coincide.
+    fn residual(&mut self, window: &[TrackPoint]) -> Option<Vector3<f64>> {
+        let middle = &window[SIDE];
+        let neighbours = || window[..SIDE].iter().chain(&window[SIDE + 1..]);
+        let offsets = neighbours().map(|point| point.time - middle.time);
+        self.prepare(offsets)?;
+        let mut residual = middle.position;
+        let mut variance = 1.0 / middle.markers;
+        for (weight, point) in self.weights.iter().zip(neighbours()) {
+            residual -= *weight * point.position;
+            variance += weight * weight / point.markers;
+        }
+        Some(residual / variance.sqrt())
+    }
+
+    fn prepare(&mut self, offsets: impl Iterator<Item = f64> + Clone) -> Option<()> {
+        let near = |(now, before): (f64, &f64)| (now - before).abs() <= SAME_TIME * before.abs();
+        if offsets.clone().zip(&self.offsets).all(near) {
+            return Some(());
+        }
+        for (to, offset) in self.offsets.iter_mut().zip(offsets) {
+            *to = offset;
+        }
+        let scale = self.offsets.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+        let row = |offset: f64| {
+            let t = offset / scale;
+            Vector4::new(1.0, t, t * t, t * t * t)
+        };
+        let mut normal = Matrix4::zeros();
+        for &offset in &self.offsets {
+            normal += row(offset) * row(offset).transpose();
+        }
+        let coefficients = normal.cholesky()?.solve(&Vector4::x());
+        for (weight, &offset) in self.weights.iter_mut().zip(&self.offsets) {
+            *weight = row(offset).dot(&coefficients);
+        }
+        Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::options::FitOptions;
+    use crate::synthesize::{Corruption, Plan, flights};
+    use flight::release::{Vocabulary, built_in, read};
+
+    fn floor(name: &str, noise: Corruption) -> [f64; 3] {
+        let text = built_in(name).unwrap();
+        let mut model = None;
+        let release = read(name, text, |named| {
+            let loaded = model_spec::load::load(named, &[]).map_err(|error| error.to_string())?;
+            let vocabulary = Vocabulary::of(&loaded);
+            model = Some(loaded);
+            Ok(vocabulary)
+        });
+        let model = model.unwrap();
+        let plan = Plan {
+            noise,
+            ..Plan::default()
+        };
+        let dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        let each = dataset.flights.iter().map(|flight| {
+            let observations = Observations::new(&problem, flight).unwrap();
+            noise_floor(&problem, &observations).unwrap()
+        });
+        median_noise_floor(&each.collect::<Vec<_>>()).unwrap()
+    }
+
+    #[test]
+    fn the_noise_of_a_spinning_body_and_of_a_point_mass_is_found() {
+        for name in ["backhand", "serve"] {
+            for outliers in [0.0, 0.02] {
+                let noise = Corruption {
+                    sigma: 0.002,
+                    outliers,
+                    dropouts: 0.1,
+                    ..Corruption::default()
+                };
+                let sigma = floor(name, noise);
+                assert!(
+                    sigma.iter().all(|sigma| (0.0014..0.0028).contains(sigma)),
+                    "{name}: {sigma:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn correlated_noise_is_underestimated_as_documented() {
+        let noise = Corruption {
+            sigma: 0.002,
+            ar1: 0.6,
+            ..Corruption::default()
+        };
+        let sigma = floor("backhand", noise);
+        assert!(
+            sigma.iter().all(|sigma| (0.0008..0.0019).contains(sigma)),
+            "{sigma:?}"
+        );
+    }
+}
