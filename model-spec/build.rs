@@ -6,12 +6,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Tables to generate: name of the constant, doc comment, folder, file extension.
-const TABLES: [(&str, &str, &str, &str); 4] = [
+const TABLES: [(&str, &str, &str, &str); 5] = [
     ("MODELS", "Built-in models: name and text.", "models", "hyz"),
     (
         "EFFECTS",
         "Built-in effects: name and text.",
         "effects",
+        "hyz",
+    ),
+    (
+        "GENERAL_EFFECTS",
+        "Built-in effects for models of any kind, candidates where no effect of `EFFECTS` says the same: name and text.",
+        "general_effects",
         "hyz",
     ),
     (

@@ -342,10 +342,10 @@ fn the_page_of_the_effects_is_what_the_command_writes() {
     std::fs::write(&file, ball + offered).expect("written");
     let told = stdout(hyzer().arg("effects").arg(&file), 0);
     assert!(
-        told.contains("| `lead` |  | none | `lead` in kg | 0 | 1e-5 | ball | a \\| scale |"),
+        told.contains("| `lead` |  | none | `lead` in kg | 0 | 1e-5 |  | ball | a \\| scale |"),
         "{told}"
     );
-    assert!(told.contains("`magnus`") && !told.contains("`stall`"));
+    assert!(told.contains("`magnus`") && told.contains("| `stall` | it needs a number `C_L` |"));
 }
 
 #[test]

@@ -8,12 +8,14 @@
 //! - `channels`: the coefficient of each, its `name` in names of terms, and the effect of a `term`, in which `NAME` and
 //!   `TERM` are replaced.
 //!
+//! A model that is compatible with none of them gets one that is generated from its own quantities.
+//!
 //! ```
 //! use model_spec::compose::ModelTree;
 //! use model_spec::term_library::TermLibrary;
 //!
 //! let disc = ModelTree::load("disc")?;
-//! let (library, with_loads) = TermLibrary::for_model(&disc).expect("the disc has one");
+//! let (library, with_loads) = TermLibrary::for_model(&disc.check()?).expect("the disc has one");
 //! assert_eq!(with_loads.check()?.effects[0].name, library.loads.name());
 //!
 //! let term = library.terms().find(|&term| library.name(term) == "drag-by-alpha").expect("a term");
@@ -22,16 +24,19 @@
 //! # Ok::<(), model_spec::LoadError>(())
 //! ```
 
-use std::sync::LazyLock;
+mod generated;
+
+use std::sync::{Arc, LazyLock};
 
 use serde::Deserialize;
 use thiserror::Error;
 
-use crate::compose::{EffectTree, ModelTree};
+use crate::compose::{Binding, EffectTree, ModelTree};
 use crate::error::LoadError;
 use crate::index::IndexVec;
 use crate::index_type;
 use crate::library::TERM_LIBRARIES;
+use crate::model::Model;
 use crate::source::Span;
 use crate::syntax::ast::{
     BinaryOp, Effect, EffectPart, Expr, ExprKind, Item, ItemKind, Name, Number, Parameter,
@@ -167,21 +172,36 @@ struct ChannelEntry {
 
 impl TermLibrary {
     /// The built-in term libraries, parsed once.
-    pub fn built_in() -> &'static [TermLibrary] {
-        static BUILT_IN: LazyLock<Vec<TermLibrary>> = LazyLock::new(|| {
-            let parse = |(name, text): &(&str, &str)| TermLibrary::parse(name, text);
+    pub fn built_in() -> &'static [Arc<TermLibrary>] {
+        static BUILT_IN: LazyLock<Vec<Arc<TermLibrary>>> = LazyLock::new(|| {
+            let parse = |(name, text): &(&str, &str)| TermLibrary::parse(name, text).map(Arc::new);
             let libraries: Result<_, _> = TERM_LIBRARIES.iter().map(parse).collect();
             libraries.expect("the built-in libraries are tested")
         });
         &BUILT_IN
     }
 
-    /// The first built-in library compatible with a model, and the model with its loads effect; `None` if none is.
-    pub fn for_model(model: &ModelTree) -> Option<(&'static TermLibrary, ModelTree)> {
-        TermLibrary::built_in().iter().find_map(|library| {
-            let with_loads = model.with(&library.loads).ok()?;
+    /// The first built-in library compatible with a model, or else one generated from its quantities, and the model with its
+    /// loads effect; `None` if the model has neither a body nor stated equations.
+    pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
+        let (tree, binding) = (ModelTree::of(model), Binding::new(model));
+        let with_loads = |library: &TermLibrary| {
+            let with_loads = tree.with(&library.loads).ok()?;
             with_loads.check().ok()?;
-            Some((library, with_loads))
+            Some(with_loads)
+        };
+        let mut built_in = TermLibrary::built_in().iter();
+        let fitting = built_in.find_map(|library| {
+            if binding.unmet(&library.loads).is_some() {
+                return None;
+            }
+            Some((Arc::clone(library), with_loads(library)?))
+        });
+        fitting.or_else(|| {
+            let file = generated::library(model)?;
+            let library = TermLibrary::new("generated terms", file).ok()?;
+            let with_loads = with_loads(&library)?;
+            Some((Arc::new(library), with_loads))
         })
     }
 
@@ -194,6 +214,10 @@ impl TermLibrary {
             name: name.to_owned(),
             error,
         })?;
+        TermLibrary::new(name, file)
+    }
+
+    fn new(name: &str, file: LibraryFile) -> Result<TermLibrary, TermLibraryError> {
         let loads = EffectTree::parse(name, &file.loads)?;
         let variables = file.variables.into_iter();
         let variables: IndexVec<VariableId, Variable> = variables

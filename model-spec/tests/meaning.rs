@@ -325,7 +325,9 @@ fn a_path_wins_over_a_name_and_effects_may_be_paths() {
         .unwrap();
     let model = load::load(path.to_str().unwrap(), &[effect.to_str().unwrap()]).unwrap();
     let missing = load::load("dsic", &[]).unwrap_err().to_string();
-    let unknown = load::load("disc", &["side_force"]).unwrap_err().to_string();
+    let unknown = load::load("disc", &["side_force_by_spn"])
+        .unwrap_err()
+        .to_string();
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!((model.name.as_str(), model.effects.len()), ("probe", 1));
     assert!(missing.contains("did you mean `disc`?"), "{missing}");

@@ -1,6 +1,6 @@
 //! Command `hyzer effects`: lists the available effects.
 
-use report::effects::{listed, page};
+use report::effects::{listed, not_offered, page};
 
 use crate::cli::Effects;
 use crate::{Answer, output};
@@ -9,7 +9,8 @@ use crate::{Answer, output};
 pub fn run(options: &Effects) -> anyhow::Result<Answer> {
     let model = options.model.as_deref();
     let effects = listed(model)?;
-    let page = page(&effects, model);
+    let refused = model.map_or_else(|| Ok(Vec::new()), not_offered)?;
+    let page = page(&effects, model, &refused);
     match &options.out {
         Some(file) => {
             output::write(file, page)?;

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use model_spec::SITES;
-use model_spec::load::{EFFECTS, LoadError, MODELS, from_text, inspect};
+use model_spec::compose::{KnownEffect, ModelTree, Origin, Refused, known_effects};
+use model_spec::load::{LoadError, MODELS, load};
 use model_spec::model::{AppliedEffect, Model};
 use model_spec::with_unit;
 
@@ -22,10 +23,14 @@ pub struct Listed {
     pub parts: Vec<Part>,
     /// Literature source of the effect.
     pub source: String,
-    /// Models to which the effect can be added.
+    /// Models for which the effect is considered.
     pub models: Vec<String>,
-    /// Whether the effect is built in, rather than declared in a model's own file.
-    pub built_in: bool,
+    /// Quantities that a model must have for the effect, with their units.
+    pub needs: Vec<String>,
+    /// Specific effects that say the same of some models; the effect is not considered where one of them is.
+    pub without: Vec<String>,
+    /// Where the effect comes from.
+    pub origin: Origin,
 }
 
 /// Coefficient or state of an effect; values are in the unit given.
@@ -43,48 +48,57 @@ pub struct Part {
     pub of_each_flight: bool,
 }
 
-/// Lists the effects that can be added to a model, or all built-in effects with the built-in models.
+/// An effect that a diagnosis does not consider for a model, with the reason.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotOffered {
+    /// Name of the effect, with underscores.
+    pub name: String,
+    /// Why it is no candidate.
+    pub why: String,
+}
+
+/// Lists the effects that a diagnosis considers for a model, or all built-in effects with the built-in models.
 ///
 /// # Errors
 /// If the model cannot be loaded.
 pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
-    let texts: Vec<(String, String)> = match model {
-        None => MODELS
-            .iter()
-            .map(|(name, text)| (format!("{name}.hyz"), (*text).to_owned()))
-            .collect(),
-        Some(name) => {
-            let loaded = inspect(name, &[])?;
-            let source = loaded.sources.first();
-            let text = source.map(|source| (source.name.clone(), source.text.clone()));
-            text.into_iter().collect()
-        }
+    let names: Vec<&str> = match model {
+        None => MODELS.iter().map(|(name, _)| *name).collect(),
+        Some(name) => vec![name],
     };
     let mut all: Vec<Listed> = Vec::new();
-    for (name, text) in &texts {
-        let plain = from_text(name, text, &[])?;
-        let own = plain.offers.iter().map(|offer| offer.name.as_str());
-        let own: Vec<&str> = own.collect();
-        let built_in = EFFECTS.iter().map(|(name, _)| *name);
-        let built_in = built_in.filter(|name| !own.contains(name));
-        for wanted in own.iter().copied().chain(built_in) {
-            // An effect made for another model cannot be added.
-            let Ok(with) = from_text(name, text, &[wanted]) else {
+    for name in names {
+        let plain = load(name, &[])?;
+        let tree = ModelTree::of(&plain);
+        for known in known_effects(&plain) {
+            let is_offered = match known.refused {
+                None => true,
+                // A general effect is listed with what it takes, though a specific one stands for it here.
+                Some(Refused::Covered { .. }) => false,
+                Some(_) => continue,
+            };
+            if model.is_some() && !is_offered {
+                continue;
+            }
+            if model.is_none() && known.origin == Origin::Equation {
+                continue;
+            }
+            let with = tree.with(&known.effect)?.check()?;
+            let Some(effect) = with.effects.last() else {
                 continue;
             };
-            let Some(effect) = with.effects.first() else {
-                continue;
+            let same =
+                |listed: &&mut Listed| listed.name == effect.name && listed.origin == known.origin;
+            let listed = match all.iter_mut().find(same) {
+                Some(listed) => listed,
+                None => {
+                    all.push(of(&with, effect, &known));
+                    let last = all.len() - 1;
+                    &mut all[last]
+                }
             };
-            let effect = Listed {
-                built_in: !own.contains(&wanted),
-                ..of(&with, effect)
-            };
-            let same = |known: &&mut Listed| {
-                known.name == effect.name && known.built_in == effect.built_in
-            };
-            match all.iter_mut().find(same) {
-                Some(known) => known.models.push(plain.name.clone()),
-                None => all.push(effect),
+            if is_offered {
+                listed.models.push(plain.name.clone());
             }
         }
     }
@@ -93,7 +107,22 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     Ok(all)
 }
 
-fn of(model: &Model, effect: &AppliedEffect) -> Listed {
+/// The effects that a diagnosis does not consider for a model, with the reasons.
+///
+/// # Errors
+/// If the model cannot be loaded.
+pub fn not_offered(model: &str) -> Result<Vec<NotOffered>, LoadError> {
+    let known = known_effects(&load(model, &[])?);
+    let refused = known.into_iter().filter_map(|known| {
+        Some(NotOffered {
+            name: known.effect.name().to_owned(),
+            why: known.refused?.to_string(),
+        })
+    });
+    Ok(refused.collect())
+}
+
+fn of(model: &Model, effect: &AppliedEffect, known: &KnownEffect) -> Listed {
     let coefficients = effect.coefficients.iter().map(|own| {
         let constant = &model.coefficients[own.index];
         Part {
@@ -121,8 +150,10 @@ fn of(model: &Model, effect: &AppliedEffect) -> Listed {
         variables: effect.variables.clone(),
         parts: coefficients.chain(states).collect(),
         source: effect.citation.clone(),
-        models: vec![model.name.clone()],
-        built_in: true,
+        models: Vec::new(),
+        without: known.effect.generalises().map(str::to_owned).collect(),
+        needs: known.effect.needs().map(ToString::to_string).collect(),
+        origin: known.origin,
     }
 }
 
@@ -138,13 +169,17 @@ fn sentence(doc: &str) -> String {
     words[..end.map_or(words.len(), |end| end + 1)].join(" ")
 }
 
-/// Renders the catalogue page in Markdown.
-pub fn page(effects: &[Listed], model: Option<&str>) -> String {
+/// Renders the catalogue page in Markdown; of one model also the effects that are not considered.
+pub fn page(effects: &[Listed], model: Option<&str>, not_offered: &[NotOffered]) -> String {
     let mut page = String::from("# The effects\n\n");
     match model {
         None => page.push_str(INTRODUCTION),
         Some(model) => {
-            let _ = writeln!(page, "Those that can be switched on in {}.", cell(model));
+            let _ = writeln!(
+                page,
+                "Those that `hyzer diagnose` considers for {}, and that `--with NAME` switches on.",
+                cell(model)
+            );
         }
     }
     for site in SITES {
@@ -157,13 +192,24 @@ pub fn page(effects: &[Listed], model: Option<&str>) -> String {
             row(&mut page, effect, model.is_none());
         }
     }
+    if !not_offered.is_empty() {
+        page.push_str("\n## Not considered\n\n| effect | why |\n|---|---|\n");
+        for effect in not_offered {
+            let _ = writeln!(page, "| `{}` | {} |", effect.name, cell(&effect.why));
+        }
+    }
     page
 }
 
 const INTRODUCTION: &str = "\
 <!-- Written by `hyzer effects`; do not edit. -->
 
-What may be missing from a model, one effect a row, by where it acts. `hyzer diagnose` looks for all that go with a model; `--with NAME`
+What may be missing from a model, one effect a row, by where it acts. An effect goes with every model that has what it needs: a body
+for a force, one that turns for a moment, an observation, and quantities by name, kind and unit. The general effects go with any such
+model, and are not considered where a specific one says the same. A model whose equations are stated has one effect more for each of them:
+a rate that is missing, steady (`rate_of_X`), growing with time (`rate_of_X_by_time`) or in proportion to the state (`rate_of_X_by_itself`).
+Forces of general effects are given over the mass, moments over a moment of inertia, so that what is negligible is so for any body: 0.003 m/s²,
+0.03 % of gravity, 0.02 rad/s², a thousandth of a stated rate's unit in a second. `hyzer diagnose` looks for all that go with a model; `--with NAME`
 switches one on in `check`, `verify`, `simulate`, `synthesize`, `fit` and `diagnose`. An effect is absent where each of its coefficients has the value
 at which it vanishes, and a departure smaller than the negligible one does not matter in practice; both are in the unit that stands beside the
 name. How effects are written, and what the words mean, is said in [the language](language.md#effects). This page is made by
@@ -171,13 +217,19 @@ name. How effects are written, and what the words mean, is said in [the language
 ";
 
 const HEAD: &str = "\
-| effect | what it says | depends on | coefficient | vanishes at | negligible below | models | source |
-|---|---|---|---|---|---|---|---|
+| effect | what it says | depends on | coefficient | vanishes at | negligible below | needs | models | source |
+|---|---|---|---|---|---|---|---|---|
 ";
 
 fn row(page: &mut String, effect: &Listed, linked: bool) {
     let name = match linked {
-        true => format!("[`{0}`](../model-spec/effects/{0}.hyz)", effect.name),
+        true => {
+            let folder = match effect.origin {
+                Origin::General => "general_effects",
+                _ => "effects",
+            };
+            format!("[`{0}`](../model-spec/{folder}/{0}.hyz)", effect.name)
+        }
         false => format!("`{}`", effect.name),
     };
     let parts = effect.parts.iter().map(|part| {
@@ -199,15 +251,28 @@ fn row(page: &mut String, effect: &Listed, linked: bool) {
     });
     let _ = writeln!(
         page,
-        "| {name} | {} | {} | {} | {} | {} | {} | {} |",
+        "| {name} | {} | {} | {} | {} | {} | {} | {} | {} |",
         cell(&effect.says),
         effect.variables.join(", "),
         stacked(parts),
         stacked(vanishes),
         stacked(negligible),
-        effect.models.join(", "),
+        stacked(effect.needs.iter().map(|need| format!("`{need}`"))),
+        models(effect),
         cell(&effect.source),
     );
+}
+
+/// Models for which an effect is considered: by name, or any without the specific effects.
+fn models(effect: &Listed) -> String {
+    if effect.origin != Origin::General {
+        return effect.models.join(", ");
+    }
+    let without: Vec<String> = effect.without.iter().map(|n| format!("`{n}`")).collect();
+    match without.is_empty() {
+        true => "any".to_owned(),
+        false => format!("any without {}", without.join(", ")),
+    }
 }
 
 /// Joins lines within a table cell.
@@ -227,6 +292,8 @@ fn cell(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use model_spec::load::{EFFECTS, GENERAL_EFFECTS};
+
     use super::*;
 
     #[test]
@@ -234,7 +301,9 @@ mod tests {
         let all = listed(None).unwrap();
         let mut names: Vec<&str> = all.iter().map(|effect| effect.name.as_str()).collect();
         names.sort_unstable();
-        let wanted: Vec<&str> = EFFECTS.iter().map(|(name, _)| *name).collect();
+        let wanted = EFFECTS.iter().chain(GENERAL_EFFECTS);
+        let mut wanted: Vec<&str> = wanted.map(|(name, _)| *name).collect();
+        wanted.sort_unstable();
         assert_eq!(names, wanted);
         for effect in &all {
             assert!(
@@ -259,6 +328,13 @@ mod tests {
         assert!(has("magnus") && !has("stall"));
         assert!(of_ball.iter().all(|effect| effect.models == ["ball"]));
         assert!(listed(Some("no such model")).is_err());
+        let why = |name: &str| {
+            let refused = not_offered("ball").unwrap();
+            let found = refused.into_iter().find(|effect| effect.name == name);
+            found.expect("not offered").why
+        };
+        assert_eq!(why("stall"), "it needs a number `C_L`");
+        assert_eq!(why("stream_wind"), "`wind` says it of this model");
     }
 
     #[test]

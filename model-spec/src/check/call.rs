@@ -94,6 +94,7 @@ impl Checker<'_> {
                 self.of_two(function, a?, b?, span)
             }
             "ratio" => self.ratio(name, arguments, span),
+            "in_frame_of" => self.in_frame_of(name, arguments, span),
             _ => match function.strip_prefix("in_") {
                 Some(frame) if !frame.is_empty() => self.reexpress(frame, name, arguments, span),
                 _ => self.unknown_function(name, span),
@@ -304,6 +305,27 @@ impl Checker<'_> {
         let what = format!("the argument of `{}`", name.text);
         let (v, from) = self.vector(v, &what)?;
         let frame = frame?;
+        if frame == from {
+            return Some(v);
+        }
+        let kind = ExprKind::Reexpress(Box::new(v.expr));
+        Some(Typed {
+            expr: node(kind, Shape::Vector(frame), span),
+            unit: v.unit,
+        })
+    }
+
+    /// Checks `in_frame_of(v, w)`: the vector `v` with its components transformed to the frame of `w`.
+    fn in_frame_of(
+        &mut self,
+        name: &ast::Name,
+        arguments: &[ast::Expr],
+        span: Span,
+    ) -> Option<Typed> {
+        let [v, of] = self.arguments(name, arguments, span, "two vectors")?;
+        let what = "an argument of `in_frame_of`";
+        let (v, of) = (self.vector(v, what), self.vector(of, what));
+        let ((v, from), (_, frame)) = (v?, of?);
         if frame == from {
             return Some(v);
         }

@@ -1,11 +1,11 @@
 //! Applied effects: their coefficients and states, with null values and smallest effect sizes of interest.
 
-use super::Checker;
 use super::quantity::Measure;
 use super::scope::Symbol;
+use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{AppliedEffect, EffectUnknown};
-use crate::syntax::ast::{Applied, ItemKind, Name, Quantity};
+use crate::model::{AppliedEffect, EffectUnknown, Shape};
+use crate::syntax::ast::{Applied, ItemKind, Name, Need, Quantity};
 use crate::unit::Unit;
 
 impl Checker<'_> {
@@ -13,6 +13,9 @@ impl Checker<'_> {
     pub fn applied(&mut self) {
         let file = self.file;
         for (i, applied) in file.applied.iter().enumerate() {
+            for need in &applied.needs {
+                self.needed(&applied.name, need);
+            }
             let (mut coefficients, mut states) = (Vec::new(), Vec::new());
             for item in file.items.iter().filter(|item| item.effect == Some(i)) {
                 let name = match &item.kind {
@@ -52,6 +55,50 @@ impl Checker<'_> {
                 states,
             });
         }
+    }
+
+    /// Reports a quantity of the model that has not the kind or the unit that an effect needs.
+    fn needed(&mut self, effect: &Name, need: &Need) {
+        let (is_vector, unit) = match self.scope.find(&need.name.text) {
+            Some(Symbol::Param(i)) => (false, self.model.params[i].unit),
+            Some(Symbol::Coefficient(i)) => (false, self.model.coefficients[i].unit),
+            Some(Symbol::Input(i)) => (true, self.model.inputs[i].unit),
+            Some(Symbol::InputPart(i, _)) => (false, self.model.inputs[i].unit),
+            Some(Symbol::State(i)) => (false, self.model.states[i].unit),
+            Some(Symbol::Marker) => (true, Unit::METRE),
+            Some(Symbol::Let(i)) => match self.definitions.get(i) {
+                Some(Definition::Done(aux, shape, _)) => {
+                    let unit = self.model.aux_variables[*aux].value.unit;
+                    (*shape != Shape::Scalar, unit)
+                }
+                // Its own fault is reported.
+                _ => return,
+            },
+            None => return,
+        };
+        let wanted = match &need.unit {
+            Some(unit) => match self.measure(unit) {
+                Some(measure) => measure.unit,
+                None => return,
+            },
+            None => Unit::ONE,
+        };
+        let kind = |is_vector| if is_vector { "a vector" } else { "a number" };
+        if is_vector == need.is_vector && unit.agrees(wanted) {
+            return;
+        }
+        let message = format!(
+            "the effect `{}` needs `{}` as {} in {wanted}, but in this model it is {} in {unit}",
+            effect.text,
+            need.name.text,
+            kind(need.is_vector),
+            kind(is_vector),
+        );
+        let mut fault = Diagnostic::new(Kind::Unit, need.name.span, message);
+        if let Some(place) = self.scope.place(&need.name.text) {
+            fault = fault.label(place, "declared here");
+        }
+        self.report(fault);
     }
 
     /// Smallest effect size of interest (`negligible NAME …;`), SI, of a coefficient or state; `None` if not stated.

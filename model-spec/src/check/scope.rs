@@ -37,9 +37,31 @@ pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
 pub(super) const OF_BODY: [&str; 3] = ["position", "velocity", "angular_velocity"];
 
 /// Names of the built-in functions.
-pub(super) const FUNCTIONS: [&str; 23] = [
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "log", "abs", "sign",
-    "step", "tanh", "min", "max", "norm", "unit", "dot", "cross", "ratio", "der", "diag",
+pub(super) const FUNCTIONS: [&str; 24] = [
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "sqrt",
+    "exp",
+    "log",
+    "abs",
+    "sign",
+    "step",
+    "tanh",
+    "min",
+    "max",
+    "norm",
+    "unit",
+    "dot",
+    "cross",
+    "ratio",
+    "der",
+    "diag",
+    "in_frame_of",
 ];
 
 impl Scope {

@@ -2,13 +2,14 @@
 
 use std::fmt;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use crate::diagnostic::{Diagnostic, Kind, Source};
 use crate::error::LoadError;
-use crate::library::{self, EFFECTS};
+use crate::library::{EFFECTS, GENERAL_EFFECTS};
 use crate::read::read;
 use crate::source::Span;
-use crate::syntax::ast::{Effect, ItemKind};
+use crate::syntax::ast::{Effect, EffectPart, ItemKind, Need};
 use crate::syntax::{self, Parsed};
 
 /// An effect that can be applied to any [`ModelTree`](super::ModelTree).
@@ -64,10 +65,23 @@ impl EffectTree {
         EffectTree::parse(path, &read(path)?)
     }
 
-    /// Parses the built-in effect `name`; `None` if there is no such built-in effect.
-    pub(super) fn built_in(name: &str) -> Option<Result<EffectTree, LoadError>> {
-        let text = library::find(EFFECTS, name)?;
-        Some(EffectTree::parse(&format!("{name}.hyz"), text))
+    /// The built-in effect `name`, specific or general; `None` if there is none. Each is parsed once.
+    pub(super) fn built_in(name: &str) -> Option<&'static EffectTree> {
+        static BUILT_IN: LazyLock<Vec<EffectTree>> = LazyLock::new(|| {
+            let all = EFFECTS.iter().chain(GENERAL_EFFECTS);
+            let parse =
+                |(name, text): &(&str, &str)| EffectTree::parse(&format!("{name}.hyz"), text).ok();
+            all.filter_map(parse).collect()
+        });
+        BUILT_IN.iter().find(|effect| effect.name() == name)
+    }
+
+    /// Names of the effects that say the same of narrower families of models (`generalises`).
+    pub fn generalises(&self) -> impl Iterator<Item = &str> {
+        self.tree.parts.iter().flat_map(|part| match part {
+            EffectPart::Generalises(names) => names.iter().map(|name| name.text.as_str()).collect(),
+            _ => Vec::new(),
+        })
     }
 
     /// Parses an effect from text, which must contain one effect or one named like the file `name`.
@@ -100,6 +114,15 @@ impl EffectTree {
                 sources: vec![source],
             }),
         }
+    }
+
+    /// Quantities that a model must have for the effect (`needs`), without those that something else can stand for.
+    pub fn needs(&self) -> impl Iterator<Item = &Need> {
+        let all = self.tree.parts.iter().flat_map(|part| match part {
+            EffectPart::Needs(needs) => needs.as_slice(),
+            _ => &[],
+        });
+        all.filter(|need| need.otherwise.is_none())
     }
 
     /// Name of the effect, words separated by underscores.

@@ -22,8 +22,11 @@
 //! # Ok::<(), model_spec::LoadError>(())
 //! ```
 
+mod binding;
 mod effect_tree;
+mod known;
 mod offers;
+mod rates;
 mod values;
 
 use std::sync::Arc;
@@ -32,13 +35,15 @@ use crate::check::{self, Checked};
 use crate::diagnostic::{Diagnostic, Source};
 use crate::effect;
 use crate::error::LoadError;
-use crate::library::{self, EFFECTS, MODELS, REFUTED};
+use crate::library::{self, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
 use crate::model::Model;
 use crate::read::read;
 use crate::syntax::ast::{File, Item, ItemKind};
 use crate::syntax::{self, Parsed};
 
+pub use binding::{Binding, Unmet};
 pub use effect_tree::EffectTree;
+pub use known::{KnownEffect, Origin, Refused, known_effects};
 pub use values::ValueError;
 
 /// A model's syntax tree with effects applied, and the source texts that its spans refer to.
@@ -103,13 +108,15 @@ impl ModelTree {
         &self.sources
     }
 
-    /// Names of the effects declared in the model's file, then of the built-in effects.
+    /// Names of the effects declared in the model's file, then of the built-in effects, specific and general.
     pub fn effect_names(&self) -> impl Iterator<Item = &str> {
         let own = effects_of(&self.file).map(|effect| effect.name.text.as_str());
-        own.chain(EFFECTS.iter().map(|(name, _)| *name))
+        let built_in = EFFECTS.iter().chain(GENERAL_EFFECTS);
+        own.chain(built_in.map(|(name, _)| *name))
     }
 
-    /// Finds an effect by file path, or by name (`_` or `-` between words) in the model's file or among built-in ones.
+    /// Finds an effect by file path, or by name (`_` or `-` between words) in the model's file, among built-in ones, or
+    /// among those made for the stated equations of the model.
     ///
     /// # Errors
     /// [`LoadError::UnknownEffect`]; for a path, the errors of [`EffectTree::load`].
@@ -121,11 +128,14 @@ impl ModelTree {
         if let Some(own) = effects_of(&self.file).find(|effect| effect.name.text == name) {
             return Ok(EffectTree::of_model(own.clone()));
         }
-        EffectTree::built_in(&name).unwrap_or_else(|| {
-            Err(LoadError::UnknownEffect {
-                wanted: name_or_path.to_owned(),
-                known: self.effect_names().map(str::to_owned).collect(),
-            })
+        if let Some(built_in) = EffectTree::built_in(&name) {
+            return Ok(built_in.clone());
+        }
+        let of_equations = rates::rate_effects(&self.file).into_iter();
+        let mut of_equations = of_equations.filter(|effect| effect.name() == name);
+        of_equations.next().ok_or_else(|| LoadError::UnknownEffect {
+            wanted: name_or_path.to_owned(),
+            known: self.effect_names().map(str::to_owned).collect(),
         })
     }
 

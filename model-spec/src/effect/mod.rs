@@ -1,14 +1,14 @@
 //! Effects: named changes to a model, applied to its syntax tree.
 
 mod replace;
+mod standard;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::suggest;
-use crate::syntax::ast::{
-    Applied, BodyPart, BodyPartKind, Effect, EffectPart, File, Input, Item, ItemKind, Name,
-};
+use crate::syntax::ast::{Applied, Effect, EffectPart, File, Input, Item, ItemKind, Name};
 
 pub(crate) use replace::PREVIOUS;
+pub(crate) use standard::{FRAMES, INERTIA, MASS};
 
 /// Sites: the components of a model that an effect can change (`site NAME;`).
 pub const SITES: [&str; 15] = [
@@ -46,7 +46,9 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     if !change.diagnostics.is_empty() {
         return Err(change.diagnostics);
     }
+    let effect = &standard::in_names_of(file, effect)?;
     let mut applied = Applied {
+        needs: Vec::new(),
         name: effect.name.clone(),
         doc: effect.doc.clone(),
         site: String::new(),
@@ -59,6 +61,8 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     for part in &effect.parts {
         match part {
             EffectPart::Citation(text, _) => applied.citation.clone_from(text),
+            EffectPart::Needs(needs) => applied.needs.extend(needs.iter().cloned()),
+            EffectPart::Generalises(_) => {}
             EffectPart::Site(name) => {
                 change.known_site(name, site);
                 site = Some(name.span);
@@ -75,11 +79,7 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
             }
             EffectPart::Replace(item) => change.replace(item),
             EffectPart::ReplaceInertia(inertia, span) => {
-                let part = BodyPart {
-                    kind: BodyPartKind::Inertia(inertia.clone()),
-                    span: *span,
-                };
-                change.replace_inertia(part);
+                change.replace_inertia(inertia.clone(), *span);
             }
             EffectPart::Add(item) if change.has_input(item) => {}
             EffectPart::Add(item) => {

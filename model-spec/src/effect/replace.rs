@@ -1,11 +1,13 @@
 //! `replace` statements of effects: `previous` in the new definition is substituted by the replaced one.
 
 use super::Change;
+use super::standard::zero;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 use crate::syntax;
 use crate::syntax::ast::{
-    Body, BodyPart, BodyPartKind, Expr, ExprKind, Item, ItemKind, LoadClass, Number, Quantity,
+    Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind, LoadClass, Number,
+    Quantity,
 };
 
 /// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted.
@@ -88,8 +90,12 @@ impl Change<'_> {
             self.diagnostics.push(fault);
             return;
         }
-        if let (ItemKind::Let(old), ItemKind::Let(new)) = (&old.kind, &mut new.kind) {
-            new.unit = new.unit.take().or_else(|| old.unit.clone());
+        match (&old.kind, &mut new.kind) {
+            (ItemKind::Let(old), ItemKind::Let(new)) => {
+                new.unit = new.unit.take().or_else(|| old.unit.clone());
+            }
+            (ItemKind::Observe(old), ItemKind::Observe(new)) => new.name.clone_from(&old.name),
+            _ => {}
         }
         self.file.items[at] = new;
     }
@@ -120,50 +126,47 @@ impl Change<'_> {
         });
     }
 
-    pub(super) fn replace_inertia(&mut self, part: BodyPart) {
+    /// Replaces the moments of inertia; in an entry, `previous` is that entry as it was. A tensor is stated in a frame that
+    /// differs from the body-fixed one by turns about an axis of symmetry at most, so that its entries are the same in both.
+    pub(super) fn replace_inertia(&mut self, mut inertia: Box<Inertia>, span: Span) {
+        let lacking = |message| Diagnostic::new(Kind::Missing, span, message);
         let body = self.file.items.iter_mut().find_map(|i| match &mut i.kind {
             ItemKind::Body(body) => Some(body),
             _ => None,
         });
         let Some(Body { parts, .. }) = body else {
-            let fault = Diagnostic::new(
-                Kind::Missing,
-                part.span,
-                "the model has no body with moments of inertia",
-            );
-            self.diagnostics.push(fault);
+            let message = "the model has no body with moments of inertia";
+            self.diagnostics.push(lacking(message));
             return;
         };
-        let frame = |part: &BodyPart| match &part.kind {
-            BodyPartKind::Inertia(inertia) => Some(inertia.frame.clone()),
+        let old = parts.iter().enumerate().find_map(|(i, p)| match &p.kind {
+            BodyPartKind::Inertia(inertia) => Some((i, inertia.clone())),
             _ => None,
+        });
+        let Some((at, old)) = old else {
+            let message = "the body has no moments of inertia to replace";
+            self.diagnostics.push(lacking(message));
+            return;
         };
-        let found = parts
-            .iter()
-            .enumerate()
-            .find_map(|(i, p)| Some((i, frame(p)?)));
-        match found {
-            Some((at, old)) => {
-                // Keep `angular_velocity` in the frame it had before the replacement.
-                let stated = |p: &BodyPart| matches!(p.kind, BodyPartKind::AngularVelocityIn(_));
-                let moves = frame(&part).is_some_and(|new| new.text != old.text);
-                if moves && !parts.iter().any(stated) {
-                    parts.push(BodyPart {
-                        span: old.span,
-                        kind: BodyPartKind::AngularVelocityIn(old),
-                    });
-                }
-                parts[at] = part;
-            }
-            None => {
-                let fault = Diagnostic::new(
-                    Kind::Missing,
-                    part.span,
-                    "the body has no moments of inertia to replace",
-                );
-                self.diagnostics.push(fault);
+        let rows = inertia.rows.iter_mut().flatten();
+        for (new, before) in rows.zip(old.rows.iter().flatten()) {
+            let before = before.clone().unwrap_or_else(|| zero(span));
+            if let Some(new) = new {
+                put_in(new, &before, &mut 0, &mut false);
             }
         }
+        // Keep `angular_velocity` in the frame it had before the replacement.
+        let stated = |p: &BodyPart| matches!(p.kind, BodyPartKind::AngularVelocityIn(_));
+        if inertia.frame.text != old.frame.text && !parts.iter().any(stated) {
+            parts.push(BodyPart {
+                span: old.frame.span,
+                kind: BodyPartKind::AngularVelocityIn(old.frame),
+            });
+        }
+        parts[at] = BodyPart {
+            kind: BodyPartKind::Inertia(inertia),
+            span,
+        };
     }
 }
 
@@ -207,6 +210,7 @@ fn key(kind: &ItemKind) -> String {
         ItemKind::Load(l) if l.class == LoadClass::Force => format!("force `{}`", l.name.text),
         ItemKind::Load(l) => format!("moment `{}`", l.name.text),
         ItemKind::Clock(_) => "the clock".to_owned(),
+        ItemKind::Equation(e) => format!("equation for `{}`", e.state.text),
         _ => "observation".to_owned(),
     }
 }
@@ -215,7 +219,11 @@ fn same_statement(a: &ItemKind, b: &ItemKind) -> bool {
     match (a, b) {
         (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,
         (ItemKind::Load(a), ItemKind::Load(b)) => a.class == b.class && a.name.text == b.name.text,
-        (ItemKind::Observe(a), ItemKind::Observe(b)) => a.name.text == b.name.text,
+        // An observation without a name is any.
+        (ItemKind::Observe(a), ItemKind::Observe(b)) => {
+            b.name.text.is_empty() || a.name.text == b.name.text
+        }
+        (ItemKind::Equation(a), ItemKind::Equation(b)) => a.state.text == b.state.text,
         (ItemKind::Clock(_), ItemKind::Clock(_)) => true,
         _ => false,
     }
@@ -226,6 +234,7 @@ fn name_span(kind: &ItemKind) -> Option<Span> {
         ItemKind::Let(l) => Some(l.name.span),
         ItemKind::Load(l) => Some(l.name.span),
         ItemKind::Observe(o) => Some(o.name.span),
+        ItemKind::Equation(e) => Some(e.state.span),
         _ => None,
     }
 }

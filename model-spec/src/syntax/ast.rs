@@ -33,6 +33,8 @@ pub struct Applied {
     pub citation: String,
     /// Smallest effect size of interest of each coefficient and state that states one (`negligible`).
     pub negligible: Vec<(Name, Quantity)>,
+    /// Quantities of the model that the effect needs, without those that the model lacks and the effect can do without.
+    pub needs: Vec<Need>,
 }
 
 /// A statement of a file.
@@ -398,9 +400,27 @@ pub struct Effect {
     pub parts: Vec<EffectPart>,
 }
 
+/// A quantity that a model must have for an effect.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Need {
+    /// Name of the quantity.
+    pub name: Name,
+    /// Whether the quantity is a vector.
+    pub is_vector: bool,
+    /// Unit of the quantity; `None` for an angle or a pure number.
+    pub unit: Option<UnitExpr>,
+    /// Expression that stands for the quantity in a model without it; `None` if the effect needs the quantity.
+    pub otherwise: Option<Expr>,
+}
+
 /// A statement in the block of an effect.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EffectPart {
+    /// `needs NAME: UNIT, …;`: quantities that the model must have, with kind and unit.
+    Needs(Vec<Need>),
+    /// `generalises NAME, …;`: effects that say the same of a narrower family of models; where one of them can be applied,
+    /// this effect is no candidate.
+    Generalises(Vec<Name>),
     /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),
     /// `site NAME;`: the component of the model that the effect changes.

@@ -1,6 +1,6 @@
 //! Parser for `effect` statements.
 
-use super::ast::{Effect, EffectPart, Item, ItemKind};
+use super::ast::{Effect, EffectPart, Item, ItemKind, Name, Need, Observe};
 use super::parser::{Parser, Read};
 use super::token::Token;
 
@@ -36,6 +36,30 @@ impl Parser<'_> {
                 let text = self.quoted("where the effect is described")?;
                 self.semicolon("this `source`")?;
                 return Ok(EffectPart::Citation(text, start.to(self.behind())));
+            }
+            "needs" => {
+                self.advance();
+                let mut needs = Vec::new();
+                loop {
+                    needs.push(self.needed_quantity()?);
+                    if !self.eat(Token::Comma) {
+                        break;
+                    }
+                }
+                self.semicolon("this `needs`")?;
+                return Ok(EffectPart::Needs(needs));
+            }
+            "generalises" => {
+                self.advance();
+                let mut names = Vec::new();
+                loop {
+                    names.push(self.name("the name of an effect")?);
+                    if !self.eat(Token::Comma) {
+                        break;
+                    }
+                }
+                self.semicolon("this `generalises`")?;
+                return Ok(EffectPart::Generalises(names));
             }
             "site" => {
                 self.advance();
@@ -74,10 +98,12 @@ impl Parser<'_> {
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
             _ => {
-                let what = "`source`, `site`, `variables`, `coefficient`, `input`, `state`, `der`, \
-                            `replace`, `let`, `force`, `moment` or `negligible`";
-                const WORDS: [&str; 12] = [
+                let what = "`source`, `needs`, `generalises`, `site`, `variables`, `coefficient`, `input`, \
+                            `state`, `der`, `replace`, `let`, `force`, `moment` or `negligible`";
+                const WORDS: [&str; 14] = [
                     "source",
+                    "needs",
+                    "generalises",
                     "site",
                     "variables",
                     "coefficient",
@@ -102,6 +128,29 @@ impl Parser<'_> {
         Ok(EffectPart::Add(Box::new(item)))
     }
 
+    /// Parses `NAME`, `NAME: UNIT` or `vector NAME: UNIT`, each with `or EXPR` if the effect can do without it.
+    fn needed_quantity(&mut self) -> Read<Need> {
+        let is_vector = self.at_word("vector") && self.peek_at(1) == Token::Name;
+        if is_vector {
+            self.advance();
+        }
+        let name = self.name("the name of a quantity that the effect needs")?;
+        let unit = match self.eat(Token::Colon) {
+            true => Some(self.unit()?),
+            false => None,
+        };
+        let otherwise = match self.eat_word("or") {
+            true => Some(self.expr()?),
+            false => None,
+        };
+        Ok(Need {
+            name,
+            is_vector,
+            unit,
+            otherwise,
+        })
+    }
+
     fn replacement(&mut self, doc: String) -> Read<EffectPart> {
         let start = self.here();
         let equals_after_two = self.peek_at(1) == Token::Name;
@@ -120,6 +169,18 @@ impl Parser<'_> {
                 self.advance();
                 self.clock()?
             }
+            "observe" if self.peek_at(1) == Token::Equals => {
+                let name = Name {
+                    text: String::new(),
+                    span: start,
+                };
+                self.advance();
+                self.advance();
+                let value = self.expr()?;
+                self.semicolon("this `replace`")?;
+                ItemKind::Observe(Observe { name, value })
+            }
+            "der" if self.peek_at(1) == Token::Open => self.equation()?,
             "force" | "moment" if equals_after_two => self.load()?,
             "observe" if equals_after_two => self.observe()?,
             "let" if equals_after_two => self.binding()?,

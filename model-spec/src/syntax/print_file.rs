@@ -95,6 +95,7 @@ impl Display for ItemKind {
             }
             ItemKind::Equation(e) => write!(f, "der({}) = {};", e.state.text, e.value),
             ItemKind::Marker(m) => write!(f, "marker {} in {};", m.name.text, m.frame.text),
+            ItemKind::Observe(o) if o.name.text.is_empty() => write!(f, "observe = {};", o.value),
             ItemKind::Observe(o) => write!(f, "observe {} = {};", o.name.text, o.value),
             ItemKind::Clock(value) => write!(f, "clock {value};"),
             ItemKind::Limit(l) => write!(f, "limit {} > {} \"{}\";", l.value, l.bound, l.reason),
@@ -218,6 +219,20 @@ impl Display for CheckPart {
     }
 }
 
+impl Display for Need {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let vector = if self.is_vector { "vector " } else { "" };
+        write!(f, "{vector}{}", self.name.text)?;
+        if let Some(unit) = &self.unit {
+            write!(f, ": {unit}")?;
+        }
+        match &self.otherwise {
+            Some(otherwise) => write!(f, " or {otherwise}"),
+            None => Ok(()),
+        }
+    }
+}
+
 impl Display for Effect {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         write!(f, "effect {}", self.name.text)?;
@@ -228,6 +243,17 @@ impl Display for Effect {
         for part in &self.parts {
             match part {
                 EffectPart::Citation(text, _) => writeln!(f, "  source \"{text}\";")?,
+                EffectPart::Needs(needs) => {
+                    f.write_str("  needs ")?;
+                    for (i, need) in needs.iter().enumerate() {
+                        write!(f, "{}{need}", if i == 0 { "" } else { ", " })?;
+                    }
+                    writeln!(f, ";")?;
+                }
+                EffectPart::Generalises(names) => {
+                    let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
+                    writeln!(f, "  generalises {};", names.join(", "))?;
+                }
                 EffectPart::Site(name) => writeln!(f, "  site {};", name.text)?,
                 EffectPart::Variables(names, _) => {
                     let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
@@ -264,12 +290,17 @@ impl fmt::Display for Item {
 
 #[cfg(test)]
 mod tests {
-    use crate::load::{EFFECTS, MODELS, REFUTED};
+    use crate::load::{EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
     use crate::syntax::parse;
 
     #[test]
     fn what_is_written_reads_the_same() {
-        for (name, text) in MODELS.iter().chain(REFUTED).chain(EFFECTS) {
+        for (name, text) in MODELS
+            .iter()
+            .chain(REFUTED)
+            .chain(EFFECTS)
+            .chain(GENERAL_EFFECTS)
+        {
             let once = parse(name, text).file.to_string();
             let read = parse(name, &once);
             assert!(
@@ -328,6 +359,14 @@ effect e on probe, disc {
   state W_x = 0 m/s;
   der(W_x) = 0;
   replace inertia diag(k, k, k) in C;
+}
+
+effect general {
+  needs V: m/s, vector air_velocity: m/s or 2*velocity, alpha;
+  generalises e, other;
+  site drag;
+  replace observe = previous + mass*inertial.3;
+  replace der(x) = previous;
 }
 ";
         let parsed = parse("probe", text);

@@ -12,6 +12,16 @@ impl Effect {
         self.on.iter_mut().for_each(|model| change(&mut model.span));
         for part in &mut self.parts {
             match part {
+                EffectPart::Needs(needs) => needs.iter_mut().for_each(|need| {
+                    change(&mut need.name.span);
+                    need.unit.iter_mut().for_each(|u| unit(u, change));
+                    need.otherwise
+                        .iter_mut()
+                        .for_each(|e| expression(e, change));
+                }),
+                EffectPart::Generalises(names) => {
+                    names.iter_mut().for_each(|name| change(&mut name.span));
+                }
                 EffectPart::Citation(_, span) => change(span),
                 EffectPart::Site(name) => change(&mut name.span),
                 EffectPart::Variables(names, span) => {

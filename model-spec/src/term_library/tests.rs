@@ -2,12 +2,84 @@ use super::*;
 use crate::layout::Layout;
 use crate::load::from_text;
 
+fn library_of(model: &ModelTree) -> (Arc<TermLibrary>, ModelTree) {
+    TermLibrary::for_model(&model.check().unwrap()).expect("a library")
+}
+
+#[test]
+fn a_model_without_a_library_gets_one_from_its_own_quantities() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/studies/models");
+    for (name, channels, variables) in [
+        ("shuttlecock", 3, vec!["speed", "height", "time"]),
+        ("pendulum", 3, vec!["speed", "rho", "height", "time"]),
+        (
+            "spinning_ball",
+            6,
+            vec![
+                "speed",
+                "sine-of-yaw",
+                "stream-1",
+                "stream-2",
+                "stream-3",
+                "spin",
+                "height",
+                "rate-1",
+                "rate-2",
+                "rate-3",
+                "q",
+                "time",
+            ],
+        ),
+        (
+            "quaternion_dart",
+            6,
+            vec![
+                "speed", "stream-1", "stream-2", "stream-3", "height", "rate-1", "rate-2",
+                "rate-3", "time",
+            ],
+        ),
+        ("glider", 4, vec!["range", "height", "V", "gamma", "time"]),
+        (
+            "kite",
+            1,
+            vec!["beta", "betadot", "wind-x", "wind-z", "airspeed", "time"],
+        ),
+    ] {
+        let model = ModelTree::load(&format!("{folder}/{name}.hyz")).unwrap();
+        let (library, with_loads) = library_of(&model);
+        let layout = Layout::new(&with_loads.check().unwrap());
+        assert_eq!(library.channels.len(), channels, "{name}");
+        let names: Vec<&str> = library.variables.iter().map(|v| v.name.as_str()).collect();
+        let mut sorted = (names.clone(), variables);
+        sorted.0.sort_unstable();
+        sorted.1.sort_unstable();
+        assert_eq!(sorted.0, sorted.1, "{name}: {names:?}");
+        for variable in library.variables.iter() {
+            assert!(
+                layout.quantity(&variable.quantity).is_some(),
+                "{variable:?}"
+            );
+        }
+        assert!(
+            library.terms().count() <= 160,
+            "{name}: {}",
+            library.terms().count()
+        );
+        for term in library.terms() {
+            let extended = model.with(&library.effect(term, "Found."));
+            let checked = extended.and_then(|extended| extended.check());
+            let checked = checked.unwrap_or_else(|e| panic!("{name} {}\n{e}", library.name(term)));
+            assert_eq!(checked.effects[0].site, library.channels[term.channel].site);
+        }
+    }
+}
+
 #[test]
 fn every_term_can_be_written_into_its_model() {
     for (name, terms) in [("disc", 132), ("ball", 40)] {
         let model = ModelTree::load(name).unwrap();
         let coefficients = model.check().unwrap().coefficients.len();
-        let (library, with_loads) = TermLibrary::for_model(&model).expect("a library");
+        let (library, with_loads) = library_of(&model);
         let layout = Layout::new(&with_loads.check().unwrap());
         for channel in library.channels.iter() {
             assert!(
@@ -40,7 +112,7 @@ fn every_term_can_be_written_into_its_model() {
 #[test]
 fn a_term_is_written_as_its_formula_is_read() {
     let model = ModelTree::load("disc").unwrap();
-    let (library, _) = TermLibrary::for_model(&model).expect("a library");
+    let (library, _) = library_of(&model);
     for term in library.terms() {
         let effect = library.effect(term, "One line.\nAnother.");
         let coefficient = format!("k_{}", effect.name());

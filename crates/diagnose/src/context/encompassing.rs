@@ -1,7 +1,9 @@
 //! The encompassing model: every candidate effect switched on at its null value.
 
+use std::sync::Arc;
+
 use model_spec::LoadError;
-use model_spec::compose::{EffectTree, ModelTree};
+use model_spec::compose::{EffectTree, ModelTree, known_effects};
 use model_spec::index::IndexVec;
 use model_spec::layout::Layout;
 use model_spec::model::Model;
@@ -18,23 +20,20 @@ pub(crate) struct EncompassingModel {
     /// The candidates, in the order in which they were switched on.
     pub candidates: IndexVec<CandidateId, Candidate>,
     /// The term library whose loads the model contains; `None` if no library is compatible.
-    pub library: Option<&'static TermLibrary>,
+    pub library: Option<Arc<TermLibrary>>,
 }
 
 impl EncompassingModel {
-    /// Switches on the effects of the model's own file and the built-in ones that can be applied, except those that are on
-    /// and those in `without`.
+    /// Switches on every effect that the model can take, except those that are on, those in `without`, and general effects
+    /// where a specific one says the same.
     ///
     /// # Errors
     /// [`LoadError`] if the model without candidates cannot be checked.
     pub fn new(model: &Model, without: &[String]) -> Result<Self, LoadError> {
-        let tree = ModelTree::of(model);
-        let mut effects = candidate_effects(&tree, model, without);
-        // An effect that cannot be applied alone is made for another model.
-        effects.retain(|effect| tree.with(effect).is_ok_and(|with| with.check().is_ok()));
-        let (library, base) = match TermLibrary::for_model(&tree) {
+        let effects = candidate_effects(model, without);
+        let (library, base) = match TermLibrary::for_model(model) {
             Some((library, with_loads)) => (Some(library), with_loads),
-            None => (None, tree),
+            None => (None, ModelTree::of(model)),
         };
         let all = match compose_all(&base, &effects) {
             Ok(all) => all,
@@ -45,7 +44,10 @@ impl EncompassingModel {
         let on: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
         let candidates = all.effects.iter().filter(|effect| {
             let name = effect.name.as_str();
-            !on.contains(&name) && library.is_none_or(|library| library.loads.name() != name)
+            !on.contains(&name)
+                && library
+                    .as_ref()
+                    .is_none_or(|library| library.loads.name() != name)
         });
         let candidates = candidates.map(|effect| Candidate::new(&all, &layout, effect));
         Ok(Self {
@@ -65,18 +67,14 @@ impl EncompassingModel {
     }
 }
 
-/// Effects in the model's own file and built-in ones, except those switched on or excluded.
-fn candidate_effects(tree: &ModelTree, model: &Model, without: &[String]) -> Vec<EffectTree> {
-    let is_on = |name: &str| model.effects.iter().any(|effect| effect.name == name);
+/// Effects that are candidates for the model and not excluded.
+fn candidate_effects(model: &Model, without: &[String]) -> Vec<EffectTree> {
     let is_excluded = |name: &str| without.iter().any(|w| identifier(w) == name);
-    let mut names: Vec<&str> = Vec::new();
-    for name in tree.effect_names() {
-        if !is_on(name) && !names.contains(&name) && !is_excluded(name) {
-            names.push(name);
-        }
-    }
-    let effects = names.into_iter().map(|name| tree.find_effect(name));
-    effects.filter_map(Result::ok).collect()
+    known_effects(model)
+        .into_iter()
+        .filter(|known| known.refused.is_none() && !is_excluded(known.effect.name()))
+        .map(|known| known.effect)
+        .collect()
 }
 
 fn compose_all(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadError> {

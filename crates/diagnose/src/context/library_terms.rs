@@ -3,6 +3,8 @@
 //! A term is tested without a model of its own: at its null value its sensitivity is that of its load, times the product of
 //! its variables along the trajectory.
 
+use std::sync::Arc;
+
 use flight::BoundModel;
 use model_spec::compose::EffectTree;
 use model_spec::index::IndexVec;
@@ -17,7 +19,7 @@ use super::ids::TermId;
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
     /// The library.
-    library: &'static TermLibrary,
+    library: Arc<TermLibrary>,
     /// The terms: all products on the first channel, then on the second, ….
     pub terms: IndexVec<TermId, Term>,
     /// Load coefficient of each channel.
@@ -28,7 +30,7 @@ pub(crate) struct LibraryTerms {
 
 impl LibraryTerms {
     /// The terms in a model that has the library's loads; none if its layout lacks one of their names.
-    pub fn new(library: &'static TermLibrary, layout: &Layout) -> Option<Self> {
+    pub fn new(library: Arc<TermLibrary>, layout: &Layout) -> Option<Self> {
         let loads = library.channels.iter();
         let loads = loads.map(|channel| layout.parameter(&channel.coefficient));
         let variables = library.variables.iter();

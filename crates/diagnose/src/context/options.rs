@@ -132,8 +132,9 @@ impl DiagnosisOptions<'_> {
         }
         self.throws.validate()?;
         let own = model.offers.iter().map(|offer| offer.name.as_str());
-        let built_in = model_spec::load::EFFECTS.iter().map(|effect| effect.0);
-        let known: Vec<&str> = own.chain(built_in).collect();
+        let general = model_spec::load::GENERAL_EFFECTS;
+        let built_in = model_spec::load::EFFECTS.iter().chain(general);
+        let known: Vec<&str> = own.chain(built_in.map(|effect| effect.0)).collect();
         let unknown = |name: &&String| !known.contains(&identifier(name).as_str());
         match self.without.iter().find(unknown) {
             Some(name) => Err(OptionsError::UnknownEffect {

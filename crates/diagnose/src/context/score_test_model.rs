@@ -59,7 +59,7 @@ impl ScoreTestModel {
             .collect();
         let of_candidates: Vec<ColumnId> = columns.iter().flatten().copied().collect();
         let base = Partition::new(of_candidates, problem.globals.len()).tested;
-        let library = encompassing.library;
+        let library = encompassing.library.clone();
         let terms = library.and_then(|library| LibraryTerms::new(library, layout));
         let (flights, local) = fitted_flights(&problem, context, fit)?;
         let iterate = Iterate {

@@ -8,9 +8,9 @@ use crate::sample;
 use crate::subject::Equations;
 use crate::values::Values;
 use crate::{Options, TOLERANCE};
-use model_spec::load::{self, Loaded, from_text};
+use model_spec::compose::{Origin, known_effects};
+use model_spec::load::{Loaded, from_text};
 use model_spec::model::Model;
-use model_spec::syntax::ast::ItemKind;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
 
@@ -18,7 +18,7 @@ use oracle::{Point, derivatives};
 pub const EFFECTS: &str = "effects at null values";
 
 /// Models with effects, and the model without. If the model has effects, the list contains only that model; otherwise
-/// one model per applicable effect, and one with all applicable built-in effects.
+/// one model per effect that is a candidate, and one with all of them that the file does not declare.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
@@ -26,28 +26,21 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     if let Some(model) = loaded.model.as_ref().filter(|m| !m.effects.is_empty()) {
         return Some((vec![model.clone()], without));
     }
-    let own = loaded
-        .file
-        .items
-        .iter()
-        .filter_map(|item| match &item.kind {
-            ItemKind::Effect(effect) => Some(effect.name.text.as_str()),
-            _ => None,
-        });
-    let own: Vec<&str> = own.collect();
-    let catalogue = load::EFFECTS.iter().map(|(name, _)| *name);
-    let catalogue = catalogue.filter(|name| !own.contains(name));
-    // An effect for another kind of model cannot be applied.
-    let mut alone = Vec::new();
-    let mut together = Vec::new();
-    for name in own.iter().copied().chain(catalogue) {
+    let (mut alone, mut together) = (Vec::new(), Vec::new());
+    for known in known_effects(&without) {
+        // An effect for another kind of model, or one that another stands for.
+        if known.refused.is_some() {
+            continue;
+        }
+        let name = known.effect.name();
         if let Some(model) = apply(&[name]) {
             alone.push(model);
-            if !own.contains(&name) {
-                together.push(name);
+            if known.origin != Origin::Own {
+                together.push(name.to_owned());
             }
         }
     }
+    let together: Vec<&str> = together.iter().map(String::as_str).collect();
     if together.len() > 1 {
         alone.extend(apply(&together));
     }

@@ -5,7 +5,7 @@ use crate::row::Row;
 use codegen::Compiled;
 use model_spec::model::{FrameKind, Model};
 use model_spec::unit::{Base, Unit};
-use oracle::Point;
+use oracle::{Point, Tree};
 use std::f64::consts::FRAC_PI_2;
 
 /// Name of the check.
@@ -28,7 +28,7 @@ pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run])
     Row::counted(SINGULAR, points.len() * runs.len(), &faults, "")
 }
 
-/// Points, with descriptions, at which a divisor may vanish.
+/// Points, with descriptions, at which a divisor may vanish; none that a limit of the model excludes, attitudes apart.
 pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let base = moving(model);
     let velocities = by_unit(model, |metre, second, _| (metre, second) == (2, -2));
@@ -63,6 +63,10 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
         }
         out.push((format!("as fast as {}", model.inputs[wind].name), point));
     }
+    let tiny = with(&base, velocities.iter().copied(), 1e-160);
+    out.push((String::from("velocities whose squares vanish"), tiny));
+    out.retain(|(_, point)| is_valid(model, point));
+    // Attitudes are singular points of the coordinates, and finite all the same.
     for frame in &model.frames {
         let FrameKind::Turned { angle, .. } = frame.kind else {
             continue;
@@ -79,9 +83,14 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
             ));
         }
     }
-    let tiny = with(&base, velocities.iter().copied(), 1e-160);
-    out.push((String::from("velocities whose squares vanish"), tiny));
     out
+}
+
+/// Whether a point lies within every limit of the model.
+fn is_valid(model: &Model, point: &Point<f64>) -> bool {
+    let tree = Tree::new(model, point);
+    let mut limits = model.limits.iter();
+    limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 
 fn moving(model: &Model) -> Point<f64> {

@@ -1,0 +1,398 @@
+//! Which effects a model can take, told by names, kinds and units, without composing them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use thiserror::Error;
+
+use super::EffectTree;
+use crate::effect::{FRAMES, INERTIA, MASS, PREVIOUS};
+use crate::model::{Model, Shape};
+use crate::syntax::ast::{
+    EffectPart, Expr, ExprKind, ItemKind, LoadClass, Name, Need, UnitExpr, UnitFactor,
+};
+use crate::unit::{Unit, symbol};
+
+const POSITION: &str = "position";
+const VELOCITY: &str = "velocity";
+const ANGULAR_VELOCITY: &str = "angular_velocity";
+
+/// What an effect needs that speaks of a mass, its position or its velocity.
+const BODY: &str = "a body or a point";
+/// What an effect needs that speaks of moments, rates or the frame of the body.
+const TURNING: &str = "a body that turns";
+
+/// What an effect requires of a model and does not find.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Unmet {
+    /// The effect is made for other models.
+    #[error("it is made for {}", .models.join(", "))]
+    OtherModel {
+        /// Names of those models.
+        models: Vec<String>,
+    },
+    /// The model lacks a quantity that the effect needs or uses.
+    #[error("it needs {what}")]
+    Lacking {
+        /// Kind, name and unit of the quantity.
+        what: String,
+    },
+    /// A quantity of the model has another kind or unit than the effect needs.
+    #[error("it needs {what}; here `{name}` is {found}")]
+    Differs {
+        /// Name of the quantity.
+        name: String,
+        /// Kind, name and unit that the effect needs.
+        what: String,
+        /// Kind and unit that the quantity has.
+        found: String,
+    },
+    /// The model has nothing that the effect could replace.
+    #[error("the model has no {what} to replace")]
+    Replaced {
+        /// The statement that the effect replaces.
+        what: String,
+    },
+    /// The model has a quantity of its own by a name that the effect declares.
+    #[error("the model has a `{name}` of its own")]
+    Taken {
+        /// The name.
+        name: String,
+    },
+}
+
+/// Names of a model by which effects can be bound to it.
+#[derive(Clone, Debug)]
+pub struct Binding {
+    model: String,
+    values: BTreeMap<String, (bool, Unit)>,
+    frames: BTreeSet<String>,
+    lets: BTreeSet<String>,
+    loads: BTreeSet<(bool, String)>,
+    equations: BTreeSet<String>,
+    observation: Option<String>,
+    has_body: bool,
+    turns: bool,
+}
+
+impl Binding {
+    /// The names of a checked model.
+    pub fn new(model: &Model) -> Binding {
+        let mut values = BTreeMap::new();
+        let mut add = |name: &str, is_vector: bool, unit: Unit| {
+            values.insert(name.to_owned(), (is_vector, unit));
+        };
+        for constant in model.params.iter().chain(&model.coefficients) {
+            add(&constant.name, false, constant.unit);
+        }
+        for input in &model.inputs {
+            add(&input.name, true, input.unit);
+            for axis in ["x", "y", "z"] {
+                add(&format!("{}_{axis}", input.name), false, input.unit);
+            }
+        }
+        for state in &model.states {
+            add(&state.name, false, state.unit);
+        }
+        for own in &model.aux_variables {
+            add(&own.name, own.value.shape != Shape::Scalar, own.value.unit);
+        }
+        if let Some(marker) = &model.marker {
+            add(&marker.name, true, Unit::METRE);
+        }
+        let body = model.body.as_ref();
+        let turns = body.is_some_and(|body| body.rotation.is_some());
+        if body.is_some() {
+            add(POSITION, true, Unit::METRE);
+            add(VELOCITY, true, Unit::SPEED);
+            values
+                .entry(MASS.to_owned())
+                .or_insert((false, Unit::KILOGRAM));
+        }
+        let mut frames: BTreeSet<String> = model.frames.iter().map(|f| f.name.clone()).collect();
+        frames.insert(FRAMES[0].to_owned());
+        if turns {
+            values.insert(ANGULAR_VELOCITY.to_owned(), (true, Unit::RATE));
+            for name in INERTIA {
+                values
+                    .entry(name.to_owned())
+                    .or_insert((false, Unit::INERTIA));
+            }
+            frames.insert(FRAMES[1].to_owned());
+        }
+        let forces = model.forces.iter().map(|load| (true, load.name.clone()));
+        let moments = model.moments.iter().map(|load| (false, load.name.clone()));
+        let equations = model.equations.iter();
+        Binding {
+            model: model.name.clone(),
+            frames,
+            lets: model
+                .aux_variables
+                .iter()
+                .map(|own| own.name.clone())
+                .collect(),
+            loads: forces.chain(moments).collect(),
+            equations: equations
+                .map(|equation| model.states[equation.state].name.clone())
+                .collect(),
+            observation: model.observation.as_ref().map(|own| own.name.clone()),
+            has_body: body.is_some(),
+            turns,
+            values,
+        }
+    }
+
+    /// What keeps the effect from the model, the first of it; `None` if the model has all that the effect uses.
+    pub fn unmet(&self, effect: &EffectTree) -> Option<Unmet> {
+        self.fits(effect).err()
+    }
+
+    fn fits(&self, effect: &EffectTree) -> Result<(), Unmet> {
+        let effect = effect.tree();
+        if !effect.on.is_empty() && effect.on.iter().all(|on| on.text != self.model) {
+            return Err(Unmet::OtherModel {
+                models: effect.on.iter().map(|on| on.text.clone()).collect(),
+            });
+        }
+        let mut own: BTreeSet<&str> = BTreeSet::new();
+        let mut fallbacks: BTreeMap<&str, &Expr> = BTreeMap::new();
+        for part in &effect.parts {
+            match part {
+                EffectPart::Needs(needs) => {
+                    for need in needs {
+                        if let (None, Some(e)) = (self.needed(need)?, &need.otherwise) {
+                            fallbacks.insert(&need.name.text, e);
+                        }
+                    }
+                }
+                EffectPart::Add(item) => {
+                    if let Some(name) = self.declared(&item.kind)? {
+                        own.insert(name);
+                    }
+                }
+                _ => {}
+            }
+        }
+        let uses = Uses {
+            binding: self,
+            own,
+            fallbacks,
+        };
+        for part in &effect.parts {
+            match part {
+                EffectPart::Replace(item) => {
+                    self.replaced(&item.kind)?;
+                    item.kind.value().map_or(Ok(()), |e| uses.all_of(e))?;
+                }
+                EffectPart::Add(item) => {
+                    item.kind.value().map_or(Ok(()), |e| uses.all_of(e))?;
+                }
+                EffectPart::ReplaceInertia(inertia, _) => {
+                    if !self.turns {
+                        return Err(replaced("moments of inertia"));
+                    }
+                    self.frame(&inertia.frame)?;
+                    for moment in inertia.rows.iter().flatten().flatten() {
+                        uses.all_of(moment)?;
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a need is met by the model; `None` if something else stands for it.
+    fn needed(&self, need: &Need) -> Result<Option<()>, Unmet> {
+        let name = &need.name.text;
+        let unit = need.unit.as_ref().map_or(Some(Unit::ONE), si_unit);
+        match self.values.get(name) {
+            Some((is_vector, own))
+                if *is_vector == need.is_vector && unit.is_some_and(|unit| own.agrees(unit)) =>
+            {
+                Ok(Some(()))
+            }
+            Some((is_vector, own)) => Err(Unmet::Differs {
+                name: name.clone(),
+                what: described(need),
+                found: format!("a {} in {own}", kind(*is_vector)),
+            }),
+            None if need.otherwise.is_some() => Ok(None),
+            None => Err(lacking(described(need))),
+        }
+    }
+
+    /// Name of a value that an effect adds; loads need a body.
+    fn declared<'e>(&self, item: &'e ItemKind) -> Result<Option<&'e str>, Unmet> {
+        let name = match item {
+            ItemKind::Parameter(own) => &own.name,
+            ItemKind::State(own) => &own.name,
+            ItemKind::Let(own) => &own.name,
+            // Effects share inputs.
+            ItemKind::Input(own) => {
+                self.frame(&own.frame)?;
+                return Ok(Some(&own.name.text));
+            }
+            ItemKind::Load(load) => {
+                let is_force = load.class == LoadClass::Force;
+                if !self.has_body {
+                    return Err(lacking(BODY.to_owned()));
+                }
+                if !is_force && !self.turns {
+                    return Err(lacking(TURNING.to_owned()));
+                }
+                if self.loads.contains(&(is_force, load.name.text.clone())) {
+                    let name = load.name.text.clone();
+                    return Err(Unmet::Taken { name });
+                }
+                return Ok(None);
+            }
+            _ => return Ok(None),
+        };
+        let is_other = name.text != MASS && !INERTIA.contains(&name.text.as_str());
+        if is_other && self.values.contains_key(&name.text) {
+            return Err(Unmet::Taken {
+                name: name.text.clone(),
+            });
+        }
+        Ok(Some(&name.text))
+    }
+
+    fn replaced(&self, item: &ItemKind) -> Result<(), Unmet> {
+        let (is_there, what) = match item {
+            ItemKind::Let(own) => (
+                self.lets.contains(&own.name.text),
+                format!("quantity `{}`", own.name.text),
+            ),
+            ItemKind::Load(load) => {
+                let is_force = load.class == LoadClass::Force;
+                let key = (is_force, load.name.text.clone());
+                let word = if is_force { "force" } else { "moment" };
+                (self.loads.contains(&key), format!("{word} `{}`", key.1))
+            }
+            ItemKind::Observe(own) => {
+                let any = own.name.text.is_empty();
+                let same = |name: &String| any || *name == own.name.text;
+                let is_there = self.observation.as_ref().is_some_and(same);
+                (is_there, "observation".to_owned())
+            }
+            ItemKind::Equation(own) => (
+                self.equations.contains(&own.state.text),
+                format!("equation for `{}`", own.state.text),
+            ),
+            _ => (true, String::new()),
+        };
+        match is_there {
+            true => Ok(()),
+            false => Err(replaced(&what)),
+        }
+    }
+
+    fn frame(&self, frame: &Name) -> Result<(), Unmet> {
+        match self.frames.contains(&frame.text) {
+            true => Ok(()),
+            false if frame.text == FRAMES[1] => Err(lacking(TURNING.to_owned())),
+            false => Err(lacking(format!("a frame `{}`", frame.text))),
+        }
+    }
+}
+
+/// Names that the expressions of one effect may use.
+struct Uses<'a> {
+    binding: &'a Binding,
+    own: BTreeSet<&'a str>,
+    fallbacks: BTreeMap<&'a str, &'a Expr>,
+}
+
+impl Uses<'_> {
+    fn all_of(&self, e: &Expr) -> Result<(), Unmet> {
+        match &e.kind {
+            ExprKind::Name(name) => return self.value(name),
+            ExprKind::Derivative(state) => return self.value(&state.text),
+            ExprKind::Components(_, frame) => self.binding.frame(frame)?,
+            ExprKind::Call(function, _) => {
+                let frame = function.text.strip_prefix("in_");
+                if let Some(frame) = frame.filter(|_| function.text != "in_frame_of") {
+                    self.binding.frame(&Name {
+                        text: frame.to_owned(),
+                        span: function.span,
+                    })?;
+                }
+            }
+            // `F.3` names a frame or a vector.
+            ExprKind::Part(of, _) => {
+                if let ExprKind::Name(name) = &of.kind
+                    && self.value(name).is_err()
+                {
+                    let is_frame = self.binding.frame(&Name {
+                        text: name.clone(),
+                        span: of.span,
+                    });
+                    let of_body = [POSITION, VELOCITY].contains(&name.as_str());
+                    return match is_frame {
+                        Err(_) if of_body => self.value(name),
+                        other => other,
+                    };
+                }
+            }
+            _ => {}
+        }
+        let mut result = Ok(());
+        e.children(&mut |child| {
+            if result.is_ok() {
+                result = self.all_of(child);
+            }
+        });
+        result
+    }
+
+    fn value(&self, name: &str) -> Result<(), Unmet> {
+        if [PREVIOUS, "pi", "time"].contains(&name) || self.own.contains(name) {
+            return Ok(());
+        }
+        if let Some(otherwise) = self.fallbacks.get(name) {
+            // What stands for a quantity does not use that quantity.
+            return match &otherwise.kind {
+                ExprKind::Name(own) if own == name => Err(lacking(format!("`{name}`"))),
+                _ => self.all_of(otherwise),
+            };
+        }
+        match name {
+            _ if self.binding.values.contains_key(name) => Ok(()),
+            POSITION | VELOCITY | MASS => Err(lacking(BODY.to_owned())),
+            ANGULAR_VELOCITY => Err(lacking(TURNING.to_owned())),
+            _ if INERTIA.contains(&name) => Err(lacking(TURNING.to_owned())),
+            _ => Err(lacking(format!("a quantity `{name}`"))),
+        }
+    }
+}
+
+fn lacking(what: String) -> Unmet {
+    Unmet::Lacking { what }
+}
+
+fn replaced(what: &str) -> Unmet {
+    Unmet::Replaced {
+        what: what.to_owned(),
+    }
+}
+
+fn kind(is_vector: bool) -> &'static str {
+    if is_vector { "vector" } else { "number" }
+}
+
+/// Kind, name and unit of a needed quantity.
+fn described(need: &Need) -> String {
+    let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
+    let (kind, name) = (kind(need.is_vector), &need.name.text);
+    format!("a {kind} `{name}`{}", unit.unwrap_or_default())
+}
+
+/// A unit expression in SI base units, without its factor; `None` for an unknown symbol or a power out of range.
+fn si_unit(expression: &UnitExpr) -> Option<Unit> {
+    let power = |factor: &UnitFactor| {
+        let symbol = symbol::find(&factor.symbol)?;
+        symbol.unit.checked_pow_half(factor.doubled)
+    };
+    let mut factors = expression.factors.iter();
+    factors.try_fold(Unit::ONE, |unit, factor| unit.checked_mul(power(factor)?))
+}

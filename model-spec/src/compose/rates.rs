@@ -1,0 +1,126 @@
+//! Effects of models whose equations are stated outright: a rate that is missing from an equation, steady, growing with the
+//! time, or in proportion to the state.
+
+use std::collections::BTreeSet;
+
+use super::EffectTree;
+use crate::source::Span;
+use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, UnitFactor};
+
+/// Maximum number of equations that have effects of their own.
+const MAX_EQUATIONS: usize = 24;
+
+/// Effects on each stated equation that is more than a name: none if the model has a body.
+pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
+    let has_body = file
+        .items
+        .iter()
+        .any(|item| matches!(item.kind, ItemKind::Body(_)));
+    if has_body {
+        return Vec::new();
+    }
+    let states = states(file);
+    let named: BTreeSet<&str> = states
+        .iter()
+        .map(|state| state.name.text.as_str())
+        .collect();
+    let equations = equations(file).filter(|equation| !is_state(equation, &named));
+    equations
+        .take(MAX_EQUATIONS)
+        .filter_map(|equation| {
+            let state = states.iter().find(|s| s.name.text == equation.state.text)?;
+            Some(of_equation(state))
+        })
+        .flatten()
+        .collect()
+}
+
+/// The model's own states, in the order of their declaration.
+fn states(file: &File) -> Vec<&State> {
+    let own = file.items.iter().filter(|item| item.effect.is_none());
+    own.filter_map(|item| match &item.kind {
+        ItemKind::State(state) => Some(state),
+        _ => None,
+    })
+    .collect()
+}
+
+/// The stated equations, those that effects have replaced among them.
+fn equations(file: &File) -> impl Iterator<Item = &Equation> {
+    file.items.iter().filter_map(|item| match &item.kind {
+        ItemKind::Equation(equation) => Some(equation),
+        _ => None,
+    })
+}
+
+/// Whether an equation only names another state as the rate, as `der(phi) = phidot` does.
+fn is_state(equation: &Equation, states: &BTreeSet<&str>) -> bool {
+    matches!(&equation.value.kind, ExprKind::Name(name) if states.contains(name.as_str()))
+}
+
+/// The three effects on the equation of a state. What they call negligible is a thousandth of the unit of the state in a
+/// second, and of the state itself.
+fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
+    let name = &state.name.text;
+    let per = |seconds: i32| format!("[{}]", per_second(state.value.unit.as_ref(), seconds));
+    let forms = [
+        (
+            format!("rate_of_{name}"),
+            "is missing a steady rate",
+            "none",
+            per(1),
+            "",
+        ),
+        (
+            format!("rate_of_{name}_by_time"),
+            "is missing a rate that grows with the time",
+            "time",
+            per(2),
+            "*time",
+        ),
+        (
+            format!("rate_of_{name}_by_itself"),
+            "is missing a rate in proportion to it",
+            "none",
+            "[1/s]".to_owned(),
+            name.as_str(),
+        ),
+    ];
+    let texts = forms.map(|(effect, says, depends_on, unit, factor)| {
+        let factor = match factor {
+            "" | "*time" => factor.to_owned(),
+            name => format!("*{name}"),
+        };
+        format!(
+            "/// The equation for {name} {says}.\n\
+             effect {effect} {{\n\
+             source \"whatever the stated equation leaves out\";\n\
+             site unknown;\n\
+             variables {depends_on};\n\
+             /// what is missing from the derivative of {name}\n\
+             coefficient k_{effect} = 0 {unit};\n\
+             negligible k_{effect} 1e-3 {unit};\n\
+             replace der({name}) = previous + k_{effect}{factor};\n}}\n"
+        )
+    });
+    texts
+        .into_iter()
+        .filter_map(|text| EffectTree::parse("stated equations", &text).ok())
+}
+
+/// Text of a unit over a power of the second.
+fn per_second(unit: Option<&UnitExpr>, power: i32) -> String {
+    let mut factors = unit.map_or_else(Vec::new, |unit| unit.factors.clone());
+    match factors.iter_mut().find(|factor| factor.symbol == "s") {
+        Some(seconds) => seconds.doubled -= 2 * power,
+        None => factors.push(UnitFactor {
+            symbol: "s".to_owned(),
+            doubled: -2 * power,
+            span: Span::default(),
+        }),
+    }
+    factors.retain(|factor| factor.doubled != 0);
+    let span = Span::default();
+    let unit = UnitExpr { factors, span }.to_string();
+    unit.trim_matches(['[', ']']).to_owned()
+}

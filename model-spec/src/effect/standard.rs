@@ -1,0 +1,293 @@
+//! Names by which an effect speaks of any model: the mass and the moments of inertia that the body states, its frames, and
+//! what stands for a quantity that the model lacks. They are replaced by the model's own before the effect is applied.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::syntax::ast::{
+    Body, BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
+    Number, Quantity,
+};
+
+/// Name of the mass that the body states.
+pub(crate) const MASS: &str = "mass";
+
+/// Names of the moments of inertia about the body's axes 1, 2 and 3.
+pub(crate) const INERTIA: [&str; 3] = ["inertia_11", "inertia_22", "inertia_33"];
+
+/// Names of the inertial frame and of the body-fixed frame.
+pub(crate) const FRAMES: [&str; 2] = ["inertial", "body"];
+
+/// The model's own expressions and frames for the names of this module.
+#[derive(Default)]
+struct Standard {
+    values: HashMap<String, Expr>,
+    frames: HashMap<&'static str, String>,
+}
+
+/// A copy of an effect in the names of a model. A name that the model or the effect declares keeps that meaning.
+///
+/// # Errors
+/// One per quantity that the effect needs and the model lacks.
+pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Diagnostic>> {
+    let declared = declared(file);
+    let own: HashSet<&str> = declared_by(effect).collect();
+    let mut standard = Standard::of_model(file);
+    let is_taken = |name: &str| declared.contains(name) || own.contains(name);
+    standard.values.retain(|name, _| !is_taken(name));
+    let mut faults = Vec::new();
+    let mut effect = effect.clone();
+    let mut fallbacks = HashMap::new();
+    for need in effect.parts.iter().filter_map(needs).flatten() {
+        let name = need.name.text.as_str();
+        if declared.contains(name) || (is_of_body(file, name) && !own.contains(name)) {
+            continue;
+        }
+        match &need.otherwise {
+            Some(otherwise) => {
+                fallbacks.insert(name.to_owned(), otherwise.clone());
+            }
+            None => faults.push(lacking(&effect.name, need)),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let lacks = |name: &str| fallbacks.contains_key(name);
+    for part in &mut effect.parts {
+        if let EffectPart::Needs(needs) = part {
+            needs.retain(|need| !lacks(&need.name.text));
+        }
+    }
+    for expression in expressions(&mut effect) {
+        replace_names(expression, &fallbacks);
+        standard.rename(expression);
+    }
+    for part in &mut effect.parts {
+        match part {
+            EffectPart::ReplaceInertia(inertia, _) => standard.rename_frame(&mut inertia.frame),
+            EffectPart::Add(item) => {
+                if let ItemKind::Input(input) = &mut item.kind {
+                    standard.rename_frame(&mut input.frame);
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(effect)
+}
+
+fn needs(part: &EffectPart) -> Option<&Vec<Need>> {
+    match part {
+        EffectPart::Needs(needs) => Some(needs),
+        _ => None,
+    }
+}
+
+fn lacking(effect: &Name, need: &Need) -> Diagnostic {
+    let name = &need.name.text;
+    let kind = if need.is_vector { "vector" } else { "quantity" };
+    let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
+    let message = format!(
+        "the effect `{}` needs a {kind} `{name}`{}, and the model has none",
+        effect.text,
+        unit.unwrap_or_default()
+    );
+    Diagnostic::new(Kind::Missing, need.name.span, message).help(format!(
+        "if the model has it under another name, add `let {name} = …;`"
+    ))
+}
+
+impl Standard {
+    fn of_model(file: &File) -> Standard {
+        let mut standard = Standard::default();
+        let frames = file.items.iter().filter_map(|item| match &item.kind {
+            ItemKind::Frame(frame) => Some(frame),
+            _ => None,
+        });
+        let names: Vec<&str> = frames.clone().map(|f| f.name.text.as_str()).collect();
+        let mut inertial = frames.filter(|frame| frame.kind == FrameKind::Inertial);
+        let own = |wanted: &str| names.contains(&wanted);
+        if let (Some(frame), false) = (inertial.next(), own(FRAMES[0])) {
+            standard.frames.insert(FRAMES[0], frame.name.text.clone());
+        }
+        let Some(body) = body(file) else {
+            return standard;
+        };
+        for part in &body.parts {
+            match &part.kind {
+                BodyPartKind::Mass(mass) => {
+                    standard.values.insert(MASS.to_owned(), mass.clone());
+                }
+                BodyPartKind::Fixed(frame) if !own(FRAMES[1]) => {
+                    standard.frames.insert(FRAMES[1], frame.text.clone());
+                }
+                BodyPartKind::Inertia(inertia) => {
+                    for (k, name) in INERTIA.iter().enumerate() {
+                        if let Some(moment) = &inertia.rows[k][k] {
+                            standard.values.insert((*name).to_owned(), moment.clone());
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        standard
+    }
+
+    /// Replaces values and frames in an expression of an effect.
+    fn rename(&self, e: &mut Expr) {
+        if let ExprKind::Name(name) = &e.kind
+            && let Some(value) = self.values.get(name)
+        {
+            e.kind = value.kind.clone();
+            return;
+        }
+        match &mut e.kind {
+            ExprKind::Part(of, _) => {
+                if let ExprKind::Name(name) = &mut of.kind
+                    && let Some(frame) = self.frames.get(name.as_str())
+                {
+                    name.clone_from(frame);
+                    return;
+                }
+            }
+            ExprKind::Components(_, frame) => self.rename_frame(frame),
+            ExprKind::Call(function, _) => {
+                let frame = function.text.strip_prefix("in_");
+                if let Some(frame) = frame.and_then(|frame| self.frames.get(frame)) {
+                    function.text = format!("in_{frame}");
+                }
+            }
+            _ => {}
+        }
+        e.children_mut(&mut |child| self.rename(child));
+    }
+
+    fn rename_frame(&self, frame: &mut Name) {
+        if let Some(own) = self.frames.get(frame.text.as_str()) {
+            frame.text.clone_from(own);
+        }
+    }
+}
+
+/// Substitutes expressions for names.
+fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
+    if let ExprKind::Name(name) = &e.kind
+        && let Some(value) = by.get(name)
+    {
+        e.kind = value.kind.clone();
+        return;
+    }
+    e.children_mut(&mut |child| replace_names(child, by));
+}
+
+/// Right-hand sides and moments of inertia of an effect.
+fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
+    effect.parts.iter_mut().flat_map(|part| match part {
+        EffectPart::Replace(item) | EffectPart::Add(item) => {
+            item.kind.value_mut().into_iter().collect::<Vec<_>>()
+        }
+        EffectPart::ReplaceInertia(inertia, _) => {
+            inertia.rows.iter_mut().flatten().flatten().collect()
+        }
+        _ => Vec::new(),
+    })
+}
+
+/// The body or point of a model.
+pub(super) fn body(file: &File) -> Option<&Body> {
+    file.items.iter().find_map(|item| match &item.kind {
+        ItemKind::Body(body) => Some(body),
+        _ => None,
+    })
+}
+
+fn is_of_body(file: &File, name: &str) -> bool {
+    body(file).is_some() && ["position", "velocity", "angular_velocity"].contains(&name)
+}
+
+/// Names of values that an effect declares.
+fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
+    effect.parts.iter().filter_map(|part| match part {
+        EffectPart::Add(item) => match &item.kind {
+            ItemKind::Parameter(own) => Some(own.name.text.as_str()),
+            ItemKind::Input(own) => Some(own.name.text.as_str()),
+            ItemKind::State(own) => Some(own.name.text.as_str()),
+            ItemKind::Let(own) => Some(own.name.text.as_str()),
+            _ => None,
+        },
+        _ => None,
+    })
+}
+
+/// Names of values that a file declares, those of states of frames and bodies among them.
+fn declared(file: &File) -> HashSet<String> {
+    let mut names = HashSet::new();
+    let mut add = |name: &str| names.insert(name.to_owned());
+    for item in &file.items {
+        match &item.kind {
+            ItemKind::Parameter(own) => {
+                add(&own.name.text);
+            }
+            ItemKind::Input(own) => {
+                add(&own.name.text);
+                for axis in ["x", "y", "z"] {
+                    add(&format!("{}_{axis}", own.name.text));
+                }
+            }
+            ItemKind::State(own) => {
+                add(&own.name.text);
+            }
+            ItemKind::Let(own) => {
+                add(&own.name.text);
+            }
+            ItemKind::Marker(own) => {
+                add(&own.name.text);
+            }
+            ItemKind::Frame(frame) => match &frame.kind {
+                FrameKind::Inertial => {}
+                FrameKind::Turned { angle, .. } => {
+                    add(&angle.text);
+                    add(&format!("{}dot", angle.text));
+                }
+                FrameKind::Quaternion { states, .. } => {
+                    states.iter().for_each(|state| {
+                        add(&state.text);
+                    });
+                }
+            },
+            ItemKind::Body(body) => {
+                for part in &body.parts {
+                    if let BodyPartKind::Position(states, _)
+                    | BodyPartKind::Velocity(states, _)
+                    | BodyPartKind::AngularVelocity(states, _) = &part.kind
+                    {
+                        states.iter().for_each(|state| {
+                            add(&state.text);
+                        });
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    names
+}
+
+/// The literal 0, which has any unit.
+pub(super) fn zero(span: Span) -> Expr {
+    let number = Number {
+        text: "0".to_owned(),
+        span,
+    };
+    let zero = Quantity {
+        number,
+        unit: None,
+        span,
+    };
+    Expr {
+        kind: ExprKind::Number(zero),
+        span,
+    }
+}
