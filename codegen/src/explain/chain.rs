@@ -51,9 +51,14 @@ pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>)
         }
     }
     // Users before the parts they refer to.
+    let last = if by.is_some() {
+        &mut derivatives
+    } else {
+        &mut values
+    };
     for &part in cut.parts.iter().rev() {
         let definition = cut.write(cut.graph.definition(part));
-        values.push(format!("{} = {definition}", cut.names[&part]));
+        last.push(format!("{} = {definition}", cut.names[&part]));
     }
     Formulas {
         values,
