@@ -315,6 +315,9 @@ pub struct Diagnose {
     /// Number of threads; the result does not depend on it
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
+    /// Stop after this many seconds with the best answer so far, which is said in the result
+    #[arg(long, value_name = "S")]
+    pub max_seconds: Option<f64>,
     /// Folder for report.html, report.json, the extended model, figures and tables: new, empty, or of earlier results, which
     /// are replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]

@@ -3,21 +3,22 @@
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use flight::batch;
 use identify::dataset::{Dataset, Role};
-use identify::{Fit, FlightEvidence, FlightId, Iterate, fit};
+use identify::{Fit, Iterate, fit};
 use model_spec::model::Model;
 
 use crate::consensus::consensus;
 use crate::context::{Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
-use crate::error::DiagnosisError;
+use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::lack_of_fit::LackOfFit;
 use crate::noise::random_walk_loads;
+use crate::offer::{Chosen, measure};
 use crate::optimal_design::next_throw;
+use crate::parallel::join;
 use crate::report::{self, Consensus, Report, Verdict};
 use crate::selection::{Search, StepwiseModel, select_by_bic, stepwise_terms};
-use crate::validation::{ApplyTo, PredictiveGain, Validated, cross_validate, gain_of_fits};
+use crate::validation::{Validated, predictive_terms};
 
 /// Greatest number of unknowns of a single-effect hypothesis exempt from the BIC comparison.
 const FREE_UNKNOWNS: usize = 6;
@@ -150,17 +151,29 @@ struct Analysis<'a> {
     stepwise: Option<StepwiseModel>,
     consensus: Option<Consensus>,
     discordant: Option<Discordant>,
+    /// Messages for the report.
+    notes: Vec<String>,
 }
 
-/// Model that was chosen as the extension of the model under test.
-struct Chosen {
-    extension: ExtendedModel,
-    /// Fit of the extended model; `None` if not yet fitted.
-    fit: Option<Fit>,
-    /// Out-of-sample gain; `None` if not yet measured.
-    gain: Option<PredictiveGain>,
-    /// Decrease of the weighted sum of squares, χ²; used for effects generated from library terms.
-    chi2_decrease: f64,
+/// Searches with all flights that can be tested; flights that cannot are added to `set_aside`.
+fn search_testable<'a>(
+    model: &mut ScoreTestModel,
+    base: &mut Iterate,
+    before: &Fit,
+    context: Context<'a>,
+    set_aside: &mut Vec<String>,
+) -> Result<Search<'a>, DiagnosisError> {
+    loop {
+        let found = Search::new(model, base, before.noise(), context);
+        let file = match &found {
+            Err(error) if model.flights.len() > 1 => error.flight().map(str::to_owned),
+            _ => None,
+        };
+        match file {
+            Some(file) if model.set_aside(&file, base) => set_aside.push(file),
+            _ => return found,
+        }
+    }
 }
 
 impl<'a> Analysis<'a> {
@@ -179,14 +192,15 @@ impl<'a> Analysis<'a> {
         );
         let (before, encompassing) = (before?, encompassing?);
         clock.record("fit");
-        let (mut model, base) = ScoreTestModel::new(encompassing, context, &before)?;
+        let (mut model, mut base) = ScoreTestModel::new(encompassing, context, &before)?;
         let threads = options.fit.threads();
+        let mut set_aside = Vec::new();
         let (search, residuals) = join(
             threads,
-            || Search::new(&mut model, &base, before.noise(), context),
+            || search_testable(&mut model, &mut base, &before, context, &mut set_aside),
             || LackOfFit::of_fit(&before, threads),
         );
-        let (mut search, residuals) = (search?, residuals?);
+        let (mut search, residuals) = (search?, if_possible(residuals)?.flatten());
         let unexplained = residuals
             .as_ref()
             .filter(|residuals| residuals.p < options.alpha_detect);
@@ -207,7 +221,14 @@ impl<'a> Analysis<'a> {
             stepwise: None,
             consensus: None,
             discordant: None,
+            notes: Vec::new(),
         };
+        if !set_aside.is_empty() {
+            let files = set_aside.join(", ");
+            analysis.notes.push(format!(
+                "left out of the tests of effects, as the effects cannot be told from the initial state: {files}"
+            ));
+        }
         if analysis.search.is_significant() && analysis.search.accepted.is_empty() {
             analysis.search_beyond_single_effects()?;
         } else {
@@ -282,26 +303,59 @@ impl<'a> Analysis<'a> {
         mut self,
         on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
     ) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
-        let (validated, refused) = self.validate_overflexible()?;
+        let (mut validated, refused) = self.validate_overflexible()?;
+        self.notes.extend(refused);
         self.clock.record("search");
-        let (context, search) = (self.context, &self.search);
-        let fitted = (&self.before, self.residuals.as_ref());
-        let mut report = report::build_report(context, fitted, &self.model, search);
-        report.consensus = self.consensus.take();
-        report.notes.extend(refused);
-        report.next_throw = next_throw(&self.model, search, &context.options.throws)?;
-        let chosen = self.choose(validated, &mut report)?;
+        let context = self.context;
+        let (mut report, measured) = loop {
+            let fitted = (&self.before, self.residuals.as_ref());
+            let mut report = report::build_report(context, fitted, &self.model, &self.search);
+            report.consensus.clone_from(&self.consensus);
+            let Some(chosen) = self.choose(validated.take(), &mut report)? else {
+                break (report, None);
+            };
+            let names = report::display_names(&chosen.extension.effects);
+            let is_candidate = !self.search.accepted.is_empty();
+            let applies = report.consensus.is_some();
+            let noise = report.noise.sigma_m;
+            let measured = measure(
+                context,
+                &self.before,
+                chosen,
+                (applies, noise),
+                on_extension,
+            );
+            match if_possible(measured)? {
+                Some(measured) if !(is_candidate && measured.changes_nothing()) => {
+                    break (report, Some(measured));
+                }
+                None if !is_candidate => break (report, None),
+                found => {
+                    let why = match found {
+                        Some(_) => "its fit predicts the same as the model without it",
+                        None => "the model with it cannot be fitted",
+                    };
+                    self.notes.push(format!("{names} is no explanation: {why}"));
+                    self.search.accepted.remove(0);
+                }
+            }
+        };
+        report.notes.append(&mut self.notes);
         let (mut after, mut made) = (None, None);
-        if let Some(chosen) = chosen {
-            let before = &self.before;
-            let (extended, from_extension) =
-                measure(context, before, &mut report, chosen, on_extension)?;
-            let residuals = LackOfFit::of_fit(&extended.1, context.options.fit.threads())?;
-            report::add_residuals(&mut report, residuals);
-            after = Some(extended);
-            made = Some(from_extension);
+        if let Some(measured) = measured {
+            let offered = measured.add_to(&mut report, &self.before, context)?;
+            (after, made) = offered.unzip();
         }
         report::describe_departures(&mut report);
+        let is_out_of_time = context.is_out_of_time();
+        if is_out_of_time || (self.model.is_exhausted() && self.search.accepted.is_empty()) {
+            report::note_incomplete(&mut report, is_out_of_time);
+        }
+        if !is_out_of_time {
+            let throws = &context.options.throws;
+            let found = next_throw(&self.model, &self.search, throws);
+            report.next_throw = if_possible(found)?.flatten();
+        }
         report.summary = report::summary(&report);
         self.clock.record("total");
         report.seconds = self.clock.seconds;
@@ -324,24 +378,31 @@ impl<'a> Analysis<'a> {
             return Ok((None, None));
         };
         let noise = self.search.noise.overall();
-        let validated = Validated::new(context, model, best, &self.before, noise)?;
-        if validated.is_accepted() {
-            return Ok((Some(validated), None));
+        if context.is_out_of_time() {
+            return Ok((None, None));
         }
+        let validated = Validated::new(context, model, best, &self.before, noise);
+        let validated = if_possible(validated)?;
+        let refused = match validated {
+            Some(validated) if validated.is_accepted() => return Ok((Some(validated), None)),
+            Some(validated) => Some(report::refused(&validated)),
+            None => None,
+        };
         self.search.accepted.retain(|h| !h.is_overflexible(model));
         if self.search.accepted.is_empty() && self.stepwise.is_none() {
             self.stepwise = stepwise_terms(context, model, &self.search, None)?;
         }
-        Ok((None, Some(report::refused(&validated))))
+        Ok((None, refused))
     }
 
     /// Chooses the extension: the best explanation, or library terms if there is none, which are then added to the
-    /// report.
+    /// report. None once the time is over, unless its fit is known.
     fn choose(
         &mut self,
         validated: Option<Validated>,
         report: &mut Report,
     ) -> Result<Option<Chosen>, DiagnosisError> {
+        let context = self.context;
         if let Some(validated) = validated {
             return Ok(Some(Chosen {
                 extension: validated.extension,
@@ -351,110 +412,57 @@ impl<'a> Analysis<'a> {
             }));
         }
         if let Some(best) = self.search.accepted.first() {
+            if context.is_out_of_time() {
+                return Ok(None);
+            }
             return Ok(Some(Chosen {
-                extension: best.extension(self.context, &self.model)?,
+                extension: best.extension(context, &self.model)?,
                 fit: None,
                 gain: None,
                 chi2_decrease: 0.0,
             }));
         }
-        let Some(stepwise) = self.stepwise.take() else {
+        let (model, search) = (&self.model, &self.search);
+        let (Some(mut stepwise), Some(terms)) = (self.stepwise.take(), &model.terms) else {
             return Ok(None);
         };
-        let (model, search) = (&self.model, &self.search);
-        let histories = random_walk_loads(model, &self.base, &search.noise);
+        let count = predictive_terms(context, &stepwise, search.noise.overall())?;
+        stepwise.keep_first(count, terms);
+        let histories = match context.is_out_of_time() {
+            true => Vec::new(),
+            false => random_walk_loads(model, &self.base, &search.noise),
+        };
         let found = report::unattributed_report(model, search, &stepwise, histories);
         report.unattributed = Some(found);
         let chi2_decrease = (search.squares - stepwise.squares).max(0.0);
-        Ok(stepwise.fitted.map(|(extension, fit)| Chosen {
-            extension,
-            fit: Some(fit),
+        Ok(stepwise.fitted.pop().map(|last| Chosen {
+            extension: last.extension,
+            fit: Some(last.fit),
             gain: None,
             chi2_decrease,
         }))
     }
 }
 
-/// Fits the extended model if not yet fitted, measures its gain, adds both to the report, and calls `on_extension`.
-fn measure<R: Send>(
-    context: Context<'_>,
-    before: &Fit,
-    report: &mut Report,
-    chosen: Chosen,
-    on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
-) -> Result<((ExtendedModel, Fit), R), DiagnosisError> {
-    let Context {
-        model,
-        dataset,
-        options,
-    } = context;
-    let threads = options.fit.threads();
-    let noise_floor = report.noise.sigma_m;
-    let apply_to = match report.consensus {
-        Some(_) => ApplyTo::ConcordantFlights,
-        None => ApplyTo::AllFlights,
-    };
-    let has_held_out = context.has_held_out();
-    let Chosen {
-        extension,
-        fit: known_fit,
-        gain: known_gain,
-        chi2_decrease,
-    } = chosen;
-    // None of the three depends on another.
-    let (cross_validated, (made, after)) = join(
-        threads,
-        || match has_held_out || known_gain.is_some() {
-            true => Ok(known_gain.clone()),
-            false => {
-                let models = [model, &extension.model];
-                cross_validate(models, dataset, &options.fit, apply_to, noise_floor)
-            }
-        },
-        || {
-            join(
-                threads,
-                || on_extension(&extension),
-                || known_fit.map_or_else(|| fit(&extension.model, dataset, &options.fit), Ok),
-            )
-        },
-    );
-    let after = after?;
-    report::add_extension(report, (&extension, chi2_decrease), before, &after);
-    if report.consensus.is_some() {
-        report::use_clustered_errors(report, &after);
-    }
-    report.gain = match has_held_out {
-        true => {
-            let not_applied = apply_to.exceptions(before, &after);
-            report::note_not_applied(report, &not_applied);
-            gain_of_fits(before, &after, &not_applied, noise_floor)
-        }
-        false => cross_validated?,
-    };
-    let [was, is] = [before, &after].map(|fit| evidence(context, fit));
-    report.curves = report::curves(model, &was, &is);
-    Ok(((extension, after), made))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_support::mystery;
+    use identify::FitOptions;
 
-/// Measured and predicted samples of the fitted flights.
-fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
-    let flights = context.dataset.flights.iter().enumerate();
-    let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);
-    let fitted: Vec<FlightId> = fitted.map(|(index, _)| FlightId::new(index)).collect();
-    let threads = context.options.fit.threads();
-    let each = batch::each_on(threads, fitted.len(), |k| fit.evidence(fitted[k]));
-    each.into_iter().flatten().collect()
-}
-
-/// Calls both functions, in parallel if `threads` exceeds 1, and returns both results.
-fn join<A: Send, B: Send>(
-    threads: usize,
-    first: impl FnOnce() -> A + Send,
-    second: impl FnOnce() -> B + Send,
-) -> (A, B) {
-    match threads <= 1 {
-        true => (first(), second()),
-        false => rayon::join(first, second),
+    #[test]
+    fn past_the_deadline_there_is_an_answer_that_says_so() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let options = DiagnosisOptions {
+            fit: FitOptions {
+                deadline: Some(Instant::now()),
+                ..FitOptions::default()
+            },
+            ..DiagnosisOptions::default()
+        };
+        let found = diagnose(&model, &mystery(4), &options).unwrap();
+        assert!(!found.report.complete && found.after.is_none());
+        let notes = found.report.notes.join(" ");
+        assert!(notes.contains("the time given was over"), "{notes}");
     }
 }

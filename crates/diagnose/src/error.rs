@@ -29,3 +29,26 @@ pub enum DiagnosisError {
     )]
     SingularInformation,
 }
+
+impl DiagnosisError {
+    /// File of the flight that cannot be tested, if the error is of one flight.
+    pub(crate) fn flight(&self) -> Option<&str> {
+        match self {
+            Self::UndeterminedInitialState { file } | Self::Fit(FitError::Flight { file, .. }) => {
+                Some(file)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Turns an error into nothing, except that the caller cancelled: what cannot be fitted is no answer, and no failure.
+pub(crate) fn if_possible<T, E: Into<DiagnosisError>>(
+    result: Result<T, E>,
+) -> Result<Option<T>, DiagnosisError> {
+    match result.map_err(Into::into) {
+        Ok(value) => Ok(Some(value)),
+        Err(DiagnosisError::Fit(FitError::Interrupted)) => Err(FitError::Interrupted.into()),
+        Err(_) => Ok(None),
+    }
+}

@@ -51,6 +51,8 @@ impl Checker<'_> {
                 site: applied.site.clone(),
                 variables: applied.variables.clone(),
                 citation: applied.citation.clone(),
+                increases: applied.increases.clone(),
+                decreases: applied.decreases.clone(),
                 coefficients,
                 states,
             });

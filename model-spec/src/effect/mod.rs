@@ -54,6 +54,8 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
         site: String::new(),
         variables: Vec::new(),
         citation: String::new(),
+        increases: String::new(),
+        decreases: String::new(),
         negligible: Vec::new(),
     };
     let mut site: Option<Span> = None;
@@ -63,6 +65,8 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
             EffectPart::Citation(text, _) => applied.citation.clone_from(text),
             EffectPart::Needs(needs) => applied.needs.extend(needs.iter().cloned()),
             EffectPart::Generalises(_) => {}
+            EffectPart::Increases(text, _) => applied.increases.clone_from(text),
+            EffectPart::Decreases(text, _) => applied.decreases.clone_from(text),
             EffectPart::Site(name) => {
                 change.known_site(name, site);
                 site = Some(name.span);

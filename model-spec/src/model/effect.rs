@@ -17,10 +17,29 @@ pub struct AppliedEffect {
     pub variables: Vec<String>,
     /// Literature reference of the effect (`source` statement); empty if there is none.
     pub citation: String,
+    /// What the effect does where its first coefficient is above its null value (`increases "…"`); empty if not stated.
+    pub increases: String,
+    /// What the effect does where its first coefficient is below its null value (`decreases "…"`); empty if not stated.
+    pub decreases: String,
     /// Coefficients of the effect, by index into [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
     /// States of the effect, by index into [`Model::states`]; their initial values are local parameters of each flight.
     pub states: Vec<EffectUnknown>,
+}
+
+impl AppliedEffect {
+    /// What the effect does where its first coefficient departs from its null value by `departure`; its documentation if
+    /// the effect does not state it.
+    pub fn sentence(&self, departure: f64) -> &str {
+        let stated = if departure > 0.0 {
+            &self.increases
+        } else if departure < 0.0 {
+            &self.decreases
+        } else {
+            &self.doc
+        };
+        if stated.is_empty() { &self.doc } else { stated }
+    }
 }
 
 /// An effect declared in a model's file, which can be applied by its name.

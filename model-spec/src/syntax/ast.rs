@@ -31,6 +31,10 @@ pub struct Applied {
     pub variables: Vec<String>,
     /// Literature reference of the effect; empty if none is stated.
     pub citation: String,
+    /// What the effect does where its first coefficient is above its null value; empty if none is stated.
+    pub increases: String,
+    /// What the effect does where its first coefficient is below its null value; empty if none is stated.
+    pub decreases: String,
     /// Smallest effect size of interest of each coefficient and state that states one (`negligible`).
     pub negligible: Vec<(Name, Quantity)>,
     /// Quantities of the model that the effect needs, without those that the model lacks and the effect can do without.
@@ -423,6 +427,10 @@ pub enum EffectPart {
     Generalises(Vec<Name>),
     /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),
+    /// `increases "…";`: what the effect does where its first coefficient is above its null value.
+    Increases(String, Span),
+    /// `decreases "…";`: what the effect does where its first coefficient is below its null value.
+    Decreases(String, Span),
     /// `site NAME;`: the component of the model that the effect changes.
     Site(Name),
     /// `variables NAME, NAME;`: variables that the effect depends on, with the statement's source span.

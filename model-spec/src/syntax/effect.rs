@@ -61,6 +61,16 @@ impl Parser<'_> {
                 self.semicolon("this `generalises`")?;
                 return Ok(EffectPart::Generalises(names));
             }
+            word @ ("increases" | "decreases") => {
+                self.advance();
+                let text = self.quoted("what the effect does then")?;
+                self.semicolon("this sentence")?;
+                let span = start.to(self.behind());
+                return Ok(match word {
+                    "increases" => EffectPart::Increases(text, span),
+                    _ => EffectPart::Decreases(text, span),
+                });
+            }
             "site" => {
                 self.advance();
                 let name = self.name("where the effect acts, such as `drag`")?;
@@ -100,10 +110,12 @@ impl Parser<'_> {
             _ => {
                 let what = "`source`, `needs`, `generalises`, `site`, `variables`, `coefficient`, `input`, \
                             `state`, `der`, `replace`, `let`, `force`, `moment` or `negligible`";
-                const WORDS: [&str; 14] = [
+                const WORDS: [&str; 16] = [
                     "source",
                     "needs",
                     "generalises",
+                    "increases",
+                    "decreases",
                     "site",
                     "variables",
                     "coefficient",

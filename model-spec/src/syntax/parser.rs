@@ -9,7 +9,7 @@ use crate::suggest;
 const MAX_DEPTH: u32 = 64;
 
 /// Keywords that begin a statement.
-pub(super) const STATEMENTS: [&str; 26] = [
+pub(super) const STATEMENTS: [&str; 28] = [
     "model",
     "reference",
     "param",
@@ -36,6 +36,8 @@ pub(super) const STATEMENTS: [&str; 26] = [
     "variables",
     "source",
     "negligible",
+    "increases",
+    "decreases",
 ];
 
 /// Error marker: the syntax error has been reported, the current statement is abandoned.

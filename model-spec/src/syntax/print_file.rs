@@ -254,6 +254,8 @@ impl Display for Effect {
                     let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
                     writeln!(f, "  generalises {};", names.join(", "))?;
                 }
+                EffectPart::Increases(text, _) => writeln!(f, "  increases \"{text}\";")?,
+                EffectPart::Decreases(text, _) => writeln!(f, "  decreases \"{text}\";")?,
                 EffectPart::Site(name) => writeln!(f, "  site {};", name.text)?,
                 EffectPart::Variables(names, _) => {
                     let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();

@@ -22,7 +22,9 @@ impl Effect {
                 EffectPart::Generalises(names) => {
                     names.iter_mut().for_each(|name| change(&mut name.span));
                 }
-                EffectPart::Citation(_, span) => change(span),
+                EffectPart::Citation(_, span)
+                | EffectPart::Increases(_, span)
+                | EffectPart::Decreases(_, span) => change(span),
                 EffectPart::Site(name) => change(&mut name.span),
                 EffectPart::Variables(names, span) => {
                     names.iter_mut().for_each(|name| change(&mut name.span));

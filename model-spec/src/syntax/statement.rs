@@ -56,7 +56,8 @@ impl Parser<'_> {
                 span,
                 format!("`{word}` stands inside `check \"…\" {{ }}`, not here"),
             ),
-            "replace" | "site" | "source" | "variables" | "negligible" => Diagnostic::new(
+            "replace" | "site" | "source" | "variables" | "negligible" | "increases"
+            | "decreases" => Diagnostic::new(
                 Kind::Grammar,
                 span,
                 format!("`{word}` stands inside `effect NAME {{ }}`, not here"),

@@ -11,7 +11,7 @@ use identify::{Fit, FitOptions, FitStatus};
 use report::ResultFile;
 use report::diagnosis::DiagnosisPage;
 
-use super::fit::{dataset_name, drawn, fitted_text, held, model_of, priors};
+use super::fit::{dataset_name, deadline, drawn, fitted_text, held, model_of, priors};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -42,6 +42,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
             free: &options.free,
             priors: &priors,
             trust_data: options.trust_data,
+            deadline: deadline(options.max_seconds)?,
             threads: options.threads,
             progress: Some(&progress),
             ..FitOptions::default()
@@ -100,6 +101,9 @@ fn reasons_against(found: &Diagnosis) -> Vec<String> {
         FitStatus::MaxSteps | FitStatus::NoDescent | FitStatus::NoiseNotConverged => {
             reasons.push(format!("the fit of {what} did not converge"));
         }
+    }
+    if !found.report.complete {
+        reasons.push("the search was not completed".to_owned());
     }
     let (all, excluded) = (
         found.before.report.flights.len(),

@@ -8,7 +8,7 @@ use identify::Iterate;
 
 use super::sign_flip_test::SignFlipTest;
 use crate::context::{CandidateId, ColumnId, Context, ScoreTestModel, TermId};
-use crate::error::DiagnosisError;
+use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{Hypothesis, Search};
 
 /// Familywise significance level of the agreement between flights.
@@ -56,7 +56,9 @@ pub(crate) fn consensus(
     let Some(null) = model.fit_hypothesis(&[], base, &search.noise) else {
         return Ok(None);
     };
-    let test = sign_flip_test(model, &null, search)?;
+    let Some(test) = if_possible(sign_flip_test(model, &null, search))? else {
+        return Ok(None);
+    };
     let mut agreed = agreed_hypotheses(context, model, search, (&null, &test))?;
     let of_most = explained_without_discordant(model, &test, &agreed);
     let excess = test.excess_chi2(0..flights);
@@ -102,11 +104,16 @@ fn agreed_hypotheses(
             continue;
         }
         context.check_cancelled()?;
+        if context.is_out_of_time() {
+            break;
+        }
         let from = &null.iterate;
         let Some(hypothesis) = model.fit_hypothesis(&[id], from, &search.noise) else {
             continue;
         };
-        let given = sign_flip_test(model, &hypothesis, search)?;
+        let Some(given) = if_possible(sign_flip_test(model, &hypothesis, search))? else {
+            continue;
+        };
         let remaining = given.p_values(&groups(model, &[id]));
         if remaining.iter().all(|p_value| *p_value >= ALPHA_REJECT) {
             agreed.push(Agreed {

@@ -3,14 +3,14 @@
 //! If each flight departs from the model in its own way, the sum of squares rejects every common law; a common sign
 //! of the flights' scores is still evidence. Under the null hypothesis the signs are exchangeable.
 
-use identify::NormalBlock;
+use identify::{NormalBlock, pseudo_inverse};
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
 use crate::context::{CandidateId, ColumnId, Partition, ScoreTestModel, select};
 use crate::error::DiagnosisError;
-use crate::score_test::{MIN_TOLERANCE, eliminate_locals, keep_directions, pseudo_inverse};
+use crate::score_test::{MIN_TOLERANCE, eliminate_locals, keep_directions};
 
 /// Number of random sign vectors.
 const DRAWS: usize = 10_000;

@@ -10,6 +10,8 @@ pub(crate) struct Candidate {
     pub name: String,
     /// Description of the effect.
     pub doc: String,
+    /// What the effect does above and below its null value; the description where the effect does not state it.
+    pub senses: [String; 2],
     /// Site of the effect: the load or equation that it changes.
     pub site: String,
     /// Names of the variables on which the effect depends.
@@ -75,6 +77,7 @@ impl Candidate {
         Self {
             name: display_name(&effect.name),
             doc: effect.doc.clone(),
+            senses: [1.0, -1.0].map(|departure| effect.sentence(departure).to_owned()),
             site: effect.site.clone(),
             variables: effect.variables.clone(),
             coefficients: coefficients.collect(),
@@ -82,8 +85,34 @@ impl Candidate {
         }
     }
 
+    /// What the effect does where its first coefficient departs from its null value by `departure`.
+    pub fn sentence(&self, departure: f64) -> &str {
+        match departure {
+            d if d > 0.0 => &self.senses[0],
+            d if d < 0.0 => &self.senses[1],
+            _ => &self.doc,
+        }
+    }
+
     /// Whether the effect has one value for each flight instead of one for all.
     pub fn is_per_flight(&self) -> bool {
         !self.states.is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_sentence_of_an_effect_follows_its_sign() {
+        for (name, above, below) in [
+            ("stall", "stops growing", "steepens"),
+            ("clock_rate", "runs fast", "runs slow"),
+        ] {
+            let model = model_spec::load::load("disc", &[name]).unwrap();
+            let effect = &model.effects[0];
+            assert!(effect.sentence(1.0).contains(above), "{name}");
+            assert!(effect.sentence(-1.0).contains(below), "{name}");
+            assert_eq!(effect.sentence(0.0), effect.doc);
+        }
     }
 }

@@ -123,6 +123,16 @@ impl ScoreTestModel {
         }
     }
 
+    /// Leaves a flight out of all tests; returns whether it was there.
+    pub fn set_aside(&mut self, file: &str, iterate: &mut Iterate) -> bool {
+        let Some(flight) = self.flights.iter().position(|flight| flight.file == file) else {
+            return false;
+        };
+        self.flights.remove(flight);
+        iterate.local.remove(flight);
+        true
+    }
+
     /// Wraps an error of one flight as a fit error.
     pub fn flight_error(&self, flight: usize, reason: FlightError) -> FitError {
         FitError::Flight {
@@ -136,6 +146,9 @@ impl ScoreTestModel {
         work: impl Fn(usize) -> Result<R, FlightError> + Sync,
     ) -> Result<Vec<R>, FitError> {
         let done = batch::each_on(self.threads, self.flights.len(), |flight| {
+            if self.limits.is_cancelled() {
+                return Err(FitError::Interrupted);
+            }
             work(flight).map_err(|reason| self.flight_error(flight, reason))
         });
         done.into_iter().collect()

@@ -5,6 +5,7 @@ mod candidates;
 mod encompassing;
 mod ids;
 mod library_terms;
+mod limits;
 mod linearize;
 mod options;
 mod partition;
@@ -43,6 +44,11 @@ impl Context<'_> {
     pub fn has_held_out(&self) -> bool {
         let mut flights = self.dataset.flights.iter();
         flights.any(|flight| flight.role == identify::dataset::Role::HeldOut)
+    }
+
+    /// Whether the time that the caller gave is over.
+    pub fn is_out_of_time(&self) -> bool {
+        self.options.fit.is_past_deadline()
     }
 
     /// Returns an error if the caller cancelled the diagnosis.

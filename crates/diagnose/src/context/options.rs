@@ -20,9 +20,6 @@ use super::candidates::identifier;
 pub struct DiagnosisOptions<'a> {
     /// Name of the dataset in the report and in the comments of written effects.
     pub dataset: &'a str,
-    /// Effects that the model already includes, by name or path; may be empty, since they are also read from the
-    /// model.
-    pub with: &'a [String],
     /// Effects that are not candidates, by name.
     pub without: &'a [String],
     /// Options of every fit; threads, progress and cancellation apply to the whole diagnosis.
@@ -39,7 +36,6 @@ impl Default for DiagnosisOptions<'_> {
     fn default() -> Self {
         Self {
             dataset: "",
-            with: &[],
             without: &[],
             fit: FitOptions::default(),
             alpha_detect: 0.004,

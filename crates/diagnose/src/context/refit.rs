@@ -10,6 +10,7 @@ use model_spec::layout::StateId;
 use nalgebra::DVector;
 
 use super::ids::{CandidateId, ColumnId};
+use super::limits::Limits;
 use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
@@ -39,14 +40,19 @@ impl ScoreTestModel {
             local: from.local.clone(),
         };
         let stepped = refit.full_step(&start);
-        let found = stepped.and_then(|stepped| solve(&refit, stepped, REFIT_STOPPING).ok());
+        let found = stepped.map(|stepped| solve(&refit, stepped, REFIT_STOPPING));
         let found = match found {
-            Some(found) => found,
-            None => solve(&refit, start, REFIT_STOPPING)?,
+            Some(Ok(found)) => found,
+            Some(Err(SolveError::Cancelled)) => return Err(SolveError::Cancelled),
+            _ => solve(&refit, start, REFIT_STOPPING)?,
         };
         let Solution {
-            iterate, squares, ..
+            iterate,
+            squares,
+            iterations,
+            ..
         } = found;
+        self.limits.count(iterations);
         let mut global = from.global.clone();
         for (column, value) in columns.iter().zip(iterate.global.iter()) {
             global[column.index()] = *value;
@@ -66,11 +72,12 @@ struct Refit<'a> {
     noise: &'a NoiseModel,
     constraints: Vec<Constraint>,
     threads: usize,
+    limits: &'a Limits,
 }
 
 impl<'a> Refit<'a> {
     fn new(
-        model: &ScoreTestModel,
+        model: &'a ScoreTestModel,
         (problem, effects): (&FitProblem, &[CandidateId]),
         columns: &[ColumnId],
         from: &Iterate,
@@ -101,6 +108,7 @@ impl<'a> Refit<'a> {
             problem,
             noise,
             threads: model.threads,
+            limits: &model.limits,
         }
     }
 
@@ -160,5 +168,13 @@ impl LeastSquaresProblem for Refit<'_> {
 
     fn threads(&self) -> usize {
         self.threads
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.limits.is_cancelled()
+    }
+
+    fn is_past_deadline(&self) -> bool {
+        self.limits.is_past_deadline()
     }
 }

@@ -14,6 +14,7 @@ use super::candidates::{Candidate, CandidateParameter};
 use super::encompassing::EncompassingModel;
 use super::ids::{CandidateId, ColumnId, DirectionId, TermId};
 use super::library_terms::LibraryTerms;
+use super::limits::Limits;
 use super::{Context, Partition};
 
 /// The fitted flights in the encompassing model.
@@ -32,6 +33,8 @@ pub(crate) struct ScoreTestModel {
     pub flights: Vec<Observations>,
     /// Number of threads used.
     pub threads: usize,
+    /// When its refits stop.
+    pub(super) limits: Limits,
 }
 
 impl ScoreTestModel {
@@ -74,6 +77,7 @@ impl ScoreTestModel {
             terms,
             flights,
             threads: options.threads(),
+            limits: Limits::new(options),
         };
         Ok((model, iterate))
     }
@@ -96,6 +100,11 @@ impl ScoreTestModel {
     /// A candidate.
     pub fn candidate(&self, id: CandidateId) -> &Candidate {
         &self.encompassing.candidates[id]
+    }
+
+    /// Whether the search is to end: its time or its steps are used up.
+    pub fn is_exhausted(&self) -> bool {
+        self.limits.is_past_deadline() || self.limits.are_steps_used_up()
     }
 
     /// The columns of a candidate's coefficients, in their order.

@@ -4,13 +4,13 @@
 //! estimated from all flights together by expectation maximisation, so that a channel without evidence stays at 0.
 
 use flight::batch;
-use identify::{Iterate, Loss, NoiseModel, linearise_with};
+use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
 use model_spec::layout::ParamId;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
-use crate::score_test::{eliminate_locals, keep_directions, pseudo_inverse};
+use crate::score_test::{eliminate_locals, keep_directions};
 
 /// Time between knots, s.
 const KNOT_INTERVAL: f64 = 0.2;

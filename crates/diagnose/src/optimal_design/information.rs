@@ -1,10 +1,9 @@
 //! Distance of hypotheses in the information of the flights.
 
-use identify::{Iterate, NormalBlock, eliminate};
+use identify::{Iterate, NormalBlock, eliminate, pseudo_inverse};
 use nalgebra::{DMatrix, DVector};
 
 use crate::context::{ColumnId, ScoreTestModel, select};
-use crate::score_test::pseudo_inverse;
 use crate::selection::Hypothesis;
 
 /// Damping of the elimination, relative to the diagonal.

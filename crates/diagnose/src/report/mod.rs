@@ -11,7 +11,9 @@ pub(crate) use narrative::{refused, summary};
 pub(crate) use report_builder::{
     add_extension, build_report, note_not_applied, unattributed_report, use_clustered_errors,
 };
-pub(crate) use residuals::{add_residuals, describe_departures};
+pub(crate) use residuals::{
+    add_residuals, describe_departures, display_names, note_incomplete, note_not_offered,
+};
 
 pub use curves::CoefficientCurve;
 pub use types::{

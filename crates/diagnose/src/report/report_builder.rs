@@ -74,6 +74,7 @@ pub(crate) fn build_report(
         lack_of_fit: residuals.cloned(),
         verified: None,
         converged: true,
+        complete: true,
         notes: Vec::new(),
     };
     note_convergence(&mut report, before, "the model");
@@ -240,9 +241,16 @@ fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -
             );
         }
         let test = search.tests.candidates[id].as_ref();
+        let first = candidate
+            .coefficients
+            .first()
+            .zip(model.columns_of(id).first());
+        let departure = first.map_or(0.0, |(parameter, column)| {
+            hypothesis.iterate.global[column.index()] - parameter.null_value
+        });
         CauseEffect {
             name: candidate.name.clone(),
-            doc: candidate.doc.clone(),
+            doc: candidate.sentence(departure).to_owned(),
             site: candidate.site.clone(),
             variables: candidate.variables.clone(),
             estimates,
@@ -250,9 +258,11 @@ fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -
             negligible,
         }
     });
+    let mut effects: Vec<CauseEffect> = effects.collect();
+    effects.sort_by(|a, b| b.statistic.total_cmp(&a.statistic));
     let remaining = hypothesis.strongest_remaining();
     Cause {
-        effects: effects.collect(),
+        effects,
         chi2_decrease: (search.squares - hypothesis.squares).max(0.0),
         explained: 0.0,
         remaining_m: 0.0,

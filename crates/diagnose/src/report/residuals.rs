@@ -1,6 +1,8 @@
 //! The test of the residuals in the report, and its words.
 
 use super::types::{Report, Unattributed, Verdict};
+use crate::context::display_name;
+use crate::extension::ExtendedModel;
 use crate::lack_of_fit::{LackOfFit, SmoothMisfit};
 use crate::text::{millimetres, three_figures};
 
@@ -70,4 +72,30 @@ fn departure(found: &SmoothMisfit) -> String {
     let size = millimetres(*size_m);
     let sign = if *size_m > 0.0 { "+" } else { "" };
     format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")
+}
+
+/// Names of effects, as in reports.
+pub(crate) fn display_names(effects: &[String]) -> String {
+    let names: Vec<String> = effects.iter().map(|name| display_name(name)).collect();
+    names.join(" with ")
+}
+
+/// Adds a note that the extension predicts worse.
+pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
+    let names = display_names(&extension.effects);
+    report.notes.push(format!(
+        "the model with {names} predicts other flights worse than the model without: it is not offered"
+    ));
+}
+
+/// Says that the search was not completed.
+pub(crate) fn note_incomplete(report: &mut Report, is_out_of_time: bool) {
+    report.complete = false;
+    let why = match is_out_of_time {
+        true => "the time given was over",
+        false => "it took as many steps as a search may",
+    };
+    report.notes.push(format!(
+        "the search was not completed, since {why}: this is the best answer until then"
+    ));
 }

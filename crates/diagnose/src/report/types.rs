@@ -76,11 +76,14 @@ pub struct Report {
     /// Whether every fit converged.
     #[serde(default = "converged_by_default")]
     pub converged: bool,
+    /// Whether the search was completed; otherwise this is the best answer until its time or its steps were used up.
+    #[serde(default = "converged_by_default")]
+    pub complete: bool,
     /// Messages on limitations of the result.
     pub notes: Vec<String>,
 }
 
-/// Reports written before `converged` was added do not say that a fit failed to converge.
+/// Reports written before `converged` and `complete` were added do not say that something failed to converge.
 fn converged_by_default() -> bool {
     true
 }

@@ -8,5 +8,4 @@ mod score_tests;
 
 pub(crate) use local_elimination::{eliminate_locals, keep_directions};
 pub(crate) use null_distribution::ln_p_to_z;
-pub(crate) use schur::pseudo_inverse;
 pub(crate) use score_tests::{MIN_TOLERANCE, ScoreTest, ScoreTests};

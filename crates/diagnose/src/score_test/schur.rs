@@ -1,35 +1,9 @@
 //! Linear algebra of score tests: nuisance parameters projected out of the tested columns.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use identify::pseudo_inverse;
+use nalgebra::{DMatrix, DVector};
 
 use crate::context::{Partition, select, select_vector};
-
-/// Eigenvalues of a matrix with unit diagonal below this are taken for 0.
-const MIN_EIGENVALUE: f64 = 1e-12;
-
-/// Pseudo-inverse of a symmetric positive semidefinite matrix, scaled to unit diagonal; none if the eigenvalue
-/// iteration fails.
-pub(crate) fn pseudo_inverse(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let scale = matrix.diagonal().map(inverse_sqrt);
-    let size = matrix.nrows();
-    if size == 0 {
-        return Some(DMatrix::zeros(0, 0));
-    }
-    let scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
-    let eigen = SymmetricEigen::try_new(scaled, 1e-14, 10_000)?;
-    let mut weighted = eigen.eigenvectors.clone();
-    for (mut column, value) in weighted.column_iter_mut().zip(eigen.eigenvalues.iter()) {
-        column *= if *value > MIN_EIGENVALUE {
-            1.0 / value
-        } else {
-            0.0
-        };
-    }
-    let inverse = weighted * eigen.eigenvectors.transpose();
-    Some(DMatrix::from_fn(size, size, |i, j| {
-        inverse[(i, j)] * scale[i] * scale[j]
-    }))
-}
 
 /// 1/√value; 1 where the value is 0.
 pub(super) fn inverse_sqrt(value: f64) -> f64 {
@@ -120,16 +94,5 @@ mod tests {
         for (i, a) in [0, 2].into_iter().enumerate() {
             assert!((step[i] * scale[i] / newton[a] - 1.0).abs() < 1e-6);
         }
-    }
-
-    #[test]
-    fn a_direction_without_information_is_left_out_of_the_inverse() {
-        let matrix = DMatrix::from_row_slice(3, 3, &[4.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
-        let inverse = pseudo_inverse(&matrix).unwrap();
-        assert!((&matrix * &inverse * &matrix - &matrix).norm() < 1e-12);
-        assert_eq!(
-            pseudo_inverse(&DMatrix::zeros(0, 0)),
-            Some(DMatrix::zeros(0, 0))
-        );
     }
 }

@@ -1,12 +1,12 @@
 //! Score tests of all candidates and terms at one linearization point.
 
-use identify::NormalBlock;
+use identify::{NormalBlock, pseudo_inverse};
 use model_spec::index::{Idx, IndexVec};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::local_elimination::{GlobalEquations, LocalElimination, PerFlightCandidate};
 use super::null_distribution::{chi2_ln_sf, minp_thresholds};
-use super::schur::{EffectiveScore, inverse_sqrt, pseudo_inverse};
+use super::schur::{EffectiveScore, inverse_sqrt};
 use crate::context::{
     CandidateId, ColumnId, Partition, ScoreTestModel, TermId, select, select_vector,
 };

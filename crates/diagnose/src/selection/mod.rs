@@ -9,6 +9,6 @@ mod thresholds;
 pub(crate) use bic::select_by_bic;
 pub(crate) use hypothesis::Hypothesis;
 pub(crate) use search::Search;
-pub(crate) use stepwise_terms::{StepwiseModel, stepwise_terms};
+pub(crate) use stepwise_terms::{FittedTerms, StepwiseModel, stepwise_terms};
 
 pub use stepwise_terms::StepwiseTerm;

@@ -5,7 +5,7 @@ use identify::{Iterate, NoiseModel};
 use super::hypothesis::Hypothesis;
 use super::thresholds::Thresholds;
 use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, TrajectoryCache};
-use crate::error::DiagnosisError;
+use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
 /// Margin of the expected sum of squares above the best, χ², within which hypotheses are refitted.
@@ -154,6 +154,9 @@ impl<'a> Search<'a> {
         let mut fitted: Vec<Hypothesis> = Vec::new();
         for (index, effects) in strongest_singles(&self.tests).into_iter().enumerate() {
             self.context.check_cancelled()?;
+            if index > 0 && self.context.is_out_of_time() {
+                break;
+            }
             // The strongest is linearized several times.
             let cache = match index {
                 0 => TrajectoryCache::for_flights(model.flights.len()),
@@ -164,7 +167,8 @@ impl<'a> Search<'a> {
             let Some(hypothesis) = hypothesis else {
                 continue;
             };
-            if index == 0 && self.refine_noise(model, &hypothesis, base)? {
+            if index == 0 && if_possible(self.refine_noise(model, &hypothesis, base))? == Some(true)
+            {
                 if !self.is_significant() {
                     return Ok(Vec::new());
                 }
@@ -211,7 +215,8 @@ impl<'a> Search<'a> {
         let mut is_adequate = Vec::with_capacity(fitted.len());
         for hypothesis in &fitted {
             self.context.check_cancelled()?;
-            is_adequate.push(model.is_adequate(hypothesis, &self.noise, self.thresholds)?);
+            let found = model.is_adequate(hypothesis, &self.noise, self.thresholds);
+            is_adequate.push(if_possible(found)?.unwrap_or(false));
         }
         if is_adequate.contains(&true) {
             let each = fitted.into_iter().zip(is_adequate);
@@ -237,8 +242,14 @@ impl<'a> Search<'a> {
         let mut fitted = Vec::new();
         for (effects, parent) in strongest_additions(&self.rejected, count) {
             self.context.check_cancelled()?;
+            if model.is_exhausted() {
+                break;
+            }
             let from = &self.rejected[parent].iterate;
             fitted.extend(model.fit_hypothesis(&effects, from, &self.noise));
+        }
+        if fitted.is_empty() {
+            return Ok(());
         }
         self.classify(model, fitted)?;
         // An accepted hypothesis may have one effect too many, which a better start shows.
@@ -255,6 +266,9 @@ impl<'a> Search<'a> {
         for hypothesis in self.accepted.iter().filter(|h| h.effects.len() > 1) {
             for dropped in &hypothesis.effects {
                 self.context.check_cancelled()?;
+                if model.is_exhausted() {
+                    break;
+                }
                 let rest = hypothesis.effects.iter().copied().filter(|e| e != dropped);
                 let rest: Vec<CandidateId> = rest.collect();
                 if fewer.iter().any(|known| known.effects == rest) {
@@ -264,7 +278,8 @@ impl<'a> Search<'a> {
                 let Some(hypothesis) = model.fit_hypothesis(&rest, &from, &self.noise) else {
                     continue;
                 };
-                if model.is_adequate(&hypothesis, &self.noise, self.thresholds)? {
+                let found = model.is_adequate(&hypothesis, &self.noise, self.thresholds);
+                if if_possible(found)?.unwrap_or(false) {
                     fewer.push(hypothesis);
                 }
             }

@@ -10,7 +10,7 @@ use crate::context::{
     Context, EncompassingModel, LibraryTerms, LinearizationPoint, ScoreTestModel, TermId,
     TrajectoryCache, identifier,
 };
-use crate::error::DiagnosisError;
+use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::score_test::{ScoreTest, ScoreTests};
 use crate::text::three_figures;
@@ -51,15 +51,42 @@ pub(crate) struct StepwiseModel {
     selected: Vec<TermId>,
     /// The terms with the greatest statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
-    /// The extended model and its fit; `None` if no term is significant.
-    pub fitted: Option<(ExtendedModel, Fit)>,
+    /// The extended models with the first term, the first two, …, and their fits.
+    pub fitted: Vec<FittedTerms>,
     /// Weighted sum of squares under the search's noise model.
     pub squares: f64,
     /// Whether nothing is significant given the terms.
     pub is_adequate: bool,
 }
 
+/// The model with some terms.
+pub(crate) struct FittedTerms {
+    /// The extended model.
+    pub extension: ExtendedModel,
+    /// Its fit.
+    pub fit: Fit,
+    /// Weighted sum of squares under the search's noise model.
+    pub squares: f64,
+}
+
 impl StepwiseModel {
+    /// Keeps the first `count` terms; the others are reported as not selected.
+    pub fn keep_first(&mut self, count: usize, terms: &LibraryTerms) {
+        if count >= self.selected.len() {
+            return;
+        }
+        for dropped in self.selected.drain(count..) {
+            let name = terms.name(dropped);
+            let mut reported = self.terms.iter_mut();
+            if let Some(reported) = reported.find(|reported| reported.name == name) {
+                reported.selected = false;
+            }
+        }
+        self.fitted.truncate(count);
+        self.squares = self.fitted.last().map_or(self.squares, |last| last.squares);
+        self.is_adequate = false;
+    }
+
     /// Number of unknowns added to the model under test, over all flights.
     pub fn unknowns(&self) -> usize {
         self.selected.len() + self.effect_unknowns
@@ -98,7 +125,13 @@ pub(crate) fn stepwise_terms(
         return Ok(None);
     };
     let given = beside.map(|given| model.tests_given(given, &search.noise));
-    let given = given.transpose()?;
+    let given = match given {
+        Some(given) => match if_possible(given)? {
+            Some(given) => Some(given),
+            None => return Ok(None),
+        },
+        None => None,
+    };
     let first = given.as_ref().unwrap_or(&search.tests);
     let effects = beside.map_or(&[][..], |given| given.effects.as_slice());
     let names = effects
@@ -109,7 +142,7 @@ pub(crate) fn stepwise_terms(
         effect_unknowns: model.unknowns_of(effects),
         selected: Vec::new(),
         terms: strongest_terms(terms, first),
-        fitted: None,
+        fitted: Vec::new(),
         squares: beside.map_or(search.squares, |given| given.squares),
         is_adequate: false,
     };
@@ -117,9 +150,13 @@ pub(crate) fn stepwise_terms(
     let mut next = next_term(first, reject, &[]);
     while let Some(term) = next.filter(|_| stepwise.selected.len() < MAX_SELECTED) {
         context.check_cancelled()?;
+        if context.is_out_of_time() {
+            break;
+        }
         let mut selected = stepwise.selected.clone();
         selected.push(term);
-        let Some(step) = fit_terms(context, model, search, (&stepwise, &selected))? else {
+        let step = fit_terms(context, model, search, (&stepwise, &selected));
+        let Some(step) = if_possible(step)?.flatten() else {
             break;
         };
         // A term that does not decrease the sum of squares is none.
@@ -130,7 +167,11 @@ pub(crate) fn stepwise_terms(
         let is_rejected = remaining.is_some_and(|(_, test)| test.ln_p < reject);
         next = next_term(&step.tests, reject, &selected);
         stepwise.squares = step.squares;
-        stepwise.fitted = Some((step.extension, step.fit));
+        stepwise.fitted.push(FittedTerms {
+            extension: step.extension,
+            fit: step.fit,
+            squares: step.squares,
+        });
         stepwise.selected = selected;
         stepwise.is_adequate = !is_rejected && next.is_none();
         if stepwise.is_adequate {
@@ -163,13 +204,20 @@ fn fit_terms(
     let Ok(extension) = ExtendedModel::new(context.model, &stepwise.effects, &effects) else {
         return Ok(None);
     };
-    let Ok(fit) = fit(&extension.model, context.dataset, &options.fit) else {
-        return Ok(None);
-    };
+    let fit = fit(&extension.model, context.dataset, &options.fit)?;
     let encompassing = EncompassingModel::new(&extension.model, options.without)?;
     let (mut there, iterate) = ScoreTestModel::new(encompassing, context, &fit)?;
+    // Sums of squares of other flights are not to be compared.
+    let files = |model: &ScoreTestModel| -> Vec<String> {
+        model.flights.iter().map(|f| f.file.clone()).collect()
+    };
+    if files(&there) != files(model) {
+        return Ok(None);
+    }
     for (to, from) in there.flights.iter_mut().zip(&model.flights) {
-        to.outlier.clone_from(&from.outlier);
+        if to.outlier.len() == from.outlier.len() {
+            to.outlier.clone_from(&from.outlier);
+        }
     }
     let at = LinearizationPoint {
         problem: &there.problem,

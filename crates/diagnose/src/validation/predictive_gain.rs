@@ -54,12 +54,15 @@ impl PredictiveGain {
         self.error_reduction_m() > self.standard_error_m
     }
 
-    /// Whether the extension predicts worse by more than chance, or the same to within a thousandth of the noise.
-    pub(crate) fn is_no_gain(&self) -> bool {
-        let reduction = self.error_reduction_m();
+    /// Whether the extension predicts worse by more than the standard error.
+    pub(crate) fn is_worse(&self) -> bool {
+        self.error_reduction_m() < -self.standard_error_m
+    }
+
+    /// Whether both predict the same in all flights.
+    pub(crate) fn changes_nothing(&self) -> bool {
         let same = SAME_ERROR * self.noise_floor_m;
-        reduction < -self.standard_error_m
-            || (reduction.abs() < same && self.standard_error_m < same)
+        self.error_reduction_m().abs() < same && self.standard_error_m < same
     }
 }
 
@@ -280,9 +283,9 @@ mod tests {
             noise_floor_m: 0.0015,
             ..PredictiveGain::default()
         };
-        assert!(gain(0.002, 1e-9).is_no_gain());
-        assert!(gain(0.0025, 1e-4).is_no_gain());
-        assert!(!gain(0.00199, 1e-4).is_no_gain());
-        assert!(!gain(0.00201, 1e-4).is_no_gain());
+        assert!(gain(0.002, 1e-9).changes_nothing());
+        assert!(!gain(0.002, 1e-4).changes_nothing());
+        assert!(gain(0.0025, 1e-4).is_worse());
+        assert!(!gain(0.00201, 1e-4).is_worse());
     }
 }

@@ -263,6 +263,7 @@ pub fn report(verdict: Verdict, flights: &[FlightEvidence]) -> Report {
         unattributed: (verdict == Verdict::Unattributed).then(|| outside(flights)),
         consensus: None,
         converged: true,
+        complete: true,
         lack_of_fit: None,
         verified: extended.then(|| Verified {
             holds: true,

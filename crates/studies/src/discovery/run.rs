@@ -160,7 +160,6 @@ fn rejection(case: &Case, models: &Models) -> Option<String> {
     let model = models.get(case.body.model(), &names);
     let asked = DiagnosisOptions {
         dataset: "hidden",
-        with: &with,
         fit: single_threaded(),
         ..DiagnosisOptions::default()
     };

@@ -1,0 +1,150 @@
+//! The extension of the model: fitted, its gain measured, and offered unless it predicts worse.
+
+use flight::batch;
+use identify::dataset::Role;
+use identify::{Fit, FlightEvidence, FlightId, fit};
+
+use crate::context::Context;
+use crate::error::{DiagnosisError, if_possible};
+use crate::extension::ExtendedModel;
+use crate::lack_of_fit::LackOfFit;
+use crate::parallel::join;
+use crate::report::{self, Report};
+use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
+
+/// Model that was chosen as the extension of the model under test.
+pub(crate) struct Chosen {
+    /// The extended model.
+    pub extension: ExtendedModel,
+    /// Fit of the extended model; `None` if not yet fitted.
+    pub fit: Option<Fit>,
+    /// Out-of-sample gain; `None` if not yet measured.
+    pub gain: Option<PredictiveGain>,
+    /// Decrease of the weighted sum of squares, χ²; used for effects generated from library terms.
+    pub chi2_decrease: f64,
+}
+
+/// An extension with its fit and its gain.
+pub(crate) struct Measured<R> {
+    extension: ExtendedModel,
+    fit: Fit,
+    gain: Option<PredictiveGain>,
+    chi2_decrease: f64,
+    /// Held-out flights, by index, to which the extension is not applied.
+    not_applied: Vec<usize>,
+    /// What the caller made of the extension.
+    made: R,
+}
+
+/// Fits the extended model if not yet fitted, measures its gain, and calls `on_extension`. Flights that contradict the
+/// extension are left without it if the flights agree on it alone; `noise_floor` in m.
+///
+/// # Errors
+/// [`DiagnosisError::Fit`] if the extended model cannot be fitted, or the caller cancelled.
+pub(crate) fn measure<R: Send>(
+    context: Context<'_>,
+    before: &Fit,
+    chosen: Chosen,
+    (is_consensus, noise_floor): (bool, f64),
+    on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
+) -> Result<Measured<R>, DiagnosisError> {
+    let Context {
+        model,
+        dataset,
+        options,
+    } = context;
+    let threads = options.fit.threads();
+    let apply_to = match is_consensus {
+        true => ApplyTo::ConcordantFlights,
+        false => ApplyTo::AllFlights,
+    };
+    let has_held_out = context.has_held_out();
+    let Chosen {
+        extension,
+        fit: known_fit,
+        gain: known_gain,
+        chi2_decrease,
+    } = chosen;
+    // None of the three depends on another.
+    let (cross_validated, (made, after)) = join(
+        threads,
+        || match has_held_out || known_gain.is_some() || context.is_out_of_time() {
+            true => Ok(known_gain.clone()),
+            false => {
+                let models = [model, &extension.model];
+                cross_validate(models, dataset, &options.fit, apply_to, noise_floor)
+            }
+        },
+        || {
+            join(
+                threads,
+                || on_extension(&extension),
+                || known_fit.map_or_else(|| fit(&extension.model, dataset, &options.fit), Ok),
+            )
+        },
+    );
+    let fit = after?;
+    let (not_applied, gain) = match has_held_out {
+        true => {
+            let not_applied = apply_to.exceptions(before, &fit);
+            let gain = gain_of_fits(before, &fit, &not_applied, noise_floor);
+            (not_applied, gain)
+        }
+        false => (Vec::new(), cross_validated?),
+    };
+    Ok(Measured {
+        extension,
+        fit,
+        gain,
+        chi2_decrease,
+        not_applied,
+        made,
+    })
+}
+
+impl<R> Measured<R> {
+    /// Whether the extended model predicts the same as the model under test.
+    pub fn changes_nothing(&self) -> bool {
+        let gain = self.gain.as_ref();
+        gain.is_some_and(PredictiveGain::changes_nothing)
+    }
+
+    /// Adds the extension to the report. Returns it, and what the caller made of it, unless it predicts worse.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    pub fn add_to(
+        self,
+        report: &mut Report,
+        before: &Fit,
+        context: Context<'_>,
+    ) -> Result<Option<((ExtendedModel, Fit), R)>, DiagnosisError> {
+        let is_worse = self.gain.as_ref().is_some_and(PredictiveGain::is_worse);
+        report.gain = self.gain;
+        if is_worse {
+            report::note_not_offered(report, &self.extension);
+            return Ok(None);
+        }
+        let (extension, fit) = (self.extension, self.fit);
+        report::add_extension(report, (&extension, self.chi2_decrease), before, &fit);
+        if report.consensus.is_some() {
+            report::use_clustered_errors(report, &fit);
+        }
+        report::note_not_applied(report, &self.not_applied);
+        let [was, is] = [before, &fit].map(|fit| evidence(context, fit));
+        report.curves = report::curves(context.model, &was, &is);
+        let residuals = LackOfFit::of_fit(&fit, context.options.fit.threads());
+        report::add_residuals(report, if_possible(residuals)?.flatten());
+        Ok(Some(((extension, fit), self.made)))
+    }
+}
+
+/// Measured and predicted samples of the fitted flights.
+fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
+    let flights = context.dataset.flights.iter().enumerate();
+    let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);
+    let fitted: Vec<FlightId> = fitted.map(|(index, _)| FlightId::new(index)).collect();
+    let threads = context.options.fit.threads();
+    let each = batch::each_on(threads, fitted.len(), |k| fit.evidence(fitted[k]));
+    each.into_iter().flatten().collect()
+}
