@@ -61,7 +61,6 @@ pub(super) fn diagnosed(
     let model = with_effects(model, &names)?;
     let asked = DiagnosisOptions {
         dataset: "spindoe",
-        with,
         ..DiagnosisOptions::default()
     };
     let diagnosed = diagnose(&model, flights, &asked).map(|found| found.report);
