@@ -186,6 +186,21 @@ mod tests {
     }
 
     #[test]
+    fn each_marker_of_a_point_mass_counts_with_its_own_offset() {
+        let origin = Vector3::new(1.0, -2.0, 3.0);
+        let at = |k: usize| Some((origin + Vector3::from(MARKERS[k])).into());
+        for seen in [
+            [at(0), at(1), at(2)],
+            [None, at(1), None],
+            [None, at(1), at(2)],
+        ] {
+            let position = point_position(&MARKERS, &seen).unwrap();
+            assert!((position - origin).norm() < 1e-12);
+        }
+        assert_eq!(point_position(&MARKERS, &[None; 3]), None);
+    }
+
+    #[test]
     fn two_markers_or_three_in_line_fix_no_attitude() {
         let mut seen = MARKERS.map(Some);
         seen[1] = None;

@@ -252,7 +252,7 @@ impl<'a> FreeFall<'a> {
         }
         let flight = &self.dataset.flights[index];
         let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
-        let track = self.changed(flight, &mirror);
+        let track = changed(self.problem, flight, &mirror);
         let rows = rows(&track, omega(self.problem, flight));
         let after = self.misfit(fixed, &rows)?;
         (after < TURNED_MISFIT * before).then(|| DataFault {
@@ -294,7 +294,7 @@ impl<'a> FreeFall<'a> {
         let of_time = misfit(&scaled, self.gravity).unwrap_or(f64::INFINITY);
         let omega = omega(self.problem, flight);
         let after = |matrix: &Matrix3<f64>| {
-            let track = self.changed(flight, matrix);
+            let track = changed(self.problem, flight, matrix);
             self.misfit(fixed, &super::loads::rows(&track, omega))
         };
         let fits = |matrix: &Matrix3<f64>| after(matrix).is_some_and(|misfit| misfit < enough);
@@ -356,21 +356,21 @@ impl<'a> FreeFall<'a> {
         });
         units.min_by(|a, b| a.0.total_cmp(&b.0))
     }
+}
 
-    /// Track of a flight with all positions multiplied by a matrix.
-    fn changed(&self, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
-        let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
-        let rows: Vec<Vec<Option<[f64; 3]>>> = flight
-            .positions
-            .iter()
-            .map(|row| row.iter().map(|point| point.map(change)).collect())
-            .collect();
-        super::track_until_impact(self.problem, &flight.times, &rows)
-    }
+/// Track of a flight with all positions multiplied by a matrix.
+pub fn changed(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
+    let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
+    let rows: Vec<Vec<Option<[f64; 3]>>> = flight
+        .positions
+        .iter()
+        .map(|row| row.iter().map(|point| point.map(change)).collect())
+        .collect();
+    super::track_until_impact(problem, &flight.times, &rows)
 }
 
 /// Median vertical component of the normal of the markers' plane; none for a point mass.
-fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
+pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
     let normal = problem
         .has_attitude
         .then(|| super::mirror::normal(&problem.markers))?;

@@ -75,7 +75,7 @@ fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
 }
 
 /// Acceleration of the body's origin at a state, m/s².
-fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>> {
+pub fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>> {
     let conditions = problem.body.bind(problem.parameters.clone());
     let times = [0.0, FALL, 2.0 * FALL];
     let mut states = vec![0.0; times.len() * state.len()];

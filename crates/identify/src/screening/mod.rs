@@ -14,6 +14,7 @@ mod records;
 #[cfg(test)]
 mod tests;
 mod track;
+mod turned;
 
 pub use fault::{DataFault, FaultKind};
 
@@ -58,7 +59,10 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     let Some(gravity) = gravity::gravity(problem) else {
         return faults.into_iter().flatten().collect();
     };
-    let of_fall = FreeFall::new(problem, dataset, gravity, &tracks).check();
+    let mut of_fall = FreeFall::new(problem, dataset, gravity, &tracks).check();
+    if of_fall.is_empty() {
+        of_fall = turned::check(problem, dataset, &tracks);
+    }
     for (index, flight) in dataset.flights.iter().enumerate() {
         let found = of_fall.iter().find(|fault| fault.file == flight.file);
         if faults[index].is_some() {

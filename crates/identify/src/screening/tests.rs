@@ -539,6 +539,12 @@ fn a_mirrored_flight_is_named() {
         [("flight06.csv", FaultKind::Mirrored)],
         "{one:#?}"
     );
+    let all = found(
+        &model,
+        &spoiled(&dataset, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9], mirror),
+    );
+    assert_eq!(all.len(), 10, "{all:#?}");
+    assert!(all.iter().all(|fault| fault.fault == FaultKind::Mirrored));
     let usual = disc_releases(&model).swap_remove(0);
     let marker = |name: &str, position| Marker {
         name: name.into(),
@@ -563,6 +569,26 @@ fn a_mirrored_flight_is_named() {
     let all = found(&model, &spoiled(&made.dataset, &[0, 1, 2, 3, 4, 5], mirror));
     assert_eq!(all.len(), 6);
     assert!(all.iter().all(|fault| fault.fault == FaultKind::Mirrored));
+}
+
+#[test]
+fn throws_that_are_upside_down_are_no_mirror_images() {
+    let model = model("disc");
+    let mut usual = release(&model, "backhand");
+    usual.stop = Stop::Duration(0.8);
+    for (name, value) in &mut usual.initial {
+        match name.as_str() {
+            "phi" => *value += std::f64::consts::PI,
+            "v" | "w" => *value = -*value,
+            _ => {}
+        }
+    }
+    let plan = Plan {
+        duration: Some(0.8),
+        ..plan(8, 11)
+    };
+    let made = flights(&model, &[usual], &plan).expect("flights");
+    assert_eq!(found(&model, &made.dataset), []);
 }
 
 #[test]

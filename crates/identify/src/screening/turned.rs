@@ -1,0 +1,130 @@
+//! Left-handed axes of all flights, where the markers lie in a plane and cannot tell: the body flies upside down
+//! throughout, and its model describes the mirror image far better. This is the one check that uses the model's loads, with
+//! the coefficients of its file.
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+use super::free_fall::{changed, upright};
+use super::gravity::acceleration;
+use super::track::{Point, Track};
+use super::{DataFault, FaultKind, mirror};
+use crate::dataset::Dataset;
+use crate::initial_state::{RigidMotion, state_for_motion};
+use crate::observations::Observations;
+use crate::pose::pose;
+use crate::problem::FitProblem;
+use crate::statistics::median;
+
+/// Least vertical component of the markers' normal that tells which side is up.
+const UPRIGHT: f64 = 0.3;
+/// Least number of flights that agree.
+const LEAST_FLIGHTS: usize = 3;
+/// Greatest number of flights whose accelerations are compared, and of windows of each.
+const COMPARED: (usize, usize) = (6, 3);
+/// Greatest misfit of the mirror image, in units of the misfit of the flights as they are.
+const MISFIT: f64 = 0.6;
+
+/// Faults of all flights if they seem to be mirror images.
+pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
+    if !problem.has_attitude || mirror::is_decided_by(&problem.markers) {
+        return Vec::new();
+    }
+    let seen: Vec<f64> = tracks
+        .iter()
+        .flatten()
+        .filter_map(|track| upright(problem, track))
+        .collect();
+    let Some(usual) = usual_side(problem) else {
+        return Vec::new();
+    };
+    let is_turned = |side: &f64| side * usual < 0.0 && side.abs() > UPRIGHT;
+    if seen.len() < LEAST_FLIGHTS || !seen.iter().all(is_turned) {
+        return Vec::new();
+    }
+    let reflection = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
+    let (mut plain, mut mirrored) = (Vec::new(), Vec::new());
+    let flights = dataset
+        .flights
+        .iter()
+        .zip(tracks)
+        .filter_map(|(f, track)| Some((f, track.as_ref()?)));
+    for (flight, track) in flights.take(COMPARED.0) {
+        let Ok(observations) = Observations::new(problem, flight) else {
+            continue;
+        };
+        plain.extend(misfits(problem, &observations, track));
+        mirrored.extend(misfits(
+            problem,
+            &observations,
+            &changed(problem, flight, &reflection),
+        ));
+    }
+    if plain.len() < LEAST_FLIGHTS
+        || median(&mut mirrored) > MISFIT * median(&mut plain)
+        || mirrored.is_empty()
+    {
+        return Vec::new();
+    }
+    let fault = |file: &String| {
+        DataFault {
+        file: file.clone(),
+        fault: FaultKind::Mirrored,
+        detail: "in all flights the body is upside down, and the model describes their mirror images far better: the axes seem left-handed, or labels are exchanged".into(),
+        mend: mirror::MEND.into(),
+    }
+    };
+    let flights = dataset
+        .flights
+        .iter()
+        .zip(tracks)
+        .filter(|(_, track)| track.is_some());
+    flights.map(|(flight, _)| fault(&flight.file)).collect()
+}
+
+/// Vertical component of the markers' normal in the model's default state; none if it does not tell the sides apart.
+fn usual_side(problem: &FitProblem) -> Option<f64> {
+    let conditions = problem.body.bind(problem.parameters.clone());
+    let state = problem.body.layout().default_states();
+    let mut observer = conditions.observer();
+    let markers = problem.markers.iter();
+    let shown: Vec<_> = markers
+        .map(|marker| Some(observer.position(0.0, &state, marker)))
+        .collect();
+    let side = (pose(&problem.markers, &shown)?.attitude * mirror::normal(&problem.markers)).z;
+    (side.abs() > UPRIGHT).then_some(side)
+}
+
+/// Differences of measured accelerations from the model's, m/s², in some windows of a flight.
+fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> Vec<f64> {
+    let windows = track.windows();
+    let step = windows.len().div_ceil(COMPARED.1).max(1);
+    let each = windows
+        .into_iter()
+        .step_by(step)
+        .filter_map(|(range, motion)| {
+            let points = &track.points[range];
+            let middle = points[points.len() / 2];
+            let motion_there = RigidMotion {
+                position: middle.position,
+                velocity: motion.velocity,
+                attitude: middle.attitude,
+                rates: Some(rates(points)?),
+            };
+            let state = state_for_motion(problem, observations, &motion_there).ok()?;
+            let predicted = acceleration(problem, state.as_slice())?;
+            Some((motion.acceleration - predicted).norm())
+        });
+    each.collect()
+}
+
+/// Median angular velocity between neighbouring points, rad/s.
+fn rates(points: &[Point]) -> Option<Vector3<f64>> {
+    let pairs = points.windows(2).filter_map(|pair| {
+        let turn: UnitQuaternion<f64> = pair[1].attitude? * pair[0].attitude?.inverse();
+        Some(turn.scaled_axis() / (pair[1].time - pair[0].time))
+    });
+    let pairs: Vec<Vector3<f64>> = pairs.collect();
+    let axis =
+        |axis: usize| median(&mut pairs.iter().map(|rates| rates[axis]).collect::<Vec<f64>>());
+    (!pairs.is_empty()).then(|| Vector3::new(axis(0), axis(1), axis(2)))
+}

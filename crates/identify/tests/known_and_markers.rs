@@ -1,0 +1,74 @@
+//! Refusals of what is known by halves, and several markers of a point mass.
+
+use std::collections::BTreeMap;
+
+use identify::dataset::{KnownValue, Marker};
+use identify::synthesize::{Plan, flights};
+use identify::{FitError, FitOptions, FlightError, fit};
+
+fn made(
+    model: &str,
+    name: &str,
+    plan: &Plan,
+) -> (model_spec::model::Model, identify::dataset::Dataset) {
+    let model = model_spec::load::load(model, &[]).expect("a model");
+    let text = flight::release::built_in(name).expect("a release");
+    let known = |_: &str| Ok(flight::release::Vocabulary::of(&model));
+    let mut release = flight::release::read(name, text, known).expect("readable");
+    release.stop = flight::release::Stop::Duration(0.5);
+    let made = flights(&model, &[release], plan).expect("flights");
+    (model, made.dataset)
+}
+
+#[test]
+fn a_single_component_of_a_quaternion_is_refused() {
+    let plan = Plan {
+        flights: 1,
+        duration: Some(0.5),
+        ..Plan::default()
+    };
+    let (_, mut dataset) = made("disc", "backhand", &plan);
+    let model = model_spec::load::load("disc_quaternion", &[]).expect("a model");
+    let [first, ..] = model.quaternions().next().expect("a quaternion");
+    let name = model.states[first].name.clone();
+    dataset.model = model.name.clone();
+    dataset.flights[0].known = BTreeMap::from([(name.clone(), KnownValue::Scalar(1.0))]);
+    let Err(FitError::Flight { reason, .. }) = fit(&model, &dataset, &FitOptions::default()) else {
+        panic!("one component alone is accepted");
+    };
+    assert!(matches!(reason, FlightError::PartialQuaternion { known, .. } if known == name));
+}
+
+#[test]
+fn each_marker_of_a_point_mass_has_its_own_offset() {
+    let marker = |name: &str, position| Marker {
+        name: name.into(),
+        position,
+    };
+    let plan = Plan {
+        flights: 3,
+        duration: Some(0.5),
+        markers: vec![
+            marker("front", [0.3, 0.0, 0.0]),
+            marker("back", [-0.2, 0.1, 0.05]),
+        ],
+        ..Plan::default()
+    };
+    let (model, mut dataset) = made("ball", "serve", &plan);
+    // Where the first marker is hidden, the second alone shows the ball.
+    for flight in &mut dataset.flights {
+        for row in &mut flight.positions[..12] {
+            row[0] = None;
+        }
+    }
+    let fitted = fit(&model, &dataset, &FitOptions::default()).expect("a fit");
+    assert!(
+        fitted.report.data_faults.is_empty(),
+        "{:?}",
+        fitted.report.data_faults
+    );
+    let start = &fitted.report.flights[0].initial;
+    let (_, state) = fitted.flight(identify::FlightId::new(0)).expect("fitted");
+    assert!(fitted.report.rms_m < 0.002, "rms {}", fitted.report.rms_m);
+    assert_eq!(start.len(), state.len());
+}
