@@ -25,6 +25,15 @@ pub fn folder(out: Option<&Path>) -> anyhow::Result<Option<ResultFolder>> {
     out.map(open).transpose()
 }
 
+/// Tries a folder that is to be new or empty, before any work; one that holds files is left to the writer to judge.
+pub fn new_folder(path: &Path) -> anyhow::Result<()> {
+    let holds_files = std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_some());
+    if !holds_files {
+        folder(Some(path))?;
+    }
+    Ok(())
+}
+
 /// Replaces the results in a folder, as a whole.
 pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()> {
     progress::writing(|| folder.replace(files)).context("--out")

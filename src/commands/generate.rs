@@ -9,7 +9,7 @@ use model_spec::load;
 use model_spec::model::Model;
 
 use crate::cli::Generate;
-use crate::{Answer, output};
+use crate::{Answer, output, progress};
 
 /// Folder of the generated sources, relative to the root of the repository.
 const SOURCES: &str = "crates/generated/src";
@@ -33,8 +33,8 @@ fn generate_modules(options: &Generate, out: &Path) -> anyhow::Result<Answer> {
             generate::check_files(out, &files).with_context(|| format!("cannot read {folder}"))?;
         return report(&differences, &folder, options.models.len());
     }
-    let changed =
-        generate::write_files(out, &files).with_context(|| format!("cannot write {folder}"))?;
+    let changed = progress::writing(|| generate::write_files(out, &files))
+        .with_context(|| format!("cannot write {folder}"))?;
     list(&changed, &folder, options.models.len())
 }
 

@@ -11,10 +11,11 @@ use model_spec::model::Model;
 use super::number;
 use super::simulate::{apply, released};
 use crate::cli::Synthesize;
-use crate::{Answer, output};
+use crate::{Answer, output, progress};
 
 /// Simulates the releases, writes the dataset with its true values, and prints a summary.
 pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
+    output::new_folder(&options.out)?;
     let (model, releases) = prepare(options)?;
     let plan = plan(options)?;
     let mut made = flights(&model, &releases, &plan)?;
@@ -32,7 +33,7 @@ pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
         .iter()
         .map(|(name, text)| (name.as_str(), text.clone()))
         .collect();
-    write_with(&options.out, &made.dataset, &beside)
+    progress::writing(|| write_with(&options.out, &made.dataset, &beside))
         .with_context(|| format!("--out {}", options.out.display()))?;
     output::print(summary(&made, &options.out))?;
     Ok(Answer::Yes)
@@ -113,7 +114,7 @@ fn summary(made: &Made, folder: &Path) -> String {
     let seen: usize = flights.iter().map(|flight| flight.measurements() / 3).sum();
     let all = samples * made.dataset.markers.len();
     format!(
-        "{}: {} flights of {}, {samples} samples, {seen} of {all} marker points seen\n",
+        "{}: {} flights of {}, {samples} samples, {seen} of {all} marker points measured\n",
         folder.display(),
         flights.len(),
         made.truth.model,

@@ -446,7 +446,7 @@ fn what_cannot_be_relied_on_says_so_first_and_flights_are_compared_in_pairs() {
     let place = |text: &str| body.find(text).unwrap_or_else(|| panic!("{text}"));
     assert!(place("Do not rely on this diagnosis") < place("class=\"verdict"));
     for text in [
-        "the time limit was reached.",
+        "The time limit was reached.",
         "<td>labels exchanged</td>",
         "rename the columns",
         "excluded</span> a metre off",

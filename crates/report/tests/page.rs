@@ -292,7 +292,7 @@ fn alarms_are_said() {
     for text in [
         "1 held-out flight was predicted with an error above 3 times",
         "Do not rely on this fit",
-        "the fit did not converge in 9 steps",
+        "The fit did not converge in 9 steps",
         "are not valid: C_D0.",
         "4.0\u{a0}% of the points",
         "C_La and C_Da",

@@ -13,7 +13,7 @@ use crate::figures::svg::STYLE;
 use crate::fit::Drawn;
 use crate::fit::flights::short;
 use crate::fit::numbers::{millimetres, percent, plain};
-use crate::fit::page::{plain_values, rendered, sentence};
+use crate::fit::page::{capitalized, plain_values, rendered, sentence};
 use crate::fit::words::names;
 
 /// Maximum length of the shown text of the extended model, characters.
@@ -39,7 +39,7 @@ pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
         .map(|n| sentence(n))
         .collect();
     let reasons = page.reasons_against.iter();
-    let reasons_against: Vec<String> = reasons.map(|reason| sentence(reason)).collect();
+    let reasons_against: Vec<String> = reasons.map(|reason| capitalized(reason)).collect();
     let number = |role| report.flights.iter().filter(|f| f.role == role).count();
     let looked_for = report.candidates.len();
     let alarms = report.candidates.iter().filter(|c| c.significant).count();

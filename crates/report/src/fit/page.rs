@@ -94,7 +94,11 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
 fn reasons_against(report: &FitReport) -> Vec<String> {
     match report.reliable {
         true => Vec::new(),
-        false => report.why.iter().map(|reason| sentence(reason)).collect(),
+        false => report
+            .why
+            .iter()
+            .map(|reason| capitalized(reason))
+            .collect(),
     }
 }
 
@@ -138,12 +142,24 @@ pub(crate) fn one(drawn: &Drawn) -> Value {
 
 /// Truncates a text to the length of a note and ends it with a full stop.
 pub(crate) fn sentence(text: &str) -> String {
-    let text = flights::short(text);
+    let text = flights::short(text.trim_end().trim_end_matches(':'));
     if text.ends_with(['.', '…', '!', '?']) {
         text
     } else {
         text + "."
     }
+}
+
+/// Formats a text as a sentence that begins with a capital letter.
+pub(crate) fn capitalized(text: &str) -> String {
+    let sentence = sentence(text);
+    let mut letters = sentence.chars();
+    let first: String = letters
+        .next()
+        .into_iter()
+        .flat_map(char::to_uppercase)
+        .collect();
+    first + letters.as_str()
 }
 
 fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
