@@ -24,7 +24,10 @@ const MAX_MULTIPLE: f64 = 12.0;
 /// Number of flights from which displacements are computed.
 const PROBE_FLIGHTS: usize = 4;
 
-/// Steps of the search for a size.
+/// Relative error of a displacement that ends the search for a size.
+const CLOSE: f64 = 0.25;
+
+/// Greatest number of steps of that search.
 const STEPS: usize = 7;
 
 /// Random stream of effects and sizes; streams of flights are numbered from 1.
@@ -126,6 +129,9 @@ fn sized(
     let mut multiple = 1.0;
     for _ in 0..STEPS {
         let moved = displacement(exact, &[(name.to_owned(), at(multiple))], seed);
+        if (moved / wanted - 1.0).abs() < CLOSE {
+            break;
+        }
         match moved <= wanted {
             true => low = multiple,
             false => high = multiple,
