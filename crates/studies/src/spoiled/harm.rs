@@ -9,7 +9,7 @@ use rand_distr::StandardNormal;
 use super::kinematics::{Row, centre, moved, turned, velocity};
 use crate::cuts::bouncing_flight;
 
-/// Changes a flight; the other one is a flight of the same dataset.
+/// Changes a flight; the other one is the one before it in the dataset.
 pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 
 /// Changes what a dataset states.
@@ -30,7 +30,7 @@ impl Harm {
             Self::Flight(harm) => {
                 let before = dataset.flights.clone();
                 for &index in flights {
-                    let other = &before[(index + 1) % before.len()];
+                    let other = &before[(index + before.len() - 1) % before.len()];
                     let mut random = ChaCha12Rng::seed_from_u64(seed);
                     random.set_stream(1_000_000 + index as u64);
                     harm(&mut dataset.flights[index], other, &mut random);
