@@ -28,7 +28,7 @@ static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 const INTERRUPTED: u8 = 130;
 
 /// Longest time that a signal waits for results to be written.
-const WRITING_LIMIT: Duration = Duration::from_millis(700);
+const WRITING_LIMIT: Duration = Duration::from_millis(400);
 
 /// Longest time that a signal waits for its message to be printed.
 const MESSAGE_LIMIT: Duration = Duration::from_millis(200);
