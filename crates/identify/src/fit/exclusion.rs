@@ -1,28 +1,14 @@
-//! Least squares over the flights of a state, from which flights that cannot be fitted are excluded.
-
-use nalgebra::DVector;
+//! Least squares over the flights of a state, from which flights that cannot be predicted are excluded.
 
 use super::FitError;
-use super::horizon_continuation::{anneal_scale, fit_initial_state};
 use super::output_error::OutputError;
-use super::residual_cache::{ResidualCache, residual_scale};
+use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::error::{ExcludedFlight, FlightError};
-use crate::least_squares::{FailedFlight, Solution, SolveError, StoppingCriteria, solve_after};
-use crate::observations::Observations;
+use crate::error::FlightError;
+use crate::least_squares::{Solution, SolveError, StoppingCriteria, solve_after};
 use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
-
-/// Ratio of a flight's residual scale to the median, and to `sigma0`, above which the others are fitted without it.
-const SUSPECT_RATIO: f64 = 3.0;
-
-/// Ratio of a flight's residual scale to that of the others without it, above which it is excluded: least squares would
-/// bend all others to it.
-const UNLIKE_RATIO: f64 = 10.0;
-
-/// Greatest number of passes over the flights in which some are excluded.
-const MAX_PASSES: usize = 4;
 
 /// Minimises the sum of squares over the flights of a state, which [`State::take`] then takes over. Flights that
 /// cannot be predicted from their values in the state are excluded first. `configure` changes the sum of squares.
@@ -71,112 +57,4 @@ pub fn exclude_failed(
         state.exclude(failures)?;
     }
     Ok(cache)
-}
-
-/// Excludes the flights that do not fly as the others do: a few whose residuals stay far above those of the others when
-/// the others are fitted without them. Takes the residuals at the state and returns those at the new state.
-///
-/// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
-pub fn exclude_unlike_flights(
-    problem: &FitProblem,
-    state: &mut State,
-    cache: ResidualCache,
-    options: &FitOptions<'_>,
-) -> Result<ResidualCache, FitError> {
-    let mut cache = exclude_failed(state, cache, options)?;
-    for _ in 0..MAX_PASSES {
-        let suspects = suspects(problem, &cache);
-        let is_minority = 2 * suspects.len() < state.flights.len();
-        if suspects.is_empty() || !is_minority || options.is_past_deadline() {
-            break;
-        }
-        options.stage_started("without the flights that stand out", state.flights.len());
-        match fit_without(problem, state, &suspects, options)? {
-            Some((without, residuals)) => (*state, cache) = (without, residuals),
-            None => break,
-        }
-    }
-    Ok(cache)
-}
-
-/// Flights whose residual scale is far above the median.
-fn suspects(problem: &FitProblem, cache: &ResidualCache) -> Vec<usize> {
-    let limit = SUSPECT_RATIO * cache.median_scale().max(problem.sigma0);
-    let scales = cache.scales().into_iter().enumerate();
-    let above = scales.filter(|(_, scale)| scale.is_some_and(|scale| scale > limit));
-    above.map(|(flight, _)| flight).collect()
-}
-
-/// Fits the other flights without the suspects, and excludes the suspects that do not fly with the parameters of the
-/// others, from whatever initial state. `None` if there is none.
-fn fit_without(
-    problem: &FitProblem,
-    state: &State,
-    suspects: &[usize],
-    options: &FitOptions<'_>,
-) -> Result<Option<(State, ResidualCache)>, FitError> {
-    let removed: Vec<FailedFlight> = suspects
-        .iter()
-        .map(|&flight| (flight, FlightError::SingularInitialState))
-        .collect();
-    let mut without = state.clone();
-    without.exclude(removed)?;
-    without.excluded.clone_from(&state.excluded);
-    let annealed = anneal_scale(problem, &mut without, options)?;
-    let residuals = exclude_failed(&mut without, annealed, options)?;
-    let usual = residuals.median_scale().max(problem.sigma0);
-    let (mut has_excluded, mut has_returned) = (false, false);
-    for &flight in suspects {
-        let (observations, local) = (&state.flights[flight], &state.local[flight]);
-        let (scale, local) = refitted(problem, observations, &without.global, local, options)?;
-        if scale > UNLIKE_RATIO * usual {
-            has_excluded = true;
-            without.excluded.push(ExcludedFlight {
-                flight: state.ids[flight],
-                file: observations.file.clone(),
-                reason: FlightError::UnlikeTheOthers { scale, usual },
-            });
-        } else {
-            has_returned = true;
-            without.push(state.ids[flight], observations.clone(), local);
-        }
-    }
-    if !has_excluded {
-        return Ok(None);
-    }
-    let residuals = match has_returned {
-        true => {
-            let annealed = anneal_scale(problem, &mut without, options)?;
-            exclude_failed(&mut without, annealed, options)?
-        }
-        false => residuals,
-    };
-    Ok(Some((without, residuals)))
-}
-
-/// Residual scale (m; infinite if it cannot be flown) and initial state of a flight that is fitted alone.
-fn refitted(
-    problem: &FitProblem,
-    observations: &Observations,
-    global: &DVector<f64>,
-    start: &DVector<f64>,
-    options: &FitOptions<'_>,
-) -> Result<(f64, DVector<f64>), FitError> {
-    let samples = observations.times.len();
-    let fitted = fit_initial_state(
-        problem,
-        observations,
-        samples,
-        global,
-        start.clone(),
-        options,
-    );
-    let local = match fitted {
-        Ok((_, local)) => local,
-        Err(FlightError::Interrupted) => return Err(FitError::Interrupted),
-        Err(_) => start.clone(),
-    };
-    let scale = residual_scale(problem, observations, (global, &local), samples);
-    Ok((scale.unwrap_or(f64::INFINITY), local))
 }

@@ -17,6 +17,7 @@ mod residual_cache;
 mod reweighting;
 mod spin_aliases;
 mod state;
+mod unlike_flights;
 mod warm_start;
 
 use std::borrow::Borrow;
@@ -97,7 +98,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         spin_aliases::resolve_spin_aliases(&problem, state, alternatives, options)?;
     let cache = multiple_shooting::shoot_again(&problem, &mut state, cache, options)?;
     let cache = multistart::multistart(&problem, &mut state, cache, options)?;
-    let cache = exclusion::exclude_unlike_flights(&problem, &mut state, cache, options)?;
+    let cache = unlike_flights::exclude_unlike_flights(&problem, &mut state, cache, options)?;
     let reweighted = reweighting::reweight(&problem, &mut state, cache, options)?;
     let solved = clock.elapsed().as_secs_f64();
 
