@@ -34,12 +34,22 @@ fn there_are_forty_kinds_with_names_of_their_own() {
 }
 
 #[test]
-fn bounces_are_truncated_and_usual_throws_are_not() {
+fn usual_throws_are_not_truncated_and_every_bounce_has_its_touch() {
     let free = free_flights(1, 1, &quiet);
     assert!(free.iter().all(|flight| flight.cut.is_none()), "{free:?}");
     let bounced = bounces(1, 1, &quiet);
-    let there = bounced.iter().filter(|bounce| bounce.is_cut_there());
-    assert!(there.count() >= 12, "{bounced:#?}");
+    assert_eq!(bounced.len(), 20);
+    for bounce in &bounced {
+        let sample = bounce.time * 120.0;
+        assert!(
+            (0.0..1.0).contains(&(bounce.before as f64 - sample)),
+            "{bounce:?}"
+        );
+        assert!(
+            (0.3..0.85).contains(&bounce.time) && bounce.speed > 0.0,
+            "{bounce:?}"
+        );
+    }
     let section = CutSection::new(&free, &bounced);
     let page = spoiled_page(&[], Some(section)).expect("a page").text;
     assert!(page.contains("## Truncation at the ground"), "{page}");
