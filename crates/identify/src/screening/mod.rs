@@ -25,7 +25,6 @@ use self::track::Track;
 use crate::dataset::Dataset;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
-use crate::impact_detection;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
@@ -46,7 +45,7 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
         match fault {
             Some(fault) => (Some(fault), None),
             None => {
-                let track = track_until_impact(problem, &flight.times, &flight.positions);
+                let track = Track::until_impact(problem, &flight.times, &flight.positions);
                 let fault = jumps::check(&track, flight);
                 let track = fault.is_none().then_some(track);
                 (fault, track)
@@ -75,24 +74,6 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
         };
     }
     faults.into_iter().flatten().collect()
-}
-
-/// Path of the body's origin up to an impact.
-fn track_until_impact(
-    problem: &FitProblem,
-    times: &[f64],
-    rows: &[Vec<Option<[f64; 3]>>],
-) -> Track {
-    let mut track = Track::of(&problem.markers, problem.has_attitude, times, rows);
-    let path: Vec<_> = track
-        .points
-        .iter()
-        .map(|point| (point.sample, point.time, point.position))
-        .collect();
-    if let Some(impact) = impact_detection::impact(&path) {
-        track.points.truncate(impact.index);
-    }
-    track
 }
 
 /// Marks flights whose tracks are far rougher than those of the others: no camera and no body moves so.

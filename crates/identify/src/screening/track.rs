@@ -2,8 +2,10 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
+use crate::impact_detection;
 use crate::path_noise::path_noise;
 use crate::pose::{point_position, pose};
+use crate::problem::FitProblem;
 use crate::statistics::{median, robust_sigma};
 
 /// Ratio of a pose's variance to the median variance above which a marker of the sample is an outlier.
@@ -95,6 +97,23 @@ impl Track {
         }
         let noise = path_noise(points.iter().map(|point| (point.time, point.position)));
         Self { points, noise }
+    }
+
+    /// Path of the origin of a problem's body up to an impact.
+    pub fn until_impact(
+        problem: &FitProblem,
+        times: &[f64],
+        rows: &[Vec<Option<[f64; 3]>>],
+    ) -> Self {
+        let mut track = Self::of(&problem.markers, problem.has_attitude, times, rows);
+        let points = track.points.iter();
+        let path: Vec<_> = points
+            .map(|point| (point.sample, point.time, point.position))
+            .collect();
+        if let Some(impact) = impact_detection::impact(&path) {
+            track.points.truncate(impact.index);
+        }
+        track
     }
 
     /// Greatest extent of the path along an axis, m.

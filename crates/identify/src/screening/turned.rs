@@ -4,10 +4,11 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
+use super::fault::{DataFault, FaultKind};
 use super::free_fall::{changed, upright};
 use super::gravity::acceleration;
+use super::mirror;
 use super::track::{Point, Track};
-use super::{DataFault, FaultKind, mirror};
 use crate::dataset::Dataset;
 use crate::initial_state::{RigidMotion, state_for_motion};
 use crate::observations::Observations;

@@ -1,0 +1,230 @@
+//! Flights without a fault, of many kinds, and the time that the screening takes.
+
+use ::flight::release::{Release, Stop};
+
+use super::{ball, disc, disc_releases, discs, found, model, plan, release};
+use crate::dataset::Flight;
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
+use crate::screening::free_fall::FreeFall;
+use crate::screening::track::Track;
+use crate::screening::{distances, gravity, handling, jumps, records, screen};
+use crate::synthesize::{Plan, Spread, flights};
+
+#[test]
+fn clean_flights_have_no_fault() {
+    let (model, datasets) = discs(6, 1);
+    assert!(datasets.len() > 4);
+    for (k, dataset) in datasets.iter().enumerate() {
+        assert_eq!(found(&model, dataset), [], "dataset {k}");
+    }
+    let (model, dataset) = ball(2);
+    assert_eq!(found(&model, &dataset), []);
+}
+
+/// Many clean flights of many kinds; run with --ignored in release.
+#[test]
+#[ignore = "takes long"]
+fn two_thousand_clean_flights_have_no_fault() {
+    let (mut count, mut alarms) = (0, 0);
+    for seed in 0..30 {
+        let (model, datasets) = discs(12, 1000 * seed);
+        for dataset in datasets {
+            let faults = found(&model, &dataset);
+            count += dataset.flights.len();
+            alarms += faults.len();
+            for fault in faults {
+                eprintln!("disc {seed} {fault}");
+            }
+        }
+        let (model, dataset) = ball(seed);
+        let faults = found(&model, &dataset);
+        count += dataset.flights.len();
+        alarms += faults.len();
+        for fault in faults {
+            eprintln!("ball {seed} {fault}");
+        }
+    }
+    eprintln!("{alarms} alarms in {count} flights");
+    assert_eq!(alarms, 0);
+}
+
+#[test]
+fn measured_flights_and_examples_have_no_fault() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let folders = [
+        "../shared/data/spindoe",
+        "examples/ball",
+        "examples/disc",
+        "examples/mystery",
+    ];
+    for folder in folders {
+        let path = root.join(folder);
+        if !path.exists() {
+            eprintln!("skipped: {folder} is absent");
+            continue;
+        }
+        let dataset = crate::dataset::load(&path).expect("a dataset");
+        assert_eq!(found(&model(&dataset.model), &dataset), [], "{folder}");
+    }
+}
+
+#[test]
+fn throws_that_are_upside_down_are_no_mirror_images() {
+    let model = model("disc");
+    let mut usual = release(&model, "backhand");
+    usual.stop = Stop::Duration(0.8);
+    for (name, value) in &mut usual.initial {
+        match name.as_str() {
+            "phi" => *value += std::f64::consts::PI,
+            "v" | "w" => *value = -*value,
+            _ => {}
+        }
+    }
+    let plan = Plan {
+        duration: Some(0.8),
+        ..plan(8, 11)
+    };
+    let made = flights(&model, &[usual], &plan).expect("flights");
+    assert_eq!(found(&model, &made.dataset), []);
+}
+
+/// Clean flights of models of a user's own.
+#[test]
+fn flights_of_other_models_have_no_fault() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../studies/models");
+    // Names, and initial states other than the defaults.
+    let cases: [(&str, &[(&str, f64)]); 6] = [
+        ("shuttlecock", &[("vx", 40.0), ("vz", 10.0), ("z", 2.0)]),
+        (
+            "spinning_ball",
+            &[("vx", 20.0), ("vz", 6.0), ("z", 2.0), ("p", 40.0)],
+        ),
+        (
+            "quaternion_dart",
+            &[("vx", 15.0), ("vz", 2.0), ("z", 2.0), ("p", 5.0)],
+        ),
+        ("glider", &[]),
+        ("pendulum", &[("x", 1.5), ("z", -2.0)]),
+        ("kite", &[]),
+    ];
+    for (name, initial) in cases {
+        let path = root.join(format!("{name}.hyz"));
+        let model = model(path.to_str().expect("a path"));
+        let states = model.states.iter().map(|state| {
+            let value = initial.iter().find(|(name, _)| *name == state.name);
+            (
+                state.name.clone(),
+                value.map_or(state.value, |(_, value)| *value),
+            )
+        });
+        let release = Release {
+            model: model.name.clone(),
+            stop: Stop::Duration(1.0),
+            parameters: Vec::new(),
+            coefficients: Vec::new(),
+            initial: states.collect(),
+            wind: [0.0; 3],
+            known: Vec::new(),
+        };
+        for seed in 0..5 {
+            let plan = Plan {
+                spread: Spread {
+                    fraction: 0.05,
+                    ..Spread::default()
+                },
+                ..plan(8, seed)
+            };
+            match flights(&model, std::slice::from_ref(&release), &plan) {
+                Ok(made) => assert_eq!(found(&model, &made.dataset), [], "{name}"),
+                Err(error) => eprintln!("skipped: {name}: {error}"),
+            }
+        }
+    }
+}
+
+#[test]
+#[ignore = "measures time"]
+fn time_of_the_screening() {
+    let (model, _) = disc(1);
+    let made = flights(
+        &model,
+        &[disc_releases(&model).swap_remove(0)],
+        &plan(20, 1),
+    )
+    .expect("flights");
+    let problem =
+        FitProblem::new(&model, &made.dataset, &FitOptions::default()).expect("a problem");
+    let time = |name: &str, work: &dyn Fn()| {
+        let clock = std::time::Instant::now();
+        for _ in 0..20 {
+            work();
+        }
+        eprintln!(
+            "{name}: {:.3} ms",
+            1e3 * clock.elapsed().as_secs_f64() / 20.0
+        );
+    };
+    let dataset = &made.dataset;
+    let track = |flight: &Flight| Track::until_impact(&problem, &flight.times, &flight.positions);
+    let tracks: Vec<Option<Track>> = dataset
+        .flights
+        .iter()
+        .map(|flight| Some(track(flight)))
+        .collect();
+    let gravity = gravity::gravity(&problem).expect("gravity");
+    let each = |work: &dyn Fn(usize)| (0..dataset.flights.len()).for_each(work);
+    time("records", &|| {
+        each(&|i| assert!(records::check(dataset, i).is_none()))
+    });
+    time("distances", &|| {
+        each(&|i| assert!(distances::check(dataset, i).is_none()))
+    });
+    time("tracks", &|| {
+        each(&|i| assert!(!track(&dataset.flights[i]).points.is_empty()))
+    });
+    time("poses", &|| {
+        each(&|i| {
+            let flight = &dataset.flights[i];
+            let track = Track::of(&problem.markers, true, &flight.times, &flight.positions);
+            assert!(!track.points.is_empty());
+        });
+    });
+    time("jumps", &|| {
+        each(&|i| {
+            assert!(
+                jumps::check(tracks[i].as_ref().expect("a track"), &dataset.flights[i]).is_none()
+            )
+        });
+    });
+    time("gravity", &|| assert!(gravity::gravity(&problem).is_some()));
+    time("free fall", &|| {
+        assert!(
+            FreeFall::new(&problem, dataset, gravity, &tracks)
+                .check()
+                .is_empty()
+        )
+    });
+    time("handling", &|| {
+        each(&|i| {
+            assert!(
+                handling::check(
+                    tracks[i].as_ref().expect("a track"),
+                    gravity,
+                    &dataset.flights[i]
+                )
+                .is_none()
+            )
+        });
+    });
+    time("screening", &|| {
+        assert_eq!(screen(&problem, dataset, 1), [])
+    });
+    let clock = std::time::Instant::now();
+    let options = FitOptions {
+        threads: Some(1),
+        ..FitOptions::default()
+    };
+    crate::fit(&model, dataset, &options).expect("a fit");
+    eprintln!("fit: {:.3} ms", 1e3 * clock.elapsed().as_secs_f64());
+}
