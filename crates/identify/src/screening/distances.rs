@@ -1,15 +1,10 @@
-//! Faults that the rigid distances between markers show: lengths in another unit, labels that are exchanged in a
-//! flight or a part of it, a track that lies elsewhere.
+//! Rigid distances between markers, as measured in a flight and as the template declares them.
 
-use super::fault::{DataFault, FaultKind};
-use super::labels;
-use crate::dataset::{Dataset, Flight, Marker};
+use crate::dataset::{Flight, Marker};
 use crate::statistics::median;
 
 /// Greatest number of markers whose distances are compared: further ones add little and cost much.
 pub const MOST_MARKERS: usize = 8;
-/// Least logarithm of the ratio of measured to declared distances that is a matter of units: 20 %.
-const LEAST_LOG_RATIO: f64 = 0.18;
 /// Greatest relative deviation of a pair's ratio from the ratio of all pairs.
 const RATIO_SPREAD: f64 = 0.1;
 /// Relative deviation of a ratio from a unit's below which the unit is named.
@@ -20,8 +15,6 @@ const GROSS: f64 = 0.25;
 const GROSS_DISTANCE: f64 = 0.02;
 /// Least error of a distance that is grossly wrong, in units of its noise.
 const GROSS_NOISE: f64 = 8.0;
-/// Fraction of a marker's samples with grossly wrong distances above which the track is faulty; fewer are outliers.
-const GROSS_FRACTION: f64 = 0.15;
 
 /// Lengths of units in metres, with their names.
 pub const UNITS: [(f64, &str); 6] = [
@@ -102,7 +95,7 @@ impl Distances {
     }
 
     /// Median ratio of measured to declared distances, if all pairs agree on it.
-    fn ratio(&self) -> Option<f64> {
+    pub fn ratio(&self) -> Option<f64> {
         let pairs = self.medians.iter().zip(&self.declared);
         let ratios: Vec<f64> = pairs
             .filter(|(m, _)| !m.is_nan())
@@ -116,108 +109,13 @@ impl Distances {
     }
 
     /// Whether the error of a pair's distance in a sample is gross.
-    fn is_gross(&self, measured: f64, pair: usize) -> bool {
+    pub fn is_gross(&self, measured: f64, pair: usize) -> bool {
         let declared = self.declared[pair];
         let limit = (GROSS * declared)
             .max(GROSS_DISTANCE)
             .max(GROSS_NOISE * self.noise);
         (measured - declared).abs() > limit
     }
-}
-
-/// First fault of a flight that its distances show; none if they are those of the template.
-pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
-    let (flight, markers) = (&dataset.flights[flight], &dataset.markers[..]);
-    let distances = Distances::of(flight, markers)?;
-    units(&distances, flight)
-        .or_else(|| labels::check(&distances, flight, markers))
-        .or_else(|| elsewhere(&distances, flight, markers))
-}
-
-fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
-    let ratio = distances.ratio()?;
-    if ratio.ln().abs() < LEAST_LOG_RATIO {
-        return None;
-    }
-    let of_template = unit(1.0 / ratio);
-    let (detail, mend) = match (unit(ratio), of_template) {
-        (Some((length, name)), _) => (
-            format!(
-                "distances between markers are {ratio:.4} times those of the template, as if positions were in {name}"
-            ),
-            format!("multiply the positions in {} by {length}", flight.file),
-        ),
-        (None, Some((length, name))) => (
-            format!(
-                "distances between markers are {ratio:.4} times those of the template, as if the template were in {name}"
-            ),
-            format!("multiply the markers' positions in dataset.toml by {length}"),
-        ),
-        (None, None) => (
-            format!("distances between markers are {ratio:.3} times those of the template"),
-            "check the markers' positions in dataset.toml and the calibration of the cameras"
-                .into(),
-        ),
-    };
-    Some(DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::Units,
-        detail,
-        mend,
-    })
-}
-
-/// A marker whose distances to the others are grossly wrong in many samples.
-fn elsewhere(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
-    let count = markers.len().min(MOST_MARKERS);
-    let (mut measured, mut wrong) = (vec![0_usize; count], vec![0_usize; count]);
-    for row in &distances.samples {
-        let gross: Vec<bool> = (0..row.len())
-            .map(|pair| !row[pair].is_nan() && distances.is_gross(row[pair], pair))
-            .collect();
-        // The marker in most of the wrong pairs is the one that is elsewhere.
-        let mut in_pairs = vec![0_usize; count];
-        let mut seen = vec![false; count];
-        for (pair, &(i, j)) in distances.pairs.iter().enumerate() {
-            if !row[pair].is_nan() {
-                (seen[i], seen[j]) = (true, true);
-            }
-            if gross[pair] {
-                in_pairs[i] += 1;
-                in_pairs[j] += 1;
-            }
-        }
-        let most = in_pairs.iter().copied().max().unwrap_or(0);
-        for marker in 0..count {
-            measured[marker] += usize::from(seen[marker]);
-            wrong[marker] += usize::from(most > 0 && in_pairs[marker] == most);
-        }
-    }
-    let fraction = |marker: usize| wrong[marker] as f64 / measured[marker].max(1) as f64;
-    let worst = (0..count).max_by(|&a, &b| fraction(a).total_cmp(&fraction(b)))?;
-    if fraction(worst) <= GROSS_FRACTION {
-        return None;
-    }
-    let name = &markers[worst].name;
-    let (wrong, measured) = (wrong[worst], measured[worst]);
-    let pairs = distances.pairs.iter().enumerate();
-    let (pair, &(i, j)) = pairs
-        .filter(|(pair, (i, j))| (*i == worst || *j == worst) && !distances.medians[*pair].is_nan())
-        .max_by(|a, b| {
-            let error = |pair: usize| (distances.medians[pair] - distances.declared[pair]).abs();
-            error(a.0).total_cmp(&error(b.0))
-        })?;
-    Some(DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::Other,
-        detail: format!(
-            "marker {name} is not where the template has it in {wrong} of {measured} samples (median distance of {} and {}: {:.3} m, declared {:.3} m)",
-            markers[i].name, markers[j].name, distances.medians[pair], distances.declared[pair]
-        ),
-        mend: format!(
-            "check the track and the declared position of {name}, or leave its cells empty"
-        ),
-    })
 }
 
 pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

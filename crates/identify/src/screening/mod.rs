@@ -11,6 +11,7 @@ mod labels;
 mod loads;
 mod mirror;
 mod records;
+mod template;
 #[cfg(test)]
 mod tests;
 mod track;
@@ -40,7 +41,7 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     let each = batch::each_on(threads, dataset.flights.len(), |index| {
         let flight = &dataset.flights[index];
         let fault = records::check(dataset, index)
-            .or_else(|| distances::check(dataset, index))
+            .or_else(|| template::check(dataset, index))
             .or_else(|| mirror_is_decided.then(|| mirror::check(&problem.markers, flight))?);
         match fault {
             Some(fault) => (Some(fault), None),

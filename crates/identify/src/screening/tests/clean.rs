@@ -8,7 +8,7 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::free_fall::FreeFall;
 use crate::screening::track::Track;
-use crate::screening::{distances, gravity, handling, jumps, records, screen};
+use crate::screening::{gravity, handling, jumps, records, screen, template};
 use crate::synthesize::{Plan, Spread, flights};
 
 #[test]
@@ -178,7 +178,7 @@ fn time_of_the_screening() {
         each(&|i| assert!(records::check(dataset, i).is_none()))
     });
     time("distances", &|| {
-        each(&|i| assert!(distances::check(dataset, i).is_none()))
+        each(&|i| assert!(template::check(dataset, i).is_none()))
     });
     time("tracks", &|| {
         each(&|i| assert!(!track(&dataset.flights[i]).points.is_empty()))
