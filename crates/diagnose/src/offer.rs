@@ -36,6 +36,9 @@ pub(crate) struct Measured<R> {
     made: R,
 }
 
+/// An extended model and its fit, with what the caller made of the extension.
+pub(crate) type Offered<R> = ((ExtendedModel, Fit), R);
+
 /// Fits the extended model if not yet fitted, measures its gain, and calls `on_extension`. Flights that contradict the
 /// extension are left without it if the flights agree on it alone; `noise_floor` in m.
 ///
@@ -118,7 +121,7 @@ impl<R> Measured<R> {
         report: &mut Report,
         before: &Fit,
         context: Context<'_>,
-    ) -> Result<Option<((ExtendedModel, Fit), R)>, DiagnosisError> {
+    ) -> Result<Option<Offered<R>>, DiagnosisError> {
         let is_worse = self.gain.as_ref().is_some_and(PredictiveGain::is_worse);
         report.gain = self.gain;
         if is_worse {
