@@ -1,5 +1,7 @@
 //! The program as its users meet it: commands, exit statuses, files.
 
+#[path = "support/examples.rs"]
+mod examples;
 mod support;
 
 use std::path::{Path, PathBuf};
@@ -356,7 +358,7 @@ fn the_page_of_the_effects_is_what_the_command_writes() {
 
 #[test]
 fn the_examples_of_the_effects_run() {
-    support::the_examples_run("effects", 2, "docs/effects.md");
+    examples::the_examples_run("effects", 2, "docs/effects.md");
 }
 
 /// Drag coefficient, its standard error, and the rms (m) of a report.

@@ -1,12 +1,15 @@
 //! `hyzer fit` as its users run it.
 
+#[path = "support/examples.rs"]
+mod examples;
 mod support;
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use support::{hyzer, the_examples_run, told};
+use examples::the_examples_run;
+use support::{hyzer, told};
 
 #[test]
 fn the_readme_s_command_writes_a_page_that_needs_no_network() {
