@@ -25,7 +25,7 @@ pub(super) struct Unitless {
 }
 
 impl Unitless {
-    /// For a run that infers the unit of every declaration without one.
+    /// The record of a check that infers the units of all declarations that state none.
     pub fn inferred() -> Unitless {
         Unitless {
             infers: true,

@@ -17,7 +17,7 @@ const MIN_TOLERANCE: f64 = 1e-9;
 pub(super) struct FlightMisfit {
     /// By splines over a fifth of the flight: what forces do.
     pub slow: ScaledStatistic,
-    /// By splines over a fraction of a turn: what markers, angles and spin do.
+    /// Statistic of splines with knots a fraction of a turn apart: misfit in marker positions, angles and spin.
     pub fine: ScaledStatistic,
 }
 

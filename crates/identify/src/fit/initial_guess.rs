@@ -46,7 +46,7 @@ pub struct InitialGuesses {
 
 /// Observations of the usable flights, and the excluded flights.
 pub struct ObservedFlights {
-    /// Usable flights.
+    /// Flights that can be fitted, each with its observations.
     pub usable: Vec<(FlightId, Observations)>,
     /// Flights that cannot be used.
     pub excluded: Vec<ExcludedFlight>,

@@ -13,7 +13,7 @@ use crate::observations::Observations;
 pub(super) struct JacobianColumns<'p> {
     /// Number of directions whose sensitivities are integrated.
     pub integrated: usize,
-    /// Column of each direction of the manifold.
+    /// Column of the Jacobian of each direction of the state manifold.
     local: Vec<usize>,
     /// For each state, the column of the direction that varies it with a constant sensitivity.
     constant: Vec<Option<usize>>,

@@ -19,8 +19,8 @@ const MIN_TOLERANCE: f64 = 1e-10;
 /// Greatest tolerance of an integration, m.
 const MAX_TOLERANCE: f64 = 1e-3;
 
-/// Number of steps, besides [`STEPS_PER_SAMPLE`], after which a trajectory has diverged: so many with sensitivities take
-/// some hundredths of a second.
+/// Number of steps after which a trajectory counts as diverged, to which [`STEPS_PER_SAMPLE`] are added per sample; with
+/// sensitivities this many take some hundredths of a second.
 const STEPS: usize = 1_000;
 
 /// Number of steps per sample after which a trajectory has diverged.

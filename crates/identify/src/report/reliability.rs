@@ -11,7 +11,7 @@ const MAX_NOISE_RATIO: f64 = 5.0;
 /// Least noise floor that counts, m: tables are rounded, and integration has errors.
 const MIN_NOISE_FLOOR: f64 = 1e-5;
 
-/// Share of the flights to be fitted above which their exclusion makes a fit unreliable.
+/// Excluded fraction of the flights to be fitted above which the fit is unreliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
 /// Reasons not to rely on a fit; empty for a reliable one.

@@ -10,7 +10,8 @@ use crate::statistics::median;
 
 /// Numbers of points at the start and at the end of a flight that are examined.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
-/// Least force along the velocity that no air in moderate wind exerts, in units of gravity and of the whole force.
+/// Forward force above which a hand must push, as multiples of the weight and of the total force: air in moderate wind
+/// does not exceed both.
 const PUSH: (f64, f64) = (1.0, 0.5);
 /// Least significance of a force.
 const SIGNIFICANT: f64 = 6.0;

@@ -34,8 +34,8 @@ fn is_own(folder: &Path, manifest: &Manifest, path: &Path) -> bool {
     name == MANIFEST || manifest.wrote(folder, &name)
 }
 
-/// Gives `part` what is foreign in `target`: as further names of the same files where the file system has them, else
-/// as copies. What has the name of a new result gets the name `NAME.kept`.
+/// Carries the files of `target` that `earlier` does not list over to `part`: by hard links where the file system has them, else
+/// by copies. A file with the name of a new result is renamed to `NAME.kept`.
 pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io::Result<()> {
     let (files, folders) = entries_below(target)?;
     for folder in &folders {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::bounces::Bounce;
 use super::free::FreeFlight;
 
-/// Greatest number of examples.
+/// Greatest number of examples that the section lists; further ones are only counted.
 const MAX_EXAMPLES: usize = 12;
 
 /// Limits between the classes of bounces, m/s.

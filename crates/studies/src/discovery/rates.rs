@@ -107,7 +107,7 @@ pub(super) struct Rates {
     pub(super) in_set_several: Vec<(usize, f64, Count)>,
     /// Verdict other than `none` without a seeded effect, by noise.
     pub(super) false_alarms: Vec<(&'static str, Count)>,
-    /// Held-out error within [`MAX_HELD_OUT_RATIO`] of the true model, of runs with an effect of the catalogue.
+    /// Runs with an effect of the catalogue whose held-out error is at most [`MAX_HELD_OUT_RATIO`] times that of the true model.
     pub(super) held_out: Count,
     /// Median of the held-out ratio of those runs.
     pub(super) held_out_median: Option<f64>,

@@ -26,7 +26,7 @@ pub const TWELVE: Plan<'static> = Plan {
     rate: 120.0,
 };
 
-/// A kind of noise.
+/// Noise of a row of the study, with the name that pages give it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseCondition {
     /// Its name in pages. It is part of the seeds of the discovery study: another name gives other datasets.

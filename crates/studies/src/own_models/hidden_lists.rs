@@ -104,7 +104,7 @@ const TURNING: &[Hidden] = &[
     hide("moment_by_speed", MOMENTS, [0.5, 5.0], Action::Moment(|at| at.axes.column(0).cross(&left(at)) * speed(at).powi(2))),
 ];
 
-/// Sites of the rates of stated equations: the rate itself, or what acts through it.
+/// Sites that count as right for a hidden rate of a stated equation: the equation itself, or what enters it.
 const RATES: &[&str] = &[
     "equation", "unknown", "drag", "lift", "wind", "gravity", "vertical",
 ];

@@ -28,7 +28,7 @@ pub struct UnlistedEffect {
     pub strength: [f64; 2],
     /// Laws of motion on which it can act.
     pub laws: &'static [Law],
-    /// An effect of the catalogue that comes so near that naming it is right.
+    /// Effect of the catalogue so similar to this one that naming it counts as right; `None` if there is none.
     pub near: Option<&'static str>,
     kind: Kind,
 }

@@ -10,7 +10,7 @@ use super::effects::SeededEffects;
 use super::unlisted::{LAG, UnlistedEffect, unlisted};
 use crate::oracle_flights::{Derivatives, integrate_law};
 
-/// The world of one flight.
+/// True model and conditions from which one flight is simulated.
 pub(super) struct SeededWorld {
     world: ExtendedLaw<f64>,
     unlisted: Vec<(&'static UnlistedEffect, f64)>,
