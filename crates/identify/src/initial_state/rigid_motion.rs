@@ -6,7 +6,7 @@ use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::{median, robust_sigma};
 
 /// Rigid-body motion at one instant, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +102,7 @@ pub fn sigma0(
             third.abs().as_slice().to_vec()
         })
         .collect();
-    (rough.len() >= 3).then(|| 1.4826 * median(&mut rough) / 20.0_f64.sqrt())
+    (rough.len() >= 3).then(|| robust_sigma(&mut rough) / 20.0_f64.sqrt())
 }
 
 /// The motion at the first sample of a flight.

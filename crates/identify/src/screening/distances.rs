@@ -1,7 +1,7 @@
 //! Rigid distances between markers, as measured in a flight and as the template declares them.
 
 use crate::dataset::{Flight, Marker};
-use crate::statistics::median;
+use crate::statistics::{median, robust_sigma};
 
 /// Greatest number of markers whose distances are compared: further ones add little and cost much.
 pub const MOST_MARKERS: usize = 8;
@@ -87,7 +87,7 @@ impl Distances {
         }
         Some(Self {
             declared: declared.collect(),
-            noise: 1.4826 * median(&mut changes) / std::f64::consts::SQRT_2,
+            noise: robust_sigma(&mut changes) / std::f64::consts::SQRT_2,
             pairs,
             samples,
             medians,
