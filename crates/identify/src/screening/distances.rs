@@ -32,6 +32,14 @@ pub fn unit(ratio: f64) -> Option<(f64, &'static str)> {
     UNITS.iter().copied().find(|(length, _)| near(*length))
 }
 
+/// The pairs of the first [`MOST_MARKERS`] of these markers, by index.
+pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
+    let count = markers.min(MOST_MARKERS);
+    (0..count)
+        .flat_map(|i| (i + 1..count).map(move |j| (i, j)))
+        .collect()
+}
+
 /// Measured distances of the pairs of markers in one flight.
 pub struct Distances {
     /// The pairs, by marker index.
@@ -47,12 +55,11 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// Distances of the first [`MOST_MARKERS`] markers of a flight; none if no pair is measured.
-    pub fn of(flight: &Flight, markers: &[Marker]) -> Option<Self> {
-        let count = markers.len().min(MOST_MARKERS);
-        let pairs: Vec<(usize, usize)> = (0..count)
-            .flat_map(|i| (i + 1..count).map(move |j| (i, j)))
-            .collect();
+    /// Distances of the pairs of a flight's markers that are `rigid`; none if no such pair is measured.
+    pub fn of(flight: &Flight, markers: &[Marker], rigid: &[bool]) -> Option<Self> {
+        let pairs = marker_pairs(markers.len()).into_iter().zip(rigid);
+        let pairs: Vec<(usize, usize)> =
+            pairs.filter(|(_, rigid)| **rigid).map(|(p, _)| p).collect();
         if pairs.is_empty() {
             return None;
         }

@@ -11,6 +11,7 @@ mod labels;
 mod loads;
 mod mirror;
 mod records;
+mod rigid;
 mod template;
 #[cfg(test)]
 mod tests;
@@ -38,10 +39,11 @@ const NOISE_PART: f64 = 0.1;
 /// Faults of a dataset's flights, in the dataset's order, at most one for each flight. Roles do not matter.
 pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Vec<DataFault> {
     let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
+    let rigid = rigid::rigid_pairs(problem);
     let each = batch::each_on(threads, dataset.flights.len(), |index| {
         let flight = &dataset.flights[index];
         let fault = records::check(dataset, index)
-            .or_else(|| template::check(dataset, index))
+            .or_else(|| template::check(dataset, index, &rigid))
             .or_else(|| mirror_is_decided.then(|| mirror::check(&problem.markers, flight))?);
         match fault {
             Some(fault) => (Some(fault), None),

@@ -11,12 +11,15 @@ const LEAST_LOG_RATIO: f64 = 0.18;
 /// Fraction of a marker's samples with grossly wrong distances above which the track is faulty; fewer are outliers.
 const GROSS_FRACTION: f64 = 0.15;
 
-/// First fault of a flight that its distances show; none if they are those of the template.
-pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
+/// First fault of a flight that the distances of its `rigid` pairs show; none if they are those of the template.
+pub fn check(dataset: &Dataset, flight: usize, rigid: &[bool]) -> Option<DataFault> {
     let (flight, markers) = (&dataset.flights[flight], &dataset.markers[..]);
-    let distances = Distances::of(flight, markers)?;
+    let distances = Distances::of(flight, markers, rigid)?;
+    let labels = || labels::check(&distances, flight, markers);
+    // A permutation is told by all pairs or not at all.
+    let all = rigid.iter().all(|rigid| *rigid);
     units(&distances, flight)
-        .or_else(|| labels::check(&distances, flight, markers))
+        .or_else(|| all.then(labels)?)
         .or_else(|| elsewhere(&distances, flight, markers))
 }
 

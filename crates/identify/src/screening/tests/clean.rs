@@ -8,7 +8,7 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::free_fall::FreeFall;
 use crate::screening::track::Track;
-use crate::screening::{gravity, handling, jumps, records, screen, template};
+use crate::screening::{gravity, handling, jumps, records, rigid, screen, template};
 use crate::synthesize::{Plan, Spread, flights};
 
 #[test]
@@ -173,12 +173,13 @@ fn time_of_the_screening() {
         .map(|flight| Some(track(flight)))
         .collect();
     let gravity = gravity::gravity(&problem).expect("gravity");
+    let rigid = rigid::rigid_pairs(&problem);
     let each = |work: &dyn Fn(usize)| (0..dataset.flights.len()).for_each(work);
     time("records", &|| {
         each(&|i| assert!(records::check(dataset, i).is_none()))
     });
     time("distances", &|| {
-        each(&|i| assert!(template::check(dataset, i).is_none()))
+        each(&|i| assert!(template::check(dataset, i, &rigid).is_none()))
     });
     time("tracks", &|| {
         each(&|i| assert!(!track(&dataset.flights[i]).points.is_empty()))

@@ -1,5 +1,6 @@
 //! The screening on synthetic flights: none of what flies is a fault, and mistakes are named.
 
+mod allowed;
 mod clean;
 mod cuts;
 mod handled;

@@ -1,0 +1,57 @@
+//! What the model can describe is no fault: distances that an estimated parameter changes are not compared.
+
+use model_spec::load::load;
+
+use super::{Spoil, disc, found, spoiled};
+use crate::dataset::Dataset;
+use crate::screening::distances::marker_pairs;
+use crate::screening::rigid::rigid_pairs;
+use crate::{options::FitOptions, problem::FitProblem};
+
+fn rigid(effects: &[&str], dataset: &Dataset) -> Vec<bool> {
+    let model = load("disc", effects).expect("a model");
+    let problem = FitProblem::new(&model, dataset, &FitOptions::default()).expect("a problem");
+    rigid_pairs(&problem)
+}
+
+#[test]
+fn estimated_parameters_of_the_measurement_leave_distances_open() {
+    let (_, dataset) = disc(3);
+    assert_eq!(marker_pairs(3), [(0, 1), (0, 2), (1, 2)]);
+    for (effect, expected) in [
+        (&[][..], [true, true, true]),
+        (&["stall"], [true, true, true]),
+        (&["tilted_vertical"], [true, true, true]),
+        (&["marker_1_misplaced"], [false, false, true]),
+        (&["marker_3_misplaced"], [true, false, false]),
+        (&["marker_radius"], [false, false, false]),
+        (&["marker_time_offset"], [false, false, false]),
+        (&["scale"], [false, false, false]),
+    ] {
+        assert_eq!(rigid(effect, &dataset), expected, "{effect:?}");
+    }
+}
+
+#[test]
+fn a_misplaced_marker_is_a_fault_only_where_the_model_does_not_estimate_it() {
+    let far: Spoil = |flight| {
+        for row in &mut flight.positions {
+            let [Some(a), Some(b), _] = row[..] else {
+                continue;
+            };
+            let toward = [0, 1, 2].map(|k| a[k] + 0.4 * (b[k] - a[k]));
+            row[0] = Some(toward);
+        }
+    };
+    let (plain, dataset) = disc(3);
+    let all: Vec<usize> = (0..dataset.flights.len()).collect();
+    let dataset = spoiled(&dataset, &all, far);
+    assert_eq!(found(&plain, &dataset).len(), all.len());
+    for effect in ["marker_1_misplaced", "marker_radius"] {
+        let model = load("disc", &[effect]).expect("a model");
+        assert_eq!(found(&model, &dataset), [], "{effect}");
+    }
+    // Another marker's offset does not allow for it.
+    let model = load("disc", &["marker_3_misplaced"]).expect("a model");
+    assert_eq!(found(&model, &dataset).len(), all.len());
+}
