@@ -78,6 +78,27 @@ impl CompiledModel {
         CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
     }
 
+    /// As [`specialized`](Self::specialized), with derivatives by these parameters alone, given by their index in the
+    /// layout.
+    pub fn specialized_by(
+        model: &Model,
+        fixed: &[(usize, f64)],
+        parameters: Vec<usize>,
+    ) -> CompiledModel {
+        let selection = Selection::Only(parameters);
+        let compiled = compile_at(model, &selection, fixed, Effort::Quick);
+        let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)));
+        let patterns = &mut model.patterns;
+        let by_parameter = [
+            &mut patterns.parameter_jacobian,
+            &mut patterns.observation_by_parameter,
+        ];
+        for (_, column) in by_parameter.into_iter().flatten() {
+            *column = compiled.columns[*column];
+        }
+        model
+    }
+
     /// Compiled model with the given functions, which must be functions of `model`.
     pub fn with_functions(model: &Model, functions: Box<dyn ModelFunctions>) -> CompiledModel {
         let limits = model.limits.iter();

@@ -14,8 +14,9 @@ use super::limits::Limits;
 use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
-/// Stopping criteria of a refit; beyond 25 steps it counts as not converged.
+/// Stopping criteria of a refit: hypotheses are compared by whole units of χ²; beyond 25 steps it counts as not converged.
 const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
+    ftol_rel: 1e-5,
     max_steps: 25,
     ..StoppingCriteria::CONVERGED
 };
@@ -28,13 +29,12 @@ impl ScoreTestModel {
     /// [`SolveError`] of the least squares.
     pub fn refit(
         &self,
-        problem: &FitProblem,
         effects: &[CandidateId],
         from: &Iterate,
         noise: &NoiseModel,
     ) -> Result<(Iterate, f64), SolveError> {
         let columns = self.nuisance_columns(effects);
-        let refit = Refit::new(self, (problem, effects), &columns, from, noise);
+        let refit = Refit::new(self, effects, &columns, from, noise);
         let start = Iterate {
             global: select_vector(&from.global, &columns),
             local: from.local.clone(),
@@ -78,16 +78,12 @@ struct Refit<'a> {
 impl<'a> Refit<'a> {
     fn new(
         model: &'a ScoreTestModel,
-        (problem, effects): (&FitProblem, &[CandidateId]),
+        effects: &[CandidateId],
         columns: &[ColumnId],
         from: &Iterate,
         noise: &'a NoiseModel,
     ) -> Self {
-        let globals = columns.iter().map(|c| problem.globals[c.index()].clone());
-        let problem = FitProblem {
-            globals: globals.collect(),
-            ..problem.clone()
-        };
+        let problem = model.refit_problem(effects, columns);
         let null_states = model.null_states(effects);
         let flights = model.flights.iter().map(|observations| {
             let known = observations.known_states.iter().map(|(state, _)| *state);

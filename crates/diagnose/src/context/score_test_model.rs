@@ -170,6 +170,23 @@ impl ScoreTestModel {
         }
     }
 
+    /// The problem of [`problem_with`](Self::problem_with), with derivatives by the unknowns of a refit alone: those of
+    /// these columns.
+    pub fn refit_problem(&self, effects: &[CandidateId], columns: &[ColumnId]) -> FitProblem {
+        let fixed = fixed_parameters(&self.encompassing, effects);
+        let globals = columns
+            .iter()
+            .map(|column| &self.problem.globals[column.index()]);
+        let globals: Vec<_> = globals.cloned().collect();
+        let by = globals.iter().map(|global| global.param.index()).collect();
+        let model = &self.encompassing.model;
+        FitProblem {
+            body: Arc::new(CompiledModel::specialized_by(model, &fixed, by)),
+            globals,
+            ..self.problem.clone()
+        }
+    }
+
     /// Copy of an iterate with one candidate set to its null value.
     pub fn at_null_value(&self, iterate: &Iterate, dropped: CandidateId) -> Iterate {
         let candidate = self.candidate(dropped);

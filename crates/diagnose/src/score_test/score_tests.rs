@@ -348,9 +348,7 @@ mod tests {
         assert!(test.tolerance > MIN_TOLERANCE && test.tolerance <= 1.0);
         // The statistic predicts the decrease of the sum of squares by the refit.
         let problem = model.problem_with(&[stall]);
-        let (refitted, squares) = model
-            .refit(&problem, &[stall], &fixture.iterate, noise)
-            .unwrap();
+        let (refitted, squares) = model.refit(&[stall], &fixture.iterate, noise).unwrap();
         let before = model.normal_equations(&model.problem, &fixture.iterate, noise);
         let before: f64 = before.unwrap().iter().map(|block| block.squares).sum();
         let relative = (before - squares) / test.statistic;
@@ -374,9 +372,7 @@ mod tests {
         let noise = fixture.fit.noise();
         let stall = fixture.candidate("stall");
         let problem = model.problem_with(&[stall]);
-        let (iterate, _) = model
-            .refit(&problem, &[stall], &fixture.iterate, noise)
-            .unwrap();
+        let (iterate, _) = model.refit(&[stall], &fixture.iterate, noise).unwrap();
         let blocks = model.normal_equations(&problem, &iterate, noise).unwrap();
         let tests = ScoreTests::new(model, &blocks, &[stall], &iterate.global).unwrap();
         assert!(tests.candidates[stall].is_none());

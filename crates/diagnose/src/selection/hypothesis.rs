@@ -69,8 +69,8 @@ impl ScoreTestModel {
         noise: &NoiseModel,
         cache: TrajectoryCache,
     ) -> Option<Hypothesis> {
+        let (iterate, squares) = self.refit(effects, from, noise).ok()?;
         let problem = self.problem_with(effects);
-        let (iterate, squares) = self.refit(&problem, effects, from, noise).ok()?;
         let blocks = match cache.is_disabled() {
             true => self.normal_equations(&problem, &iterate, noise).ok()?,
             false => {

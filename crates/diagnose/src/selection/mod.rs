@@ -8,7 +8,7 @@ mod thresholds;
 
 pub(crate) use bic::select_by_bic;
 pub(crate) use hypothesis::Hypothesis;
-pub(crate) use search::Search;
-pub(crate) use stepwise_terms::{FittedTerms, StepwiseModel, stepwise_terms};
+pub(crate) use search::{MAX_EFFECTS, Search};
+pub(crate) use stepwise_terms::{FittedTerms, MAX_SELECTED, StepwiseModel};
 
 pub use stepwise_terms::StepwiseTerm;

@@ -18,7 +18,7 @@ const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 const MAX_REFITS: usize = 6;
 
 /// Greatest number of effects in one hypothesis.
-const MAX_EFFECTS: usize = 3;
+pub(crate) const MAX_EFFECTS: usize = 3;
 
 /// Difference below which noise estimates count as equal: relative standard deviation, and correlation.
 const NOISE_TOLERANCE: f64 = 0.05;
@@ -142,6 +142,11 @@ impl<'a> Search<'a> {
         let candidate = self.tests.strongest_candidate().map(|(_, test)| test);
         let term = self.tests.strongest_term().map(|(_, test)| test);
         ln_p(candidate).min(ln_p(term)) < self.thresholds.detect
+    }
+
+    /// Whether a sum of squares that linearization expects is near that of a fit, as far as linearization can tell.
+    pub fn is_near(&self, expected: f64, fitted: f64) -> bool {
+        expected < fitted + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * (self.squares - fitted)
     }
 
     /// Fits the strongest candidates one by one. The noise is estimated again given the first, and everything before it

@@ -2,6 +2,7 @@
 
 use identify::{Fit, fit};
 use model_spec::compose::EffectTree;
+use model_spec::index::IndexVec;
 use serde::{Deserialize, Serialize};
 
 use super::hypothesis::Hypothesis;
@@ -16,7 +17,7 @@ use crate::score_test::{ScoreTest, ScoreTests};
 use crate::text::three_figures;
 
 /// Greatest number of selected terms.
-const MAX_SELECTED: usize = 4;
+pub(crate) const MAX_SELECTED: usize = 4;
 
 /// Greatest number of reported terms besides the selected ones.
 const MAX_REPORTED: usize = 12;
@@ -51,12 +52,16 @@ pub(crate) struct StepwiseModel {
     selected: Vec<TermId>,
     /// The terms with the greatest statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
+    /// All terms as tested without any of them.
+    first: IndexVec<TermId, StepwiseTerm>,
     /// The extended models with the first term, the first two, …, and their fits.
     pub fitted: Vec<FittedTerms>,
     /// Weighted sum of squares under the search's noise model.
     pub squares: f64,
     /// Whether nothing is significant given the terms.
     pub is_adequate: bool,
+    /// The next term and its statistic; none if no term is left to try.
+    next: Option<(TermId, f64)>,
 }
 
 /// The model with some terms.
@@ -110,76 +115,106 @@ struct Step {
     squares: f64,
 }
 
-/// Selects terms one by one, each the strongest remaining, and fits the model again with each; beside the effects of a rejected
-/// hypothesis if one is given. None if the model can have no library.
-///
-/// # Errors
-/// [`DiagnosisError`] if a fitted model cannot be tested, or the caller cancelled.
-pub(crate) fn stepwise_terms(
-    context: Context<'_>,
-    model: &ScoreTestModel,
-    search: &Search<'_>,
-    beside: Option<&Hypothesis>,
-) -> Result<Option<StepwiseModel>, DiagnosisError> {
-    let Some(terms) = &model.terms else {
-        return Ok(None);
-    };
-    let given = beside.map(|given| model.tests_given(given, &search.noise));
-    let given = match given {
-        Some(given) => match if_possible(given)? {
-            Some(given) => Some(given),
-            None => return Ok(None),
-        },
-        None => None,
-    };
-    let first = given.as_ref().unwrap_or(&search.tests);
-    let effects = beside.map_or(&[][..], |given| given.effects.as_slice());
-    let names = effects
-        .iter()
-        .map(|&id| identifier(&model.candidate(id).name));
-    let mut stepwise = StepwiseModel {
-        effects: names.collect(),
-        effect_unknowns: model.unknowns_of(effects),
-        selected: Vec::new(),
-        terms: strongest_terms(terms, first),
-        fitted: Vec::new(),
-        squares: beside.map_or(search.squares, |given| given.squares),
-        is_adequate: false,
-    };
-    let reject = search.thresholds.reject;
-    let mut next = next_term(first, reject, &[]);
-    while let Some(term) = next.filter(|_| stepwise.selected.len() < MAX_SELECTED) {
-        context.check_cancelled()?;
-        if context.is_out_of_time() {
-            break;
-        }
-        let mut selected = stepwise.selected.clone();
-        selected.push(term);
-        let step = fit_terms(context, model, search, (&stepwise, &selected));
-        let Some(step) = if_possible(step)?.flatten() else {
-            break;
+impl StepwiseModel {
+    /// The model under test without any term yet; with the effects of a rejected hypothesis if one is given. None if the
+    /// model can have no library.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    pub fn start(
+        model: &ScoreTestModel,
+        search: &Search<'_>,
+        beside: Option<&Hypothesis>,
+    ) -> Result<Option<Self>, DiagnosisError> {
+        let Some(terms) = &model.terms else {
+            return Ok(None);
         };
-        // A term that does not decrease the sum of squares is none.
-        if step.squares > stepwise.squares {
-            break;
+        let given = beside.map(|given| model.tests_given(given, &search.noise));
+        let given = match given {
+            Some(given) => match if_possible(given)? {
+                Some(given) => Some(given),
+                None => return Ok(None),
+            },
+            None => None,
+        };
+        let first = given.as_ref().unwrap_or(&search.tests);
+        let effects = beside.map_or(&[][..], |given| given.effects.as_slice());
+        let names = effects
+            .iter()
+            .map(|&id| identifier(&model.candidate(id).name));
+        Ok(Some(Self {
+            effects: names.collect(),
+            effect_unknowns: model.unknowns_of(effects),
+            selected: Vec::new(),
+            terms: strongest_terms(terms, first),
+            first: reported(terms, first),
+            fitted: Vec::new(),
+            squares: beside.map_or(search.squares, |given| given.squares),
+            is_adequate: false,
+            next: next_term(first, search.thresholds.reject, &[]),
+        }))
+    }
+
+    /// Selects terms one by one, each the strongest remaining, and fits the model again with each, until it has `most`
+    /// terms, is adequate, or no term is left that decreases the sum of squares.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    pub fn extend(
+        &mut self,
+        context: Context<'_>,
+        model: &ScoreTestModel,
+        search: &Search<'_>,
+        most: usize,
+    ) -> Result<(), DiagnosisError> {
+        let reject = search.thresholds.reject;
+        while let Some((term, _)) = self.next.filter(|_| self.selected.len() < most) {
+            context.check_cancelled()?;
+            if context.is_out_of_time() {
+                return Ok(());
+            }
+            let mut selected = self.selected.clone();
+            selected.push(term);
+            let step = fit_terms(context, model, search, (self, &selected));
+            // A term that does not decrease the sum of squares is none.
+            let step = if_possible(step)?.flatten();
+            let Some(step) = step.filter(|step| step.squares <= self.squares) else {
+                self.next = None;
+                return Ok(());
+            };
+            let remaining = step.tests.strongest_candidate();
+            let is_rejected = remaining.is_some_and(|(_, test)| test.ln_p < reject);
+            let next = next_term(&step.tests, reject, &selected);
+            self.is_adequate = !is_rejected && next.is_none();
+            self.next = next.filter(|_| !self.is_adequate);
+            self.squares = step.squares;
+            self.fitted.push(FittedTerms {
+                extension: step.extension,
+                fit: step.fit,
+                squares: step.squares,
+            });
+            self.selected = selected;
+            self.report_selected(term);
         }
-        let remaining = step.tests.strongest_candidate();
-        let is_rejected = remaining.is_some_and(|(_, test)| test.ln_p < reject);
-        next = next_term(&step.tests, reject, &selected);
-        stepwise.squares = step.squares;
-        stepwise.fitted.push(FittedTerms {
-            extension: step.extension,
-            fit: step.fit,
-            squares: step.squares,
-        });
-        stepwise.selected = selected;
-        stepwise.is_adequate = !is_rejected && next.is_none();
-        if stepwise.is_adequate {
-            break;
+        Ok(())
+    }
+
+    fn report_selected(&mut self, term: TermId) {
+        let first = &self.first[term];
+        let mut reported = self.terms.iter_mut();
+        match reported.find(|reported| reported.name == first.name) {
+            Some(reported) => reported.selected = true,
+            None => self.terms.push(StepwiseTerm {
+                selected: true,
+                ..first.clone()
+            }),
         }
     }
-    stepwise.mark_selected(terms, first);
-    Ok(Some(stepwise))
+
+    /// Sum of squares that the next term is expected to leave; none if there is none.
+    pub fn expected_squares(&self) -> Option<f64> {
+        self.next.map(|(_, statistic)| self.squares - statistic)
+    }
 }
 
 /// Writes effects for the selected terms, fits the model with them and tests everything else; none if that model cannot be
@@ -233,10 +268,17 @@ fn fit_terms(
     }))
 }
 
-/// The strongest term, if it is significant and not selected yet.
-fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<TermId> {
+/// The strongest term with its statistic, if it is significant and not selected yet.
+fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<(TermId, f64)> {
     let (term, test) = tests.strongest_term()?;
-    (test.ln_p < reject && !selected.contains(&term)).then_some(term)
+    (test.ln_p < reject && !selected.contains(&term)).then_some((term, test.statistic))
+}
+
+/// All terms, as tested.
+fn reported(terms: &LibraryTerms, tests: &ScoreTests) -> IndexVec<TermId, StepwiseTerm> {
+    let each = tests.terms.iter_enumerated();
+    each.map(|(id, test)| StepwiseTerm::new(terms, id, test))
+        .collect()
 }
 
 /// The terms with the greatest statistics, the greatest first.
@@ -261,22 +303,6 @@ impl StepwiseTerm {
             value: estimate.map_or(0.0, |estimate| estimate.value),
             std_error: estimate.map_or(0.0, |estimate| estimate.std_error),
             selected: false,
-        }
-    }
-}
-
-impl StepwiseModel {
-    /// Marks the selected terms in the report, and adds those that are not in it.
-    fn mark_selected(&mut self, terms: &LibraryTerms, tests: &ScoreTests) {
-        for &term in &self.selected {
-            let name = terms.name(term);
-            match self.terms.iter_mut().find(|reported| reported.name == name) {
-                Some(reported) => reported.selected = true,
-                None => self.terms.push(StepwiseTerm {
-                    selected: true,
-                    ..StepwiseTerm::new(terms, term, &tests.terms[term])
-                }),
-            }
         }
     }
 }
@@ -336,7 +362,8 @@ mod tests {
         let reported = strongest_terms(terms, &tests);
         assert_eq!(reported.len(), MAX_REPORTED);
         assert!(reported.is_sorted_by(|a, b| a.statistic >= b.statistic));
-        let next = next_term(&tests, -20.0, &[]).unwrap();
+        let (next, statistic) = next_term(&tests, -20.0, &[]).unwrap();
+        assert_eq!(statistic, reported[0].statistic);
         assert_eq!(terms.name(next), reported[0].name);
         assert_eq!(next_term(&tests, -20.0, &[next]), None);
         assert_eq!(next_term(&tests, -1e9, &[]), None);

@@ -28,6 +28,12 @@ const MAX_ROUNDS: usize = 8;
 /// Number of least squares that reach their greatest number of steps after which none is tried again.
 const MAX_UNFINISHED: usize = 2;
 
+/// Ratio of the residuals to the noise of the samples above which the model is far from them.
+const MISFIT: f64 = 3.0;
+
+/// Number of least squares of a model far from the samples after which its residuals are not weighted again.
+const MAX_MISFITS: usize = 3;
+
 /// Converged noise estimate and unknowns, or the last iterates without convergence.
 pub struct Reweighted {
     /// The noise by which residuals are weighted.
@@ -86,7 +92,7 @@ fn agree(
     let mut noise = NoiseModel::white(problem.sigma0, state.interval);
     let mut solution: Option<Solution> = None;
     let mut predicted_reduction = None;
-    let mut unfinished = 0;
+    let (mut unfinished, mut misfits) = (0, 0);
     for round in 0..MAX_ROUNDS {
         let (estimated, marks_changed) = estimate_noise(problem, state, &cache, options)?;
         let agrees = !marks_changed && estimated.is_close_to(&noise);
@@ -105,7 +111,11 @@ fn agree(
             (cache, predicted_reduction) = (step.cache, step.predicted_reduction);
             continue;
         }
-        let criteria = StoppingCriteria::CONVERGED;
+        let is_misfit = noise.overall() > MISFIT * problem.sigma0;
+        let criteria = match is_misfit {
+            true => StoppingCriteria::MISFIT,
+            false => StoppingCriteria::CONVERGED,
+        };
         let by = (loss, criteria);
         let found = solve_flights(
             problem,
@@ -130,7 +140,9 @@ fn agree(
             return Ok(None);
         }
         unfinished += usize::from(found.stop_reason == StopReason::MaxSteps);
-        if found.stop_reason == StopReason::Deadline || unfinished >= MAX_UNFINISHED {
+        misfits += usize::from(is_misfit);
+        let is_hopeless = unfinished >= MAX_UNFINISHED || misfits >= MAX_MISFITS;
+        if found.stop_reason == StopReason::Deadline || is_hopeless {
             return Ok(Some(Reweighted::new(noise, found, cache, false)));
         }
         solution = Some(found);

@@ -184,7 +184,8 @@ pub fn solve_after(
                 (damping, rejections) = (less_damping, 0);
                 continue;
             }
-            if rejections == 0 {
+            // Only a long step may lead out of a valley that the next one leads back to.
+            if rejections == 0 && predicted_reduction > MAX_SECOND_RATIO * squares {
                 iterations += 1;
                 let second = second_step(problem, &candidate, at_candidate, less_damping, squares)?;
                 if let Some((candidate, at_candidate, after)) = second {

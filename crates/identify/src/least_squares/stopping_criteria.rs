@@ -23,6 +23,13 @@ impl StoppingCriteria {
         accept_unevaluated: 1e3,
         max_steps: 100,
     };
+    /// Criteria for a model that leaves far more than the noise: its steps become small slowly, and where they end
+    /// within a fraction of a standard error means nothing.
+    pub const MISFIT: StoppingCriteria = StoppingCriteria {
+        ftol_rel: 1e-4,
+        max_steps: 40,
+        ..StoppingCriteria::CONVERGED
+    };
     /// Criteria for intermediate fits, after which the weights change.
     pub const COARSE: StoppingCriteria = StoppingCriteria {
         ftol_abs: 1e-2,
