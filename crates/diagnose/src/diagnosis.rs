@@ -1,14 +1,14 @@
 //! The stages of a diagnosis, from the fit of the model to the report.
 
-use std::collections::BTreeMap;
 use std::time::Instant;
 
 use identify::dataset::{Dataset, Role};
-use identify::{Fit, Iterate, fit};
+use identify::{Fit, FitOptions, Iterate};
 use model_spec::model::Model;
 
+use crate::base_fit::{BaseFit, Clock};
 use crate::consensus::consensus;
-use crate::context::{CandidateId, Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
+use crate::context::{CandidateId, Context, DiagnosisOptions, ScoreTestModel};
 use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::lack_of_fit::LackOfFit;
@@ -57,13 +57,28 @@ pub fn diagnose_with<R: Send>(
     on_extension: impl Fn(&ExtendedModel) -> R + Sync,
 ) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
     options.validate(model)?;
+    let started = Instant::now();
+    let base = BaseFit::new(Context {
+        model,
+        dataset,
+        options,
+    })?;
+    // Later fits take over what the screening of the first one found.
+    let faults = base.fit.report.data_faults.clone();
+    let options = &DiagnosisOptions {
+        fit: FitOptions {
+            known_faults: Some(&faults),
+            trust_data: options.fit.trust_data || base.is_despite_faults,
+            ..options.fit
+        },
+        ..*options
+    };
     let context = Context {
         model,
         dataset,
         options,
     };
-    let started = Instant::now();
-    let analysis = Analysis::new(context)?;
+    let analysis = Analysis::new(context, base)?;
     if let Some(discordant) = &analysis.discordant
         && let Some(mut done) = without_discordant(context, discordant, &on_extension)?
     {
@@ -97,7 +112,8 @@ fn without_discordant<R: Send>(
         dataset: &concordant,
         ..context
     };
-    let mut found = Analysis::new(context)?.finish(on_extension)?;
+    let base = BaseFit::new(context)?;
+    let mut found = Analysis::new(context, base)?.finish(on_extension)?;
     let report = &mut found.0.report;
     if report.verdict == Verdict::Unattributed || report.causes.is_empty() {
         return Ok(None);
@@ -114,27 +130,6 @@ fn without_discordant<R: Send>(
     });
     report.summary = report::summary(report);
     Ok(Some(found))
-}
-
-/// Computing time by stage.
-struct Clock {
-    started: Instant,
-    seconds: BTreeMap<String, f64>,
-}
-
-impl Clock {
-    fn start() -> Self {
-        Self {
-            started: Instant::now(),
-            seconds: BTreeMap::new(),
-        }
-    }
-
-    /// Records the time since the stage's start under its name.
-    fn record(&mut self, stage: &str) {
-        let elapsed = self.started.elapsed().as_secs_f64();
-        self.seconds.insert(stage.to_owned(), elapsed);
-    }
 }
 
 /// State of a diagnosis whose explanations are found but not yet validated.
@@ -177,21 +172,15 @@ fn search_testable<'a>(
 }
 
 impl<'a> Analysis<'a> {
-    /// Fits the model under test, tests all candidates and searches for explanations.
-    fn new(context: Context<'a>) -> Result<Self, DiagnosisError> {
-        let mut clock = Clock::start();
-        let Context {
-            model,
-            dataset,
-            options,
-        } = context;
-        let (encompassing, before) = join(
-            options.fit.threads(),
-            || EncompassingModel::new(model, options.without),
-            || fit(model, dataset, &options.fit),
-        );
-        let (before, encompassing) = (before?, encompassing?);
-        clock.record("fit");
+    /// Tests all candidates at the fit of the model under test, and searches for explanations.
+    fn new(context: Context<'a>, base: BaseFit) -> Result<Self, DiagnosisError> {
+        let options = context.options;
+        let BaseFit {
+            clock,
+            fit: before,
+            encompassing,
+            is_despite_faults,
+        } = base;
         let (mut model, mut base) = ScoreTestModel::new(encompassing, context, &before)?;
         let threads = options.fit.threads();
         let mut set_aside = Vec::new();
@@ -223,6 +212,12 @@ impl<'a> Analysis<'a> {
             discordant: None,
             notes: Vec::new(),
         };
+        if is_despite_faults {
+            analysis.notes.push(
+                "every flight has a fault of the data; they are used all the same, as an effect may explain it"
+                    .to_owned(),
+            );
+        }
         if !set_aside.is_empty() {
             let files = set_aside.join(", ");
             analysis.notes.push(format!(
@@ -234,6 +229,7 @@ impl<'a> Analysis<'a> {
         } else {
             analysis.select_by_bic(FREE_UNKNOWNS);
         }
+        analysis.search.add_undecided(&analysis.model)?;
         Ok(analysis)
     }
 

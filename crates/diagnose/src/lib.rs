@@ -30,6 +30,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod base_fit;
 mod consensus;
 mod context;
 mod diagnosis;

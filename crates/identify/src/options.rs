@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use crate::error::FitError;
+use crate::screening::DataFault;
 
 /// Options of a fit. The default estimates every coefficient of the model within the model's bounds, without priors and
 /// profiles, on all processors.
@@ -22,6 +23,8 @@ pub struct FitOptions<'a> {
     pub profiles: &'a [String],
     /// Whether flights with a [`DataFault`](crate::DataFault) are used nevertheless; the report lists the faults either way.
     pub trust_data: bool,
+    /// Faults that an earlier fit of the same flights reported; none to look for them.
+    pub known_faults: Option<&'a [DataFault]>,
     /// Number of threads; none for the number of processors. The result does not depend on it.
     pub threads: Option<usize>,
     /// Receives the progress.

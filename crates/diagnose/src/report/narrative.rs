@@ -1,6 +1,6 @@
 //! Summary of a diagnosis in words.
 
-use super::types::{Cause, CauseEffect, Consensus, Report, Verdict};
+use super::types::{Cause, CauseEffect, Consensus, LoadChannel, Report, Verdict};
 use crate::selection::{StepwiseModel, StepwiseTerm};
 use crate::text::{millimetres, three_figures};
 use crate::validation::{PredictiveGain, Validated};
@@ -38,6 +38,12 @@ fn answer(report: &Report) -> String {
             described(&report.causes[0])
         ),
         Verdict::Ambiguous => {
+            if let Some(undecided) = undecided(&report.causes) {
+                return format!(
+                    "The model {model} lacks {} These flights do not decide whether it lacks {undecided} too.",
+                    described(&report.causes[0])
+                );
+            }
             let names: Vec<String> = report.causes.iter().map(name).collect();
             format!(
                 "The model {model} lacks an effect, and these flights do not tell which of {}: {}. The best fit: {}",
@@ -47,6 +53,23 @@ fn answer(report: &Report) -> String {
             )
         }
         Verdict::Unattributed => unattributed_answer(report),
+    }
+}
+
+/// The effect that the second of two causes has in addition to the first; none if they differ otherwise.
+fn undecided(causes: &[Cause]) -> Option<String> {
+    let [first, second] = causes else {
+        return None;
+    };
+    let is_in_first = |name: &str| first.effects.iter().any(|effect| effect.name == name);
+    let more = second
+        .effects
+        .iter()
+        .filter(|effect| !is_in_first(&effect.name));
+    let more: Vec<&str> = more.map(|effect| effect.name.as_str()).collect();
+    match &more[..] {
+        [more] if second.effects.len() == first.effects.len() + 1 => Some((*more).to_owned()),
+        _ => None,
     }
 }
 
@@ -209,8 +232,19 @@ pub(crate) fn refused(validated: &Validated) -> String {
 }
 
 /// Sentence on where a lack of fit lies that no candidate effect explains.
-pub(crate) fn unattributed(model: &StepwiseModel) -> String {
+pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> String {
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
+    let most = channels
+        .iter()
+        .max_by(|a, b| a.explained.total_cmp(&b.explained));
+    if let Some(most) = most.filter(|_| selected.is_empty() && model.has_significant_term) {
+        return format!(
+            "Most of it is a missing load in {} ({:.0} % of what loads explain), and no product of angle of attack, spin, speed, rates, \
+             height and time on it predicts flights better out of sample.",
+            most.site,
+            100.0 * most.explained
+        );
+    }
     if selected.is_empty() {
         let greatest = model.terms.first().map_or(0.0, |term| term.statistic);
         return format!(

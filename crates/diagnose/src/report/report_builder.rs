@@ -280,9 +280,10 @@ pub(crate) fn unattributed_report(
     stepwise: &StepwiseModel,
     histories: Vec<Vec<LoadHistory>>,
 ) -> Unattributed {
+    let channels = load_channels(model, search, histories);
     Unattributed {
-        says: narrative::unattributed(stepwise),
-        channels: load_channels(model, search, histories),
+        says: narrative::unattributed(stepwise, &channels),
+        channels,
         terms: stepwise.terms.clone(),
     }
 }

@@ -347,7 +347,6 @@ mod tests {
         assert!(test.ln_p < tests.thresholds([0.004])[0]);
         assert!(test.tolerance > MIN_TOLERANCE && test.tolerance <= 1.0);
         // The statistic predicts the decrease of the sum of squares by the refit.
-        let problem = model.problem_with(&[stall]);
         let (refitted, squares) = model.refit(&[stall], &fixture.iterate, noise).unwrap();
         let before = model.normal_equations(&model.problem, &fixture.iterate, noise);
         let before: f64 = before.unwrap().iter().map(|block| block.squares).sum();

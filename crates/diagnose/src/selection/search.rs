@@ -26,6 +26,9 @@ const NOISE_TOLERANCE: f64 = 0.05;
 /// Greatest number of rejected hypotheses to which effects are added.
 const MAX_PARENTS: usize = 3;
 
+/// Familywise p-value of a remaining candidate below which the flights do not decide whether it is missing too.
+const ALPHA_UNDECIDED: f64 = 0.05;
+
 /// State of the search.
 pub(crate) struct Search<'a> {
     context: Context<'a>,
@@ -261,6 +264,32 @@ impl<'a> Search<'a> {
         while let Some(fewer) = self.prune(model)? {
             self.accepted = fewer;
         }
+        Ok(())
+    }
+
+    /// Adds to a single accepted hypothesis the one with its strongest remaining candidate, where that is nearly significant
+    /// given the hypothesis: the flights do not decide then whether it is missing too.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    pub fn add_undecided(&mut self, model: &ScoreTestModel) -> Result<(), DiagnosisError> {
+        let [best] = &self.accepted[..] else {
+            return Ok(());
+        };
+        let limit = (ALPHA_UNDECIDED / model.candidates().len() as f64).ln();
+        let remaining = best.strongest_remaining();
+        let Some((candidate, _)) = remaining.filter(|(_, ln_p)| *ln_p < limit) else {
+            return Ok(());
+        };
+        self.context.check_cancelled()?;
+        if best.effects.len() >= MAX_EFFECTS || model.is_exhausted() {
+            return Ok(());
+        }
+        let mut effects = best.effects.clone();
+        effects.push(candidate);
+        effects.sort_unstable();
+        let with = model.fit_hypothesis(&effects, &best.iterate, &self.noise);
+        self.accepted.extend(with);
         Ok(())
     }
 

@@ -60,6 +60,8 @@ pub(crate) struct StepwiseModel {
     pub squares: f64,
     /// Whether nothing is significant given the terms.
     pub is_adequate: bool,
+    /// Whether a term is significant without any other.
+    pub has_significant_term: bool,
     /// The next term and its statistic; none if no term is left to try.
     next: Option<(TermId, f64)>,
 }
@@ -142,6 +144,7 @@ impl StepwiseModel {
         let names = effects
             .iter()
             .map(|&id| identifier(&model.candidate(id).name));
+        let next = next_term(first, search.thresholds.reject, &[]);
         Ok(Some(Self {
             effects: names.collect(),
             effect_unknowns: model.unknowns_of(effects),
@@ -151,7 +154,8 @@ impl StepwiseModel {
             fitted: Vec::new(),
             squares: beside.map_or(search.squares, |given| given.squares),
             is_adequate: false,
-            next: next_term(first, search.thresholds.reject, &[]),
+            has_significant_term: next.is_some(),
+            next,
         }))
     }
 

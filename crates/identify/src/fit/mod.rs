@@ -78,7 +78,10 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         return Err(FitError::NothingToFit);
     }
     let mut held_out = flights_of(dataset, Role::HeldOut);
-    let data_faults = screening::screen(&problem, dataset, options.threads());
+    let data_faults = match options.known_faults {
+        Some(known) => known.to_vec(),
+        None => screening::screen(&problem, dataset, options.threads()),
+    };
     let faulty = screening::excluded(dataset, &data_faults, options);
     let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
     fitted.retain(|flight| !is_faulty(flight));

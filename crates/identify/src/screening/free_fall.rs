@@ -19,8 +19,8 @@ const LEAST_SIGNIFICANCE: f64 = 8.0;
 const LEAST_RATIO: f64 = 1.7;
 /// Greatest angle between an acceleration and the axis that it is along: cos 30°.
 const ALONG: f64 = 0.866;
-/// Factors on gravity between which it may be a matter of loads; more for a point mass, whose spin is not known.
-const USUAL_FACTORS: [(f64, f64); 2] = [(0.55, 1.8), (0.38, 2.6)];
+/// Factors on gravity between which it may be a matter of loads that the model lacks; twice the time is 4.
+const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
 /// Least misfit of a single flight that is examined: in units of gravity, and of the median of all flights.
 const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
 /// Greatest misfit with the mend: in units of the misfit without it, of the median of all flights, and of gravity.
@@ -133,8 +133,7 @@ impl<'a> FreeFall<'a> {
         let ratio = free.gravity.norm() / g;
         let cosine = free.gravity.dot(&self.gravity) / (g * g * ratio);
         if cosine > ALONG {
-            let (least, most) = USUAL_FACTORS[usize::from(!self.problem.has_attitude)];
-            if (least..most).contains(&ratio) {
+            if USUAL_FACTORS.contains(&ratio) {
                 return None;
             }
             return Some(self.scale(ratio, free));

@@ -228,7 +228,8 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     Some(chi2.sqrt() / DETECTABLE)
 }
 
-/// Effects of the causes with their sites; the written terms where there is no cause.
+/// Effects of the causes with their sites; the written terms where there is no cause; without terms, the load channel that
+/// explains most of the misfit, which the report states.
 fn answer(report: &Report) -> Vec<(String, String)> {
     let causes = report.causes.iter().flat_map(|cause| &cause.effects);
     let mut answer: Vec<(String, String)> = causes
@@ -237,5 +238,10 @@ fn answer(report: &Report) -> Vec<(String, String)> {
     let terms = report.unattributed.iter().flat_map(|found| &found.terms);
     let selected = terms.filter(|term| term.selected);
     answer.extend(selected.map(|term| (term.name.clone(), term.site.clone())));
+    if answer.is_empty() {
+        let channels = report.unattributed.iter().flat_map(|found| &found.channels);
+        let most = channels.max_by(|a, b| a.explained.total_cmp(&b.explained));
+        answer.extend(most.map(|channel| ("missing load".to_owned(), channel.site.clone())));
+    }
     answer
 }
