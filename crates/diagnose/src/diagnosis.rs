@@ -259,6 +259,9 @@ impl<'a> Analysis<'a> {
                 break;
             }
         }
+        if self.search.accepted.is_empty() && !self.has_adequate_terms() {
+            self.search.add_effect(&self.model)?;
+        }
         if self.search.accepted.is_empty() {
             if let Some(stepwise) = &mut self.stepwise {
                 stepwise.extend(self.context, &self.model, &self.search, MAX_SELECTED)?;

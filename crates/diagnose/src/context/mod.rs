@@ -22,6 +22,7 @@ pub(crate) use encompassing::EncompassingModel;
 pub(crate) use ids::{CandidateId, ColumnId, DirectionId, TermId};
 pub(crate) use library_terms::LibraryTerms;
 pub(crate) use partition::{Partition, select, select_vector};
+pub(crate) use refit::Refitted;
 pub(crate) use score_test_model::ScoreTestModel;
 pub(crate) use trajectory_cache::{LinearizationPoint, TrajectoryCache};
 

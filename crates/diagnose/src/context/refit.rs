@@ -3,8 +3,8 @@
 use flight::batch;
 use identify::{
     Constraint, FitProblem, FlightError, Iterate, LeastSquaresProblem, Loss, NoiseModel,
-    NormalBlock, Observations, Solution, SolveError, StateManifold, StoppingCriteria, Unknowns,
-    constrained_step, eliminate, linearise, solve,
+    NormalBlock, Observations, Solution, SolveError, StateManifold, StopReason, StoppingCriteria,
+    Unknowns, constrained_step, eliminate, linearise, solve,
 };
 use model_spec::layout::StateId;
 use nalgebra::DVector;
@@ -14,16 +14,25 @@ use super::limits::Limits;
 use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
-/// Stopping criteria of a refit: hypotheses are compared by whole units of χ²; beyond 25 steps it counts as not converged.
+/// Stopping criteria of a refit: hypotheses are compared by whole units of χ²; beyond 30 steps it counts as not converged.
 const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     ftol_rel: 1e-5,
-    max_steps: 25,
+    max_steps: 30,
     ..StoppingCriteria::CONVERGED
 };
 
+/// Result of a refit.
+pub(crate) struct Refitted {
+    /// The fitted values of all unknowns.
+    pub iterate: Iterate,
+    /// Weighted sum of squares.
+    pub squares: f64,
+    /// Whether the iteration ended before its greatest number of steps.
+    pub is_finished: bool,
+}
+
 impl ScoreTestModel {
-    /// Fits the model under test and some candidates, from an iterate where all others are at their null value. Returns
-    /// the iterate and its weighted sum of squares.
+    /// Fits the model under test and some candidates, from an iterate where all others are at their null value.
     ///
     /// # Errors
     /// [`SolveError`] of the least squares.
@@ -32,7 +41,7 @@ impl ScoreTestModel {
         effects: &[CandidateId],
         from: &Iterate,
         noise: &NoiseModel,
-    ) -> Result<(Iterate, f64), SolveError> {
+    ) -> Result<Refitted, SolveError> {
         let columns = self.nuisance_columns(effects);
         let refit = Refit::new(self, effects, &columns, from, noise);
         let start = Iterate {
@@ -50,6 +59,7 @@ impl ScoreTestModel {
             iterate,
             squares,
             iterations,
+            stop_reason,
             ..
         } = found;
         self.limits.count(iterations);
@@ -61,7 +71,11 @@ impl ScoreTestModel {
             global,
             local: iterate.local,
         };
-        Ok((iterate, squares))
+        Ok(Refitted {
+            iterate,
+            squares,
+            is_finished: stop_reason != StopReason::MaxSteps,
+        })
     }
 }
 

@@ -202,6 +202,16 @@ impl ScoreTestModel {
         iterate
     }
 
+    /// The iterate of a fit of the model under test with some candidates; none if it fitted other flights.
+    pub fn iterate_of(&self, context: Context<'_>, fit: &Fit) -> Option<Iterate> {
+        let (flights, local) = fitted_flights(&self.problem, context, fit).ok()?;
+        let files = |flights: &[Observations]| -> Vec<String> {
+            flights.iter().map(|flight| flight.file.clone()).collect()
+        };
+        let global = fitted_globals(&self.problem, fit);
+        (files(&flights) == files(&self.flights)).then_some(Iterate { global, local })
+    }
+
     /// Number of measured coordinates, at least 2.
     pub fn coordinates(&self) -> usize {
         let points = |flight: &Observations| flight.measured.iter().flatten().count();

@@ -332,6 +332,7 @@ fn least_p<'s, I: Idx>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::context::Refitted;
     use crate::test_support::fixture;
 
     #[test]
@@ -347,7 +348,11 @@ mod tests {
         assert!(test.ln_p < tests.thresholds([0.004])[0]);
         assert!(test.tolerance > MIN_TOLERANCE && test.tolerance <= 1.0);
         // The statistic predicts the decrease of the sum of squares by the refit.
-        let (refitted, squares) = model.refit(&[stall], &fixture.iterate, noise).unwrap();
+        let Refitted {
+            iterate: refitted,
+            squares,
+            ..
+        } = model.refit(&[stall], &fixture.iterate, noise).unwrap();
         let before = model.normal_equations(&model.problem, &fixture.iterate, noise);
         let before: f64 = before.unwrap().iter().map(|block| block.squares).sum();
         let relative = (before - squares) / test.statistic;
@@ -371,7 +376,7 @@ mod tests {
         let noise = fixture.fit.noise();
         let stall = fixture.candidate("stall");
         let problem = model.problem_with(&[stall]);
-        let (iterate, _) = model.refit(&[stall], &fixture.iterate, noise).unwrap();
+        let Refitted { iterate, .. } = model.refit(&[stall], &fixture.iterate, noise).unwrap();
         let blocks = model.normal_equations(&problem, &iterate, noise).unwrap();
         let tests = ScoreTests::new(model, &blocks, &[stall], &iterate.global).unwrap();
         assert!(tests.candidates[stall].is_none());

@@ -3,7 +3,7 @@
 use identify::{FitProblem, Iterate, NoiseModel};
 
 use super::thresholds::Thresholds;
-use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
+use crate::context::{CandidateId, LinearizationPoint, Refitted, ScoreTestModel, TrajectoryCache};
 use crate::error::DiagnosisError;
 use crate::score_test::ScoreTests;
 
@@ -22,6 +22,8 @@ pub(crate) struct Hypothesis {
     pub squares: f64,
     /// Score tests of the other candidates, given this hypothesis.
     pub tests: ScoreTests,
+    /// Whether the refit ended before its greatest number of steps.
+    pub is_finished: bool,
     cache: TrajectoryCache,
 }
 
@@ -69,7 +71,11 @@ impl ScoreTestModel {
         noise: &NoiseModel,
         cache: TrajectoryCache,
     ) -> Option<Hypothesis> {
-        let (iterate, squares) = self.refit(effects, from, noise).ok()?;
+        let Refitted {
+            iterate,
+            squares,
+            is_finished,
+        } = self.refit(effects, from, noise).ok()?;
         let problem = self.problem_with(effects);
         let blocks = match cache.is_disabled() {
             true => self.normal_equations(&problem, &iterate, noise).ok()?,
@@ -94,6 +100,7 @@ impl ScoreTestModel {
             iterate,
             squares,
             tests,
+            is_finished,
             cache,
         })
     }

@@ -1,6 +1,6 @@
 //! The search over hypotheses: single effects first, then one effect more as long as none is adequate.
 
-use identify::{Iterate, NoiseModel};
+use identify::{Iterate, NoiseModel, fit};
 
 use super::hypothesis::Hypothesis;
 use super::thresholds::Thresholds;
@@ -172,20 +172,47 @@ impl<'a> Search<'a> {
             };
             let from = base.iterate;
             let hypothesis = model.fit_hypothesis_cached(&effects, from, &self.noise, cache);
-            let Some(hypothesis) = hypothesis else {
+            let Some(mut hypothesis) = hypothesis else {
                 continue;
             };
+            if index == 0 && !hypothesis.is_finished {
+                hypothesis = self.fitted_from_scratch(model, hypothesis)?;
+            }
             if index == 0 && if_possible(self.refine_noise(model, &hypothesis, base))? == Some(true)
             {
                 if !self.is_significant() {
                     return Ok(Vec::new());
                 }
+                let from = &hypothesis.iterate;
                 fitted.extend(model.fit_hypothesis(&effects, from, &self.noise));
             } else {
                 fitted.push(hypothesis);
             }
         }
         Ok(fitted)
+    }
+
+    /// A hypothesis whose refit did not arrive from the fit of the model under test, fitted from the samples; the better of
+    /// the two.
+    fn fitted_from_scratch(
+        &self,
+        model: &ScoreTestModel,
+        hypothesis: Hypothesis,
+    ) -> Result<Hypothesis, DiagnosisError> {
+        let context = self.context;
+        let Some(extension) = if_possible(hypothesis.extension(context, model))? else {
+            return Ok(hypothesis);
+        };
+        let found = fit(&extension.model, context.dataset, &context.options.fit);
+        let Some(iterate) = if_possible(found)?.and_then(|fit| model.iterate_of(context, &fit))
+        else {
+            return Ok(hypothesis);
+        };
+        let cache = TrajectoryCache::for_flights(model.flights.len());
+        let effects = &hypothesis.effects;
+        let again = model.fit_hypothesis_cached(effects, &iterate, &self.noise, cache);
+        let again = again.filter(|again| again.squares < hypothesis.squares);
+        Ok(again.unwrap_or(hypothesis))
     }
 
     /// Estimates the noise given a hypothesis and, if it differs, tests all candidates again under it. Returns whether it
@@ -224,7 +251,8 @@ impl<'a> Search<'a> {
         for hypothesis in &fitted {
             self.context.check_cancelled()?;
             let found = model.is_adequate(hypothesis, &self.noise, self.thresholds);
-            is_adequate.push(if_possible(found)?.unwrap_or(false));
+            let ok = if_possible(found)?.unwrap_or(false);
+            is_adequate.push(ok);
         }
         if is_adequate.contains(&true) {
             let each = fitted.into_iter().zip(is_adequate);
@@ -236,7 +264,8 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// Forward selection: adds one effect to the best rejected hypotheses; then backward elimination.
+    /// Forward selection: adds one effect to the best rejected hypotheses; then backward elimination. One effect more than
+    /// a hypothesis may have is an exchange: it is accepted only where another becomes unnecessary.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
@@ -244,7 +273,7 @@ impl<'a> Search<'a> {
         let Some(count) = self.rejected.first().map(|h| h.effects.len() + 1) else {
             return Ok(());
         };
-        if count > MAX_EFFECTS {
+        if count > MAX_EFFECTS + 1 {
             return Ok(());
         }
         let mut fitted = Vec::new();
@@ -264,6 +293,7 @@ impl<'a> Search<'a> {
         while let Some(fewer) = self.prune(model)? {
             self.accepted = fewer;
         }
+        self.accepted.retain(|h| h.effects.len() <= MAX_EFFECTS);
         Ok(())
     }
 
