@@ -8,13 +8,13 @@ use super::run::RowResult;
 use crate::statistics::median;
 
 /// Greatest fraction of runs with one single hypothesis that is wrong.
-pub(super) const MAX_UNIQUELY_WRONG: f64 = 0.01;
+pub(super) const MAX_UNIQUELY_WRONG: f64 = 0.005;
 
 /// Least fraction of runs with the truth in the set, where it is detectable.
-pub(super) const MIN_IN_SET: f64 = 0.90;
+pub(super) const MIN_IN_SET: f64 = 0.97;
 
 /// Least fraction of runs with the truth in the set, where its size is [`STRONG`] times the minimum detectable.
-pub(super) const MIN_IN_SET_STRONG: f64 = 0.95;
+pub(super) const MIN_IN_SET_STRONG: f64 = 0.97;
 
 /// Greatest fraction of false alarms under each noise.
 pub(super) const MAX_FALSE_ALARMS: f64 = 0.05;
