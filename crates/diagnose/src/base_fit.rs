@@ -86,3 +86,43 @@ impl Clock {
         self.seconds.insert(stage.to_owned(), elapsed);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::context::DiagnosisOptions;
+    use crate::test_support::mystery;
+    use identify::dataset::Dataset;
+
+    fn base_fit(dataset: &Dataset) -> Result<BaseFit, DiagnosisError> {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        BaseFit::new(Context {
+            model: &model,
+            dataset,
+            options: &DiagnosisOptions::default(),
+        })
+    }
+
+    #[test]
+    fn a_fault_of_all_flights_ends_a_diagnosis_only_where_no_effect_can_explain_it() {
+        let good = mystery(4);
+        assert!(!base_fit(&good).unwrap().is_despite_faults);
+        let mut misplaced = good.clone();
+        for coordinate in &mut misplaced.markers[0].position {
+            *coordinate *= 0.3;
+        }
+        let found = base_fit(&misplaced).unwrap();
+        assert!(found.is_despite_faults);
+        assert_eq!(found.fit.report.data_faults.len(), 4);
+        let mut feet = good;
+        for flight in &mut feet.flights {
+            let points = flight.positions.iter_mut().flatten().flatten();
+            points.for_each(|point| *point = point.map(|x| x / 0.3048));
+        }
+        let error = base_fit(&feet).err().unwrap();
+        assert!(matches!(
+            error,
+            DiagnosisError::Fit(FitError::FaultyData(_))
+        ));
+    }
+}

@@ -157,6 +157,7 @@ impl CompiledModel {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ode::DifferentiableRhs;
     use ode::{IntegrationOptions, integrate};
 
     #[test]
@@ -206,6 +207,51 @@ mod tests {
         let at = flown(&CompiledModel::specialized(&model, &fixed), f64::NAN);
         for (a, b) in whole.iter().zip(&at) {
             assert!((a - b).abs() <= 1e-9 * a.abs().max(1.0), "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn derivatives_by_some_parameters_are_those_of_the_whole_tape() {
+        let names = ["stall", "wind", "marker_1_misplaced"];
+        let model = model_spec::load::load("disc", &names).expect("the disc with effects");
+        let layout = Layout::new(&model);
+        let place = |name: &str| layout.parameter(name).expect(name).index();
+        let by = vec![place("C_D0"), place("C_Ls"), place("slip_1_1")];
+        let entries = |compiled: &CompiledModel| {
+            let bound = compiled.bind(layout.default_parameters());
+            let mut rhs = bound.differentiable_rhs();
+            let pattern = rhs.parameter_jacobian_pattern().to_vec();
+            let mut values = vec![0.0; pattern.len()];
+            let mut of_states = vec![0.0; rhs.jacobian_pattern().len()];
+            let x: Vec<f64> = (1..=12).map(|k| 0.1 * f64::from(k)).collect();
+            let mut dx = vec![0.0; 12];
+            rhs.derivative_with_jacobians(0.1, &x, &mut dx, &mut of_states, &mut values);
+            let mut observer = bound.observer();
+            let (_, seen) = observer.position_with_jacobians(0.1, &x, &[0.1, 0.0, 0.0]);
+            let seen = seen.by_parameter_pattern.iter().zip(seen.by_parameter);
+            let moved = pattern
+                .iter()
+                .zip(&values)
+                .map(|(at, value)| (0, *at, *value));
+            let seen = seen.map(|(at, value)| (1, *at, *value));
+            moved
+                .chain(seen)
+                .filter(|(_, (_, k), _)| by.contains(k))
+                .collect::<Vec<_>>()
+        };
+        let whole = entries(&CompiledModel::specialized(&model, &[]));
+        let some = entries(&CompiledModel::specialized_by(&model, &[], by.clone()));
+        assert!(
+            by.iter()
+                .all(|k| whole.iter().any(|(_, (_, at), _)| at == k))
+        );
+        assert_eq!(whole.len(), some.len());
+        for ((a, at, value), (b, there, same)) in whole.iter().zip(&some) {
+            assert_eq!((a, at), (b, there));
+            assert!(
+                (value - same).abs() <= 1e-12 * value.abs().max(1.0),
+                "{value} {same}"
+            );
         }
     }
 

@@ -407,3 +407,82 @@ fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<Candid
         .map(|(effects, parent, _)| (effects, parent))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::context::DiagnosisOptions;
+    use crate::test_support::{Fixture, fixture, mystery};
+
+    /// A search at the fit of the fixture, as if it had found nothing.
+    fn searched(with: impl FnOnce(&Fixture, Search<'_>)) {
+        let mut fixture = fixture();
+        let (dataset, model) = (mystery(3), model_spec::load::load("disc", &[]).unwrap());
+        let context = Context {
+            model: &model,
+            dataset: &dataset,
+            options: &DiagnosisOptions::default(),
+        };
+        let noise = fixture.fit.noise().clone();
+        let mut search =
+            Search::new(&mut fixture.model, &fixture.iterate, &noise, context).unwrap();
+        search.accepted.clear();
+        with(&fixture, search);
+    }
+
+    fn hypothesis(fixture: &Fixture, search: &Search<'_>, names: &[&str]) -> Hypothesis {
+        let mut effects: Vec<CandidateId> = names.iter().map(|n| fixture.candidate(n)).collect();
+        effects.sort_unstable();
+        let found = fixture
+            .model
+            .fit_hypothesis(&effects, &fixture.iterate, &search.noise);
+        found.unwrap()
+    }
+
+    #[test]
+    fn an_effect_that_may_be_missing_too_is_added_to_the_set() {
+        searched(|fixture, mut search| {
+            search.accepted = vec![hypothesis(fixture, &search, &["stall"])];
+            search.add_undecided(&fixture.model).unwrap();
+            assert_eq!(search.accepted.len(), 1);
+            search.accepted = vec![hypothesis(fixture, &search, &["air-density"])];
+            search.add_undecided(&fixture.model).unwrap();
+            let [first, second] = &search.accepted[..] else {
+                panic!("{} hypotheses", search.accepted.len());
+            };
+            assert_eq!(first.effects, [fixture.candidate("air-density")]);
+            assert!(second.effects.contains(&fixture.candidate("stall")));
+        });
+    }
+
+    #[test]
+    fn an_exchange_leads_from_wrong_effects_to_the_right_one() {
+        searched(|fixture, mut search| {
+            let wrong = ["air-density", "roll-damping", "gravity"];
+            assert_eq!(wrong.len(), MAX_EFFECTS);
+            search.rejected = vec![hypothesis(fixture, &search, &wrong)];
+            search.add_effect(&fixture.model).unwrap();
+            assert!(!search.accepted.is_empty());
+            let stall = fixture.candidate("stall");
+            assert!(
+                search
+                    .accepted
+                    .iter()
+                    .all(|h| h.effects.len() <= MAX_EFFECTS)
+            );
+            assert!(search.accepted.iter().any(|h| h.effects == [stall]));
+        });
+    }
+
+    #[test]
+    fn a_refit_that_did_not_arrive_starts_again_from_the_samples() {
+        searched(|fixture, search| {
+            let arrived = hypothesis(fixture, &search, &["stall"]);
+            let mut stuck = hypothesis(fixture, &search, &["stall"]);
+            (stuck.squares, stuck.is_finished) = (10.0 * arrived.squares, false);
+            let found = search.fitted_from_scratch(&fixture.model, stuck).unwrap();
+            assert!(found.is_finished);
+            assert!((found.squares / arrived.squares - 1.0).abs() < 1e-3);
+        });
+    }
+}

@@ -4,7 +4,9 @@ use model_spec::load::load;
 
 use super::{Spoil, disc, found, spoiled};
 use crate::dataset::Dataset;
+use crate::fit;
 use crate::screening::distances::marker_pairs;
+use crate::screening::fault::{DataFault, FaultKind};
 use crate::screening::rigid::rigid_pairs;
 use crate::{options::FitOptions, problem::FitProblem};
 
@@ -54,4 +56,31 @@ fn a_misplaced_marker_is_a_fault_only_where_the_model_does_not_estimate_it() {
     // Another marker's offset does not allow for it.
     let model = load("disc", &["marker_3_misplaced"]).expect("a model");
     assert_eq!(found(&model, &dataset).len(), all.len());
+}
+
+#[test]
+fn known_faults_replace_the_screening() {
+    let (model, dataset) = disc(3);
+    let dataset = spoiled(&dataset, &[1], |flight| {
+        flight.positions.iter_mut().for_each(|row| row.swap(0, 1));
+    });
+    let excluded = |known: Option<&[DataFault]>| {
+        let options = FitOptions {
+            known_faults: known,
+            ..FitOptions::default()
+        };
+        let report = fit::fit(&model, &dataset, &options).expect("a fit").report;
+        let files = report.data_faults.iter().map(|fault| fault.file.clone());
+        files.collect::<Vec<String>>()
+    };
+    let file = |index: usize| dataset.flights[index].file.clone();
+    assert_eq!(excluded(None), [file(1)]);
+    assert!(excluded(Some(&[])).is_empty());
+    let other = DataFault {
+        file: file(4),
+        fault: FaultKind::Other,
+        detail: "a mistake".into(),
+        mend: "none".into(),
+    };
+    assert_eq!(excluded(Some(&[other])), [file(4)]);
 }

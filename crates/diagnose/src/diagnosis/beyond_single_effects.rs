@@ -1,0 +1,99 @@
+//! The search for explanations where no single candidate is adequate.
+
+use super::{Analysis, Discordant, FREE_UNKNOWNS};
+use crate::consensus::consensus;
+use crate::context::CandidateId;
+use crate::error::DiagnosisError;
+use crate::report::Consensus;
+use crate::selection::{MAX_EFFECTS, MAX_SELECTED, StepwiseModel};
+
+impl Analysis<'_> {
+    /// Searches for explanations if no single candidate is adequate: several candidates, library terms, or agreement
+    /// between flights. Fewer terms than candidates replace them if they explain as much.
+    pub(super) fn search_beyond_single_effects(&mut self) -> Result<(), DiagnosisError> {
+        let few = |effects: &[_]| self.model.unknowns_of(effects) <= FREE_UNKNOWNS;
+        let singles = &self.search.rejected;
+        let single = singles.iter().position(|h| few(&h.effects));
+        let single = single.map(|index| self.search.rejected[index].effects.clone());
+        self.stepwise = StepwiseModel::start(&self.model, &self.search, None)?;
+        for fewer in 1..MAX_EFFECTS {
+            self.search.add_effect(&self.model)?;
+            self.extend_terms(fewer)?;
+            if !self.search.accepted.is_empty() || self.has_adequate_terms() {
+                break;
+            }
+        }
+        if self.search.accepted.is_empty() && !self.has_adequate_terms() {
+            self.search.add_effect(&self.model)?;
+        }
+        if self.search.accepted.is_empty() {
+            if let Some(stepwise) = &mut self.stepwise {
+                stepwise.extend(self.context, &self.model, &self.search, MAX_SELECTED)?;
+            }
+            // What no term alone explains may be the best candidate with terms beside it.
+            if let (Some(single), false) = (single, self.has_adequate_terms()) {
+                self.search_terms_beside(&single)?;
+            }
+        }
+        self.select_by_bic(0);
+        if self.search.accepted.is_empty() && !self.has_adequate_terms() {
+            self.search_consensus()?;
+        }
+        Ok(())
+    }
+
+    /// Selects library terms up to `most`, if they promise to explain as much as the best hypothesis.
+    fn extend_terms(&mut self, most: usize) -> Result<(), DiagnosisError> {
+        let (search, Some(stepwise)) = (&self.search, &mut self.stepwise) else {
+            return Ok(());
+        };
+        let best = search.accepted.first().or(search.rejected.first());
+        let expected = stepwise.expected_squares();
+        let promises = expected.zip(best);
+        if promises.is_none_or(|(expected, best)| search.is_near(expected, best.squares)) {
+            stepwise.extend(self.context, &self.model, search, most)?;
+        }
+        Ok(())
+    }
+
+    /// Selects library terms beside a candidate, and keeps them if they are better than terms alone.
+    fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
+        let (context, model, search) = (self.context, &self.model, &self.search);
+        let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
+            return Ok(());
+        };
+        let mut beside = StepwiseModel::start(model, search, Some(&single))?;
+        if let Some(beside) = &mut beside {
+            beside.extend(context, model, search, MAX_SELECTED)?;
+        }
+        self.stepwise = StepwiseModel::better(self.stepwise.take(), beside);
+        Ok(())
+    }
+
+    /// Accepts hypotheses on which the flights agree, if there are any.
+    fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
+        let found = consensus(self.context, &self.model, &self.search, &self.base)?;
+        let Some(found) = found else {
+            return Ok(());
+        };
+        if !found.discordant.is_empty() {
+            let files = found.discordant.iter();
+            self.discordant = Some(Discordant {
+                files: files
+                    .map(|&flight| self.model.flights[flight].file.clone())
+                    .collect(),
+                p_value: found.p_value,
+            });
+        }
+        if !found.hypotheses.is_empty() {
+            self.search.accepted = found.hypotheses;
+            self.consensus = Some(Consensus {
+                flights: self.model.flights.len(),
+                explained: Some(found.explained),
+                p_value: found.p_value,
+                discordant: Vec::new(),
+            });
+        }
+        Ok(())
+    }
+}
