@@ -141,9 +141,12 @@ fn agree(
         }
         unfinished += usize::from(found.stop_reason == StopReason::MaxSteps);
         misfits += usize::from(is_misfit);
-        let is_hopeless = unfinished >= MAX_UNFINISHED || misfits >= MAX_MISFITS;
-        if found.stop_reason == StopReason::Deadline || is_hopeless {
+        if found.stop_reason == StopReason::Deadline || unfinished >= MAX_UNFINISHED {
             return Ok(Some(Reweighted::new(noise, found, cache, false)));
+        }
+        // Weights by residuals that are no noise need not agree to the last digit.
+        if misfits >= MAX_MISFITS {
+            return Ok(Some(Reweighted::new(noise, found, cache, true)));
         }
         solution = Some(found);
     }
