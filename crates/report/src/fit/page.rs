@@ -112,8 +112,9 @@ pub(crate) fn rendered(template: &str, context: Value) -> String {
         .lstrip_blocks(true)
         .build();
     environment.set_syntax(syntax.unwrap_or_default());
-    environment
-        .render_str(template, context)
+    let shared = environment.add_template("data_faults.html", include_str!("../data_faults.html"));
+    shared
+        .and_then(|()| environment.render_str(template, context))
         .unwrap_or_else(|fault| {
             panic!("the page's own template, which its tests render: {fault:#}")
         })
