@@ -3,7 +3,7 @@
 use crate::functions::{ModelFunctions, SparsityPatterns};
 use crate::release::Release;
 use codegen::Layout;
-use codegen::compile::{Effort, Selection, compile, compile_at};
+use codegen::compile::{Compiled, Effort, Selection, compile, compile_at, compile_for};
 use codegen::rust::source_hash;
 use codegen::tape_model::TapeModel;
 use model_spec::model::Model;
@@ -87,7 +87,23 @@ impl CompiledModel {
     ) -> CompiledModel {
         let selection = Selection::Only(parameters);
         let compiled = compile_at(model, &selection, fixed, Effort::Quick);
-        let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)));
+        CompiledModel::of_selection(model, &compiled)
+    }
+
+    /// As [`new`](Self::new); a tape has derivatives by these parameters alone, given by their index in the layout: it is
+    /// compiled and evaluated faster.
+    pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
+        let is_same = |code: &generated::Model| code.source_hash == source_hash(model);
+        if generated::model(&model.name).is_some_and(is_same) {
+            return CompiledModel::new(model);
+        }
+        let compiled = compile_for(model, &Selection::Only(parameters));
+        CompiledModel::of_selection(model, &compiled)
+    }
+
+    /// A tape with derivatives by selected parameters.
+    fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
+        let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(compiled)));
         let patterns = &mut model.patterns;
         let by_parameter = [
             &mut patterns.parameter_jacobian,

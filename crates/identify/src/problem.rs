@@ -54,7 +54,8 @@ pub(crate) struct KnownValues {
 }
 
 impl FitProblem {
-    /// Compiles the model and combines it with a dataset and options.
+    /// Compiles the model, with derivatives by the parameters that are estimated, and combines it with a dataset and
+    /// options.
     ///
     /// # Errors
     /// [`FitError::UnknownName`], [`FitError::NotEstimated`], [`FitError::NoObservation`],
@@ -64,7 +65,14 @@ impl FitProblem {
         dataset: &Dataset,
         options: &FitOptions<'_>,
     ) -> Result<Self, FitError> {
-        Self::with_body(model, CompiledModel::new(model), dataset, options)
+        let layout = Layout::new(model);
+        let selected = known_constants(model, &layout, dataset)
+            .and_then(|mut known| global_parameters::select(model, &layout, &mut known, options));
+        // An error is found again below, in its order among the others.
+        let globals = selected.map_or_else(|_| Vec::new(), |(globals, _)| globals);
+        let by = globals.iter().map(|global| global.param.index()).collect();
+        let body = CompiledModel::with_derivatives_by(model, by);
+        Self::with_body(model, body, dataset, options)
     }
 
     /// As [`new`](Self::new), with a model that is compiled already.

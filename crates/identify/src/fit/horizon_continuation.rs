@@ -62,7 +62,13 @@ pub fn continue_horizon(
     let mut horizon = FIRST_HORIZON;
     while horizon < longest / MIN_REMAINING_GROWTH && !options.is_past_deadline() {
         options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
-        fit_horizon(problem, state, horizon, options)?;
+        fit_horizon(
+            problem,
+            state,
+            horizon,
+            ResidualCache::median_scale,
+            options,
+        )?;
         horizon *= HORIZON_GROWTH;
     }
     options.stage_started("whole flights", state.flights.len());
@@ -133,11 +139,13 @@ pub fn unevaluated_step(
 }
 
 /// Fits the first samples of all flights until the residuals are small enough for a longer horizon. Parameters
-/// without a prior get a weak one, since short horizons do not determine all parameters.
+/// without a prior get a weak one, since short horizons do not determine all parameters. `spread` is the residual scale of
+/// all flights, m, which sets that of the loss.
 pub fn fit_horizon(
     problem: &FitProblem,
     state: &mut State,
     horizon: f64,
+    spread: fn(&ResidualCache) -> f64,
     options: &FitOptions<'_>,
 ) -> Result<(), FitError> {
     let constraints = problem.globals.iter().map(|global| {
@@ -153,7 +161,7 @@ pub fn fit_horizon(
     for _ in 0..MAX_SCALES {
         let cache = ResidualCache::new(problem, state, &state.samples_until(horizon), options);
         state.limit_to_flyable(&cache.failures());
-        let next = cache.median_scale().max(problem.sigma0);
+        let next = spread(&cache).max(problem.sigma0);
         if next > MAX_SHRINKAGE * scale {
             break;
         }

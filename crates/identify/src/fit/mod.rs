@@ -17,6 +17,8 @@ mod residual_cache;
 mod reweighting;
 mod spin_aliases;
 mod state;
+mod taking_back;
+mod undistorted;
 mod unlike_flights;
 mod warm_start;
 
@@ -103,6 +105,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     let cache = multistart::multistart(&problem, &mut state, cache, options)?;
     let cache = unlike_flights::exclude_unlike_flights(&problem, &mut state, cache, options)?;
     let reweighted = reweighting::reweight(&problem, &mut state, cache, options)?;
+    let reweighted = taking_back::take_back(&problem, dataset, &mut state, reweighted, options)?;
     let solved = clock.elapsed().as_secs_f64();
 
     let outcome = Outcome::new(&problem, &state, &reweighted, options)?;

@@ -15,6 +15,7 @@ use super::state::State;
 use crate::initial_state;
 use crate::observations::Observations;
 use crate::options::FitOptions;
+use crate::predict::{Loss, Unknowns, linearise};
 use crate::problem::FitProblem;
 
 /// Length of the shortest arcs, s.
@@ -35,6 +36,12 @@ const ACCEPTED_RATIO: f64 = 0.98;
 /// Distance from a bound at which a parameter starts that would start at it, in typical magnitudes.
 const OFF_BOUND: f64 = 0.1;
 
+/// Change of the sum of squares by a change of a parameter by its typical magnitude below which it has no effect.
+const HIDDEN: f64 = 1e-6;
+
+/// Greatest number of parameters without an effect from whose other values a fit is tried.
+const MAX_HIDDEN: usize = 2;
+
 /// Fits all flights again by multiple shooting where the present fit may have ended in a wrong minimum: its residuals
 /// are above the noise, a flight cannot be flown, or a parameter went to a bound. Takes the residuals at the state and
 /// returns those at the new state, which is the present one unless the new one is better.
@@ -51,9 +58,28 @@ pub fn shoot_again(
         return Ok(cache);
     }
     options.stage_started("multiple shooting", state.flights.len());
+    let mut cache = shoot_from(problem, state, cache, &[], options)?;
+    for start in hidden(problem, state) {
+        if options.is_past_deadline() || !is_suspect(problem, state, &cache) {
+            break;
+        }
+        cache = shoot_from(problem, state, cache, &[start], options)?;
+    }
+    Ok(cache)
+}
+
+/// Fits by multiple shooting from the values of the model, but for the `changed` global parameters; takes the new fit if
+/// it is better.
+fn shoot_from(
+    problem: &FitProblem,
+    state: &mut State,
+    cache: ResidualCache,
+    changed: &[(usize, f64)],
+    options: &FitOptions<'_>,
+) -> Result<ResidualCache, FitError> {
     let mut tried = state.clone();
     tried.limits.fill(f64::INFINITY);
-    let Some(found) = shoot(problem, &mut tried, options)? else {
+    let Some(found) = shoot(problem, &mut tried, changed, options)? else {
         return Ok(cache);
     };
     if is_better(&found, &cache) {
@@ -64,15 +90,41 @@ pub fn shoot_again(
     Ok(cache)
 }
 
+/// Global parameters without an effect at the present values of the others, as an angle by which a coefficient of 0 is
+/// multiplied, each with a value between its bounds to start from, twice. None while every parameter has an effect.
+fn hidden(problem: &FitProblem, state: &State) -> Vec<(usize, f64)> {
+    let loss = Loss::Huber(problem.sigma0);
+    let mut effect = vec![0.0; problem.globals.len()];
+    for (flight, local) in state.flights.iter().zip(&state.local) {
+        let unknowns = (&state.global, local);
+        let samples = flight.times.len();
+        if let Ok(block) = linearise(problem, flight, unknowns, samples, Unknowns::All, loss) {
+            for (index, effect) in effect.iter_mut().enumerate() {
+                *effect += block.global[(index, index)];
+            }
+        }
+    }
+    let hidden = problem.globals.iter().zip(effect).enumerate();
+    let hidden = hidden.filter_map(|(index, (global, effect))| {
+        let (low, high) = global.constraint.bounds;
+        let is_hidden = effect * global.x_scale.powi(2) < HIDDEN && (high - low).is_finite();
+        let at = |part: f64| low + part * (high - low);
+        is_hidden.then(|| [(index, at(0.25)), (index, at(0.75))])
+    });
+    hidden.take(MAX_HIDDEN).flatten().collect()
+}
+
 fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) -> bool {
     let mut globals = problem.globals.iter().zip(state.global.iter());
     let is_driven_to_bound = globals.any(|(global, &value)| {
         let (low, high) = global.constraint.bounds;
         (value <= low && global.model_value > low) || (value >= high && global.model_value < high)
     });
-    is_driven_to_bound
-        || !cache.failures().is_empty()
-        || cache.median_scale() > MISFIT_RATIO * problem.sigma0
+    is_driven_to_bound || !cache.failures().is_empty() || is_misfit(problem, cache)
+}
+
+fn is_misfit(problem: &FitProblem, cache: &ResidualCache) -> bool {
+    cache.median_scale() > MISFIT_RATIO * problem.sigma0
 }
 
 /// Whether a fit predicts more flights, or as many with smaller residuals.
@@ -86,6 +138,7 @@ fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
 fn shoot(
     problem: &FitProblem,
     state: &mut State,
+    changed: &[(usize, f64)],
     options: &FitOptions<'_>,
 ) -> Result<Option<ResidualCache>, FitError> {
     let starts = problem.globals.iter().map(|global| {
@@ -94,11 +147,16 @@ fn shoot(
         global.model_value.clamp(low + inside, high - inside)
     });
     state.global = DVector::from_iterator(problem.globals.len(), starts);
+    for &(parameter, value) in changed {
+        state.global[parameter] = value;
+    }
     let Some(mut arcs) = arcs(problem, state, options)? else {
         return Ok(None);
     };
     loop {
-        if let Err(error) = fit_horizon(problem, &mut arcs, f64::INFINITY, options) {
+        // The arcs that show a regime of their own are few: a loss by the median would take them for outliers.
+        let spread = ResidualCache::rms_scale;
+        if let Err(error) = fit_horizon(problem, &mut arcs, f64::INFINITY, spread, options) {
             return match error {
                 FitError::NoUsableFlight(_) => Ok(None),
                 error => Err(error),

@@ -8,7 +8,7 @@ use super::horizon_continuation::{anneal_scale, fit_initial_state};
 use super::initial_guess::{first_segment, spin_note};
 use super::residual_cache::{ResidualCache, residual_scale};
 use super::state::State;
-use crate::initial_state;
+use super::undistorted;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
@@ -85,21 +85,7 @@ fn restart(
     options: &FitOptions<'_>,
 ) -> Option<(DVector<f64>, String)> {
     let observations = &state.flights[flight];
-    let samples = observations.times.len();
-    let mut best: Option<(f64, DVector<f64>, i32)> = None;
-    for guess in initial_state::initial_guesses(problem, observations).ok()? {
-        let Some(local) = continue_horizon(problem, state, observations, guess.state, options)
-        else {
-            continue;
-        };
-        let unknowns = (&state.global, &local);
-        let Some(scale) = residual_scale(problem, observations, unknowns, samples) else {
-            continue;
-        };
-        if best.as_ref().is_none_or(|(least, ..)| scale < *least) {
-            best = Some((scale, local, guess.turns));
-        }
-    }
+    let best = fly_to_the_end(problem, &state.global, observations, options);
     let (scale, local, turns) = best.filter(|(scale, ..)| *scale < ACCEPTED_RATIO * before)?;
     let mut note = format!(
         "its first fit had ended in a wrong minimum (residuals of {:.1} mm, now {:.1} mm); it was started anew",
@@ -112,10 +98,35 @@ fn restart(
     Some((local, note))
 }
 
+/// Least residual scale of a flight, m, from any initial guess at these global parameters, with the initial state and the
+/// turns of that guess; `None` if no guess leads to the end of the flight.
+pub fn fly_to_the_end(
+    problem: &FitProblem,
+    global: &DVector<f64>,
+    observations: &Observations,
+    options: &FitOptions<'_>,
+) -> Option<(f64, DVector<f64>, i32)> {
+    let samples = observations.times.len();
+    let mut best: Option<(f64, DVector<f64>, i32)> = None;
+    for guess in undistorted::initial_guesses(problem, observations, global).ok()? {
+        let Some(local) = continue_horizon(problem, global, observations, guess.state, options)
+        else {
+            continue;
+        };
+        let Some(scale) = residual_scale(problem, observations, (global, &local), samples) else {
+            continue;
+        };
+        if best.as_ref().is_none_or(|(least, ..)| scale < *least) {
+            best = Some((scale, local, guess.turns));
+        }
+    }
+    best
+}
+
 /// Fits the initial state of one flight over a horizon that doubles up to its whole length.
 fn continue_horizon(
     problem: &FitProblem,
-    state: &State,
+    global: &DVector<f64>,
     observations: &Observations,
     start: DVector<f64>,
     options: &FitOptions<'_>,
@@ -124,7 +135,6 @@ fn continue_horizon(
     let mut samples = first_segment(observations);
     let mut local = start;
     loop {
-        let global = &state.global;
         let fitted = fit_initial_state(problem, observations, samples, global, local, options);
         local = fitted.ok()?.1;
         if samples == all {

@@ -1,0 +1,110 @@
+//! Flights that were left out on the way are tried again with the parameters that the others gave: far from the solution
+//! a flight may seem unlike the others, or its samples may seem not to determine its initial state.
+
+use flight::batch;
+use nalgebra::DVector;
+
+use super::FitError;
+use super::exclusion::exclude_failed;
+use super::horizon_continuation::anneal_scale;
+use super::initial_guess;
+use super::multistart::fly_to_the_end;
+use super::residual_cache::residual_scale;
+use super::reweighting::{Reweighted, reweight};
+use super::state::State;
+use crate::dataset::Dataset;
+use crate::error::{ExcludedFlight, FlightError};
+use crate::observations::Observations;
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
+
+/// Ratio of a flight's residual scale to that of the others up to which it flies as they do.
+const LIKE_RATIO: f64 = 3.0;
+
+/// Greatest number of times that flights are taken back: with more flights the parameters are better.
+const MAX_PASSES: usize = 2;
+
+/// Takes back the flights that fly as the others do, and fits all again. Takes the present solution, and returns that of
+/// all flights, or the present one if no flight comes back.
+///
+/// # Errors
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+pub fn take_back(
+    problem: &FitProblem,
+    dataset: &Dataset,
+    state: &mut State,
+    mut reweighted: Reweighted,
+    options: &FitOptions<'_>,
+) -> Result<Reweighted, FitError> {
+    for _ in 0..MAX_PASSES {
+        let (tried, kept): (Vec<ExcludedFlight>, Vec<ExcludedFlight>) =
+            state.excluded.iter().cloned().partition(may_come_back);
+        if tried.is_empty() || options.is_past_deadline() {
+            break;
+        }
+        options.stage_started("flights left out", tried.len());
+        let usual = reweighted.cache.median_scale().max(problem.sigma0);
+        let global = &reweighted.solution.iterate.global;
+        let found = batch::each_on(options.threads(), tried.len(), |index| {
+            let flight = &dataset.flights[tried[index].flight.index()];
+            let found = like_the_others(problem, flight, global, usual, options);
+            options.flight_done();
+            found
+        });
+        if options.is_cancelled() {
+            return Err(FitError::Interrupted);
+        }
+        let mut with = state.clone();
+        with.excluded = kept;
+        let mut has_returned = false;
+        for (excluded, found) in tried.into_iter().zip(found) {
+            match found {
+                Some((observations, local)) => {
+                    has_returned = true;
+                    with.push(excluded.flight, observations, local);
+                }
+                None => with.excluded.push(excluded),
+            }
+        }
+        if !has_returned {
+            break;
+        }
+        let residuals = anneal_scale(problem, &mut with, options)?;
+        let residuals = exclude_failed(&mut with, residuals, options)?;
+        let again = reweight(problem, &mut with, residuals, options)?;
+        // A flight that bends all others to it stays out.
+        if with.flights.len() <= state.flights.len()
+            || again.noise.overall() > LIKE_RATIO * reweighted.noise.overall()
+        {
+            break;
+        }
+        (*state, reweighted) = (with, again);
+    }
+    Ok(reweighted)
+}
+
+/// Whether a flight was left out for what the fit made of it, and not for its samples.
+fn may_come_back(excluded: &ExcludedFlight) -> bool {
+    matches!(
+        excluded.reason,
+        FlightError::UnlikeTheOthers { .. }
+            | FlightError::SingularInitialState
+            | FlightError::Integration(_)
+    )
+}
+
+/// Observations and initial state of a flight that these parameters predict about as well as the others, whose residual
+/// scale is `usual`, m.
+fn like_the_others(
+    problem: &FitProblem,
+    flight: &crate::dataset::Flight,
+    global: &DVector<f64>,
+    usual: f64,
+    options: &FitOptions<'_>,
+) -> Option<(Observations, DVector<f64>)> {
+    let observations = initial_guess::observations(problem, flight).ok()?;
+    let samples = observations.times.len();
+    let local = fly_to_the_end(problem, global, &observations, options)?.1;
+    let scale = residual_scale(problem, &observations, (global, &local), samples)?;
+    (scale <= LIKE_RATIO * usual).then_some((observations, local))
+}

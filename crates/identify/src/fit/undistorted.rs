@@ -1,0 +1,83 @@
+//! Initial guesses of a flight from samples that estimated parameters of the measurement distort: markers that are seen
+//! late, a scale, misplaced markers. Poses of such samples show another motion than the body's.
+
+use nalgebra::DVector;
+
+use super::initial_guess::first_segment;
+use crate::error::FlightError;
+use crate::initial_state::{self, InitialGuess};
+use crate::marker_observers::MarkerConditions;
+use crate::observations::Observations;
+use crate::predict::states;
+use crate::problem::FitProblem;
+
+/// Number of times that the distortion is computed at the state found without it: it depends on the motion.
+const PASSES: usize = 4;
+
+/// Greatest displacement of a marker by the measurement, relative to `sigma0`, that leaves a guess as it is.
+const NEGLIGIBLE: f64 = 3.0;
+
+/// Initial guesses from the samples as they are, followed by one from the samples without the distortion that these
+/// parameters predict.
+///
+/// # Errors
+/// Those of [`initial_state::initial_guesses`].
+pub fn initial_guesses(
+    problem: &FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+) -> Result<Vec<InitialGuess>, FlightError> {
+    let mut guesses = initial_state::initial_guesses(problem, observations)?;
+    let first = observations.first_samples(first_segment(observations));
+    let mut found: Option<DVector<f64>> = None;
+    for _ in 0..PASSES {
+        let local = found.as_ref().unwrap_or(&guesses[0].state);
+        let Some(undistorted) = without_distortion(problem, &first, (global, local)) else {
+            break;
+        };
+        match initial_state::initial_guesses(problem, &undistorted) {
+            Ok(again) => found = again.into_iter().next().map(|guess| guess.state),
+            Err(_) => break,
+        }
+    }
+    guesses.extend(found.map(|state| InitialGuess { state, turns: 0 }));
+    Ok(guesses)
+}
+
+/// The samples less what the parameters displace the markers by, from where they would be seen with the parameters of the
+/// start; `None` if that is negligible, or unknown because the flight cannot be flown.
+fn without_distortion(
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
+) -> Option<Observations> {
+    let samples = observations.times.len();
+    let trajectory = states(problem, observations, (global, local), samples).ok()?;
+    let start = problem.globals.iter().map(|global| global.model_value);
+    let start = DVector::from_iterator(problem.globals.len(), start);
+    let bound = [global, &start].map(|global| {
+        let parameters = observations.parameters(problem, global);
+        MarkerConditions::new(&problem.body, &parameters, observations.markers)
+    });
+    let [mut distorted, mut plain] = bound.each_ref().map(MarkerConditions::observers);
+    let mut found = observations.clone();
+    let mut greatest: f64 = 0.0;
+    let states = trajectory.chunks(observations.manifold.states());
+    for (sample, state) in states.enumerate() {
+        let time = observations.times[sample];
+        for (marker, position) in problem.markers.iter().enumerate() {
+            let Some(point) = &mut found.measured[sample * observations.markers + marker] else {
+                continue;
+            };
+            let seen = distorted.position(time, state, (marker, position));
+            let place = plain.position(time, state, (marker, position));
+            for axis in 0..3 {
+                let shift = seen[axis] - place[axis];
+                point[axis] -= shift;
+                greatest = greatest.max(shift.abs());
+            }
+        }
+    }
+    let is_distorted = greatest.is_finite() && greatest > NEGLIGIBLE * problem.sigma0;
+    is_distorted.then_some(found)
+}
