@@ -42,18 +42,25 @@ impl Analysis<'_> {
         Ok(())
     }
 
-    /// Selects library terms up to `most`, if they promise to explain as much as the best hypothesis.
+    /// Selects library terms: fewer than an accepted hypothesis has unknowns, which they may replace; else up to `most`, if
+    /// they promise to explain as much as the best rejected hypothesis.
     fn extend_terms(&mut self, most: usize) -> Result<(), DiagnosisError> {
         let (search, Some(stepwise)) = (&self.search, &mut self.stepwise) else {
             return Ok(());
         };
-        let best = search.accepted.first().or(search.rejected.first());
-        let expected = stepwise.expected_squares();
-        let promises = expected.zip(best);
-        if promises.is_none_or(|(expected, best)| search.is_near(expected, best.squares)) {
-            stepwise.extend(self.context, &self.model, search, most)?;
-        }
-        Ok(())
+        let most = match (search.accepted.first(), search.rejected.first()) {
+            (Some(accepted), _) => {
+                let unknowns = self.model.unknowns_of(&accepted.effects);
+                unknowns.saturating_sub(1).min(MAX_SELECTED)
+            }
+            (None, Some(rejected)) => {
+                let expected = stepwise.expected_squares();
+                let promises = expected.is_some_and(|e| search.is_near(e, rejected.squares));
+                if promises { most } else { 0 }
+            }
+            (None, None) => most,
+        };
+        stepwise.extend(self.context, &self.model, search, most)
     }
 
     /// Selects library terms beside a candidate, and keeps them if they are better than terms alone.
