@@ -239,3 +239,59 @@ fn join(state: &State, arcs: &mut State) -> bool {
     }
     has_joined
 }
+
+#[cfg(test)]
+mod tests {
+    use flight::release::{Vocabulary, built_in, read};
+
+    use super::*;
+    use crate::synthesize::{Plan, flights};
+
+    #[test]
+    fn an_angle_of_a_coefficient_that_vanishes_is_hidden() {
+        let model = model_spec::load::load("disc", &["zero_lift_drag_angle"]).unwrap();
+        let release = read("backhand", built_in("backhand").unwrap(), |_| {
+            Ok(Vocabulary::of(&model))
+        });
+        let plan = Plan {
+            flights: 2,
+            duration: Some(0.3),
+            ..Plan::default()
+        };
+        let dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        let place = |name: &str| {
+            let mut globals = problem.globals.iter();
+            globals.position(|global| global.name == name).expect(name)
+        };
+        let hidden_at = |drag: f64| {
+            let values = problem.globals.iter().map(|global| global.model_value);
+            let mut global = DVector::from_iterator(problem.globals.len(), values);
+            global[place("C_Da")] = drag;
+            let mut state = State::new(global, 1.0 / 120.0);
+            for (index, flight) in dataset.flights.iter().enumerate() {
+                let observations = Observations::new(&problem, flight).unwrap();
+                let guesses = initial_state::initial_guesses(&problem, &observations).unwrap();
+                state.push(
+                    crate::ids::FlightId::new(index),
+                    observations,
+                    guesses[0].state.clone(),
+                );
+            }
+            hidden(&problem, &state)
+        };
+        let (low, high) = problem.globals[place("alpha_0")].constraint.bounds;
+        let quarter = 0.25 * (high - low);
+        let expected = [
+            (place("alpha_0"), low + quarter),
+            (place("alpha_0"), high - quarter),
+        ];
+        let found = hidden_at(0.0);
+        assert_eq!(found.len(), 2);
+        for ((index, value), (parameter, start)) in found.iter().zip(&expected) {
+            assert_eq!(index, parameter);
+            assert!((value - start).abs() < 1e-12, "{value} {start}");
+        }
+        assert!(hidden_at(1.0).is_empty());
+    }
+}

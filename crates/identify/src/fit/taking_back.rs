@@ -108,3 +108,56 @@ fn like_the_others(
     let scale = residual_scale(problem, &observations, (global, &local), samples)?;
     (scale <= LIKE_RATIO * usual).then_some((observations, local))
 }
+
+#[cfg(test)]
+mod tests {
+    use ::flight::release::{Vocabulary, built_in, read};
+
+    use super::*;
+    use crate::dataset::Role;
+    use crate::fit::output_error::all_samples;
+    use crate::fit::residual_cache::ResidualCache;
+    use crate::fit::{flights_of, spin_aliases};
+    use crate::synthesize::{Plan, flights};
+    use crate::tolerance;
+
+    /// Number of excluded flights after a flight that flies as the others do was excluded for this reason.
+    fn excluded_after(reason: FlightError) -> usize {
+        let model = model_spec::load::load("ball", &[]).unwrap();
+        let release = read("serve", built_in("serve").unwrap(), |_| {
+            Ok(Vocabulary::of(&model))
+        });
+        let plan = Plan {
+            flights: 4,
+            duration: Some(0.4),
+            ..Plan::default()
+        };
+        let dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        let options = FitOptions::default();
+        let mut problem = FitProblem::new(&model, &dataset, &options).unwrap();
+        let fitted = flights_of(&dataset, Role::Fit);
+        let observed = initial_guess::observe(&problem, &dataset, &fitted, &options);
+        problem.sigma0 = observed.sigma0.unwrap();
+        problem.tolerance = tolerance::whitened(&model, fitted.len());
+        let guesses = initial_guess::initial_guesses(&problem, &dataset, observed, &options);
+        let guesses = guesses.unwrap();
+        let alternatives = &guesses.alternatives;
+        let (mut state, _) =
+            spin_aliases::resolve_spin_aliases(&problem, guesses.state, alternatives, &options)
+                .unwrap();
+        state.exclude(vec![(1, reason)]).unwrap();
+        let samples = all_samples(&state.flights);
+        let residuals = ResidualCache::new(&problem, &state, &samples, &options);
+        let found = reweight(&problem, &mut state, residuals, &options).unwrap();
+        let found = take_back(&problem, &dataset, &mut state, found, &options).unwrap();
+        assert_eq!(found.solution.iterate.local.len(), state.flights.len());
+        assert_eq!(state.flights.len() + state.excluded.len(), fitted.len());
+        state.excluded.len()
+    }
+
+    #[test]
+    fn a_flight_comes_back_unless_its_samples_were_the_reason() {
+        assert_eq!(excluded_after(FlightError::SingularInitialState), 0);
+        assert_eq!(excluded_after(FlightError::NoMeasurement), 1);
+    }
+}
