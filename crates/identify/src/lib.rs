@@ -8,8 +8,8 @@
 pub mod dataset;
 mod error;
 mod fit;
+mod ground_contact;
 mod ids;
-mod impact_detection;
 mod initial_state;
 mod input_error;
 mod least_squares;

@@ -8,8 +8,8 @@ use super::horizon_continuation::fit_initial_state;
 use super::state::State;
 use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
+use crate::ground_contact;
 use crate::ids::FlightId;
-use crate::impact_detection;
 use crate::initial_state::{self, InitialGuess};
 use crate::noise_floor::{median_noise_floor, noise_floor_by_poses};
 use crate::observations::Observations;
@@ -175,7 +175,7 @@ pub fn spin_note(turns: i32) -> String {
     )
 }
 
-/// Observations of a flight, truncated at an impact.
+/// Observations of a flight, truncated at a contact.
 ///
 /// # Errors
 /// As [`Observations::new`]; [`FlightError::TooFewCoordinates`].
@@ -183,7 +183,7 @@ pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observation
     Ok(observations_and_poses(problem, flight)?.0)
 }
 
-/// Observations of a flight, truncated at an impact, with the pose in each sample of a body that has an attitude.
+/// Observations of a flight, truncated at a contact, with the pose in each sample of a body that has an attitude.
 ///
 /// # Errors
 /// Those of [`Observations::new`]; [`FlightError::TooFewCoordinates`].
@@ -192,7 +192,7 @@ fn observations_and_poses(
     flight: &Flight,
 ) -> Result<(Observations, Vec<Option<Pose>>), FlightError> {
     let mut observations = Observations::new(problem, flight)?;
-    let poses = impact_detection::truncate_at_impact(problem, &mut observations);
+    let poses = ground_contact::truncate_at_contact(problem, &mut observations);
     let measured = 3 * observations.measured.iter().flatten().count();
     let unknowns = observations.manifold.dimension();
     if measured < unknowns {

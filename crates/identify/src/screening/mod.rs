@@ -49,7 +49,7 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
         match fault {
             Some(fault) => (Some(fault), None),
             None => {
-                let track = Track::until_impact(problem, &flight.times, &flight.positions);
+                let track = Track::until_contact(problem, &flight.times, &flight.positions);
                 let fault = jumps::check(&track, flight);
                 let track = fault.is_none().then_some(track);
                 (fault, track)

@@ -2,16 +2,12 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use crate::impact_detection;
+use crate::ground_contact::{self, PathPoint, Posed};
 use crate::path_noise::path_noise;
 use crate::pose::{point_position, pose};
 use crate::problem::FitProblem;
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::robust_sigma;
 
-/// Ratio of a pose's variance to the median variance above which a marker of the sample is an outlier.
-const MAX_VARIANCE_RATIO: f64 = 25.0;
-/// Least variance of a pose that an outlier has, m².
-const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 /// Residuals of a parabola in units of their robust deviation above which a point is dropped.
 const OUTLIER: f64 = 4.0;
 /// Least number of points of a parabola.
@@ -90,8 +86,7 @@ impl Track {
             }
         }
         if has_attitude {
-            let limit = MAX_VARIANCE_RATIO * median(&mut variances.clone());
-            let limit = limit.max(MIN_OUTLIER_VARIANCE);
+            let limit = ground_contact::variance_limit(variances.iter().copied());
             let mut each = variances.iter();
             points.retain(|_| each.next().is_some_and(|variance| *variance <= limit));
         }
@@ -99,21 +94,26 @@ impl Track {
         Self { points, noise }
     }
 
-    /// Path of the origin of a problem's body up to an impact.
-    pub fn until_impact(
+    /// Path of the origin of a problem's body up to its first contact.
+    pub fn until_contact(
         problem: &FitProblem,
         times: &[f64],
         rows: &[Vec<Option<[f64; 3]>>],
     ) -> Self {
         let mut track = Self::of(&problem.markers, problem.has_attitude, times, rows);
-        let points = track.points.iter();
-        let path: Vec<_> = points
-            .map(|point| (point.sample, point.time, point.position))
-            .collect();
-        if let Some(impact) = impact_detection::impact(&path) {
-            track.points.truncate(impact.index);
+        if let Some(contact) = track.contact() {
+            track.points.retain(|point| point.sample < contact.sample);
         }
         track
+    }
+
+    /// The first contact of the body.
+    pub fn contact(&self) -> Option<ground_contact::Contact> {
+        let point = |point: &Point| (point.sample, point.time, point.position);
+        let path: Vec<PathPoint> = self.points.iter().map(point).collect();
+        let posed = self.points.iter();
+        let posed = posed.filter_map(|posed| Some((point(posed), posed.attitude?)));
+        ground_contact::contact(&path, &posed.collect::<Vec<Posed>>())
     }
 
     /// Greatest extent of the path along an axis, m.

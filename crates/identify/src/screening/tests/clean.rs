@@ -166,7 +166,7 @@ fn time_of_the_screening() {
         );
     };
     let dataset = &made.dataset;
-    let track = |flight: &Flight| Track::until_impact(&problem, &flight.times, &flight.positions);
+    let track = |flight: &Flight| Track::until_contact(&problem, &flight.times, &flight.positions);
     let tracks: Vec<Option<Track>> = dataset
         .flights
         .iter()

@@ -2,7 +2,6 @@
 
 use super::{ball, discs};
 use crate::dataset::Flight;
-use crate::impact_detection;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::track::{self, Track};
@@ -29,12 +28,7 @@ fn cut_at(problem: &FitProblem, flight: &Flight) -> Option<usize> {
         &flight.times,
         &flight.positions,
     );
-    let path: Vec<_> = track
-        .points
-        .iter()
-        .map(|p| (p.sample, p.time, p.position))
-        .collect();
-    impact_detection::impact(&path).map(|impact| path[impact.index].0)
+    track.contact().map(|contact| contact.sample)
 }
 
 fn cuts(seeds: std::ops::Range<u64>) -> [usize; 4] {

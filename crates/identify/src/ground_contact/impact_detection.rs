@@ -1,4 +1,4 @@
-//! Impact detection: a flight is truncated before the first impact that stops its descent.
+//! The first impact on a path that stops the descent.
 //!
 //! An impact is a jump of velocity within one sampling interval between two stretches of smooth motion. At each interval
 //! a parabola before it and one after it are compared with one smooth polynomial through both stretches. Aerodynamic
@@ -6,10 +6,8 @@
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
-use crate::observations::Observations;
+use super::PathPoint;
 use crate::path_noise::path_noise;
-use crate::pose::{Pose, point_position, pose};
-use crate::problem::FitProblem;
 use crate::statistics::median;
 
 /// Greatest number of points on either side of an interval.
@@ -37,9 +35,6 @@ const MOST_OUTLIERS: usize = 2;
 /// Number of intervals that show the usual jump of a flight.
 const USUAL: usize = 24;
 
-/// A sample number, its time, s, and the position of the body's origin, m.
-pub type PathPoint = (usize, f64, Vector3<f64>);
-
 /// An impact on a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
@@ -47,41 +42,6 @@ pub struct Impact {
     pub index: usize,
     /// Jump of the velocity, m/s.
     pub jump: Vector3<f64>,
-}
-
-/// Truncates a flight before its first impact. Returns the poses in the remaining samples of a body with an attitude.
-pub fn truncate_at_impact(
-    problem: &FitProblem,
-    observations: &mut Observations,
-) -> Vec<Option<Pose>> {
-    let samples = 0..observations.times.len();
-    let mut poses: Vec<Option<Pose>> = match problem.has_attitude {
-        true => samples
-            .clone()
-            .map(|sample| pose(&problem.markers, observations.points(sample)))
-            .collect(),
-        false => Vec::new(),
-    };
-    let position = |sample: usize| match problem.has_attitude {
-        true => poses[sample].map(|pose| pose.position),
-        false => point_position(&problem.markers, observations.points(sample)),
-    };
-    let path: Vec<PathPoint> = samples
-        .filter_map(|sample| Some((sample, observations.times[sample], position(sample)?)))
-        .collect();
-    if let Some(Impact { index, jump }) = impact(&path) {
-        let (sample, time, _) = path[index];
-        let why = format!(
-            "the velocity jumps by ({:.1}, {:.1}, {:.1}) m/s at t = {:.3} s, as at a touch of the ground",
-            jump.x,
-            jump.y,
-            jump.z,
-            observations.origin + time
-        );
-        observations.truncate(sample, why);
-        poses.truncate(sample);
-    }
-    poses
 }
 
 /// The first impact on a path; none if nothing touches the body.

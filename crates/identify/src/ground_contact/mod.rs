@@ -1,0 +1,116 @@
+//! Where a flight first touches something: samples from there on are not of free flight.
+
+mod impact_detection;
+mod motion;
+mod onset;
+mod regression;
+#[cfg(test)]
+mod tests;
+mod touch;
+mod wobble;
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use crate::observations::Observations;
+use crate::pose::{Pose, point_position, pose};
+use crate::problem::FitProblem;
+use crate::statistics::median;
+
+/// Ratio of a pose's variance to the median variance above which a marker of the sample is an outlier.
+const MAX_VARIANCE_RATIO: f64 = 25.0;
+/// Least variance of a pose that an outlier has, m².
+const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
+
+/// Greatest number of samples between two findings of the same contact.
+const SAME: usize = 4;
+
+/// A sample number, its time, s, and the position of the body's origin, m.
+pub type PathPoint = (usize, f64, Vector3<f64>);
+
+/// A point of a path and the rotation of body components into inertial ones.
+pub type Posed = (PathPoint, UnitQuaternion<f64>);
+
+/// A first contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact {
+    /// Number of the first sample after it.
+    pub sample: usize,
+    /// What shows it.
+    pub why: String,
+}
+
+/// Truncates a flight before its first contact. Returns the poses in the remaining samples of a body with an attitude.
+pub fn truncate_at_contact(
+    problem: &FitProblem,
+    observations: &mut Observations,
+) -> Vec<Option<Pose>> {
+    let samples = 0..observations.times.len();
+    let mut poses: Vec<Option<Pose>> = match problem.has_attitude {
+        true => samples
+            .clone()
+            .map(|sample| pose(&problem.markers, observations.points(sample)))
+            .collect(),
+        false => Vec::new(),
+    };
+    let position = |sample: usize| match problem.has_attitude {
+        true => poses[sample].map(|pose| pose.position),
+        false => point_position(&problem.markers, observations.points(sample)),
+    };
+    let point = |sample: usize| Some((sample, observations.times[sample], position(sample)?));
+    let path: Vec<PathPoint> = samples.clone().filter_map(point).collect();
+    let limit = variance_limit(poses.iter().flatten().map(Pose::variance));
+    let posed = samples.filter_map(|sample| {
+        let pose = (*poses.get(sample)?).filter(|pose| pose.variance() <= limit)?;
+        Some((point(sample)?, pose.attitude))
+    });
+    let posed: Vec<Posed> = posed.collect();
+    let Some(Contact { sample, why }) = contact(&path, &posed) else {
+        return poses;
+    };
+    let time = observations.origin + observations.times[sample];
+    observations.truncate(
+        sample,
+        format!("{why} at t = {time:.3} s, as at a touch of the ground"),
+    );
+    poses.truncate(sample);
+    poses
+}
+
+/// Variance of a pose, m², above which it is an outlier.
+pub fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
+    let limit = MAX_VARIANCE_RATIO * median(&mut variances.collect::<Vec<f64>>());
+    limit.max(MIN_OUTLIER_VARIANCE)
+}
+
+/// The first contact on a path; `posed` are those of its points that have an attitude, none of a point mass.
+pub fn contact(path: &[PathPoint], posed: &[Posed]) -> Option<Contact> {
+    let of_path = impact_detection::impact(path).map(|impact| Contact {
+        sample: path[impact.index].0,
+        why: format!(
+            "the velocity jumps by ({:.1}, {:.1}, {:.1}) m/s",
+            impact.jump.x, impact.jump.y, impact.jump.z
+        ),
+    });
+    let of_attitude = touch::touch(posed).map(|touch| Contact {
+        sample: touch.sample,
+        why: format!(
+            "the body is turned aside and its velocity jumps up by {:.1} m/s",
+            touch.jump
+        ),
+    });
+    match (of_path, of_attitude) {
+        // A hard impact is timed late by the slap of the rest of the rim, and early by its own strength.
+        (Some(path), Some(touch))
+            if (touch.sample..=touch.sample + SAME).contains(&path.sample) =>
+        {
+            Some(Contact {
+                sample: touch.sample.midpoint(path.sample),
+                ..touch
+            })
+        }
+        (of_path, of_attitude) => {
+            let both = of_path.into_iter().chain(of_attitude);
+            both.min_by_key(|contact| contact.sample)
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The first touch of a body with an attitude: its path and its steadiest axis leave free motion together.
+//!
+//! The rim of a disc touches first. That changes the velocity little but sets the disc wobbling, until another part of the
+//! rim slaps down a few samples later. The axis shows it at once.
+
+use super::Posed;
+use super::motion::{Character, Comparison, SIDES};
+use super::onset::onset;
+use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
+use crate::path_noise::path_noise;
+use crate::statistics::median;
+
+/// Number of points before the first interval that is examined: shorter motion follows any curve.
+const LEAST_BEFORE: usize = 32;
+/// Number of points after the last interval that is examined.
+const LEAST_AFTER: usize = 4;
+/// Least gains that are usual in free flight, by the number of coefficients that a touch adds, of position and axis.
+const LEAST_USUAL: [f64; 2] = [8.0, 12.0];
+/// Least number of earlier gains that show what is usual.
+const EARLIER: usize = 8;
+/// Least gain of a touch of each of position and axis, and their geometric mean, in units of what is usual.
+const MIN_GAINS: (f64, f64) = (3.5, 5.5);
+/// Least upward jump of the velocity of such a touch, m/s.
+const MIN_JUMP: f64 = 0.15;
+/// Least ratio of the upward part to the magnitude of a jump: friction of the ground is less, a catch stops the flight.
+const MIN_UPWARD_PART: f64 = 0.3;
+/// Least gain of the position, in usual units, and least upward jump, m/s, and in units of the descent before, of a touch
+/// that the axis does not show.
+const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
+
+/// A touch of the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Number of the first sample after the touch.
+    pub sample: usize,
+    /// Upward jump of the velocity over the next samples, m/s.
+    pub jump: f64,
+}
+
+/// The first touch; none if the body flies freely, has no steady axis, or is seen in too few samples.
+pub fn touch(posed: &[Posed]) -> Option<Touch> {
+    if posed.len() < LEAST_BEFORE + LEAST_AFTER {
+        return None;
+    }
+    let points = points_with_axis(posed)?;
+    let mut intervals: Vec<f64> = points.windows(2).map(|w| w[1].time - w[0].time).collect();
+    let rate = wobble_rate(&points, median(&mut intervals));
+    let mut character = Character {
+        rate,
+        correlation: noise_correlation(&points),
+        noise: [
+            path_noise(points.iter().map(|point| (point.time, point.position))).max(1e-9),
+            path_noise(points.iter().map(|point| (point.time, point.axis))).max(1e-9),
+        ],
+    };
+    let indices = LEAST_BEFORE..=points.len() - LEAST_AFTER;
+    let compare = |character: &Character| -> Vec<Comparison> {
+        let each = indices.clone();
+        each.filter_map(|index| character.compare(&points, index, None))
+            .collect()
+    };
+    // What differences of samples show as noise lacks what is correlated.
+    let rough = compare(&character);
+    let noise = |part: usize| quartile(rough.iter().map(|c| c.variances[part])).sqrt();
+    character.noise = [noise(0).max(1e-9), noise(1).max(1e-9)];
+    let comparisons = compare(&character);
+    let quartiles = [0, 1].map(|part| quartile(comparisons.iter().map(|c| c.gains[part])));
+    let found = comparisons.iter().enumerate().find(|(place, comparison)| {
+        let usual = [0, 1].map(|part| {
+            let earlier = comparisons[..*place].iter();
+            let earlier = earlier.filter(|earlier| earlier.index + SIDES.1 <= comparison.index);
+            let mut earlier: Vec<f64> = earlier.map(|earlier| earlier.gains[part]).collect();
+            let usual = match earlier.len() < EARLIER {
+                true => quartiles[part],
+                false => median(&mut earlier),
+            };
+            usual.max(LEAST_USUAL[part])
+        });
+        is_touch(comparison, usual)
+    });
+    let (_, comparison) = found?;
+    Some(Touch {
+        sample: onset(&points, comparison, &character)?,
+        jump: comparison.jump.z,
+    })
+}
+
+fn is_touch(comparison: &Comparison, usual: [f64; 2]) -> bool {
+    let [position, axis] = [0, 1].map(|part| comparison.gains[part] / usual[part]);
+    let (velocity, jump) = (comparison.velocity.z, comparison.jump.z);
+    let of_both = position.min(axis) > MIN_GAINS.0
+        && position * axis > MIN_GAINS.1 * MIN_GAINS.1
+        && jump > MIN_JUMP;
+    let (gain, least_jump, part) = MIN_OF_PATH;
+    let of_path = position > gain && jump > least_jump && jump > -part * velocity;
+    let is_upward = jump > MIN_UPWARD_PART * comparison.jump.norm();
+    velocity < 0.0 && is_upward && (of_both || of_path)
+}
+
+/// The value below which a quarter of some values are; 0 without values.
+fn quartile(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    let quarter = values.len() / 4;
+    match values.is_empty() {
+        true => 0.0,
+        false => *values.select_nth_unstable_by(quarter, f64::total_cmp).1,
+    }
+}
