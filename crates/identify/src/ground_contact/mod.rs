@@ -1,5 +1,6 @@
 //! Where a flight first touches something: samples from there on are not of free flight.
 
+mod halt;
 mod impact_detection;
 mod motion;
 mod onset;

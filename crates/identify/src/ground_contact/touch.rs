@@ -4,6 +4,7 @@
 //! rim slaps down a few samples later. The axis shows it at once.
 
 use super::Posed;
+use super::halt::is_stopped;
 use super::motion::{Character, Comparison, SIDES};
 use super::onset::onset;
 use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
@@ -22,7 +23,7 @@ const EARLIER: usize = 8;
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
 /// Least upward jump of the velocity of such a touch, m/s.
 const MIN_JUMP: f64 = 0.15;
-/// Least ratio of the upward part to the magnitude of a jump: friction of the ground is less, a catch stops the flight.
+/// Least ratio of the upward part to the magnitude of a jump: friction of the ground is less.
 const MIN_UPWARD_PART: f64 = 0.3;
 /// Least gain of the position, in usual units, and least upward jump, m/s, and in units of the descent before, of a touch
 /// that the axis does not show.
@@ -37,7 +38,7 @@ pub struct Touch {
     pub jump: f64,
 }
 
-/// The first touch; none if the body flies freely, has no steady axis, or is seen in too few samples.
+/// The first touch; none if the body flies freely, is caught, has no steady axis, or is seen in too few samples.
 pub fn touch(posed: &[Posed]) -> Option<Touch> {
     if posed.len() < LEAST_BEFORE + LEAST_AFTER {
         return None;
@@ -76,7 +77,7 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
             };
             usual.max(LEAST_USUAL[part])
         });
-        is_touch(comparison, usual)
+        is_touch(comparison, usual) && !is_stopped(&points, comparison.index, &comparison.velocity)
     });
     let (_, comparison) = found?;
     Some(Touch {

@@ -1,0 +1,73 @@
+//! Whether a body is brought to rest: a hand does that, while the ground leaves a flying body most of its speed.
+
+use nalgebra::Vector3;
+
+use super::motion::Point;
+
+/// Greatest number of points from an interval on among which a hand stops a body. A disc slides for longer.
+const WITHIN: usize = 24;
+/// Number of the last of these points that show the speed.
+const LAST: usize = 3;
+/// Greatest speed at rest, in units of the speed before: above what the noise of these points gives, and what is left in
+/// the last samples of a catch.
+const REST: f64 = 0.2;
+
+/// Whether a body with a velocity, m/s, is at rest soon after point `index`.
+pub fn is_stopped(points: &[Point], index: usize, velocity: &Vector3<f64>) -> bool {
+    let end = index.saturating_add(WITHIN).min(points.len());
+    let soon = points.get(index..end).unwrap_or_default();
+    let Some([first, .., last]) = soon.last_chunk::<LAST>() else {
+        return false;
+    };
+    let moved = (last.position - first.position).norm();
+    moved < REST * velocity.norm() * (last.time - first.time)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Interval between samples, s.
+    const INTERVAL: f64 = 1.0 / 120.0;
+
+    /// Points of a body that flies at 9 m/s, and from point 40 on loses a part of its speed over `braked` intervals.
+    fn points(count: usize, braked: usize, lost: f64) -> Vec<Point> {
+        let mut position = Vector3::new(0.0, 0.0, 1.0);
+        let each = (0..count).map(|sample| {
+            let part = (sample.saturating_sub(40) as f64 / braked as f64).min(1.0);
+            position += VELOCITY * (1.0 - lost * part) * INTERVAL;
+            Point {
+                sample,
+                time: sample as f64 * INTERVAL,
+                position,
+                axis: Vector3::z(),
+            }
+        });
+        each.collect()
+    }
+
+    const VELOCITY: Vector3<f64> = Vector3::new(8.0, 0.0, -4.0);
+
+    #[test]
+    fn a_body_that_is_caught_is_stopped() {
+        for braked in [1, 8, 15] {
+            assert!(is_stopped(&points(80, braked, 1.0), 38, &VELOCITY));
+        }
+        assert!(is_stopped(&points(50, 9, 1.0), 38, &VELOCITY), "to its end");
+    }
+
+    #[test]
+    fn a_body_that_slides_on_is_not_stopped() {
+        for lost in [0.0, 0.3, 0.6] {
+            assert!(!is_stopped(&points(80, 2, lost), 38, &VELOCITY));
+        }
+    }
+
+    #[test]
+    fn too_few_points_show_no_rest() {
+        let points = points(40, 1, 0.0);
+        for index in [38, 39, 40, 100] {
+            assert!(!is_stopped(&points, index, &VELOCITY));
+        }
+    }
+}
