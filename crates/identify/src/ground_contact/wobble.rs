@@ -10,7 +10,9 @@ use crate::statistics::median;
 /// Greatest root mean square turn of the axis from sample to sample, rad; bodies that tumble have no steady axis.
 const MOST_TURN: f64 = 0.3;
 /// Least spin, rad/s: the axis of a slower body drifts as fast as it wobbles, and free motion is not told from a touch.
-const LEAST_SPIN: f64 = 22.0;
+const LEAST_SPIN: f64 = 24.0;
+/// Divisor of a flight's length whose first part shows the spin: friction of the ground slows it later.
+const SPIN_PART: usize = 3;
 /// Least turn of the wobble from sample to sample, rad, its step, and the number of steps, up to half a turn.
 const TURNS: (f64, f64, usize) = (0.25, 0.05, 56);
 /// Number of points that show the rate of the wobble.
@@ -30,7 +32,8 @@ pub fn points_with_axis(posed: &[Posed]) -> Option<Vec<Point>> {
     let mut spins: Vec<f64> = pairs
         .map(|pair| pair[0].1.angle_to(&pair[1].1) / (pair[1].0.1 - pair[0].0.1))
         .collect();
-    if median(&mut spins) < LEAST_SPIN {
+    let part = spins.len().div_ceil(SPIN_PART);
+    if median(spins.get_mut(..part)?) < LEAST_SPIN {
         return None;
     }
     let axis = steadiest_axis(posed)?;
