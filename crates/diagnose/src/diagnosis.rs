@@ -230,7 +230,9 @@ impl<'a> Analysis<'a> {
         } else {
             analysis.select_by_bic(FREE_UNKNOWNS);
         }
-        analysis.search.add_undecided(&analysis.model)?;
+        if analysis.consensus.is_none() {
+            analysis.search.add_undecided(&analysis.model)?;
+        }
         Ok(analysis)
     }
 

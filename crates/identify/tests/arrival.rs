@@ -92,8 +92,10 @@ fn a_fit_without_a_usable_flight_says_why_of_each() {
     };
     let mut dataset = made(&truth, &release, &plan);
     for flight in &mut dataset.flights {
-        let first = flight.positions[0].clone();
-        flight.positions.fill(first);
+        // One marker alone never shows an attitude.
+        for row in &mut flight.positions {
+            row[1..].fill(None);
+        }
     }
     let error = fit(&model, &dataset, &trusting()).err().expect("no fit");
     let text = error.to_string();
@@ -101,6 +103,28 @@ fn a_fit_without_a_usable_flight_says_why_of_each() {
         text.contains("flight01.csv") && text.contains("flight02.csv"),
         "{text}"
     );
+}
+
+#[test]
+fn a_fit_of_bodies_that_never_move_is_not_to_be_relied_on() {
+    let (model, truth, release) = released(&[], &[]);
+    let plan = Plan {
+        flights: 2,
+        duration: Some(0.3),
+        ..Plan::default()
+    };
+    let mut dataset = made(&truth, &release, &plan);
+    for flight in &mut dataset.flights {
+        let first = flight.positions[0].clone();
+        flight.positions.fill(first);
+    }
+    let error = fit(&model, &dataset, &FitOptions::default()).err();
+    assert!(matches!(error, Some(identify::FitError::FaultyData(faults)) if faults.len() == 2));
+    // Flights that are used all the same are excluded, or give a fit that says what is wrong with it.
+    match fit(&model, &dataset, &trusting()) {
+        Ok(found) => assert!(!found.report.reliable && !found.report.why.is_empty()),
+        Err(error) => assert!(error.to_string().contains("flight02.csv"), "{error}"),
+    }
 }
 
 #[test]

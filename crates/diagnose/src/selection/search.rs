@@ -312,7 +312,9 @@ impl<'a> Search<'a> {
             return Ok(());
         };
         self.context.check_cancelled()?;
-        if best.effects.len() >= MAX_EFFECTS || model.is_exhausted() {
+        // A value for each flight explains nearly anything.
+        let is_flexible = model.candidate(candidate).is_per_flight();
+        if is_flexible || best.effects.len() >= MAX_EFFECTS || model.is_exhausted() {
             return Ok(());
         }
         let mut effects = best.effects.clone();
@@ -423,7 +425,7 @@ mod tests {
             dataset: &dataset,
             options: &DiagnosisOptions::default(),
         };
-        let noise = fixture.fit.noise().clone();
+        let noise = *fixture.fit.noise();
         let mut search =
             Search::new(&mut fixture.model, &fixture.iterate, &noise, context).unwrap();
         search.accepted.clear();
