@@ -100,7 +100,7 @@ fn the_built_in_bodies_keep_the_effects_of_their_own() {
     let disc = MODELS.iter().find(|(name, _)| *name == "disc").unwrap().1;
     let other = disc.replace("model disc;", "model my_disc;");
     let model = from_text("my_disc.hyz", &other, &[]).unwrap();
-    assert_eq!(candidates(&model).len(), 35);
+    assert_eq!(candidates(&model).len(), 36);
 }
 
 #[test]

@@ -312,9 +312,7 @@ impl<'a> Search<'a> {
             return Ok(());
         };
         self.context.check_cancelled()?;
-        // A value for each flight explains nearly anything.
-        let is_flexible = model.candidate(candidate).is_per_flight();
-        if is_flexible || best.effects.len() >= MAX_EFFECTS || model.is_exhausted() {
+        if best.effects.len() >= MAX_EFFECTS || model.is_exhausted() {
             return Ok(());
         }
         let mut effects = best.effects.clone();
