@@ -18,7 +18,7 @@ use crate::offer::{Chosen, measure};
 use crate::optimal_design::next_throw;
 use crate::parallel::join;
 use crate::report::{self, Consensus, Report, Verdict};
-use crate::selection::{MAX_SELECTED, Search, StepwiseModel, select_by_bic};
+use crate::selection::{Search, StepwiseModel, select_by_bic};
 use crate::validation::{Validated, predictive_terms};
 
 /// Greatest number of unknowns of a single-effect hypothesis exempt from the BIC comparison.
@@ -339,10 +339,7 @@ impl<'a> Analysis<'a> {
         };
         self.search.accepted.retain(|h| !h.is_overflexible(model));
         if self.search.accepted.is_empty() && self.stepwise.is_none() {
-            self.stepwise = StepwiseModel::start(model, &self.search, None)?;
-            if let Some(stepwise) = &mut self.stepwise {
-                stepwise.extend(context, model, &self.search, MAX_SELECTED)?;
-            }
+            self.stepwise = StepwiseModel::select(context, model, &self.search, None)?;
         }
         Ok((None, refused))
     }

@@ -52,14 +52,17 @@ impl Patterns {
 impl CompiledModel {
     /// Uses the generated code whose source hash is that of the model; otherwise compiles the model to a tape.
     pub fn new(model: &Model) -> CompiledModel {
+        CompiledModel::generated(model).unwrap_or_else(|| CompiledModel::interpreted(model))
+    }
+
+    /// The generated code whose source hash is that of the model, if there is any.
+    fn generated(model: &Model) -> Option<CompiledModel> {
         let is_same = |code: &&generated::Model| code.source_hash == source_hash(model);
-        match generated::model(&model.name).filter(is_same) {
-            Some(code) => CompiledModel {
-                is_generated: true,
-                ..CompiledModel::with_functions(model, Box::new(*code))
-            },
-            None => CompiledModel::interpreted(model),
-        }
+        let code = generated::model(&model.name).filter(is_same)?;
+        Some(CompiledModel {
+            is_generated: true,
+            ..CompiledModel::with_functions(model, Box::new(*code))
+        })
     }
 
     /// Compiles the model to a tape, even if generated code exists.
@@ -93,12 +96,10 @@ impl CompiledModel {
     /// As [`new`](Self::new); a tape has derivatives by these parameters alone, given by their index in the layout: it is
     /// compiled and evaluated faster.
     pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
-        let is_same = |code: &generated::Model| code.source_hash == source_hash(model);
-        if generated::model(&model.name).is_some_and(is_same) {
-            return CompiledModel::new(model);
-        }
-        let compiled = compile_for(model, &Selection::Only(parameters));
-        CompiledModel::of_selection(model, &compiled)
+        CompiledModel::generated(model).unwrap_or_else(|| {
+            let compiled = compile_for(model, &Selection::Only(parameters));
+            CompiledModel::of_selection(model, &compiled)
+        })
     }
 
     /// A tape with derivatives by selected parameters.

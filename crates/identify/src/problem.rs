@@ -19,6 +19,9 @@ pub use global_parameters::GlobalParameter;
 /// Initial standard deviation of one coordinate if the samples do not determine it, m.
 const DEFAULT_SIGMA0: f64 = 1e-3;
 
+/// Ratio of the residuals to the noise of the samples above which a fit is a misfit.
+const MISFIT_RATIO: f64 = 3.0;
+
 /// A model with the data and options of a fit: known parameters, global parameters to be estimated, markers.
 #[derive(Clone)]
 pub struct FitProblem {
@@ -122,6 +125,11 @@ impl FitProblem {
             })?;
         }
         Ok(problem)
+    }
+
+    /// Whether residuals of this scale, m, are far above the noise of the samples: the model is wrong, or the minimum is.
+    pub(crate) fn is_misfit(&self, scale: f64) -> bool {
+        scale > MISFIT_RATIO * self.sigma0
     }
 
     /// Finds the parameters and states that are known for one flight.

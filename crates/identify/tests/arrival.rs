@@ -82,15 +82,20 @@ fn flights_that_cannot_be_fitted_are_excluded_and_the_others_fitted() {
     );
 }
 
-#[test]
-fn a_fit_without_a_usable_flight_says_why_of_each() {
+/// Two short flights of the plain disc.
+fn two_flights() -> (Model, Dataset) {
     let (model, truth, release) = released(&[], &[]);
     let plan = Plan {
         flights: 2,
         duration: Some(0.3),
         ..Plan::default()
     };
-    let mut dataset = made(&truth, &release, &plan);
+    (model, made(&truth, &release, &plan))
+}
+
+#[test]
+fn a_fit_without_a_usable_flight_says_why_of_each() {
+    let (model, mut dataset) = two_flights();
     for flight in &mut dataset.flights {
         // One marker alone never shows an attitude.
         for row in &mut flight.positions {
@@ -107,13 +112,7 @@ fn a_fit_without_a_usable_flight_says_why_of_each() {
 
 #[test]
 fn a_fit_of_bodies_that_never_move_is_not_to_be_relied_on() {
-    let (model, truth, release) = released(&[], &[]);
-    let plan = Plan {
-        flights: 2,
-        duration: Some(0.3),
-        ..Plan::default()
-    };
-    let mut dataset = made(&truth, &release, &plan);
+    let (model, mut dataset) = two_flights();
     for flight in &mut dataset.flights {
         let first = flight.positions[0].clone();
         flight.positions.fill(first);

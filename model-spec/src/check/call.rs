@@ -305,14 +305,7 @@ impl Checker<'_> {
         let what = format!("the argument of `{}`", name.text);
         let (v, from) = self.vector(v, &what)?;
         let frame = frame?;
-        if frame == from {
-            return Some(v);
-        }
-        let kind = ExprKind::Reexpress(Box::new(v.expr));
-        Some(Typed {
-            expr: node(kind, Shape::Vector(frame), span),
-            unit: v.unit,
-        })
+        Some(reexpressed(v, from, frame, span))
     }
 
     /// Checks `in_frame_of(v, w)`: the vector `v` with its components transformed to the frame of `w`.
@@ -326,14 +319,7 @@ impl Checker<'_> {
         let what = "an argument of `in_frame_of`";
         let (v, of) = (self.vector(v, what), self.vector(of, what));
         let ((v, from), (_, frame)) = (v?, of?);
-        if frame == from {
-            return Some(v);
-        }
-        let kind = ExprKind::Reexpress(Box::new(v.expr));
-        Some(Typed {
-            expr: node(kind, Shape::Vector(frame), span),
-            unit: v.unit,
-        })
+        Some(reexpressed(v, from, frame, span))
     }
 
     fn unknown_function(&mut self, name: &ast::Name, span: Span) -> Option<Typed> {
@@ -370,5 +356,17 @@ impl Checker<'_> {
         }
         self.report(fault);
         None
+    }
+}
+
+/// The vector `v`, in components of the frame `from`, in those of `frame`.
+fn reexpressed(v: Typed, from: usize, frame: usize, span: Span) -> Typed {
+    if frame == from {
+        return v;
+    }
+    let kind = ExprKind::Reexpress(Box::new(v.expr));
+    Typed {
+        expr: node(kind, Shape::Vector(frame), span),
+        unit: v.unit,
     }
 }

@@ -205,11 +205,15 @@ impl ScoreTestModel {
     /// The iterate of a fit of the model under test with some candidates; none if it fitted other flights.
     pub fn iterate_of(&self, context: Context<'_>, fit: &Fit) -> Option<Iterate> {
         let (flights, local) = fitted_flights(&self.problem, context, fit).ok()?;
-        let files = |flights: &[Observations]| -> Vec<String> {
-            flights.iter().map(|flight| flight.file.clone()).collect()
-        };
         let global = fitted_globals(&self.problem, fit);
-        (files(&flights) == files(&self.flights)).then_some(Iterate { global, local })
+        self.has_same_flights(&flights)
+            .then_some(Iterate { global, local })
+    }
+
+    /// Whether these are the flights of the model, in its order; sums of squares of others are not to be compared.
+    pub fn has_same_flights(&self, flights: &[Observations]) -> bool {
+        let own = self.flights.iter().map(|flight| &flight.file);
+        own.eq(flights.iter().map(|flight| &flight.file))
     }
 
     /// Number of measured coordinates, at least 2.

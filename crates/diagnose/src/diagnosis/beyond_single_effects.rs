@@ -69,10 +69,7 @@ impl Analysis<'_> {
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
             return Ok(());
         };
-        let mut beside = StepwiseModel::start(model, search, Some(&single))?;
-        if let Some(beside) = &mut beside {
-            beside.extend(context, model, search, MAX_SELECTED)?;
-        }
+        let beside = StepwiseModel::select(context, model, search, Some(&single))?;
         self.stepwise = StepwiseModel::better(self.stepwise.take(), beside);
         Ok(())
     }

@@ -159,6 +159,23 @@ impl StepwiseModel {
         }))
     }
 
+    /// Starts, and selects up to [`MAX_SELECTED`] terms.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Fit`] if the caller cancelled.
+    pub fn select(
+        context: Context<'_>,
+        model: &ScoreTestModel,
+        search: &Search<'_>,
+        beside: Option<&Hypothesis>,
+    ) -> Result<Option<Self>, DiagnosisError> {
+        let mut found = Self::start(model, search, beside)?;
+        if let Some(stepwise) = &mut found {
+            stepwise.extend(context, model, search, MAX_SELECTED)?;
+        }
+        Ok(found)
+    }
+
     /// Selects terms one by one, each the strongest remaining, and fits the model again with each, until it has `most`
     /// terms, is adequate, or no term is left that decreases the sum of squares.
     ///
@@ -246,11 +263,7 @@ fn fit_terms(
     let fit = fit(&extension.model, context.dataset, &options.fit)?;
     let encompassing = EncompassingModel::new(&extension.model, options.without)?;
     let (mut there, iterate) = ScoreTestModel::new(encompassing, context, &fit)?;
-    // Sums of squares of other flights are not to be compared.
-    let files = |model: &ScoreTestModel| -> Vec<String> {
-        model.flights.iter().map(|f| f.file.clone()).collect()
-    };
-    if files(&there) != files(model) {
+    if !model.has_same_flights(&there.flights) {
         return Ok(None);
     }
     for (to, from) in there.flights.iter_mut().zip(&model.flights) {

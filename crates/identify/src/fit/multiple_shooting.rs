@@ -27,9 +27,6 @@ const MIN_ARC_SAMPLES: usize = 12;
 /// Number of neighbouring arcs that are joined to one.
 const JOINED: usize = 3;
 
-/// Residual scale, relative to `sigma0`, above which the start is sought anew.
-const MISFIT_RATIO: f64 = 3.0;
-
 /// Ratio of the new residual scale to the old one below which the new start is taken.
 const ACCEPTED_RATIO: f64 = 0.98;
 
@@ -120,11 +117,7 @@ fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) -> boo
         let (low, high) = global.constraint.bounds;
         (value <= low && global.model_value > low) || (value >= high && global.model_value < high)
     });
-    is_driven_to_bound || !cache.failures().is_empty() || is_misfit(problem, cache)
-}
-
-fn is_misfit(problem: &FitProblem, cache: &ResidualCache) -> bool {
-    cache.median_scale() > MISFIT_RATIO * problem.sigma0
+    is_driven_to_bound || !cache.failures().is_empty() || problem.is_misfit(cache.median_scale())
 }
 
 /// Whether a fit predicts more flights, or as many with smaller residuals.

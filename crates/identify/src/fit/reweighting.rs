@@ -28,9 +28,6 @@ const MAX_ROUNDS: usize = 8;
 /// Number of least squares that reach their greatest number of steps after which none is tried again.
 const MAX_UNFINISHED: usize = 2;
 
-/// Ratio of the residuals to the noise of the samples above which the model is far from them.
-const MISFIT: f64 = 3.0;
-
 /// Number of least squares of a model far from the samples after which its residuals are not weighted again.
 const MAX_MISFITS: usize = 3;
 
@@ -111,7 +108,7 @@ fn agree(
             (cache, predicted_reduction) = (step.cache, step.predicted_reduction);
             continue;
         }
-        let is_misfit = noise.overall() > MISFIT * problem.sigma0;
+        let is_misfit = problem.is_misfit(noise.overall());
         let criteria = match is_misfit {
             true => StoppingCriteria::MISFIT,
             false => StoppingCriteria::CONVERGED,

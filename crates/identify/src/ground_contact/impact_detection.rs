@@ -254,13 +254,7 @@ fn polynomial<const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Deterministic values between −1 and 1.
-    fn jitter(seed: usize) -> f64 {
-        let mixed = (seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        ((mixed >> 11) as f64 / (1_u64 << 53) as f64).mul_add(2.0, -1.0)
-    }
+    use crate::ground_contact::tests::jitter;
 
     /// Path of a body that is thrown at `speed` m/s, pulled by `lift` (m/s²) upwards, which fades with the time constant
     /// `fading`, and that bounces between samples with the given restitution, if any.

@@ -10,7 +10,7 @@ const INTERVAL: f64 = 1.0 / 120.0;
 const RATES: (f64, f64) = (50.0, 96.0);
 
 /// Deterministic values between −1 and 1.
-fn jitter(seed: usize) -> f64 {
+pub fn jitter(seed: usize) -> f64 {
     let mixed = (seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     ((mixed >> 11) as f64 / (1_u64 << 53) as f64).mul_add(2.0, -1.0)
