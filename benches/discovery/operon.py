@@ -95,7 +95,12 @@ def judged(text, equation, true, variables):
     total = beside(base, np.sum(values, axis=0))
     # Several terms may make up the true one together.
     together = abs(total @ target) / (np.linalg.norm(total) or 1.0) > SAME
-    return {"found": any(right) or together, "alone": together and len(kept) <= 1, "others": sum(not r for r in right), "expression": str(expression)[:200]}
+    return {
+        "found": bool(any(right) or together),
+        "alone": bool(together and len(kept) <= 1),
+        "others": sum(not r for r in right),
+        "expression": str(expression)[:200],
+    }
 
 
 def by_operon(folder, effect, seconds):

@@ -122,6 +122,18 @@ impl<'a> Refit<'a> {
         }
     }
 
+    fn linearise_by(
+        &self,
+        flight: usize,
+        unknowns: (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
+    ) -> Result<NormalBlock, FlightError> {
+        let observations = &self.flights[flight];
+        let samples = observations.times.len();
+        let loss = Loss::Whitened(self.noise);
+        linearise(&self.problem, observations, unknowns, samples, by, loss)
+    }
+
     /// The iterate after one full Gauss–Newton step, even if the sum of squares is greater there: the minimum with a new
     /// effect lies along a curved valley that short steps follow slowly.
     fn full_step(&self, from: &Iterate) -> Option<Iterate> {
@@ -154,18 +166,16 @@ impl LeastSquaresProblem for Refit<'_> {
         global: &DVector<f64>,
         local: &DVector<f64>,
     ) -> Result<NormalBlock, FlightError> {
-        let observations = &self.flights[flight];
-        let samples = observations.times.len();
-        let loss = Loss::Whitened(self.noise);
-        let unknowns = (global, local);
-        linearise(
-            &self.problem,
-            observations,
-            unknowns,
-            samples,
-            Unknowns::All,
-            loss,
-        )
+        self.linearise_by(flight, (global, local), Unknowns::All)
+    }
+
+    fn linearise_local(
+        &self,
+        flight: usize,
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, FlightError> {
+        self.linearise_by(flight, (global, local), Unknowns::Local)
     }
 
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {

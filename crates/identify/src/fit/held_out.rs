@@ -4,8 +4,8 @@
 use flight::batch;
 use nalgebra::{DMatrix, DVector};
 
-use super::horizon_continuation::{fit_initial_state, solve_local};
 use super::initial_guess::{observations, refined_guesses};
+use super::one_flight::{fit_initial_state, solve_local};
 use super::outcome::{excluded_report, initial_state_report};
 use super::state::State;
 use super::{FitError, FittedFlight};

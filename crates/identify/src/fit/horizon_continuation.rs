@@ -1,15 +1,11 @@
 //! From initial guesses to the neighbourhood of the solution: robust losses of shrinking scale over a growing horizon.
 
-use nalgebra::DVector;
-
 use super::FitError;
 use super::exclusion::solve_flights;
 use super::output_error::{OutputError, all_samples};
-use super::residual_cache::{ResidualCache, residual_scale};
+use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::error::FlightError;
-use crate::least_squares::{Constraint, Iterate, Solution, SolveError, StoppingCriteria, solve};
-use crate::observations::Observations;
+use crate::least_squares::{Constraint, SolveError, StoppingCriteria, solve};
 use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
@@ -62,13 +58,8 @@ pub fn continue_horizon(
     let mut horizon = FIRST_HORIZON;
     while horizon < longest / MIN_REMAINING_GROWTH && !options.is_past_deadline() {
         options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
-        fit_horizon(
-            problem,
-            state,
-            horizon,
-            ResidualCache::median_scale,
-            options,
-        )?;
+        let spread = ResidualCache::median_scale;
+        fit_horizon(problem, state, horizon, spread, options)?;
         horizon *= HORIZON_GROWTH;
     }
     options.stage_started("whole flights", state.flights.len());
@@ -208,69 +199,4 @@ pub fn anneal_scale(
         cache = residuals(state);
     }
     Ok(cache)
-}
-
-/// Fits the initial state of one flight to its first samples with the global parameters fixed. Returns the loss at
-/// scale `sigma0` and the initial state.
-///
-/// # Errors
-/// [`FlightError::SingularInitialState`]; [`FlightError::Integration`] if the trajectory cannot be computed.
-pub fn fit_initial_state(
-    problem: &FitProblem,
-    observations: &Observations,
-    samples: usize,
-    global: &DVector<f64>,
-    start: DVector<f64>,
-    options: &FitOptions<'_>,
-) -> Result<(f64, DVector<f64>), FlightError> {
-    let solve = |local: DVector<f64>, scale: f64| {
-        let loss = Loss::Huber(scale);
-        solve_local(problem, observations, samples, global, local, loss, options)
-    };
-    let (mut local, mut scale) = (start, f64::INFINITY);
-    for _ in 0..MAX_SCALES {
-        let next = residual_scale(problem, observations, (global, &local), samples);
-        let next = next.unwrap_or(1.0).max(problem.sigma0);
-        // The last fit has the scale sigma0.
-        if next > MAX_SHRINKAGE * scale || MAX_SHRINKAGE * next < problem.sigma0 {
-            break;
-        }
-        scale = next;
-        local = solve(local, scale)?.0;
-    }
-    let (local, solution) = solve(local, problem.sigma0)?;
-    if !solution.blocks[0].determines_local() {
-        return Err(FlightError::SingularInitialState);
-    }
-    Ok((solution.squares, local))
-}
-
-/// Fits the initial state of one flight to its first samples under the given loss.
-///
-/// # Errors
-/// Those of [`fit_initial_state`].
-pub fn solve_local(
-    problem: &FitProblem,
-    observations: &Observations,
-    samples: usize,
-    global: &DVector<f64>,
-    local: DVector<f64>,
-    loss: Loss<'_>,
-    options: &FitOptions<'_>,
-) -> Result<(DVector<f64>, Solution), FlightError> {
-    let objective = OutputError::of_local(problem, observations, samples, loss, global, options);
-    let start = Iterate {
-        global: DVector::zeros(0),
-        local: vec![local],
-    };
-    let solution = solve(&objective, start, StoppingCriteria::COARSE);
-    let solution = solution.map_err(|error| match error {
-        SolveError::Start(failures) => {
-            let first = failures.into_iter().next();
-            first.map_or(FlightError::NoMatchingState, |(_, reason)| reason)
-        }
-        SolveError::Undetermined(_) => FlightError::SingularInitialState,
-        SolveError::Cancelled => FlightError::Interrupted,
-    })?;
-    Ok((solution.iterate.local[0].clone(), solution))
 }

@@ -4,7 +4,7 @@ use flight::batch;
 use nalgebra::DVector;
 
 use super::FitError;
-use super::horizon_continuation::fit_initial_state;
+use super::one_flight::fit_initial_state;
 use super::state::State;
 use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};

@@ -1,6 +1,7 @@
 //! Output-error fit of one set of global parameters to all flights, with the initial state of each flight.
 //!
-//! Stages: initial guesses, horizon continuation for each possible alias of the spin, multistart of flights in a wrong
+//! Stages: initial guesses, horizon continuation for each possible alias of the spin, other starts where it may
+//! have ended in a wrong minimum, multistart of flights in a wrong
 //! minimum, and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
 //! with the unknowns.
 
@@ -10,6 +11,7 @@ mod horizon_continuation;
 mod initial_guess;
 mod multiple_shooting;
 mod multistart;
+mod one_flight;
 mod outcome;
 mod output_error;
 mod post_fit;
@@ -21,6 +23,7 @@ mod taking_back;
 mod undistorted;
 mod unlike_flights;
 mod warm_start;
+mod wrong_minimum;
 
 use std::borrow::Borrow;
 use std::time::Instant;
@@ -37,8 +40,8 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::report::{FitReport, FlightEvidence, FlightReport, reasons_against};
-use crate::screening;
+use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, reasons_against};
+use crate::screening::{self, DataFault};
 use crate::tolerance;
 pub use held_out::CONDITIONING_FRACTION;
 
@@ -80,7 +83,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         return Err(FitError::NothingToFit);
     }
     let mut held_out = flights_of(dataset, Role::HeldOut);
-    let data_faults = match options.known_faults {
+    let mut data_faults = match options.known_faults {
         Some(known) => known.to_vec(),
         None => screening::screen(&problem, dataset, options.threads()),
     };
@@ -98,9 +101,16 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
     let started = clock.elapsed().as_secs_f64();
 
-    let (state, alternatives) = (guesses.state, &guesses.alternatives);
+    let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
+    // Times that seem to be in another unit may be loads that the model has.
+    let (doubtful, faulty): (Vec<_>, Vec<_>) = faulty.into_iter().partition(|excluded| {
+        taking_back::may_come_back(excluded)
+            && dataset.flights[excluded.flight.index()].role == Role::Fit
+    });
+    state.excluded.extend(doubtful);
     let (mut state, cache) =
         spin_aliases::resolve_spin_aliases(&problem, state, alternatives, options)?;
+    let cache = wrong_minimum::start_undistorted(&problem, &mut state, cache, options)?;
     let cache = multiple_shooting::shoot_again(&problem, &mut state, cache, options)?;
     let cache = multistart::multistart(&problem, &mut state, cache, options)?;
     let cache = unlike_flights::exclude_unlike_flights(&problem, &mut state, cache, options)?;
@@ -137,8 +147,16 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     for (&flight, predicted) in held_out.iter().zip(predicted) {
         flights.set(flight, predicted.report, predicted.fitted);
     }
-    report.data_faults = data_faults;
     report.flights = flights.reports.into_iter().flatten().collect();
+    let is_excluded = |fault: &DataFault| {
+        let mut of_flight = report
+            .flights
+            .iter()
+            .filter(|flight| flight.file == fault.file);
+        of_flight.any(|flight| matches!(flight.outcome, FlightOutcome::Excluded { .. }))
+    };
+    data_faults.retain(|fault| options.trust_data || is_excluded(fault));
+    report.data_faults = data_faults;
     report.noise.floor_m = noise_floor.map(initial_guess::overall);
     report.why = reasons_against(&report);
     report.reliable = report.why.is_empty();

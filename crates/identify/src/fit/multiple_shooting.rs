@@ -12,6 +12,7 @@ use super::FitError;
 use super::horizon_continuation::{anneal_scale, fit_horizon};
 use super::residual_cache::ResidualCache;
 use super::state::State;
+use super::wrong_minimum::{is_better, is_suspect};
 use crate::initial_state;
 use crate::observations::Observations;
 use crate::options::FitOptions;
@@ -26,9 +27,6 @@ const MIN_ARC_SAMPLES: usize = 12;
 
 /// Number of neighbouring arcs that are joined to one.
 const JOINED: usize = 3;
-
-/// Ratio of the new residual scale to the old one below which the new start is taken.
-const ACCEPTED_RATIO: f64 = 0.98;
 
 /// Distance from a bound at which a parameter starts that would start at it, in typical magnitudes.
 const OFF_BOUND: f64 = 0.1;
@@ -109,22 +107,6 @@ fn hidden(problem: &FitProblem, state: &State) -> Vec<(usize, f64)> {
         is_hidden.then(|| [(index, at(0.25)), (index, at(0.75))])
     });
     hidden.take(MAX_HIDDEN).flatten().collect()
-}
-
-fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) -> bool {
-    let mut globals = problem.globals.iter().zip(state.global.iter());
-    let is_driven_to_bound = globals.any(|(global, &value)| {
-        let (low, high) = global.constraint.bounds;
-        (value <= low && global.model_value > low) || (value >= high && global.model_value < high)
-    });
-    is_driven_to_bound || !cache.failures().is_empty() || problem.is_misfit(cache.median_scale())
-}
-
-/// Whether a fit predicts more flights, or as many with smaller residuals.
-fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
-    let (failed, failed_before) = (found.failures().len(), before.failures().len());
-    failed < failed_before
-        || failed == failed_before && found.rms_scale() < ACCEPTED_RATIO * before.rms_scale()
 }
 
 /// Fits arcs of growing length and then whole flights; `None` if too few arcs can be fitted.

@@ -4,8 +4,9 @@ use flight::batch;
 use nalgebra::DVector;
 
 use super::FitError;
-use super::horizon_continuation::{anneal_scale, fit_initial_state};
+use super::horizon_continuation::anneal_scale;
 use super::initial_guess::{first_segment, spin_note};
+use super::one_flight::fit_initial_state;
 use super::residual_cache::{ResidualCache, residual_scale};
 use super::state::State;
 use super::undistorted;

@@ -102,6 +102,25 @@ impl LeastSquaresProblem for OutputError<'_> {
         block
     }
 
+    fn linearise_local(
+        &self,
+        flight: usize,
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, FlightError> {
+        let global = self.fixed_global.unwrap_or(global);
+        let (observations, samples) = (self.flights[flight], self.samples[flight]);
+        let unknowns = (global, local);
+        linearise(
+            self.problem,
+            observations,
+            unknowns,
+            samples,
+            Unknowns::Local,
+            self.loss,
+        )
+    }
+
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         self.flights[flight].manifold.plus(local, step)
     }

@@ -17,6 +17,7 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
+use crate::screening::FaultKind;
 
 /// Ratio of a flight's residual scale to that of the others up to which it flies as they do.
 const LIKE_RATIO: f64 = 3.0;
@@ -83,14 +84,16 @@ pub fn take_back(
     Ok(reweighted)
 }
 
-/// Whether a flight was left out for what the fit made of it, and not for its samples.
-fn may_come_back(excluded: &ExcludedFlight) -> bool {
-    matches!(
-        excluded.reason,
+/// Whether a flight was left out for what the fit made of it, and not for its samples; or for a vertical acceleration unlike
+/// that of the others, which a wrong unit of time gives, and a load that grows as it does in no other flight.
+pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
+    match &excluded.reason {
         FlightError::UnlikeTheOthers { .. }
-            | FlightError::SingularInitialState
-            | FlightError::Integration(_)
-    )
+        | FlightError::SingularInitialState
+        | FlightError::Integration(_) => true,
+        FlightError::DataFault(fault) => fault.fault == FaultKind::TimeUnit,
+        _ => false,
+    }
 }
 
 /// Observations and initial state of a flight that these parameters predict about as well as the others, whose residual

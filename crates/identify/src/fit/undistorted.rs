@@ -1,13 +1,17 @@
 //! Initial guesses of a flight from samples that estimated parameters of the measurement distort: markers that are seen
 //! late, a scale, misplaced markers. Poses of such samples show another motion than the body's.
 
+use flight::batch;
 use nalgebra::DVector;
 
 use super::initial_guess::first_segment;
+use super::one_flight::fit_initial_state;
+use super::state::State;
 use crate::error::FlightError;
 use crate::initial_state::{self, InitialGuess};
 use crate::marker_observers::MarkerConditions;
 use crate::observations::Observations;
+use crate::options::FitOptions;
 use crate::predict::states;
 use crate::problem::FitProblem;
 
@@ -28,10 +32,23 @@ pub fn initial_guesses(
     global: &DVector<f64>,
 ) -> Result<Vec<InitialGuess>, FlightError> {
     let mut guesses = initial_state::initial_guesses(problem, observations)?;
+    let found = undistorted_guess(problem, observations, global, &guesses[0].state);
+    guesses.extend(found.map(|state| InitialGuess { state, turns: 0 }));
+    Ok(guesses)
+}
+
+/// The guess from the samples without the distortion that the parameters predict for a flight in this state; `None` if
+/// that is negligible.
+fn undistorted_guess(
+    problem: &FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+    local: &DVector<f64>,
+) -> Option<DVector<f64>> {
     let first = observations.first_samples(first_segment(observations));
     let mut found: Option<DVector<f64>> = None;
     for _ in 0..PASSES {
-        let local = found.as_ref().unwrap_or(&guesses[0].state);
+        let local = found.as_ref().unwrap_or(local);
         let Some(undistorted) = without_distortion(problem, &first, (global, local)) else {
             break;
         };
@@ -40,8 +57,46 @@ pub fn initial_guesses(
             Err(_) => break,
         }
     }
-    guesses.extend(found.map(|state| InitialGuess { state, turns: 0 }));
-    Ok(guesses)
+    found
+}
+
+/// A start of all flights with the present parameters of the measurement, the model's other ones, and initial states from
+/// undistorted samples; `None` if the measurement does not distort the samples.
+pub fn start(problem: &FitProblem, state: &State, options: &FitOptions<'_>) -> Option<State> {
+    let values = problem.globals.iter().map(|global| global.model_value);
+    let mut global = DVector::from_iterator(problem.globals.len(), values);
+    let (observations, local) = (state.flights.first()?, state.local.first()?);
+    let first = observations.first_samples(first_segment(observations));
+    let of_measurement = (0..global.len()).filter(|&index| {
+        let mut changed = global.clone();
+        changed[index] = state.global[index];
+        without_distortion(problem, &first, (&changed, local)).is_some()
+    });
+    let of_measurement: Vec<usize> = of_measurement.collect();
+    if of_measurement.is_empty() {
+        return None;
+    }
+    for index in of_measurement {
+        global[index] = state.global[index];
+    }
+    let found = batch::each_on(options.threads(), state.flights.len(), |flight| {
+        let observations = &state.flights[flight];
+        let guesses = initial_state::initial_guesses(problem, observations).ok()?;
+        let as_seen = guesses.into_iter().next()?.state;
+        let guess = undistorted_guess(problem, observations, &global, &as_seen)?;
+        let first = first_segment(observations);
+        let fitted = fit_initial_state(problem, observations, first, &global, guess, options);
+        Some(fitted.ok()?.1)
+    });
+    let mut started = state.clone();
+    started.global = global;
+    started.limits.fill(f64::INFINITY);
+    for (local, found) in started.local.iter_mut().zip(found) {
+        if let Some(found) = found {
+            *local = found;
+        }
+    }
+    Some(started)
 }
 
 /// The samples less what the parameters displace the markers by, from where they would be seen with the parameters of the

@@ -4,7 +4,8 @@ use nalgebra::DVector;
 
 use super::FitError;
 use super::exclusion::exclude_failed;
-use super::horizon_continuation::{anneal_scale, fit_initial_state};
+use super::horizon_continuation::anneal_scale;
+use super::one_flight::fit_initial_state;
 use super::residual_cache::{ResidualCache, residual_scale};
 use super::state::State;
 use crate::error::{ExcludedFlight, FlightError};

@@ -1,60 +1,13 @@
 //! Levenberg–Marquardt iteration over all flights, within bounds.
 
 use flight::batch;
-use nalgebra::DVector;
 
+use super::local_refinement::{OneFlight, with_refined_locals};
 use super::{
-    Constraint, NormalBlock, ReducedSystem, SchurComplement, StopReason, StoppingCriteria,
-    UndeterminedFlight, constrained_step,
+    Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, SchurComplement, SolveError,
+    StopReason, StoppingCriteria, constrained_step,
 };
 use crate::error::FlightError;
-
-/// Sum of squares over flights, as a function of global parameters and of local parameters of each flight.
-pub trait LeastSquaresProblem: Sync {
-    /// Number of flights.
-    fn flights(&self) -> usize;
-
-    /// Normal equations of a flight's residuals.
-    ///
-    /// # Errors
-    /// [`FlightError`] if the flight cannot be predicted from these values.
-    fn linearise(
-        &self,
-        flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
-    ) -> Result<NormalBlock, FlightError>;
-
-    /// A flight's local parameters after a step (the retraction of its manifold).
-    fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
-
-    /// Bounds and prior of each global parameter.
-    fn constraints(&self) -> &[Constraint];
-
-    /// Number of threads used.
-    fn threads(&self) -> usize {
-        1
-    }
-
-    /// Whether the iteration is to be cancelled.
-    fn is_cancelled(&self) -> bool {
-        false
-    }
-
-    /// Whether the iteration is to stop at its present iterate.
-    fn is_past_deadline(&self) -> bool {
-        false
-    }
-}
-
-/// Values of all unknowns.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Iterate {
-    /// Global parameters, SI.
-    pub global: DVector<f64>,
-    /// Local parameters of each flight: its initial state, SI.
-    pub local: Vec<DVector<f64>>,
-}
 
 /// Result of an iteration.
 #[derive(Clone, Debug)]
@@ -84,28 +37,6 @@ impl Solution {
         let negligible = |reduction| criteria.is_negligible(reduction, self.squares);
         self.converged() && self.predicted_reduction.is_some_and(negligible)
     }
-}
-
-/// Position of a flight in the problem, and the reason why it cannot be predicted.
-pub type FailedFlight = (usize, FlightError);
-
-fn first(failures: &[FailedFlight]) -> String {
-    let reason = failures.first().map(|(_, reason)| reason.to_string());
-    reason.unwrap_or_default()
-}
-
-/// Why there is no solution.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SolveError {
-    /// Flights cannot be predicted from their initial values.
-    #[error("{} flights cannot be predicted from their initial values, the first because: {}", .0.len(), first(.0))]
-    Start(Vec<FailedFlight>),
-    /// The local normal equations of a flight are singular.
-    #[error(transparent)]
-    Undetermined(#[from] UndeterminedFlight),
-    /// The iteration was cancelled.
-    #[error("interrupted")]
-    Cancelled,
 }
 
 /// Initial damping, relative to the diagonal of JᵀJ.
@@ -176,23 +107,25 @@ pub fn solve_after(
         }
         let less_damping = (damping * 0.1).max(MIN_DAMPING);
         let evaluated = evaluate(problem, &candidate, less_damping)?;
-        if let Some((at_candidate, after)) = evaluated {
-            if after < squares {
+        if let Some((at_candidate, after)) = evaluated
+            && after < squares
+        {
+            (iterate, linearization, squares) = (candidate, at_candidate, after);
+            // Damped steps do not show the rate of convergence.
+            previous = (damping <= NEGLIGIBLE_DAMPING).then_some(predicted_reduction);
+            (damping, rejections) = (less_damping, 0);
+            continue;
+        }
+        // Locals depend on the globals along a curve, which a step leaves.
+        if rejections == 0 && !iterate.global.is_empty() {
+            iterations += 1;
+            if let Some(candidate) = with_refined_locals(problem, &candidate, &iterate, refine)?
+                && let Some((at_candidate, after)) = evaluate(problem, &candidate, less_damping)?
+                && after < squares
+            {
                 (iterate, linearization, squares) = (candidate, at_candidate, after);
-                // Damped steps do not show the rate of convergence.
-                previous = (damping <= NEGLIGIBLE_DAMPING).then_some(predicted_reduction);
-                (damping, rejections) = (less_damping, 0);
+                (previous, damping) = (None, less_damping);
                 continue;
-            }
-            // Only a long step may lead out of a valley that the next one leads back to.
-            if rejections == 0 && predicted_reduction > MAX_SECOND_RATIO * squares {
-                iterations += 1;
-                let second = second_step(problem, &candidate, at_candidate, less_damping, squares)?;
-                if let Some((candidate, at_candidate, after)) = second {
-                    (iterate, linearization, squares) = (candidate, at_candidate, after);
-                    (previous, damping) = (None, less_damping);
-                    continue;
-                }
             }
         }
         if damping >= MAX_DAMPING {
@@ -218,27 +151,9 @@ pub fn solve_after(
     })
 }
 
-/// Greatest ratio of the sum of squares after a second step to that before the first at which both are accepted: a
-/// smaller gain may lead far away into another minimum.
-const MAX_SECOND_RATIO: f64 = 0.5;
-
-/// A second step from a candidate iterate at which the sum of squares is not less than `squares`, accepted if it is much
-/// less after both: a full step often leaves a curved valley that the next one leads back to, where short steps
-/// follow the valley slowly.
-fn second_step(
-    problem: &impl LeastSquaresProblem,
-    candidate: &Iterate,
-    mut at_candidate: Linearization,
-    damping: f64,
-    squares: f64,
-) -> Result<Option<(Iterate, Linearization, f64)>, SolveError> {
-    let Some(step) = at_candidate.step(problem, candidate, damping) else {
-        return Ok(None);
-    };
-    let evaluated = evaluate(problem, &step.candidate, damping)?;
-    Ok(evaluated
-        .filter(|(_, after)| *after < MAX_SECOND_RATIO * squares)
-        .map(|(at_second, after)| (step.candidate, at_second, after)))
+fn refine(flight: &OneFlight<'_>, start: Iterate) -> Option<Iterate> {
+    let solution = solve(flight, start, StoppingCriteria::REFINEMENT);
+    solution.ok().map(|solution| solution.iterate)
 }
 
 /// Normal equations and sum of squares at a candidate iterate; `None` if a flight cannot be predicted there.

@@ -4,18 +4,19 @@ mod constrained_step;
 mod constraint;
 mod gram_accumulator;
 mod levenberg_marquardt;
+mod local_refinement;
 mod normal_equations;
+mod problem;
 mod scaled_cholesky;
 mod stopping_criteria;
 
 pub use constrained_step::constrained_step;
 pub use constraint::Constraint;
 pub(crate) use gram_accumulator::GramAccumulator;
-pub use levenberg_marquardt::{
-    FailedFlight, Iterate, LeastSquaresProblem, Solution, SolveError, solve, solve_after,
-};
+pub use levenberg_marquardt::{Solution, solve, solve_after};
 pub(crate) use normal_equations::SchurComplement;
 pub use normal_equations::{NormalBlock, ReducedSystem, UndeterminedFlight, eliminate};
+pub use problem::{FailedFlight, Iterate, LeastSquaresProblem, SolveError};
 pub(crate) use scaled_cholesky::floored_inverse;
 pub use scaled_cholesky::pseudo_inverse;
 pub use stopping_criteria::{StopReason, StoppingCriteria};

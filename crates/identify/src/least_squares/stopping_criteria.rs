@@ -43,6 +43,11 @@ impl StoppingCriteria {
         accept_unevaluated: f64::INFINITY,
         ..StoppingCriteria::COARSE
     };
+    /// Criteria for the local parameters at given global ones, between two steps of all.
+    pub const REFINEMENT: StoppingCriteria = StoppingCriteria {
+        max_steps: 8,
+        ..StoppingCriteria::COARSE
+    };
     /// Criteria for one step, accepted without evaluating its residuals.
     pub const SINGLE_STEP: StoppingCriteria = StoppingCriteria {
         ftol_abs: f64::INFINITY,

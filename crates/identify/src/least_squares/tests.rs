@@ -1,6 +1,7 @@
 use nalgebra::DVector;
 
 use super::*;
+use crate::ids::LocalId;
 
 /// Test problem: each flight is `y = local * exp(-global t)`.
 struct Decay {
@@ -26,6 +27,16 @@ impl LeastSquaresProblem for Decay {
             block.add(local[0] * e - y, &DVector::from_element(1, e), &by_global);
         }
         Ok(block)
+    }
+
+    fn linearise_local(
+        &self,
+        flight: usize,
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, crate::error::FlightError> {
+        let block = self.linearise(flight, global, local)?;
+        Ok(block.select(&[LocalId::new(0)], &[]))
     }
 
     fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
@@ -88,4 +99,58 @@ fn a_strong_prior_wins() {
     problem.constraints[0].prior = Some((0.7, 1e-9));
     let solution = solve(&problem, start(), StoppingCriteria::CONVERGED).unwrap();
     assert!((solution.iterate.global[0] - 0.7).abs() < 1e-6);
+}
+
+/// Rosenbrock's function: a curved valley `local = global²` that descends to (1, 1).
+struct Rosenbrock;
+
+impl LeastSquaresProblem for Rosenbrock {
+    fn flights(&self) -> usize {
+        1
+    }
+
+    fn linearise(
+        &self,
+        _: usize,
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, crate::error::FlightError> {
+        let one = |value: f64| DVector::from_element(1, value);
+        let mut block = NormalBlock::zero(1, 1);
+        let across = 10.0 * (local[0] - global[0].powi(2));
+        block.add(across, &one(10.0), &one(-20.0 * global[0]));
+        block.add(1.0 - global[0], &one(0.0), &one(-1.0));
+        Ok(block)
+    }
+
+    fn linearise_local(
+        &self,
+        flight: usize,
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, crate::error::FlightError> {
+        let block = self.linearise(flight, global, local)?;
+        Ok(block.select(&[LocalId::new(0)], &[]))
+    }
+
+    fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        local + step
+    }
+
+    fn constraints(&self) -> &[Constraint] {
+        &[Constraint::NONE]
+    }
+}
+
+#[test]
+fn a_curved_valley_is_crossed_in_one_step() {
+    let start = Iterate {
+        global: DVector::from_element(1, -1.2),
+        local: vec![DVector::from_element(1, 1.0)],
+    };
+    let solution = solve(&Rosenbrock, start, StoppingCriteria::CONVERGED).unwrap();
+    assert!((solution.iterate.global[0] - 1.0).abs() < 1e-9);
+    assert!((solution.iterate.local[0][0] - 1.0).abs() < 1e-9);
+    // A rejected step, one with refined locals, and the last one.
+    assert!(solution.iterations <= 4, "{}", solution.iterations);
 }

@@ -103,6 +103,14 @@ impl<P: LeastSquaresProblem> LeastSquaresProblem for Constrained<'_, P> {
     ) -> Result<NormalBlock, FlightError> {
         self.problem.linearise(flight, global, local)
     }
+    fn linearise_local(
+        &self,
+        flight: usize,
+        global: &DVector<f64>,
+        local: &DVector<f64>,
+    ) -> Result<NormalBlock, FlightError> {
+        self.problem.linearise_local(flight, global, local)
+    }
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         self.problem.plus(flight, local, step)
     }

@@ -3,6 +3,7 @@
 use identify::dataset::Dataset;
 use identify::synthesize::MARKERS;
 use nalgebra::Vector3;
+use oracle::Physical;
 use oracle::effect::ExtendedLaw;
 use rand::SeedableRng;
 use rand_chacha::ChaCha12Rng;
@@ -16,6 +17,32 @@ use crate::oracle_flights::{Plan, disc, disc_constants, empty, reference_of, sam
 /// # Panics
 /// If an effect does not act on a disc, or has another number of values.
 pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
+    let flights = each_flight(plan, seed, |world, place, start, times| {
+        seeded_flight(world, seeded, place, start, times, &MARKERS)
+    });
+    Dataset {
+        flights,
+        ..empty(&disc())
+    }
+}
+
+/// Greatest angle of attack in the flights of [`dataset`], rad.
+///
+/// # Panics
+/// Those of [`dataset`].
+pub fn greatest_angle_of_attack(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> f64 {
+    let angles = each_flight(plan, seed, |world, place, start, times| {
+        let world = place.world(world, seeded);
+        world.greatest_angle_of_attack(start, &times)
+    });
+    angles.into_iter().fold(0.0, f64::max)
+}
+
+fn each_flight<T>(
+    plan: &Plan<'_>,
+    seed: u64,
+    each: impl Fn(&ExtendedLaw<f64>, FlightPlace, Physical<f64>, Vec<f64>) -> T,
+) -> Vec<T> {
     let model = disc();
     let reference = reference_of(&model);
     let world = ExtendedLaw {
@@ -34,10 +61,7 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
             index,
             flights: plan.flights,
         };
-        seeded_flight(&world, seeded, place, start, times, &MARKERS)
+        each(&world, place, start, times)
     });
-    Dataset {
-        flights: flights.collect(),
-        ..empty(&model)
-    }
+    flights.collect()
 }

@@ -22,6 +22,15 @@ pub(super) struct FlightPlace {
     pub(super) flights: usize,
 }
 
+impl FlightPlace {
+    /// The world of the flight, with the states that differ from flight to flight.
+    pub(super) fn world(self, world: &ExtendedLaw<f64>, seeded: &SeededEffects) -> SeededWorld {
+        let mut random = ChaCha12Rng::seed_from_u64(self.seed);
+        random.set_stream(1 + self.index as u64);
+        SeededWorld::draw(world, seeded, &mut random)
+    }
+}
+
 /// Computes and observes a flight at `times` (s); `markers` are in the body frame, m. The random stream depends on the
 /// flight alone: the throws are the same whatever is seeded.
 pub(super) fn seeded_flight(
@@ -37,9 +46,7 @@ pub(super) fn seeded_flight(
         index,
         flights,
     } = place;
-    let mut random = ChaCha12Rng::seed_from_u64(seed);
-    random.set_stream(1 + index as u64);
-    let world = SeededWorld::draw(world, seeded, &mut random);
+    let world = place.world(world, seeded);
     let mut positions = world.observe(start, &times, markers);
     if let Some(noise) = &seeded.noise {
         corrupt(

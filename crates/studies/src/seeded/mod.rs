@@ -12,7 +12,7 @@ mod strength;
 mod unlisted;
 mod world;
 
-pub use disc::dataset;
+pub use disc::{dataset, greatest_angle_of_attack};
 pub use effects::SeededEffects;
 pub use input_errors::InputErrors;
 pub use strength::{STRENGTHS, Strength, strength};

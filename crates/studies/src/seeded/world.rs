@@ -55,15 +55,7 @@ impl SeededWorld {
         times: &[f64],
         markers: &[[f64; 3]],
     ) -> Vec<Vec<Option<[f64; 3]>>> {
-        let clock = self.world.clock();
-        let true_times: Vec<f64> = times.iter().map(|time| time * clock).collect();
-        let initial_lagged_alpha = self.scene(&start, 0.0).alpha();
-        let states = integrate_law(
-            &|body, time, lagged_alpha| self.derivatives(body, time, lagged_alpha),
-            start,
-            initial_lagged_alpha,
-            &true_times,
-        );
+        let states = self.fly(start, times);
         let observed = |body: &Physical<f64>| {
             let each = markers.iter().enumerate().map(|(k, &marker)| {
                 let which = Vector3::from_fn(|axis, _| if axis == k { 1.0 } else { 0.0 });
@@ -72,6 +64,26 @@ impl SeededWorld {
             each.collect()
         };
         states.iter().map(observed).collect()
+    }
+
+    /// Greatest angle of attack of a flight at these times, rad.
+    pub(super) fn greatest_angle_of_attack(&self, start: Physical<f64>, times: &[f64]) -> f64 {
+        let angles = self.fly(start, times).into_iter().zip(times);
+        let angles = angles.map(|(body, time)| self.scene(&body, *time).alpha().abs());
+        angles.fold(0.0, f64::max)
+    }
+
+    /// Body states at the times (s) that the measuring clock shows.
+    fn fly(&self, start: Physical<f64>, times: &[f64]) -> Vec<Physical<f64>> {
+        let clock = self.world.clock();
+        let true_times: Vec<f64> = times.iter().map(|time| time * clock).collect();
+        let initial_lagged_alpha = self.scene(&start, 0.0).alpha();
+        integrate_law(
+            &|body, time, lagged_alpha| self.derivatives(body, time, lagged_alpha),
+            start,
+            initial_lagged_alpha,
+            &true_times,
+        )
     }
 
     /// Accelerations, and the rate (rad/s) of the lagged angle of attack.
