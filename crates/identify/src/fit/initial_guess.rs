@@ -8,7 +8,7 @@ use super::one_flight::fit_initial_state;
 use super::state::State;
 use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
-use crate::ground_contact;
+use crate::ground_contact::{self, Contact, SoughtContact};
 use crate::ids::FlightId;
 use crate::initial_state::{self, InitialGuess};
 use crate::noise_floor::{median_noise_floor, noise_floor_by_poses};
@@ -62,16 +62,20 @@ pub fn first_segment(observations: &Observations) -> usize {
     samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
 }
 
-/// Extracts the observations of the given flights and estimates their noise.
+/// Extracts the observations of the given flights and estimates their noise. `contacts` are those of the dataset's flights, as
+/// far as they were looked for.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
     flights: &[FlightId],
+    contacts: &[SoughtContact],
     options: &FitOptions<'_>,
 ) -> ObservedFlights {
     let each = batch::each_on(options.threads(), flights.len(), |index| {
-        let flight = &dataset.flights[flights[index].index()];
-        let (observations, poses) = observations_and_poses(problem, flight)?;
+        let index = flights[index].index();
+        let sought = contacts.get(index).cloned().flatten();
+        let flight = &dataset.flights[index];
+        let (observations, poses) = observations_and_poses(problem, flight, sought)?;
         let sigma0 = initial_state::sigma0(problem, &observations, &poses);
         let floor = noise_floor_by_poses(problem, &observations, &poses);
         Ok((observations, sigma0, floor))
@@ -180,7 +184,7 @@ pub fn spin_note(turns: i32) -> String {
 /// # Errors
 /// As [`Observations::new`]; [`FlightError::TooFewCoordinates`].
 pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observations, FlightError> {
-    Ok(observations_and_poses(problem, flight)?.0)
+    Ok(observations_and_poses(problem, flight, None)?.0)
 }
 
 /// Observations of a flight, truncated at a contact, with the pose in each sample of a body that has an attitude.
@@ -190,9 +194,19 @@ pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observation
 fn observations_and_poses(
     problem: &FitProblem,
     flight: &Flight,
+    sought: SoughtContact,
 ) -> Result<(Observations, Vec<Option<Pose>>), FlightError> {
     let mut observations = Observations::new(problem, flight)?;
-    let poses = ground_contact::truncate_at_contact(problem, &mut observations);
+    let unseen = flight
+        .times
+        .partition_point(|time| *time < observations.origin);
+    let sought = sought.map(|found| {
+        found.map(|contact| Contact {
+            sample: contact.sample - unseen,
+            ..contact
+        })
+    });
+    let poses = ground_contact::truncate_at_contact(problem, &mut observations, sought);
     let measured = 3 * observations.measured.iter().flatten().count();
     let unknowns = observations.manifold.dimension();
     if measured < unknowns {

@@ -41,7 +41,7 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, reasons_against};
-use crate::screening::{self, DataFault};
+use crate::screening::{self, DataFault, Screening};
 use crate::tolerance;
 pub use held_out::CONDITIONING_FRACTION;
 
@@ -83,8 +83,11 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         return Err(FitError::NothingToFit);
     }
     let mut held_out = flights_of(dataset, Role::HeldOut);
-    let mut data_faults = match options.known_faults {
-        Some(known) => known.to_vec(),
+    let Screening {
+        faults: mut data_faults,
+        contacts,
+    } = match options.known_faults {
+        Some(known) => Screening::of_known_faults(known),
         None => screening::screen(&problem, dataset, options.threads()),
     };
     let faulty = screening::excluded(dataset, &data_faults, options);
@@ -94,7 +97,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     if fitted.is_empty() {
         return Err(FitError::FaultyData(data_faults));
     }
-    let observed = initial_guess::observe(&problem, dataset, &fitted, options);
+    let observed = initial_guess::observe(&problem, dataset, &fitted, &contacts, options);
     problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
     let noise_floor = observed.noise_floor;
     problem.tolerance = tolerance::whitened(model, fitted.len());

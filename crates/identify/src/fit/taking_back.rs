@@ -139,7 +139,7 @@ mod tests {
         let options = FitOptions::default();
         let mut problem = FitProblem::new(&model, &dataset, &options).unwrap();
         let fitted = flights_of(&dataset, Role::Fit);
-        let observed = initial_guess::observe(&problem, &dataset, &fitted, &options);
+        let observed = initial_guess::observe(&problem, &dataset, &fitted, &[], &options);
         problem.sigma0 = observed.sigma0.unwrap();
         problem.tolerance = tolerance::whitened(&model, fitted.len());
         let guesses = initial_guess::initial_guesses(&problem, &dataset, observed, &options);

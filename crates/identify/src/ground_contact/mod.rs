@@ -40,10 +40,15 @@ pub struct Contact {
     pub why: String,
 }
 
-/// Truncates a flight before its first contact. Returns the poses in the remaining samples of a body with an attitude.
+/// The first contact of a flight: `None` if it was not looked for, or could not be.
+pub type SoughtContact = Option<Option<Contact>>;
+
+/// Truncates a flight before its first contact, which is `sought` already or looked for. Returns the poses in the remaining
+/// samples of a body with an attitude.
 pub fn truncate_at_contact(
     problem: &FitProblem,
     observations: &mut Observations,
+    sought: SoughtContact,
 ) -> Vec<Option<Pose>> {
     let samples = 0..observations.times.len();
     let mut poses: Vec<Option<Pose>> = match problem.has_attitude {
@@ -53,6 +58,25 @@ pub fn truncate_at_contact(
             .collect(),
         false => Vec::new(),
     };
+    let found = sought.unwrap_or_else(|| contact_of(problem, observations, &poses));
+    let Some(Contact { sample, why }) = found else {
+        return poses;
+    };
+    let time = observations.origin + observations.times[sample];
+    observations.truncate(
+        sample,
+        format!("{why} at t = {time:.3} s, as at a touch of the ground"),
+    );
+    poses.truncate(sample);
+    poses
+}
+
+fn contact_of(
+    problem: &FitProblem,
+    observations: &Observations,
+    poses: &[Option<Pose>],
+) -> Option<Contact> {
+    let samples = 0..observations.times.len();
     let position = |sample: usize| match problem.has_attitude {
         true => poses[sample].map(|pose| pose.position),
         false => point_position(&problem.markers, observations.points(sample)),
@@ -64,17 +88,7 @@ pub fn truncate_at_contact(
         let pose = (*poses.get(sample)?).filter(|pose| pose.variance() <= limit)?;
         Some((point(sample)?, pose.attitude))
     });
-    let posed: Vec<Posed> = posed.collect();
-    let Some(Contact { sample, why }) = contact(&path, &posed) else {
-        return poses;
-    };
-    let time = observations.origin + observations.times[sample];
-    observations.truncate(
-        sample,
-        format!("{why} at t = {time:.3} s, as at a touch of the ground"),
-    );
-    poses.truncate(sample);
-    poses
+    contact(&path, &posed.collect::<Vec<Posed>>())
 }
 
 /// Variance of a pose, m², above which it is an outlier.

@@ -118,6 +118,17 @@ impl Character {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
 
+    /// Units of the gains of position, m², and axis, of motion with these variances.
+    fn units(&self, variances: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
+    }
+
+    /// Gains that a comparison with another noise would have with this one, if it were the same otherwise.
+    pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
+        let (here, there) = (self.units(of.variances), other.units(of.variances));
+        [0, 1].map(|part| of.gains[part] * there[part] / here[part])
+    }
+
     /// Regressions of motion that is disturbed at the time about which it is.
     fn disturbed(&self, points: &[&Point], about: f64) -> Option<(Regression<9>, Regression<9>)> {
         let since = |point: &Point| (point.time - about).max(0.0);
@@ -143,28 +154,39 @@ impl Character {
         ))
     }
 
-    /// Removes the points without which free motion fits far better, which an outlier is and a touch is not. None if too
-    /// few are left on a side of `index`.
-    pub fn without_outliers<'p>(
+    /// Removes the points without which free motion fits far better, which an outlier is and a touch is not; returns the others
+    /// and the regressions of free motion through them. None if they do not determine these.
+    fn robust<'p>(
         &self,
         points: &'p [Point],
         range: Range<usize>,
         about: f64,
-    ) -> Option<Vec<&'p Point>> {
+    ) -> Option<(Vec<&'p Point>, (Regression<7>, Regression<6>))> {
         let mut kept: Vec<&Point> = points.get(range)?.iter().collect();
+        let mut free = self.free(&kept, about)?;
         for _ in 0..MOST_OUTLIERS {
-            let (position, axis) = self.free(&kept, about)?;
             let of = |index: usize| {
-                position.removable[index] / self.noise[0].powi(2)
-                    + axis.removable[index] / self.noise[1].powi(2)
+                free.0.removable[index] / self.noise[0].powi(2)
+                    + free.1.removable[index] / self.noise[1].powi(2)
             };
             let worst = (0..kept.len()).max_by(|&a, &b| of(a).total_cmp(&of(b)))?;
             if of(worst) <= OUTLIER || kept.len() <= LEAST_SIDES.0 {
                 break;
             }
             kept.remove(worst);
+            free = self.free(&kept, about)?;
         }
-        Some(kept)
+        Some((kept, free))
+    }
+
+    /// Points without outliers of free motion about a time; none if they do not determine it.
+    pub fn without_outliers<'p>(
+        &self,
+        points: &'p [Point],
+        range: Range<usize>,
+        about: f64,
+    ) -> Option<Vec<&'p Point>> {
+        Some(self.robust(points, range, about)?.0)
     }
 
     /// Compares free motion with motion that is disturbed before point `index`, at a time, s, or in the middle of the
@@ -174,7 +196,7 @@ impl Character {
         let last = points.get(index.checked_sub(1)?)?;
         let about = at.unwrap_or(0.5 * (last.time + first.time));
         let range = range_before(points, index).start..range_after(points, index).end;
-        let kept = self.without_outliers(points, range, about)?;
+        let (kept, free) = self.robust(points, range, about)?;
         let before = kept
             .iter()
             .filter(|point| point.sample < first.sample)
@@ -182,18 +204,17 @@ impl Character {
         if before < LEAST_SIDES.0 || kept.len() - before < LEAST_SIDES.1 {
             return None;
         }
-        let free = self.free(&kept, about)?;
         let disturbed = self.disturbed(&kept, about)?;
         let variances = [disturbed.0.variance(), disturbed.1.variance()];
         let noise = self.noise.map(|noise| noise * noise);
-        let unit = |part: usize| noise[part].max(LOCAL_PART * variances[part]);
+        let unit = self.units(variances);
         let slope =
             |row: usize| Vector3::from(disturbed.0.coefficients.row(row).transpose()) / SCALE;
         Some(Comparison {
             index,
             gains: [
-                (free.0.squares - disturbed.0.squares) / unit(0),
-                (free.1.squares - disturbed.1.squares) / unit(1),
+                (free.0.squares - disturbed.0.squares) / unit[0],
+                (free.1.squares - disturbed.1.squares) / unit[1],
             ],
             variances,
             remaining: disturbed.0.squares / noise[0] + disturbed.1.squares / noise[1],

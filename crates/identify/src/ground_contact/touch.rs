@@ -29,6 +29,9 @@ const MIN_UPWARD_PART: f64 = 0.3;
 /// that the axis does not show.
 const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 
+/// Part of the least gains and jumps from which on a comparison by a rough estimate of the noise may be that of a touch.
+const ROUGH: f64 = 0.5;
+
 /// A touch of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
@@ -63,7 +66,12 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
     // What differences of samples show as noise lacks what is correlated.
     let rough = compare(&character);
     let noise = |part: usize| quartile(rough.iter().map(|c| c.variances[part])).sqrt();
+    let first = character;
     character.noise = [noise(0).max(1e-9), noise(1).max(1e-9)];
+    let gains = |of: &Comparison| character.gains(of, &first);
+    if !rough.iter().any(|of| may_be_touch(of, gains(of))) {
+        return None;
+    }
     let comparisons = compare(&character);
     let quartiles = [0, 1].map(|part| quartile(comparisons.iter().map(|c| c.gains[part])));
     let found = comparisons.iter().enumerate().find(|(place, comparison)| {
@@ -84,6 +92,15 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
         sample: onset(&points, comparison, &character)?,
         jump: comparison.jump.z,
     })
+}
+
+/// Whether a comparison with these gains, by a rough estimate of the noise, is near that of a touch.
+fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
+    let [position, axis] = [0, 1].map(|part| gains[part] / LEAST_USUAL[part]);
+    let jump = comparison.jump.z;
+    let of_both = position.min(axis) > ROUGH * MIN_GAINS.0 && jump > ROUGH * MIN_JUMP;
+    let of_path = position > ROUGH * MIN_OF_PATH.0 && jump > ROUGH * MIN_OF_PATH.1;
+    of_both || of_path
 }
 
 fn is_touch(comparison: &Comparison, usual: [f64; 2]) -> bool {

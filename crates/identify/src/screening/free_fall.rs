@@ -365,7 +365,7 @@ pub fn changed(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> 
         .iter()
         .map(|row| row.iter().map(|point| point.map(change)).collect())
         .collect();
-    Track::until_contact(problem, &flight.times, &rows)
+    Track::until_contact(problem, &flight.times, &rows).0
 }
 
 /// Median vertical component of the normal of the markers' plane; none for a point mass.

@@ -26,6 +26,7 @@ use self::free_fall::FreeFall;
 use self::track::Track;
 use crate::dataset::Dataset;
 use crate::error::{ExcludedFlight, FlightError};
+use crate::ground_contact::SoughtContact;
 use crate::ids::FlightId;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
@@ -36,8 +37,27 @@ const NOISE_RATIO: f64 = 30.0;
 /// Least ratio of the noise to the length of a track that is no flight.
 const NOISE_PART: f64 = 0.1;
 
-/// Faults of a dataset's flights, in the dataset's order, at most one for each flight. Roles do not matter.
-pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Vec<DataFault> {
+/// What the screening of a dataset found.
+#[derive(Debug, Default)]
+pub(crate) struct Screening {
+    /// Faults of the flights, in the dataset's order, at most one for each flight.
+    pub faults: Vec<DataFault>,
+    /// First contact of each flight of the dataset, as far as it was looked for.
+    pub contacts: Vec<SoughtContact>,
+}
+
+impl Screening {
+    /// The faults that an earlier screening found.
+    pub fn of_known_faults(faults: &[DataFault]) -> Self {
+        Self {
+            faults: faults.to_vec(),
+            contacts: Vec::new(),
+        }
+    }
+}
+
+/// Screens the flights of a dataset. Roles do not matter.
+pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
     let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
     let rigid = rigid::rigid_pairs(problem);
     let is_rigid = rigid.iter().all(|is_rigid| *is_rigid);
@@ -47,17 +67,30 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
             .or_else(|| template::check(dataset, index, &rigid))
             .or_else(|| mirror_is_decided.then(|| mirror::check(&problem.markers, flight))?);
         match fault {
-            Some(fault) => (Some(fault), None),
+            Some(fault) => ((Some(fault), None), None),
             None => {
-                let track = Track::until_contact(problem, &flight.times, &flight.positions);
+                let (track, contact) =
+                    Track::until_contact(problem, &flight.times, &flight.positions);
                 let fault = jumps::check(&track, flight);
                 let track = fault.is_none().then_some(track);
-                (fault, track)
+                ((fault, track), Some(contact))
             }
         }
     });
-    let (mut faults, mut tracks): (Vec<Option<DataFault>>, Vec<Option<Track>>) =
-        each.into_iter().unzip();
+    let (of_flights, contacts): (Vec<_>, Vec<SoughtContact>) = each.into_iter().unzip();
+    let (faults, tracks) = of_flights.into_iter().unzip();
+    let faults = of_all(problem, dataset, is_rigid, faults, tracks);
+    Screening { faults, contacts }
+}
+
+/// Faults of single flights, completed by those that show in the comparison of flights and with gravity.
+fn of_all(
+    problem: &FitProblem,
+    dataset: &Dataset,
+    is_rigid: bool,
+    mut faults: Vec<Option<DataFault>>,
+    mut tracks: Vec<Option<Track>>,
+) -> Vec<DataFault> {
     no_flights(dataset, &mut faults, &mut tracks);
     let Some(gravity) = gravity::gravity(problem) else {
         return faults.into_iter().flatten().collect();

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use crate::ground_contact::{self, PathPoint, Posed};
+use crate::ground_contact::{self, Contact, PathPoint, Posed};
 use crate::path_noise::path_noise;
 use crate::pose::{point_position, pose};
 use crate::problem::FitProblem;
@@ -94,21 +94,22 @@ impl Track {
         Self { points, noise }
     }
 
-    /// Path of the origin of a problem's body up to its first contact.
+    /// Path of the origin of a problem's body up to its first contact, and that contact.
     pub fn until_contact(
         problem: &FitProblem,
         times: &[f64],
         rows: &[Vec<Option<[f64; 3]>>],
-    ) -> Self {
+    ) -> (Self, Option<Contact>) {
         let mut track = Self::of(&problem.markers, problem.has_attitude, times, rows);
-        if let Some(contact) = track.contact() {
+        let contact = track.contact();
+        if let Some(contact) = &contact {
             track.points.retain(|point| point.sample < contact.sample);
         }
-        track
+        (track, contact)
     }
 
     /// The first contact of the body.
-    pub fn contact(&self) -> Option<ground_contact::Contact> {
+    pub fn contact(&self) -> Option<Contact> {
         let point = |point: &Point| (point.sample, point.time, point.position);
         let path: Vec<PathPoint> = self.points.iter().map(point).collect();
         let posed = self.points.iter();

@@ -166,7 +166,8 @@ fn time_of_the_screening() {
         );
     };
     let dataset = &made.dataset;
-    let track = |flight: &Flight| Track::until_contact(&problem, &flight.times, &flight.positions);
+    let track =
+        |flight: &Flight| Track::until_contact(&problem, &flight.times, &flight.positions).0;
     let tracks: Vec<Option<Track>> = dataset
         .flights
         .iter()
@@ -219,7 +220,7 @@ fn time_of_the_screening() {
         });
     });
     time("screening", &|| {
-        assert_eq!(screen(&problem, dataset, 1), [])
+        assert_eq!(screen(&problem, dataset, 1).faults, [])
     });
     let clock = std::time::Instant::now();
     let options = FitOptions {

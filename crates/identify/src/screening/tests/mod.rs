@@ -45,7 +45,7 @@ pub fn plan(flights: usize, seed: u64) -> Plan {
 
 pub fn found(model: &Model, dataset: &Dataset) -> Vec<DataFault> {
     let problem = FitProblem::new(model, dataset, &FitOptions::default()).expect("a problem");
-    screen(&problem, dataset, 2)
+    screen(&problem, dataset, 2).faults
 }
 
 /// Throws of a disc: usual, at steep angles of attack, fast, slow, upside down.
