@@ -5,6 +5,7 @@ use super::exclusion::solve_flights;
 use super::output_error::{OutputError, all_samples};
 use super::residual_cache::ResidualCache;
 use super::state::State;
+use super::undistorted;
 use crate::least_squares::{Constraint, SolveError, StoppingCriteria, solve};
 use crate::options::FitOptions;
 use crate::predict::Loss;
@@ -18,6 +19,12 @@ const HORIZON_GROWTH: f64 = 2.5;
 
 /// Ratio of the longest flight to a horizon below which whole flights are fitted at once.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
+
+/// Number of steps over a horizon above which its samples may be distorted by the measurement.
+const MANY_STEPS: usize = 15;
+
+/// Greatest number of starts from samples without that distortion: each knows it better.
+const MAX_STARTS: usize = 3;
 
 /// Greatest number of loss scales tried over one horizon.
 const MAX_SCALES: usize = 8;
@@ -58,8 +65,7 @@ pub fn continue_horizon(
     let mut horizon = FIRST_HORIZON;
     while horizon < longest / MIN_REMAINING_GROWTH && !options.is_past_deadline() {
         options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
-        let spread = ResidualCache::median_scale;
-        fit_horizon(problem, state, horizon, spread, options)?;
+        fit_undistorted(problem, state, horizon, options)?;
         horizon *= HORIZON_GROWTH;
     }
     options.stage_started("whole flights", state.flights.len());
@@ -70,6 +76,46 @@ pub fn continue_horizon(
         return Ok(cache);
     }
     anneal_scale(problem, state, options)
+}
+
+/// Fits the first samples of all flights. If that takes many steps, a measurement that distorts the samples is the likely
+/// reason: then it is fitted again from samples without the distortion found so far, and the better fit is taken.
+fn fit_undistorted(
+    problem: &FitProblem,
+    state: &mut State,
+    horizon: f64,
+    options: &FitOptions<'_>,
+) -> Result<(), FitError> {
+    let fit = |state: &mut State| {
+        let steps = state.steps;
+        fit_horizon(
+            problem,
+            state,
+            horizon,
+            ResidualCache::median_scale,
+            options,
+        )?;
+        Ok::<bool, FitError>(state.steps - steps > MANY_STEPS)
+    };
+    let spread = |state: &State| {
+        ResidualCache::new(problem, state, &state.samples_until(horizon), options).rms_scale()
+    };
+    let mut has_laboured = fit(state)?;
+    for _ in 0..MAX_STARTS {
+        if !has_laboured || options.is_past_deadline() {
+            break;
+        }
+        let Some(mut started) = undistorted::start(problem, state, options) else {
+            break;
+        };
+        has_laboured = fit(&mut started)?;
+        if spread(&started) > spread(state) {
+            state.steps = started.steps;
+            break;
+        }
+        *state = started;
+    }
+    Ok(())
 }
 
 /// Tries one step over whole flights; returns the residuals after the step if they are at noise level, otherwise
