@@ -339,7 +339,8 @@ impl<'a> Analysis<'a> {
         };
         self.search.accepted.retain(|h| !h.is_overflexible(model));
         if self.search.accepted.is_empty() && self.stepwise.is_none() {
-            self.stepwise = StepwiseModel::select(context, model, &self.search, None)?;
+            self.stepwise =
+                StepwiseModel::select(context, model, &self.search, &self.before, None)?;
         }
         Ok((None, refused))
     }

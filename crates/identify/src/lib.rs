@@ -34,7 +34,7 @@ pub mod wording;
 
 // Fitting a dataset.
 pub use error::{ExcludedFlight, FitError, FlightError, NameSource};
-pub use fit::{CONDITIONING_FRACTION, Fit, fit};
+pub use fit::{CONDITIONING_FRACTION, Fit, fit, refit};
 pub use ids::{FlightId, GlobalId, LocalId};
 pub use input_error::InputError;
 pub use options::{CancellationToken, FitOptions, Prior, Progress};

@@ -88,6 +88,23 @@ impl Observations {
         })
     }
 
+    /// Observations of the flight with the samples and the outliers of those of another problem; `None` if they do not match.
+    pub(crate) fn like(problem: &FitProblem, flight: &Flight, other: &Self) -> Option<Self> {
+        let mut observations = Self::new(problem, flight).ok()?;
+        let samples = other.times.len();
+        let is_same = observations.markers == other.markers
+            && observations.times.get(..samples)? == other.times.as_slice();
+        if !is_same {
+            return None;
+        }
+        observations.keep(samples);
+        observations.samples = other.samples;
+        observations.outlier.clone_from(&other.outlier);
+        observations.truncation.clone_from(&other.truncation);
+        observations.notes.clone_from(&other.notes);
+        Some(observations)
+    }
+
     /// Measured positions of all markers in one sample, m.
     pub fn points(&self, sample: usize) -> &[Option<[f64; 3]>] {
         &self.measured[sample * self.markers..][..self.markers]
@@ -184,5 +201,15 @@ impl Observations {
             parameters[parameter.param.index()] = value;
         }
         parameters
+    }
+}
+
+/// Median of the flights' sampling intervals, s; 1 if none has two samples.
+pub fn median_interval<'o>(flights: impl IntoIterator<Item = &'o Observations>) -> f64 {
+    let intervals = flights.into_iter().filter_map(Observations::interval);
+    let mut intervals: Vec<f64> = intervals.collect();
+    match intervals.is_empty() {
+        true => 1.0,
+        false => median(&mut intervals),
     }
 }

@@ -28,7 +28,8 @@ impl Analysis<'_> {
         }
         if self.search.accepted.is_empty() {
             if let Some(stepwise) = &mut self.stepwise {
-                stepwise.extend(self.context, &self.model, &self.search, MAX_SELECTED)?;
+                let (model, before) = (&self.model, &self.before);
+                stepwise.extend(self.context, model, &self.search, before, MAX_SELECTED)?;
             }
             // What no term alone explains may be the best candidate with terms beside it.
             if let (Some(single), false) = (single, self.has_adequate_terms()) {
@@ -60,7 +61,7 @@ impl Analysis<'_> {
             }
             (None, None) => most,
         };
-        stepwise.extend(self.context, &self.model, search, most)
+        stepwise.extend(self.context, &self.model, search, &self.before, most)
     }
 
     /// Selects library terms beside a candidate, and keeps them if they are better than terms alone.
@@ -69,7 +70,7 @@ impl Analysis<'_> {
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
             return Ok(());
         };
-        let beside = StepwiseModel::select(context, model, search, Some(&single))?;
+        let beside = StepwiseModel::select(context, model, search, &self.before, Some(&single))?;
         self.stepwise = StepwiseModel::better(self.stepwise.take(), beside);
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Stepwise regression with library terms, used if no candidate effect explains the data.
 
-use identify::{Fit, fit};
+use identify::{Fit, FitStatus, fit, refit};
 use model_spec::compose::EffectTree;
 use model_spec::index::IndexVec;
 use serde::{Deserialize, Serialize};
@@ -167,17 +167,19 @@ impl StepwiseModel {
         context: Context<'_>,
         model: &ScoreTestModel,
         search: &Search<'_>,
+        before: &Fit,
         beside: Option<&Hypothesis>,
     ) -> Result<Option<Self>, DiagnosisError> {
         let mut found = Self::start(model, search, beside)?;
         if let Some(stepwise) = &mut found {
-            stepwise.extend(context, model, search, MAX_SELECTED)?;
+            stepwise.extend(context, model, search, before, MAX_SELECTED)?;
         }
         Ok(found)
     }
 
     /// Selects terms one by one, each the strongest remaining, and fits the model again with each, until it has `most`
-    /// terms, is adequate, or no term is left that decreases the sum of squares.
+    /// terms, is adequate, no term is left that decreases the sum of squares, or the terms left do not promise to explain as
+    /// much as an accepted hypothesis. `before` is the fit of the model under test.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -186,17 +188,26 @@ impl StepwiseModel {
         context: Context<'_>,
         model: &ScoreTestModel,
         search: &Search<'_>,
+        before: &Fit,
         most: usize,
     ) -> Result<(), DiagnosisError> {
         let reject = search.thresholds.reject;
-        while let Some((term, _)) = self.next.filter(|_| self.selected.len() < most) {
+        while let Some((term, statistic)) = self.next.filter(|_| self.selected.len() < most) {
             context.check_cancelled()?;
+            // As many terms as may follow, each as strong as the next, would have to explain what an accepted hypothesis does.
+            let following = (most - self.selected.len()) as f64;
+            let promised = self.squares - following * statistic;
+            let accepted = search.accepted.first();
+            if accepted.is_some_and(|accepted| !search.is_near(promised, accepted.squares)) {
+                return Ok(());
+            }
             if context.is_out_of_time() {
                 return Ok(());
             }
             let mut selected = self.selected.clone();
             selected.push(term);
-            let step = fit_terms(context, model, search, (self, &selected));
+            let before = self.fitted.last().map_or(before, |last| &last.fit);
+            let step = fit_terms(context, model, search, before, (self, &selected));
             // A term that does not decrease the sum of squares is none.
             let step = if_possible(step)?.flatten();
             let Some(step) = step.filter(|step| step.squares <= self.squares) else {
@@ -239,11 +250,12 @@ impl StepwiseModel {
 }
 
 /// Writes effects for the selected terms, fits the model with them and tests everything else; none if that model cannot be
-/// composed or fitted.
+/// composed or fitted. The fit starts at the one `before`, and from the samples only where that does not arrive.
 fn fit_terms(
     context: Context<'_>,
     model: &ScoreTestModel,
     search: &Search<'_>,
+    before: &Fit,
     (stepwise, selected): (&StepwiseModel, &[TermId]),
 ) -> Result<Option<Step>, DiagnosisError> {
     let Some(terms) = &model.terms else {
@@ -260,8 +272,29 @@ fn fit_terms(
     let Ok(extension) = ExtendedModel::new(context.model, &stepwise.effects, &effects) else {
         return Ok(None);
     };
-    let fit = fit(&extension.model, context.dataset, &options.fit)?;
-    let encompassing = EncompassingModel::new(&extension.model, options.without)?;
+    let from_before = refit(&extension.model, context.dataset, &options.fit, before)?;
+    let status = from_before.report.iterations.status;
+    let arrived = step(context, model, search, extension.clone(), from_before)?;
+    let has_arrived =
+        |step: &Step| status == FitStatus::Converged && step.squares <= stepwise.squares;
+    if arrived.as_ref().is_some_and(has_arrived) {
+        return Ok(arrived);
+    }
+    let from_samples = fit(&extension.model, context.dataset, &options.fit)?;
+    let again = step(context, model, search, extension, from_samples)?;
+    let both = arrived.into_iter().chain(again);
+    Ok(both.min_by(|a, b| a.squares.total_cmp(&b.squares)))
+}
+
+/// Tests everything else at the fit of an extended model; none if the fit has other flights.
+fn step(
+    context: Context<'_>,
+    model: &ScoreTestModel,
+    search: &Search<'_>,
+    extension: ExtendedModel,
+    fit: Fit,
+) -> Result<Option<Step>, DiagnosisError> {
+    let encompassing = EncompassingModel::new(&extension.model, context.options.without)?;
     let (mut there, iterate) = ScoreTestModel::new(encompassing, context, &fit)?;
     if !model.has_same_flights(&there.flights) {
         return Ok(None);

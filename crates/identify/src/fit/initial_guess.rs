@@ -12,7 +12,7 @@ use crate::ground_contact::{self, Contact, SoughtContact};
 use crate::ids::FlightId;
 use crate::initial_state::{self, InitialGuess};
 use crate::noise_floor::{median_noise_floor, noise_floor_by_poses};
-use crate::observations::Observations;
+use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::pose::Pose;
 use crate::problem::FitProblem;
@@ -132,8 +132,7 @@ pub fn initial_guesses(
         ..
     } = observed;
     options.stage_started("starts", usable.len());
-    let intervals = usable.iter();
-    let mut intervals: Vec<f64> = intervals.filter_map(|(_, o)| o.interval()).collect();
+    let interval = median_interval(usable.iter().map(|(_, observations)| observations));
     let values = problem.globals.iter().map(|global| global.model_value);
     let global = DVector::from_iterator(problem.globals.len(), values);
     let found = batch::each_on(options.threads(), usable.len(), |index| {
@@ -147,11 +146,6 @@ pub fn initial_guesses(
     if options.is_cancelled() {
         return Err(FitError::Interrupted);
     }
-    let interval = if intervals.is_empty() {
-        1.0
-    } else {
-        median(&mut intervals)
-    };
     let mut state = State::new(global, interval);
     let mut alternatives = Vec::new();
     for ((flight, observations), found) in usable.into_iter().zip(found) {

@@ -5,6 +5,7 @@
 //! minimum, and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
 //! with the unknowns.
 
+mod continued;
 mod exclusion;
 mod held_out;
 mod horizon_continuation;
@@ -31,7 +32,10 @@ use std::time::Instant;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
+use self::initial_guess::InitialGuesses;
 use self::outcome::Outcome;
+use self::residual_cache::ResidualCache;
+use self::state::State;
 use crate::dataset::{Dataset, Role};
 use crate::error::{ExcludedFlight, FitError, FlightError};
 use crate::ids::FlightId;
@@ -55,6 +59,10 @@ pub struct Fit {
     flights: Vec<Option<FittedFlight>>,
     global: DVector<f64>,
     noise: NoiseModel,
+    /// Noise of one coordinate along each axis by a smoother, m.
+    noise_floor: Option<[f64; 3]>,
+    /// Flights of the fit that it left out.
+    excluded: Vec<ExcludedFlight>,
 }
 
 /// A fitted or held-out flight.
@@ -75,6 +83,30 @@ struct FittedFlight {
 ///
 /// A flight that cannot be flown or fitted is excluded; its report says why.
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
+    fit_after(model, dataset, options, None)
+}
+
+/// Fits a model as [`fit`] does, starting at the estimates of an earlier fit of the same dataset: parameters of the same name
+/// start at their estimates, all others at the model's values, each flight at its initial state. Much faster where the
+/// models are alike. Where the earlier fit cannot be continued, as the states are others, the fit starts from the samples.
+///
+/// # Errors
+/// Those of [`fit`].
+pub fn refit(
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+    earlier: &Fit,
+) -> Result<Fit, FitError> {
+    fit_after(model, dataset, options, Some(earlier))
+}
+
+fn fit_after(
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+    earlier: Option<&Fit>,
+) -> Result<Fit, FitError> {
     let clock = Instant::now();
     options.validate()?;
     let mut problem = FitProblem::new(model, dataset, options)?;
@@ -97,26 +129,30 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     if fitted.is_empty() {
         return Err(FitError::FaultyData(data_faults));
     }
-    let observed = initial_guess::observe(&problem, dataset, &fitted, &contacts, options);
-    problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
-    let noise_floor = observed.noise_floor;
     problem.tolerance = tolerance::whitened(model, fitted.len());
-    let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
-    let started = clock.elapsed().as_secs_f64();
-
-    let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
     // Times that seem to be in another unit may be loads that the model has.
     let (doubtful, faulty): (Vec<_>, Vec<_>) = faulty.into_iter().partition(|excluded| {
         taking_back::may_come_back(excluded)
             && dataset.flights[excluded.flight.index()].role == Role::Fit
     });
-    state.excluded.extend(doubtful);
-    let (mut state, cache) =
-        spin_aliases::resolve_spin_aliases(&problem, state, alternatives, options)?;
-    let cache = wrong_minimum::start_undistorted(&problem, &mut state, cache, options)?;
-    let cache = multiple_shooting::shoot_again(&problem, &mut state, cache, options)?;
-    let cache = multistart::multistart(&problem, &mut state, cache, options)?;
-    let cache = unlike_flights::exclude_unlike_flights(&problem, &mut state, cache, options)?;
+    let continued = earlier
+        .and_then(|earlier| continued::continued(&mut problem, dataset, &fitted, earlier, options));
+    let (mut state, cache, noise_floor, started) = match continued {
+        Some((mut state, cache)) => {
+            state.excluded.extend(doubtful);
+            let floor = earlier.and_then(|earlier| earlier.noise_floor);
+            (state, cache, floor, clock.elapsed().as_secs_f64())
+        }
+        None => {
+            let observed = initial_guess::observe(&problem, dataset, &fitted, &contacts, options);
+            problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
+            let floor = observed.noise_floor;
+            let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
+            let started = clock.elapsed().as_secs_f64();
+            let (state, cache) = from_guesses(&problem, guesses, doubtful, options)?;
+            (state, cache, floor, started)
+        }
+    };
     let reweighted = reweighting::reweight(&problem, &mut state, cache, options)?;
     let reweighted = taking_back::take_back(&problem, dataset, &mut state, reweighted, options)?;
     let solved = clock.elapsed().as_secs_f64();
@@ -135,6 +171,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     for excluded in state.excluded.iter().chain(&faulty) {
         flights.exclude(dataset, excluded);
     }
+    let excluded = std::mem::take(&mut state.excluded);
     let states = state.flights.into_iter().zip(solution.iterate.local);
     for ((flight, report), (observations, state)) in state.ids.into_iter().zip(reports).zip(states)
     {
@@ -175,9 +212,29 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
         global: solution.iterate.global,
         problem,
         noise,
+        noise_floor,
+        excluded,
         marker_names: dataset.markers.iter().map(|m| m.name.clone()).collect(),
         flights: flights.fitted,
     })
+}
+
+/// Residuals near the minimum, or as near as the stages before the noise is known lead.
+fn from_guesses(
+    problem: &FitProblem,
+    guesses: InitialGuesses,
+    doubtful: Vec<ExcludedFlight>,
+    options: &FitOptions<'_>,
+) -> Result<(State, ResidualCache), FitError> {
+    let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
+    state.excluded.extend(doubtful);
+    let (mut state, cache) =
+        spin_aliases::resolve_spin_aliases(problem, state, alternatives, options)?;
+    let cache = wrong_minimum::start_undistorted(problem, &mut state, cache, options)?;
+    let cache = multiple_shooting::shoot_again(problem, &mut state, cache, options)?;
+    let cache = multistart::multistart(problem, &mut state, cache, options)?;
+    let cache = unlike_flights::exclude_unlike_flights(problem, &mut state, cache, options)?;
+    Ok((state, cache))
 }
 
 fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {

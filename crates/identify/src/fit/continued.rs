@@ -1,0 +1,50 @@
+//! A start at the estimates of an earlier fit of the same flights.
+
+use nalgebra::DVector;
+
+use super::Fit;
+use super::output_error::all_samples;
+use super::residual_cache::ResidualCache;
+use super::state::State;
+use crate::dataset::Dataset;
+use crate::ids::FlightId;
+use crate::observations::{Observations, median_interval};
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
+
+/// State and residuals at the estimates of an earlier fit, with its flights, truncations, outliers and initial estimate of
+/// the noise; `None` if a flight is missing there, has other states, or cannot be flown from them.
+pub fn continued(
+    problem: &mut FitProblem,
+    dataset: &Dataset,
+    fitted: &[FlightId],
+    earlier: &Fit,
+    options: &FitOptions<'_>,
+) -> Option<(State, ResidualCache)> {
+    let values = problem.globals.iter().map(|global| {
+        let mut estimates = earlier.problem.globals.iter().zip(earlier.global.iter());
+        let estimate = estimates.find(|(estimated, _)| estimated.name == global.name);
+        let (low, high) = global.constraint.bounds;
+        estimate.map_or(global.model_value, |(_, value)| value.clamp(low, high))
+    });
+    let global = DVector::from_iterator(problem.globals.len(), values);
+    problem.sigma0 = earlier.problem.sigma0;
+    let mut state = State::new(global, 1.0);
+    for &flight in fitted {
+        let mut left_out = earlier.excluded.iter();
+        if let Some(excluded) = left_out.find(|excluded| excluded.flight == flight) {
+            state.excluded.push(excluded.clone());
+            continue;
+        }
+        let (before, local) = earlier.flight(flight)?;
+        let observations = Observations::like(problem, &dataset.flights[flight.index()], before)?;
+        if observations.manifold.states() != local.len() {
+            return None;
+        }
+        state.push(flight, observations, local.clone());
+    }
+    state.interval = median_interval(&state.flights);
+    let cache = ResidualCache::new(problem, &state, &all_samples(&state.flights), options);
+    let is_flown = !state.flights.is_empty() && cache.failures().is_empty();
+    is_flown.then_some((state, cache))
+}
