@@ -1,9 +1,10 @@
 //! Output-error fit of one set of global parameters to all flights, with the initial state of each flight.
 //!
 //! Stages: initial guesses, horizon continuation for each possible alias of the spin, multistart of flights in a wrong
-//! minimum, and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
-//! with the unknowns.
+//! minimum, contacts with the ground timed by the fitted model, and reweighting, which estimates the noise (scale and lag-1
+//! correlation along each axis, outliers) together with the unknowns.
 
+pub(crate) mod contact_refinement;
 mod exclusion;
 mod held_out;
 mod horizon_continuation;
@@ -41,6 +42,8 @@ use crate::report::{FitReport, FlightEvidence, FlightReport, reasons_against};
 use crate::screening;
 use crate::tolerance;
 pub use held_out::CONDITIONING_FRACTION;
+#[cfg(test)]
+pub(crate) use horizon_continuation::fit_initial_state;
 
 /// Result of a fit.
 pub struct Fit {
@@ -104,6 +107,7 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     let cache = multiple_shooting::shoot_again(&problem, &mut state, cache, options)?;
     let cache = multistart::multistart(&problem, &mut state, cache, options)?;
     let cache = unlike_flights::exclude_unlike_flights(&problem, &mut state, cache, options)?;
+    let cache = contact_refinement::refine_contacts(&problem, dataset, &mut state, cache, options)?;
     let reweighted = reweighting::reweight(&problem, &mut state, cache, options)?;
     let reweighted = taking_back::take_back(&problem, dataset, &mut state, reweighted, options)?;
     let solved = clock.elapsed().as_secs_f64();
