@@ -5,6 +5,7 @@
 //! compiled model. The resulting [`Fit`] holds a [`FitReport`] with estimates, uncertainties and residual diagnostics.
 //! [`synthesize`] makes datasets whose true coefficients are known.
 
+mod contact_time;
 pub mod dataset;
 mod error;
 mod fit;

@@ -1,10 +1,10 @@
 //! Output-error fit of one set of global parameters to all flights, with the initial state of each flight.
 //!
-//! Stages: initial guesses, horizon continuation for each possible alias of the spin, other starts where it may
-//! have ended in a wrong minimum, multistart of flights in a wrong
-//! minimum, and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
-//! with the unknowns.
+//! Stages: initial guesses, horizon continuation for each possible alias of the spin, other starts where it may have ended in a
+//! wrong minimum, multistart of flights in a wrong minimum, contacts with the ground timed by the fitted model, and
+//! reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together with the unknowns.
 
+pub(crate) mod contact_refinement;
 mod continued;
 mod exclusion;
 mod held_out;
@@ -48,6 +48,8 @@ use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, reas
 use crate::screening::{self, DataFault, Screening};
 use crate::tolerance;
 pub use held_out::CONDITIONING_FRACTION;
+#[cfg(test)]
+pub(crate) use one_flight::fit_initial_state;
 
 /// Result of a fit.
 pub struct Fit {
@@ -149,7 +151,7 @@ fn fit_after(
             let floor = observed.noise_floor;
             let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
             let started = clock.elapsed().as_secs_f64();
-            let (state, cache) = from_guesses(&problem, guesses, doubtful, options)?;
+            let (state, cache) = from_guesses(&problem, dataset, guesses, doubtful, options)?;
             (state, cache, floor, started)
         }
     };
@@ -222,6 +224,7 @@ fn fit_after(
 /// Residuals near the minimum, or as near as the stages before the noise is known lead.
 fn from_guesses(
     problem: &FitProblem,
+    dataset: &Dataset,
     guesses: InitialGuesses,
     doubtful: Vec<ExcludedFlight>,
     options: &FitOptions<'_>,
@@ -234,6 +237,7 @@ fn from_guesses(
     let cache = multiple_shooting::shoot_again(problem, &mut state, cache, options)?;
     let cache = multistart::multistart(problem, &mut state, cache, options)?;
     let cache = unlike_flights::exclude_unlike_flights(problem, &mut state, cache, options)?;
+    let cache = contact_refinement::refine_contacts(problem, dataset, &mut state, cache, options)?;
     Ok((state, cache))
 }
 

@@ -162,7 +162,7 @@ impl Reweighted {
 }
 
 /// Marks outliers and estimates the noise of the other points; returns the noise and whether any mark changed.
-fn estimate_noise(
+pub fn estimate_noise(
     problem: &FitProblem,
     state: &mut State,
     cache: &ResidualCache,

@@ -1,0 +1,117 @@
+//! Free motion compared with free motion whose velocities jump at one time.
+//!
+//! A. S. Willsky and H. L. Jones, "A generalized likelihood ratio approach to the detection and estimation of jumps in
+//! linear systems", IEEE Transactions on Automatic Control 21 (1976).
+
+use nalgebra::DVector;
+
+use super::quadratic::Quadratic;
+use super::rows::{Point, Row};
+use super::trajectory::{Trajectory, over_noise};
+use crate::noise::NoiseModel;
+
+/// Greatest number of samples after a contact that show it.
+const AFTER: usize = 16;
+/// Standard deviation of a displacement of the markers by the contact itself, in units of the noise.
+const SLACK: f64 = 0.3;
+
+/// Free motion compared with motion whose velocities jump before a sample.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// Decrease of the sum of whitened squares by the jump.
+    pub gain: f64,
+    /// Change of the initial state to that of the motion after the jump.
+    pub change: DVector<f64>,
+}
+
+/// Comparisons of free motion with motion that jumps before one of the samples at which contacts are tried.
+pub struct Jumps {
+    /// The first of these samples.
+    tried: usize,
+    /// For each of them, the change of the initial state that free motion before it has.
+    before: Vec<DVector<f64>>,
+    /// For each of them, comparisons by the samples up to itself and up to each later one.
+    comparisons: Vec<Vec<Comparison>>,
+}
+
+impl Jumps {
+    /// Compares free motion with jumps before each sample from `trajectory.tried` on. `None` if the samples before do not
+    /// determine free motion.
+    pub fn new(trajectory: &Trajectory, rows: &[Vec<Point>], noise: &NoiseModel) -> Option<Self> {
+        let (dimension, tried) = (trajectory.dimension, trajectory.tried);
+        let end = trajectory.first + rows.len();
+        let of = |sample: usize| &rows[sample - trajectory.first];
+        let mut sum = Quadratic::zeros(dimension);
+        (trajectory.first..tried)
+            .flat_map(of)
+            .for_each(|point| point.add_to(&mut sum));
+        let (mut sums, mut before, mut free) = (Vec::new(), Vec::new(), Vec::new());
+        for sample in tried..end {
+            before.push(sum.least()?.1);
+            sums.push(sum.clone());
+            of(sample).iter().for_each(|point| point.add_to(&mut sum));
+            free.push(sum.least()?.0);
+        }
+        let each = (tried..).zip(trajectory.contacts.iter().zip(&sums));
+        let comparisons = each.map(|(contact, (contacts, sum))| {
+            let contacts = contacts.iter();
+            let held: Vec<_> = contacts
+                .map(|at| over_noise(at, noise.sigma) / SLACK)
+                .collect();
+            let mut sum = sum.extended(dimension);
+            let samples = contact..end.min(contact + AFTER);
+            let each = samples.map(|sample| {
+                for (point, row) in of(sample)
+                    .iter()
+                    .flat_map(|p| p.rows.iter().map(move |r| (p, r)))
+                {
+                    sum.add(&after(point, row, contact), row.residual);
+                }
+                let found = held.iter().filter_map(|held| sum.with_last(held)?.least());
+                let (least, solution) = found.min_by(|a, b| a.0.total_cmp(&b.0))?;
+                Some(Comparison {
+                    gain: free[sample - tried] - least,
+                    change: solution.rows(dimension, dimension).into_owned(),
+                })
+            });
+            each.collect()
+        });
+        Some(Self {
+            tried,
+            comparisons: comparisons.collect::<Option<_>>()?,
+            before,
+        })
+    }
+
+    /// The jump that explains the samples up to `last` best, and the first sample after it.
+    pub fn best(&self, last: usize) -> Option<(usize, &Comparison)> {
+        self.until(last)
+            .max_by(|a, b| a.1.gain.total_cmp(&b.1.gain))
+    }
+
+    /// The earliest jump that explains this much of the samples up to `last`.
+    pub fn earliest(&self, last: usize, gain: f64) -> Option<(usize, &Comparison)> {
+        self.until(last).find(|(_, found)| found.gain >= gain)
+    }
+
+    fn until(&self, last: usize) -> impl Iterator<Item = (usize, &Comparison)> {
+        let each = (self.tried..=last).zip(&self.comparisons);
+        each.filter_map(move |(contact, by)| Some((contact, by.get(last - contact)?)))
+    }
+
+    /// Change of the initial state that the samples before `contact` show.
+    pub fn before(&self, contact: usize) -> &DVector<f64> {
+        &self.before[contact - self.tried]
+    }
+}
+
+/// Derivatives of a residual after a jump before sample `contact`, by the initial state and by its change.
+fn after(point: &Point, row: &Row, contact: usize) -> DVector<f64> {
+    let is_first = point.previous.is_none_or(|previous| previous < contact);
+    let by_change = match is_first {
+        true => &row.fresh,
+        false => &row.derivatives,
+    };
+    let all = row.derivatives.iter().chain(by_change).copied();
+    DVector::from_iterator(2 * by_change.len(), all)
+}

@@ -1,0 +1,74 @@
+//! Points that are left out: they agree neither with free motion nor with a contact.
+
+use super::quadratic::Quadratic;
+use super::rows::whitened;
+use super::trajectory::Trajectory;
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
+
+/// Squared whitened residual of a point above which it is left out: one in 100 000 points of noise exceeds it.
+const LIMIT: f64 = 26.0;
+/// Greatest difference of a distance between two markers from that of the body, in standard deviations of a coordinate.
+const DISTANCE: f64 = 6.0;
+
+/// Leaves out the points most of whose distances from the other markers of a sample are not those of the body.
+pub fn leave_out_displaced(
+    observations: &mut Observations,
+    trajectory: &Trajectory,
+    noise: &NoiseModel,
+) {
+    let limit = DISTANCE * noise.overall();
+    let distance = |a: [f64; 3], b: [f64; 3]| {
+        let squares = [0, 1, 2].map(|axis| (a[axis] - b[axis]).powi(2));
+        squares.iter().sum::<f64>().sqrt()
+    };
+    for (sample, predicted) in (trajectory.first..).zip(&trajectory.samples) {
+        let seen: Vec<(usize, [f64; 3])> = observations
+            .points(sample)
+            .iter()
+            .enumerate()
+            .filter_map(|(marker, point)| Some((marker, (*point)?)))
+            .collect();
+        for &(marker, point) in &seen {
+            let others = seen.iter().filter(|(other, _)| *other != marker);
+            let wrong = others.filter(|&&(other, at)| {
+                let of_body = distance(predicted[marker].position, predicted[other].position);
+                (distance(point, at) - of_body).abs() > limit
+            });
+            if 2 * wrong.count() > seen.len() - 1 {
+                observations.outlier[sample * observations.markers + marker] = true;
+            }
+        }
+    }
+}
+
+/// Leaves out, one by one, the points before the samples at which contacts are tried that free motion does not explain.
+pub fn leave_out_before(
+    observations: &mut Observations,
+    trajectory: &Trajectory,
+    noise: &NoiseModel,
+    most: usize,
+) {
+    for _ in 0..most {
+        let rows = whitened(observations, trajectory, noise);
+        let before = &rows[..trajectory.tried - trajectory.first];
+        let mut sum = Quadratic::zeros(trajectory.dimension);
+        before
+            .iter()
+            .flatten()
+            .for_each(|point| point.add_to(&mut sum));
+        let Some((_, change)) = sum.least() else {
+            return;
+        };
+        let each = (trajectory.first..).zip(before);
+        let each =
+            each.flat_map(|(sample, points)| points.iter().map(move |point| (sample, point)));
+        let squares = each.map(|(sample, point)| (point.square(&change), sample, point.marker));
+        match squares.max_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((square, sample, marker)) if square > LIMIT => {
+                observations.outlier[sample * observations.markers + marker] = true;
+            }
+            _ => return,
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Contacts of a disc and of a ball, as their models predict the flights before.
+
+use ::flight::release::{Vocabulary, built_in, read};
+use nalgebra::Vector3;
+
+use super::{Onset, contact_time};
+use crate::dataset::Flight;
+use crate::fit::contact_refinement::tests::pushed;
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
+use crate::synthesize::{Corruption, Plan, flights};
+
+/// The number of samples that show the flight before contacts are sought.
+const SHOWN: usize = 30;
+
+/// Contacts that are found in flights of a model, of which each is changed, by the model with its true values.
+fn contacts(
+    (model, release): (&str, &str),
+    noise: Corruption,
+    change: impl Fn(usize, &Flight) -> Flight,
+) -> Vec<Option<Onset>> {
+    let model = model_spec::load::load(model, &[]).unwrap();
+    let release = read(release, built_in(release).unwrap(), |_| {
+        Ok(Vocabulary::of(&model))
+    });
+    let plan = Plan {
+        flights: 12,
+        duration: Some(0.5),
+        noise,
+        ..Plan::default()
+    };
+    let made = flights(&model, &[release.unwrap()], &plan).unwrap();
+    let problem = FitProblem::new(&model, &made.dataset, &FitOptions::default()).unwrap();
+    let values = problem.globals.iter().map(|global| global.model_value);
+    let global = nalgebra::DVector::from_iterator(problem.globals.len(), values);
+    let noise = NoiseModel {
+        ar1: [noise.ar1; 3],
+        ..NoiseModel::white(noise.sigma, 1.0 / plan.rate)
+    };
+    let each = made
+        .dataset
+        .flights
+        .iter()
+        .enumerate()
+        .map(|(index, flight)| {
+            let changed = Observations::new(&problem, &change(index, flight)).unwrap();
+            let guesses = crate::initial_state::initial_guesses(&problem, &changed).unwrap();
+            let options = FitOptions::default();
+            let start = guesses[0].state.clone();
+            let fitted =
+                crate::fit::fit_initial_state(&problem, &changed, SHOWN, &global, start, &options);
+            let (_, local) = fitted.unwrap();
+            let end = changed.times.len();
+            contact_time(&problem, &changed, (&global, &local), &noise, SHOWN..end)
+        });
+    each.collect()
+}
+
+/// Correlated noise with outliers and hidden markers.
+const HARD: Corruption = Corruption {
+    sigma: 0.0015,
+    ar1: 0.6,
+    outliers: 0.01,
+    outlier_size: 0.05,
+    dropouts: 0.12,
+};
+
+#[test]
+fn a_contact_is_timed_within_two_samples() {
+    for case in [("disc", "backhand"), ("ball", "serve")] {
+        for noise in [Corruption::default(), HARD] {
+            let push = Vector3::new(-0.3, 0.1, 0.8);
+            let found = contacts(case, noise, |index, flight| {
+                pushed(flight, 34.5 + index as f64, push)
+            });
+            let in_time = found.iter().enumerate().filter(|(index, found)| {
+                found.as_ref().is_some_and(|found| {
+                    found.sample.abs_diff(35 + index) <= 2 && (found.jump - push).norm() < 0.6
+                })
+            });
+            // Outliers and hidden markers may spoil one.
+            assert!(in_time.count() >= 11, "{case:?}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_flight_that_touches_nothing_has_no_contact() {
+    for case in [("disc", "backhand"), ("ball", "serve")] {
+        for noise in [Corruption::default(), HARD] {
+            let found = contacts(case, noise, |_, flight| flight.clone());
+            assert!(found.iter().all(Option::is_none), "{case:?}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_smooth_departure_is_no_contact() {
+    let found = contacts(("disc", "backhand"), Corruption::default(), |_, flight| {
+        let mut flight = flight.clone();
+        for (time, row) in flight.times.iter().zip(&mut flight.positions) {
+            for point in row.iter_mut().flatten() {
+                // A force that the model lacks, of a fifth of the weight.
+                point[2] += 0.5 * 2.0 * time * time;
+            }
+        }
+        flight
+    });
+    assert!(found.iter().all(Option::is_none), "{found:?}");
+}

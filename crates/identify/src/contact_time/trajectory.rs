@@ -1,0 +1,137 @@
+//! The fitted trajectory of a flight in some samples and between them, with its derivatives by the initial state.
+
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DVector, Matrix3xX};
+
+use crate::error::FlightError;
+use crate::observations::Observations;
+use crate::predict::each_residual;
+use crate::problem::FitProblem;
+use crate::state_manifold::StateManifold;
+
+/// Parts of an interval between samples at which a contact is tried.
+const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
+
+/// Predicted positions of the markers of a flight.
+pub struct Trajectory {
+    /// Number of directions of the initial state.
+    pub dimension: usize,
+    /// The first sample.
+    pub first: usize,
+    /// The first sample before which contacts are tried.
+    pub tried: usize,
+    /// Markers in each sample.
+    pub samples: Vec<Vec<Predicted>>,
+    /// Markers at times before each sample from `tried` on.
+    pub contacts: Vec<Vec<Vec<Predicted>>>,
+}
+
+/// One marker at one time.
+#[derive(Clone, Debug)]
+pub struct Predicted {
+    /// Predicted position, m.
+    pub position: [f64; 3],
+    /// Derivatives of each coordinate by the initial state.
+    pub derivatives: [DVector<f64>; 3],
+}
+
+/// What a time at which the trajectory is evaluated is.
+#[derive(Clone, Copy)]
+enum Place {
+    Start,
+    Sample,
+    /// Before the sample of this number, counted from `tried`.
+    Before(usize),
+}
+
+impl Trajectory {
+    /// The trajectory in samples `seen`, and at times before those of them from `tried` on.
+    ///
+    /// # Errors
+    /// [`FlightError::Integration`] if it cannot be computed that far.
+    pub fn new(
+        problem: &FitProblem,
+        observations: &Observations,
+        unknowns: (&DVector<f64>, &DVector<f64>),
+        seen: Range<usize>,
+        tried: usize,
+    ) -> Result<Self, FlightError> {
+        let times = &observations.times;
+        let mut places = Vec::new();
+        if seen.start > 0 {
+            places.push((Place::Start, times[0]));
+        }
+        for sample in seen.clone() {
+            if sample >= tried.max(1) {
+                let (before, time) = (times[sample - 1], times[sample]);
+                let at = PARTS.map(|part| before + part * (time - before));
+                places.extend(at.map(|time| (Place::Before(sample - tried), time)));
+            }
+            places.push((Place::Sample, times[sample]));
+        }
+        let manifold = StateManifold::new(&problem.model, &[]);
+        let (dimension, markers) = (manifold.dimension(), observations.markers);
+        let points = places.len() * markers;
+        let evaluated = Observations {
+            times: places.iter().map(|(_, time)| *time).collect(),
+            measured: vec![Some([0.0; 3]); points],
+            outlier: vec![false; points],
+            manifold,
+            file: String::new(),
+            parameters: observations.parameters.clone(),
+            known_states: Vec::new(),
+            truncation: None,
+            notes: Vec::new(),
+            ..*observations
+        };
+        let conditions = problem.body.bind(evaluated.parameters(problem, unknowns.0));
+        let motion = conditions.differentiable_rhs();
+        let mut trajectory = Self {
+            dimension,
+            first: seen.start,
+            tried,
+            samples: Vec::with_capacity(seen.len()),
+            contacts: vec![Vec::new(); seen.end.saturating_sub(tried)],
+        };
+        let mut all = Vec::with_capacity(markers);
+        each_residual(problem, &evaluated, unknowns, motion, &[], |point| {
+            all.push(Predicted {
+                position: point.residual,
+                derivatives: point
+                    .rows
+                    .each_ref()
+                    .map(|row| DVector::from_column_slice(row)),
+            });
+            if all.len() < markers {
+                return;
+            }
+            let all = std::mem::take(&mut all);
+            match places[point.sample].0 {
+                Place::Start => {}
+                Place::Before(index) => trajectory.contacts[index].push(all),
+                Place::Sample => trajectory.samples.push(all),
+            }
+        })?;
+        Ok(trajectory)
+    }
+
+    /// Derivatives of the markers' mean position in a sample by the initial state.
+    pub fn centre(&self, sample: usize) -> Matrix3xX<f64> {
+        let markers = &self.samples[sample - self.first];
+        Matrix3xX::from_fn(self.dimension, |axis, column| {
+            let each = markers
+                .iter()
+                .map(|marker| marker.derivatives[axis][column]);
+            each.sum::<f64>() / markers.len() as f64
+        })
+    }
+}
+
+/// Derivatives of the coordinates of markers, each over its standard deviation, m.
+pub fn over_noise(markers: &[Predicted], sigma: [f64; 3]) -> DMatrix<f64> {
+    let dimension = markers[0].derivatives[0].len();
+    DMatrix::from_fn(3 * markers.len(), dimension, |row, column| {
+        markers[row / 3].derivatives[row % 3][column] / sigma[row % 3]
+    })
+}

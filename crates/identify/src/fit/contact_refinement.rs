@@ -1,0 +1,292 @@
+//! Contacts are timed again by the fitted model, before the noise is estimated and all flights are fitted to the end.
+//!
+//! The first search, before the fit, knows poses alone: it is late at weak contacts, and where markers are hidden. The model
+//! predicts how the body would have flown on. Flights whose ends were found before are searched near them; others only
+//! where they stand out from the flights that the fit predicts, so that flights that touch nothing cost nothing.
+
+use flight::batch;
+use nalgebra::DVector;
+
+use super::FitError;
+use super::exclusion::exclude_failed;
+use super::initial_guess::{first_segment, refined_guesses};
+use super::one_flight::fit_initial_state;
+use super::output_error::all_samples;
+use super::residual_cache::{ResidualCache, residual_scale};
+use super::reweighting::estimate_noise;
+use super::state::State;
+use crate::contact_time::{Onset, contact_time};
+use crate::dataset::{Dataset, Flight};
+use crate::error::{ExcludedFlight, FlightError};
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
+
+/// Numbers of samples before and after the end of a flight, as found without the model, at which the contact is sought.
+const NEAR: (usize, usize) = (12, 14);
+/// Least ratio of the vertical component to the magnitude of the jump at a contact with the ground.
+const MIN_UPWARD_PART: f64 = 0.3;
+/// Ratio of a flight's residual scale to the median above which a contact is sought all along the flight.
+const STANDS_OUT: f64 = 1.2;
+/// Ratio of the median residual scale to the noise up to which the model predicts flights well enough to show a touch that
+/// poses did not.
+const FLYING_RATIO: f64 = 1.3;
+/// Ratio of a flight's residual scale to that of the others up to which it flies as they do.
+const LIKE_RATIO: f64 = 3.0;
+
+/// A flight that ends elsewhere than it did.
+struct Moved {
+    observations: Observations,
+    local: DVector<f64>,
+}
+
+/// Moves the ends of flights to their contacts. Takes the residuals at the state, which were fitted with the present ends,
+/// and returns those at the new state.
+///
+/// # Errors
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+pub fn refine_contacts(
+    problem: &FitProblem,
+    dataset: &Dataset,
+    state: &mut State,
+    cache: ResidualCache,
+    options: &FitOptions<'_>,
+) -> Result<ResidualCache, FitError> {
+    let usual = cache.median_scale().max(problem.sigma0);
+    let scales = cache.scales();
+    let ratio = |index: usize| scales[index].map_or(f64::INFINITY, |scale| scale / usual);
+    // What a wrong model leaves looks like a touch in places.
+    let flies = cache.median_scale() <= FLYING_RATIO * problem.sigma0;
+    let is_suspect = |index: &usize| {
+        state.flights[*index].truncation.is_some() || flies && ratio(*index) > STANDS_OUT
+    };
+    let suspects: Vec<usize> = (0..state.flights.len()).filter(is_suspect).collect();
+    let is_unlike = |excluded: &&ExcludedFlight| {
+        matches!(
+            excluded.reason,
+            FlightError::UnlikeTheOthers { .. } | FlightError::Integration(_)
+        )
+    };
+    let unlike: Vec<ExcludedFlight> = state.excluded.iter().filter(is_unlike).cloned().collect();
+    if suspects.is_empty() && unlike.is_empty() || options.is_past_deadline() {
+        return Ok(cache);
+    }
+    options.stage_started("contacts", suspects.len() + unlike.len());
+    let (noise, _) = estimate_noise(problem, &mut state.clone(), &cache, options)?;
+    let search = Search {
+        problem,
+        global: &state.global,
+        noise: &noise,
+        usual,
+        options,
+    };
+    let of_fitted = batch::each_on(options.threads(), suspects.len(), |index| {
+        let index = suspects[index];
+        let flight = &dataset.flights[state.ids[index].index()];
+        let found = search.moved(flight, &state.flights[index], &state.local[index]);
+        options.flight_done();
+        found
+    });
+    let of_unlike = batch::each_on(options.threads(), unlike.len(), |index| {
+        let flight = &dataset.flights[unlike[index].flight.index()];
+        let found = search.like_the_others(flight);
+        options.flight_done();
+        found
+    });
+    if options.is_cancelled() {
+        return Err(FitError::Interrupted);
+    }
+    if of_fitted.iter().chain(&of_unlike).all(Option::is_none) {
+        return Ok(cache);
+    }
+    for (index, moved) in suspects.into_iter().zip(of_fitted) {
+        if let Some(moved) = moved {
+            state.flights[index] = moved.observations;
+            state.local[index] = moved.local;
+        }
+    }
+    for (excluded, moved) in unlike.iter().zip(of_unlike) {
+        if let Some(moved) = moved {
+            state
+                .excluded
+                .retain(|other| other.flight != excluded.flight);
+            state.push(excluded.flight, moved.observations, moved.local);
+        }
+    }
+    let residuals = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
+    exclude_failed(state, residuals, options)
+}
+
+/// What the search for contacts needs of the present fit.
+struct Search<'a> {
+    problem: &'a FitProblem,
+    global: &'a DVector<f64>,
+    noise: &'a NoiseModel,
+    /// Usual residual scale of a flight, m.
+    usual: f64,
+    options: &'a FitOptions<'a>,
+}
+
+impl Search<'_> {
+    /// A fitted flight with its end at the contact; `None` if there is none, or it ends there.
+    fn moved(
+        &self,
+        flight: &Flight,
+        present: &Observations,
+        local: &DVector<f64>,
+    ) -> Option<Moved> {
+        let mut whole = Observations::new(self.problem, flight).ok()?;
+        whole.notes.clone_from(&present.notes);
+        let least = first_segment(&whole);
+        let end = present.times.len();
+        let within = match present.truncation {
+            Some(_) => (end.saturating_sub(NEAR.0).max(least), end + NEAR.1),
+            None => (least, end),
+        };
+        let was_found = present.truncation.is_some();
+        let Some((onset, local)) = self.contact(&whole, local.clone(), within) else {
+            return was_found.then(|| self.whole(whole, local)).flatten();
+        };
+        let is_new = onset.sample != end && (was_found || is_upward(&onset));
+        is_new.then(|| self.ended(whole, &onset, local)).flatten()
+    }
+
+    /// A flight without an end, if the model predicts all of it: what seemed a contact was none.
+    fn whole(&self, whole: Observations, local: &DVector<f64>) -> Option<Moved> {
+        let samples = whole.times.len();
+        let local = self.fitted(&whole, samples, local)?;
+        let scale = residual_scale(self.problem, &whole, (self.global, &local), samples)?;
+        let is_predicted = scale <= STANDS_OUT * self.usual;
+        is_predicted.then_some(Moved {
+            observations: whole,
+            local,
+        })
+    }
+
+    /// A flight that no fit predicts to its end, with its end at the contact, if it flies as the others do up to there.
+    fn like_the_others(&self, flight: &Flight) -> Option<Moved> {
+        let whole = Observations::new(self.problem, flight).ok()?;
+        let guesses = refined_guesses(self.problem, &whole, self.global, self.options).ok()?;
+        let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let within = (first_segment(&whole), whole.times.len());
+        let (onset, local) = self.contact(&whole, best.1.state, within)?;
+        let moved = self
+            .ended(whole, &onset, local)
+            .filter(|_| is_upward(&onset))?;
+        let unknowns = (self.global, &moved.local);
+        let scale = residual_scale(self.problem, &moved.observations, unknowns, onset.sample)?;
+        (scale <= LIKE_RATIO * self.usual).then_some(moved)
+    }
+
+    /// The first contact between two samples, with the initial state of the flight before.
+    fn contact(
+        &self,
+        whole: &Observations,
+        mut local: DVector<f64>,
+        (from, to): (usize, usize),
+    ) -> Option<(Onset, DVector<f64>)> {
+        let to = to.min(whole.times.len());
+        let mut samples = from;
+        while samples < to && !self.options.is_past_deadline() {
+            // Few samples need not determine all of the initial state.
+            local = self.fitted(whole, samples, &local).unwrap_or(local);
+            // A prediction over a longer time than the samples show is not linear in the initial state.
+            let until = to.min(2 * samples);
+            let unknowns = (self.global, &local);
+            let found = contact_time(self.problem, whole, unknowns, self.noise, samples..until);
+            if let Some(onset) = found {
+                return Some((onset, local));
+            }
+            samples = until;
+        }
+        None
+    }
+
+    /// A flight that ends at a contact.
+    fn ended(&self, mut whole: Observations, onset: &Onset, local: DVector<f64>) -> Option<Moved> {
+        let (sample, jump) = (onset.sample, onset.jump);
+        let time = whole.origin + whole.times[sample];
+        whole.truncate(
+            sample,
+            format!(
+                "it leaves the free flight that the model predicts, and its velocity jumps by ({:.1}, {:.1}, {:.1}) m/s at t = {time:.3} s, as at a touch of the ground",
+                jump.x, jump.y, jump.z
+            ),
+        );
+        let local = self.fitted(&whole, sample, &local)?;
+        Some(Moved {
+            observations: whole,
+            local,
+        })
+    }
+
+    /// Initial state fitted to the first samples; `None` if they do not determine it.
+    fn fitted(
+        &self,
+        whole: &Observations,
+        samples: usize,
+        start: &DVector<f64>,
+    ) -> Option<DVector<f64>> {
+        let (problem, global) = (self.problem, self.global);
+        let start = start.clone();
+        let found = fit_initial_state(problem, whole, samples, global, start, self.options);
+        Some(found.ok()?.1)
+    }
+}
+
+/// Whether a contact pushes the body upwards, as the ground does.
+fn is_upward(onset: &Onset) -> bool {
+    onset.jump.z > MIN_UPWARD_PART * onset.jump.norm()
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use ::flight::release::{Vocabulary, built_in, read};
+    use nalgebra::Vector3;
+
+    use crate::dataset::Flight;
+    use crate::fit::fit;
+    use crate::options::FitOptions;
+    use crate::synthesize::{Plan, flights};
+
+    /// A flight whose velocity jumps, m/s, at a sample, which may be between two samples.
+    pub fn pushed(flight: &Flight, sample: f64, push: Vector3<f64>) -> Flight {
+        let interval = flight.times[1] - flight.times[0];
+        let mut flight = flight.clone();
+        for (sample_of, row) in flight.positions.iter_mut().enumerate() {
+            let since = (sample_of as f64 - sample).max(0.0) * interval;
+            for point in row.iter_mut().flatten() {
+                *point = (Vector3::from(*point) + push * since).into();
+            }
+        }
+        flight
+    }
+
+    /// Numbers of samples that a fit to flights of a ball uses, of which the first is pushed.
+    fn used(push: Vector3<f64>) -> Vec<usize> {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let release = read("backhand", built_in("backhand").unwrap(), |_| {
+            Ok(Vocabulary::of(&model))
+        });
+        let plan = Plan {
+            flights: 6,
+            duration: Some(0.5),
+            ..Plan::default()
+        };
+        let mut dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
+        dataset.flights[0] = pushed(&dataset.flights[0], 40.5, push);
+        let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
+        let flights = fitted.report.flights.iter();
+        flights.map(|flight| flight.samples).collect()
+    }
+
+    #[test]
+    fn a_touch_that_poses_alone_do_not_show_ends_its_flight() {
+        let free = used(Vector3::zeros());
+        let touched = used(Vector3::new(-0.1, 0.0, 0.4));
+        assert!(free.iter().all(|samples| *samples > 55), "{free:?}");
+        assert!(touched[0].abs_diff(41) <= 2, "{touched:?}");
+        assert_eq!(free[1..], touched[1..]);
+    }
+}
