@@ -187,7 +187,8 @@ fn the_committed_code_is_what_the_models_say_and_a_changed_model_is_found_out() 
         .args(["verify", "model-spec/models/disc.hyz"])
         .current_dir(folder.path())
         .assert()
-        .success();
+        // Nothing is refuted; the law lacks the side force, and the program has code of the other text.
+        .code(3);
 }
 
 fn copy(from: &Path, to: &Path) {

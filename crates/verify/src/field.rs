@@ -139,9 +139,7 @@ impl<'a> Machine<'a> {
             Operand::Parameter(i) => Some(self.parameters[i as usize]),
             Operand::Prepared(i) => self.prepared[i as usize],
             Operand::Marker(i) => Some(self.point.marker[i as usize]),
-            Operand::Constant(c) => {
-                constant(c).or_else(|| self.symbols.then(|| symbol(3, &[Prime::new(c.to_bits())])))
-            }
+            Operand::Constant(c) => constant(c).or_else(|| self.symbols.then(|| literal(c))),
             Operand::Temp(i) => temps[i as usize],
         }
     }
@@ -154,6 +152,11 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
         Prime::integer(2) * t * scale,
         (Prime::one() - t * t) * scale,
     )
+}
+
+/// Value of a literal: the rational number that rounds to it, else a symbol of its own.
+pub fn literal(c: f64) -> Prime {
+    constant(c).unwrap_or_else(|| symbol(3, &[Prime::new(c.to_bits())]))
 }
 
 /// Rational number that rounds to `c`: denominator up to 1000 or a power of ten; `None` if there is none.

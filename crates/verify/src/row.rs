@@ -12,6 +12,9 @@ pub enum Verdict {
     Refuted,
     /// The check does not apply to this model; the detail says why.
     Skipped,
+    /// The check applies and could not be made, or not for all of the model; the detail says why. The model is then not
+    /// verified.
+    Unverified,
 }
 
 /// Measure of a check's errors.
@@ -82,6 +85,14 @@ impl Row {
             } else {
                 faults.join("\n")
             },
+        }
+    }
+
+    /// Row of a check that applies to the model and could not be made, with the reason.
+    pub fn unverified(check: &'static str, why: impl Into<String>) -> Self {
+        Self {
+            verdict: Verdict::Unverified,
+            ..Self::skipped(check, why)
         }
     }
 
