@@ -5,7 +5,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, anyhow, bail};
-use model_spec::load::{from_text, load};
+use model_spec::LoadError;
+use model_spec::load::{Loaded, inspect, inspect_text};
 use model_spec::model::Model;
 use verify::difference::{DifferenceOptions, compare};
 
@@ -26,13 +27,14 @@ pub fn run(options: &Diff) -> anyhow::Result<Answer> {
         );
     }
     let with = super::names(&options.with);
-    let (old, new) = (model(&options.old, &with)?, model(&options.new, &with)?);
+    let ((old, old_faults), (new, new_faults)) =
+        (model(&options.old, &with)?, model(&options.new, &with)?);
     let settings = DifferenceOptions {
         seconds: options.seconds,
         time: options.time,
         ..DifferenceOptions::default()
     };
-    let difference = compare(&old, &new, &settings);
+    let difference = compare(&old, &new, &settings).with_unit_faults(&old_faults, &new_faults);
     output::print(if options.json {
         serde_json::to_string_pretty(&difference)? + "\n"
     } else if options.markdown {
@@ -46,13 +48,28 @@ pub fn run(options: &Diff) -> anyhow::Result<Answer> {
     })
 }
 
-/// A model by name, by path, or by `REVISION:PATH` of a file in git; an existing file takes precedence.
-fn model(wanted: &str, with: &[&str]) -> anyhow::Result<Model> {
+/// A model by name, by path, or by `REVISION:PATH` of a file in git, with the messages on units that do not agree; an existing
+/// file takes precedence.
+fn model(wanted: &str, with: &[&str]) -> anyhow::Result<(Model, Vec<String>)> {
+    let loaded = loaded(wanted, with)?;
+    let faults = loaded.diagnostics.iter().map(|d| d.message.clone());
+    let faults = faults.collect();
+    match loaded.model {
+        Some(model) => Ok((model, faults)),
+        None => Err(LoadError::Faults {
+            diagnostics: loaded.diagnostics,
+            sources: loaded.sources,
+        }
+        .into()),
+    }
+}
+
+fn loaded(wanted: &str, with: &[&str]) -> anyhow::Result<Loaded> {
     match wanted.split_once(':') {
         Some((revision, path)) if !Path::new(wanted).exists() && !revision.is_empty() => {
-            Ok(from_text(wanted, &of_git(revision, path)?, with)?)
+            Ok(inspect_text(wanted, &of_git(revision, path)?, with)?)
         }
-        _ => Ok(load(wanted, with)?),
+        _ => Ok(inspect(wanted, with)?),
     }
 }
 

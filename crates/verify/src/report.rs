@@ -117,6 +117,9 @@ impl Report {
         if !open.is_empty() {
             text.push_str(&format!("\nNOT VERIFIED: {}\n", open.join(", ")));
         }
+        for remark in self.rows.iter().filter_map(|row| row.remark.as_ref()) {
+            text.push_str(&format!("\n{remark}\n"));
+        }
         for refuted in &self.refuted {
             text.push_str(&format!(
                 "\n{}\n    {}\n",

@@ -46,6 +46,9 @@ pub struct Row {
     pub verdict: Verdict,
     /// Location of the worst error, or the reason of a skip; may have several lines.
     pub detail: String,
+    /// What the check leaves out of a model that it lets through; stated below the table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remark: Option<String>,
 }
 
 impl Row {
@@ -64,6 +67,7 @@ impl Row {
                 Verdict::Refuted
             },
             detail: worst.place.clone(),
+            remark: None,
         }
     }
 
@@ -85,6 +89,7 @@ impl Row {
             } else {
                 faults.join("\n")
             },
+            remark: None,
         }
     }
 
@@ -106,7 +111,14 @@ impl Row {
             tolerance: 0.0,
             verdict: Verdict::Skipped,
             detail: why.into(),
+            remark: None,
         }
+    }
+
+    /// Adds a remark on what the check leaves out.
+    pub fn remarking(mut self, remark: impl Into<String>) -> Self {
+        self.remark = Some(remark.into());
+        self
     }
 
     /// Replaces the detail of the row.

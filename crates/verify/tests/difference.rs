@@ -293,7 +293,8 @@ fn changed_rows(a: &Model, b: &Model) -> Option<Vec<bool>> {
         let here = sample::point(a, &mut random);
         let (x, y) = (derivatives(a, &here).ok()?, derivatives(b, &here).ok()?);
         for (changed, (x, y)) in changed.iter_mut().zip(x.iter().zip(&y)) {
-            *changed |= !((x - y).abs() <= 1e-7 * (x.abs() + y.abs()) + 1e-9);
+            let difference = (x - y).abs();
+            *changed |= difference.is_nan() || difference > 1e-7 * (x.abs() + y.abs()) + 1e-9;
         }
     }
     Some(changed)

@@ -4,9 +4,9 @@ use super::pairing::{Pairing, parameters};
 use super::values::Everything;
 use crate::random::Random;
 use crate::sample;
-use crate::subject::Equations;
-use crate::values::Values;
 use codegen::Compiled;
+use codegen::tape::{Inputs, Tape};
+use oracle::Point;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::time::Instant;
@@ -131,31 +131,19 @@ const ROUNDS: usize = 201;
 /// Number of points of one measurement.
 const POINTS: usize = 64;
 
-/// Measures both models in turns, so that what slows the machine slows both.
+/// Measures both models in turns, so that what slows the machine slows both; compiles both models.
 pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Time {
-    let (a, b) = (Values::of(old.model), Values::of(new.model));
     let mut random = Random::new(0, "time");
     let here: Vec<_> = (0..POINTS)
         .map(|_| sample::point(old.model, &mut random))
         .collect();
-    let there: Vec<_> = here
+    let there = here
         .iter()
         .map(|point| pairing.carry(point, &sample::point(new.model, &mut random)))
         .collect();
-    debug_assert!(
-        here.iter()
-            .all(|p| !parameters(p).is_empty() || p.params.is_empty())
-    );
-    let measure = |values: &Values, points: &[oracle::Point<f64>]| {
-        let start = Instant::now();
-        for point in points {
-            std::hint::black_box(values.rates(std::hint::black_box(point)));
-        }
-        start.elapsed().as_secs_f64() * 1e9 / POINTS as f64
-    };
-    let rounds: Vec<(f64, f64)> = (0..ROUNDS)
-        .map(|_| (measure(&a, &here), measure(&b, &there)))
-        .collect();
+    let mut a = Derivatives::new(&codegen::compile(old.model), here);
+    let mut b = Derivatives::new(&codegen::compile(new.model), there);
+    let rounds: Vec<(f64, f64)> = (0..ROUNDS).map(|_| (a.measure(), b.measure())).collect();
     let median = |value: &dyn Fn(&(f64, f64)) -> f64| {
         let mut values: Vec<f64> = rounds.iter().map(value).collect();
         values.sort_by(f64::total_cmp);
@@ -167,5 +155,53 @@ pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Ti
             new: median(&|r| r.1),
         },
         ratio: median(&|r| r.1 / r.0),
+    }
+}
+
+/// The derivatives of a model on a tape, with points and their prepared values.
+struct Derivatives {
+    tape: Tape,
+    points: Vec<(Point<f64>, Vec<f64>, Vec<f64>)>,
+    scratch: Vec<f64>,
+    out: Vec<f64>,
+}
+
+impl Derivatives {
+    fn new(compiled: &Compiled, points: Vec<Point<f64>>) -> Self {
+        let prepare = Tape::new(&compiled.prepare.program);
+        let prepared = |point: Point<f64>| {
+            let p = parameters(&point);
+            let mut out = vec![0.0; prepare.outputs()];
+            prepare.eval(inputs(&point, &p, &[]), &mut Vec::new(), &mut out);
+            (point, p, out)
+        };
+        let tape = Tape::new(&compiled.f.program);
+        Self {
+            points: points.into_iter().map(prepared).collect(),
+            scratch: Vec::new(),
+            out: vec![0.0; tape.outputs()],
+            tape,
+        }
+    }
+
+    /// Time of one evaluation, ns.
+    fn measure(&mut self) -> f64 {
+        let start = Instant::now();
+        for (point, p, prepared) in &self.points {
+            let inputs = std::hint::black_box(inputs(point, p, prepared));
+            self.tape.eval(inputs, &mut self.scratch, &mut self.out);
+            std::hint::black_box(&mut self.out);
+        }
+        start.elapsed().as_secs_f64() * 1e9 / self.points.len() as f64
+    }
+}
+
+fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> Inputs<'a, f64> {
+    Inputs {
+        t: point.time,
+        x: &point.states,
+        p,
+        prepared,
+        marker: point.marker.as_slice(),
     }
 }

@@ -42,7 +42,10 @@ pub fn shifts(
     pairing: &Pairing,
     seconds: f64,
 ) -> Vec<FlightShift> {
-    let mut releases = named(old);
+    let mut releases = named(old, true);
+    if releases.is_empty() {
+        releases = named(old, false);
+    }
     if releases.is_empty() {
         let mut random = Random::new(0, "releases");
         releases.extend((1..=RELEASES).map(|k| {
@@ -64,11 +67,11 @@ pub fn shifts(
         .collect()
 }
 
-/// Named releases of the old model: name, point, and the indices of the parameters that they set.
-fn named(old: &Everything<'_>) -> Vec<(String, Point<f64>, Vec<usize>)> {
+/// Named releases of the old model, or if not `own` those of any model whose names it has: name, point, and the indices of the parameters that they set.
+fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>)> {
     let model = old.model;
     let read = |&(name, text): &(&str, &str)| {
-        let vocabulary = |own: &str| match own == model.name {
+        let vocabulary = |of: &str| match !own || of == model.name {
             true => Ok(Vocabulary::of(model)),
             false => Err(String::from("another model")),
         };
@@ -192,5 +195,12 @@ fn fly(model: &Everything<'_>, from: &Point<f64>, seconds: f64) -> Result<Vec<f6
         &mut [],
     )
     .map(|end| end.state)
-    .map_err(|fault| fault.to_string())
+    .map_err(|fault| {
+        fault
+            .to_string()
+            .lines()
+            .next()
+            .unwrap_or_default()
+            .to_owned()
+    })
 }

@@ -46,6 +46,14 @@ impl Difference {
             }
             out.push_str("```\n");
         }
+        for (word, faults) in [
+            ("Units mended", &self.unit_faults.old),
+            ("Units that do not agree", &self.unit_faults.new),
+        ] {
+            for fault in faults {
+                let _ = writeln!(out, "\n{word}: {fault}");
+            }
+        }
         if !self.restated.is_empty() {
             out.push_str("\n| stated | old | new |\n|---|---|---|\n");
         }

@@ -17,6 +17,8 @@ mod function;
 mod markdown;
 mod names;
 mod pairing;
+mod renaming;
+mod restated;
 mod rows;
 mod statements;
 mod text;
@@ -26,14 +28,16 @@ pub use cost::{Cost, Pair, Time};
 pub use flights::FlightShift;
 pub use function::Sameness;
 pub use pairing::Renamed;
+pub use restated::Restated;
 pub use statements::{Change, Statement};
 
 use function::Compared;
-use model_spec::model::{Model, Parameter};
-use names::Names;
+use model_spec::model::Model;
 use pairing::Pairing;
+use renaming::{renamed, same_frame, same_named};
+use restated::restated;
 use serde::Serialize;
-use statements::Reach;
+use statements::{Key, Reach};
 use values::Everything;
 
 /// Options of a comparison.
@@ -74,19 +78,6 @@ pub struct RowChange {
     pub causes: Vec<String>,
 }
 
-/// A constant, an input or a state with another unit, value or bounds.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Restated {
-    /// Name in the new model.
-    pub name: String,
-    /// What changed: `unit`, `value` or `bounds`.
-    pub what: &'static str,
-    /// In the old model.
-    pub old: String,
-    /// In the new model.
-    pub new: String,
-}
-
 /// Difference of two models.
 #[derive(Clone, Debug, Serialize)]
 pub struct Difference {
@@ -102,6 +93,8 @@ pub struct Difference {
     pub renamed: Vec<Renamed>,
     /// Statements that differ.
     pub statements: Vec<Statement>,
+    /// Units that do not agree: the messages of the language's checker that only one of the models has.
+    pub unit_faults: Pair<Vec<String>>,
     /// Units, values and bounds that differ.
     pub restated: Vec<Restated>,
     /// Operations and entries, if asked for.
@@ -116,6 +109,19 @@ impl Difference {
     /// Whether any derivative, the observation or a limit is another function.
     pub fn is_changed(&self) -> bool {
         self.changed
+    }
+
+    /// Adds the messages of the language's checker on units that do not agree.
+    pub fn with_unit_faults(mut self, old: &[String], new: &[String]) -> Self {
+        let only = |list: &[String], other: &[String]| -> Vec<String> {
+            let lines = list.iter().filter(|line| !other.contains(line));
+            lines.cloned().collect()
+        };
+        self.unit_faults = Pair {
+            old: only(old, new),
+            new: only(new, old),
+        };
+        self
     }
 
     /// Names of the rows that are another function, or that only one of the models has.
@@ -150,7 +156,7 @@ pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Differe
         at.map(|at| compared[at].sameness != Sameness::Changed)
     };
     let all_same = compared.iter().all(|c| c.sameness != Sameness::Changed);
-    let same = |was: &(&'static str, String), is: &(&'static str, String)| match was.0 {
+    let same = |was: &Key, is: &Key| match was.0 {
         "let" | "force" | "moment" => same_named(&a, &b, &pairing, was, is),
         "der" => {
             let old = a.code.layout.states.iter().position(|s| *s == was.1)?;
@@ -189,6 +195,10 @@ pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Differe
         rows,
         renamed: pairing.renamed(&a, &b),
         statements,
+        unit_faults: Pair {
+            old: Vec::new(),
+            new: Vec::new(),
+        },
         restated: restated(&a, &b, &pairing),
         cost,
         time: options.time.then(|| cost::time(&a, &b, &pairing)),
@@ -258,169 +268,4 @@ fn row_changes(found: &Found<'_>, statements: &[Statement], reach: [&Reach; 2]) 
         }
     }
     rows
-}
-
-/// Whether an input has its components in one frame in both models.
-fn same_frame(old: &Model, new: &Model, names: &Names, was: &str, is: &str) -> bool {
-    let frame = |model: &Model, name: &str| {
-        let input = model.inputs.iter().find(|input| input.name == name)?;
-        Some(model.frames[input.frame].name.clone())
-    };
-    frame(old, was) == frame(new, is).map(|frame| names.old("frame", &frame))
-}
-
-/// Whether a named quantity or load computes the same function in both models; `None` if either lacks it.
-fn same_named(
-    a: &Everything<'_>,
-    b: &Everything<'_>,
-    pairing: &Pairing,
-    was: &(&'static str, String),
-    is: &(&'static str, String),
-) -> Option<bool> {
-    let find = |of: &Everything<'_>, key: &(&'static str, String)| {
-        let mut named = of.named.iter();
-        let found = named.find(|n| n.class == key.0 && n.name == key.1);
-        found.map(|n| n.outputs.clone())
-    };
-    let (old, new) = (find(a, was)?, find(b, is)?);
-    Some(same_outputs(a, b, pairing, old, new))
-}
-
-fn same_outputs(
-    a: &Everything<'_>,
-    b: &Everything<'_>,
-    pairing: &Pairing,
-    old: std::ops::Range<usize>,
-    new: std::ops::Range<usize>,
-) -> bool {
-    if old.len() != new.len() {
-        return false;
-    }
-    let pairs: Vec<(usize, usize)> = old.zip(new).collect();
-    let compared = function::compare(a, b, pairing, &pairs, false);
-    compared.iter().all(|c| c.sameness != Sameness::Changed)
-}
-
-/// Names of the new model in terms of the old one: states, constants and inputs by the pairing; named quantities and loads
-/// that compute the same function; frames that are turned alike.
-fn renamed(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Names {
-    let mut names = Names::default();
-    for Renamed { from, to } in pairing.renamed(a, b) {
-        for class in ["state", "constant", "der"] {
-            names.add(class, &to, &from);
-        }
-        let input = |name: &str| Some(name.strip_suffix("_x")?.to_owned());
-        if let (Some(from), Some(to)) = (input(&from), input(&to)) {
-            names.add("input", &to, &from);
-        }
-    }
-    // States that a body derives from its angles have the names of these.
-    let (olds, news) = (
-        statements::keyed(&a.model.tree),
-        statements::keyed(&b.model.tree),
-    );
-    let lacks = |list: &[((&'static str, String), &_)], key: &(&'static str, String)| {
-        list.iter().all(|(k, _)| k != key)
-    };
-    let mut taken = Vec::new();
-    for (key, item) in &news {
-        let class = key.0;
-        if !lacks(&olds, key) || !["let", "force", "moment", "frame"].contains(&class) {
-            continue;
-        }
-        let found = olds.iter().find(|(old, old_item)| {
-            old.0 == class
-                && lacks(&news, old)
-                && !taken.contains(old)
-                && if class == "frame" {
-                    let text = item.kind.to_string();
-                    let mut with = names.clone();
-                    with.add("frame", &key.1, &old.1);
-                    names::renamed_text(&text, &with) == old_item.kind.to_string()
-                } else {
-                    same_named(a, b, pairing, old, key) == Some(true)
-                }
-        });
-        if let Some((old, _)) = found {
-            taken.push(old.clone());
-            names.add(class, &key.1, &old.1);
-        }
-    }
-    names
-}
-
-/// Units, values and bounds of corresponding constants, inputs and states that differ.
-fn restated(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<Restated> {
-    let mut out = Vec::new();
-    let mut note = |name: &str, what, old: String, new: String| {
-        if old != new {
-            let name = name.to_owned();
-            out.push(Restated {
-                name,
-                what,
-                old,
-                new,
-            });
-        }
-    };
-    for (state, old) in b.model.states.iter().zip(&pairing.states) {
-        let Some(old) = old.map(|old| &a.model.states[old]) else {
-            continue;
-        };
-        note(
-            &state.name,
-            "unit",
-            old.unit.to_string(),
-            state.unit.to_string(),
-        );
-        note(
-            &state.name,
-            "value",
-            old.value.to_string(),
-            state.value.to_string(),
-        );
-    }
-    let constants = |model: &Model| -> Vec<Parameter> {
-        let all = model.params.iter().chain(&model.coefficients);
-        all.cloned().collect()
-    };
-    let (olds, news) = (constants(a.model), constants(b.model));
-    let bounds = |c: &Parameter| {
-        c.bounds.map_or_else(
-            || String::from("none"),
-            |(low, high)| format!("{low} .. {high}"),
-        )
-    };
-    for (constant, old) in news.iter().zip(&pairing.parameters) {
-        let Some(old) = old.and_then(|old| olds.get(old)) else {
-            continue;
-        };
-        let name = &constant.name;
-        note(
-            name,
-            "unit",
-            old.unit.to_string(),
-            constant.unit.to_string(),
-        );
-        note(
-            name,
-            "value",
-            old.value.to_string(),
-            constant.value.to_string(),
-        );
-        note(name, "bounds", bounds(old), bounds(constant));
-    }
-    let (first, count) = (news.len(), olds.len());
-    for (k, value) in b.code.layout.defaults.iter().enumerate().skip(first) {
-        let old = pairing.parameters[k].filter(|&old| old >= count);
-        if let Some(old) = old.map(|old| a.code.layout.defaults[old]) {
-            note(
-                &b.code.layout.parameters[k],
-                "value",
-                old.to_string(),
-                value.to_string(),
-            );
-        }
-    }
-    out
 }

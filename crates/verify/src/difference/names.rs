@@ -84,9 +84,76 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
     out
 }
 
-/// Terms of a sum with their signs, in the names of the old model where these are given.
-pub fn terms(e: &Expr, names: Option<&Names>) -> Vec<String> {
-    fn walk(e: &Expr, negative: bool, out: &mut Vec<String>) {
+/// Terms in which two expressions differ, each with its sign, in the names of the old one: those that only the old one has,
+/// and those that only the new one has. Where one factor or argument alone differs, its terms.
+pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
+    let (before, after) = (terms(old), terms(new));
+    let olds: Vec<String> = before.iter().map(Term::to_string).collect();
+    let news: Vec<String> = after
+        .iter()
+        .map(|term| renamed_text(&term.to_string(), names))
+        .collect();
+    let (gone, come) = (without(&olds, &news), without(&news, &olds));
+    if let ([i], [j]) = (&gone[..], &come[..])
+        && before[*i].negative == after[*j].negative
+        && let Some((a, b)) = one_part(before[*i].value, after[*j].value, names)
+    {
+        return differing_terms(a, b, names);
+    }
+    let pick =
+        |from: &[String], places: &[usize]| places.iter().map(|&k| from[k].clone()).collect();
+    (pick(&olds, &gone), pick(&news, &come))
+}
+
+/// The only parts in which two expressions of one kind differ; `None` if they differ in more.
+fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
+    match (&old.kind, &new.kind) {
+        (ExprKind::Binary(a, ..), ExprKind::Binary(b, ..)) if a == b && *a != BinaryOp::Pow => {}
+        (ExprKind::Call(a, _), ExprKind::Call(b, _)) if a.text == b.text => {}
+        _ => return None,
+    }
+    let (mut olds, mut news) = (Vec::new(), Vec::new());
+    old.children(&mut |child| olds.push(child));
+    new.children(&mut |child| news.push(child));
+    let differ = |(a, b): &(&Expr, &Expr)| a.to_string() != renamed_text(&b.to_string(), names);
+    let mut parts = olds
+        .iter()
+        .copied()
+        .zip(news.iter().copied())
+        .filter(differ);
+    let first = parts.next()?;
+    (parts.next().is_none() && olds.len() == news.len()).then_some(first)
+}
+
+/// Places in a list of what another list does not have.
+fn without(list: &[String], other: &[String]) -> Vec<usize> {
+    let mut left = other.to_vec();
+    let is_missing = |term: &String| match left.iter().position(|o| o == term) {
+        Some(at) => {
+            left.swap_remove(at);
+            false
+        }
+        None => true,
+    };
+    let missing: Vec<bool> = list.iter().map(is_missing).collect();
+    (0..list.len()).filter(|&k| missing[k]).collect()
+}
+
+/// A term of a sum.
+struct Term<'a> {
+    negative: bool,
+    value: &'a Expr,
+}
+
+impl std::fmt::Display for Term<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let sign = if self.negative { "-" } else { "" };
+        write!(f, "{sign}{}", self.value)
+    }
+}
+
+fn terms(e: &Expr) -> Vec<Term<'_>> {
+    fn walk<'a>(e: &'a Expr, negative: bool, out: &mut Vec<Term<'a>>) {
         match &e.kind {
             ExprKind::Binary(BinaryOp::Add, a, b) => {
                 walk(a, negative, out);
@@ -97,17 +164,10 @@ pub fn terms(e: &Expr, names: Option<&Names>) -> Vec<String> {
                 walk(b, !negative, out);
             }
             ExprKind::Neg(a) => walk(a, !negative, out),
-            _ => out.push(if negative {
-                format!("-{e}")
-            } else {
-                e.to_string()
-            }),
+            _ => out.push(Term { negative, value: e }),
         }
     }
     let mut out = Vec::new();
     walk(e, false, &mut out);
-    match names {
-        Some(names) => out.iter().map(|term| renamed_text(term, names)).collect(),
-        None => out,
-    }
+    out
 }

@@ -132,7 +132,7 @@ impl Pairing {
             return;
         }
         let (here, there) = (
-            Effects::of(old, &olds, |state| Some(state), |parameter| Some(parameter)),
+            Effects::of(old, &olds, Some, Some),
             Effects::of(
                 new,
                 &news,

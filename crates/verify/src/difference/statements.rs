@@ -1,6 +1,6 @@
 //! Statements of two model files: added, removed, changed, rewritten, renamed; and which of them a derivative depends on.
 
-use super::names::{Names, renamed_text, terms};
+use super::names::{Names, differing_terms, renamed_text};
 use model_spec::syntax::ast::{Expr, ExprKind, File, Item, ItemKind, LoadClass};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -49,16 +49,13 @@ pub struct Statement {
 }
 
 /// Class and name of a statement; constants are one class, so that a parameter may become a coefficient.
-type Key = (&'static str, String);
+pub type Key = (&'static str, String);
 
-/// Compares the statements of two files. `same` says whether a named quantity, a load or an equation, by its keys in the
-/// old and the new file, computes the same function in both.
-pub fn compare(
-    old: &File,
-    new: &File,
-    names: &Names,
-    same: &dyn Fn(&(&'static str, String), &(&'static str, String)) -> Option<bool>,
-) -> Vec<Statement> {
+/// Says whether a statement of the old and one of the new file compute the same function; `None` if that is unknown.
+pub type IsSame<'a> = dyn Fn(&Key, &Key) -> Option<bool> + 'a;
+
+/// Compares the statements of two files. `same` decides whether a changed text is a changed function.
+pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<Statement> {
     let (olds, news) = (keyed(old), keyed(new));
     let mut out = Vec::new();
     let mut kept: BTreeSet<Key> = BTreeSet::new();
@@ -94,7 +91,7 @@ pub fn compare(
         };
         let (terms_removed, terms_added) = match (value(old_item), value(item)) {
             (Some(before), Some(after)) if change == Change::Changed => {
-                difference(&terms(before, None), &terms(after, Some(names)))
+                differing_terms(before, after, names)
             }
             _ => Default::default(),
         };
@@ -222,22 +219,6 @@ pub fn value(item: &Item) -> Option<&Expr> {
         ItemKind::Limit(l) => Some(&l.value),
         _ => None,
     }
-}
-
-fn difference(old: &[String], new: &[String]) -> (Vec<String>, Vec<String>) {
-    let without = |from: &[String], other: &[String]| {
-        let mut left = other.to_vec();
-        let mut out = from.to_vec();
-        out.retain(|term| match left.iter().position(|o| o == term) {
-            Some(at) => {
-                left.swap_remove(at);
-                false
-            }
-            None => true,
-        });
-        out
-    };
-    (without(old, new), without(new, old))
 }
 
 /// Which statements each row of a model depends on.

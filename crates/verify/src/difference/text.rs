@@ -79,6 +79,15 @@ impl Difference {
                 }
             }
         }
+        let units = &self.unit_faults;
+        if !units.old.is_empty() || !units.new.is_empty() {
+            out.push_str("\nunits\n");
+        }
+        for (word, faults) in [("mended", &units.old), ("fault", &units.new)] {
+            for fault in faults {
+                let _ = writeln!(out, "  {word:9} {fault}");
+            }
+        }
         if !self.restated.is_empty() {
             out.push_str("\nstated values\n");
         }
@@ -178,6 +187,9 @@ impl FlightShift {
             Some(distance) => format!("{distance:.3e} m from where it was; "),
             None => String::new(),
         };
+        if self.old == self.new {
+            return format!("{name}, after {} s: where it was", self.seconds);
+        }
         format!(
             "{name}, after {} s: {place}{} differs most, {:.6} → {:.6}",
             self.seconds, self.state, self.old, self.new

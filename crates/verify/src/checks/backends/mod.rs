@@ -75,7 +75,7 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
 }
 
 /// Whether the program contains code of the model, and of its present text. Code of another text is not compared with
-/// anything, and the model is then not verified.
+/// anything, which is remarked.
 pub fn generated_code(model: &Model) -> Row {
     match generated::model(&model.name) {
         _ if !model.effects.is_empty() => {
@@ -85,14 +85,11 @@ pub fn generated_code(model: &Model) -> Row {
         Some(code) if code.source_hash == source_hash(model) => {
             Row::counted(GENERATED, 1, &[], "of this text")
         }
-        Some(_) => Row::unverified(
-            GENERATED,
-            format!(
-                "STALE: the code of `{0}` in the program is of another text, and was not compared; run `hyzer generate` \
-                 and build again, or give the model another name",
-                model.name
-            ),
-        ),
+        Some(_) => Row::skipped(GENERATED, "STALE: it is of another text").remarking(format!(
+            "STALE: the code of `{}` in the program is of another text of the model, and was not compared with anything; \
+             run `hyzer generate` and build again, or give the model another name",
+            model.name
+        )),
     }
 }
 
@@ -146,6 +143,7 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
             Verdict::Refuted
         },
         detail: if holds { names.join(", ") } else { worst.place },
+        remark: None,
     }
 }
 
