@@ -24,6 +24,7 @@ mod row;
 pub mod same_motion;
 pub mod sample;
 pub mod subject;
+mod symbolic;
 mod table;
 pub mod values;
 
@@ -146,6 +147,11 @@ fn every_check(
     ];
     rows.extend(checks::derivatives::check(subject, engine, options));
     rows.push(checks::exact::check(subject, options));
+    rows.push(checks::exact_functions::check(
+        subject.model,
+        compiled,
+        options,
+    ));
     let model = subject.model;
     let mut random = Random::new(options.seed, checks::backends::BACKENDS);
     let points: Vec<_> = (0..BACKEND_POINTS)

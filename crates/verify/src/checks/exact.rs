@@ -20,7 +20,7 @@ use oracle::{Point, free_load_derivatives};
 pub const EXACT: &str = "rigid body, exact";
 
 /// Number of random points; different functions agree at one with probability at most degree / 2^61.
-const POINTS: usize = 8;
+pub const POINTS: usize = 8;
 /// Upper bound of the total degree of the compared rational functions.
 const DEGREE: f64 = 1e3;
 

@@ -96,13 +96,24 @@ pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, V
     let (gone, come) = (without(&olds, &news), without(&news, &olds));
     if let ([i], [j]) = (&gone[..], &come[..])
         && before[*i].negative == after[*j].negative
-        && let Some((a, b)) = one_part(before[*i].value, after[*j].value, names)
+        && let Some((a, b)) = inner_sums(before[*i].value, after[*j].value, names)
     {
         return differing_terms(a, b, names);
     }
     let pick =
         |from: &[String], places: &[usize]| places.iter().map(|&k| from[k].clone()).collect();
     (pick(&olds, &gone), pick(&news, &come))
+}
+
+/// Sums within two expressions of one kind that differ in these alone; `None` if they differ in more, or in no sum.
+fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
+    let (mut a, mut b) = (old, new);
+    loop {
+        (a, b) = one_part(a, b, names)?;
+        if terms(a).len() > 1 || terms(b).len() > 1 {
+            return Some((a, b));
+        }
+    }
 }
 
 /// The only parts in which two expressions of one kind differ; `None` if they differ in more.
