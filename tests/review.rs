@@ -86,7 +86,10 @@ fn diff_says_the_same_function_of_a_rewriting_and_names_what_a_change_changes() 
     git(&["commit", "--quiet", "--all", "--message", "second"]);
     write("new.hyz", &disc.replace("C_Da*alpha^2", "C_Da*alpha^3"));
     let (told, _) = diff(&["HEAD:new.hyz", "new.hyz"], 1);
-    assert!(told.contains("another function: der(u), der(v), der(w)"), "{told}");
+    assert!(
+        told.contains("another function: der(u), der(v), der(w)"),
+        "{told}"
+    );
     let (told, _) = diff(&["HEAD:new.hyz", "new.hyz", "--json"], 1);
     let value: serde_json::Value = serde_json::from_str(&told).expect("JSON");
     assert_eq!(value["schema"], "hyzer.diff/1");
