@@ -28,9 +28,14 @@ pub enum Command {
     Generate(Generate),
     /// Verify models by every independent check against a reference implementation
     #[command(
-        after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models"
+        after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models\n\nExit status: 0 verified, every check that applies was made and holds; 1 refuted, at least one check fails; 3 not verified,\nno check fails and at least one that applies could not be made: the table says which and why. A check that is `skipped` does\nnot apply to the model."
     )]
     Verify(Verify),
+    /// Say what a change of a model does: which derivatives are exactly the same function, which are not and by which terms
+    #[command(
+        after_help = "Examples:\n  hyzer diff disc_appendix_printed disc_appendix\n  hyzer diff main:models/kite.hyz models/kite.hyz --markdown   # a file at a revision of git\n  hyzer diff disc my_disc.hyz --time --json\n\nNames may change and statements may be reordered, factored or written in another frame. Whether a derivative is the same\nfunction of states, parameters and time is decided by evaluation at random points of a prime field; where functions differ as\nsymbols and agree in numbers to rounding, the output says so. Exit status: 0 the same function (stated values may differ,\nthey are listed), 1 another function."
+    )]
+    Diff(Diff),
     /// Trace one quantity, or its derivative, from its line in the model to formula and code
     #[command(
         after_help = "Example:\n  hyzer explain disc alpha --wrt w\n  hyzer explain disc 'der(u)'"
@@ -130,6 +135,30 @@ pub struct Verify {
     /// Random states for each check
     #[arg(long, default_value_t = 200)]
     pub cases: usize,
+}
+
+/// `hyzer diff`.
+#[derive(Args)]
+pub struct Diff {
+    /// Model before the change: a name, a path, or REVISION:PATH of a file in git
+    pub old: String,
+    /// Model after the change: a name, a path, or REVISION:PATH of a file in git
+    pub new: String,
+    /// Add an effect to both, by name or path; may be repeated
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+    /// Print JSON
+    #[arg(long, conflicts_with = "markdown")]
+    pub json: bool,
+    /// Print Markdown, for a pull request
+    #[arg(long)]
+    pub markdown: bool,
+    /// Measure the time of the derivatives, both models in turns
+    #[arg(long)]
+    pub time: bool,
+    /// Duration of the compared flights, s
+    #[arg(long, value_name = "S", default_value_t = 2.0)]
+    pub seconds: f64,
 }
 
 /// `hyzer explain`.

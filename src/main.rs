@@ -11,11 +11,13 @@ use ::diagnose::DiagnosisError;
 use clap::Parser;
 use identify::FitError;
 
-/// Outcome of a command: yes (exit status 0), or no (1), such as a failed check. Bad input is an error (2).
+/// Outcome of a command: yes (exit status 0), no (1), such as a failed check, or neither, where what was asked could not be
+/// decided (3). Bad input is an error (2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Answer {
     Yes,
     No,
+    Undecided,
 }
 
 fn main() -> ExitCode {
@@ -24,6 +26,7 @@ fn main() -> ExitCode {
     match answer {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
+        Ok(Answer::Undecided) => ExitCode::from(3),
         Err(error) => {
             // A closed pipe on standard output is not an error.
             let closed = error

@@ -1,6 +1,9 @@
 //! The stages in order: lower, optimise, differentiate, specialize, optimise, schedule.
 
+mod every_value;
 mod jacobians;
+
+pub use every_value::{EveryValue, compile_every_value};
 
 use crate::count;
 use crate::graph::{ExprGraph, NodeId, Symbol};

@@ -28,6 +28,9 @@ pub mod tape;
 pub mod tape_model;
 
 pub use cases::{Comparison, check_cases};
-pub use compile::{Compiled, Effort, Selection, compile, compile_at, compile_for, compile_values};
+pub use compile::{
+    Compiled, Effort, EveryValue, Selection, compile, compile_at, compile_every_value, compile_for,
+    compile_values,
+};
 pub use model_spec::layout::{self, Layout};
 pub use tape_model::TapeModel;

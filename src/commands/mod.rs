@@ -2,6 +2,7 @@
 
 mod check;
 mod diagnose;
+mod diff;
 mod effects;
 mod explain;
 mod fit;
@@ -19,6 +20,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Check(options) => check::run(&options),
         Command::Generate(options) => generate::run(&options),
         Command::Verify(options) => verify::run(&options),
+        Command::Diff(options) => diff::run(&options),
         Command::Explain(options) => explain::run(&options),
         Command::Simulate(options) => simulate::run(&options),
         Command::Synthesize(options) => synthesize::run(&options),

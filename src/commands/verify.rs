@@ -3,6 +3,7 @@
 use model_spec::load::{Loaded, MODELS, inspect};
 use model_spec::model::Model;
 use verify::Options;
+use verify::report::Outcome;
 
 use crate::cli::Verify;
 use crate::{Answer, output};
@@ -10,7 +11,8 @@ use crate::{Answer, output};
 /// Built-in models that describe one motion in different formulations.
 const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
 
-/// Verifies each model; answers no if any check of any model fails.
+/// Verifies each model; answers no if any check of any model fails, and undecided if none fails and some that apply could
+/// not be made.
 pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     if options.cases == 0 || options.cases > 100_000 {
         anyhow::bail!("--cases: found {}, expected 1 to 100000", options.cases);
@@ -26,20 +28,22 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
         mutants: options.mutants,
         ..Options::default()
     };
-    let mut holds = true;
+    let mut outcome = Outcome::Verified;
     let mut reports = Vec::new();
     let mut models: Vec<Model> = Vec::new();
     for name in names {
         let loaded = inspect(name, &super::names(&options.with))?;
         if loaded.model.is_none() {
             refuse(&loaded);
-            holds = false;
+            outcome = Outcome::Refuted;
             continue;
         }
         let report = verify::run(&loaded, &settings);
-        holds &= report.holds();
+        outcome = outcome.max(report.outcome());
         if options.json {
-            reports.push(serde_json::to_value(&report)?);
+            let mut value = serde_json::to_value(&report)?;
+            value["outcome"] = serde_json::to_value(report.outcome())?;
+            reports.push(value);
         } else {
             output::print(report.table())?;
         }
@@ -50,16 +54,23 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
         );
     }
     let same = (models.len() > 1).then(|| verify::same_motion(&models, &settings));
-    holds &= same
-        .as_ref()
-        .is_none_or(verify::same_motion::SameMotion::holds);
+    if same.as_ref().is_some_and(|same| !same.holds()) {
+        outcome = Outcome::Refuted;
+    }
     if options.json {
-        let value = serde_json::json!({ "holds": holds, "models": reports, "same_motion": same });
+        let holds = outcome != Outcome::Refuted;
+        let value = serde_json::json!({
+            "holds": holds, "outcome": outcome, "models": reports, "same_motion": same
+        });
         output::print(serde_json::to_string_pretty(&value)? + "\n")?;
     } else if let Some(same) = &same {
         output::print(same.table())?;
     }
-    Ok(if holds { Answer::Yes } else { Answer::No })
+    Ok(match outcome {
+        Outcome::Verified => Answer::Yes,
+        Outcome::Refuted => Answer::No,
+        Outcome::NotVerified => Answer::Undecided,
+    })
 }
 
 fn refuse(loaded: &Loaded) {

@@ -218,7 +218,7 @@ impl Chart {
         }
     }
 
-    /// Converts a physical state to states; `None` for angles about axes other than 1, 2, 3 in this order.
+    /// Converts a physical state to states; `None` if two turns in a row are about one axis.
     pub fn states(&self, physical: &Physical<f64>) -> Option<Vec<f64>> {
         let mut out = self.defaults.clone();
         match self.steps.as_slice() {
@@ -230,30 +230,26 @@ impl Chart {
             }
             [
                 Step::Angle {
-                    axis: 1,
+                    axis: first,
                     angle: a1,
                     rate: r1,
                 },
                 Step::Angle {
-                    axis: 2,
+                    axis: second,
                     angle: a2,
                     rate: r2,
                 },
                 Step::Angle {
-                    axis: 3,
+                    axis: third,
                     angle: a3,
                     rate: r3,
                 },
             ] => {
-                let m = physical.attitude.matrix();
-                out[*a1] = (-m[(1, 2)]).atan2(m[(2, 2)]);
-                out[*a2] = m[(0, 2)].clamp(-1.0, 1.0).asin();
-                out[*a3] = (-m[(0, 1)]).atan2(m[(0, 0)]);
+                let axes = [*first, *second, *third];
+                [out[*a1], out[*a2], out[*a3]] = angles(&physical.attitude.matrix(), axes)?;
                 let placed = self.place(&out);
-                let axes = Matrix3::from_columns(
-                    &[1, 2, 3].map(|k: u8| placed[usize::from(k) - 1].0.axis(k)),
-                );
-                let rates = solve(&axes, &physical.angular_velocity);
+                let columns = [0, 1, 2].map(|k| placed[k].0.axis(axes[k]));
+                let rates = solve(&Matrix3::from_columns(&columns), &physical.angular_velocity);
                 (out[*r1], out[*r2], out[*r3]) = (rates.x, rates.y, rates.z);
             }
             _ => return None,
@@ -296,6 +292,31 @@ impl Chart {
         }
         placed
     }
+}
+
+/// Angles of three turns about the given axes of the turned frame, from the rotation matrix to the inertial frame; `None` if
+/// two turns in a row are about one axis.
+fn angles(m: &Matrix3<f64>, axes: [u8; 3]) -> Option<[f64; 3]> {
+    let [i, j, k] = axes.map(|axis| usize::from(axis) - 1);
+    if i == j || j == k {
+        return None;
+    }
+    let other = 3 - i - j;
+    // 1 where (i, j, other) is an even permutation of the axes, else -1.
+    let sign = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
+    Some(if i == k {
+        [
+            m[(j, i)].atan2(-sign * m[(other, i)]),
+            m[(i, i)].clamp(-1.0, 1.0).acos(),
+            m[(i, j)].atan2(sign * m[(i, other)]),
+        ]
+    } else {
+        [
+            (-sign * m[(j, k)]).atan2(m[(k, k)]),
+            (sign * m[(i, k)]).clamp(-1.0, 1.0).asin(),
+            (-sign * m[(i, j)]).atan2(m[(i, i)]),
+        ]
+    })
 }
 
 /// Default value of every state of a model.

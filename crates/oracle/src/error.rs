@@ -17,9 +17,6 @@ pub enum BindError {
         /// Name of the missing constant in the reference.
         name: &'static str,
     },
-    /// The model has no input `wind`.
-    #[error("there is no input `wind`")]
-    MissingWind,
     /// A state of the reference is missing from the model.
     #[error("the state `{name}` of the reference is not declared")]
     MissingState {

@@ -10,9 +10,10 @@ use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use num_traits::{One, Zero};
 use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
+use std::f64::consts::PI;
 
 /// An angle with its (sine, cosine), as elements of the field.
-type Angle = (Prime, (Prime, Prime));
+pub type Angle = (Prime, (Prime, Prime));
 
 /// Largest integer multiple of a known angle whose sine and cosine are derived by addition formulas.
 const MULTIPLES: usize = 4;
@@ -120,14 +121,7 @@ impl<'a> Machine<'a> {
                     Prime::one()
                 }),
                 MathFunction::Sqrt => self.symbols.then(|| root(a))?,
-                _ => self.symbols.then(|| {
-                    let tag = function as u64;
-                    match function.parity() {
-                        Parity::Odd => odd(tag, a),
-                        Parity::Even => symbol(tag, &[least(a).0]),
-                        Parity::None => symbol(tag, &[a]),
-                    }
-                }),
+                _ => self.symbols.then(|| call(function, a)),
             },
         }
     }
@@ -139,9 +133,7 @@ impl<'a> Machine<'a> {
             Operand::Parameter(i) => Some(self.parameters[i as usize]),
             Operand::Prepared(i) => self.prepared[i as usize],
             Operand::Marker(i) => Some(self.point.marker[i as usize]),
-            Operand::Constant(c) => {
-                constant(c).or_else(|| self.symbols.then(|| symbol(3, &[Prime::new(c.to_bits())])))
-            }
+            Operand::Constant(c) => constant(c).or_else(|| self.symbols.then(|| literal(c))),
             Operand::Temp(i) => temps[i as usize],
         }
     }
@@ -156,6 +148,40 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
     )
 }
 
+/// Value of a function without relations: a symbol with the symmetry of the function.
+pub fn call(function: MathFunction, a: Prime) -> Prime {
+    let tag = function as u64;
+    match function.parity() {
+        Parity::Odd => odd(tag, a),
+        Parity::Even => symbol(tag, &[least(a).0]),
+        Parity::None => symbol(tag, &[a]),
+    }
+}
+
+/// Value of a literal: the rational number that rounds to it, else that multiple of the symbol π, else a symbol of its own.
+pub fn literal(c: f64) -> Prime {
+    let number = |c: f64| symbol(3, &[Prime::new(c.to_bits())]);
+    constant(c)
+        .or_else(|| Some(multiple_of_pi(c)? * number(PI)))
+        .unwrap_or_else(|| number(c))
+}
+
+/// Whether a literal is a rational number or a rational multiple of π, and no symbol of its own.
+pub fn is_exact(c: f64) -> bool {
+    constant(c).or_else(|| multiple_of_pi(c)).is_some()
+}
+
+/// Rational number with a denominator up to 360 whose product with π rounds to `c`.
+fn multiple_of_pi(c: f64) -> Option<Prime> {
+    (1..=360).find_map(|d| {
+        let n = (c / PI * f64::from(d)).round();
+        let product = n * PI / f64::from(d);
+        let is_close =
+            n != 0.0 && n.abs() < 1e6 && (product - c).abs() <= 2.0 * f64::EPSILON * c.abs();
+        is_close.then(|| Prime::integer(n as i64) / Prime::integer(d.into()))
+    })
+}
+
 /// Rational number that rounds to `c`: denominator up to 1000 or a power of ten; `None` if there is none.
 fn constant(c: f64) -> Option<Prime> {
     let decimals = (4..=15).map(|k| 10_i64.pow(k));
@@ -166,7 +192,7 @@ fn constant(c: f64) -> Option<Prime> {
 }
 
 /// Square root of `a` that is itself a square; `None` if `a` is not a square.
-fn root(a: Prime) -> Option<Prime> {
+pub fn root(a: Prime) -> Option<Prime> {
     let root = power(a, PRIME.div_ceil(4));
     (root * root == a).then_some(root)
 }
@@ -184,7 +210,7 @@ fn power(a: Prime, mut exponent: u64) -> Prime {
 }
 
 /// Symbol for atan2(y, x), with (sine, cosine); odd in y, independent of scale. `None` if x² + y² is not a square.
-fn angle(y: Prime, x: Prime) -> Option<Angle> {
+pub fn angle(y: Prime, x: Prime) -> Option<Angle> {
     let length = root(x * x + y * y)?.inverse();
     let (sine, cosine) = (y * length, x * length);
     let (size, sign) = least(sine);
@@ -192,7 +218,7 @@ fn angle(y: Prime, x: Prime) -> Option<Angle> {
 }
 
 /// (sine, cosine) of `a` if it is ± a small integer multiple of one of `angles`.
-fn known(a: Prime, angles: &[Angle]) -> Option<(Prime, Prime)> {
+pub fn known(a: Prime, angles: &[Angle]) -> Option<(Prime, Prime)> {
     angles.iter().find_map(|&(angle, (s, c))| {
         let (mut multiple, mut circle) = (angle, (s, c));
         for _ in 0..MULTIPLES {
@@ -215,7 +241,7 @@ fn odd(function: u64, a: Prime) -> Prime {
 }
 
 /// Symbolic (sine, cosine) of an angle that is not a multiple of a known angle; the sine is odd.
-fn circle(a: Prime) -> (Prime, Prime) {
+pub fn circle(a: Prime) -> (Prime, Prime) {
     let (a, sign) = least(a);
     let (sine, cosine) = on_circle(symbol(5, &[a]));
     (sine * sign, cosine)

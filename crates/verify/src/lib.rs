@@ -11,6 +11,7 @@
 //! [`oracle::scalar::ErrorBound`]): cancellation neither hides a fault nor looks like one.
 
 pub mod checks;
+pub mod difference;
 pub mod engine;
 mod expressions;
 mod field;
@@ -23,6 +24,7 @@ mod row;
 pub mod same_motion;
 pub mod sample;
 pub mod subject;
+mod symbolic;
 mod table;
 pub mod values;
 
@@ -114,7 +116,7 @@ fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
             checks::effects::EFFECTS,
             checks::effect_reference::EFFECT_REFERENCE,
         ]
-        .map(|name| Row::skipped(name, "the model is refused")),
+        .map(|name| Row::unverified(name, "the model is refused")),
     }
 }
 
@@ -145,6 +147,11 @@ fn every_check(
     ];
     rows.extend(checks::derivatives::check(subject, engine, options));
     rows.push(checks::exact::check(subject, options));
+    rows.push(checks::exact_functions::check(
+        subject.model,
+        compiled,
+        options,
+    ));
     let model = subject.model;
     let mut random = Random::new(options.seed, checks::backends::BACKENDS);
     let points: Vec<_> = (0..BACKEND_POINTS)
@@ -153,6 +160,7 @@ fn every_check(
     let runs = checks::backends::runs(model, compiled, &points);
     rows.push(checks::backends::check(compiled, &runs));
     rows.push(checks::backends::check_fma(compiled, &runs));
+    rows.push(checks::backends::generated_code(model));
     let singular = checks::singular::points(model);
     let points: Vec<_> = singular.iter().map(|(_, point)| point.clone()).collect();
     let runs = checks::backends::runs(model, compiled, &points);

@@ -6,6 +6,29 @@ use crate::table::plain_table;
 use comfy_table::Cell;
 use serde::Serialize;
 
+/// Outcome of all checks of one model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// Every check that applies was made and holds.
+    Verified,
+    /// No check was refuted, and at least one that applies could not be made.
+    NotVerified,
+    /// At least one check was refuted.
+    Refuted,
+}
+
+impl Outcome {
+    /// Outcome in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Verified => "verified",
+            Self::NotVerified => "NOT VERIFIED",
+            Self::Refuted => "REFUTED",
+        }
+    }
+}
+
 /// Results of all checks of one model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
@@ -27,6 +50,25 @@ impl Report {
         self.rows.iter().all(|row| row.verdict != Verdict::Refuted)
     }
 
+    /// Outcome of all checks together.
+    pub fn outcome(&self) -> Outcome {
+        let outcome = |row: &Row| match row.verdict {
+            Verdict::Holds | Verdict::Skipped => Outcome::Verified,
+            Verdict::Unverified => Outcome::NotVerified,
+            Verdict::Refuted => Outcome::Refuted,
+        };
+        let rows = self.rows.iter().map(outcome);
+        rows.max().unwrap_or(Outcome::NotVerified)
+    }
+
+    /// Names of the checks that apply to the model and could not be made.
+    pub fn unverified(&self) -> Vec<&'static str> {
+        let rows = self.rows.iter();
+        rows.filter(|row| row.verdict == Verdict::Unverified)
+            .map(|row| row.check)
+            .collect()
+    }
+
     /// Text table with a row per check.
     pub fn table(&self) -> String {
         let mut table = plain_table(&[
@@ -42,9 +84,10 @@ impl Report {
                 Verdict::Holds => Cell::new("holds"),
                 Verdict::Refuted => Cell::new("REFUTED"),
                 Verdict::Skipped => Cell::new("skipped"),
+                Verdict::Unverified => Cell::new("NOT VERIFIED"),
             };
             let [worst, allowed] = match (row.verdict, row.measure) {
-                (Verdict::Skipped, _) => [String::new(), String::new()],
+                (Verdict::Skipped | Verdict::Unverified, _) => [String::new(), String::new()],
                 (_, Measure::Count) => [format!("{:.0} faults", row.worst), String::from("0")],
                 (_, Measure::Ulp) => [
                     format!("{:.0} ulp", row.worst),
@@ -64,7 +107,19 @@ impl Report {
                 Cell::new(&row.detail),
             ]);
         }
-        let mut text = format!("{} (seed {})\n{table}\n", self.model, self.seed);
+        let mut text = format!(
+            "{} (seed {}): {}\n{table}\n",
+            self.model,
+            self.seed,
+            self.outcome().words()
+        );
+        let open = self.unverified();
+        if !open.is_empty() {
+            text.push_str(&format!("\nNOT VERIFIED: {}\n", open.join(", ")));
+        }
+        for remark in self.rows.iter().filter_map(|row| row.remark.as_ref()) {
+            text.push_str(&format!("\n{remark}\n"));
+        }
         for refuted in &self.refuted {
             text.push_str(&format!(
                 "\n{}\n    {}\n",

@@ -12,6 +12,9 @@ pub enum Verdict {
     Refuted,
     /// The check does not apply to this model; the detail says why.
     Skipped,
+    /// The check applies and could not be made, or not for all of the model; the detail says why. The model is then not
+    /// verified.
+    Unverified,
 }
 
 /// Measure of a check's errors.
@@ -43,6 +46,9 @@ pub struct Row {
     pub verdict: Verdict,
     /// Location of the worst error, or the reason of a skip; may have several lines.
     pub detail: String,
+    /// What the check leaves out of a model that it lets through; stated below the table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remark: Option<String>,
 }
 
 impl Row {
@@ -61,6 +67,7 @@ impl Row {
                 Verdict::Refuted
             },
             detail: worst.place.clone(),
+            remark: None,
         }
     }
 
@@ -82,6 +89,15 @@ impl Row {
             } else {
                 faults.join("\n")
             },
+            remark: None,
+        }
+    }
+
+    /// Row of a check that applies to the model and could not be made, with the reason.
+    pub fn unverified(check: &'static str, why: impl Into<String>) -> Self {
+        Self {
+            verdict: Verdict::Unverified,
+            ..Self::skipped(check, why)
         }
     }
 
@@ -95,7 +111,14 @@ impl Row {
             tolerance: 0.0,
             verdict: Verdict::Skipped,
             detail: why.into(),
+            remark: None,
         }
+    }
+
+    /// Adds a remark on what the check leaves out.
+    pub fn remarking(mut self, remark: impl Into<String>) -> Self {
+        self.remark = Some(remark.into());
+        self
     }
 
     /// Replaces the detail of the row.

@@ -6,20 +6,50 @@ use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
 
-/// Maximum number of draws for a point within the validity limits; after that the last draw is used.
+/// Maximum number of draws for a point within the validity limits; after that the last draw is moved towards the defaults.
 const DRAWS: usize = 1000;
+/// Maximum number of halvings of the distance to the defaults.
+const HALVINGS: i32 = 20;
 
 /// Random point within the validity limits: states of magnitudes typical of flights, one in four up to 1000 times
-/// smaller; parameters around their defaults, coefficients of either sign, random inputs and marker.
+/// smaller; parameters around their defaults, coefficients within their bounds and of either sign where these allow it, never
+/// 0; random inputs and marker.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let mut point = anywhere(model, random);
     for _ in 0..DRAWS {
         if within_limits(model, &point) {
-            break;
+            return point;
         }
         point = anywhere(model, random);
     }
-    point
+    let defaults = Point::defaults(model);
+    (1..HALVINGS)
+        .map(|k| between(&defaults, &point, 0.5_f64.powi(k)))
+        .find(|point| is_valid(model, point))
+        .unwrap_or(defaults)
+}
+
+/// Point at a fraction of the way from one point to another.
+pub fn between(from: &Point<f64>, to: &Point<f64>, fraction: f64) -> Point<f64> {
+    let mix = |from: &[f64], to: &[f64]| -> Vec<f64> {
+        let pairs = from.iter().zip(to);
+        pairs.map(|(a, b)| a + (b - a) * fraction).collect()
+    };
+    let inputs = from.inputs.iter().zip(&to.inputs);
+    Point {
+        params: mix(&from.params, &to.params),
+        coefficients: mix(&from.coefficients, &to.coefficients),
+        inputs: inputs.map(|(a, b)| a + (b - a) * fraction).collect(),
+        states: mix(&from.states, &to.states),
+        ..to.clone()
+    }
+}
+
+/// Whether a point lies within every limit of the model.
+pub fn is_valid(model: &Model, point: &Point<f64>) -> bool {
+    let tree = Tree::new(model, point);
+    let mut limits = model.limits.iter();
+    limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 
 /// Whether each validity limit of the model is met with a margin of 10 % of max(|bound|, 1).
@@ -98,5 +128,16 @@ fn size_varied(constant: &Parameter, random: &mut Random) -> f64 {
 
 fn coefficient(constant: &Parameter, random: &mut Random) -> f64 {
     let value = size_varied(constant, random);
-    if random.once_in(2) { -value } else { value }
+    let value = if random.once_in(2) { -value } else { value };
+    let Some((low, high)) = constant.bounds else {
+        return value;
+    };
+    // Beyond the bounds a divisor that they keep from 0 may vanish.
+    if (low..=high).contains(&value) && value != 0.0 {
+        value
+    } else if (low..=high).contains(&-value) && value != 0.0 {
+        -value
+    } else {
+        random.between(low, high)
+    }
 }

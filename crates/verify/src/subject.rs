@@ -1,5 +1,6 @@
 //! Subject of a verification: a model, and its equations of motion as evaluable functions.
 
+use crate::row::Row;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives};
@@ -117,6 +118,32 @@ impl<'a> Subject<'a> {
                 of_effects.map(|c| (c.index, c.null_value)).collect()
             }
         }
+    }
+
+    /// Indices of the coefficients that neither the claimed law nor an effect declares: those of the model's author.
+    pub fn own_coefficients(&self) -> Vec<usize> {
+        let of_effects = self.model.effects.iter().flat_map(|e| &e.coefficients);
+        let of_effects: Vec<usize> = of_effects.map(|c| c.index).collect();
+        let extras = self.extras().into_iter().map(|(index, _)| index);
+        extras.filter(|i| !of_effects.contains(i)).collect()
+    }
+
+    /// Row of a check that needs a reference law, where the model claims none: it does not apply to a body, whose
+    /// equations are derived from Newton's and Euler's laws, and leaves stated equations without a law that holds them.
+    pub fn without_reference(&self, check: &'static str) -> Row {
+        if self.model.body.is_some() {
+            Row::skipped(check, "the model claims no reference")
+        } else {
+            Row::unverified(
+                check,
+                "its equations are stated, and it claims no reference",
+            )
+        }
+    }
+
+    /// Row of a check that needs the physical meaning of the states, where it is unknown.
+    pub fn without_meaning(&self, check: &'static str) -> Row {
+        Row::unverified(check, "which state stands for what is not known")
     }
 
     /// The point with extra coefficients at their null values and added states at their defaults.

@@ -51,7 +51,9 @@ fn the_disc_is_verified() {
     derivatives: dual numbers: Holds, at most 1e-12
     derivatives: reference: Holds, at most 1e-12
     rigid body, exact: Holds, at most 0 faults
+    f, J and Jp, exact: Holds, at most 0 faults
     backends: Holds, at most 0 ulp
+    generated code: Holds, at most 0 faults
     singular points: Holds, at most 0 faults
     check cases of the model: Holds, at most 0 faults
     effects at null values: Holds, at most 1e-12

@@ -40,7 +40,8 @@ pub struct Reference {
     /// Indices of the model's coefficients that the law does not contain: those of effects or user terms.
     pub unknown: Vec<usize>,
     constants: Vec<Slot>,
-    wind: usize,
+    /// Index of the input `wind`; `None` in still air.
+    wind: Option<usize>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,7 +127,7 @@ impl Reference {
         };
         Ok(Self {
             law,
-            wind: wind.ok_or(BindError::MissingWind)?,
+            wind,
             chart: chart?,
             unknown,
             constants,
@@ -156,9 +157,15 @@ impl Reference {
             .motion(&self.values(point), physical, self.wind(point))
     }
 
-    /// Wind velocity at a point, m/s, in inertial components.
+    /// Whether the model has an input `wind`; the reference is one of still air without it.
+    pub fn has_wind(&self) -> bool {
+        self.wind.is_some()
+    }
+
+    /// Wind velocity at a point, m/s, in inertial components; zero if the model has no input `wind`.
     pub fn wind<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
-        point.inputs[self.wind]
+        self.wind
+            .map_or_else(Vector3::zeros, |wind| point.inputs[wind])
     }
 
     /// Mass and inertia in the body frame.

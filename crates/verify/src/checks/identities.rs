@@ -18,18 +18,26 @@ type Bounded = Dual<ErrorBound>;
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let Some(chart) = &subject.chart else {
-        return Row::skipped(IDENTITIES, "which state stands for what is not known");
+        return subject.without_meaning(IDENTITIES);
     };
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();
-    for _ in 0..options.cases {
-        let point = subject.without_extras(sample::point(model, &mut random));
-        let Some((motion, properties)) = loads(subject, &point.lift()) else {
-            return Row::skipped(IDENTITIES, "neither loads nor a reference say what acts");
+    let own = subject.own_coefficients();
+    for case in 0..options.cases {
+        let full = sample::point(model, &mut random);
+        let mut point = subject.without_extras(full.clone());
+        // The loads of a body are its own: the laws hold whatever its author's coefficients are.
+        let with_own = case % 2 == 1 && model.body.is_some() && !own.is_empty();
+        if with_own {
+            own.iter()
+                .for_each(|&i| point.coefficients[i] = full.coefficients[i]);
+        }
+        let Some((motion, properties)) = loads(subject, &point.lift(), with_own) else {
+            return Row::unverified(IDENTITIES, "neither loads nor a reference say what acts");
         };
         let rates = subject.flight_rates(&point);
         if rates.len() != point.states.len() {
-            return Row::skipped(IDENTITIES, "there are no equations to evaluate");
+            return Row::unverified(IDENTITIES, "there are no equations to evaluate");
         }
         // Seed each state with its rate: the dual parts are time derivatives.
         let along: Vec<Bounded> = point
@@ -79,12 +87,13 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Loads and mass properties: loads of the model's body, else of the reference law; mass and inertia of the reference
-/// law where there is one, so that a wrong mass in the model is detected.
+/// law where there is one, so that a wrong mass in the model is detected, unless the author's coefficients are at work.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,
+    with_own: bool,
 ) -> Option<(Motion<ErrorBound>, MassProperties<ErrorBound>)> {
-    let reference = subject.reference.as_ref();
+    let reference = subject.reference.as_ref().filter(|_| !with_own);
     let of_reference = || Some((reference?.motion(point), reference?.mass_properties(point)));
     let Some(body) = &subject.model.body else {
         return of_reference();

@@ -13,8 +13,8 @@ use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
-use model_spec::model::Model;
-use model_spec::unit::Base;
+use model_spec::model::{FrameKind, Model};
+use model_spec::unit::{Base, Unit};
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Chart, Physical, PhysicalRate, Point, Quaternion, Tree};
 
@@ -50,13 +50,14 @@ impl Relation {
 /// coefficient breaks, which is no fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(chart) = &subject.chart else {
-        return Row::skipped(METAMORPHIC, "the meaning of the states is unknown");
+        return subject.without_meaning(METAMORPHIC);
     };
-    let axis = axis_of_revolution(subject.model) || subject.reference.is_some();
+    let axis = axis_of_revolution(subject.model).or(subject.reference.as_ref().map(|_| 3));
     let apply: Vec<_> = Relation::ALL
         .into_iter()
         .filter(|(symmetry, _)| match symmetry {
-            Relation::SpinAngle => chart.has_attitude() && axis,
+            Relation::SpinAngle => chart.has_attitude() && axis.is_some(),
+            Relation::Galilean => has_wind(subject.model),
             _ => true,
         })
         .collect();
@@ -72,7 +73,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     for _ in 0..options.cases {
         let full = sample::point(subject.model, &mut random);
         let core = subject.without_extras(full.clone());
-        let draw = Draw::new(&mut random);
+        let draw = Draw::new(&mut random, axis.unwrap_or(3));
         let symmetric = is_symmetric(subject.model, &core);
         asymmetric |= !symmetric;
         for &(symmetry, name) in &apply {
@@ -80,7 +81,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
                 continue;
             }
             let Some(error) = error(subject, chart, &core, symmetry, &draw) else {
-                return Row::skipped(METAMORPHIC, "its angles are not rotations about 1, 2 and 3");
+                return subject.without_meaning(METAMORPHIC);
             };
             worst.see(error, || name.to_owned());
             if error.is_nan() || error > TOLERANCE {
@@ -104,6 +105,11 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     }
     let row = Row::judged(METAMORPHIC, options.cases, &worst, TOLERANCE);
     let mut lines = vec![row.detail.clone()];
+    if !has_wind(subject.model) {
+        lines.push(String::from(
+            "steady motion of air and body together does not apply: no input is a velocity of the air",
+        ));
+    }
     if asymmetric {
         lines.push("reflection skipped: the body is not symmetric".to_owned());
     }
@@ -120,15 +126,18 @@ struct Draw {
     boost: Vector3<f64>,
     angle: f64,
     delay: f64,
+    /// Axis of revolution of the body: 1, 2 or 3.
+    axis: u8,
 }
 
 impl Draw {
-    fn new(random: &mut Random) -> Self {
+    fn new(random: &mut Random, axis: u8) -> Self {
         Self {
             shift: Vector3::from_fn(|_, _| random.within(10.0)),
             boost: Vector3::from_fn(|_, _| random.within(10.0)),
             angle: random.within(3.0),
             delay: random.between(0.0, 5.0),
+            axis,
         }
     }
 }
@@ -205,13 +214,14 @@ fn transform(
             p.velocity += draw.boost;
             change.velocity += draw.boost;
             for (input, v) in model.inputs.iter().zip(&mut inputs) {
-                let unit = input.unit.doubled;
-                if unit[Base::Metre as usize] == 2 && unit[Base::Second as usize] == -2 {
+                if is_velocity(input.unit) {
                     *v += draw.boost;
                 }
             }
         }
-        Relation::SpinAngle => p.attitude = p.attitude.times(heading),
+        Relation::SpinAngle => {
+            p.attitude = p.attitude.times(Quaternion::turn(draw.axis, draw.angle));
+        }
     }
     (p, inputs, change)
 }
@@ -250,8 +260,24 @@ fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     })
 }
 
-/// Whether the inertia is declared in a frame other than the body frame, which implies a body of revolution.
-fn axis_of_revolution(model: &Model) -> bool {
-    let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
-    rotation.is_some_and(|r| r.inertia_frame != r.body_frame)
+/// Axis of the body about which it is one of revolution: that of the turn from the frame of the inertia to the body frame;
+/// `None` if the inertia is declared in the body frame.
+fn axis_of_revolution(model: &Model) -> Option<u8> {
+    let rotation = model.body.as_ref()?.rotation.as_ref()?;
+    match model.frames[rotation.body_frame].kind {
+        FrameKind::Turned { axis, .. } if rotation.inertia_frame != rotation.body_frame => {
+            Some(axis)
+        }
+        _ => None,
+    }
+}
+
+/// Whether the model has an input that is a velocity, which is that of the air.
+fn has_wind(model: &Model) -> bool {
+    model.inputs.iter().any(|input| is_velocity(input.unit))
+}
+
+fn is_velocity(unit: Unit) -> bool {
+    let [metre, second] = [Base::Metre, Base::Second].map(|base| unit.doubled[base as usize]);
+    (metre, second) == (2, -2)
 }

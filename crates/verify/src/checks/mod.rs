@@ -6,6 +6,7 @@ pub mod derivatives;
 pub mod effect_reference;
 pub mod effects;
 pub mod exact;
+pub mod exact_functions;
 pub mod identities;
 pub mod metamorphic;
 pub mod reference;

@@ -6,7 +6,8 @@ use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
 use oracle::scalar::ErrorBound;
-use oracle::{Tree, derivatives_of};
+use oracle::{Reference, Tree, derivatives_of};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Name of the check against the reference implementation.
 pub const REFERENCE: &str = "reference";
@@ -19,7 +20,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");
     }
     let Some(reference) = &subject.reference else {
-        return Row::skipped(REFERENCE, "the model claims no reference");
+        return subject.without_reference(REFERENCE);
     };
     let model = subject.model;
     // The reference law does not contain added states; the vector tree does.
@@ -54,12 +55,69 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     }
     let row = Row::judged(REFERENCE, options.cases, &worst, TOLERANCE);
     if refused.is_empty() {
-        return row;
+        let still =
+            (!reference.has_wind()).then_some("in still air: the model has no input `wind`");
+        let row = still.map_or(row.clone(), |words| row.saying(words));
+        return match uncovered(subject, reference, options) {
+            None => row,
+            // The loads of a body are held by the balance of its momentum, whatever its author's coefficients are.
+            Some(lines) if model.body.is_some() => row.remarking(lines.join("\n")),
+            Some(lines) => Row::unverified(REFERENCE, lines.join("\n")),
+        };
     }
     row.saying(format!(
         "differ from the reference implementation: {}",
         refused.join(", ")
     ))
+}
+
+/// Names the coefficients of the model's author that move the equations away from the law, a line each; `None` if none does. Each is drawn at values that are not 0, and taken at its stated value.
+fn uncovered(
+    subject: &Subject<'_>,
+    reference: &Reference,
+    options: &Options,
+) -> Option<Vec<String>> {
+    let model = subject.model;
+    let added = model.added_states();
+    let mut random = Random::new(options.seed, "terms of the author");
+    let mut found: BTreeMap<usize, BTreeSet<String>> = BTreeMap::new();
+    for _ in 0..options.cases.div_ceil(4) {
+        let full = sample::point(model, &mut random);
+        let without = subject.without_extras(full.clone());
+        for coefficient in subject.own_coefficients() {
+            for value in [
+                full.coefficients[coefficient],
+                model.coefficients[coefficient].value,
+            ] {
+                let mut point = without.clone();
+                point.coefficients[coefficient] = value;
+                let expected = reference.derivatives(&point.lift::<ErrorBound>());
+                let got = subject.flight_rates(&point);
+                let rows = got.iter().zip(&expected).enumerate();
+                let moved = rows.filter(|(i, (got, expected))| {
+                    let error = expected.relative_error(**got);
+                    !added.contains(i) && (error.is_nan() || error > TOLERANCE)
+                });
+                let names = moved.map(|(i, _)| format!("der({})", model.states[i].name));
+                let names: Vec<String> = names.collect();
+                if !names.is_empty() {
+                    found.entry(coefficient).or_default().extend(names);
+                }
+            }
+        }
+    }
+    if found.is_empty() {
+        return None;
+    }
+    let lines = found.into_iter().map(|(coefficient, rows)| {
+        let rows: Vec<String> = rows.into_iter().collect();
+        let name = &model.coefficients[coefficient].name;
+        format!(
+            "NOT IN THE LAW: `{name}`, which changes {}; the reference holds with `{name}` at its null value alone",
+            rows.join(", ")
+        )
+    });
+    Some(lines.collect())
 }
 
 fn note(worst: &mut Worst, refused: &mut Vec<String>, error: f64, name: String) {
@@ -80,7 +138,7 @@ pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
         let tree = Tree::new(model, &lifted);
         let expected = match derivatives_of(&tree) {
             Ok(expected) => expected,
-            Err(why) => return Row::skipped(TREE, why.to_string()),
+            Err(why) => return Row::unverified(TREE, why.to_string()),
         };
         let got = subject.equations.rates(&point);
         for (i, expected) in expected.into_iter().enumerate() {

@@ -2,8 +2,11 @@
 
 use super::backends::{Run, function_at};
 use crate::row::Row;
+use crate::sample::is_valid;
 use codegen::Compiled;
+use model_spec::diagnostic::Span;
 use model_spec::model::{FrameKind, Model};
+use model_spec::syntax::ast::ItemKind;
 use model_spec::unit::{Base, Unit};
 use oracle::{Point, Tree};
 use std::f64::consts::FRAC_PI_2;
@@ -66,7 +69,8 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let tiny = with(&base, velocities.iter().copied(), 1e-160);
     out.push((String::from("velocities whose squares vanish"), tiny));
     out.retain(|(_, point)| is_valid(model, point));
-    // Attitudes are singular points of the coordinates, and finite all the same.
+    // Attitudes are singular points of the coordinates, and finite all the same: only what the model states excludes them.
+    let first_attitude = out.len();
     for frame in &model.frames {
         let FrameKind::Turned { angle, .. } = frame.kind else {
             continue;
@@ -83,13 +87,21 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
             ));
         }
     }
+    let mut index = 0;
+    out.retain(|(_, point)| {
+        index += 1;
+        index <= first_attitude || is_within_stated(model, point)
+    });
     out
 }
 
-/// Whether a point lies within every limit of the model.
-fn is_valid(model: &Model, point: &Point<f64>) -> bool {
+/// Whether a point lies within every limit that the text of the model states.
+fn is_within_stated(model: &Model, point: &Point<f64>) -> bool {
+    let items = model.tree.items.iter();
+    let stated = items.filter(|item| matches!(item.kind, ItemKind::Limit(_)));
+    let spans: Vec<Span> = stated.map(|item| item.span).collect();
     let tree = Tree::new(model, point);
-    let mut limits = model.limits.iter();
+    let mut limits = model.limits.iter().filter(|l| spans.contains(&l.span));
     limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 

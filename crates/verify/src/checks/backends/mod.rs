@@ -19,6 +19,9 @@ pub const BACKENDS: &str = "backends";
 /// Name of the comparison of backends with and without fused multiply-add.
 pub const FMA: &str = "FMA and non-FMA";
 
+/// Name of the statement on the generated code that the program contains.
+pub const GENERATED: &str = "generated code";
+
 /// Largest difference by fused multiply-add, relative to the function's largest result: 1e4 roundings, for
 /// cancellation.
 const FMA_TOLERANCE: f64 = 1e-12;
@@ -71,6 +74,25 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
     runs
 }
 
+/// Whether the program contains code of the model, and of its present text. Code of another text is not compared with
+/// anything, which is remarked.
+pub fn generated_code(model: &Model) -> Row {
+    match generated::model(&model.name) {
+        _ if !model.effects.is_empty() => {
+            Row::skipped(GENERATED, "the program has code without effects only")
+        }
+        None => Row::skipped(GENERATED, "the program has no code of this model"),
+        Some(code) if code.source_hash == source_hash(model) => {
+            Row::counted(GENERATED, 1, &[], "of this text")
+        }
+        Some(_) => Row::skipped(GENERATED, "STALE: it is of another text").remarking(format!(
+            "STALE: the code of `{}` in the program is of another text of the model, and was not compared with anything; \
+             run `hyzer generate` and build again, or give the model another name",
+            model.name
+        )),
+    }
+}
+
 fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
     let run = |isa: Isa| {
         Some(Run {
@@ -121,6 +143,7 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
             Verdict::Refuted
         },
         detail: if holds { names.join(", ") } else { worst.place },
+        remark: None,
     }
 }
 

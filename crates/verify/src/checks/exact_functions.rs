@@ -1,0 +1,264 @@
+//! Exact arithmetic for all of f, J and Jp and the observation: the compiled functions against the vector tree of the
+//! declared law and its dual numbers, at random points of the field of integers modulo 2^61 − 1. Roots, polar angles,
+//! sines and cosines have their relations there; other functions are symbols that depend on their arguments.
+
+use super::exact::{POINTS, Spot};
+use crate::Options;
+use crate::field::{self, Angle, Machine};
+use crate::random::Random;
+use crate::row::Row;
+use crate::symbolic::{Symbolic, evaluate};
+use codegen::Compiled;
+use codegen::functions::MathFunction;
+use codegen::program::{Binary, Function, Op, Operand, Unary};
+use model_spec::model::{FrameKind, Model};
+use num_traits::{One, Zero};
+use oracle::scalar::{Dual, Prime};
+use oracle::{Point, Tree, derivatives_of};
+
+/// Name of the check.
+pub const FUNCTIONS: &str = "f, J and Jp, exact";
+
+/// Maximum number of trial points: a value exists only where the argument of each root is a square.
+const MAX_TRIALS: usize = 4096;
+
+/// Upper bound of the total degree of the compared functions, in variables and symbols.
+const DEGREE: f64 = 1e4;
+/// Number of points at which the law has values and the code has none that show another root in the code.
+const LACKING: usize = 64;
+
+/// Compares every function of a compiled model with the vector tree.
+pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
+    let mut random = Random::new(options.seed, FUNCTIONS);
+    let mut faults: Vec<String> = Vec::new();
+    let (mut good, mut lacking) = (0, 0);
+    for _ in 0..MAX_TRIALS {
+        if good == POINTS || lacking == LACKING || !faults.is_empty() {
+            break;
+        }
+        let mut spot = Spot::random(model, &mut random);
+        let circles = spot.point.states.iter().map(|&s| field::circle(s));
+        spot.circles = circles.collect();
+        match compare(model, compiled, &spot) {
+            Compared::At(found) => {
+                good += 1;
+                faults = found;
+            }
+            Compared::NoCode => lacking += 1,
+            Compared::NoLaw => {}
+        }
+    }
+    if faults.is_empty() && good < POINTS {
+        if lacking < LACKING {
+            return Row::skipped(
+                FUNCTIONS,
+                "roots exist together at too few points of the field",
+            );
+        }
+        faults.push(String::from(
+            "roots in the code do not exist where those of the law do",
+        ));
+    }
+    if let Some(why) = undecided(compiled).filter(|_| !faults.is_empty()) {
+        let rows = faults.join(", ");
+        return Row::skipped(FUNCTIONS, format!("not decided, by {why}: {rows}"));
+    }
+    // Points at which all roots exist are one in MAX_TRIALS or more.
+    let chance = DEGREE * MAX_TRIALS as f64 / 2f64.powi(61);
+    let chance = POINTS as f64 * chance.log10();
+    let says = format!("identical but for a chance below 1e{chance:.0}");
+    Row::counted(FUNCTIONS, good, &faults, &says)
+}
+
+/// Comparison at one point of the field.
+enum Compared {
+    /// Entries that differ.
+    At(Vec<String>),
+    /// A value of the law does not exist.
+    NoLaw,
+    /// A value of the code does not exist, and the law has its values.
+    NoCode,
+}
+
+fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
+    let mut machine = Machine::new(&spot.point, &spot.circles, true);
+    machine.prepared = machine.run(&compiled.prepare.program);
+    let functions = [
+        &compiled.f,
+        &compiled.f_jac,
+        &compiled.f_jac_par,
+        &compiled.observe,
+        &compiled.observe_jac,
+    ];
+    let states = model.states.len();
+    let values: Option<Vec<(&Function, Vec<Prime>)>> = functions
+        .into_iter()
+        .map(|function| {
+            let values = machine.run(&function.program);
+            Some((function, values.into_iter().collect::<Option<_>>()?))
+        })
+        .collect();
+    let variables = compiled
+        .layout
+        .states
+        .iter()
+        .chain(&compiled.layout.parameters);
+    let mut faults = Vec::new();
+    for (j, name) in variables.enumerate() {
+        let direction = direction(model, &spot.point, j);
+        let Some(expected) = law(model, spot, j, &direction) else {
+            return Compared::NoLaw;
+        };
+        let Some(values) = &values else {
+            return Compared::NoCode;
+        };
+        for (function, values) in values {
+            let (rows, section, jacobians) = match function.name.starts_with('f') {
+                true => (0..states, "dx", ["j", "jp"]),
+                false => (states..expected.len(), "y", ["dy_dx", "dy_dp"]),
+            };
+            let first = function.range(section).start;
+            for (k, row) in rows.enumerate() {
+                let (value, derivative) = expected[row];
+                let row = row_name(model, row);
+                if values[first + k] != value {
+                    faults.push(format!("{row} in {}", function.name));
+                }
+                let found = along(function, values, jacobians, k, j, &direction);
+                if found.is_some_and(|found| found != derivative) {
+                    faults.push(format!("∂{row}/∂{name} in {}", function.name));
+                }
+            }
+        }
+    }
+    faults.sort();
+    faults.dedup();
+    Compared::At(faults)
+}
+
+/// Directional derivative of a row from the entries of a function; `None` if the function has no such Jacobian.
+fn along(
+    function: &Function,
+    values: &[Prime],
+    [by_state, by_parameter]: [&str; 2],
+    row: usize,
+    variable: usize,
+    direction: &[Prime],
+) -> Option<Prime> {
+    let states = direction.len();
+    let section = if variable < states {
+        by_state
+    } else {
+        by_parameter
+    };
+    if !function.sections.iter().any(|s| s.name == section) {
+        return None;
+    }
+    let entries = function
+        .pattern(section)
+        .iter()
+        .zip(&values[function.range(section)]);
+    let of_row = entries.filter(|((r, _), _)| *r as usize == row);
+    let weight = |column: usize| match variable.checked_sub(states) {
+        None => direction[column],
+        Some(parameter) if parameter == column => Prime::one(),
+        Some(_) => Prime::zero(),
+    };
+    Some(of_row.fold(Prime::zero(), |sum, ((_, column), &value)| {
+        sum + value * weight(*column as usize)
+    }))
+}
+
+/// Value and directional derivative of every derivative and of the observation, from the vector tree.
+fn law(
+    model: &Model,
+    spot: &Spot,
+    variable: usize,
+    direction: &[Prime],
+) -> Option<Vec<(Prime, Prime)>> {
+    type T = Dual<Symbolic>;
+    let mut point: Point<T> = spot.point.map(|v| Dual::constant(Symbolic(v)));
+    for (state, &d) in point.states.iter_mut().zip(direction) {
+        state.derivative = Symbolic(d);
+    }
+    if let Some(k) = variable.checked_sub(model.states.len()) {
+        let constants = point.params.iter_mut().chain(&mut point.coefficients);
+        let inputs = point.inputs.iter_mut().flat_map(|v| v.iter_mut());
+        if let Some(value) = constants.chain(inputs).nth(k) {
+            value.derivative = Symbolic(Prime::one());
+        }
+    }
+    let states = spot.point.states.iter().zip(&spot.circles);
+    let angles: Vec<Angle> = states.map(|(&s, &circle)| (s, circle)).collect();
+    let rows = evaluate(angles, || {
+        let tree = Tree::new(model, &point);
+        let mut rows = derivatives_of(&tree).ok()?;
+        if let Some(observed) = &model.observation {
+            rows.extend(tree.vector(&observed.value).iter());
+        }
+        Some(rows)
+    })??;
+    Some(
+        rows.iter()
+            .map(|row| (row.value.0, row.derivative.0))
+            .collect(),
+    )
+}
+
+/// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for a
+/// component of a quaternion, 0 for a parameter.
+fn direction(model: &Model, point: &Point<Prime>, variable: usize) -> Vec<Prime> {
+    let mut out = vec![Prime::zero(); point.states.len()];
+    if let Some(component) = out.get_mut(variable) {
+        *component = Prime::one();
+    }
+    for frame in &model.frames {
+        if let FrameKind::Quaternion { states: q, .. } = frame.kind
+            && q.contains(&variable)
+        {
+            for k in q {
+                out[k] -= point.states[variable] * point.states[k];
+            }
+        }
+    }
+    out
+}
+
+fn row_name(model: &Model, row: usize) -> String {
+    match model.states.get(row) {
+        Some(state) => format!("der({})", state.name),
+        None => format!("observation {}", row - model.states.len() + 1),
+    }
+}
+
+/// What the field has no relations for, where the programs contain it: then a difference is no proof.
+fn undecided(compiled: &Compiled) -> Option<&'static str> {
+    let statements = compiled
+        .functions()
+        .into_iter()
+        .flat_map(|f| &f.program.statements);
+    for statement in statements {
+        let branches = match statement.op {
+            Op::Unary(Unary::Call(function), _) => matches!(
+                function,
+                MathFunction::Abs
+                    | MathFunction::Sign
+                    | MathFunction::Heaviside
+                    | MathFunction::Asin
+            ),
+            Op::Binary(op, ..) => matches!(op, Binary::Min | Binary::Max),
+            _ => false,
+        };
+        if branches {
+            return Some("functions with branches");
+        }
+        let is_rounded = |operand| match operand {
+            Operand::Constant(c) => !field::is_exact(c),
+            _ => false,
+        };
+        if statement.op.operands().into_iter().any(is_rounded) {
+            return Some("numbers that are rounded");
+        }
+    }
+    None
+}

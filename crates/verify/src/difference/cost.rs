@@ -1,0 +1,207 @@
+//! What a change costs: operations, nonzero entries of the Jacobians, time of the derivatives.
+
+use super::pairing::{Pairing, parameters};
+use super::values::Everything;
+use crate::random::Random;
+use crate::sample;
+use codegen::Compiled;
+use codegen::tape::{Inputs, Tape};
+use oracle::Point;
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::time::Instant;
+
+/// A number in the old and in the new model.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Pair<T> {
+    /// In the old model.
+    pub old: T,
+    /// In the new model.
+    pub new: T,
+}
+
+/// Operations and entries of the functions of both models.
+#[derive(Clone, Debug, Serialize)]
+pub struct Cost {
+    /// Operations by function: `f`, `f_jac`, `f_jac_par`.
+    pub operations: Vec<(&'static str, Pair<usize>)>,
+    /// Nonzero entries of the state Jacobian J.
+    pub j: Pair<usize>,
+    /// Nonzero entries of the parameter Jacobian Jp.
+    pub jp: Pair<usize>,
+    /// Entries that only the new model has, in the names of the new model.
+    pub entries_added: Vec<String>,
+    /// Entries that only the old model has, in the names of the old model.
+    pub entries_removed: Vec<String>,
+}
+
+/// Compares operations and entries; compiles both models.
+pub fn cost(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Cost {
+    let (a, b) = (codegen::compile(old.model), codegen::compile(new.model));
+    let functions = ["f", "f_jac", "f_jac_par"];
+    let operations = functions.map(|name| {
+        let pair = Pair {
+            old: a.count(name).total(),
+            new: b.count(name).total(),
+        };
+        (name, pair)
+    });
+    let (before, after) = (entries(&a), entries(&b));
+    let mapped: BTreeSet<Entry> = after.iter().filter_map(|e| e.mapped(pairing)).collect();
+    let added = after
+        .iter()
+        .filter(|e| e.mapped(pairing).is_none_or(|m| !before.contains(&m)));
+    let removed = before.iter().filter(|e| !mapped.contains(e));
+    let count = |entries: &BTreeSet<Entry>, by_state| {
+        entries.iter().filter(|e| e.by_state == by_state).count()
+    };
+    Cost {
+        operations: operations.into(),
+        j: Pair {
+            old: count(&before, true),
+            new: count(&after, true),
+        },
+        jp: Pair {
+            old: count(&before, false),
+            new: count(&after, false),
+        },
+        entries_added: added.map(|e| e.name(&b)).collect(),
+        entries_removed: removed.map(|e| e.name(&a)).collect(),
+    }
+}
+
+/// A nonzero entry of a Jacobian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Entry {
+    by_state: bool,
+    row: usize,
+    column: usize,
+}
+
+impl Entry {
+    /// The corresponding entry of the old model.
+    fn mapped(self, pairing: &Pairing) -> Option<Self> {
+        let columns = match self.by_state {
+            true => &pairing.states,
+            false => &pairing.parameters,
+        };
+        Some(Self {
+            row: (*pairing.states.get(self.row)?)?,
+            column: (*columns.get(self.column)?)?,
+            ..self
+        })
+    }
+
+    fn name(self, compiled: &Compiled) -> String {
+        let layout = &compiled.layout;
+        let columns = match self.by_state {
+            true => &layout.states,
+            false => &layout.parameters,
+        };
+        format!(
+            "∂der({})/∂{}",
+            layout.states[self.row], columns[self.column]
+        )
+    }
+}
+
+fn entries(compiled: &Compiled) -> BTreeSet<Entry> {
+    let of = |name, by_state| {
+        let pattern = compiled.f_jac_par.pattern(name).iter();
+        pattern.map(move |&(row, column)| Entry {
+            by_state,
+            row: row as usize,
+            column: column as usize,
+        })
+    };
+    of("j", true).chain(of("jp", false)).collect()
+}
+
+/// Nanoseconds of one evaluation of the derivatives on the tape.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Time {
+    /// Median of each model, ns.
+    pub nanoseconds: Pair<f64>,
+    /// Median of the ratios new/old of neighbouring measurements.
+    pub ratio: f64,
+}
+
+/// Number of pairs of measurements.
+const ROUNDS: usize = 201;
+/// Number of points of one measurement.
+const POINTS: usize = 64;
+
+/// Measures both models in turns, so that what slows the machine slows both; compiles both models.
+pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Time {
+    let mut random = Random::new(0, "time");
+    let here: Vec<_> = (0..POINTS)
+        .map(|_| sample::point(old.model, &mut random))
+        .collect();
+    let there = here
+        .iter()
+        .map(|point| pairing.carry(point, &sample::point(new.model, &mut random)))
+        .collect();
+    let mut a = Derivatives::new(&codegen::compile(old.model), here);
+    let mut b = Derivatives::new(&codegen::compile(new.model), there);
+    let rounds: Vec<(f64, f64)> = (0..ROUNDS).map(|_| (a.measure(), b.measure())).collect();
+    let median = |value: &dyn Fn(&(f64, f64)) -> f64| {
+        let mut values: Vec<f64> = rounds.iter().map(value).collect();
+        values.sort_by(f64::total_cmp);
+        values[ROUNDS / 2]
+    };
+    Time {
+        nanoseconds: Pair {
+            old: median(&|r| r.0),
+            new: median(&|r| r.1),
+        },
+        ratio: median(&|r| r.1 / r.0),
+    }
+}
+
+/// The derivatives of a model on a tape, with points and their prepared values.
+struct Derivatives {
+    tape: Tape,
+    points: Vec<(Point<f64>, Vec<f64>, Vec<f64>)>,
+    scratch: Vec<f64>,
+    out: Vec<f64>,
+}
+
+impl Derivatives {
+    fn new(compiled: &Compiled, points: Vec<Point<f64>>) -> Self {
+        let prepare = Tape::new(&compiled.prepare.program);
+        let prepared = |point: Point<f64>| {
+            let p = parameters(&point);
+            let mut out = vec![0.0; prepare.outputs()];
+            prepare.eval(inputs(&point, &p, &[]), &mut Vec::new(), &mut out);
+            (point, p, out)
+        };
+        let tape = Tape::new(&compiled.f.program);
+        Self {
+            points: points.into_iter().map(prepared).collect(),
+            scratch: Vec::new(),
+            out: vec![0.0; tape.outputs()],
+            tape,
+        }
+    }
+
+    /// Time of one evaluation, ns.
+    fn measure(&mut self) -> f64 {
+        let start = Instant::now();
+        for (point, p, prepared) in &self.points {
+            let inputs = std::hint::black_box(inputs(point, p, prepared));
+            self.tape.eval(inputs, &mut self.scratch, &mut self.out);
+            std::hint::black_box(&mut self.out);
+        }
+        start.elapsed().as_secs_f64() * 1e9 / self.points.len() as f64
+    }
+}
+
+fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> Inputs<'a, f64> {
+    Inputs {
+        t: point.time,
+        x: &point.states,
+        p,
+        prepared,
+        marker: point.marker.as_slice(),
+    }
+}

@@ -1,0 +1,206 @@
+//! How far flights of the new model end from where those of the old one do, from the same releases.
+
+use super::pairing::Pairing;
+use super::values::Everything;
+use crate::random::Random;
+use crate::sample::{self, is_valid};
+use flight::release::{self, Vocabulary};
+use ode::Method;
+use oracle::{Chart, Point};
+use serde::Serialize;
+
+/// Number of random releases of a model that has none by name.
+const RELEASES: usize = 3;
+/// Fraction of a random point that is added to the defaults for a random release.
+const SPREAD: f64 = 0.2;
+/// Relative tolerance of the integration.
+const TOLERANCE: f64 = 1e-10;
+
+/// Difference of two flights from one release.
+#[derive(Clone, Debug, Serialize)]
+pub struct FlightShift {
+    /// Name of the release, or `random 1`.
+    pub release: String,
+    /// Duration of the flights, s.
+    pub seconds: f64,
+    /// Distance of the final positions, m; `None` without a position.
+    pub distance_m: Option<f64>,
+    /// State that differs most, by its size in the flight, with its values at the end.
+    pub state: String,
+    /// Value of that state at the end of the old flight.
+    pub old: f64,
+    /// Value of that state at the end of the new flight.
+    pub new: f64,
+    /// Reason why the flights cannot be compared; the numbers are then 0.
+    pub failed: Option<String>,
+}
+
+/// Flies the releases of the old model by both models.
+pub fn shifts(
+    old: &Everything<'_>,
+    new: &Everything<'_>,
+    pairing: &Pairing,
+    seconds: f64,
+) -> Vec<FlightShift> {
+    let mut releases = named(old, true);
+    if releases.is_empty() {
+        releases = named(old, false);
+    }
+    if releases.is_empty() {
+        let mut random = Random::new(0, "releases");
+        releases.extend((1..=RELEASES).map(|k| {
+            let defaults = Point::defaults(old.model);
+            let drawn = sample::point(old.model, &mut random);
+            let mut point = sample::between(&defaults, &drawn, SPREAD);
+            point.params.clone_from(&defaults.params);
+            point.coefficients.clone_from(&defaults.coefficients);
+            point.time = 0.0;
+            if !is_valid(old.model, &point) {
+                point = defaults;
+            }
+            (format!("random {k}"), point, Vec::new())
+        }));
+    }
+    releases
+        .into_iter()
+        .map(|(name, point, set)| shift(old, new, pairing, name, &point, &set, seconds))
+        .collect()
+}
+
+/// Named releases of the old model, or if not `own` those of any model whose names it has: name, point, and the indices of the parameters that they set.
+fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>)> {
+    let model = old.model;
+    let read = |&(name, text): &(&str, &str)| {
+        let vocabulary = |of: &str| match !own || of == model.name {
+            true => Ok(Vocabulary::of(model)),
+            false => Err(String::from("another model")),
+        };
+        let release = release::read(name, text, vocabulary).ok()?;
+        let mut point = Point::defaults(model);
+        point.states = release.state();
+        let layout = &old.code.layout;
+        let constants = release.parameters.iter().chain(&release.coefficients);
+        let mut set = Vec::new();
+        for (constant, value) in constants {
+            let index = layout.parameters.iter().position(|p| p == constant)?;
+            set.push(index);
+            match index.checked_sub(layout.params) {
+                None => point.params[index] = *value,
+                Some(k) => *point.coefficients.get_mut(k)? = *value,
+            }
+        }
+        if let Some(wind) = model.inputs.iter().position(|i| i.name == "wind") {
+            point.inputs[wind] = release.wind.into();
+        }
+        (point.states.len() == model.states.len()).then(|| (name.to_owned(), point, set))
+    };
+    release::BUILT_IN.iter().filter_map(read).collect()
+}
+
+fn shift(
+    old: &Everything<'_>,
+    new: &Everything<'_>,
+    pairing: &Pairing,
+    release: String,
+    here: &Point<f64>,
+    set: &[usize],
+    seconds: f64,
+) -> FlightShift {
+    // Stated values belong to each model; those of the release to both.
+    let of_release = Pairing {
+        states: pairing.states.clone(),
+        parameters: pairing
+            .parameters
+            .iter()
+            .enumerate()
+            .map(|(k, from)| {
+                let is_input = k >= new.model.params.len() + new.model.coefficients.len();
+                from.filter(|from| is_input || set.contains(from))
+            })
+            .collect(),
+    };
+    let there = of_release.carry(here, &Point::defaults(new.model));
+    let mut out = FlightShift {
+        release,
+        seconds,
+        distance_m: None,
+        state: String::new(),
+        old: 0.0,
+        new: 0.0,
+        failed: None,
+    };
+    let (a, b) = match (fly(old, here, seconds), fly(new, &there, seconds)) {
+        (Ok(a), Ok(b)) => (a, b),
+        (Err(why), _) => {
+            out.failed = Some(format!("the old model: {why}"));
+            return out;
+        }
+        (_, Err(why)) => {
+            out.failed = Some(format!("the new model: {why}"));
+            return out;
+        }
+    };
+    out.distance_m = place(old, &a, here)
+        .zip(place(new, &b, &there))
+        .map(|(p, q)| {
+            p.iter()
+                .zip(&q)
+                .map(|(p, q)| (p - q).powi(2))
+                .sum::<f64>()
+                .sqrt()
+        });
+    let mut worst = -1.0;
+    for (k, from) in pairing.states.iter().enumerate() {
+        let Some(from) = *from else { continue };
+        let size = sample::typical(new.model.states[k].unit);
+        let difference = (a[from] - b[k]).abs() / size.max(a[from].abs());
+        if difference > worst {
+            worst = difference;
+            out.state.clone_from(&new.model.states[k].name);
+            (out.old, out.new) = (a[from], b[k]);
+        }
+    }
+    out
+}
+
+/// Position at the end of a flight: of the body, else what is observed.
+fn place(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<Vec<f64>> {
+    if let Some(chart) = Chart::declared(model.model) {
+        return Some(chart.physical(states).position.iter().copied().collect());
+    }
+    let mut at = point.clone();
+    at.states = states.to_vec();
+    let count = states.len();
+    let values = model.numbers(&at);
+    (model.code.observed == 3).then(|| values[count..count + 3].to_vec())
+}
+
+fn fly(model: &Everything<'_>, from: &Point<f64>, seconds: f64) -> Result<Vec<f64>, String> {
+    let mut at = from.clone();
+    let count = from.states.len();
+    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
+        at.time = t;
+        at.states.copy_from_slice(x);
+        dx.copy_from_slice(&model.numbers(&at)[..count]);
+    });
+    let options = ode::IntegrationOptions {
+        method: Method::Dop853,
+        ..ode::IntegrationOptions::with_tolerance(TOLERANCE)
+    };
+    ode::integrate_to_end(
+        &mut moving,
+        (0.0, &from.states.clone()),
+        seconds,
+        &options,
+        &mut [],
+    )
+    .map(|end| end.state)
+    .map_err(|fault| {
+        fault
+            .to_string()
+            .lines()
+            .next()
+            .unwrap_or_default()
+            .to_owned()
+    })
+}

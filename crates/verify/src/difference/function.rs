@@ -1,0 +1,211 @@
+//! Whether two programs compute the same function, row by row: exactly, by evaluation at random points of the field of
+//! integers modulo 2^61 − 1 (Schwartz–Zippel), and where that leaves a difference, in numbers.
+
+use super::pairing::Pairing;
+use super::values::Everything;
+use crate::checks::exact::Spot;
+use crate::field::literal;
+use crate::random::Random;
+use crate::{TOLERANCE, sample};
+use model_spec::model::Model;
+use oracle::scalar::{ErrorBound, Prime, Real};
+use oracle::{Point, Tree, derivatives_of};
+use serde::Serialize;
+
+/// Number of random field points at which equal values count as equal functions.
+const POINTS: usize = 4;
+/// Maximum number of trial points: a value exists only where the argument of each of its roots is a square.
+const MAX_TRIALS: usize = 4096;
+/// Least magnitude of a named quantity, SI: one that is 0 but for rounding is 0.
+const FLOOR: f64 = 1e-6;
+/// Number of random points in numbers.
+const NUMBERS: usize = 24;
+
+/// Outcome of the comparison of one row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sameness {
+    /// The same function, decided exactly.
+    Same,
+    /// Not decided exactly: the functions differ as symbols, and agree in numbers.
+    Agrees,
+    /// Another function.
+    Changed,
+}
+
+/// Comparison of two outputs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Compared {
+    /// Outcome.
+    pub sameness: Sameness,
+    /// Largest difference at random points, relative to the sum of the magnitudes of the terms.
+    pub error: f64,
+}
+
+/// Compares pairs of outputs (old, new) of two models at common values of all paired symbols. What the old model lacks has
+/// in the new model random values, or its default values if `stated`.
+pub fn compare(
+    old: &Everything<'_>,
+    new: &Everything<'_>,
+    pairing: &Pairing,
+    pairs: &[(usize, usize)],
+    stated: bool,
+) -> Vec<Compared> {
+    let exact = exactly(old, new, pairing, pairs, stated);
+    let errors = in_numbers(old, new, pairing, pairs, stated);
+    let outcome = |(exact, error): (Option<bool>, f64)| {
+        let agrees = error <= TOLERANCE;
+        let sameness = match exact {
+            // Equal as symbols: a root may still have another branch.
+            Some(true) if error <= 1e6 * TOLERANCE => Sameness::Same,
+            _ if agrees => Sameness::Agrees,
+            _ => Sameness::Changed,
+        };
+        Compared { sameness, error }
+    };
+    exact.into_iter().zip(errors).map(outcome).collect()
+}
+
+/// For each pair whether the values are equal at random points of the field; `None` if undecided.
+fn exactly(
+    old: &Everything<'_>,
+    new: &Everything<'_>,
+    pairing: &Pairing,
+    pairs: &[(usize, usize)],
+    stated: bool,
+) -> Vec<Option<bool>> {
+    let mut random = Random::new(0, "the same function");
+    let mut equal = vec![0; pairs.len()];
+    let mut different = vec![false; pairs.len()];
+    for _ in 0..MAX_TRIALS {
+        let open = |k: usize| equal[k] < POINTS && !different[k];
+        if !(0..pairs.len()).any(open) {
+            break;
+        }
+        let (here, there) = spots(old.model, new.model, pairing, stated, &mut random);
+        let (a, b) = (old.exact(&here), new.exact(&there));
+        for (k, &(i, j)) in pairs.iter().enumerate() {
+            match (a[i], b[j]) {
+                (Some(a), Some(b)) if a == b => equal[k] += 1,
+                (Some(_), Some(_)) => different[k] = true,
+                _ => {}
+            }
+        }
+    }
+    let decided = equal.into_iter().zip(different);
+    decided
+        .map(|(equal, different)| match different {
+            true => Some(false),
+            false => (equal >= POINTS).then_some(true),
+        })
+        .collect()
+}
+
+/// A random point of the field for each of two models, equal where they correspond.
+fn spots(
+    old: &Model,
+    new: &Model,
+    pairing: &Pairing,
+    stated: bool,
+    random: &mut Random,
+) -> (Spot, Spot) {
+    let mut here = Spot::random(old, random);
+    let mut there = Spot::random(new, random);
+    if stated {
+        let defaults = Point::defaults(old).map(literal);
+        here.point = unpaired_at(&here.point, &defaults, |k| {
+            pairing.new_parameter(k).is_some()
+        });
+        let defaults = Point::defaults(new).map(literal);
+        there.point = unpaired_at(&there.point, &defaults, |_| false);
+    }
+    there.point = pairing.carry(&here.point, &there.point);
+    for (to, from) in there.circles.iter_mut().zip(&pairing.states) {
+        *to = from.map_or(*to, |from| here.circles[from]);
+    }
+    (here, there)
+}
+
+/// The point with the default values of all parameters that are not kept.
+fn unpaired_at(
+    point: &Point<Prime>,
+    defaults: &Point<Prime>,
+    keep: impl Fn(usize) -> bool,
+) -> Point<Prime> {
+    let count = super::pairing::parameters(point).len();
+    let only = Pairing {
+        states: (0..point.states.len()).map(Some).collect(),
+        parameters: (0..count).map(|k| keep(k).then_some(k)).collect(),
+    };
+    let mut there = defaults.clone();
+    there.states.clone_from(&point.states);
+    only.carry(point, &there)
+}
+
+/// Largest relative difference of each pair at random points in numbers.
+fn in_numbers(
+    old: &Everything<'_>,
+    new: &Everything<'_>,
+    pairing: &Pairing,
+    pairs: &[(usize, usize)],
+    stated: bool,
+) -> Vec<f64> {
+    let mut random = Random::new(0, "the same numbers");
+    let mut worst = vec![0.0_f64; pairs.len()];
+    for _ in 0..NUMBERS {
+        let mut here = sample::point(old.model, &mut random);
+        let mut there = sample::point(new.model, &mut random);
+        if stated {
+            let count = super::pairing::parameters(&here).len();
+            let keep = Pairing {
+                states: (0..here.states.len()).map(Some).collect(),
+                parameters: (0..count)
+                    .map(|k| pairing.new_parameter(k).map(|_| k))
+                    .collect(),
+            };
+            here = keep.carry(&here, &Point::defaults(old.model));
+            there = Point::defaults(new.model);
+        }
+        let there = pairing.carry(&here, &there);
+        let (a, b) = (old.numbers(&here), new.numbers(&there));
+        let (sizes, others) = (magnitudes(old.model, &here), magnitudes(new.model, &there));
+        for (worst, &(i, j)) in worst.iter_mut().zip(pairs) {
+            let (x, y) = (a[i], b[j]);
+            if !x.is_finite() && !y.is_finite() {
+                continue;
+            }
+            let scale = size(old, &sizes, &a, i).max(size(new, &others, &b, j));
+            let scale = scale.max(x.abs()).max(y.abs()).max(f64::MIN_POSITIVE);
+            let error = (x - y).abs() / scale;
+            *worst = worst.max(if error.is_nan() { f64::INFINITY } else { error });
+        }
+    }
+    worst
+}
+
+/// Magnitude of the terms of an output; for a vector that is named, its largest component.
+fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
+    if let Some(size) = sizes.get(k) {
+        return *size;
+    }
+    let named = model.named.iter().find(|named| named.outputs.contains(&k));
+    named.map_or(0.0, |named| {
+        let parts = values[named.outputs.clone()].iter();
+        parts.fold(FLOOR, |most, v| most.max(v.abs()))
+    })
+}
+
+/// Sum of the magnitudes of the terms of each derivative and of the observation; empty where they cannot be evaluated.
+fn magnitudes(model: &Model, point: &Point<f64>) -> Vec<f64> {
+    let lifted = point.lift::<ErrorBound>();
+    let tree = Tree::new(model, &lifted);
+    let Ok(rows) = derivatives_of(&tree) else {
+        return Vec::new();
+    };
+    let mut out: Vec<f64> = rows.iter().map(|row| row.magnitude).collect();
+    if let Some(observed) = &model.observation {
+        let seen = tree.vector(&observed.value);
+        out.extend(seen.iter().map(|v| v.magnitude.max(v.re().abs())));
+    }
+    out
+}

@@ -1,0 +1,271 @@
+//! What a change of a model does: which statements differ, which derivatives are the same function and which are not, what
+//! the change costs, and how far flights end from where they did.
+//!
+//! ```
+//! let old = model_spec::load::load("ball", &[]).unwrap();
+//! let text = old.sources[0].text.replace("V^2/2", "V^3/2").replace("param m", "param  m");
+//! let text = text.replace("C_D;", "C_D/(1 [m/s]);");
+//! let new = model_spec::load::from_text("new", &text, &[]).unwrap();
+//! let difference = verify::difference::compare(&old, &new, &Default::default());
+//! assert!(difference.is_changed());
+//! assert_eq!(difference.changed_rows(), ["der(vx)", "der(vy)", "der(vz)"]);
+//! ```
+
+mod cost;
+mod flights;
+mod function;
+mod markdown;
+mod names;
+mod pairing;
+mod renaming;
+mod restated;
+mod rows;
+mod statements;
+mod text;
+mod values;
+
+pub use cost::{Cost, Pair, Time};
+pub use flights::FlightShift;
+pub use function::Sameness;
+pub use pairing::Renamed;
+pub use restated::Restated;
+pub use statements::{Change, Statement};
+
+use function::Compared;
+use model_spec::model::Model;
+use pairing::Pairing;
+use renaming::{renamed, same_frame, same_named};
+use restated::restated;
+use serde::Serialize;
+use statements::{Key, Reach};
+use values::Everything;
+
+/// Options of a comparison.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DifferenceOptions {
+    /// Duration of the compared flights, s.
+    pub seconds: f64,
+    /// Whether to measure the time of the derivatives.
+    pub time: bool,
+    /// Whether to compare operations, entries of the Jacobians and flights.
+    pub consequences: bool,
+}
+
+impl Default for DifferenceOptions {
+    fn default() -> Self {
+        Self {
+            seconds: 2.0,
+            time: false,
+            consequences: true,
+        }
+    }
+}
+
+/// Comparison of one derivative, component of the observation or limit.
+#[derive(Clone, Debug, Serialize)]
+pub struct RowChange {
+    /// Name in the new model, or in the old one where it was removed: `der(u)`, `observation x`, `limit 1`.
+    pub row: String,
+    /// Outcome; `None` for a row that only one of the models has.
+    pub sameness: Option<Sameness>,
+    /// Whether only the new model has the row.
+    pub added: bool,
+    /// Largest difference at random points, relative to the sum of the magnitudes of the terms.
+    pub error: f64,
+    /// Whether the function is the same with everything that only one of the models has at its stated value.
+    pub same_at_stated_values: bool,
+    /// Statements, with their terms, that make it another function.
+    pub causes: Vec<String>,
+}
+
+/// Difference of two models.
+#[derive(Clone, Debug, Serialize)]
+pub struct Difference {
+    /// Identifies the format of the JSON.
+    pub schema: &'static str,
+    /// Names of the models.
+    pub models: Pair<String>,
+    /// Whether any derivative, the observation or a limit is another function.
+    pub changed: bool,
+    /// Every row, in the order of the new model; removed ones last.
+    pub rows: Vec<RowChange>,
+    /// States and parameters with another name.
+    pub renamed: Vec<Renamed>,
+    /// Statements that differ.
+    pub statements: Vec<Statement>,
+    /// Units that do not agree: the messages of the language's checker that only one of the models has.
+    pub unit_faults: Pair<Vec<String>>,
+    /// Units, values and bounds that differ.
+    pub restated: Vec<Restated>,
+    /// Operations and entries, if asked for.
+    pub cost: Option<Cost>,
+    /// Time of the derivatives, if asked for.
+    pub time: Option<Time>,
+    /// Flights, if asked for.
+    pub flights: Vec<FlightShift>,
+}
+
+impl Difference {
+    /// Whether any derivative, the observation or a limit is another function.
+    pub fn is_changed(&self) -> bool {
+        self.changed
+    }
+
+    /// Adds the messages of the language's checker on units that do not agree.
+    pub fn with_unit_faults(mut self, old: &[String], new: &[String]) -> Self {
+        let only = |list: &[String], other: &[String]| -> Vec<String> {
+            let lines = list.iter().filter(|line| !other.contains(line));
+            lines.cloned().collect()
+        };
+        self.unit_faults = Pair {
+            old: only(old, new),
+            new: only(new, old),
+        };
+        self
+    }
+
+    /// Names of the rows that are another function, or that only one of the models has.
+    pub fn changed_rows(&self) -> Vec<&str> {
+        let rows = self.rows.iter().filter(|row| row.is_changed());
+        rows.map(|row| row.row.as_str()).collect()
+    }
+}
+
+impl RowChange {
+    /// Whether the row is another function, or only one of the models has it.
+    pub fn is_changed(&self) -> bool {
+        self.sameness.is_none_or(|s| s == Sameness::Changed)
+    }
+}
+
+/// Compares two models.
+pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Difference {
+    let (a, b) = (Everything::of(old), Everything::of(new));
+    let pairing = Pairing::of(&a, &b);
+    let (names_a, names_b) = (a.rows(), b.rows());
+    let pairs = row_pairs(&a, &b, &pairing);
+    let compared = function::compare(&a, &b, &pairing, &pairs, false);
+    let complete = pairing.is_complete(old, new);
+    let stated = match complete {
+        true => compared.clone(),
+        false => function::compare(&a, &b, &pairing, &pairs, true),
+    };
+    let names = renamed(&a, &b, &pairing);
+    let of_row = |old: usize, new: usize| {
+        let at = pairs.iter().position(|&pair| pair == (old, new));
+        at.map(|at| compared[at].sameness != Sameness::Changed)
+    };
+    let all_same = compared.iter().all(|c| c.sameness != Sameness::Changed);
+    let same = |was: &Key, is: &Key| match was.0 {
+        "let" | "force" | "moment" => same_named(&a, &b, &pairing, was, is),
+        "der" => {
+            let old = a.code.layout.states.iter().position(|s| *s == was.1)?;
+            let new = b.code.layout.states.iter().position(|s| *s == is.1)?;
+            of_row(old, new)
+        }
+        "constant" | "state" => Some(true),
+        "input" => Some(same_frame(old, new, &names, &was.1, &is.1)),
+        _ => Some(all_same),
+    };
+    let statements = statements::compare(&old.tree, &new.tree, &names, &same);
+    let reach_a = Reach::of_file(&old.tree, &rows::kinds(old, &names_a));
+    let reach_b = Reach::of_file(&new.tree, &rows::kinds(new, &names_b));
+    let reached = [&reach_a, &reach_b];
+    let found = Found {
+        names: [&names_a, &names_b],
+        pairs: &pairs,
+        compared: &compared,
+        stated: &stated,
+    };
+    let rows = row_changes(&found, &statements, reached);
+    let (cost, flights) = match options.consequences {
+        true => (
+            Some(cost::cost(&a, &b, &pairing)),
+            flights::shifts(&a, &b, &pairing, options.seconds),
+        ),
+        false => (None, Vec::new()),
+    };
+    Difference {
+        schema: "hyzer.diff/1",
+        models: Pair {
+            old: old.name.clone(),
+            new: new.name.clone(),
+        },
+        changed: rows.iter().any(RowChange::is_changed),
+        rows,
+        renamed: pairing.renamed(&a, &b),
+        statements,
+        unit_faults: Pair {
+            old: Vec::new(),
+            new: Vec::new(),
+        },
+        restated: restated(&a, &b, &pairing),
+        cost,
+        time: options.time.then(|| cost::time(&a, &b, &pairing)),
+        flights,
+    }
+}
+
+/// Rows of both models that correspond: derivatives of paired states, observations, limits in their order.
+fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(usize, usize)> {
+    let states = pairing.states.iter().enumerate();
+    let mut pairs: Vec<(usize, usize)> = states
+        .filter_map(|(new, old)| Some(((*old)?, new)))
+        .collect();
+    let (m, n) = (a.code.layout.states.len(), b.code.layout.states.len());
+    let seen = a.code.observed.min(b.code.observed);
+    pairs.extend((0..seen).map(|k| (m + k, n + k)));
+    let limits = a.code.limits.min(b.code.limits);
+    let (m, n) = (m + a.code.observed, n + b.code.observed);
+    pairs.extend((0..limits).map(|k| (m + k, n + k)));
+    pairs
+}
+
+/// What was found of the rows: their names in both models, which correspond, and how they compare.
+struct Found<'a> {
+    names: [&'a [String]; 2],
+    pairs: &'a [(usize, usize)],
+    compared: &'a [Compared],
+    stated: &'a [Compared],
+}
+
+fn row_changes(found: &Found<'_>, statements: &[Statement], reach: [&Reach; 2]) -> Vec<RowChange> {
+    let causes = |old: &str, new: &str| {
+        let mut all = statements::causes(statements, reach[0], reach[1], old, new);
+        all.dedup();
+        all
+    };
+    let mut rows = Vec::new();
+    for (new, name) in found.names[1].iter().enumerate() {
+        let at = found.pairs.iter().position(|pair| pair.1 == new);
+        let compared = at.map(|at| found.compared[at]);
+        let is_changed = compared.is_none_or(|c| c.sameness == Sameness::Changed);
+        let old = at.map_or("", |at| found.names[0][found.pairs[at].0].as_str());
+        rows.push(RowChange {
+            row: name.clone(),
+            sameness: compared.map(|c| c.sameness),
+            added: at.is_none(),
+            error: compared.map_or(0.0, |c| c.error),
+            same_at_stated_values: at
+                .is_some_and(|at| found.stated[at].sameness != Sameness::Changed),
+            causes: if is_changed {
+                causes(old, name)
+            } else {
+                Vec::new()
+            },
+        });
+    }
+    for (old, name) in found.names[0].iter().enumerate() {
+        if found.pairs.iter().all(|pair| pair.0 != old) {
+            rows.push(RowChange {
+                row: name.clone(),
+                sameness: None,
+                added: false,
+                error: 0.0,
+                same_at_stated_values: false,
+                causes: causes(name, ""),
+            });
+        }
+    }
+    rows
+}

@@ -1,0 +1,184 @@
+//! Names of the new model in terms of the old one, and texts of statements with names replaced.
+
+use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind};
+use std::collections::BTreeMap;
+
+/// Name in the old model of each renamed thing of the new one, by class of statement.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    renamed: BTreeMap<(&'static str, String), String>,
+}
+
+impl Names {
+    /// Records that the name `new` of a class was `old`.
+    pub fn add(&mut self, class: &'static str, new: &str, old: &str) {
+        if new != old {
+            self.renamed.insert((class, new.to_owned()), old.to_owned());
+        }
+    }
+
+    /// Name in the old model of what has a name in the new one.
+    pub fn old(&self, class: &'static str, new: &str) -> String {
+        let found = self.renamed.get(&(class, new.to_owned()));
+        found.map_or_else(|| new.to_owned(), Clone::clone)
+    }
+
+    /// Name in the old model of a word of the new model's text.
+    fn word(&self, word: &str) -> Option<&str> {
+        let of = |word: &str| {
+            let mut entries = self.renamed.iter();
+            entries
+                .find(|((_, new), _)| new == word)
+                .map(|(_, old)| old.as_str())
+        };
+        of(word)
+    }
+}
+
+/// Names in a text, those of frames in `in_F` included.
+pub fn words(text: &str) -> Vec<&str> {
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    let mut out: Vec<&str> = Vec::new();
+    for word in text.split(|c| !is_name(c)).filter(|word| !word.is_empty()) {
+        out.push(word);
+        out.extend(word.strip_prefix("in_"));
+        // Components of an input have its name.
+        out.extend(
+            ["_x", "_y", "_z"]
+                .iter()
+                .find_map(|axis| word.strip_suffix(axis)),
+        );
+    }
+    out
+}
+
+/// The text with every name of the new model replaced by that of the old one.
+pub fn renamed_text(text: &str, names: &Names) -> String {
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    let mut out = String::with_capacity(text.len());
+    let mut word = String::new();
+    let flush = |word: &mut String, out: &mut String| {
+        if word.is_empty() {
+            return;
+        }
+        let frame = word.strip_prefix("in_").and_then(|w| names.word(w));
+        match (names.word(word), frame) {
+            (Some(old), _) => out.push_str(old),
+            (None, Some(old)) => {
+                out.push_str("in_");
+                out.push_str(old);
+            }
+            (None, None) => out.push_str(word),
+        }
+        word.clear();
+    };
+    for c in text.chars() {
+        if is_name(c) {
+            word.push(c);
+        } else {
+            flush(&mut word, &mut out);
+            out.push(c);
+        }
+    }
+    flush(&mut word, &mut out);
+    out
+}
+
+/// Terms in which two expressions differ, each with its sign, in the names of the old one: those that only the old one has,
+/// and those that only the new one has. Where one factor or argument alone differs, its terms.
+pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
+    let (before, after) = (terms(old), terms(new));
+    let olds: Vec<String> = before.iter().map(Term::to_string).collect();
+    let news: Vec<String> = after
+        .iter()
+        .map(|term| renamed_text(&term.to_string(), names))
+        .collect();
+    let (gone, come) = (without(&olds, &news), without(&news, &olds));
+    if let ([i], [j]) = (&gone[..], &come[..])
+        && before[*i].negative == after[*j].negative
+        && let Some((a, b)) = inner_sums(before[*i].value, after[*j].value, names)
+    {
+        return differing_terms(a, b, names);
+    }
+    let pick =
+        |from: &[String], places: &[usize]| places.iter().map(|&k| from[k].clone()).collect();
+    (pick(&olds, &gone), pick(&news, &come))
+}
+
+/// Sums within two expressions of one kind that differ in these alone; `None` if they differ in more, or in no sum.
+fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
+    let (mut a, mut b) = (old, new);
+    loop {
+        (a, b) = one_part(a, b, names)?;
+        if terms(a).len() > 1 || terms(b).len() > 1 {
+            return Some((a, b));
+        }
+    }
+}
+
+/// The only parts in which two expressions of one kind differ; `None` if they differ in more.
+fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
+    match (&old.kind, &new.kind) {
+        (ExprKind::Binary(a, ..), ExprKind::Binary(b, ..)) if a == b && *a != BinaryOp::Pow => {}
+        (ExprKind::Call(a, _), ExprKind::Call(b, _)) if a.text == b.text => {}
+        _ => return None,
+    }
+    let (mut olds, mut news) = (Vec::new(), Vec::new());
+    old.children(&mut |child| olds.push(child));
+    new.children(&mut |child| news.push(child));
+    let differ = |(a, b): &(&Expr, &Expr)| a.to_string() != renamed_text(&b.to_string(), names);
+    let mut parts = olds
+        .iter()
+        .copied()
+        .zip(news.iter().copied())
+        .filter(differ);
+    let first = parts.next()?;
+    (parts.next().is_none() && olds.len() == news.len()).then_some(first)
+}
+
+/// Places in a list of what another list does not have.
+fn without(list: &[String], other: &[String]) -> Vec<usize> {
+    let mut left = other.to_vec();
+    let is_missing = |term: &String| match left.iter().position(|o| o == term) {
+        Some(at) => {
+            left.swap_remove(at);
+            false
+        }
+        None => true,
+    };
+    let missing: Vec<bool> = list.iter().map(is_missing).collect();
+    (0..list.len()).filter(|&k| missing[k]).collect()
+}
+
+/// A term of a sum.
+struct Term<'a> {
+    negative: bool,
+    value: &'a Expr,
+}
+
+impl std::fmt::Display for Term<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let sign = if self.negative { "-" } else { "" };
+        write!(f, "{sign}{}", self.value)
+    }
+}
+
+fn terms(e: &Expr) -> Vec<Term<'_>> {
+    fn walk<'a>(e: &'a Expr, negative: bool, out: &mut Vec<Term<'a>>) {
+        match &e.kind {
+            ExprKind::Binary(BinaryOp::Add, a, b) => {
+                walk(a, negative, out);
+                walk(b, negative, out);
+            }
+            ExprKind::Binary(BinaryOp::Sub, a, b) => {
+                walk(a, negative, out);
+                walk(b, !negative, out);
+            }
+            ExprKind::Neg(a) => walk(a, !negative, out),
+            _ => out.push(Term { negative, value: e }),
+        }
+    }
+    let mut out = Vec::new();
+    walk(e, false, &mut out);
+    out
+}

@@ -1,0 +1,337 @@
+//! Which state and which parameter of a model corresponds to which of another: by name, by their role in the body, then
+//! by what they do to the equations.
+
+use super::values::Everything;
+use crate::random::Random;
+use crate::sample::typical;
+use model_spec::model::{FrameKind, Model};
+use model_spec::unit::Unit;
+use oracle::Point;
+use oracle::scalar::Field;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Number of random points at which the effect of a symbol is measured.
+const POINTS: usize = 3;
+/// Largest relative difference of two values that count as equal here.
+const CLOSE: f64 = 1e-7;
+
+/// For every state and every parameter of the new model the one of the old model that it corresponds to.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Pairing {
+    /// Index of the old state, by new state; `None` for an added one.
+    pub states: Vec<Option<usize>>,
+    /// Index of the old parameter, by new parameter; `None` for an added one.
+    pub parameters: Vec<Option<usize>>,
+}
+
+/// A name that changed.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub struct Renamed {
+    /// Name in the old model.
+    pub from: String,
+    /// Name in the new model.
+    pub to: String,
+}
+
+/// A state (true) or a parameter (false), by index.
+type Symbol = (bool, usize);
+
+impl Pairing {
+    /// Pairs the states and parameters of two models.
+    pub fn of(old: &Everything<'_>, new: &Everything<'_>) -> Self {
+        let mut pairing = Self {
+            states: by_name(&old.code.layout.states, &new.code.layout.states),
+            parameters: by_name(&old.code.layout.parameters, &new.code.layout.parameters),
+        };
+        pairing.by_role(old.model, new.model);
+        pairing.by_effect(old, new);
+        pairing
+    }
+
+    /// Index of the new state that corresponds to an old one.
+    pub fn new_state(&self, old: usize) -> Option<usize> {
+        self.states.iter().position(|&state| state == Some(old))
+    }
+
+    /// Index of the new parameter that corresponds to an old one.
+    pub fn new_parameter(&self, old: usize) -> Option<usize> {
+        self.parameters.iter().position(|&state| state == Some(old))
+    }
+
+    /// Whether every symbol of either model has its counterpart.
+    pub fn is_complete(&self, old: &Model, new: &Model) -> bool {
+        let all = |list: &[Option<usize>], count: usize| {
+            list.len() == count && list.iter().all(Option::is_some)
+        };
+        let parameters =
+            |model: &Model| model.params.len() + model.coefficients.len() + 3 * model.inputs.len();
+        new.states.len() == old.states.len()
+            && parameters(new) == parameters(old)
+            && all(&self.states, new.states.len())
+            && all(&self.parameters, parameters(new))
+    }
+
+    /// States and parameters whose names changed.
+    pub fn renamed(&self, old: &Everything<'_>, new: &Everything<'_>) -> Vec<Renamed> {
+        let (a, b) = (&old.code.layout, &new.code.layout);
+        let states = self
+            .states
+            .iter()
+            .enumerate()
+            .map(|(i, o)| (o.map(|o| &a.states[o]), &b.states[i]));
+        let parameters = self
+            .parameters
+            .iter()
+            .enumerate()
+            .map(|(i, o)| (o.map(|o| &a.parameters[o]), &b.parameters[i]));
+        states
+            .chain(parameters)
+            .filter_map(|(from, to)| {
+                let from = from.filter(|from| *from != to)?.clone();
+                Some(Renamed {
+                    from,
+                    to: to.clone(),
+                })
+            })
+            .collect()
+    }
+
+    /// The point of the new model with the values of a point of the old one; `there` gives what the old one lacks.
+    pub fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
+        let (given, mut flat) = (parameters(here), parameters(there));
+        let mut out = there.clone();
+        out.time = here.time;
+        out.marker = here.marker;
+        for (to, from) in out.states.iter_mut().zip(&self.states) {
+            *to = from.map_or(*to, |from| here.states[from]);
+        }
+        for (to, from) in flat.iter_mut().zip(&self.parameters) {
+            *to = from.map_or(*to, |from| given[from]);
+        }
+        set_parameters(&mut out, &flat);
+        out
+    }
+
+    fn by_role(&mut self, old: &Model, new: &Model) {
+        let (old, new) = (roles(old), roles(new));
+        for (role, state) in new {
+            if let Some(&from) = old.get(&role)
+                && self.states[state].is_none()
+                && self.new_state(from).is_none()
+            {
+                self.states[state] = Some(from);
+            }
+        }
+    }
+
+    /// Pairs symbols of one kind and unit that change the equations alike, the most alike first.
+    fn by_effect(&mut self, old: &Everything<'_>, new: &Everything<'_>) {
+        let (olds, news) = self.open(old.model, new.model);
+        if olds.is_empty() || news.is_empty() {
+            return;
+        }
+        let (here, there) = (
+            Effects::of(old, &olds, Some, Some),
+            Effects::of(
+                new,
+                &news,
+                |state| self.states[state],
+                |parameter| self.parameters[parameter],
+            ),
+        );
+        let mut pairs = Vec::new();
+        for (i, a) in olds.iter().enumerate() {
+            for (j, b) in news.iter().enumerate() {
+                if a.0 != b.0 || unit(old.model, *a) != unit(new.model, *b) {
+                    continue;
+                }
+                let defaults = value(old.model, *a) != value(new.model, *b);
+                pairs.push((here.conflicts(i, &there, j), defaults, i.abs_diff(j), i, j));
+            }
+        }
+        pairs.sort_unstable();
+        let (mut used, mut found) = (Vec::new(), Vec::new());
+        for (_, _, _, i, j) in pairs {
+            if !used.contains(&i) && !found.contains(&j) {
+                used.push(i);
+                found.push(j);
+                let ((is_state, from), (_, to)) = (olds[i], news[j]);
+                if is_state {
+                    self.states[to] = Some(from);
+                } else {
+                    self.parameters[to] = Some(from);
+                }
+            }
+        }
+    }
+
+    /// Symbols of both models that have no counterpart.
+    fn open(&self, old: &Model, new: &Model) -> (Vec<Symbol>, Vec<Symbol>) {
+        let states = (0..old.states.len()).filter(|&i| self.new_state(i).is_none());
+        let count = parameters(&Point::defaults(old)).len();
+        let rest = (0..count).filter(|&i| self.new_parameter(i).is_none());
+        let olds = states.map(|i| (true, i)).chain(rest.map(|i| (false, i)));
+        let states = (0..new.states.len()).filter(|&i| self.states[i].is_none());
+        let rest = (0..self.parameters.len()).filter(|&i| self.parameters[i].is_none());
+        let news = states.map(|i| (true, i)).chain(rest.map(|i| (false, i)));
+        (olds.collect(), news.collect())
+    }
+}
+
+fn by_name(old: &[String], new: &[String]) -> Vec<Option<usize>> {
+    new.iter()
+        .map(|name| old.iter().position(|o| o == name))
+        .collect()
+}
+
+/// Parameters, coefficients and components of inputs, in the order of the compiler.
+pub fn parameters<T: Field>(point: &Point<T>) -> Vec<T> {
+    let inputs = point.inputs.iter().flat_map(|v| v.iter().copied());
+    let constants = point.params.iter().chain(&point.coefficients).copied();
+    constants.chain(inputs).collect()
+}
+
+fn set_parameters<T: Field>(point: &mut Point<T>, flat: &[T]) {
+    let constants = point.params.iter_mut().chain(&mut point.coefficients);
+    let inputs = point.inputs.iter_mut().flat_map(|v| v.iter_mut());
+    for (to, from) in constants.chain(inputs).zip(flat) {
+        *to = *from;
+    }
+}
+
+/// State of each role in the body: component of the position, the velocity, the angular velocity, angle or rate of a turn.
+fn roles(model: &Model) -> BTreeMap<(&'static str, usize), usize> {
+    let mut out = BTreeMap::new();
+    let Some(body) = &model.body else {
+        return out;
+    };
+    let mut put = |role, states: &[usize]| {
+        for (k, &state) in states.iter().enumerate() {
+            out.insert((role, k), state);
+        }
+    };
+    put("position", &body.position);
+    put("velocity", &body.velocity);
+    if let Some((states, _)) = body.rotation.as_ref().and_then(|r| r.angular_velocity) {
+        put("angular velocity", &states);
+    }
+    let turned = model.frames.iter().filter_map(|frame| match frame.kind {
+        FrameKind::Turned { angle, rate, .. } => Some((angle, rate)),
+        _ => None,
+    });
+    let (angles, rates): (Vec<_>, Vec<_>) = turned.unzip();
+    put("angle", &angles);
+    put("rate", &rates.into_iter().flatten().collect::<Vec<_>>());
+    for frame in &model.frames {
+        if let FrameKind::Quaternion { states, .. } = frame.kind {
+            put("quaternion", &states);
+        }
+    }
+    out
+}
+
+fn unit(model: &Model, (is_state, index): Symbol) -> Unit {
+    if is_state {
+        return model.states[index].unit;
+    }
+    let constants = model.params.iter().chain(&model.coefficients);
+    let inputs = model.inputs.iter().flat_map(|input| [input.unit; 3]);
+    let mut units = constants.map(|c| c.unit).chain(inputs);
+    units.nth(index).unwrap_or_default()
+}
+
+fn value(model: &Model, (is_state, index): Symbol) -> f64 {
+    if is_state {
+        model.states[index].value
+    } else {
+        parameters(&Point::defaults(model))[index]
+    }
+}
+
+/// What changes in the values of a model when one open symbol changes, the other open symbols of its kind and unit being
+/// equal.
+struct Effects {
+    /// By symbol and point: values in the rows that correspond, then the sorted values of the others.
+    values: Vec<Vec<(Vec<f64>, Vec<f64>)>>,
+}
+
+impl Effects {
+    fn of(
+        model: &Everything<'_>,
+        open: &[Symbol],
+        state: impl Fn(usize) -> Option<usize>,
+        parameter: impl Fn(usize) -> Option<usize>,
+    ) -> Self {
+        let is_open = |symbol: Symbol| open.contains(&symbol);
+        let base = |round: usize, moved: Option<Symbol>| {
+            let mut point = Point::defaults(model.model);
+            let draw = |symbol: Symbol, own: Option<usize>| {
+                let unit = unit(model.model, symbol);
+                let seed = match own {
+                    Some(own) if !is_open(symbol) => format!("{round} {} {own}", symbol.0),
+                    _ if moved == Some(symbol) => format!("{round} {} {unit} moved", symbol.0),
+                    _ => format!("{round} {} {unit}", symbol.0),
+                };
+                let mut random = Random::new(0, &seed);
+                typical(unit) * random.between(0.2, 1.0)
+            };
+            for i in 0..point.states.len() {
+                point.states[i] = draw((true, i), state(i));
+            }
+            let mut flat = parameters(&point);
+            for (i, to) in flat.iter_mut().enumerate() {
+                *to = draw((false, i), parameter(i));
+            }
+            set_parameters(&mut point, &flat);
+            point.time = 0.3;
+            point.marker = [0.03, -0.05, 0.07].into();
+            model.numbers(&point)
+        };
+        let states = model.code.layout.states.len();
+        let own_row = |i: usize| !is_open((true, i));
+        let split = |values: &[f64], symbol: Symbol| {
+            let mut fixed: Vec<(usize, f64)> = Vec::new();
+            let mut rest = Vec::new();
+            for (i, &v) in values.iter().enumerate().take(states) {
+                match state(i).filter(|_| own_row(i)) {
+                    Some(old) => fixed.push((old, v)),
+                    None => rest.push(v),
+                }
+            }
+            fixed.sort_by_key(|(old, _)| *old);
+            let mut fixed: Vec<f64> = fixed.into_iter().map(|(_, v)| v).collect();
+            // What is observed does not depend on the names of the states.
+            fixed.extend(&values[states..states + model.code.observed]);
+            if symbol.0 {
+                fixed.push(values[symbol.1]);
+            }
+            rest.sort_by(f64::total_cmp);
+            (fixed, rest)
+        };
+        let of_symbol = |&symbol: &Symbol| {
+            (0..POINTS)
+                .map(|round| split(&base(round, Some(symbol)), symbol))
+                .collect()
+        };
+        Self {
+            values: open.iter().map(of_symbol).collect(),
+        }
+    }
+
+    /// Number of values that differ between a symbol here and one there.
+    fn conflicts(&self, here: usize, other: &Self, there: usize) -> usize {
+        let differ = |a: &[f64], b: &[f64]| {
+            let unequal = a.iter().zip(b).filter(|(a, b)| !is_close(**a, **b));
+            unequal.count() + a.len().abs_diff(b.len())
+        };
+        let points = self.values[here].iter().zip(&other.values[there]);
+        points
+            .map(|(a, b)| differ(&a.0, &b.0) + differ(&a.1, &b.1))
+            .sum()
+    }
+}
+
+fn is_close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= CLOSE * (a.abs() + b.abs()) + 1e-12 || (a.is_nan() && b.is_nan())
+}

@@ -1,0 +1,95 @@
+//! Units, stated values and bounds of corresponding constants, inputs and states.
+
+use super::pairing::Pairing;
+use super::values::Everything;
+use model_spec::model::{Model, Parameter};
+use serde::Serialize;
+
+/// A constant, an input or a state with another unit, value or bounds.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Restated {
+    /// Name in the new model.
+    pub name: String,
+    /// What changed: `unit`, `value` or `bounds`.
+    pub what: &'static str,
+    /// In the old model.
+    pub old: String,
+    /// In the new model.
+    pub new: String,
+}
+
+/// Units, values and bounds of corresponding constants, inputs and states that differ.
+pub fn restated(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<Restated> {
+    let mut out = Vec::new();
+    let mut note = |name: &str, what, old: String, new: String| {
+        if old != new {
+            let name = name.to_owned();
+            out.push(Restated {
+                name,
+                what,
+                old,
+                new,
+            });
+        }
+    };
+    for (state, old) in b.model.states.iter().zip(&pairing.states) {
+        let Some(old) = old.map(|old| &a.model.states[old]) else {
+            continue;
+        };
+        note(
+            &state.name,
+            "unit",
+            old.unit.to_string(),
+            state.unit.to_string(),
+        );
+        note(
+            &state.name,
+            "value",
+            old.value.to_string(),
+            state.value.to_string(),
+        );
+    }
+    let constants = |model: &Model| -> Vec<Parameter> {
+        let all = model.params.iter().chain(&model.coefficients);
+        all.cloned().collect()
+    };
+    let (olds, news) = (constants(a.model), constants(b.model));
+    let bounds = |c: &Parameter| {
+        c.bounds.map_or_else(
+            || String::from("none"),
+            |(low, high)| format!("{low} .. {high}"),
+        )
+    };
+    for (constant, old) in news.iter().zip(&pairing.parameters) {
+        let Some(old) = old.and_then(|old| olds.get(old)) else {
+            continue;
+        };
+        let name = &constant.name;
+        note(
+            name,
+            "unit",
+            old.unit.to_string(),
+            constant.unit.to_string(),
+        );
+        note(
+            name,
+            "value",
+            old.value.to_string(),
+            constant.value.to_string(),
+        );
+        note(name, "bounds", bounds(old), bounds(constant));
+    }
+    let (first, count) = (news.len(), olds.len());
+    for (k, value) in b.code.layout.defaults.iter().enumerate().skip(first) {
+        let old = pairing.parameters[k].filter(|&old| old >= count);
+        if let Some(old) = old.map(|old| a.code.layout.defaults[old]) {
+            note(
+                &b.code.layout.parameters[k],
+                "value",
+                old.to_string(),
+                value.to_string(),
+            );
+        }
+    }
+    out
+}

@@ -1,0 +1,302 @@
+//! Statements of two model files: added, removed, changed, rewritten, renamed; and which of them a derivative depends on.
+
+use super::names::{Names, differing_terms, renamed_text};
+use model_spec::syntax::ast::{Expr, ExprKind, File, Item, ItemKind, LoadClass};
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What happened to a statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Change {
+    /// Only the new model has it.
+    Added,
+    /// Only the old model has it.
+    Removed,
+    /// Its text and what it computes differ.
+    Changed,
+    /// Its text differs, and it computes the same function.
+    Rewritten,
+    /// Its name differs.
+    Renamed,
+    /// A constant, an input or a state with another stated value, unit or bounds.
+    Restated,
+}
+
+/// A statement that is not the same in both models.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Statement {
+    /// What happened to it.
+    pub change: Change,
+    /// Class and name in the new model, or in the old one where it was removed: `let alpha`, `der(u)`.
+    pub what: String,
+    /// Class and name in the old model, if another.
+    pub was: Option<String>,
+    /// Text in the old model.
+    pub old: Option<String>,
+    /// Text in the new model.
+    pub new: Option<String>,
+    /// Terms of its sum that only the old model has.
+    pub terms_removed: Vec<String>,
+    /// Terms of its sum that only the new model has.
+    pub terms_added: Vec<String>,
+    /// Key in the new model, for the search of causes.
+    #[serde(skip)]
+    key_new: Option<Key>,
+    /// Key in the old model.
+    #[serde(skip)]
+    key_old: Option<Key>,
+}
+
+/// Class and name of a statement; constants are one class, so that a parameter may become a coefficient.
+pub type Key = (&'static str, String);
+
+/// Says whether a statement of the old and one of the new file compute the same function; `None` if that is unknown.
+pub type IsSame<'a> = dyn Fn(&Key, &Key) -> Option<bool> + 'a;
+
+/// Compares the statements of two files. `same` decides whether a changed text is a changed function.
+pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<Statement> {
+    let (olds, news) = (keyed(old), keyed(new));
+    let mut out = Vec::new();
+    let mut kept: BTreeSet<Key> = BTreeSet::new();
+    for (key, item) in &news {
+        let was = (key.0, names.old(key.0, &key.1));
+        let old_item = olds.iter().find(|(k, _)| *k == was).map(|(_, item)| *item);
+        let text = item.kind.to_string();
+        let Some(old_item) = old_item else {
+            out.push(Statement {
+                change: Change::Added,
+                what: title(key),
+                was: None,
+                old: None,
+                new: Some(text),
+                terms_removed: Vec::new(),
+                terms_added: Vec::new(),
+                key_new: Some(key.clone()),
+                key_old: None,
+            });
+            continue;
+        };
+        kept.insert(was.clone());
+        let old_text = old_item.kind.to_string();
+        let equal = renamed_text(&text, names) == old_text;
+        let change = match (equal, same(&was, key)) {
+            (true, _) if was == *key => continue,
+            (true, _) => Change::Renamed,
+            (false, Some(true)) if ["constant", "input", "state"].contains(&key.0) => {
+                Change::Restated
+            }
+            (false, Some(true)) => Change::Rewritten,
+            (false, _) => Change::Changed,
+        };
+        let (terms_removed, terms_added) = match (value(old_item), value(item)) {
+            (Some(before), Some(after)) if change == Change::Changed => {
+                differing_terms(before, after, names)
+            }
+            _ => Default::default(),
+        };
+        out.push(Statement {
+            change,
+            what: title(key),
+            was: (was != *key).then(|| title(&was)),
+            old: Some(old_text),
+            new: Some(text),
+            terms_removed,
+            terms_added,
+            key_new: Some(key.clone()),
+            key_old: Some(was),
+        });
+    }
+    for (key, item) in olds.iter().filter(|(key, _)| !kept.contains(key)) {
+        out.push(Statement {
+            change: Change::Removed,
+            what: title(key),
+            was: None,
+            old: Some(item.kind.to_string()),
+            new: None,
+            terms_removed: Vec::new(),
+            terms_added: Vec::new(),
+            key_new: None,
+            key_old: Some(key.clone()),
+        });
+    }
+    out
+}
+
+/// Statements that a row depends on and that are not the same function, with the terms that differ.
+pub fn causes(
+    statements: &[Statement],
+    old: &Reach,
+    new: &Reach,
+    old_row: &str,
+    new_row: &str,
+) -> Vec<String> {
+    let (before, after) = (old.of(old_row), new.of(new_row));
+    let changes = statements.iter().filter(|s| {
+        let moves = matches!(s.change, Change::Added | Change::Removed | Change::Changed);
+        let there = |key: &Option<Key>, set: &BTreeSet<Key>| {
+            key.as_ref().is_some_and(|key| set.contains(key))
+        };
+        moves && (there(&s.key_new, &after) || there(&s.key_old, &before))
+    });
+    changes.map(Statement::cause).collect()
+}
+
+impl Statement {
+    /// The statement as a cause: what it is and which terms differ.
+    fn cause(&self) -> String {
+        match self.change {
+            Change::Added => format!("{} added", self.what),
+            Change::Removed => format!("{} removed", self.what),
+            _ if self.terms_removed.is_empty() && self.terms_added.is_empty() => {
+                format!("{} changed", self.what)
+            }
+            _ => {
+                let list = |terms: &[String]| match terms {
+                    [] => String::from("nothing"),
+                    _ => terms
+                        .iter()
+                        .map(|t| format!("`{t}`"))
+                        .collect::<Vec<_>>()
+                        .join(", "),
+                };
+                format!(
+                    "{}: {} instead of {}",
+                    self.what,
+                    list(&self.terms_added),
+                    list(&self.terms_removed)
+                )
+            }
+        }
+    }
+}
+
+fn title((class, name): &Key) -> String {
+    match *class {
+        "der" => format!("der({name})"),
+        "constant" | "clock" => name.clone(),
+        class => format!("{class} {name}").trim_end().to_owned(),
+    }
+}
+
+/// Statements by class and name; the name of the model, its reference, its checks and its effects are no part of its motion.
+pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
+    let mut limits = 0;
+    let mut key = |item: &Item| {
+        let name = |class, name: &model_spec::syntax::ast::Name| Some((class, name.text.clone()));
+        match &item.kind {
+            ItemKind::Parameter(c) => name("constant", &c.name),
+            ItemKind::Input(i) => name("input", &i.name),
+            ItemKind::State(s) => name("state", &s.name),
+            ItemKind::Frame(f) => name("frame", &f.name),
+            ItemKind::Body(_) => Some(("body", String::new())),
+            ItemKind::Let(l) => name("let", &l.name),
+            ItemKind::Load(l) if l.class == LoadClass::Force => name("force", &l.name),
+            ItemKind::Load(l) => name("moment", &l.name),
+            ItemKind::Equation(e) => name("der", &e.state),
+            ItemKind::Marker(_) => Some(("marker", String::new())),
+            ItemKind::Observe(_) => Some(("observe", String::new())),
+            ItemKind::Clock(_) => Some(("clock", String::from("clock"))),
+            ItemKind::Limit(_) => {
+                limits += 1;
+                Some(("limit", limits.to_string()))
+            }
+            _ => None,
+        }
+    };
+    let items = file.items.iter();
+    items.filter_map(|item| Some((key(item)?, item))).collect()
+}
+
+/// Right-hand side of a statement that has one.
+pub fn value(item: &Item) -> Option<&Expr> {
+    match &item.kind {
+        ItemKind::Let(l) => Some(&l.value),
+        ItemKind::Load(l) => Some(&l.value),
+        ItemKind::Equation(e) => Some(&e.value),
+        ItemKind::Observe(o) => Some(&o.value),
+        ItemKind::Clock(value) => Some(value),
+        ItemKind::Limit(l) => Some(&l.value),
+        _ => None,
+    }
+}
+
+/// Which statements each row of a model depends on.
+pub struct Reach {
+    uses: BTreeMap<Key, BTreeSet<Key>>,
+    roots: BTreeMap<String, BTreeSet<Key>>,
+}
+
+impl Reach {
+    /// Dependences of the statements of a file; `rows` are the kinds of its rows, see [`super::rows`].
+    pub fn of_file(file: &File, rows: &[(String, super::rows::RowKind)]) -> Self {
+        let items = keyed(file);
+        let by_name = |name: &str| -> Vec<Key> {
+            let classes = ["let", "constant", "input", "frame", "state", "der"];
+            let is = |key: &Key| key.1 == name && classes.contains(&key.0);
+            let found = items.iter().map(|(key, _)| key).filter(|key| is(key));
+            found.cloned().collect()
+        };
+        let mut uses = BTreeMap::new();
+        for (key, item) in &items {
+            let text = item.kind.to_string();
+            let words = super::names::words(&text);
+            let mut found: BTreeSet<Key> = words.iter().flat_map(|w| by_name(w)).collect();
+            found.remove(key);
+            // A derivative is used as `der(…)` only; a state's name alone is no use of its equation.
+            if let Some(value) = value(item) {
+                let mut used = BTreeSet::new();
+                derivatives(value, &mut used);
+                found.retain(|k| k.0 != "der" || used.contains(&k.1));
+            } else {
+                found.retain(|k| k.0 != "der");
+            }
+            uses.insert(key.clone(), found);
+        }
+        let of = |classes: &[&str]| -> BTreeSet<Key> {
+            let keys = items.iter().map(|(key, _)| key);
+            keys.filter(|key| classes.contains(&key.0))
+                .cloned()
+                .collect()
+        };
+        let roots = rows.iter().map(|(row, kind)| {
+            use super::rows::RowKind as K;
+            let set = match kind {
+                K::Stated(state) => BTreeSet::from([("der", state.clone())]),
+                K::Position => of(&["body", "frame"]),
+                K::Velocity => of(&["force", "body", "frame"]),
+                K::Rotation => of(&["moment", "body", "frame"]),
+                K::Observation => of(&["observe", "marker", "frame"]),
+                K::Limit(k) => BTreeSet::from([("limit", k.to_string())]),
+            };
+            let clock = match kind {
+                K::Observation | K::Limit(_) => BTreeSet::new(),
+                _ => of(&["clock"]),
+            };
+            (row.clone(), &set | &clock)
+        });
+        Self {
+            roots: roots.collect(),
+            uses,
+        }
+    }
+
+    /// All statements that a row depends on; empty for a row that the file does not have.
+    fn of(&self, row: &str) -> BTreeSet<Key> {
+        let mut out = BTreeSet::new();
+        let mut open: Vec<Key> = self.roots.get(row).into_iter().flatten().cloned().collect();
+        while let Some(key) = open.pop() {
+            if out.insert(key.clone()) {
+                open.extend(self.uses.get(&key).into_iter().flatten().cloned());
+            }
+        }
+        out
+    }
+}
+
+fn derivatives(e: &Expr, out: &mut BTreeSet<String>) {
+    if let ExprKind::Derivative(state) = &e.kind {
+        out.insert(state.text.clone());
+    }
+    e.children(&mut |child| derivatives(child, out));
+}

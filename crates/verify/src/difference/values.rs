@@ -1,0 +1,136 @@
+//! Every value of a model, in numbers and in the prime field: derivatives, observation, limits, named quantities, loads.
+
+use crate::checks::exact::Spot;
+use crate::engine::parameters;
+use crate::field::Machine;
+use codegen::EveryValue;
+use codegen::tape::{Inputs, Tape};
+use model_spec::model::{AuxVariable, Expr, ExprKind, Load, Model, Shape};
+use oracle::Point;
+use oracle::scalar::Prime;
+use std::ops::Range;
+
+/// A model with a program of all its values. Vectors are also re-expressed in the inertial frame, so that one vector is
+/// compared with the same one in another frame.
+pub struct Everything<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// Its values: derivatives, observation, limits, auxiliary variables, then these vectors in the inertial frame.
+    pub code: EveryValue,
+    /// Outputs of each auxiliary variable and load, by class and name.
+    pub named: Vec<Named>,
+    tape: Tape,
+}
+
+/// A named quantity or load, with its outputs.
+pub struct Named {
+    /// `let`, `force` or `moment`.
+    pub class: &'static str,
+    /// Name in the model.
+    pub name: String,
+    /// Outputs of the program: one for a number, three for a vector in the inertial frame.
+    pub outputs: Range<usize>,
+}
+
+impl<'a> Everything<'a> {
+    /// Compiles all values of a model.
+    pub fn of(model: &'a Model) -> Self {
+        let mut extended = model.clone();
+        let mut sources: Vec<(&'static str, String, usize)> = Vec::new();
+        let own = model.aux_variables.len();
+        for (index, quantity) in model.aux_variables.iter().enumerate() {
+            let place = match quantity.value.shape {
+                Shape::Vector(frame) if frame != 0 => {
+                    let value = Expr {
+                        kind: ExprKind::AuxVariable(index),
+                        ..quantity.value.clone()
+                    };
+                    add(&mut extended, value)
+                }
+                _ => index,
+            };
+            sources.push(("let", quantity.name.clone(), place));
+        }
+        let loads = |loads: &'a [Load], class: &'static str| loads.iter().map(move |l| (class, l));
+        for (class, load) in loads(&model.forces, "force").chain(loads(&model.moments, "moment")) {
+            let place = add(&mut extended, load.value.clone());
+            sources.push((class, load.name.clone(), place));
+        }
+        debug_assert!(own <= extended.aux_variables.len());
+        let code = codegen::compile_every_value(&extended);
+        let first = code.layout.states.len() + code.observed + code.limits;
+        let start = |place: usize| first + code.lets[..place].iter().sum::<usize>();
+        let named = sources
+            .into_iter()
+            .map(|(class, name, place)| Named {
+                class,
+                name,
+                outputs: start(place)..start(place) + code.lets[place],
+            })
+            .collect();
+        Self {
+            model,
+            tape: Tape::new(&code.program),
+            code,
+            named,
+        }
+    }
+
+    /// Names of the rows that are compared: derivatives, observation, limits.
+    pub fn rows(&self) -> Vec<String> {
+        let states = self.code.layout.states.iter();
+        let observed = ["x", "y", "z"].into_iter().take(self.code.observed);
+        let limits = 1..=self.code.limits;
+        states
+            .map(|state| format!("der({state})"))
+            .chain(observed.map(|axis| format!("observation {axis}")))
+            .chain(limits.map(|k| format!("limit {k}")))
+            .collect()
+    }
+
+    /// All values at a point, in numbers.
+    pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
+        let (p, marker) = (
+            parameters(point),
+            [point.marker.x, point.marker.y, point.marker.z],
+        );
+        let mut out = vec![0.0; self.tape.outputs()];
+        let inputs = Inputs {
+            t: point.time,
+            x: &point.states,
+            p: &p,
+            prepared: &[],
+            marker: &marker,
+        };
+        self.tape.eval(inputs, &mut Vec::new(), &mut out);
+        out
+    }
+
+    /// All values at a point of the prime field; `None` for a value that does not exist there.
+    pub fn exact(&self, spot: &Spot) -> Vec<Option<Prime>> {
+        Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
+    }
+}
+
+/// Adds a quantity to a model: a value, a vector being re-expressed in the inertial frame; returns its index.
+fn add(model: &mut Model, value: Expr) -> usize {
+    let index = model.aux_variables.len();
+    let span = value.span;
+    let value = match value.shape {
+        Shape::Vector(frame) if frame != 0 => Expr {
+            shape: Shape::Vector(0),
+            unit: value.unit,
+            span,
+            kind: ExprKind::Reexpress(Box::new(value)),
+        },
+        _ => value,
+    };
+    model.aux_variables.push(AuxVariable {
+        name: format!("compared_{index}"),
+        doc: String::new(),
+        value,
+        span,
+        effect: None,
+    });
+    index
+}

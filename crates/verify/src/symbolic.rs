@@ -1,0 +1,143 @@
+//! The prime field with the functions of the model language, for the oracle: functions are the symbols of [`crate::field`].
+//!
+//! A function value may not exist in the field, and the sine of an angle depends on how the angle was made. Both are kept
+//! for the thread while [`evaluate`] runs.
+
+use crate::field::{self, Angle};
+use codegen::functions::MathFunction;
+use num_traits::{One, Zero};
+use oracle::scalar::{Elementary, Field, Prime, Real};
+use std::cell::RefCell;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// An element of the prime field, with the functions of the language.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Symbolic(pub Prime);
+
+#[derive(Default)]
+struct Context {
+    angles: Vec<Angle>,
+    is_missing: bool,
+}
+
+thread_local! {
+    static CONTEXT: RefCell<Context> = RefCell::new(Context::default());
+}
+
+/// Result of an evaluation in which the sines and cosines of `angles` are known; `None` if a value does not exist.
+pub fn evaluate<R>(angles: Vec<Angle>, task: impl FnOnce() -> R) -> Option<R> {
+    let fresh = Context {
+        angles,
+        is_missing: false,
+    };
+    CONTEXT.with_borrow_mut(|context| *context = fresh);
+    let result = task();
+    let context = CONTEXT.take();
+    (!context.is_missing).then_some(result)
+}
+
+fn or_missing(value: Option<Prime>) -> Symbolic {
+    Symbolic(value.unwrap_or_else(|| {
+        CONTEXT.with_borrow_mut(|context| context.is_missing = true);
+        Prime::zero()
+    }))
+}
+
+fn circle(angle: Prime) -> (Prime, Prime) {
+    CONTEXT.with_borrow(|context| {
+        field::known(angle, &context.angles).unwrap_or_else(|| field::circle(angle))
+    })
+}
+
+fn polar(y: Prime, x: Prime) -> Symbolic {
+    or_missing(field::angle(y, x).map(|found| {
+        CONTEXT.with_borrow_mut(|context| context.angles.push(found));
+        found.0
+    }))
+}
+
+macro_rules! operator {
+    ($($trait:ident $method:ident $assign:ident $assign_method:ident;)*) => {$(
+        impl $trait for Symbolic {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self($trait::$method(self.0, other.0))
+            }
+        }
+        impl $assign for Symbolic {
+            fn $assign_method(&mut self, other: Self) {
+                *self = $trait::$method(*self, other);
+            }
+        }
+    )*};
+}
+
+operator! {
+    Add add AddAssign add_assign;
+    Sub sub SubAssign sub_assign;
+    Mul mul MulAssign mul_assign;
+    Div div DivAssign div_assign;
+}
+
+impl Neg for Symbolic {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Zero for Symbolic {
+    fn zero() -> Self {
+        Self(Prime::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.is_zero()
+    }
+}
+
+impl One for Symbolic {
+    fn one() -> Self {
+        Self(Prime::one())
+    }
+}
+
+impl Field for Symbolic {
+    fn integer(value: i64) -> Self {
+        Self(Prime::integer(value))
+    }
+
+    fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self> {
+        let fraction = exact.map(|(n, d)| Prime::integer(n) / Prime::integer(d));
+        Some(Self(fraction.unwrap_or_else(|| field::literal(value))))
+    }
+}
+
+impl Real for Symbolic {
+    fn lit(value: f64) -> Self {
+        Self(field::literal(value))
+    }
+
+    /// No singular point: inside the domain of every function.
+    fn re(self) -> f64 {
+        0.5
+    }
+
+    fn elementary(self, function: Elementary) -> Self {
+        let call = |function| Self(field::call(function, self.0));
+        match function {
+            Elementary::Sqrt => or_missing(field::root(self.0)),
+            Elementary::Sin => Self(circle(self.0).0),
+            Elementary::Cos => Self(circle(self.0).1),
+            Elementary::Atan => polar(self.0, Prime::one()),
+            Elementary::Asin => call(MathFunction::Asin),
+            Elementary::Exp => call(MathFunction::Exp),
+            Elementary::Log => call(MathFunction::Log),
+            Elementary::Tanh => call(MathFunction::Tanh),
+        }
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        polar(self.0, x.0)
+    }
+}

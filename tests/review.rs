@@ -1,0 +1,119 @@
+//! The review of models: what could not be verified, and what a change does.
+
+use std::path::Path;
+
+use assert_cmd::Command;
+
+fn hyzer() -> Command {
+    Command::cargo_bin("hyzer").expect("the program is built with its tests")
+}
+
+fn stdout(command: &mut Command, code: i32) -> String {
+    let output = command.assert().code(code).get_output().clone();
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn repository() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn what_could_not_be_checked_has_an_exit_status_of_its_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("swing.hyz");
+    let text = "model swing; param l = 1 m; param g = 9.81 m/s^2; frame N;
+        state phi = 10 deg; state phidot = 0 rad/s; der(phi) = phidot; der(phidot) = -g/l*sin(phi);";
+    std::fs::write(&model, text).expect("a file");
+    let told = stdout(hyzer().arg("verify").arg(&model), 3);
+    assert!(told.contains("NOT VERIFIED: reference"), "{told}");
+    let told = stdout(hyzer().arg("verify").arg(&model).arg("--json"), 3);
+    let value: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+    assert_eq!(value["holds"], true);
+    assert_eq!(value["outcome"], "not-verified");
+    let help = stdout(hyzer().args(["verify", "--help"]), 0);
+    assert!(help.contains("3 not verified"), "{help}");
+}
+
+#[test]
+fn diff_says_the_same_function_of_a_rewriting_and_names_what_a_change_changes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let disc = std::fs::read_to_string(repository().join("model-spec/models/disc.hyz"));
+    let disc = disc.expect("the disc");
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("a file");
+    };
+    let diff = |arguments: &[&str], code| {
+        let told = hyzer()
+            .arg("diff")
+            .args(arguments)
+            .current_dir(folder.path())
+            .assert()
+            .code(code)
+            .get_output()
+            .clone();
+        (
+            String::from_utf8(told.stdout).expect("text"),
+            String::from_utf8(told.stderr).expect("text"),
+        )
+    };
+    write(
+        "new.hyz",
+        &disc
+            .replace("C_L0", "C_L_0")
+            .replace("rho_air*V^2/2", "V*rho_air/2*V"),
+    );
+    let (told, _) = diff(&["disc", "new.hyz"], 0);
+    assert!(told.contains(": the same function"), "{told}");
+    assert!(told.contains("C_L0 → C_L_0"), "{told}");
+
+    let git = |arguments: &[&str]| {
+        let mut git = std::process::Command::new("git");
+        let identity = ["-c", "user.name=a", "-c", "user.email=a@b"];
+        let done = git
+            .args(identity)
+            .args(arguments)
+            .current_dir(folder.path());
+        assert!(
+            done.output().expect("git").status.success(),
+            "{arguments:?}"
+        );
+    };
+    git(&["init", "--quiet"]);
+    git(&["add", "new.hyz"]);
+    git(&["commit", "--quiet", "--message", "first"]);
+    write("new.hyz", &disc);
+    git(&["commit", "--quiet", "--all", "--message", "second"]);
+    write("new.hyz", &disc.replace("C_Da*alpha^2", "C_Da*alpha^3"));
+    let (told, _) = diff(&["HEAD:new.hyz", "new.hyz"], 1);
+    assert!(
+        told.contains("another function: der(u), der(v), der(w)"),
+        "{told}"
+    );
+    let (told, _) = diff(&["HEAD:new.hyz", "new.hyz", "--json"], 1);
+    let value: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+    assert_eq!(value["schema"], "hyzer.diff/1");
+    assert_eq!(value["changed"], true);
+    assert_eq!(value["flights"].as_array().map(Vec::len), Some(3));
+    let (told, _) = diff(&["HEAD:new.hyz", "new.hyz", "--markdown", "--time"], 1);
+    assert!(
+        told.contains("| `der(u)` |") && told.contains("| ns of `f`"),
+        "{told}"
+    );
+
+    for (wanted, why) in [
+        ("HEAD:none.hyz", "git has no such file"),
+        ("none:new.hyz", "git has no such file"),
+        ("--output=x:new.hyz", "begins with `-`"),
+        ("nothing", "there is no model"),
+    ] {
+        let (_, error) = diff(&["--", wanted, "disc"], 2);
+        assert!(error.contains(why), "{wanted}: {error}");
+    }
+    assert!(!folder.path().join("x:new.hyz").exists());
+    let (told, _) = diff(&["disc_appendix_printed", "disc_appendix"], 1);
+    assert!(told.contains("units\n  mended"), "{told}");
+    let term = "I_a*(der(phidot)*sin(theta) + phidot*thetadot*cos(theta))";
+    let by = format!("by der(gammadot): `-{term}` instead of `-{term}*cos(theta)`");
+    assert!(told.contains(&by), "{told}");
+}
