@@ -148,8 +148,12 @@ impl Search<'_> {
         let Some((onset, local)) = self.contact(&whole, local.clone(), within) else {
             return was_found.then(|| self.whole(whole, local)).flatten();
         };
-        let is_new = onset.sample != end && (was_found || is_upward(&onset));
-        is_new.then(|| self.ended(whole, &onset, local)).flatten()
+        if onset.sample == end {
+            return None;
+        }
+        let moved = self.ended(whole, &onset, local)?;
+        let is_contact = was_found || is_upward(&onset) && self.is_like_the_others(&moved);
+        is_contact.then_some(moved)
     }
 
     /// A flight without an end, if the model predicts all of it: what seemed a contact was none.
@@ -174,9 +178,15 @@ impl Search<'_> {
         let moved = self
             .ended(whole, &onset, local)
             .filter(|_| is_upward(&onset))?;
-        let unknowns = (self.global, &moved.local);
-        let scale = residual_scale(self.problem, &moved.observations, unknowns, onset.sample)?;
-        (scale <= LIKE_RATIO * self.usual).then_some(moved)
+        self.is_like_the_others(&moved).then_some(moved)
+    }
+
+    /// Whether a flight flies as the others do up to its end.
+    fn is_like_the_others(&self, moved: &Moved) -> bool {
+        let (observations, unknowns) = (&moved.observations, (self.global, &moved.local));
+        let samples = observations.times.len();
+        let scale = residual_scale(self.problem, observations, unknowns, samples);
+        scale.is_some_and(|scale| scale <= LIKE_RATIO * self.usual)
     }
 
     /// The first contact between two samples, with the initial state of the flight before.
