@@ -32,6 +32,9 @@ const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 /// Part of the least gains and jumps from which on a comparison by a rough estimate of the noise may be that of a touch.
 const ROUGH: f64 = 0.5;
 
+/// Number of samples between such comparisons: a touch shows in several.
+const ROUGH_STEP: usize = 2;
+
 /// A touch of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
@@ -58,13 +61,13 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
         ],
     };
     let indices = LEAST_BEFORE..=points.len() - LEAST_AFTER;
-    let compare = |character: &Character| -> Vec<Comparison> {
-        let each = indices.clone();
+    let compare = |character: &Character, step: usize| -> Vec<Comparison> {
+        let each = indices.clone().step_by(step);
         each.filter_map(|index| character.compare(&points, index, None))
             .collect()
     };
     // What differences of samples show as noise lacks what is correlated.
-    let rough = compare(&character);
+    let rough = compare(&character, ROUGH_STEP);
     let noise = |part: usize| quartile(rough.iter().map(|c| c.variances[part])).sqrt();
     let first = character;
     character.noise = [noise(0).max(1e-9), noise(1).max(1e-9)];
@@ -72,7 +75,7 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
     if !rough.iter().any(|of| may_be_touch(of, gains(of))) {
         return None;
     }
-    let comparisons = compare(&character);
+    let comparisons = compare(&character, 1);
     let quartiles = [0, 1].map(|part| quartile(comparisons.iter().map(|c| c.gains[part])));
     let found = comparisons.iter().enumerate().find(|(place, comparison)| {
         let usual = [0, 1].map(|part| {

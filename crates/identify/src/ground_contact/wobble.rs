@@ -15,6 +15,8 @@ const LEAST_SPIN: f64 = 24.0;
 const SPIN_PART: usize = 3;
 /// Least turn of the wobble from sample to sample, rad, its step, and the number of steps, up to half a turn.
 const TURNS: (f64, f64, usize) = (0.25, 0.05, 56);
+/// Number of these steps between the turns that are tried first.
+const COARSE: usize = 3;
 /// Number of points that show the rate of the wobble.
 const CHUNK: usize = 12;
 /// Time that scales the powers of a polynomial over these points, s.
@@ -73,7 +75,7 @@ fn steadiest_axis(posed: &[(PathPoint, UnitQuaternion<f64>)]) -> Option<Vector3<
 /// in short pieces of the flight, at a median interval, s, between samples. An impact changes the wobble, not its rate.
 pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
     let (least, step, count) = TURNS;
-    let rates = (0..count).map(|index| (least + step * index as f64) / interval);
+    let rate = |index: usize| (least + step * index as f64) / interval;
     let misfit = |rate: f64| {
         let each = points.chunks_exact(CHUNK).filter_map(|chunk| {
             let middle = chunk[CHUNK / 2].time;
@@ -93,9 +95,17 @@ pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
         });
         each.sum::<f64>()
     };
-    let misfits = rates.map(|rate| (misfit(rate), rate));
-    let best = misfits.min_by(|a, b| a.0.total_cmp(&b.0));
-    best.map_or(least / interval, |(_, rate)| rate)
+    let best = |indices: &mut dyn Iterator<Item = usize>| {
+        let misfits = indices.map(|index| (misfit(rate(index)), index));
+        misfits
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map_or(0, |(_, index)| index)
+    };
+    // The pieces are too short for the misfit to change much in a few steps.
+    let near = best(&mut (0..count).step_by(COARSE));
+    rate(best(
+        &mut (near.saturating_sub(COARSE - 1)..count.min(near + COARSE)),
+    ))
 }
 
 /// Correlation of the noise of neighbouring samples, by third differences of neighbouring samples and of every other one;

@@ -15,6 +15,7 @@ const CLASSES: [f64; 5] = [0.0, 0.005, 0.05, 0.3, f64::INFINITY];
 
 #[derive(Serialize)]
 struct Results {
+    threads: usize,
     fits: usize,
     reached: usize,
     aborted: usize,
@@ -76,6 +77,7 @@ pub fn fits_page(outcomes: &[FitOutcome]) -> Result<Page, StudyError> {
     slow.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
     let not_converged = |o: &&&FitOutcome| o.status.is_some_and(|status| !status.converged());
     let results = Results {
+        threads: outcomes.first().map_or(1, |outcome| outcome.threads),
         fits: total.fits,
         reached: total.reached,
         aborted: total.aborted,

@@ -28,8 +28,10 @@ pub struct FitOutcome {
     pub lost: [usize; 2],
     /// Why the iteration ended; `None` without a result.
     pub status: Option<FitStatus>,
-    /// Computing time, s, on one thread.
+    /// Time, s, on this number of threads.
     pub seconds: f64,
+    /// Number of threads of the fit.
+    pub threads: usize,
 }
 
 impl FitOutcome {
@@ -41,29 +43,31 @@ impl FitOutcome {
     }
 }
 
-/// Fits the datasets of the seeds on this number of threads; calls `progress` after each with its number.
+/// Fits the datasets of the seeds, this number of them at a time, each on its part of the processors; calls `progress` after each with its number.
 pub fn fits(
     seeds: &[u64],
     threads: usize,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Vec<FitOutcome> {
     let finished = AtomicUsize::new(0);
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let of_fit = (processors / threads.max(1)).max(1);
     batch::each_on(threads, seeds.len(), |index| {
-        let outcome = fit_outcome(FitCase::of(seeds[index]));
+        let outcome = fit_outcome(FitCase::of(seeds[index]), of_fit);
         progress(1 + finished.fetch_add(1, Ordering::Relaxed), seeds.len());
         outcome
     })
 }
 
-/// Makes the flights of a random fit and fits them.
+/// Makes the flights of a random fit and fits them on this number of threads.
 ///
 /// # Panics
 /// If the built-in effects do not load.
-pub fn fit_outcome(case: FitCase) -> FitOutcome {
+pub fn fit_outcome(case: FitCase, threads: usize) -> FitOutcome {
     let [exact, dataset] = case.datasets();
     let model = model_spec::load::load("disc", &case.names()).expect("effects that load");
     let options = FitOptions {
-        threads: Some(1),
+        threads: Some(threads),
         ..FitOptions::default()
     };
     let clock = std::time::Instant::now();
@@ -77,6 +81,7 @@ pub fn fit_outcome(case: FitCase) -> FitOutcome {
         lost: [0, 0],
         status: None,
         seconds,
+        threads,
     };
     let report = match fitted {
         Ok(fitted) => fitted.report,
