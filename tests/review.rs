@@ -24,10 +24,10 @@ fn what_could_not_be_checked_has_an_exit_status_of_its_own() {
     let text = "model swing; param l = 1 m; param g = 9.81 m/s^2; frame N;
         state phi = 10 deg; state phidot = 0 rad/s; der(phi) = phidot; der(phidot) = -g/l*sin(phi);";
     std::fs::write(&model, text).expect("a file");
-    let told = stdout(hyzer().arg("verify").arg(&model), 3);
-    assert!(told.contains("NOT VERIFIED: reference"), "{told}");
-    let told = stdout(hyzer().arg("verify").arg(&model).arg("--json"), 3);
-    let value: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+    let output = stdout(hyzer().arg("verify").arg(&model), 3);
+    assert!(output.contains("NOT VERIFIED: reference"), "{output}");
+    let output = stdout(hyzer().arg("verify").arg(&model).arg("--json"), 3);
+    let value: serde_json::Value = serde_json::from_str(&output).expect("JSON");
     assert_eq!(value["holds"], true);
     assert_eq!(value["outcome"], "not-verified");
     let help = stdout(hyzer().args(["verify", "--help"]), 0);
@@ -44,7 +44,7 @@ fn diff_says_the_same_function_of_a_rewriting_and_names_what_a_change_changes() 
         std::fs::write(&path, text).expect("a file");
     };
     let diff = |arguments: &[&str], code| {
-        let told = hyzer()
+        let output = hyzer()
             .arg("diff")
             .args(arguments)
             .current_dir(folder.path())
@@ -53,8 +53,8 @@ fn diff_says_the_same_function_of_a_rewriting_and_names_what_a_change_changes() 
             .get_output()
             .clone();
         (
-            String::from_utf8(told.stdout).expect("text"),
-            String::from_utf8(told.stderr).expect("text"),
+            String::from_utf8(output.stdout).expect("text"),
+            String::from_utf8(output.stderr).expect("text"),
         )
     };
     write(
@@ -63,9 +63,9 @@ fn diff_says_the_same_function_of_a_rewriting_and_names_what_a_change_changes() 
             .replace("C_L0", "C_L_0")
             .replace("rho_air*V^2/2", "V*rho_air/2*V"),
     );
-    let (told, _) = diff(&["disc", "new.hyz"], 0);
-    assert!(told.contains(": the same function"), "{told}");
-    assert!(told.contains("C_L0 → C_L_0"), "{told}");
+    let (output, _) = diff(&["disc", "new.hyz"], 0);
+    assert!(output.contains(": the same function"), "{output}");
+    assert!(output.contains("C_L0 → C_L_0"), "{output}");
 
     let git = |arguments: &[&str]| {
         let mut git = std::process::Command::new("git");
@@ -85,20 +85,20 @@ fn diff_says_the_same_function_of_a_rewriting_and_names_what_a_change_changes() 
     write("new.hyz", &disc);
     git(&["commit", "--quiet", "--all", "--message", "second"]);
     write("new.hyz", &disc.replace("C_Da*alpha^2", "C_Da*alpha^3"));
-    let (told, _) = diff(&["HEAD:new.hyz", "new.hyz"], 1);
+    let (output, _) = diff(&["HEAD:new.hyz", "new.hyz"], 1);
     assert!(
-        told.contains("another function: der(u), der(v), der(w)"),
-        "{told}"
+        output.contains("another function: der(u), der(v), der(w)"),
+        "{output}"
     );
-    let (told, _) = diff(&["HEAD:new.hyz", "new.hyz", "--json"], 1);
-    let value: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+    let (output, _) = diff(&["HEAD:new.hyz", "new.hyz", "--json"], 1);
+    let value: serde_json::Value = serde_json::from_str(&output).expect("JSON");
     assert_eq!(value["schema"], "hyzer.diff/1");
     assert_eq!(value["changed"], true);
     assert_eq!(value["flights"].as_array().map(Vec::len), Some(3));
-    let (told, _) = diff(&["HEAD:new.hyz", "new.hyz", "--markdown", "--time"], 1);
+    let (output, _) = diff(&["HEAD:new.hyz", "new.hyz", "--markdown", "--time"], 1);
     assert!(
-        told.contains("| `der(u)` |") && told.contains("| ns of `f`"),
-        "{told}"
+        output.contains("| `der(u)` |") && output.contains("| ns of `f`"),
+        "{output}"
     );
 
     for (wanted, why) in [
@@ -111,9 +111,9 @@ fn diff_says_the_same_function_of_a_rewriting_and_names_what_a_change_changes() 
         assert!(error.contains(why), "{wanted}: {error}");
     }
     assert!(!folder.path().join("x:new.hyz").exists());
-    let (told, _) = diff(&["disc_appendix_printed", "disc_appendix"], 1);
-    assert!(told.contains("units\n  mended"), "{told}");
+    let (output, _) = diff(&["disc_appendix_printed", "disc_appendix"], 1);
+    assert!(output.contains("units\n  mended"), "{output}");
     let term = "I_a*(der(phidot)*sin(theta) + phidot*thetadot*cos(theta))";
     let by = format!("by der(gammadot): `-{term}` instead of `-{term}*cos(theta)`");
-    assert!(told.contains(&by), "{told}");
+    assert!(output.contains(&by), "{output}");
 }

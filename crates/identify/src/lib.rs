@@ -53,9 +53,7 @@ pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_mo
 pub use noise::{Moments, NoiseModel};
 pub use noise_floor::{median_noise_floor, noise_floor};
 pub use observations::Observations;
-pub use predict::{
-    Loss, PointResidual, Residuals, Unknowns, each_residual, linearise, linearise_with,
-};
+pub use predict::{Loss, PointResidual, Residuals, each_residual, linearise, linearise_with};
 pub use problem::{FitProblem, GlobalParameter};
 pub use state_manifold::StateManifold;
 
@@ -65,6 +63,6 @@ pub use screening::{DataFault, FaultKind};
 // Least squares over many flights.
 pub use least_squares::{
     Constraint, FailedFlight, Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, Solution,
-    SolveError, StopReason, StoppingCriteria, UndeterminedFlight, constrained_step, eliminate,
-    pseudo_inverse, solve,
+    SolveError, StopReason, StoppingCriteria, UndeterminedFlight, Unknowns, constrained_step,
+    eliminate, pseudo_inverse, solve,
 };

@@ -37,20 +37,7 @@ impl Values {
     }
 
     fn eval(&self, point: &Point<f64>) -> Vec<f64> {
-        let (p, marker) = (
-            parameters(point),
-            [point.marker.x, point.marker.y, point.marker.z],
-        );
-        let mut out = vec![0.0; self.tape.outputs()];
-        let inputs = Inputs {
-            t: point.time,
-            x: &point.states,
-            p: &p,
-            prepared: &[],
-            marker: &marker,
-        };
-        self.tape.eval(inputs, &mut Vec::new(), &mut out);
-        out
+        evaluated(&self.tape, point)
     }
 }
 
@@ -67,4 +54,22 @@ impl Equations for Values {
             _ => None,
         }
     }
+}
+
+/// Outputs of a tape at a point, in numbers.
+pub(crate) fn evaluated(tape: &Tape, point: &Point<f64>) -> Vec<f64> {
+    let (p, marker) = (
+        parameters(point),
+        [point.marker.x, point.marker.y, point.marker.z],
+    );
+    let mut out = vec![0.0; tape.outputs()];
+    let inputs = Inputs {
+        t: point.time,
+        x: &point.states,
+        p: &p,
+        prepared: &[],
+        marker: &marker,
+    };
+    tape.eval(inputs, &mut Vec::new(), &mut out);
+    out
 }

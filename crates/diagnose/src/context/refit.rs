@@ -122,23 +122,11 @@ impl<'a> Refit<'a> {
         }
     }
 
-    fn linearise_by(
-        &self,
-        flight: usize,
-        unknowns: (&DVector<f64>, &DVector<f64>),
-        by: Unknowns,
-    ) -> Result<NormalBlock, FlightError> {
-        let observations = &self.flights[flight];
-        let samples = observations.times.len();
-        let loss = Loss::Whitened(self.noise);
-        linearise(&self.problem, observations, unknowns, samples, by, loss)
-    }
-
     /// The iterate after one full Gauss–Newton step, even if the sum of squares is greater there: the minimum with a new
     /// effect lies along a curved valley that short steps follow slowly.
     fn full_step(&self, from: &Iterate) -> Option<Iterate> {
         let blocks = batch::each_on(self.threads, self.flights.len(), |flight| {
-            self.linearise(flight, &from.global, &from.local[flight])
+            self.linearise(flight, (&from.global, &from.local[flight]), Unknowns::All)
         });
         let blocks: Vec<NormalBlock> = blocks.into_iter().collect::<Result<_, _>>().ok()?;
         let system = eliminate(&blocks, 0.0).ok()?;
@@ -163,19 +151,13 @@ impl LeastSquaresProblem for Refit<'_> {
     fn linearise(
         &self,
         flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
+        unknowns: (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
     ) -> Result<NormalBlock, FlightError> {
-        self.linearise_by(flight, (global, local), Unknowns::All)
-    }
-
-    fn linearise_local(
-        &self,
-        flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
-    ) -> Result<NormalBlock, FlightError> {
-        self.linearise_by(flight, (global, local), Unknowns::Local)
+        let observations = &self.flights[flight];
+        let samples = observations.times.len();
+        let loss = Loss::Whitened(self.noise);
+        linearise(&self.problem, observations, unknowns, samples, by, loss)
     }
 
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {

@@ -14,9 +14,10 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use super::wrong_minimum::{is_better, is_suspect};
 use crate::initial_state;
+use crate::least_squares::Unknowns;
 use crate::observations::Observations;
 use crate::options::FitOptions;
-use crate::predict::{Loss, Unknowns, linearise};
+use crate::predict::{Loss, linearise};
 use crate::problem::FitProblem;
 
 /// Length of the shortest arcs, s.

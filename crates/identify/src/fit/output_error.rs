@@ -3,10 +3,10 @@
 use nalgebra::DVector;
 
 use crate::error::FlightError;
-use crate::least_squares::{Constraint, LeastSquaresProblem, NormalBlock};
+use crate::least_squares::{Constraint, LeastSquaresProblem, NormalBlock, Unknowns};
 use crate::observations::Observations;
 use crate::options::FitOptions;
-use crate::predict::{Loss, Unknowns, linearise};
+use crate::predict::{Loss, linearise};
 use crate::problem::FitProblem;
 
 /// Sum of squared residuals of the predicted marker positions over the first samples of some flights.
@@ -86,39 +86,20 @@ impl LeastSquaresProblem for OutputError<'_> {
     fn linearise(
         &self,
         flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
+        (global, local): (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
     ) -> Result<NormalBlock, FlightError> {
         let (global, by) = match self.fixed_global {
             Some(fixed) => (fixed, Unknowns::Local),
-            None => (global, Unknowns::All),
+            None => (global, by),
         };
         let (observations, samples) = (self.flights[flight], self.samples[flight]);
         let unknowns = (global, local);
         let block = linearise(self.problem, observations, unknowns, samples, by, self.loss);
-        if self.fixed_global.is_none() {
+        if by == Unknowns::All {
             self.options.flight_done();
         }
         block
-    }
-
-    fn linearise_local(
-        &self,
-        flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
-    ) -> Result<NormalBlock, FlightError> {
-        let global = self.fixed_global.unwrap_or(global);
-        let (observations, samples) = (self.flights[flight], self.samples[flight]);
-        let unknowns = (global, local);
-        linearise(
-            self.problem,
-            observations,
-            unknowns,
-            samples,
-            Unknowns::Local,
-            self.loss,
-        )
     }
 
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {

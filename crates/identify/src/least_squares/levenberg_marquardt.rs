@@ -5,7 +5,7 @@ use flight::batch;
 use super::local_refinement::{OneFlight, with_refined_locals};
 use super::{
     Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, SchurComplement, SolveError,
-    StopReason, StoppingCriteria, constrained_step,
+    StopReason, StoppingCriteria, Unknowns, constrained_step,
 };
 use crate::error::FlightError;
 
@@ -196,7 +196,11 @@ impl Linearization {
             if problem.is_cancelled() {
                 return Err(FlightError::Interrupted);
             }
-            let block = problem.linearise(flight, &iterate.global, &iterate.local[flight])?;
+            let block = problem.linearise(
+                flight,
+                (&iterate.global, &iterate.local[flight]),
+                Unknowns::All,
+            )?;
             let complement = SchurComplement::new(&block, damping);
             Ok((block, complement))
         });

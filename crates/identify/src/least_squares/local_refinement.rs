@@ -4,7 +4,7 @@
 use flight::batch;
 use nalgebra::DVector;
 
-use super::{Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError};
+use super::{Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, Unknowns};
 use crate::error::FlightError;
 
 /// Sum of squares of one flight, as a function of its local parameters.
@@ -22,20 +22,12 @@ impl LeastSquaresProblem for OneFlight<'_> {
     fn linearise(
         &self,
         _: usize,
-        _: &DVector<f64>,
-        local: &DVector<f64>,
+        (_, local): (&DVector<f64>, &DVector<f64>),
+        _: Unknowns,
     ) -> Result<NormalBlock, FlightError> {
+        let unknowns = (self.global, local);
         self.problem
-            .linearise_local(self.flight, self.global, local)
-    }
-
-    fn linearise_local(
-        &self,
-        flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
-    ) -> Result<NormalBlock, FlightError> {
-        self.linearise(flight, global, local)
+            .linearise(self.flight, unknowns, Unknowns::Local)
     }
 
     fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {

@@ -16,7 +16,7 @@ pub(crate) use gram_accumulator::GramAccumulator;
 pub use levenberg_marquardt::{Solution, solve, solve_after};
 pub(crate) use normal_equations::SchurComplement;
 pub use normal_equations::{NormalBlock, ReducedSystem, UndeterminedFlight, eliminate};
-pub use problem::{FailedFlight, Iterate, LeastSquaresProblem, SolveError};
+pub use problem::{FailedFlight, Iterate, LeastSquaresProblem, SolveError, Unknowns};
 pub(crate) use scaled_cholesky::floored_inverse;
 pub use scaled_cholesky::pseudo_inverse;
 pub use stopping_criteria::{StopReason, StoppingCriteria};

@@ -5,31 +5,30 @@ use nalgebra::DVector;
 use super::{Constraint, NormalBlock, UndeterminedFlight};
 use crate::error::FlightError;
 
+/// Unknowns by which residuals are differentiated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unknowns {
+    /// The local parameters: the flight's initial state.
+    Local,
+    /// The local and the global parameters.
+    All,
+}
+
 /// Sum of squares over flights, as a function of global parameters and of local parameters of each flight.
 pub trait LeastSquaresProblem: Sync {
     /// Number of flights.
     fn flights(&self) -> usize;
 
-    /// Normal equations of a flight's residuals.
+    /// Normal equations of a flight's residuals at these global and local parameters; by the local ones alone where the
+    /// global ones are fixed.
     ///
     /// # Errors
     /// [`FlightError`] if the flight cannot be predicted from these values.
     fn linearise(
         &self,
         flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
-    ) -> Result<NormalBlock, FlightError>;
-
-    /// Normal equations of a flight's residuals by its local parameters alone, at fixed global ones.
-    ///
-    /// # Errors
-    /// Those of [`LeastSquaresProblem::linearise`].
-    fn linearise_local(
-        &self,
-        flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
+        unknowns: (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
     ) -> Result<NormalBlock, FlightError>;
 
     /// A flight's local parameters after a step (the retraction of its manifold).

@@ -3,6 +3,14 @@ use nalgebra::DVector;
 use super::*;
 use crate::ids::LocalId;
 
+/// The part of normal equations by one local and one global parameter.
+fn of(block: NormalBlock, by: Unknowns) -> NormalBlock {
+    match by {
+        Unknowns::All => block,
+        Unknowns::Local => block.select(&[LocalId::new(0)], &[]),
+    }
+}
+
 /// Test problem: each flight is `y = local * exp(-global t)`.
 struct Decay {
     data: Vec<Vec<(f64, f64)>>,
@@ -17,8 +25,8 @@ impl LeastSquaresProblem for Decay {
     fn linearise(
         &self,
         flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
+        (global, local): (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
     ) -> Result<NormalBlock, crate::error::FlightError> {
         let mut block = NormalBlock::zero(1, 1);
         for &(t, y) in &self.data[flight] {
@@ -26,17 +34,7 @@ impl LeastSquaresProblem for Decay {
             let by_global = DVector::from_element(1, -t * local[0] * e);
             block.add(local[0] * e - y, &DVector::from_element(1, e), &by_global);
         }
-        Ok(block)
-    }
-
-    fn linearise_local(
-        &self,
-        flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
-    ) -> Result<NormalBlock, crate::error::FlightError> {
-        let block = self.linearise(flight, global, local)?;
-        Ok(block.select(&[LocalId::new(0)], &[]))
+        Ok(of(block, by))
     }
 
     fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
@@ -112,25 +110,15 @@ impl LeastSquaresProblem for Rosenbrock {
     fn linearise(
         &self,
         _: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
+        (global, local): (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
     ) -> Result<NormalBlock, crate::error::FlightError> {
         let one = |value: f64| DVector::from_element(1, value);
         let mut block = NormalBlock::zero(1, 1);
         let across = 10.0 * (local[0] - global[0].powi(2));
         block.add(across, &one(10.0), &one(-20.0 * global[0]));
         block.add(1.0 - global[0], &one(0.0), &one(-1.0));
-        Ok(block)
-    }
-
-    fn linearise_local(
-        &self,
-        flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
-    ) -> Result<NormalBlock, crate::error::FlightError> {
-        let block = self.linearise(flight, global, local)?;
-        Ok(block.select(&[LocalId::new(0)], &[]))
+        Ok(of(block, by))
     }
 
     fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {

@@ -17,20 +17,11 @@ pub use self::residuals::{Residuals, residuals, residuals_of, states};
 use self::trajectory_pass::TrajectoryPass;
 use self::weighted_rows::WeightedRows;
 use crate::error::FlightError;
-use crate::least_squares::NormalBlock;
+use crate::least_squares::{NormalBlock, Unknowns};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::tolerance::{self, RESIDUAL_TOLERANCE};
-
-/// Unknowns by which residuals are differentiated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unknowns {
-    /// The local parameters of the flight.
-    Local,
-    /// The local and the global parameters.
-    All,
-}
 
 /// Loss of the residuals.
 #[derive(Clone, Copy, Debug)]

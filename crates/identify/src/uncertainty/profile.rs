@@ -5,7 +5,8 @@ use nalgebra::DVector;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{
-    Constraint, LeastSquaresProblem, NormalBlock, Solution, SolveError, StoppingCriteria, solve,
+    Constraint, LeastSquaresProblem, NormalBlock, Solution, SolveError, StoppingCriteria, Unknowns,
+    solve,
 };
 use crate::problem::GlobalParameter;
 use crate::report::Profile;
@@ -98,18 +99,10 @@ impl<P: LeastSquaresProblem> LeastSquaresProblem for Constrained<'_, P> {
     fn linearise(
         &self,
         flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
+        unknowns: (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
     ) -> Result<NormalBlock, FlightError> {
-        self.problem.linearise(flight, global, local)
-    }
-    fn linearise_local(
-        &self,
-        flight: usize,
-        global: &DVector<f64>,
-        local: &DVector<f64>,
-    ) -> Result<NormalBlock, FlightError> {
-        self.problem.linearise_local(flight, global, local)
+        self.problem.linearise(flight, unknowns, by)
     }
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         self.problem.plus(flight, local, step)

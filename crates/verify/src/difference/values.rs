@@ -1,10 +1,10 @@
 //! Every value of a model, in numbers and in the prime field: derivatives, observation, limits, named quantities, loads.
 
 use crate::checks::exact::Spot;
-use crate::engine::parameters;
 use crate::field::Machine;
+use crate::values::evaluated;
 use codegen::EveryValue;
-use codegen::tape::{Inputs, Tape};
+use codegen::tape::Tape;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Load, Model, Shape};
 use oracle::Point;
 use oracle::scalar::Prime;
@@ -90,20 +90,7 @@ impl<'a> Everything<'a> {
 
     /// All values at a point, in numbers.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
-        let (p, marker) = (
-            parameters(point),
-            [point.marker.x, point.marker.y, point.marker.z],
-        );
-        let mut out = vec![0.0; self.tape.outputs()];
-        let inputs = Inputs {
-            t: point.time,
-            x: &point.states,
-            p: &p,
-            prepared: &[],
-            marker: &marker,
-        };
-        self.tape.eval(inputs, &mut Vec::new(), &mut out);
-        out
+        evaluated(&self.tape, point)
     }
 
     /// All values at a point of the prime field; `None` for a value that does not exist there.
