@@ -273,7 +273,7 @@ pub(crate) mod tests {
         flight
     }
 
-    /// Numbers of samples that a fit to flights of a ball uses, of which the first is pushed.
+    /// Numbers of samples that a fit to flights of a disc uses, of which the first is pushed.
     fn used(push: Vector3<f64>) -> Vec<usize> {
         let model = model_spec::load::load("disc", &[]).unwrap();
         let release = read("backhand", built_in("backhand").unwrap(), |_| {
