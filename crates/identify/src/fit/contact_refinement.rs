@@ -15,6 +15,7 @@ use super::output_error::all_samples;
 use super::residual_cache::{ResidualCache, residual_scale};
 use super::reweighting::estimate_noise;
 use super::state::State;
+use super::taking_back::LIKE_RATIO;
 use crate::contact_time::{Onset, contact_time};
 use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
@@ -32,8 +33,6 @@ const STANDS_OUT: f64 = 1.2;
 /// Ratio of the median residual scale to the noise up to which the model predicts flights well enough to show a touch that
 /// poses did not.
 const FLYING_RATIO: f64 = 1.3;
-/// Ratio of a flight's residual scale to that of the others up to which it flies as they do.
-const LIKE_RATIO: f64 = 3.0;
 
 /// A flight that ends elsewhere than it did.
 struct Moved {

@@ -2,6 +2,7 @@
 
 use super::FitError;
 use super::exclusion::solve_flights;
+use super::one_flight::{MAX_SCALES, MAX_SHRINKAGE};
 use super::output_error::{OutputError, all_samples};
 use super::residual_cache::ResidualCache;
 use super::state::State;
@@ -25,12 +26,6 @@ const MANY_STEPS: usize = 15;
 
 /// Greatest number of starts from samples without that distortion: each knows it better.
 const MAX_STARTS: usize = 3;
-
-/// Greatest number of loss scales tried over one horizon.
-const MAX_SCALES: usize = 8;
-
-/// Greatest ratio of the next loss scale to the present one at which the scale is still reduced.
-const MAX_SHRINKAGE: f64 = 0.7;
 
 /// Residual scale, relative to `sigma0`, below which the fit over a short horizon is sufficient and the horizon
 /// grows.

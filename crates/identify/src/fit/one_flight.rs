@@ -12,10 +12,10 @@ use crate::predict::Loss;
 use crate::problem::FitProblem;
 
 /// Greatest number of loss scales tried.
-const MAX_SCALES: usize = 8;
+pub const MAX_SCALES: usize = 8;
 
 /// Greatest ratio of the next loss scale to the present one at which the scale is still reduced.
-const MAX_SHRINKAGE: f64 = 0.7;
+pub const MAX_SHRINKAGE: f64 = 0.7;
 
 /// Fits the initial state of one flight to its first samples with the global parameters fixed. Returns the loss at
 /// scale `sigma0` and the initial state.

@@ -20,7 +20,7 @@ use crate::problem::FitProblem;
 use crate::screening::FaultKind;
 
 /// Ratio of a flight's residual scale to that of the others up to which it flies as they do.
-const LIKE_RATIO: f64 = 3.0;
+pub const LIKE_RATIO: f64 = 3.0;
 
 /// Greatest number of times that flights are taken back: with more flights the parameters are better.
 const MAX_PASSES: usize = 2;
