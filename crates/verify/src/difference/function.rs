@@ -8,7 +8,7 @@ use crate::field::literal;
 use crate::random::Random;
 use crate::{TOLERANCE, sample};
 use model_spec::model::Model;
-use oracle::scalar::{ErrorBound, Prime, Real};
+use oracle::scalar::{ErrorBound, Field, Real};
 use oracle::{Point, Tree, derivatives_of};
 use serde::Serialize;
 
@@ -127,19 +127,17 @@ fn spots(
 }
 
 /// The point with the default values of all parameters that are not kept.
-fn unpaired_at(
-    point: &Point<Prime>,
-    defaults: &Point<Prime>,
+fn unpaired_at<T: Field>(
+    point: &Point<T>,
+    defaults: &Point<T>,
     keep: impl Fn(usize) -> bool,
-) -> Point<Prime> {
+) -> Point<T> {
     let count = super::pairing::parameters(point).len();
     let only = Pairing {
         states: (0..point.states.len()).map(Some).collect(),
         parameters: (0..count).map(|k| keep(k).then_some(k)).collect(),
     };
-    let mut there = defaults.clone();
-    there.states.clone_from(&point.states);
-    only.carry(point, &there)
+    only.carry(point, defaults)
 }
 
 /// Largest relative difference of each pair at random points in numbers.
@@ -156,14 +154,9 @@ fn in_numbers(
         let mut here = sample::point(old.model, &mut random);
         let mut there = sample::point(new.model, &mut random);
         if stated {
-            let count = super::pairing::parameters(&here).len();
-            let keep = Pairing {
-                states: (0..here.states.len()).map(Some).collect(),
-                parameters: (0..count)
-                    .map(|k| pairing.new_parameter(k).map(|_| k))
-                    .collect(),
-            };
-            here = keep.carry(&here, &Point::defaults(old.model));
+            here = unpaired_at(&here, &Point::defaults(old.model), |k| {
+                pairing.new_parameter(k).is_some()
+            });
             there = Point::defaults(new.model);
         }
         let there = pairing.carry(&here, &there);
