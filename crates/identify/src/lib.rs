@@ -63,6 +63,6 @@ pub use screening::{DataFault, FaultKind};
 // Least squares over many flights.
 pub use least_squares::{
     Constraint, FailedFlight, Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, Solution,
-    SolveError, StopReason, StoppingCriteria, UndeterminedFlight, Unknowns, constrained_step,
-    eliminate, pseudo_inverse, solve,
+    SolveError, StopReason, StoppingCriteria, UndeterminedFlight, Unknowns, eliminate,
+    pseudo_inverse, solve,
 };

@@ -1,10 +1,9 @@
 //! Fits of the model under test extended by some candidates.
 
-use flight::batch;
 use identify::{
     Constraint, FitProblem, FlightError, Iterate, LeastSquaresProblem, Loss, NoiseModel,
     NormalBlock, Observations, Solution, SolveError, StateManifold, StopReason, StoppingCriteria,
-    Unknowns, constrained_step, eliminate, linearise, solve,
+    Unknowns, linearise, solve,
 };
 use model_spec::layout::StateId;
 use nalgebra::DVector;
@@ -20,6 +19,9 @@ const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     max_steps: 30,
     ..StoppingCriteria::CONVERGED
 };
+
+/// Mean squared whitened residual above which a hypothesis explains so little that its exact minimum does not matter.
+const MISFIT_RATIO: f64 = 3.0;
 
 /// Result of a refit.
 pub(crate) struct Refitted {
@@ -48,13 +50,11 @@ impl ScoreTestModel {
             global: select_vector(&from.global, &columns),
             local: from.local.clone(),
         };
-        let stepped = refit.full_step(&start);
-        let found = stepped.map(|stepped| solve(&refit, stepped, REFIT_STOPPING));
-        let found = match found {
-            Some(Ok(found)) => found,
-            Some(Err(SolveError::Cancelled)) => return Err(SolveError::Cancelled),
-            _ => solve(&refit, start, REFIT_STOPPING)?,
+        let stopping = StoppingCriteria {
+            worthwhile_squares: MISFIT_RATIO * self.coordinates() as f64,
+            ..REFIT_STOPPING
         };
+        let found = solve(&refit, start, stopping)?;
         let Solution {
             iterate,
             squares,
@@ -74,7 +74,7 @@ impl ScoreTestModel {
         Ok(Refitted {
             iterate,
             squares,
-            is_finished: stop_reason != StopReason::MaxSteps,
+            is_finished: !matches!(stop_reason, StopReason::MaxSteps | StopReason::GivenUp),
         })
     }
 }
@@ -120,26 +120,6 @@ impl<'a> Refit<'a> {
             threads: model.threads,
             limits: &model.limits,
         }
-    }
-
-    /// The iterate after one full Gauss–Newton step, even if the sum of squares is greater there: the minimum with a new
-    /// effect lies along a curved valley that short steps follow slowly.
-    fn full_step(&self, from: &Iterate) -> Option<Iterate> {
-        let blocks = batch::each_on(self.threads, self.flights.len(), |flight| {
-            self.linearise(flight, (&from.global, &from.local[flight]), Unknowns::All)
-        });
-        let blocks: Vec<NormalBlock> = blocks.into_iter().collect::<Result<_, _>>().ok()?;
-        let system = eliminate(&blocks, 0.0).ok()?;
-        let (matrix, gradient) = (&system.reduced, &system.gradient);
-        let (step, _) = constrained_step(matrix, gradient, &from.global, &self.constraints, 0.0)?;
-        let local_steps = system.back_substitute(&step);
-        let steps = local_steps.iter().zip(&from.local).enumerate();
-        Some(Iterate {
-            local: steps
-                .map(|(flight, (step, local))| self.plus(flight, local, step))
-                .collect(),
-            global: &from.global + step,
-        })
     }
 }
 

@@ -175,11 +175,11 @@ impl<'a> Search<'a> {
             let Some(mut hypothesis) = hypothesis else {
                 continue;
             };
-            if index == 0 && !hypothesis.is_finished {
+            let is_first = fitted.is_empty();
+            if is_first && !hypothesis.is_finished {
                 hypothesis = self.fitted_from_scratch(model, hypothesis)?;
             }
-            if index == 0 && if_possible(self.refine_noise(model, &hypothesis, base))? == Some(true)
-            {
+            if is_first && if_possible(self.refine_noise(model, &hypothesis, base))? == Some(true) {
                 if !self.is_significant() {
                     return Ok(Vec::new());
                 }

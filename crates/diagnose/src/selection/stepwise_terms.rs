@@ -275,8 +275,8 @@ fn fit_terms(
     let from_before = refit(&extension.model, context.dataset, &options.fit, before)?;
     let status = from_before.report.iterations.status;
     let arrived = step(context, model, search, extension.clone(), from_before)?;
-    let has_arrived =
-        |step: &Step| status == FitStatus::Converged && step.squares <= stepwise.squares;
+    let is_minimum = matches!(status, FitStatus::Converged | FitStatus::NoiseNotConverged);
+    let has_arrived = |step: &Step| is_minimum && step.squares <= stepwise.squares;
     if arrived.as_ref().is_some_and(has_arrived) {
         return Ok(arrived);
     }

@@ -2,7 +2,7 @@
 
 use flight::batch;
 
-use super::local_refinement::{OneFlight, with_refined_locals};
+use super::local_refinement::{Backoff, OneFlight, with_refined_locals};
 use super::{
     Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, SchurComplement, SolveError,
     StopReason, StoppingCriteria, Unknowns, constrained_step,
@@ -79,6 +79,7 @@ pub fn solve_after(
     let mut linearization = Linearization::new(problem, &iterate, damping)?;
     let mut squares = linearization.squares(problem, &iterate);
     let (mut iterations, mut rejections) = (0, 0);
+    let mut refinement = Backoff::default();
     let mut stop_reason = StopReason::MaxSteps;
     while iterations < criteria.max_steps {
         if problem.is_past_deadline() {
@@ -105,6 +106,10 @@ pub fn solve_after(
             stop_reason = StopReason::Converged;
             break;
         }
+        if criteria.is_hopeless(iterations, predicted_reduction, squares) {
+            stop_reason = StopReason::GivenUp;
+            break;
+        }
         let less_damping = (damping * 0.1).max(MIN_DAMPING);
         let evaluated = evaluate(problem, &candidate, less_damping)?;
         if let Some((at_candidate, after)) = evaluated
@@ -113,20 +118,27 @@ pub fn solve_after(
             (iterate, linearization, squares) = (candidate, at_candidate, after);
             // Damped steps do not show the rate of convergence.
             previous = (damping <= NEGLIGIBLE_DAMPING).then_some(predicted_reduction);
-            (damping, rejections) = (less_damping, 0);
+            // Less damping than where the last step was rejected would be rejected again.
+            if rejections == 0 {
+                damping = less_damping;
+            }
+            rejections = 0;
             continue;
         }
         // Locals depend on the globals along a curve, which a step leaves.
-        if rejections == 0 && !iterate.global.is_empty() {
+        if rejections == 0 && !iterate.global.is_empty() && refinement.is_due() {
             iterations += 1;
-            if let Some(candidate) = with_refined_locals(problem, &candidate, &iterate, refine)?
+            if let Some(candidate) =
+                with_refined_locals(problem, &candidate, &iterate, squares, refine)?
                 && let Some((at_candidate, after)) = evaluate(problem, &candidate, less_damping)?
                 && after < squares
             {
                 (iterate, linearization, squares) = (candidate, at_candidate, after);
                 (previous, damping) = (None, less_damping);
+                refinement.succeeded();
                 continue;
             }
+            refinement.failed();
         }
         if damping >= MAX_DAMPING {
             stop_reason = StopReason::NoDescent;
@@ -151,9 +163,8 @@ pub fn solve_after(
     })
 }
 
-fn refine(flight: &OneFlight<'_>, start: Iterate) -> Option<Iterate> {
-    let solution = solve(flight, start, StoppingCriteria::REFINEMENT);
-    solution.ok().map(|solution| solution.iterate)
+fn refine(flight: &OneFlight<'_>, start: Iterate) -> Option<Solution> {
+    solve(flight, start, StoppingCriteria::REFINEMENT).ok()
 }
 
 /// Normal equations and sum of squares at a candidate iterate; `None` if a flight cannot be predicted there.

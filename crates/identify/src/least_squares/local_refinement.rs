@@ -1,11 +1,44 @@
 //! Local parameters at given global ones: a step of both that goes too far is often right in the global parameters, and wrong
 //! only in the local ones, which depend on them along a curve.
 
+use std::sync::{Mutex, PoisonError};
+
 use flight::batch;
 use nalgebra::DVector;
 
-use super::{Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, Unknowns};
+use super::{
+    Constraint, Iterate, LeastSquaresProblem, NormalBlock, Solution, SolveError, Unknowns,
+};
 use crate::error::FlightError;
+
+/// How often a refinement is tried: after each failure in a row, it waits for twice as many rejected steps.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Backoff {
+    /// Rejected steps until the next refinement.
+    wait: usize,
+    /// Rejected steps that the next failure waits for.
+    pause: usize,
+}
+
+impl Backoff {
+    /// Whether a refinement is tried at this rejected step.
+    pub fn is_due(&mut self) -> bool {
+        let is_due = self.wait == 0;
+        self.wait = self.wait.saturating_sub(1);
+        is_due
+    }
+
+    /// A refinement decreased the sum of squares.
+    pub fn succeeded(&mut self) {
+        *self = Self::default();
+    }
+
+    /// A refinement did not.
+    pub fn failed(&mut self) {
+        self.pause = (2 * self.pause).max(1);
+        self.wait = self.pause;
+    }
+}
 
 /// Sum of squares of one flight, as a function of its local parameters.
 pub struct OneFlight<'a> {
@@ -48,7 +81,8 @@ impl LeastSquaresProblem for OneFlight<'_> {
 }
 
 /// The candidate with the local parameters of each flight fitted anew, starting from its own, or from those `before` where they
-/// cannot be predicted; `None` if a flight cannot be predicted from either. `solve` minimises the sum of squares of one flight.
+/// cannot be predicted; `None` if a flight cannot be predicted from either, or the flights leave more than `limit` together.
+/// `solve` minimises the sum of squares of one flight.
 ///
 /// # Errors
 /// [`SolveError::Cancelled`].
@@ -56,8 +90,11 @@ pub fn with_refined_locals(
     problem: &dyn LeastSquaresProblem,
     candidate: &Iterate,
     before: &Iterate,
-    solve: impl Fn(&OneFlight<'_>, Iterate) -> Option<Iterate> + Sync,
+    limit: f64,
+    solve: impl Fn(&OneFlight<'_>, Iterate) -> Option<Solution> + Sync,
 ) -> Result<Option<Iterate>, SolveError> {
+    // What some flights leave is exceeded by all of them: the outcome does not depend on which flights were first.
+    let left = Mutex::new(0.0);
     let refined = batch::each_on(problem.threads(), problem.flights(), |flight| {
         let one = OneFlight {
             problem,
@@ -69,16 +106,45 @@ pub fn with_refined_locals(
                 global: DVector::zeros(0),
                 local: vec![local.clone()],
             };
-            solve(&one, start)?.local.into_iter().next()
+            solve(&one, start)
         };
-        from(&candidate.local[flight]).or_else(|| from(&before.local[flight]))
+        if *left.lock().unwrap_or_else(PoisonError::into_inner) > limit {
+            return None;
+        }
+        let solution = from(&candidate.local[flight]).or_else(|| from(&before.local[flight]))?;
+        *left.lock().unwrap_or_else(PoisonError::into_inner) += solution.squares;
+        solution.iterate.local.into_iter().next()
     });
     if problem.is_cancelled() {
         return Err(SolveError::Cancelled);
+    }
+    if left.into_inner().unwrap_or_else(PoisonError::into_inner) > limit {
+        return Ok(None);
     }
     let local: Option<Vec<DVector<f64>>> = refined.into_iter().collect();
     Ok(local.map(|local| Iterate {
         global: candidate.global.clone(),
         local,
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refinement_waits_for_twice_as_many_steps_after_each_failure_in_a_row() {
+        let mut refinement = Backoff::default();
+        let mut waited = |outcome: fn(&mut Backoff)| {
+            let waited = (0..).take_while(|_| !refinement.is_due()).count();
+            outcome(&mut refinement);
+            waited
+        };
+        assert_eq!(waited(Backoff::failed), 0);
+        assert_eq!(waited(Backoff::failed), 1);
+        assert_eq!(waited(Backoff::failed), 2);
+        assert_eq!(waited(Backoff::succeeded), 4);
+        assert_eq!(waited(Backoff::failed), 0);
+        assert_eq!(waited(Backoff::failed), 1);
+    }
 }

@@ -12,7 +12,15 @@ pub struct StoppingCriteria {
     pub accept_unevaluated: f64,
     /// Greatest number of steps.
     pub max_steps: usize,
+    /// Sum of squares above which an iteration that advances slowly is given up; infinite for never.
+    pub worthwhile_squares: f64,
 }
+
+/// Steps that an iteration may take before it is given up.
+const MIN_STEPS: usize = 8;
+
+/// Predicted reduction, as a fraction of the sum of squares, below which an iteration advances slowly.
+const SLOW: f64 = 0.1;
 
 impl StoppingCriteria {
     /// Criteria for whitened residuals: an unevaluated last step is at most one standard error long, which leaves an
@@ -22,6 +30,7 @@ impl StoppingCriteria {
         ftol_rel: 1e-11,
         accept_unevaluated: 1e3,
         max_steps: 100,
+        worthwhile_squares: f64::INFINITY,
     };
     /// Criteria for a model that leaves far more than the noise: its steps become small slowly, and where they end
     /// within a fraction of a standard error means nothing.
@@ -36,6 +45,7 @@ impl StoppingCriteria {
         ftol_rel: 1e-3,
         accept_unevaluated: 1e3,
         max_steps: 30,
+        worthwhile_squares: f64::INFINITY,
     };
     /// Criteria for fits over a short horizon, before a longer one.
     pub const HORIZON: StoppingCriteria = StoppingCriteria {
@@ -58,6 +68,13 @@ impl StoppingCriteria {
     /// Whether a predicted reduction is negligible relative to a sum of squares.
     pub(super) fn is_negligible(&self, predicted_reduction: f64, squares: f64) -> bool {
         predicted_reduction <= self.ftol_abs.max(self.ftol_rel * squares)
+    }
+
+    /// Whether to give up after some steps, far from a sum of squares that would be worthwhile.
+    pub(super) fn is_hopeless(&self, steps: usize, predicted_reduction: f64, squares: f64) -> bool {
+        steps >= MIN_STEPS
+            && squares > self.worthwhile_squares
+            && predicted_reduction < SLOW * squares
     }
 
     /// Whether a step may be accepted unevaluated as the last: its predicted reduction is negligible, or that of the
@@ -86,6 +103,8 @@ pub enum StopReason {
     MaxSteps,
     /// No step decreased the sum of squares, even with the greatest damping.
     NoDescent,
+    /// The iteration advanced slowly above [`StoppingCriteria::worthwhile_squares`].
+    GivenUp,
     /// The deadline passed.
     Deadline,
 }

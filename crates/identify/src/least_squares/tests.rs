@@ -74,6 +74,7 @@ const EXACT: StoppingCriteria = StoppingCriteria {
     ftol_rel: 0.0,
     accept_unevaluated: 1.0,
     max_steps: 100,
+    worthwhile_squares: f64::INFINITY,
 };
 
 #[test]
@@ -101,6 +102,13 @@ fn a_strong_prior_wins() {
 
 /// Rosenbrock's function: a curved valley `local = global²` that descends to (1, 1).
 struct Rosenbrock;
+
+fn far_from_the_end_of_the_valley() -> Iterate {
+    Iterate {
+        global: DVector::from_element(1, -1.2),
+        local: vec![DVector::from_element(1, 1.0)],
+    }
+}
 
 impl LeastSquaresProblem for Rosenbrock {
     fn flights(&self) -> usize {
@@ -132,13 +140,63 @@ impl LeastSquaresProblem for Rosenbrock {
 
 #[test]
 fn a_curved_valley_is_crossed_in_one_step() {
-    let start = Iterate {
-        global: DVector::from_element(1, -1.2),
-        local: vec![DVector::from_element(1, 1.0)],
-    };
+    let start = far_from_the_end_of_the_valley();
     let solution = solve(&Rosenbrock, start, StoppingCriteria::CONVERGED).unwrap();
     assert!((solution.iterate.global[0] - 1.0).abs() < 1e-9);
     assert!((solution.iterate.local[0][0] - 1.0).abs() < 1e-9);
     // A rejected step, one with refined locals, and the last one.
     assert!(solution.iterations <= 4, "{}", solution.iterations);
+}
+
+/// A valley that turns so sharply that steps along it are short, above residuals that no step decreases.
+struct Misfit;
+
+impl LeastSquaresProblem for Misfit {
+    fn flights(&self) -> usize {
+        1
+    }
+
+    fn linearise(
+        &self,
+        _: usize,
+        (global, local): (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
+    ) -> Result<NormalBlock, crate::error::FlightError> {
+        let one = |value: f64| DVector::from_element(1, value);
+        let mut block = NormalBlock::zero(1, 1);
+        let (sin, cos) = (50.0 * global[0]).sin_cos();
+        block.add(1e3 * (local[0] - sin), &one(1e3), &one(-5e4 * cos));
+        block.add(1.0 - global[0], &one(0.0), &one(-1.0));
+        block.add(10.0, &one(0.0), &one(0.0));
+        Ok(of(block, by))
+    }
+
+    fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        local + step
+    }
+
+    fn constraints(&self) -> &[Constraint] {
+        &[Constraint::NONE]
+    }
+}
+
+#[test]
+fn a_slow_iteration_is_given_up_above_the_worthwhile_sum_of_squares_alone() {
+    let steps_with = |worthwhile_squares: f64| {
+        let start = Iterate {
+            global: DVector::from_element(1, 0.0),
+            local: vec![DVector::from_element(1, 0.0)],
+        };
+        let criteria = StoppingCriteria {
+            worthwhile_squares,
+            ..EXACT
+        };
+        let solution = solve(&Misfit, start, criteria).unwrap();
+        (solution.stop_reason, solution.iterations)
+    };
+    let (reason, steps) = steps_with(50.0);
+    assert_eq!(reason, StopReason::GivenUp);
+    assert!(steps < 10, "{steps}");
+    let (reason, _) = steps_with(200.0);
+    assert_ne!(reason, StopReason::GivenUp);
 }

@@ -39,7 +39,7 @@ impl FitStatus {
     /// The status after a least squares and a comparison of its residuals with the noise.
     pub(crate) fn of(least_squares: StopReason, noise_agrees: bool) -> Self {
         match least_squares {
-            StopReason::MaxSteps => Self::MaxSteps,
+            StopReason::MaxSteps | StopReason::GivenUp => Self::MaxSteps,
             StopReason::NoDescent => Self::NoDescent,
             StopReason::Deadline => Self::Deadline,
             StopReason::Converged if !noise_agrees => Self::NoiseNotConverged,
