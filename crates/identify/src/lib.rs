@@ -43,7 +43,8 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 // The report of a fit.
 pub use report::{
     AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
-    FlightOutcome, FlightReport, Iterations, NoiseReport, NonIdentifiable, Profile, Truncation,
+    FlightOutcome, FlightReport, Iterations, MarkerDistance, NoiseReport, NonIdentifiable, Profile,
+    Truncation,
 };
 pub use statistics::{median, robust_sigma};
 pub use uncertainty::interval;

@@ -127,6 +127,61 @@ fn a_fit_of_bodies_that_never_move_is_not_to_be_relied_on() {
 }
 
 #[test]
+fn markers_that_are_not_where_they_are_stated_are_named() {
+    let (model, mut dataset) = two_flights();
+    let right = fit(&model, &dataset, &FitOptions::default()).expect("a fit");
+    assert_eq!(right.report.marker_distances, []);
+    dataset.markers[1].position[0] += 0.005;
+    let found = fit(&model, &dataset, &FitOptions::default())
+        .expect("a fit")
+        .report;
+    let pairs: Vec<_> = found
+        .marker_distances
+        .iter()
+        .map(|d| d.markers.join(" "))
+        .collect();
+    let moved = dataset.markers[1].name.as_str();
+    assert!(
+        !pairs.is_empty() && pairs.iter().all(|pair| pair.contains(moved)),
+        "{pairs:?}"
+    );
+    assert!(
+        !found.reliable
+            && found
+                .why
+                .join(" ")
+                .contains("correct the positions of the markers")
+    );
+}
+
+/// Ten samples a second, between which the body turns by more than half a turn.
+#[test]
+fn residuals_of_few_samples_are_held_against_the_rigidity_of_the_markers() {
+    let (model, truth, release) = released(&[], &[]);
+    let plan = Plan {
+        flights: 2,
+        duration: Some(1.0),
+        ..Plan::default()
+    };
+    let mut dataset = made(&truth, &release, &plan);
+    for flight in &mut dataset.flights {
+        flight.times = flight.times.iter().copied().step_by(12).collect();
+        flight.positions = flight.positions.iter().step_by(12).cloned().collect();
+    }
+    let found = fit(&model, &dataset, &FitOptions::default())
+        .expect("a fit")
+        .report;
+    let floor = found.noise.floor_m.expect("a noise floor");
+    assert!((floor / 0.0015 - 1.0).abs() < 0.3, "{floor}");
+    assert!(
+        found.reliable && found.rms_m < 0.002,
+        "{} {:?}",
+        found.rms_m,
+        found.why
+    );
+}
+
+#[test]
 fn a_deadline_ends_a_fit_with_an_answer_that_says_so() {
     let (model, truth, release) = released(&[], &[("C_D0", 0.2)]);
     let dataset = made(&truth, &release, &Plan::default());

@@ -10,6 +10,7 @@ mod exclusion;
 mod held_out;
 mod horizon_continuation;
 mod initial_guess;
+mod marker_distances;
 mod multiple_shooting;
 mod multistart;
 mod one_flight;
@@ -139,26 +140,36 @@ fn fit_after(
     });
     let continued = earlier
         .and_then(|earlier| continued::continued(&mut problem, dataset, &fitted, earlier, options));
-    let (mut state, cache, noise_floor, started) = match continued {
+    let (mut state, cache, noise_floor, floor_m, started) = match continued {
         Some((mut state, cache)) => {
             state.excluded.extend(doubtful);
             let floor = earlier.and_then(|earlier| earlier.noise_floor);
-            (state, cache, floor, clock.elapsed().as_secs_f64())
+            let floor_m = earlier.and_then(|earlier| earlier.report.noise.floor_m);
+            (state, cache, floor, floor_m, clock.elapsed().as_secs_f64())
         }
         None => {
             let observed = initial_guess::observe(&problem, dataset, &fitted, &contacts, options);
             problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
             let floor = observed.noise_floor;
+            let floor_m = floor.map(initial_guess::overall).or(observed.sigma0);
             let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
             let started = clock.elapsed().as_secs_f64();
             let (state, cache) = from_guesses(&problem, dataset, guesses, doubtful, options)?;
-            (state, cache, floor, started)
+            (state, cache, floor, floor_m, started)
         }
     };
     let reweighted = reweighting::reweight(&problem, &mut state, cache, options)?;
     let reweighted = taking_back::take_back(&problem, dataset, &mut state, reweighted, options)?;
     let solved = clock.elapsed().as_secs_f64();
 
+    let names: Vec<String> = dataset.markers.iter().map(|m| m.name.clone()).collect();
+    let marker_distances = marker_distances::wrong_distances(
+        &problem,
+        &state.flights,
+        &reweighted.cache,
+        &names,
+        floor_m.unwrap_or(reweighted.noise.overall()),
+    );
     let outcome = Outcome::new(&problem, &state, &reweighted, options)?;
     let mut report = outcome.report();
     let reports: Vec<_> = (0..state.flights.len())
@@ -199,7 +210,8 @@ fn fit_after(
     };
     data_faults.retain(|fault| options.trust_data || is_excluded(fault));
     report.data_faults = data_faults;
-    report.noise.floor_m = noise_floor.map(initial_guess::overall);
+    report.noise.floor_m = floor_m;
+    report.marker_distances = marker_distances;
     report.why = reasons_against(&report);
     report.reliable = report.why.is_empty();
     let total = clock.elapsed().as_secs_f64();
@@ -216,7 +228,7 @@ fn fit_after(
         noise,
         noise_floor,
         excluded,
-        marker_names: dataset.markers.iter().map(|m| m.name.clone()).collect(),
+        marker_names: names,
         flights: flights.fitted,
     })
 }

@@ -115,6 +115,7 @@ impl<'a> Outcome<'a> {
             correlations: self.correlations(),
             flights: Vec::new(),
             data_faults: Vec::new(),
+            marker_distances: Vec::new(),
             undetermined: non_identifiable(
                 &problem.model,
                 globals,

@@ -9,11 +9,12 @@ use super::state::State;
 use crate::initial_state::InitialGuess;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
+use crate::statistics::median;
 
 /// Turns per sampling interval added to the slowest spin, most likely first.
 const ALIASES: [i32; 3] = [0, -1, 1];
 
-/// Ratio of an alias's rms residual to that of the best likelier alias below which the alias is accepted.
+/// Ratio of an alias's median residual to that of the best likelier alias below which the alias is accepted.
 const ACCEPTED_RATIO: f64 = 0.9;
 
 /// Fits all flights by horizon continuation from each spin alias; returns the fit with the smallest residuals.
@@ -45,10 +46,7 @@ pub fn resolve_spin_aliases(
                 continue;
             }
         };
-        let scale = match tried.excluded.len() > state.excluded.len() {
-            true => f64::INFINITY,
-            false => rms_scale(&cache),
-        };
+        let scale = median_scale(&cache, tried.excluded.len() - state.excluded.len());
         if best
             .as_ref()
             .is_none_or(|(least, ..)| scale < ACCEPTED_RATIO * least)
@@ -76,10 +74,11 @@ fn with_alias(state: &State, alternatives: &[Vec<InitialGuess>], alias: i32) -> 
     state
 }
 
-/// Root mean square of the flights' residual scales, m; infinite if a flight cannot be integrated.
-fn rms_scale(cache: &ResidualCache) -> f64 {
-    let scales = cache.scales();
-    let all = scales.iter().map(|scale| scale.unwrap_or(f64::INFINITY));
-    let squares: f64 = all.map(|scale| scale * scale).sum();
-    (squares / scales.len().max(1) as f64).sqrt()
+/// Median of the flights' residual scales, m; a flight that cannot be integrated, or was excluded, counts as infinitely far.
+/// Single flights may be in a wrong minimum still.
+fn median_scale(cache: &ResidualCache, excluded: usize) -> f64 {
+    let scales = cache.scales().into_iter();
+    let flown = scales.map(|scale| scale.unwrap_or(f64::INFINITY));
+    let without = std::iter::repeat_n(f64::INFINITY, excluded);
+    median(&mut flown.chain(without).collect::<Vec<f64>>())
 }

@@ -43,6 +43,9 @@ pub struct FitReport {
     /// Mistakes in the data of the flights, in the dataset's order.
     #[serde(default)]
     pub data_faults: Vec<DataFault>,
+    /// Pairs of markers whose measured distance differs from the predicted one.
+    #[serde(default)]
+    pub marker_distances: Vec<MarkerDistance>,
     /// Non-identifiable coefficients and combinations, the least determined first.
     pub undetermined: Vec<NonIdentifiable>,
     /// Profile likelihoods that the options ask for.
@@ -53,6 +56,17 @@ pub struct FitReport {
     pub iterations: Iterations,
     /// Computing time by stage, s; `total` is that of all stages.
     pub seconds: BTreeMap<String, f64>,
+}
+
+/// Distance between two markers of a rigid body, where it is not as predicted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MarkerDistance {
+    /// Names of the markers.
+    pub markers: [String; 2],
+    /// Mean measured less predicted distance, m.
+    pub difference_m: f64,
+    /// Standard error of `difference_m`, m.
+    pub std_error_m: f64,
 }
 
 /// Noise of the measured coordinates: a stationary AR(1) process along each axis.
@@ -77,7 +91,7 @@ pub struct NoiseReport {
     /// Number of missing points.
     pub dropouts: usize,
     /// Root mean square of the axes' standard deviations by a smoother that knows no model, m; correlated noise lies above
-    /// it. `None` if the samples do not determine it.
+    /// it. With too few samples for a smoother, by the rigidity of the markers. `None` if the samples do not determine it.
     pub floor_m: Option<f64>,
 }
 

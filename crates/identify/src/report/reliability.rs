@@ -21,6 +21,7 @@ pub(crate) fn reasons_against(report: &FitReport) -> Vec<String> {
     reasons.extend(excluded_flights(report));
     reasons.extend(above_noise_floor(report));
     reasons.extend(data_faults(report));
+    reasons.extend(marker_distances(report));
     reasons
 }
 
@@ -64,6 +65,23 @@ fn data_faults(report: &FitReport) -> Option<String> {
         count(number, "fault"),
         first.file,
         first.detail
+    ))
+}
+
+/// Markers that are not where the dataset or the model has them.
+fn marker_distances(report: &FitReport) -> Option<String> {
+    let worst = report.marker_distances.iter();
+    let worst = worst.max_by(|a, b| a.difference_m.abs().total_cmp(&b.difference_m.abs()))?;
+    let [one, other] = &worst.markers;
+    let difference = 1e3 * worst.difference_m;
+    let apart = match difference > 0.0 {
+        true => "farther apart",
+        false => "closer together",
+    };
+    Some(format!(
+        "markers {one} and {other} are {:.1} ± {:.1} mm {apart} than their stated positions: correct the positions of the markers",
+        difference.abs(),
+        1e3 * worst.std_error_m
     ))
 }
 

@@ -264,6 +264,7 @@ pub fn report(flights: usize) -> FitReport {
         correlations,
         flights,
         data_faults: Vec::new(),
+        marker_distances: Vec::new(),
         undetermined: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),
