@@ -109,16 +109,10 @@ pub struct RealData {
 /// `hyzer-studies discovery`.
 #[derive(Args)]
 pub struct Discovery {
-    /// Runs of each row without a seeded effect; other rows have a few for every hundred
-    #[arg(long, default_value_t = 100)]
-    pub seeds: u64,
-    /// Only rows that have all of these words: of the group, the body, the effect, the strength, the noise
-    #[arg(long, value_name = "WORDS")]
-    pub only: Option<String>,
+    /// Options of its runs; without `--seeds` 100 of each row without a seeded effect, other rows have a few for every hundred
+    #[command(flatten)]
+    pub runs: Runs,
     /// Print a line for each run, and what rejects a seeded effect that was missed
     #[arg(long)]
     pub details: bool,
-    /// File for the page; without it the page is printed
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
 }

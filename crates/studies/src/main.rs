@@ -127,15 +127,19 @@ fn cut_section(datasets: u64, threads: usize) -> CutSection {
 
 /// Runs the plan, with a line for each run where `--details` asks for it.
 fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
-    let mut rows = plan(options.seeds as usize);
+    let cli::Discovery {
+        runs: options,
+        details: with_details,
+    } = options;
+    let mut rows = plan(options.seeds.unwrap_or(100) as usize);
     if let Some(words) = &options.only {
         rows.retain(|row| row.has(words));
         anyhow::ensure!(!rows.is_empty(), "no row has the words `{words}`");
     }
     let runs: usize = rows.iter().map(|row| row.runs).sum();
     eprintln!("{} rows, {runs} runs", rows.len());
-    let results = run_rows(&rows, &report_progress);
-    if options.details {
+    let results = run_rows(&rows, options.threads(), &report_progress);
+    if with_details {
         for (result, rejections) in results.iter().zip(rejections(&results)) {
             let lines = details(result, &rejections);
             output::print(lines.join("\n") + "\n")?;

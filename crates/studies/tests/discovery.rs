@@ -14,7 +14,7 @@ fn tried(words: &[&str], runs: usize) -> Vec<RowResult> {
             ..row.clone()
         }
     });
-    run_rows(&rows.collect::<Vec<Row>>(), &|_, _| {})
+    run_rows(&rows.collect::<Vec<Row>>(), 2, &|_, _| {})
 }
 
 #[test]

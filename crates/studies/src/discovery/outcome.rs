@@ -37,6 +37,8 @@ pub struct Outcome {
     pub held_out: HeldOutErrors,
     /// Time of the diagnosis, s.
     pub seconds: f64,
+    /// Number of threads of the diagnosis.
+    pub threads: usize,
 }
 
 /// Flights that a report lists as discordant.
@@ -82,6 +84,7 @@ impl Outcome {
                 truth: None,
             },
             seconds: f64::NAN,
+            threads: 1,
         }
     }
 

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::outcome::Outcome;
 use super::rates::{
     Count, MAX_FALSE_ALARMS, MAX_HELD_OUT_RATIO, MAX_UNIQUELY_WRONG, MIN_IN_SET, MIN_IN_SET_STRONG,
-    Rates, RowRates, STRONG, answers,
+    Rates, RowRates, STRONG, Times, answers,
 };
 use super::row::{Group, Size};
 use super::run::RowResult;
@@ -20,6 +20,12 @@ const MAX_ANSWERS: usize = 3;
 /// Fraction of a row's runs that may miss a detectable truth before the row is listed: one in ten.
 const MISSED_DIVISOR: usize = 10;
 
+/// Greatest median time of a diagnosis of the disc's standard number of flights, s.
+const MAX_MEDIAN: f64 = 1.0;
+
+/// Greatest time of such a diagnosis, s.
+const MAX_SLOWEST: f64 = 20.0;
+
 #[derive(Serialize)]
 struct Results {
     criteria: Vec<Criterion>,
@@ -27,7 +33,9 @@ struct Results {
     held_out_pooled: Option<f64>,
     held_out: (usize, usize),
     held_out_median: Option<f64>,
-    seconds: Option<f64>,
+    /// Number of threads of each diagnosis.
+    threads: usize,
+    times: Vec<TimeLimit>,
     failed: (usize, usize),
     failures: Vec<Failure>,
     several: Vec<SeveralRow>,
@@ -92,6 +100,14 @@ struct Failure {
 }
 
 /// Runs with two or three effects, or with a severe one.
+/// A time with its greatest value, s.
+#[derive(Serialize)]
+struct TimeLimit {
+    what: &'static str,
+    limit: f64,
+    seconds: Option<f64>,
+}
+
 #[derive(Serialize)]
 struct SeveralRow {
     seeded: String,
@@ -180,7 +196,8 @@ pub fn discovery_page(results: &[RowResult]) -> Result<Page, StudyError> {
         held_out_pooled: rates.held_out_pooled,
         held_out: (rates.held_out.count, rates.held_out.total),
         held_out_median: rates.held_out_median,
-        seconds: rates.seconds,
+        threads: rates.times.threads,
+        times: times(&rates.times),
         failed: (rates.failed.count, rates.failed.total),
         failures: failures(results),
         several: several_rows(results),
@@ -194,6 +211,28 @@ pub fn discovery_page(results: &[RowResult]) -> Result<Page, StudyError> {
         text: render(include_str!("page.md"), results)?,
         figures: Vec::new(),
     })
+}
+
+fn times(times: &Times) -> Vec<TimeLimit> {
+    let limits = [
+        (
+            "median time of a diagnosis of 20 flights",
+            times.median,
+            MAX_MEDIAN,
+        ),
+        (
+            "slowest diagnosis of 20 flights",
+            times.slowest,
+            MAX_SLOWEST,
+        ),
+    ];
+    let each = limits.into_iter();
+    each.map(|(what, seconds, limit)| TimeLimit {
+        what,
+        limit,
+        seconds,
+    })
+    .collect()
 }
 
 fn criteria(rates: &Rates) -> Vec<Criterion> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::outcome::Outcome;
-use super::row::Group;
+use super::row::{Body, Group};
 use super::run::RowResult;
 use crate::statistics::median;
 
@@ -115,8 +115,37 @@ pub(super) struct Rates {
     pub(super) held_out_pooled: Option<f64>,
     /// Runs whose diagnosis failed.
     pub(super) failed: Count,
-    /// Median time, s.
-    pub(super) seconds: Option<f64>,
+    /// Times of diagnoses of the disc's standard number of flights.
+    pub(super) times: Times,
+}
+
+/// Times of diagnoses, s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Times {
+    /// Number of threads of each diagnosis.
+    pub(super) threads: usize,
+    /// Median.
+    pub(super) median: Option<f64>,
+    /// Greatest.
+    pub(super) slowest: Option<f64>,
+}
+
+impl Times {
+    fn of(results: &[RowResult]) -> Self {
+        let standard =
+            |result: &&RowResult| result.row.flights.is_none() && result.row.body == Body::Disc;
+        let outcomes = || {
+            results
+                .iter()
+                .filter(standard)
+                .flat_map(|result| &result.outcomes)
+        };
+        Self {
+            threads: outcomes().next().map_or(1, |outcome| outcome.threads),
+            median: median(outcomes().map(|outcome| outcome.seconds)),
+            slowest: outcomes().map(|outcome| outcome.seconds).reduce(f64::max),
+        }
+    }
 }
 
 impl Rates {
@@ -155,7 +184,7 @@ impl Rates {
             held_out_median: median(ratios),
             held_out_pooled: pooled(listed()),
             failed: Count::of(all(), |o| o.failure.is_some()),
-            seconds: median(all().map(|o| o.seconds)),
+            times: Times::of(results),
         }
     }
 }

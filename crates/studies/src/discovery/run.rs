@@ -24,17 +24,23 @@ pub struct RowResult {
     pub outcomes: Vec<Outcome>,
 }
 
-/// Runs all rows, in parallel; calls `progress` with the number of finished runs and of all.
-pub fn run_rows(rows: &[Row], progress: &(dyn Fn(usize, usize) + Sync)) -> Vec<RowResult> {
+/// Runs all rows, so many diagnoses at a time, which share the processors; calls `progress` with the number of finished runs
+/// and of all.
+pub fn run_rows(
+    rows: &[Row],
+    at_a_time: usize,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<RowResult> {
+    let threads = (batch::threads() / at_a_time.max(1)).max(1);
     let models = Models::default();
     let runs = rows.iter().enumerate();
     let runs: Vec<(usize, usize)> = runs
         .flat_map(|(row, of)| (0..of.runs).map(move |run| (row, run)))
         .collect();
     let finished = AtomicUsize::new(0);
-    let outcomes = batch::each(runs.len(), |index| {
+    let outcomes = batch::each_on(at_a_time, runs.len(), |index| {
         let (row, run) = runs[index];
-        let outcome = outcome(&Case::of(&rows[row], run), &models);
+        let outcome = outcome(&Case::of(&rows[row], run), &models, threads);
         progress(1 + finished.fetch_add(1, Ordering::Relaxed), runs.len());
         outcome
     });
@@ -81,24 +87,24 @@ impl Models {
     }
 }
 
-/// Options of a fit in a run: runs are parallel, and each has one thread.
-fn single_threaded() -> FitOptions<'static> {
+fn fit_options(threads: usize) -> FitOptions<'static> {
     FitOptions {
-        threads: Some(1),
+        threads: Some(threads),
         ..FitOptions::default()
     }
 }
 
 /// Makes the flights of a run, diagnoses them, and scores the answer.
-fn outcome(case: &Case, models: &Models) -> Outcome {
+fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     let dataset = case.dataset();
     let base = models.get(case.body.model(), &[]);
     let asked = DiagnosisOptions {
         dataset: "hidden",
-        fit: single_threaded(),
+        fit: fit_options(threads),
         ..DiagnosisOptions::default()
     };
     let mut outcome = Outcome::unknown(case);
+    outcome.threads = threads;
     match diagnose(&base, &dataset, &asked) {
         Ok(found) => {
             score(&mut outcome, &found.report);
@@ -131,7 +137,7 @@ fn held_out(
     } else {
         let names: Vec<&str> = truth.iter().map(String::as_str).collect();
         let model = models.get(case.body.model(), &names);
-        let fitted = fit(&model, dataset, &single_threaded()).ok();
+        let fitted = fit(&model, dataset, &fit_options(1)).ok();
         fitted.map(|fitted| prediction_error(&fitted))
     };
     HeldOutErrors {
@@ -160,7 +166,7 @@ fn rejection(case: &Case, models: &Models) -> Option<String> {
     let model = models.get(case.body.model(), &names);
     let asked = DiagnosisOptions {
         dataset: "hidden",
-        fit: single_threaded(),
+        fit: fit_options(1),
         ..DiagnosisOptions::default()
     };
     let report = diagnose(&model, &case.dataset(), &asked).ok()?.report;
