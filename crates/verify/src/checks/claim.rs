@@ -9,7 +9,8 @@ use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
-use oracle::BalanceLaw;
+use oracle::scalar::{ErrorBound, Field};
+use oracle::{BalanceLaw, Tree, claimed_rates};
 use std::collections::BTreeMap;
 
 /// Name of the check.
@@ -70,6 +71,24 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
         let law = law.formula();
         format!("{law}: off by {error:.0e} of its terms, along {inertial}.{axis}")
     });
+    let lines = lines.chain(unsatisfied(subject, options));
     let lines: Vec<String> = lines.collect();
     Some(row.saying(lines.join("\n")))
+}
+
+/// Laws of the claimed body that no rates of the states satisfy, a line each: then the equations alone are not at fault.
+fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
+    let mut random = Random::new(options.seed, CLAIM);
+    let point = subject.without_effects(sample::point(subject.model, &mut random));
+    let lifted = point.lift::<ErrorBound>();
+    let pace = Tree::new(subject.model, &lifted).clock();
+    let implied = claimed_rates(subject.model, &lifted, ErrorBound::integer(1) / pace);
+    let laws = implied.map_or_else(Vec::new, |i| i.unsatisfied);
+    let line = |(law, error): (BalanceLaw, f64)| {
+        format!(
+            "no equations of these states could obey {} (off by {error:.0e}): what is claimed contradicts itself",
+            law.formula()
+        )
+    };
+    laws.into_iter().map(line).collect()
 }
