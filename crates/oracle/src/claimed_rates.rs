@@ -11,8 +11,8 @@ use num_traits::{One, Zero};
 
 /// Smallest singular value of the scaled system that counts, relative to the largest.
 const RANK: f64 = 1e-10;
-/// Largest part of a state in a direction that the laws leave free.
-const FREE: f64 = 1e-6;
+/// Largest part of a state in a direction that the laws leave free; what rounding makes larger is not determined either.
+const FREE: f64 = 1e-12;
 /// Smallest residual of a law that no rates satisfy, relative to the sum of the magnitudes of its terms.
 const RESIDUAL: f64 = 1e-10;
 
@@ -74,6 +74,12 @@ impl System {
                 row[state] = *change;
             }
         }
+        // At least as many rows as columns, so that the directions that the laws leave free are among the singular vectors.
+        while system.a.len() < count {
+            system.a.push(vec![ErrorBound::zero(); count]);
+            system.b.push(ErrorBound::zero());
+            system.laws.push(BalanceLaw::Position);
+        }
         let all = system.a.iter().flatten().chain(&system.b);
         let mut finite = all.map(|v| v.magnitude.is_finite());
         finite.all(|f| f).then_some(system)
@@ -83,15 +89,21 @@ impl System {
         let (rows, columns) = (self.a.len(), self.a[0].len());
         let matrix = DMatrix::from_fn(rows, columns, |i, j| self.a[i][j].value);
         let right = DVector::from_fn(rows, |i, _| self.b[i].value);
-        // Rows and columns of size 1, so that the rank does not depend on units.
+        // Rows and columns of size 1, so that the rank does not depend on units; by the magnitudes of the terms, so that
+        // what rounding leaves of terms that cancel stays small.
         let size = |norm: f64| if norm > 0.0 { 1.0 / norm } else { 1.0 };
-        let row_scale: Vec<f64> = matrix.row_iter().map(|r| size(r.norm())).collect();
-        let mut scaled = DMatrix::from_fn(rows, columns, |i, j| matrix[(i, j)] * row_scale[i]);
-        let column_scale: Vec<f64> = scaled.column_iter().map(|c| size(c.norm())).collect();
+        let sizes = DMatrix::from_fn(rows, columns, |i, j| self.a[i][j].magnitude);
+        let row_scale: Vec<f64> = sizes.row_iter().map(|r| size(r.norm())).collect();
+        let scaled_by_row =
+            |of: &DMatrix<f64>| DMatrix::from_fn(rows, columns, |i, j| of[(i, j)] * row_scale[i]);
+        let sizes = scaled_by_row(&sizes);
+        let column_scale: Vec<f64> = sizes.column_iter().map(|c| size(c.norm())).collect();
+        let mut scaled = scaled_by_row(&matrix);
         for (j, scale) in column_scale.iter().enumerate() {
             scaled.column_mut(j).scale_mut(*scale);
         }
-        let svd = scaled.clone().svd(true, true);
+        let alone: Vec<bool> = scaled.row_iter().map(|r| r.norm() <= RANK).collect();
+        let svd = scaled.svd(true, true);
         let tolerance = RANK * svd.singular_values.max();
         let free = free_states(&svd, tolerance, columns);
         let inverse = svd.pseudo_inverse(tolerance).ok()?;
@@ -101,43 +113,49 @@ impl System {
         let mut rates = &inverse * &right;
         rates += &inverse * (&right - &matrix * &rates);
         let residual = &right - &matrix * &rates;
-        // Magnitude of the terms of each row, with the rates as found.
-        let terms: Vec<f64> = (0..rows)
-            .map(|i| {
-                let of_rates = (0..columns).map(|j| self.a[i][j].magnitude * rates[j].abs());
-                self.b[i].magnitude + of_rates.sum::<f64>()
+        let terms = self.terms(rates.iter().map(|rate| rate.abs()));
+        let magnitudes: Vec<f64> = (0..columns)
+            .map(|j| {
+                let of_terms = (0..rows).map(|i| inverse[(j, i)].abs() * terms[i]);
+                of_terms.sum::<f64>().max(rates[j].abs())
             })
             .collect();
+        // Rates that vanish are known to the rounding of the terms that make them up.
+        let rounded = self.terms(magnitudes.iter().copied());
         let mut unsatisfied: Vec<(BalanceLaw, f64)> = Vec::new();
         let mut solves_the_others = true;
         for i in 0..rows {
-            let error = residual[i].abs() / terms[i].max(f64::MIN_POSITIVE);
-            if error <= RESIDUAL {
+            if residual[i].abs() <= RESIDUAL * rounded[i] {
                 continue;
             }
-            solves_the_others &= matrix.row(i).norm() == 0.0;
+            let error = residual[i].abs() / terms[i].max(f64::MIN_POSITIVE);
+            solves_the_others &= alone[i];
             match unsatisfied.iter_mut().find(|(law, _)| *law == self.laws[i]) {
                 Some((_, worst)) => *worst = worst.max(error),
                 None => unsatisfied.push((self.laws[i], error)),
             }
         }
-        let bounded = (0..columns).map(|j| {
-            let of_terms = (0..rows).map(|i| inverse[(j, i)].abs() * terms[i]);
-            let magnitude = of_terms.sum::<f64>().max(rates[j].abs());
-            (!free[j]).then(|| ErrorBound {
-                value: rates[j],
-                magnitude,
-            })
-        });
+        let bounded = { rates.iter() }.zip(magnitudes).zip(free);
+        let bounded = bounded
+            .map(|((&value, magnitude), free)| (!free).then_some(ErrorBound { value, magnitude }));
         Some(ClaimedRates {
             rates: bounded.collect(),
             unsatisfied,
             solves_the_others,
         })
     }
+
+    /// Sum of the magnitudes of the terms of each row, for rates of these sizes.
+    fn terms(&self, rates: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
+        let of_row = |(a, b): (&Vec<ErrorBound>, &ErrorBound)| {
+            let of_rates = a.iter().zip(rates.clone());
+            b.magnitude + of_rates.map(|(a, rate)| a.magnitude * rate).sum::<f64>()
+        };
+        self.a.iter().zip(&self.b).map(of_row).collect()
+    }
 }
 
-/// Whether each state has a part in a direction that the laws leave free.
+/// Whether each state has a part in a direction that the laws leave free; the system has at least as many rows as columns.
 fn free_states(
     svd: &nalgebra::SVD<f64, nalgebra::Dyn, nalgebra::Dyn>,
     tolerance: f64,
@@ -146,15 +164,12 @@ fn free_states(
     let Some(v_t) = &svd.v_t else {
         return vec![true; columns];
     };
-    // What the determined directions leave of each state's unit vector.
+    let values = svd.singular_values.iter().enumerate();
+    let free: Vec<usize> = values
+        .filter(|(_, s)| **s <= tolerance)
+        .map(|(k, _)| k)
+        .collect();
     (0..columns)
-        .map(|j| {
-            let values = svd.singular_values.iter().enumerate();
-            let held: f64 = values
-                .filter(|(_, s)| **s > tolerance)
-                .map(|(k, _)| v_t[(k, j)].powi(2))
-                .sum();
-            held < 1.0 - FREE
-        })
+        .map(|j| free.iter().any(|&k| v_t[(k, j)].abs() > FREE))
         .collect()
 }
