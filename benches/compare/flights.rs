@@ -34,7 +34,7 @@ pub fn frispy(root: &Path) -> Option<Value> {
 
 /// FrisPy's flight by our tape and by generated code, and ours of a backhand.
 pub fn measure(root: &Path, landing: &Value) -> Result<Vec<Timed>, String> {
-    let path = root.join("benches/peers/frispy.hyz");
+    let path = root.join("model-spec/refuted/frispy.hyz");
     let model = model_spec::load::load(&path.to_string_lossy(), &[]).map_err(|e| e.to_string())?;
     let compiled = codegen::compile(&model);
     let layout = &compiled.layout;

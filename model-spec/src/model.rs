@@ -2,6 +2,7 @@
 //!
 //! The compiler and the tree oracle read this representation. Indices are positions in the vectors of [`Model`].
 
+mod claim;
 mod effect;
 mod walk;
 
@@ -12,6 +13,7 @@ use crate::syntax::ast;
 use crate::unit::Unit;
 
 pub use crate::source::Source;
+pub use claim::{Claim, ClaimedAttitude, ClaimedRotation};
 pub use effect::{AppliedEffect, EffectUnknown, OfferedEffect};
 
 /// A checked model of a flying body: its states, parameters, frames, loads and equations.
@@ -45,6 +47,8 @@ pub struct Model {
     pub moments: Vec<Load>,
     /// Stated derivatives `der(state) = …`, in order of the states; with a body, only of states beyond the body's own.
     pub equations: Vec<Equation>,
+    /// What the stated equations are about; none if the model does not say it, or has a body.
+    pub claim: Option<Claim>,
     /// The point that is observed, if the model observes one; its coordinates are given with each observation.
     pub marker: Option<Marker>,
     /// The measurement equation: a vector in the inertial frame, m.

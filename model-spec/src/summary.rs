@@ -76,6 +76,18 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             "\nequations stated outright for all {} states",
             model.equations.len()
         )?;
+        if let Some(claim) = &model.claim {
+            let kind = match claim.rotation {
+                Some(_) => "rigid body",
+                None => "point",
+            };
+            let force = model.text(claim.force.span);
+            writeln!(out, "  claimed to be those of the {kind} {}", claim.name)?;
+            writeln!(out, "  force    {force}")?;
+            if let Some(rotation) = &claim.rotation {
+                writeln!(out, "  moment   {}", model.text(rotation.moment.span))?;
+            }
+        }
     }
     if let (Some(observation), Some(marker)) = (&model.observation, &model.marker) {
         let frame = &model.frames[marker.frame].name;

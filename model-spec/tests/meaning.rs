@@ -2,7 +2,7 @@
 
 use model_spec::diagnostic::Kind;
 use model_spec::load::{self, from_text, inspect_text};
-use model_spec::model::{Expr, ExprKind, Function, Model, Shape};
+use model_spec::model::{ClaimedAttitude, Expr, ExprKind, Function, Model, Shape};
 use model_spec::{nonzero_constants, singular_points};
 
 const POINT: &str = "\
@@ -384,4 +384,23 @@ fn a_unit_error_shows_the_declaration_that_would_agree() {
         faults("param l_p = 2 [1];\nlet a_p = l_p + z;\n"),
         [Kind::Unit]
     );
+}
+
+#[test]
+fn a_claim_says_what_stands_for_the_quantities_of_a_body() {
+    let page = std::fs::read_to_string("../docs/language.md").unwrap();
+    let of = |name: &str| {
+        let start = page.find(&format!("model {name};")).unwrap();
+        let text = &page[start..start + page[start..].find("```").unwrap()];
+        load::from_text(name, text, &[]).unwrap()
+    };
+    let glider = of("glider").claim.unwrap();
+    assert_eq!(glider.name, "glider");
+    assert!(glider.rotation.is_none());
+    assert_eq!(glider.force.shape, Shape::Vector(0));
+    assert_eq!(glider.force.unit, model_spec::unit::Unit::NEWTON);
+    let top = of("top").claim.unwrap().rotation.unwrap();
+    assert_eq!(top.attitude, ClaimedAttitude::Axis(1, 3));
+    assert_eq!(top.inertia_frame, 1);
+    assert_eq!(top.moment.shape, Shape::Vector(1));
 }

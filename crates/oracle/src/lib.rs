@@ -9,6 +9,8 @@
 //!   effects.
 //! - **Vector tree**: [`Tree`] evaluates the expressions of a model, [`derivatives`] its equations of motion;
 //!   [`free_load_derivatives`] those of a rigid body under given loads, in any field.
+//! - **Claims**: [`ClaimedBody`] are the quantities of the body that stated equations are claimed to be about, with the
+//!   laws that they obey; [`claimed_rates`] solves these for the rates of the states.
 //! - **Coordinates**: a [`Chart`] maps the states of a model to a [`Physical`] state and back.
 //!
 //! Everything is generic over the [`scalar`] type, so that one text yields values, running error bounds, derivatives
@@ -16,6 +18,8 @@
 
 mod attitude;
 mod chart;
+mod claimed;
+mod claimed_rates;
 mod dynamics;
 pub mod effect;
 mod error;
@@ -30,6 +34,8 @@ mod tree;
 
 pub use attitude::Quaternion;
 pub use chart::{Chart, PhysicalRate};
+pub use claimed::{Balance, BalanceLaw, ClaimedBody, Turning, moving};
+pub use claimed_rates::{ClaimedRates, claimed_rates};
 pub use dynamics::{MassProperties, derivatives, derivatives_of, mass_properties};
 pub use error::{BindError, Unsupported};
 pub use frames::PlacedFrame;

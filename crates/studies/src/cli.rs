@@ -24,6 +24,9 @@ pub enum Study {
     /// Compare the paper's statements on its two flights with every reading of its tables
     #[command(after_help = "Example:\n  hyzer-studies paper --out docs/paper.md")]
     Paper(Paper),
+    /// Which laws of motion the equations of other simulators break, and what mends them
+    #[command(after_help = "Example:\n  hyzer-studies others --out docs/others.md")]
+    Others(Paper),
     /// Coverage of a fit's intervals on flights made by the oracle, and fits of the paper's two flights one by one
     #[command(after_help = "Example:\n  hyzer-studies identification --seeds 20")]
     Identification(Identification),
@@ -76,7 +79,7 @@ impl Runs {
     }
 }
 
-/// `hyzer-studies paper`.
+/// `hyzer-studies paper` and `hyzer-studies others`.
 #[derive(Args)]
 pub struct Paper {
     /// File for the page; without it the page is printed

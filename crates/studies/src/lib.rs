@@ -12,6 +12,7 @@ mod error;
 pub mod fits;
 pub mod identification;
 pub mod oracle_flights;
+pub mod others;
 pub mod own_models;
 mod page;
 pub mod paper;

@@ -16,6 +16,7 @@ use studies::discovery::{
 use studies::fits::{FitCase, fits, fits_page};
 use studies::identification::{coverage, identification_page, paper_fits};
 use studies::oracle_flights::{TWELVE, noise_conditions};
+use studies::others::{others, others_page};
 use studies::own_models::{self, own_models_page};
 use studies::paper::{Study, paper_page};
 use studies::real_data::{RealData, real_data_page};
@@ -36,6 +37,7 @@ fn main() -> ExitCode {
 fn run(study: cli::Study) -> anyhow::Result<()> {
     let (page, out) = match study {
         cli::Study::Paper(options) => (paper()?, options.out),
+        cli::Study::Others(options) => (others_page(&others()?)?, options.out),
         cli::Study::Identification(options) => (identification(options.seeds)?, options.out),
         cli::Study::RealData(options) => {
             let data = RealData::of(&options.data)?;

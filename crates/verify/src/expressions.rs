@@ -75,6 +75,7 @@ pub fn roots_mut(model: &mut Model) -> Vec<&mut Expr> {
             .map(|l| &mut l.value),
     );
     out.extend(model.equations.iter_mut().map(|e| &mut e.value));
+    out.extend(model.claim.iter_mut().flat_map(|c| c.expressions_mut()));
     out.extend(model.observation.iter_mut().map(|o| &mut o.value));
     out.extend(model.clock.iter_mut().map(|c| &mut c.value));
     out.extend(model.limits.iter_mut().map(|l| &mut l.value));

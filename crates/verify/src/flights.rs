@@ -21,13 +21,15 @@ pub const MOMENTA: &str = "flight: reference in momenta";
 const FLIGHTS: &str = "flights";
 
 /// Largest relative difference of two final states; the integration tolerance is 1e-11.
-const TOLERANCE: f64 = 1e-8;
+pub(crate) const TOLERANCE: f64 = 1e-8;
 /// Reason to skip a model whose measuring clock does not run at 1 second per second of flight.
-const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
-const RELEASES: usize = 3;
+pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
+/// Number of flights of a check.
+pub(crate) const RELEASES: usize = 3;
 /// Maximum number of draws for a release within the limits of the model.
 const DRAWS: usize = 100;
-const DURATION: f64 = 1.0;
+/// Duration of a flight, s.
+pub(crate) const DURATION: f64 = 1.0;
 
 /// Checks that energy and angular momentum are conserved in a flight without air.
 pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
@@ -194,7 +196,7 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
 
 /// Removes the air: parameter `rho` and all coefficients are set to 0, or to the end of their bounds next to it; extra
 /// coefficients to their null values.
-fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
+pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {
             *value = 0.0;
@@ -215,7 +217,7 @@ fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
 }
 
 /// Integrates the model equations from a point; returns the final point.
-fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
+pub(crate) fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
     let mut at = from.clone();
     let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
         at.time = t;
@@ -223,7 +225,7 @@ fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
         dx.copy_from_slice(&subject.equations.rates(&at));
     });
     let start = from.states.clone();
-    let end = integrate(&mut moving, &start)?;
+    let end = integrate(&mut moving, &start, DURATION)?;
     Ok(Point {
         time: DURATION,
         states: end,
@@ -272,18 +274,20 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
         dy[6..10].copy_from_slice(&rate.parts().map(|part| part / 2.0));
         dy[10..13].copy_from_slice(motion.moment.as_slice());
     });
-    integrate(&mut moving, &start).map(|end| read(&end))
+    integrate(&mut moving, &start, DURATION).map(|end| read(&end))
 }
 
-fn integrate<D: ode::OdeRhs<State = Vec<f64>>>(
+/// Integrates over a duration, s, with the tolerance of all checks on flights; returns the final state.
+pub(crate) fn integrate<D: ode::OdeRhs<State = Vec<f64>>>(
     d: &mut D,
     start: &Vec<f64>,
+    duration: f64,
 ) -> Result<Vec<f64>, String> {
     let options = ode::IntegrationOptions {
         method: Method::Dop853,
         ..ode::IntegrationOptions::with_tolerance(1e-11)
     };
-    ode::integrate_to_end(d, (0.0, start), DURATION, &options, &mut [])
+    ode::integrate_to_end(d, (0.0, start), duration, &options, &mut [])
         .map(|end| end.state)
         .map_err(|fault| fault.to_string())
 }

@@ -11,11 +11,14 @@
 //! [`oracle::scalar::ErrorBound`]): cancellation neither hides a fault nor looks like one.
 
 pub mod checks;
+mod claim;
+mod claimed_flights;
 pub mod difference;
 pub mod engine;
 mod expressions;
 mod field;
 pub mod flights;
+mod meaning;
 pub mod mutants;
 pub mod random;
 pub mod refute;
@@ -140,11 +143,21 @@ fn every_check(
     let mut rows = vec![
         checks::reference::reference(subject, options),
         checks::reference::tree(subject, options),
-        checks::identities::check(subject, options),
-        flights::invariants(subject, options),
-        flights::momenta(subject, options),
-        checks::metamorphic::check(subject, options),
     ];
+    rows.extend(checks::claim::check(subject, options));
+    rows.push(checks::identities::check(subject, options));
+    rows.extend(if subject.is_known_by_claim() {
+        [
+            claimed_flights::invariants(subject, options),
+            claimed_flights::momenta(subject, options),
+        ]
+    } else {
+        [
+            flights::invariants(subject, options),
+            flights::momenta(subject, options),
+        ]
+    });
+    rows.push(checks::metamorphic::check(subject, options));
     rows.extend(checks::derivatives::check(subject, engine, options));
     rows.push(checks::exact::check(subject, options));
     rows.push(checks::exact_functions::check(

@@ -128,17 +128,38 @@ impl<'a> Subject<'a> {
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
 
+    /// Whether the meaning of the states is known by the claimed body alone.
+    pub fn is_known_by_claim(&self) -> bool {
+        self.chart.is_none() && self.model.claim.is_some()
+    }
+
+    /// The point with the coefficients of effects at their null values and added states at their defaults.
+    pub fn without_effects(&self, mut point: Point<f64>) -> Point<f64> {
+        for coefficient in self.model.effects.iter().flat_map(|e| &e.coefficients) {
+            point.coefficients[coefficient.index] = coefficient.null_value;
+        }
+        for state in self.model.added_states() {
+            point.states[state] = self.model.states[state].value;
+        }
+        point
+    }
+
     /// Row of a check that needs a reference law, where the model claims none: it does not apply to a body, whose
     /// equations are derived from Newton's and Euler's laws, and leaves stated equations without a law that holds them.
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
-            Row::skipped(check, "the model claims no reference")
-        } else {
-            Row::unverified(
-                check,
-                "its equations are stated, and it claims no reference",
-            )
+            return Row::skipped(check, "the model claims no reference");
         }
+        if self.model.claim.is_some() {
+            return Row::skipped(
+                check,
+                "the model claims no reference; the body that it claims holds its equations",
+            );
+        }
+        Row::unverified(
+            check,
+            "its equations are stated, and it claims neither a reference nor a body",
+        )
     }
 
     /// Row of a check that needs the physical meaning of the states, where it is unknown.

@@ -223,3 +223,30 @@ fn generated_code_of_another_text_is_said() {
     let report = verify::run(&edited("disc", "model disc;", "model mine;"), &QUICK);
     assert_eq!(row(&report, GENERATED).verdict, Verdict::Skipped);
 }
+
+#[test]
+fn what_does_not_depend_on_a_turn_but_for_rounding_is_not_refuted() {
+    // Lift across the plane of a frame that is turned about that very axis: its terms by `a` cancel.
+    let text = "model plate;
+param m = 0.2 kg;
+param k = 0.03 kg/m;
+frame N;
+frame A = N turned tilt about 1;
+frame B = A turned a about 3;
+state vx = 3 m/s;
+state vy = 2 m/s;
+state vz = 1 m/s;
+state tilt = 0.1 rad;
+state a = 0.2 rad;
+let flow = in_B((vx, vy, vz) in N);
+let planar = flow - flow.3*B.3;
+let force = in_N(-k*norm(flow)*flow + k*dot(planar, planar)*B.3);
+der(vx) = force.1/m;
+der(vy) = force.2/m;
+der(vz) = force.3/m;
+der(tilt) = 0.1 [rad/s];
+der(a) = 3 [rad/s];
+";
+    let report = report(text);
+    assert_eq!(report.outcome(), Outcome::NotVerified, "{}", report.table());
+}

@@ -1,50 +1,21 @@
 //! Checks of a body's inertia tensor and of the chain of frames that describes its attitude.
 
 use super::Checker;
-use super::body::{Parts, zero};
+use super::body::Parts;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, FrameKind};
 use crate::syntax::ast;
-use crate::unit::Unit;
 
 impl Checker<'_> {
     /// Checks the entries of the inertia tensor (constant, kg m², symmetric) and stores them in the model.
     pub fn inertia(&mut self, inertia: &ast::Inertia, span: Span) {
-        let mut rows: [[Option<Expr>; 3]; 3] = Default::default();
-        for (i, row) in inertia.rows.iter().enumerate() {
-            for (j, entry) in row.iter().enumerate() {
-                rows[i][j] = match entry {
-                    None => Some(zero(span)),
-                    Some(e) => {
-                        self.constant_of_body(e, Unit::INERTIA, "a moment of inertia", i != j)
-                    }
-                };
-            }
-        }
-        let [
-            [Some(a), Some(b), Some(c)],
-            [Some(d), Some(e), Some(f)],
-            [Some(g), Some(h), Some(i)],
-        ] = rows
-        else {
+        let Some(matrix) = self.inertia_entries(inertia, span) else {
             return;
         };
-        let matrix = [[a, b, c], [d, e, f], [g, h, i]];
-        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-            if !matrix[i][j].same(&matrix[j][i]) {
-                let (a, b) = (self.text(matrix[i][j].span), self.text(matrix[j][i].span));
-                let message = format!(
-                    "moments of inertia are symmetric, but row {} column {} is `{a}` and row {} column {} is `{b}`",
-                    i + 1,
-                    j + 1,
-                    j + 1,
-                    i + 1
-                );
-                self.report(Diagnostic::new(Kind::Value, span, message));
-                return;
-            }
+        let rotation = self.model.body.as_ref().and_then(|b| b.rotation.as_ref());
+        if let Some((body, frame)) = rotation.map(|r| (r.body_frame, r.inertia_frame)) {
+            self.steady_inertia(&matrix, body, frame, inertia.frame.span);
         }
-        self.steady_inertia(&matrix, inertia.frame.span);
         if let Some(rotation) = self.model.body.as_mut().and_then(|b| b.rotation.as_mut()) {
             rotation.inertia = matrix;
         }
@@ -52,11 +23,13 @@ impl Checker<'_> {
 
     /// Reports an inertia tensor that changes with time in its frame. That frame must be the body-fixed one, or differ
     /// from it by rotations about axes of inertial symmetry.
-    fn steady_inertia(&mut self, inertia: &[[Expr; 3]; 3], span: Span) {
-        let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
-            return;
-        };
-        let (body, frame) = (rotation.body_frame, rotation.inertia_frame);
+    pub fn steady_inertia(
+        &mut self,
+        inertia: &[[Expr; 3]; 3],
+        body: usize,
+        frame: usize,
+        span: Span,
+    ) {
         let chain = self.chain(body);
         let name = |i: usize| self.model.frames[i].name.clone();
         let Some(steps) = chain.iter().chain([&0]).position(|&f| f == frame) else {
@@ -71,14 +44,7 @@ impl Checker<'_> {
         };
         for &step in &chain[..steps] {
             let symmetric = match self.model.frames[step].kind {
-                FrameKind::Turned { axis, .. } => {
-                    let k = usize::from(axis) - 1;
-                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                    let off = [(0, 1), (0, 2), (1, 2)]
-                        .iter()
-                        .all(|&(a, b)| is_zero(&inertia[a][b]));
-                    off && inertia[i][i].same(&inertia[j][j])
-                }
+                FrameKind::Turned { axis, .. } => is_symmetric(inertia, axis),
                 _ => false,
             };
             if !symmetric {
@@ -188,6 +154,16 @@ impl Checker<'_> {
             }
         }
     }
+}
+
+/// Whether an inertia tensor is that of a body of revolution about axis 1, 2 or 3.
+pub(super) fn is_symmetric(inertia: &[[Expr; 3]; 3], axis: u8) -> bool {
+    let k = usize::from(axis) - 1;
+    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+    let off = [(0, 1), (0, 2), (1, 2)]
+        .iter()
+        .all(|&(a, b)| is_zero(&inertia[a][b]));
+    off && inertia[i][i].same(&inertia[j][j])
 }
 
 fn is_zero(e: &Expr) -> bool {

@@ -115,6 +115,7 @@ fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
             .map(|l| &mut l.value),
     );
     all.extend(model.equations.iter_mut().map(|e| &mut e.value));
+    all.extend(model.claim.iter_mut().flat_map(|c| c.expressions_mut()));
     all.extend(model.observation.iter_mut().map(|o| &mut o.value));
     all.extend(model.clock.iter_mut().map(|c| &mut c.value));
     all.extend(model.limits.iter_mut().map(|l| &mut l.value));

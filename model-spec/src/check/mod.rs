@@ -7,6 +7,7 @@ mod attitude;
 mod body;
 mod call;
 mod cases;
+mod claim;
 mod declare;
 mod effects;
 mod elaborate;
@@ -187,6 +188,7 @@ impl<'a> Checker<'a> {
         self.definitions();
         self.body();
         self.equations();
+        self.claim();
         self.limits();
         self.finish();
         if self.sound() {
@@ -248,6 +250,7 @@ fn empty_model(file: &ast::File, sources: &[Source]) -> Model {
         forces: Vec::new(),
         moments: Vec::new(),
         equations: Vec::new(),
+        claim: None,
         marker: None,
         observation: None,
         clock: None,

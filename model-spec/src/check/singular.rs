@@ -196,6 +196,7 @@ fn roots(model: &Model) -> Vec<&Expr> {
     all.extend(model.aux_variables.iter().map(|l| &l.value));
     all.extend(model.forces.iter().chain(&model.moments).map(|l| &l.value));
     all.extend(model.equations.iter().map(|e| &e.value));
+    all.extend(model.claim.iter().flat_map(|c| c.expressions()));
     all.extend(model.observation.iter().map(|o| &o.value));
     all.extend(model.clock.iter().map(|c| &c.value));
     all.extend(model.limits.iter().map(|l| &l.value));

@@ -61,7 +61,12 @@ impl Checker<'_> {
         let seen = seen.map(|o| (&o.value, o.name.as_str(), o.span));
         let clock = model.clock.iter().map(|c| (&c.value, "clock", c.span));
         let limits = model.limits.iter().map(|l| (&l.value, "limit", l.span));
+        let claimed = model.claim.iter().flat_map(|claim| {
+            let expressions = claim.expressions().into_iter();
+            expressions.map(|e| (e, claim.name.as_str(), e.span))
+        });
         let statements = loads.chain(rates).chain(seen).chain(clock).chain(limits);
+        let statements = statements.chain(claimed);
         let fault = { statements }.find_map(|(value, name, span)| {
             let size = sizes.of(value);
             sizes.fault(size, name, span)

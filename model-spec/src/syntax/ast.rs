@@ -1,9 +1,11 @@
 //! Syntax tree of a model file: names unresolved, each node with its source span.
 //!
-//! Fields are public so that other crates can change a model (mutants, effects) and check the result with
-//! [`check`](crate::check()).
+//! Fields are public so that other crates can change a model and check it with [`check`](crate::check()).
+
+mod claim;
 
 use crate::source::Span;
+pub use claim::{Claim, ClaimPart, ClaimPartKind};
 
 /// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -87,6 +89,8 @@ pub enum ItemKind {
     Limit(Limit),
     /// `check "title" { … }`
     Check(Check),
+    /// `claim body NAME { … }` or `claim point NAME { … }`
+    Claim(Claim),
     /// `effect NAME { … }`
     Effect(Effect),
 }

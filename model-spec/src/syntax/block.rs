@@ -70,7 +70,8 @@ impl Parser<'_> {
         })
     }
 
-    fn in_frame(&mut self, after: &str) -> Read<Name> {
+    /// Parses `in FRAME`.
+    pub fn in_frame(&mut self, after: &str) -> Read<Name> {
         self.need_word("in", after)?;
         self.name("the name of a frame after `in`")
     }

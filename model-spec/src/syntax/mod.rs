@@ -4,6 +4,7 @@
 
 pub mod ast;
 mod block;
+mod claim;
 mod effect;
 mod expr;
 mod parser;

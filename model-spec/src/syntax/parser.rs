@@ -9,7 +9,7 @@ use crate::suggest;
 const MAX_DEPTH: u32 = 64;
 
 /// Keywords that begin a statement.
-pub(super) const STATEMENTS: [&str; 28] = [
+pub(super) const STATEMENTS: [&str; 29] = [
     "model",
     "reference",
     "param",
@@ -19,6 +19,7 @@ pub(super) const STATEMENTS: [&str; 28] = [
     "frame",
     "body",
     "point",
+    "claim",
     "let",
     "force",
     "moment",

@@ -12,7 +12,7 @@ impl Display for File {
             // Empty lines around blocks and between different kinds of statement.
             let block = matches!(
                 item.kind,
-                ItemKind::Body(_) | ItemKind::Check(_) | ItemKind::Effect(_)
+                ItemKind::Body(_) | ItemKind::Claim(_) | ItemKind::Check(_) | ItemKind::Effect(_)
             );
             let changed = before
                 .is_some_and(|b| std::mem::discriminant(b) != std::mem::discriminant(&item.kind));
@@ -82,6 +82,7 @@ impl Display for ItemKind {
                 }
                 f.write_char('}')
             }
+            ItemKind::Claim(claim) => write!(f, "{claim}"),
             ItemKind::Let(l) => {
                 write!(f, "let ")?;
                 write_let(f, l)
@@ -336,6 +337,22 @@ body probe {
   angular velocity in N;
 }
 
+claim body top {
+  mass 2*k;
+  inertia ((k, 0, 0), (0, k, 0), (0, 0, k)) in C;
+  fixed in C;
+  axis C.3;
+  position (x, y, z) in N;
+  velocity velocity - wind;
+  angular velocity (p, q, r) in C;
+  force weight*N.3;
+  moment cross(position, N.3);
+}
+
+claim point p {
+  mass k;
+}
+
 let a: N*m = -x^2*(y + z)^(1/2)/(k*3) - (x - (y - z)) + 2 [m/s^2]*time;
 let b = ((x*y)^2)^3 + x^y^2 + (-x)^2 + -(x*y);
 let c = (x, y, z) in N + unit(wind, N.3) × C.1 · wind;
@@ -386,6 +403,8 @@ effect general {
             "2 [m/s^2]*time",
             "-(x*y)",
             "x - (y - z)",
+            "velocity velocity - wind;",
+            "claim point p {\n  mass k;\n}",
         ] {
             assert!(once.contains(part), "{part} in\n{once}");
         }

@@ -78,6 +78,7 @@ fn statement(item: &mut Item, change: Change<'_>) {
         | ItemKind::Reference(_)
         | ItemKind::Frame(_)
         | ItemKind::Body(_)
+        | ItemKind::Claim(_)
         | ItemKind::Marker(_)
         | ItemKind::Limit(_)
         | ItemKind::Check(_)

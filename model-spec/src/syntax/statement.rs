@@ -25,6 +25,7 @@ impl Parser<'_> {
             "state" => self.state()?,
             "frame" => self.frame()?,
             "body" | "point" => self.body()?,
+            "claim" => self.claim()?,
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
             "der" => self.equation()?,
@@ -62,11 +63,13 @@ impl Parser<'_> {
                 span,
                 format!("`{word}` stands inside `effect NAME {{ }}`, not here"),
             ),
-            "mass" | "inertia" | "fixed" | "position" | "velocity" | "angular" => Diagnostic::new(
-                Kind::Grammar,
-                span,
-                format!("`{word}` stands inside `body NAME {{ }}`, not here"),
-            ),
+            "mass" | "inertia" | "fixed" | "axis" | "position" | "velocity" | "angular" => {
+                Diagnostic::new(
+                    Kind::Grammar,
+                    span,
+                    format!("`{word}` stands inside `body NAME {{ }}`, not here"),
+                )
+            }
             _ => {
                 let fault = Diagnostic::new(
                     Kind::Grammar,

@@ -88,6 +88,10 @@ impl Comparison<'_> {
             let expected = tree_column(model, &seed(model, point, j, three_ways))?;
             for (i, expected) in expected.into_iter().enumerate() {
                 let ErrorBound { value, magnitude } = expected.first.derivative;
+                let magnitude = match magnitude {
+                    0.0 => cancelled(expected.first.value, size(point, j)),
+                    _ => magnitude,
+                };
                 let [num_dual, complex_step, dual] = [
                     expected.second.first.derivative(),
                     expected.second.second.derivative(),
@@ -243,6 +247,22 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
         magnitude: magnitude.max(got.magnitude),
     }
     .relative_error(got.value)
+}
+
+/// Magnitude against which an entry is measured that has no terms in the vector tree: compiled in the components of another
+/// frame, its terms may cancel to rounding. They are of the size of the terms of the value over that of the variable.
+fn cancelled(value: ErrorBound, variable: f64) -> f64 {
+    value.magnitude / variable.max(1.0)
+}
+
+/// Absolute value of a variable: a state, parameter, coefficient or component of an input, in the order of the columns.
+fn size(point: &Point<f64>, variable: usize) -> f64 {
+    let inputs = point.inputs.iter().flat_map(|v| v.iter());
+    let all = { point.states.iter() }
+        .chain(&point.params)
+        .chain(&point.coefficients)
+        .chain(inputs);
+    all.map(|v| v.abs()).nth(variable).unwrap_or(0.0)
 }
 
 /// State derivatives, then observation, from the vector tree; `None` if the tree cannot be evaluated.

@@ -1,5 +1,6 @@
 //! Balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
+use crate::claim::{Bounded, along, see};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -12,11 +13,12 @@ use oracle::{MassProperties, Motion, PlacedFrame, Point, Tree, inertia_in_n, mas
 /// Name of the check.
 pub const IDENTITIES: &str = "momentum and energy";
 
-type Bounded = Dual<ErrorBound>;
-
 /// Checks dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω and dr/dt = v at random points.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
+    if subject.is_known_by_claim() {
+        return of_claim(subject, options);
+    }
     let Some(chart) = &subject.chart else {
         return subject.without_meaning(IDENTITIES);
     };
@@ -86,6 +88,37 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
+/// The same balances of the body that stated equations are claimed to be about, with the author's coefficients at work.
+fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
+    let mut random = Random::new(options.seed, IDENTITIES);
+    let mut worst = Worst::default();
+    for _ in 0..options.cases {
+        let point = subject.without_effects(sample::point(subject.model, &mut random));
+        let Some(body) = along(subject, &point) else {
+            return Row::unverified(IDENTITIES, "there are no equations to evaluate");
+        };
+        let (energy, power) = (body.kinetic_energy().derivative, body.power().value);
+        let momentum = derivative(&body.momentum());
+        see(
+            &mut worst,
+            &momentum,
+            &value(&body.force),
+            "dp/dt against F",
+        );
+        if let Some(turning) = &body.turning {
+            let moment = value(&turning.moment);
+            let change = derivative(&body.angular_momentum());
+            see(&mut worst, &change, &moment, "dH/dt against M");
+        }
+        let velocity = value(&body.velocity);
+        let motion = derivative(&body.position);
+        see(&mut worst, &motion, &velocity, "dr/dt against v");
+        let (energy, power) = (Vector3::repeat(energy), Vector3::repeat(power));
+        see(&mut worst, &energy, &power, "dE/dt against F·v + M·ω");
+    }
+    Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
+}
+
 /// Loads and mass properties: loads of the model's body, else of the reference law; mass and inertia of the reference
 /// law where there is one, so that a wrong mass in the model is detected, unless the author's coefficients are at work.
 fn loads(
@@ -133,14 +166,4 @@ fn value(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {
 
 fn derivative(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {
     v.map(|d| d.derivative)
-}
-
-fn see(worst: &mut Worst, change: &Vector3<ErrorBound>, cause: &Vector3<ErrorBound>, what: &str) {
-    for (change, cause) in change.iter().zip(cause.iter()) {
-        let difference = *change - *cause;
-        worst.see(
-            difference.value.abs() / difference.magnitude.max(f64::MIN_POSITIVE),
-            || what.to_owned(),
-        );
-    }
 }

@@ -9,6 +9,7 @@
 use std::collections::BTreeSet;
 
 use crate::Options;
+use crate::meaning::Meaning;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -16,7 +17,7 @@ use crate::subject::Subject;
 use model_spec::model::{FrameKind, Model};
 use model_spec::unit::{Base, Unit};
 use nalgebra::{Matrix3, Vector3};
-use oracle::{Chart, Physical, PhysicalRate, Point, Quaternion, Tree};
+use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 
 /// Name of the check.
 pub const METAMORPHIC: &str = "metamorphic relations";
@@ -49,14 +50,16 @@ impl Relation {
 /// Checks every relation with the extra coefficients at their null values; also reports the relations that each extra
 /// coefficient breaks, which is no fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
-    let Some(chart) = &subject.chart else {
+    let Some(meaning) = Meaning::of(subject) else {
         return subject.without_meaning(METAMORPHIC);
     };
-    let axis = axis_of_revolution(subject.model).or(subject.reference.as_ref().map(|_| 3));
+    let axis = axis_of_revolution(subject.model)
+        .or_else(|| meaning.axis_of_revolution())
+        .or(subject.reference.as_ref().map(|_| 3));
     let apply: Vec<_> = Relation::ALL
         .into_iter()
         .filter(|(symmetry, _)| match symmetry {
-            Relation::SpinAngle => chart.has_attitude() && axis.is_some(),
+            Relation::SpinAngle => meaning.has_attitude() && axis.is_some(),
             Relation::Galilean => has_wind(subject.model),
             _ => true,
         })
@@ -69,6 +72,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         .map(|(index, _)| (index, Vec::new()))
         .collect();
     let mut of_model: BTreeSet<&str> = BTreeSet::new();
+    // Relations of which some states were found, and of which at some points none were.
+    let (mut seen, mut unseen) = (BTreeSet::new(), BTreeSet::new());
     let mut asymmetric = false;
     for _ in 0..options.cases {
         let full = sample::point(subject.model, &mut random);
@@ -80,9 +85,14 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             if symmetry == Relation::Mirror && !symmetric {
                 continue;
             }
-            let Some(error) = error(subject, chart, &core, symmetry, &draw) else {
+            let Some(error) = error(subject, &meaning, &core, symmetry, &draw) else {
+                if subject.is_known_by_claim() {
+                    unseen.insert(name);
+                    continue;
+                }
                 return subject.without_meaning(METAMORPHIC);
             };
+            seen.insert(name);
             worst.see(error, || name.to_owned());
             if error.is_nan() || error > TOLERANCE {
                 of_model.insert(name);
@@ -90,7 +100,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             for (index, names) in &mut broken {
                 let mut point = core.clone();
                 point.coefficients[*index] = full.coefficients[*index];
-                let error = self::error(subject, chart, &point, symmetry, &draw).unwrap_or(0.0);
+                let error = self::error(subject, &meaning, &point, symmetry, &draw).unwrap_or(0.0);
                 if error > TOLERANCE && !names.contains(&name) {
                     names.push(name);
                 }
@@ -103,11 +113,24 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         let why = format!("the model claims no law; it breaks: {}", names.join(", "));
         return Row::skipped(METAMORPHIC, &why);
     }
+    if seen.is_empty() {
+        return Row::skipped(
+            METAMORPHIC,
+            "no states of the model stand for the claimed body shifted, turned or mirrored",
+        );
+    }
     let row = Row::judged(METAMORPHIC, options.cases, &worst, TOLERANCE);
     let mut lines = vec![row.detail.clone()];
     if !has_wind(subject.model) {
         lines.push(String::from(
             "steady motion of air and body together does not apply: no input is a velocity of the air",
+        ));
+    }
+    let unseen: Vec<&str> = unseen.difference(&seen).copied().collect();
+    if !unseen.is_empty() {
+        lines.push(format!(
+            "no states of the model stand for the body after: {}",
+            unseen.join(", ")
         ));
     }
     if asymmetric {
@@ -145,22 +168,24 @@ impl Draw {
 /// Largest relative difference between the motion of the transformed state and the transformed motion.
 fn error(
     subject: &Subject<'_>,
-    chart: &Chart,
+    meaning: &Meaning<'_>,
     point: &Point<f64>,
     symmetry: Relation,
     draw: &Draw,
 ) -> Option<f64> {
     let model = subject.model;
-    let physical = chart.physical(&point.states);
-    let change = chart.physical_rate(&point.states, &subject.flight_rates(point));
+    let physical = meaning.physical(point)?;
+    let pace = subject.clock(point);
+    let change = meaning.rate(point, &subject.flight_rates(point), pace)?;
     let (moved, inputs, expected) = transform(model, point, &physical, &change, symmetry, draw);
     let mut seen = point.clone();
     seen.inputs = inputs;
-    seen.states = chart.states(&moved)?;
+    seen.states = meaning.states(&moved, &seen)?;
     if symmetry == Relation::Delay {
         seen.time += draw.delay;
     }
-    let got = chart.physical_rate(&seen.states, &subject.flight_rates(&seen));
+    let pace = subject.clock(&seen);
+    let got = meaning.rate(&seen, &subject.flight_rates(&seen), pace)?;
     let parts = [
         (got.velocity, expected.velocity),
         (got.acceleration, expected.acceleration),
@@ -252,11 +277,13 @@ fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> P
 /// Whether the inertia is invariant under reflection of the second axis.
 fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
-    rotation.is_none_or(|rotation| {
+    let claimed = model.claim.as_ref().and_then(|c| c.rotation.as_ref());
+    let inertia = { rotation.map(|r| &r.inertia) }.or(claimed.map(|r| &r.inertia));
+    inertia.is_none_or(|inertia| {
         let tree = Tree::new(model, point);
         [(0, 1), (1, 2)]
             .iter()
-            .all(|&(i, j)| tree.scalar(&rotation.inertia[i][j]) == 0.0)
+            .all(|&(i, j)| tree.scalar(&inertia[i][j]) == 0.0)
     })
 }
 

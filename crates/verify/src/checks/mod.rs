@@ -2,6 +2,7 @@
 
 pub mod backends;
 pub mod cases;
+pub mod claim;
 pub mod derivatives;
 pub mod effect_reference;
 pub mod effects;

@@ -190,6 +190,7 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
             ItemKind::State(s) => name("state", &s.name),
             ItemKind::Frame(f) => name("frame", &f.name),
             ItemKind::Body(_) => Some(("body", String::new())),
+            ItemKind::Claim(_) => Some(("claim", String::new())),
             ItemKind::Let(l) => name("let", &l.name),
             ItemKind::Load(l) if l.class == LoadClass::Force => name("force", &l.name),
             ItemKind::Load(l) => name("moment", &l.name),

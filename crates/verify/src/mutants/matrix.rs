@@ -40,15 +40,21 @@ pub struct MutationRow {
 impl MutationMatrix {
     /// Builds the matrix from mutants and their statuses.
     pub fn of(mutants: &[Mutant], statuses: &[MutantStatus]) -> Self {
+        let kills = |check: usize| {
+            let mut statuses = statuses.iter();
+            statuses.any(|s| matches!(s, MutantStatus::Killed(by) if by.contains(&check)))
+        };
+        // The last check is one of models that claim a body.
+        let count = CHECKS.len() - usize::from(!kills(CHECKS.len() - 1));
         let mut table = Self {
-            checks: CHECKS.to_vec(),
+            checks: CHECKS[..count].to_vec(),
             ..Self::default()
         };
         for operator in Operator::ALL {
             let mut row = MutationRow {
                 operator: operator.name(),
-                first: vec![0; CHECKS.len()],
-                noticed: vec![0; CHECKS.len()],
+                first: vec![0; count],
+                noticed: vec![0; count],
                 ..MutationRow::default()
             };
             for (mutant, fate) in mutants

@@ -3,7 +3,7 @@
 use super::Mutant;
 use super::equivalence::Original;
 use crate::Options;
-use crate::checks::{cases, identities, metamorphic, reference};
+use crate::checks::{cases, claim, identities, metamorphic, reference};
 use crate::row::{Row, Verdict};
 use crate::subject::{Interpreted, Subject};
 use crate::values::Values;
@@ -18,8 +18,8 @@ pub const FRAMES: &str = "frames";
 /// Name of the killing check: all other checks of the language.
 pub const GRAMMAR: &str = "names and shapes";
 
-/// Names of the checks that are run on mutants, cheapest first.
-pub const CHECKS: [&str; 7] = [
+/// Names of the checks that are run on mutants, cheapest first; the last is one of models that claim a body.
+pub const CHECKS: [&str; 8] = [
     UNITS,
     FRAMES,
     GRAMMAR,
@@ -27,6 +27,7 @@ pub const CHECKS: [&str; 7] = [
     reference::REFERENCE,
     identities::IDENTITIES,
     metamorphic::METAMORPHIC,
+    claim::CLAIM,
 ];
 
 /// Status of a mutant.
@@ -88,12 +89,13 @@ fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<us
     if subject.reference.is_none() {
         subject.chart.clone_from(&original.subject.chart);
     }
-    let rows: [Row; 4] = [
+    let mut rows: Vec<Row> = vec![
         cases::check(&subject),
         reference::reference(&subject, options),
         identities::check(&subject, options),
         metamorphic::check(&subject, options),
     ];
+    rows.extend(claim::check(&subject, options));
     rows.iter()
         .enumerate()
         .filter(|(_, row)| row.verdict == Verdict::Refuted)

@@ -1,8 +1,9 @@
 //! Diagnosis of refuted equations: which equation disagrees with the reference, and in which term.
 //!
-//! Each stated equation is compared with the reference separately; derivatives that it uses take the reference's
-//! values, so that a misprint is attributed to one equation only. Then the smallest correction is searched for with
-//! which the equation agrees.
+//! The rates of the reference are those of the reference law or, in a model without one, those that the laws of the
+//! claimed body imply. Each stated equation is compared with them separately; derivatives that it uses take the
+//! reference's values, so that a misprint is attributed to one equation only. Then the smallest correction is searched
+//! for with which the equation agrees.
 
 mod edit;
 
@@ -13,8 +14,8 @@ use crate::{Options, TOLERANCE};
 use edit::{Edit, Editor, snippet};
 use model_spec::model::{Equation, Expr, ExprKind, FrameKind, Function, Model, Shape};
 use model_spec::unit::Unit;
-use oracle::scalar::ErrorBound;
-use oracle::{Point, Tree, Value};
+use oracle::scalar::{ErrorBound, Field};
+use oracle::{Point, Tree, Value, claimed_rates};
 use serde::Serialize;
 
 /// A stated equation that disagrees with the reference.
@@ -57,19 +58,20 @@ const POINTS: usize = 8;
 
 /// Diagnoses all stated equations; returns those that disagree with the reference.
 pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
-    let Some(reference) = &subject.reference else {
+    let model = subject.model;
+    let Some(points) = points(subject, options) else {
         return Vec::new();
     };
-    let model = subject.model;
-    let mut random = Random::new(options.seed, "refute");
-    let points: Vec<Point<ErrorBound>> = (0..POINTS)
-        .map(|_| {
-            subject
-                .without_extras(sample::point(model, &mut random))
-                .lift()
-        })
-        .collect();
-    let truths: Vec<Vec<ErrorBound>> = points.iter().map(|p| reference.derivatives(p)).collect();
+    let truths: Vec<Vec<Option<ErrorBound>>> = match &subject.reference {
+        Some(reference) => {
+            let known = |p| reference.derivatives(p).into_iter().map(Some).collect();
+            points.iter().map(known).collect()
+        }
+        None => match points.iter().map(|p| implied(model, p)).collect() {
+            Some(truths) => truths,
+            None => return Vec::new(),
+        },
+    };
     let trees: Vec<Tree<'_, ErrorBound>> = points
         .iter()
         .zip(&truths)
@@ -88,15 +90,45 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
         .collect()
 }
 
+/// Points at which equations are compared; `None` for a model with neither a reference nor a claim.
+fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBound>>> {
+    let mut random = Random::new(options.seed, "refute");
+    let has_reference = subject.reference.is_some();
+    if !has_reference && subject.model.claim.is_none() {
+        return None;
+    }
+    let drawn = (0..POINTS).map(|_| {
+        let point = sample::point(subject.model, &mut random);
+        if has_reference {
+            subject.without_extras(point).lift()
+        } else {
+            subject.without_effects(point).lift()
+        }
+    });
+    Some(drawn.collect())
+}
+
+/// Rates of the states that the laws of the claimed body imply; `None` where no rates satisfy them, as then the claim
+/// itself cannot hold.
+fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorBound>>> {
+    let pace = Tree::new(model, point).clock();
+    let implied = claimed_rates(model, point, ErrorBound::integer(1) / pace)?;
+    implied.solves_the_others.then_some(implied.rates)
+}
+
 /// Reference values of the auxiliary variables that stand for derivatives used in other equations.
-fn used_derivatives(model: &Model, truth: &[ErrorBound]) -> Vec<(usize, Value<ErrorBound>)> {
+fn used_derivatives(
+    model: &Model,
+    truth: &[Option<ErrorBound>],
+) -> Vec<(usize, Value<ErrorBound>)> {
     let mut out = Vec::new();
     for (index, named) in model.aux_variables.iter().enumerate() {
         let own = model
             .equations
             .iter()
             .find(|e| e.value.span == named.value.span);
-        out.extend(own.map(|e| (index, Value::Scalar(truth[e.state]))));
+        let known = own.and_then(|e| truth[e.state]);
+        out.extend(known.map(|rate| (index, Value::Scalar(rate))));
     }
     out
 }
@@ -104,7 +136,7 @@ fn used_derivatives(model: &Model, truth: &[ErrorBound]) -> Vec<(usize, Value<Er
 struct Bench<'a> {
     model: &'a Model,
     trees: Vec<Tree<'a, ErrorBound>>,
-    truths: Vec<Vec<ErrorBound>>,
+    truths: Vec<Vec<Option<ErrorBound>>>,
 }
 
 impl Bench<'_> {
@@ -112,8 +144,10 @@ impl Bench<'_> {
     fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
         let mut worst = 0.0_f64;
         for (tree, truth) in self.trees.iter().zip(&self.truths) {
+            let Some(truth) = truth[state] else {
+                continue;
+            };
             let got = tree.scalar(e);
-            let truth = truth[state];
             let magnitude = truth.magnitude.max(got.magnitude).max(f64::MIN_POSITIVE);
             let error = (got.value - truth.value).abs() / magnitude;
             worst = if error.is_finite() {

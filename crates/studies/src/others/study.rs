@@ -1,0 +1,258 @@
+//! Judgement of each simulator: as published, and after each of its changes.
+
+use model_spec::load::inspect_text;
+use model_spec::model::{Expr, Model};
+use nalgebra::Vector3;
+use oracle::scalar::{Dual, ErrorBound, Field};
+use oracle::{BalanceLaw, ClaimedBody, Point, Tree, Value, claimed_rates, derivatives, moving};
+use verify::checks::claim::CLAIM;
+use verify::report::Verdict;
+
+use super::flight::{fly, position};
+use super::simulator::{SIMULATORS, Simulator};
+use crate::error::StudyError;
+
+/// Options of the verification: few points are enough, as a broken law is broken nearly everywhere.
+const OPTIONS: verify::Options = verify::Options {
+    seed: 1,
+    cases: 24,
+    mutants: false,
+    effects: false,
+};
+
+/// What was found about one simulator.
+#[derive(Clone, Debug)]
+pub struct Verdicts {
+    /// The simulator.
+    pub simulator: Simulator,
+    /// Both sides of each law along the flight, of the published equations.
+    pub laws: Vec<LawInFlight>,
+    /// Rates of the states along the flight, where the laws determine them all and differ from the published ones.
+    pub rates: Vec<RateInFlight>,
+    /// The published equations, then those after each change, the changes before it included.
+    pub stages: Vec<Stage>,
+}
+
+/// A law along a flight.
+#[derive(Clone, Copy, Debug)]
+pub struct LawInFlight {
+    /// The law.
+    pub law: BalanceLaw,
+    /// Largest size of the cause, in its SI unit.
+    pub cause: f64,
+    /// Largest difference of change and cause, in the same unit.
+    pub difference: f64,
+}
+
+/// The rate of a state along a flight, SI.
+#[derive(Clone, Debug)]
+pub struct RateInFlight {
+    /// Name of the state.
+    pub state: String,
+    /// Unit of the rate's state.
+    pub unit: String,
+    /// Largest size of the stated rate.
+    pub stated: f64,
+    /// Largest size of the rate that the laws imply at the same states.
+    pub implied: f64,
+    /// Largest difference of the two.
+    pub difference: f64,
+}
+
+/// The equations at one stage of the changes.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// The last change, in words; `None` for the published equations.
+    pub change: Option<&'static str>,
+    /// Lines of `hyzer verify` on the claimed body; empty if it obeys every law.
+    pub broken: Vec<String>,
+    /// Whether no check of `hyzer verify` is refuted.
+    pub holds: bool,
+    /// Largest change that this stage makes to the rate of each state whose equation it changes, along the flight of the
+    /// stage before: name of the state, largest rate before, largest difference.
+    pub moved: Vec<(String, f64, f64)>,
+    /// Position after the flight, m.
+    pub end: Vector3<f64>,
+}
+
+/// Judges every simulator.
+///
+/// # Errors
+/// [`StudyError`] if a model or a change of it does not load, or its flight fails.
+pub fn others() -> Result<Vec<Verdicts>, StudyError> {
+    SIMULATORS.iter().map(judge).collect()
+}
+
+/// Judges one simulator.
+///
+/// # Errors
+/// [`StudyError`] if the model or a change of it does not load, or its flight fails.
+pub fn judge(simulator: &Simulator) -> Result<Verdicts, StudyError> {
+    let absent = |name: &str| StudyError::Name {
+        of: simulator.model,
+        name: name.to_owned(),
+    };
+    let published = model_spec::load::load(simulator.model, &[])?;
+    let mut text = published.sources[0].text.clone();
+    let start = Point::defaults(&published);
+    let mut before = (
+        published.clone(),
+        fly(&published, &start).ok_or_else(|| absent("flight"))?,
+    );
+    let (laws, rates) = (laws(&published, &before.1), rates(&published, &before.1));
+    let mut stages = vec![stage(&text, None, &before, Vec::new())?];
+    for change in simulator.changes {
+        for (from, to) in change.edits {
+            if !text.contains(from) {
+                return Err(absent(from));
+            }
+            text = text.replace(from, to);
+        }
+        let model = model_spec::load::from_text(simulator.model, &text, &[])?;
+        let mut start = Point::defaults(&model);
+        for (state, vector, component) in change.starts {
+            let place = model.states.iter().position(|s| s.name == *state);
+            let value = started(&before.0, &before.1[0], vector, *component);
+            match (place, value) {
+                (Some(place), Some(value)) => start.states[place] = value,
+                _ => return Err(absent(state)),
+            }
+        }
+        let flight = fly(&model, &start).ok_or_else(|| absent("flight"))?;
+        let moved = moved(&before.0, &before.1, &model);
+        before = (model, flight);
+        stages.push(stage(&text, Some(change.says), &before, moved)?);
+    }
+    Ok(Verdicts {
+        simulator: *simulator,
+        laws,
+        rates,
+        stages,
+    })
+}
+
+/// A component of a vector of a model at a point, in the frame of the vector.
+fn started(model: &Model, point: &Point<f64>, name: &str, component: usize) -> Option<f64> {
+    let tree = Tree::new(model, point);
+    let index = { model.aux_variables.iter() }.position(|v| v.name == name)?;
+    let model_spec::model::Shape::Vector(frame) = model.aux_variables[index].value.shape else {
+        return None;
+    };
+    let Value::Vector(vector) = tree.aux_variables[index] else {
+        return None;
+    };
+    Some((tree.frames[frame].axes.transpose() * vector)[component])
+}
+
+fn stage(
+    text: &str,
+    change: Option<&'static str>,
+    (model, flight): &(Model, Vec<Point<f64>>),
+    moved: Vec<(String, f64, f64)>,
+) -> Result<Stage, StudyError> {
+    let loaded = inspect_text(&model.name, text, &[])?;
+    let report = verify::run(&loaded, &OPTIONS);
+    let claimed = report.rows.iter().find(|row| row.check == CLAIM);
+    let refuted = claimed.filter(|row| row.verdict == Verdict::Refuted);
+    let end = flight.last().and_then(|point| position(model, point));
+    Ok(Stage {
+        change,
+        broken: refuted.map_or_else(Vec::new, |row| {
+            row.detail.lines().map(str::to_owned).collect()
+        }),
+        holds: report.holds(),
+        moved,
+        end: end.ok_or_else(|| StudyError::Name {
+            of: "simulator",
+            name: String::from("claim"),
+        })?,
+    })
+}
+
+/// Both sides of each law at the points of a flight.
+fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
+    let mut out: Vec<LawInFlight> = Vec::new();
+    for point in flight {
+        let rates = derivatives(model, point).unwrap_or_default();
+        let along = moving(point, &rates, 1.0);
+        let tree = Tree::<Dual<f64>>::new(model, &along);
+        let balances = ClaimedBody::of(&tree).map_or_else(Vec::new, |body| body.balances());
+        for balance in balances {
+            let (cause, difference) = (
+                balance.cause.norm(),
+                (balance.change - balance.cause).norm(),
+            );
+            match out.iter_mut().find(|l| l.law == balance.law) {
+                Some(law) => {
+                    law.cause = law.cause.max(cause);
+                    law.difference = law.difference.max(difference);
+                }
+                None => out.push(LawInFlight {
+                    law: balance.law,
+                    cause,
+                    difference,
+                }),
+            }
+        }
+    }
+    out
+}
+
+/// Stated and implied rates at the points of a flight, of the states where they differ; empty if no rates obey the laws.
+fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
+    let mut out: Vec<RateInFlight> = model
+        .states
+        .iter()
+        .map(|state| RateInFlight {
+            state: state.name.clone(),
+            unit: state.unit_text.clone(),
+            stated: 0.0,
+            implied: 0.0,
+            difference: 0.0,
+        })
+        .collect();
+    for point in flight {
+        let stated = derivatives(model, point).unwrap_or_default();
+        let implied = claimed_rates(model, &point.lift::<ErrorBound>(), ErrorBound::integer(1));
+        let Some(implied) = implied.filter(|i| i.unsatisfied.is_empty()) else {
+            return Vec::new();
+        };
+        for ((row, stated), implied) in out.iter_mut().zip(stated).zip(implied.rates) {
+            let implied = implied.map_or(stated, |rate| rate.value);
+            row.stated = row.stated.max(stated.abs());
+            row.implied = row.implied.max(implied.abs());
+            row.difference = row.difference.max((stated - implied).abs());
+        }
+    }
+    out.retain(|row| row.difference > 1e-9 * (row.stated + row.implied));
+    out
+}
+
+/// What a change of the equations does to the rates of the states that both models have, along the flight of the first.
+fn moved(before: &Model, flight: &[Point<f64>], after: &Model) -> Vec<(String, f64, f64)> {
+    let stated = |model: &Model, name: &str| -> Option<Expr> {
+        let state = model.states.iter().position(|s| s.name == name)?;
+        let equation = model.equations.iter().find(|e| e.state == state)?;
+        Some(equation.value.clone())
+    };
+    let mut out = Vec::new();
+    if before.states.len() != after.states.len() {
+        return out;
+    }
+    for (index, state) in before.states.iter().enumerate() {
+        let (mut size, mut difference) = (0.0_f64, 0.0_f64);
+        for point in flight {
+            let rate = |model: &Model| {
+                let tree = Tree::new(model, point);
+                stated(model, &state.name).map_or(0.0, |e| tree.scalar(&e))
+            };
+            let (one, other) = (rate(before), rate(after));
+            size = size.max(one.abs());
+            difference = difference.max((one - other).abs());
+        }
+        if difference > 1e-12 * size.max(1e-12) {
+            out.push((before.states[index].name.clone(), size, difference));
+        }
+    }
+    out
+}

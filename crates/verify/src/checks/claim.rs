@@ -1,0 +1,94 @@
+//! Stated equations against the body that they are claimed to be about: the position changes by the velocity, the
+//! attitude by the angular velocity, the momentum by the force and the angular momentum by the moment. The derivatives
+//! are exact, by dual numbers along the model's own equations, and no state needs to be found from a quantity: any
+//! number of states will do, in any parametrization.
+
+use crate::claim::{along, is_fault, relative};
+use crate::random::Random;
+use crate::row::{Row, Worst};
+use crate::sample;
+use crate::subject::Subject;
+use crate::{Options, TOLERANCE};
+use oracle::scalar::{ErrorBound, Field};
+use oracle::{BalanceLaw, Tree, claimed_rates};
+use std::collections::BTreeMap;
+
+/// Name of the check.
+pub const CLAIM: &str = "claimed body";
+
+/// What to add to a model whose stated equations nothing can be held against, and what is then checked.
+const ADVICE: &str = "\
+NOT VERIFIED: nothing says what these equations are about, so nothing can say that they are wrong. Add
+    claim body NAME { mass …; inertia … in …; fixed in …; position …; velocity …; angular velocity …; force …; moment …; }
+or, of a body that does not turn,
+    claim point NAME { mass …; position …; velocity …; force …; }
+Then it is checked that the position changes by the velocity, the attitude by the angular velocity, the momentum by the
+force and the angular momentum by the moment; energy, flights and symmetries; and a wrong equation is named with its term.";
+
+/// Components of vectors, as axes of the inertial frame.
+const AXES: [u8; 3] = [1, 2, 3];
+
+/// Checks the laws of the claimed body at random points, effects off; `None` for a model with a body, whose equations are
+/// derived from these laws.
+pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
+    let model = subject.model;
+    if model.body.is_some() {
+        return None;
+    }
+    if model.claim.is_none() {
+        return Some(match &subject.reference {
+            Some(_) => Row::skipped(CLAIM, "its equations are held to a reference"),
+            None => subject.without_meaning(CLAIM).remarking(ADVICE),
+        });
+    }
+    let mut random = Random::new(options.seed, CLAIM);
+    let mut worst = Worst::default();
+    let mut broken: BTreeMap<BalanceLaw, (f64, u8)> = BTreeMap::new();
+    for _ in 0..options.cases {
+        let point = subject.without_effects(sample::point(model, &mut random));
+        let Some(body) = along(subject, &point) else {
+            return Some(Row::unverified(CLAIM, "there are no equations to evaluate"));
+        };
+        for balance in body.balances() {
+            let sides = balance.change.iter().zip(balance.cause.iter());
+            for ((change, cause), axis) in sides.zip(AXES) {
+                let error = relative(*change - *cause);
+                worst.see(error, || balance.law.formula().to_owned());
+                let so_far = broken.entry(balance.law).or_insert((0.0, axis));
+                if is_fault(error) && error > so_far.0 {
+                    *so_far = (error, axis);
+                }
+            }
+        }
+    }
+    broken.retain(|_, (error, _)| *error > 0.0);
+    let row = Row::judged(CLAIM, options.cases, &worst, TOLERANCE);
+    if broken.is_empty() {
+        return Some(row.saying("the equations obey the laws of the claimed body"));
+    }
+    let inertial = &model.frames[0].name;
+    let lines = broken.into_iter().map(|(law, (error, axis))| {
+        let law = law.formula();
+        format!("{law}: off by {error:.0e} of its terms, along {inertial}.{axis}")
+    });
+    let lines = lines.chain(unsatisfied(subject, options));
+    let lines: Vec<String> = lines.collect();
+    Some(row.saying(lines.join("\n")))
+}
+
+/// Laws of the claimed body that no rates of the states satisfy, a line each: then the equations alone are not at fault.
+fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
+    let mut random = Random::new(options.seed, CLAIM);
+    let point = subject.without_effects(sample::point(subject.model, &mut random));
+    let lifted = point.lift::<ErrorBound>();
+    let pace = Tree::new(subject.model, &lifted).clock();
+    let implied = claimed_rates(subject.model, &lifted, ErrorBound::integer(1) / pace);
+    let laws = implied.map_or_else(Vec::new, |i| i.unsatisfied);
+    let line = |(law, error): (BalanceLaw, f64)| {
+        format!(
+            "no equations of these states could obey {} (off by {error:.0e}): what is claimed contradicts itself",
+            law.formula()
+        )
+    };
+    laws.into_iter().map(line).collect()
+}

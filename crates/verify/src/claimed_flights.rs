@@ -1,0 +1,199 @@
+//! Checks on integrated flights of claimed bodies: conservation of energy and angular momentum without air, and the
+//! changes of position, momentum, angular momentum and energy against the integrals of their causes along the flight.
+
+use crate::Options;
+use crate::flights::{
+    DURATION, INVARIANTS, MOMENTA, OWN_CLOCK, RELEASES, TOLERANCE, airless, integrate,
+};
+use crate::random::Random;
+use crate::row::{Row, Worst};
+use crate::sample::{is_valid, typical, within_limits};
+use crate::subject::Subject;
+use nalgebra::Vector3;
+use oracle::{ClaimedBody, Point, Quaternion, Tree};
+
+/// Maximum number of draws for a release within the limits of the model.
+const DRAWS: usize = 100;
+/// Largest departure of a released state from its default, relative to the typical size of its unit.
+const SPREAD: f64 = 0.2;
+
+/// Checks that energy and angular momentum are conserved in a flight without air.
+pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
+    let mut random = Random::new(options.seed, INVARIANTS);
+    let mut worst = Worst::default();
+    let mut flown = 0;
+    for _ in 0..RELEASES {
+        let Some(mut point) = release(subject, &mut random) else {
+            return Row::unverified(INVARIANTS, UNRELEASED);
+        };
+        airless(subject, &mut point);
+        if subject.clock(&point) != 1.0 {
+            return Row::skipped(INVARIANTS, OWN_CLOCK);
+        }
+        let Some((end, _)) = fly(subject, &point) else {
+            continue;
+        };
+        let (Some(before), Some(after)) = (body(subject, &point), body(subject, &end)) else {
+            return subject.without_meaning(INVARIANTS);
+        };
+        if !acts_alike(&before, &after) {
+            return Row::skipped(
+                INVARIANTS,
+                "without air and with its coefficients at 0, loads are left that are not a constant force",
+            );
+        }
+        flown += 1;
+        // Potential of a constant force: −F·r.
+        let fall = before.force.dot(&(after.position - before.position));
+        let energies = (before.kinetic_energy(), after.kinetic_energy());
+        let size = (energies.0 + energies.1).max(f64::MIN_POSITIVE);
+        worst.see((energies.1 - energies.0 - fall).abs() / size, || {
+            String::from("energy")
+        });
+        let momenta = (before.angular_momentum(), after.angular_momentum());
+        let size = momenta.0.norm().max(f64::MIN_POSITIVE);
+        worst.see((momenta.1 - momenta.0).norm() / size, || {
+            String::from("angular momentum")
+        });
+    }
+    if flown == 0 {
+        return Row::skipped(INVARIANTS, "without air it leaves the limits of the model");
+    }
+    Row::judged(INVARIANTS, flown, &worst, TOLERANCE)
+}
+
+/// Compares the changes of position, momentum, angular momentum and energy in a flight with the integrals of velocity,
+/// force, moment and power.
+pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
+    let mut random = Random::new(options.seed, "flight by momenta");
+    let mut worst = Worst::default();
+    let mut flown = 0;
+    for _ in 0..RELEASES {
+        let Some(point) = release(subject, &mut random) else {
+            return Row::unverified(MOMENTA, UNRELEASED);
+        };
+        if subject.clock(&point) != 1.0 {
+            return Row::skipped(MOMENTA, OWN_CLOCK);
+        }
+        let Some((end, sums)) = fly(subject, &point) else {
+            continue;
+        };
+        let (Some(before), Some(after)) = (body(subject, &point), body(subject, &end)) else {
+            return subject.without_meaning(MOMENTA);
+        };
+        flown += 1;
+        let vector = |i: usize| Vector3::new(sums[i], sums[i + 1], sums[i + 2]);
+        for (what, before, after, sum) in [
+            ("position", before.position, after.position, vector(0)),
+            ("momentum", before.momentum(), after.momentum(), vector(3)),
+            (
+                "angular momentum",
+                before.angular_momentum(),
+                after.angular_momentum(),
+                vector(6),
+            ),
+            (
+                "energy",
+                Vector3::repeat(before.kinetic_energy()),
+                Vector3::repeat(after.kinetic_energy()),
+                Vector3::repeat(sums[9]),
+            ),
+        ] {
+            let size = before.norm() + after.norm() + sum.norm();
+            let error = (after - before - sum).norm() / size.max(f64::MIN_POSITIVE);
+            worst.see(error, || {
+                format!("{what} against the integral of its cause")
+            });
+        }
+    }
+    if flown == 0 {
+        return Row::skipped(MOMENTA, "its flights leave the limits of the model");
+    }
+    Row::judged(MOMENTA, flown, &worst, TOLERANCE)
+}
+
+const UNRELEASED: &str = "no release was found within the limits of the model";
+
+/// The claimed body at a point.
+fn body(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<f64>> {
+    ClaimedBody::of(&Tree::new(subject.model, point))
+}
+
+/// Whether the loads are one constant force and no moment, at both ends of a flight.
+fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
+    let moment = |body: &ClaimedBody<f64>| body.turning.map_or(0.0, |t| t.moment.norm());
+    let size = before.force.norm() + after.force.norm();
+    moment(before) == 0.0
+        && moment(after) == 0.0
+        && (before.force - after.force).norm() <= TOLERANCE * size
+}
+
+/// Release near the default state of the model and within its limits; effects off, random inputs.
+fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
+    let model = subject.model;
+    (0..DRAWS).find_map(|_| {
+        let mut point = Point::defaults(model);
+        for (state, value) in model.states.iter().zip(&mut point.states) {
+            *value += random.within(SPREAD * typical(state.unit));
+        }
+        for states in model.quaternions() {
+            let parts = states.map(|i| point.states[i]);
+            let norm = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
+            let attitude = Quaternion::from_parts(parts.map(|part| part / norm));
+            for (i, part) in states.into_iter().zip(attitude.parts()) {
+                point.states[i] = part;
+            }
+        }
+        for input in &mut point.inputs {
+            *input = Vector3::from_fn(|_, _| random.within(2.0));
+        }
+        let point = subject.without_effects(point);
+        within_limits(model, &point).then_some(point)
+    })
+}
+
+/// Flies as long as the limits of the model allow, at most [`DURATION`]; `None` if they allow nothing.
+fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
+    if !is_valid(subject.model, from) {
+        return None;
+    }
+    let durations = [1.0, 0.3, 0.1, 0.03].map(|part| part * DURATION);
+    let mut flights = { durations.into_iter() }.flat_map(|d| fly_with_sums(subject, from, d));
+    flights.find(|(end, _)| is_valid(subject.model, end))
+}
+
+/// Integrates the model's equations from a point, and with them the velocity, force, moment and power of the claimed body;
+/// returns the final point and the ten integrals.
+fn fly_with_sums(
+    subject: &Subject<'_>,
+    from: &Point<f64>,
+    duration: f64,
+) -> Result<(Point<f64>, Vec<f64>), String> {
+    let count = from.states.len();
+    let mut at = from.clone();
+    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
+        at.time = t;
+        at.states.copy_from_slice(&x[..count]);
+        dx[..count].copy_from_slice(&subject.equations.rates(&at));
+        let Some(body) = body(subject, &at) else {
+            return;
+        };
+        let moment = body.turning.map_or_else(Vector3::zeros, |t| t.moment);
+        let causes = [body.velocity, body.force, moment];
+        let components = causes.iter().flat_map(|cause| cause.iter());
+        for (slot, cause) in dx[count..].iter_mut().zip(components) {
+            *slot = *cause;
+        }
+        dx[count + 9] = body.power();
+    });
+    let mut start = from.states.clone();
+    start.extend([0.0; 10]);
+    let mut end = integrate(&mut moving, &start, duration)?;
+    let sums = end.split_off(count);
+    let at = Point {
+        time: duration,
+        states: end,
+        ..from.clone()
+    };
+    Ok((at, sums))
+}

@@ -1,0 +1,218 @@
+//! What the states of a model stand for: the physical state at a point, its rate, and the states of a physical state; by
+//! a chart, or by the body that stated equations are claimed to be about.
+
+use crate::subject::Subject;
+use model_spec::model::{ClaimedAttitude, FrameKind, Model};
+use nalgebra::{DMatrix, DVector, Vector3};
+use oracle::scalar::{Dual, Real};
+use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
+
+/// Maximum number of Gauss-Newton steps towards the states of a physical state.
+const STEPS: usize = 60;
+/// Maximum number of halvings of a step.
+const HALVINGS: usize = 30;
+/// Largest residual of the states that are found, relative to the size of the quantities.
+const FOUND: f64 = 1e-12;
+
+/// Meaning of the states of a model.
+pub enum Meaning<'a> {
+    /// Each state is a component of a physical quantity.
+    Chart(&'a Chart),
+    /// Expressions are the physical quantities; states are found from them by solving.
+    Claim(&'a Model),
+}
+
+impl<'a> Meaning<'a> {
+    /// Meaning of the states of a subject; `None` if nothing states it.
+    pub fn of(subject: &'a Subject<'_>) -> Option<Self> {
+        match &subject.chart {
+            Some(chart) => Some(Self::Chart(chart)),
+            None if subject.is_known_by_claim() => Some(Self::Claim(subject.model)),
+            None => None,
+        }
+    }
+
+    /// Whether the body turns; false for a point mass.
+    pub fn has_attitude(&self) -> bool {
+        match self {
+            Self::Chart(chart) => chart.has_attitude(),
+            Self::Claim(model) => model.claim.as_ref().is_some_and(|c| c.rotation.is_some()),
+        }
+    }
+
+    /// Axis of the body-fixed frame about which the claimed body is one of revolution: that of the turn from the frame of the
+    /// inertia; `None` if there is no such frame.
+    pub fn axis_of_revolution(&self) -> Option<u8> {
+        let Self::Claim(model) = self else {
+            return None;
+        };
+        let rotation = model.claim.as_ref()?.rotation.as_ref()?;
+        match rotation.attitude {
+            ClaimedAttitude::Frame(frame) if frame != rotation.inertia_frame => {
+                match model.frames[frame].kind {
+                    FrameKind::Turned { axis, .. } => Some(axis),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// Physical state at a point; `None` if a value is not finite.
+    pub fn physical(&self, point: &Point<f64>) -> Option<Physical<f64>> {
+        match self {
+            Self::Chart(chart) => Some(chart.physical(&point.states)),
+            Self::Claim(model) => {
+                let body = ClaimedBody::of(&Tree::new(model, point))?;
+                is_finite(&body).then(|| body.physical())
+            }
+        }
+    }
+
+    /// Rate of the physical state for given rates of the states; `pace` is the clock's seconds of flight per second.
+    pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
+        match self {
+            Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),
+            Self::Claim(model) => {
+                let moving = moving(point, rates, 1.0 / pace);
+                Some(rate_of(&ClaimedBody::of(&Tree::new(model, &moving))?))
+            }
+        }
+    }
+
+    /// States of a physical state, with everything else as at a point; `None` if no states were found.
+    pub fn states(&self, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
+        match self {
+            Self::Chart(chart) => chart.states(physical),
+            Self::Claim(model) => solved(model, physical, at),
+        }
+    }
+}
+
+fn is_finite(body: &ClaimedBody<f64>) -> bool {
+    let turning = body.turning.iter();
+    let of_turning = turning.flat_map(|t| t.axes.iter().chain(t.angular_velocity.iter()));
+    let all = body.position.iter().chain(body.velocity.iter());
+    all.chain(of_turning).all(|v| v.is_finite())
+}
+
+fn rate_of(body: &ClaimedBody<Dual<f64>>) -> PhysicalRate {
+    let derivative = |v: &Vector3<Dual<f64>>| v.map(|d| d.derivative);
+    let (angular_velocity, angular_acceleration) = match &body.turning {
+        None => (Vector3::zeros(), Vector3::zeros()),
+        Some(turning) => {
+            let along = |k: usize| turning.axes.column(k).into_owned();
+            let turns = |k: usize| {
+                let axis = along(k);
+                axis.map(|d| d.value).cross(&derivative(&axis))
+            };
+            let stated = turning.angular_velocity.map(|d| d.value);
+            let omega = match turning.axis {
+                // ω = ½ Σ axis × d(axis)/dt
+                None => (turns(0) + turns(1) + turns(2)) / 2.0,
+                // The spin shows in no axis.
+                Some(axis) => {
+                    let k = usize::from(axis) - 1;
+                    let normal = along(k).map(|d| d.value);
+                    turns(k) + normal * normal.dot(&stated)
+                }
+            };
+            (omega, derivative(&turning.angular_velocity))
+        }
+    };
+    PhysicalRate {
+        velocity: derivative(&body.position),
+        acceleration: derivative(&body.velocity),
+        angular_velocity,
+        angular_acceleration,
+    }
+}
+
+/// Finds the states whose claimed quantities are those of a physical state, from the states of a point by damped
+/// Gauss-Newton steps.
+fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
+    let turning = ClaimedBody::of(&Tree::new(model, at))?.turning;
+    let axes: Vec<u8> = turning.map_or_else(Vec::new, |t| t.turning_axes());
+    let mut wanted: Vec<f64> = physical.position.iter().copied().collect();
+    wanted.extend(physical.velocity.iter());
+    for &axis in &axes {
+        wanted.extend(physical.attitude.axis(axis).iter());
+    }
+    if !axes.is_empty() {
+        wanted.extend(physical.angular_velocity.iter());
+    }
+    let wanted = DVector::from_vec(wanted);
+    // Sizes of position, velocity, axes and angular velocity, so that each counts alike.
+    let mut sizes = vec![1.0 + physical.position.norm(); 3];
+    sizes.extend([1.0 + physical.velocity.norm(); 3]);
+    sizes.extend(axes.iter().flat_map(|_| [1.0; 3]));
+    sizes.resize(wanted.len(), 1.0 + physical.angular_velocity.norm());
+    let residual = |states: &[f64]| -> Option<DVector<f64>> {
+        let point = Point {
+            states: states.to_vec(),
+            ..at.clone()
+        };
+        let found = quantities(&ClaimedBody::of(&Tree::new(model, &point))?, &axes);
+        let scaled = found.iter().zip(wanted.iter()).zip(&sizes);
+        Some(DVector::from_iterator(
+            wanted.len(),
+            scaled.map(|((found, wanted), size)| (found - wanted) / size),
+        ))
+    };
+    let mut states = at.states.clone();
+    let mut error = residual(&states)?;
+    for _ in 0..STEPS {
+        if error.amax() <= FOUND {
+            return Some(states);
+        }
+        let jacobian = jacobian(model, &states, at, &axes, &sizes)?;
+        let step = jacobian.svd(true, true).solve(&error, 1e-10).ok()?;
+        let tried = (0..HALVINGS).find_map(|k| {
+            let part = 0.5_f64.powi(k as i32);
+            let moved = states.iter().zip(step.iter());
+            let moved: Vec<f64> = moved.map(|(state, step)| state - part * step).collect();
+            let left = residual(&moved)?;
+            (left.norm() < error.norm()).then_some((moved, left))
+        });
+        (states, error) = tried?;
+    }
+    (error.amax() <= FOUND).then_some(states)
+}
+
+/// Derivatives of the scaled quantities with respect to each state.
+fn jacobian(
+    model: &Model,
+    states: &[f64],
+    at: &Point<f64>,
+    axes: &[u8],
+    sizes: &[f64],
+) -> Option<DMatrix<f64>> {
+    let point = Point {
+        states: states.to_vec(),
+        ..at.clone()
+    };
+    let mut out = DMatrix::zeros(sizes.len(), states.len());
+    for state in 0..states.len() {
+        let mut seed = vec![0.0; states.len()];
+        seed[state] = 1.0;
+        let moving = moving(&point, &seed, 0.0);
+        let body = ClaimedBody::of(&Tree::new(model, &moving))?;
+        for (row, value) in quantities(&body, axes).iter().enumerate() {
+            out[(row, state)] = value.derivative / sizes[row];
+        }
+    }
+    Some(out)
+}
+
+/// Position, velocity, axes that turn with the body, and angular velocity of a claimed body.
+fn quantities<T: Real>(body: &ClaimedBody<T>, axes: &[u8]) -> Vec<T> {
+    let mut out: Vec<T> = body.position.iter().copied().collect();
+    out.extend(body.velocity.iter());
+    if let Some(turning) = &body.turning {
+        for &axis in axes {
+            out.extend(turning.axes.column(usize::from(axis) - 1).iter());
+        }
+        out.extend(turning.angular_velocity.iter());
+    }
+    out
+}

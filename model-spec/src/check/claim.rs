@@ -1,0 +1,292 @@
+//! Semantic checks of a claim: units and frames of the claimed quantities, and that they do not follow from the equations.
+
+use super::body::zero;
+use super::order::uses;
+use super::term::Term;
+use super::{Checker, Definition};
+use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::model::{self, ClaimedAttitude, ClaimedRotation, Expr, ExprKind};
+use crate::syntax::ast::{self, BodyClass, ClaimPart, ClaimPartKind, ItemKind};
+use crate::unit::Unit;
+
+impl<'a> Checker<'a> {
+    /// Checks the claim of the file, of which there is at most one, in a model without a body.
+    pub fn claim(&mut self) {
+        let file = self.file;
+        let mut claims = file.items.iter().filter_map(|item| match &item.kind {
+            ItemKind::Claim(claim) => Some(claim),
+            _ => None,
+        });
+        let Some(claim) = claims.next() else { return };
+        for other in claims {
+            self.second("claim", claim.name.span, other.name.span);
+        }
+        if let Some(body) = self.declared_body {
+            let message = "a claim says what stated equations are about, and this model has a body";
+            let fault = Diagnostic::new(Kind::Duplicate, claim.name.span, message)
+                .label(body.name.span, "the body, whose equations are derived");
+            self.report(fault.help("remove the claim, or the body"));
+            return;
+        }
+        if self.claimed_parts(claim) {
+            self.model.claim = self.claimed(claim);
+        }
+    }
+
+    /// Whether the statements of a claim are those that its body has, each once and without `der(…)`; reports the others.
+    fn claimed_parts(&mut self, claim: &'a ast::Claim) -> bool {
+        let before = self.diagnostics.len();
+        let mut seen: Vec<(&str, Span)> = Vec::new();
+        for part in &claim.parts {
+            let word = part.kind.words();
+            if let Some(&(_, first)) = seen.iter().find(|s| s.0 == word) {
+                self.second(word, first, part.span);
+            }
+            seen.push((word, part.span));
+            let of_point = ["mass", "position", "velocity", "force"].contains(&word);
+            if claim.class == BodyClass::Point && !of_point {
+                let message = format!("a point has no `{word}`");
+                let fault = Diagnostic::new(Kind::Shape, part.span, message);
+                self.report(fault.help("write `claim body`, not `claim point`, if it turns"));
+            }
+            self.without_derivatives(part);
+        }
+        let has = |word: &str| seen.iter().any(|s| s.0 == word);
+        let rigid = claim.class == BodyClass::Rigid;
+        let needed = [
+            ("mass …;", !has("mass")),
+            ("position …;", !has("position")),
+            ("velocity …;", !has("velocity")),
+            ("force …;", !has("force")),
+            ("inertia diag(…, …, …) in …;", rigid && !has("inertia")),
+            (
+                "fixed in …; (or axis …;)",
+                rigid && !has("fixed in") && !has("axis"),
+            ),
+            ("angular velocity …;", rigid && !has("angular velocity")),
+            ("moment …;", rigid && !has("moment")),
+        ];
+        let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
+        if !missing.is_empty() {
+            let lacks = super::scope::listed(&missing);
+            let message = format!("the claim of `{}` lacks {lacks}", claim.name.text);
+            self.report(
+                Diagnostic::new(Kind::Missing, claim.name.span, message)
+                    .help("add what is missing to the block of the claim"),
+            );
+        }
+        if has("fixed in") && has("axis") {
+            let message = "a claim says which frame is fixed in the body, or which is its axis";
+            let place = seen.iter().find(|s| s.0 == "axis");
+            let place = place.map_or(claim.name.span, |s| s.1);
+            let fault = Diagnostic::new(Kind::Duplicate, place, message);
+            self.report(fault.help("`axis` is for bodies in which no frame is fixed: keep one"));
+        }
+        self.diagnostics.len() == before
+    }
+
+    /// Reports `der(…)` in a claim: the claim would hold whatever the equations are.
+    fn without_derivatives(&mut self, part: &'a ClaimPart) {
+        let mut found: Option<(&str, Span)> = None;
+        for e in part.kind.expressions() {
+            uses(e, &mut |name, is_derivative, span| {
+                if is_derivative {
+                    found.get_or_insert((name, span));
+                }
+            });
+        }
+        if let Some((state, span)) = found {
+            self.circular(&format!("der({state})"), span);
+        }
+    }
+
+    fn circular(&mut self, what: &str, span: Span) {
+        let message = format!(
+            "`{what}` follows from the equations: a claim made of it would hold whatever they are"
+        );
+        let fault = Diagnostic::new(Kind::Cycle, span, message);
+        self.report(fault.help("state the quantity by the states and parameters"));
+    }
+
+    /// Reports an auxiliary variable that depends on `der(…)`; `true` if there is one.
+    fn is_circular(&mut self, e: &Expr) -> bool {
+        let of_equations: Vec<usize> = { self.derivatives.values() }
+            .filter_map(|&definition| match self.definitions.get(definition) {
+                Some(Definition::Done(index, ..)) => Some(*index),
+                _ => None,
+            })
+            .collect();
+        // Auxiliary variables come after those that they use.
+        let mut follows = vec![false; self.model.aux_variables.len()];
+        for (i, variable) in self.model.aux_variables.iter().enumerate() {
+            follows[i] = of_equations.contains(&i) || follows_from(&variable.value, &follows);
+        }
+        let mut culprit = None;
+        walk(e, &mut |e| {
+            if let ExprKind::AuxVariable(i) = e.kind
+                && follows[i]
+            {
+                culprit.get_or_insert(e.span);
+            }
+        });
+        if let Some(span) = culprit {
+            self.circular(&self.text(span), span);
+        }
+        culprit.is_some()
+    }
+
+    fn claimed(&mut self, claim: &'a ast::Claim) -> Option<model::Claim> {
+        let part = |word: &str| claim.parts.iter().find(|p| p.kind.words() == word);
+        let mass = self.claimed_mass(part("mass")?);
+        let mut vector = |word: &str, what: &str, unit: Unit| {
+            let [e] = part(word)?.kind.expressions()[..] else {
+                return None;
+            };
+            self.claimed_vector(e, what, unit)
+        };
+        let position = vector("position", "the position", Unit::METRE);
+        let velocity = vector("velocity", "the velocity", Unit::SPEED);
+        let force = vector("force", "the force", Unit::NEWTON);
+        let rotation = match claim.class {
+            BodyClass::Point => None,
+            BodyClass::Rigid => {
+                let omega = vector("angular velocity", "the angular velocity", Unit::RATE);
+                let moment = vector("moment", "the moment", Unit::NEWTON_METRE);
+                let inertia = self.claimed_inertia(part("inertia")?);
+                let attitude = part("fixed in").or(part("axis"))?;
+                let (inertia_frame, inertia) = inertia?;
+                Some(ClaimedRotation {
+                    attitude: self.claimed_attitude(attitude, inertia_frame, &inertia)?,
+                    inertia_frame,
+                    inertia,
+                    angular_velocity: omega?,
+                    moment: moment?,
+                })
+            }
+        };
+        Some(model::Claim {
+            name: claim.name.text.clone(),
+            mass: mass?,
+            position: position?,
+            velocity: velocity?,
+            force: force?,
+            rotation,
+            span: claim.name.span,
+        })
+    }
+
+    fn claimed_mass(&mut self, part: &'a ClaimPart) -> Option<Expr> {
+        match &part.kind {
+            ClaimPartKind::Mass(mass) => {
+                self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false)
+            }
+            _ => None,
+        }
+    }
+
+    fn claimed_vector(&mut self, e: &'a ast::Expr, what: &str, unit: Unit) -> Option<Expr> {
+        let (typed, _) = self.vector(e, &format!("{what} of the claim"))?;
+        let rule = format!("{what} of the claim must be in {}", unit.explained());
+        self.must_be(&typed, &Term::known(unit), &rule);
+        (!self.is_circular(&typed.expr)).then_some(typed.expr)
+    }
+
+    fn claimed_inertia(&mut self, part: &'a ClaimPart) -> Option<(usize, [[Expr; 3]; 3])> {
+        let ClaimPartKind::Inertia(inertia) = &part.kind else {
+            return None;
+        };
+        let frame = self.frame_of(&inertia.frame);
+        let entries = self.inertia_entries(inertia, part.span);
+        Some((frame?, entries?))
+    }
+
+    fn claimed_attitude(
+        &mut self,
+        part: &'a ClaimPart,
+        inertia_frame: usize,
+        inertia: &[[Expr; 3]; 3],
+    ) -> Option<ClaimedAttitude> {
+        match &part.kind {
+            ClaimPartKind::Fixed(name) => {
+                let frame = self.frame_of(name)?;
+                self.steady_inertia(inertia, frame, inertia_frame, part.span);
+                Some(ClaimedAttitude::Frame(frame))
+            }
+            ClaimPartKind::Axis(e) => {
+                let (typed, _) = self.vector(e, "the axis of the claim")?;
+                let ExprKind::Axis(frame, axis) = typed.expr.kind else {
+                    let message = "the axis of a claim is an axis of a frame, such as `B.3`";
+                    self.report(Diagnostic::new(Kind::Shape, e.span, message));
+                    return None;
+                };
+                if frame != inertia_frame || !super::attitude::is_symmetric(inertia, axis) {
+                    let name = self.model.frames[frame].name.clone();
+                    let message = format!(
+                        "a body with `axis {name}.{axis}` is one of revolution about it: its moments of inertia are given in {name} and are equal about the other two axes"
+                    );
+                    let fault = Diagnostic::new(Kind::Frame, part.span, message);
+                    self.report(fault.help("else state the frame that is `fixed in` the body"));
+                    return None;
+                }
+                Some(ClaimedAttitude::Axis(frame, axis))
+            }
+            _ => None,
+        }
+    }
+
+    /// Entries of an inertia tensor (constant, kg m², symmetric); `None`, with an error, for any other.
+    pub fn inertia_entries(
+        &mut self,
+        inertia: &ast::Inertia,
+        span: Span,
+    ) -> Option<[[Expr; 3]; 3]> {
+        let mut rows: [[Option<Expr>; 3]; 3] = Default::default();
+        for (i, row) in inertia.rows.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                rows[i][j] = match entry {
+                    None => Some(zero(span)),
+                    Some(e) => {
+                        self.constant_of_body(e, Unit::INERTIA, "a moment of inertia", i != j)
+                    }
+                };
+            }
+        }
+        let [
+            [Some(a), Some(b), Some(c)],
+            [Some(d), Some(e), Some(f)],
+            [Some(g), Some(h), Some(i)],
+        ] = rows
+        else {
+            return None;
+        };
+        let matrix = [[a, b, c], [d, e, f], [g, h, i]];
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            if !matrix[i][j].same(&matrix[j][i]) {
+                let (a, b) = (self.text(matrix[i][j].span), self.text(matrix[j][i].span));
+                let message = format!(
+                    "moments of inertia are symmetric, but row {} column {} is `{a}` and row {} column {} is `{b}`",
+                    i + 1,
+                    j + 1,
+                    j + 1,
+                    i + 1
+                );
+                self.report(Diagnostic::new(Kind::Value, span, message));
+                return None;
+            }
+        }
+        Some(matrix)
+    }
+}
+
+fn walk(e: &Expr, visit: &mut dyn FnMut(&Expr)) {
+    visit(e);
+    e.children(&mut |child| walk(child, visit));
+}
+
+fn follows_from(e: &Expr, follows: &[bool]) -> bool {
+    let mut found = false;
+    walk(e, &mut |e| {
+        found |= matches!(e.kind, ExprKind::AuxVariable(i) if follows[i]);
+    });
+    found
+}

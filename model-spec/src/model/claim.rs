@@ -1,0 +1,75 @@
+//! Claim of a model with stated equations: which of its quantities are those of a body.
+
+use super::Expr;
+use crate::source::Span;
+
+/// What stated equations are about: expressions for the quantities of a body. It adds nothing to the equations and is
+/// compared with them.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// Name of the claimed body.
+    pub name: String,
+    /// Mass, kg; depends only on parameters and coefficients.
+    pub mass: Expr,
+    /// Position of the centre of mass, a vector in any frame, m.
+    pub position: Expr,
+    /// Velocity of the centre of mass against the inertial frame, a vector in any frame, m/s.
+    pub velocity: Expr,
+    /// Sum of all forces, with the weight, a vector in any frame, N.
+    pub force: Expr,
+    /// Rotational motion; none for a point mass.
+    pub rotation: Option<ClaimedRotation>,
+    /// Source span of the claim's name.
+    pub span: Span,
+}
+
+/// Claimed rotational motion of a rigid body.
+#[derive(Clone, Debug)]
+pub struct ClaimedRotation {
+    /// What turns with the body.
+    pub attitude: ClaimedAttitude,
+    /// Index of the frame in which the inertia is constant.
+    pub inertia_frame: usize,
+    /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
+    pub inertia: [[Expr; 3]; 3],
+    /// Angular velocity of the body against the inertial frame, a vector in any frame, rad/s.
+    pub angular_velocity: Expr,
+    /// Sum of all moments about the centre of mass, a vector in any frame, N m.
+    pub moment: Expr,
+}
+
+/// What turns with a claimed body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClaimedAttitude {
+    /// The frame of this index is fixed in the body.
+    Frame(usize),
+    /// The axis of revolution: axis 1, 2 or 3 of the frame of this index; the frame does not spin with the body.
+    Axis(usize, u8),
+}
+
+impl Claim {
+    /// Every expression of the claim.
+    pub fn expressions(&self) -> Vec<&Expr> {
+        let mut all = vec![&self.mass, &self.position, &self.velocity, &self.force];
+        if let Some(rotation) = &self.rotation {
+            all.extend(rotation.inertia.iter().flatten());
+            all.extend([&rotation.angular_velocity, &rotation.moment]);
+        }
+        all
+    }
+
+    /// Every expression of the claim, for modification.
+    pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        let mut all = vec![
+            &mut self.mass,
+            &mut self.position,
+            &mut self.velocity,
+            &mut self.force,
+        ];
+        if let Some(rotation) = &mut self.rotation {
+            all.extend(rotation.inertia.iter_mut().flatten());
+            all.extend([&mut rotation.angular_velocity, &mut rotation.moment]);
+        }
+        all
+    }
+}
