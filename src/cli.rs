@@ -129,6 +129,9 @@ pub struct Verify {
     /// Mutation test: every mutant of the model, and the check that detects it
     #[arg(long)]
     pub mutants: bool,
+    /// Rounding errors of each backend and function at many states, and the statements of the model that lose digits
+    #[arg(long)]
+    pub rounding: bool,
     /// Seed of the random states
     #[arg(long, default_value_t = 1)]
     pub seed: u64,

@@ -39,13 +39,21 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
             continue;
         }
         let report = verify::run(&loaded, &settings);
+        let model = loaded.model.as_ref().filter(|_| options.rounding);
+        let rounding = model.map(|model| verify::rounding(model, &settings));
         outcome = outcome.max(report.outcome());
         if options.json {
             let mut value = serde_json::to_value(&report)?;
             value["outcome"] = serde_json::to_value(report.outcome())?;
+            if let Some(rounding) = rounding {
+                value["rounding"] = serde_json::to_value(rounding)?;
+            }
             reports.push(value);
         } else {
             output::print(report.table())?;
+            if let Some(rounding) = rounding {
+                output::print(format!("\n{}", rounding.table()))?;
+            }
         }
         models.extend(
             loaded

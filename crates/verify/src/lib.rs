@@ -20,6 +20,7 @@ pub mod mutants;
 pub mod random;
 pub mod refute;
 pub mod report;
+pub mod rounding;
 mod row;
 pub mod same_motion;
 pub mod sample;
@@ -35,6 +36,7 @@ use model_spec::model::Model;
 use mutants::equivalence::Original;
 use random::Random;
 use report::{Report, Row};
+use rounding::{Effort, Rounding};
 use same_motion::SameMotion;
 use subject::Subject;
 use values::Values;
@@ -131,6 +133,14 @@ pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     same_motion::compare(&subjects, options)
 }
 
+/// Rounding errors of every backend and of every statement of a model, at many points.
+pub fn rounding(model: &Model, options: &Options) -> Rounding {
+    let compiled = codegen::compile(model);
+    let engine = Engine::new(&compiled);
+    let subject = Subject::new(model, &engine);
+    rounding::measure(&subject, &compiled, options, Effort::DETAILS)
+}
+
 fn every_check(
     subject: &Subject<'_>,
     compiled: &Compiled,
@@ -160,6 +170,8 @@ fn every_check(
     let runs = checks::backends::runs(model, compiled, &points);
     rows.push(checks::backends::check(compiled, &runs));
     rows.push(checks::backends::check_fma(compiled, &runs));
+    let measured = rounding::measure(subject, compiled, options, Effort::ROW);
+    rows.push(rounding::row(&measured));
     rows.push(checks::backends::generated_code(model));
     let singular = checks::singular::points(model);
     let points: Vec<_> = singular.iter().map(|(_, point)| point.clone()).collect();
