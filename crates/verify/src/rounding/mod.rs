@@ -4,9 +4,9 @@
 //! that make it up ([`ErrorBound`]). Cancellation that the formula asks for is no fault of a backend; the statement of
 //! the model that does it is named apart, with the bits that it loses (see [`statements`]).
 
-mod big;
+pub(crate) mod big;
 mod points;
-mod program;
+pub(crate) mod program;
 pub mod statements;
 mod table;
 
@@ -225,7 +225,7 @@ pub fn row(rounding: &Rounding) -> Row {
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     with_numbers(|| {
         let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
-        let (prepared, undecided) = magnitudes(&compiled.prepare.program, &bounds);
+        let (prepared, undecided) = magnitudes(&compiled.prepare.program, &bounds, None);
         bounds.prepared = prepared;
         if undecided {
             return None;
@@ -237,7 +237,7 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
             if sections(function).is_empty() {
                 continue;
             }
-            let (bounds, undecided) = magnitudes(&function.program, &bounds);
+            let (bounds, undecided) = magnitudes(&function.program, &bounds, None);
             if undecided {
                 return None;
             }

@@ -1,7 +1,9 @@
 //! Programs of the compiler evaluated with any scalar of the oracle.
 
+use super::big::Big;
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
+use num_traits::Zero;
 use oracle::Point;
 use oracle::scalar::{Elementary, ErrorBound, Real};
 
@@ -119,32 +121,44 @@ fn unary<T: Real>(op: Unary, a: T) -> T {
 /// Distance to a branch, relative to the magnitude of the terms, below which rounding may decide the branch.
 const NEAR: f64 = 1e-9;
 
-/// Outputs of a program with the magnitudes of their terms, and whether rounding may decide a branch on the way.
-pub fn magnitudes(program: &Program, inputs: &Inputs<ErrorBound>) -> (Vec<ErrorBound>, bool) {
+/// Distance of an operation to its branch; `None` for an operation without branches.
+fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
+    match op {
+        Op::Unary(Unary::RecipOrZero, a) | Op::IfZero(a, ..) => Some(of(a)),
+        Op::Unary(Unary::Call(function), a) => match function {
+            MathFunction::Abs
+            | MathFunction::Sign
+            | MathFunction::Heaviside
+            | MathFunction::NonZero
+            | MathFunction::Sqrt
+            | MathFunction::Log => Some(of(a)),
+            MathFunction::Asin => Some((T::one() - of(a)) * (T::one() + of(a))),
+            _ => None,
+        },
+        Op::Binary(Binary::Min | Binary::Max, a, b) => Some(of(a) - of(b)),
+        _ => None,
+    }
+}
+
+/// Outputs of a program with the magnitudes of their terms, and whether rounding may decide a branch on the way. With exact
+/// inputs, a distance to a branch that is exactly 0 is no question of rounding.
+pub fn magnitudes(
+    program: &Program,
+    inputs: &Inputs<ErrorBound>,
+    exact: Option<&Inputs<Big>>,
+) -> (Vec<ErrorBound>, bool) {
     let temps = evaluated(program, inputs);
     let of = |operand| value(operand, inputs, &temps);
-    let is_near = |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= NEAR * x.magnitude;
-    let undecided = program
-        .statements
-        .iter()
-        .any(|statement| match statement.op {
-            Op::Unary(Unary::RecipOrZero, a) | Op::IfZero(a, ..) => is_near(of(a)),
-            Op::Unary(Unary::Call(function), a) => match function {
-                MathFunction::Abs
-                | MathFunction::Sign
-                | MathFunction::Heaviside
-                | MathFunction::NonZero
-                | MathFunction::Sqrt
-                | MathFunction::Log => is_near(of(a)),
-                MathFunction::Asin => {
-                    let one = ErrorBound::lit(1.0);
-                    is_near(of(a) - one) || is_near(of(a) + one)
-                }
-                _ => false,
-            },
-            Op::Binary(Binary::Min | Binary::Max, a, b) => is_near(of(a) - of(b)),
-            _ => false,
-        });
+    let exact = exact.map(|exact| (exact, evaluated(program, exact)));
+    let is_exactly_zero = |op| {
+        exact.as_ref().is_some_and(|(inputs, temps)| {
+            gap(op, |operand| value(operand, inputs, temps)).is_some_and(|gap| gap.is_zero())
+        })
+    };
+    let undecided = program.statements.iter().any(|statement| {
+        let is_near = |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= NEAR * x.magnitude;
+        gap(statement.op, of).is_some_and(is_near) && !is_exactly_zero(statement.op)
+    });
     let outputs = program.outputs.iter();
     (outputs.map(|&output| of(output)).collect(), undecided)
 }
