@@ -10,6 +10,7 @@
 //! An error is measured against the sum of the magnitudes of the terms that make up a value (see
 //! [`oracle::scalar::ErrorBound`]): cancellation neither hides a fault nor looks like one.
 
+pub mod certificate;
 pub mod checks;
 pub mod difference;
 pub mod engine;
@@ -139,6 +140,13 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
     let engine = Engine::new(&compiled);
     let subject = Subject::new(model, &engine);
     rounding::measure(&subject, &compiled, options, Effort::DETAILS)
+}
+
+/// Rows of the checks of a compiled program against a model, which need not be the one it was compiled from: those of
+/// [`run`] without the text, the effects and the mutants.
+pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
+    let engine = Engine::new(compiled);
+    every_check(&Subject::new(model, &engine), compiled, &engine, options)
 }
 
 fn every_check(
