@@ -28,7 +28,7 @@ pub enum Command {
     Generate(Generate),
     /// Verify models by every independent check against a reference implementation
     #[command(
-        after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models\n\nExit status: 0 verified, every check that applies was made and holds; 1 refuted, at least one check fails; 3 not verified,\nno check fails and at least one that applies could not be made: the table says which and why. A check that is `skipped` does\nnot apply to the model."
+        after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models\n  hyzer verify disc --rounding\n  hyzer verify disc --certificate disc.certificate.json\n  hyzer verify --check disc.certificate.json\n\nA certificate is a JSON file: what was checked, on which texts and code (SHA-256), with which options, and the verdicts. With\n--check the exit status is 0 where it stands, 1 where something that it covers has changed, 2 for a bad file.\n\nExit status: 0 verified, every check that applies was made and holds; 1 refuted, at least one check fails; 3 not verified,\nno check fails and at least one that applies could not be made: the table says which and why. A check that is `skipped` does\nnot apply to the model."
     )]
     Verify(Verify),
     /// Say what a change of a model does: which derivatives are exactly the same function, which are not and by which terms
@@ -129,12 +129,32 @@ pub struct Verify {
     /// Mutation test: every mutant of the model, and the check that detects it
     #[arg(long)]
     pub mutants: bool,
+    /// Rounding errors of each backend and function at many states, and the statements of the model that lose digits
+    #[arg(long)]
+    pub rounding: bool,
     /// Seed of the random states
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// Random states for each check
     #[arg(long, default_value_t = 200)]
     pub cases: usize,
+    /// Write a certificate: what was checked, on which texts and code, and the verdicts
+    #[arg(long, value_name = "FILE")]
+    pub certificate: Option<PathBuf>,
+    /// Say whether a certificate still stands, and what has changed
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = ["models", "with", "mutants", "rounding", "seed", "cases", "certificate"]
+    )]
+    pub check: Option<PathBuf>,
+    /// With --check: make the checks again too, and compare the verdicts
+    #[arg(
+        long,
+        requires = "check",
+        conflicts_with_all = ["models", "with", "mutants", "rounding", "seed", "cases", "certificate"]
+    )]
+    pub again: bool,
 }
 
 /// `hyzer diff`.
@@ -309,6 +329,10 @@ pub struct Fit {
     /// Stop after this many seconds with the best answer so far; the result then says so
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,
+    /// Certificate of the model, by `hyzer verify --certificate`, which the page names; by default the one next to the model's
+    /// file, MODEL.certificate.json
+    #[arg(long, value_name = "FILE")]
+    pub certificate: Option<PathBuf>,
     /// Folder for report.html, report.json, fitted.hyz, figures and tables: new, empty, or of earlier results, which are
     /// replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]
@@ -347,6 +371,10 @@ pub struct Diagnose {
     /// Stop after this many seconds with the best answer so far, which is said in the result
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,
+    /// Certificate of the model, by `hyzer verify --certificate`, which the page names; by default the one next to the model's
+    /// file, MODEL.certificate.json
+    #[arg(long, value_name = "FILE")]
+    pub certificate: Option<PathBuf>,
     /// Folder for report.html, report.json, the extended model, figures and tables: new, empty, or of earlier results, which
     /// are replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]

@@ -1,5 +1,6 @@
 //! Implementations of the commands, one file each.
 
+mod certificate;
 mod check;
 mod diagnose;
 mod diff;

@@ -1,10 +1,14 @@
 //! Command `hyzer verify`: runs every independent check of a model.
 
+use std::path::Path;
+
 use model_spec::load::{Loaded, MODELS, inspect};
 use model_spec::model::Model;
 use verify::Options;
+use verify::certificate::{Certificate, CertifiedModel, folder_of};
 use verify::report::Outcome;
 
+use super::certificate;
 use crate::cli::Verify;
 use crate::{Answer, output};
 
@@ -12,8 +16,11 @@ use crate::{Answer, output};
 const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
 
 /// Verifies each model; answers no if any check of any model fails, and undecided if none fails and some that apply could
-/// not be made.
+/// not be made. With `--check`, answers whether a certificate stands.
 pub fn run(options: &Verify) -> anyhow::Result<Answer> {
+    if let Some(path) = &options.check {
+        return certificate::check(path, options.again, options.json, is_same);
+    }
     if options.cases == 0 || options.cases > 100_000 {
         anyhow::bail!("--cases: found {}, expected 1 to 100000", options.cases);
     }
@@ -28,30 +35,42 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
         mutants: options.mutants,
         ..Options::default()
     };
+    let with = super::names(&options.with);
     let mut outcome = Outcome::Verified;
     let mut reports = Vec::new();
     let mut models: Vec<Model> = Vec::new();
+    let mut certified: Vec<CertifiedModel> = Vec::new();
+    let mut refused = Vec::new();
     for name in names {
-        let loaded = inspect(name, &super::names(&options.with))?;
+        let loaded = inspect(name, &with)?;
         if loaded.model.is_none() {
             refuse(&loaded);
             outcome = Outcome::Refuted;
+            refused.push(name);
             continue;
         }
         let report = verify::run(&loaded, &settings);
+        let model = loaded.model.as_ref().filter(|_| options.rounding);
+        let rounding = model.map(|model| verify::rounding(model, &settings));
         outcome = outcome.max(report.outcome());
+        if let Some(path) = &options.certificate {
+            let folder = folder_of(path);
+            certified.extend(CertifiedModel::new(&folder, name, &with, &loaded, &report));
+        }
         if options.json {
             let mut value = serde_json::to_value(&report)?;
             value["outcome"] = serde_json::to_value(report.outcome())?;
+            if let Some(rounding) = rounding {
+                value["rounding"] = serde_json::to_value(rounding)?;
+            }
             reports.push(value);
         } else {
             output::print(report.table())?;
+            if let Some(rounding) = rounding {
+                output::print(format!("\n{}", rounding.table()))?;
+            }
         }
-        models.extend(
-            loaded
-                .model
-                .filter(|model| SAME.contains(&model.name.as_str())),
-        );
+        models.extend(loaded.model.filter(is_same));
     }
     let same = (models.len() > 1).then(|| verify::same_motion(&models, &settings));
     if same.as_ref().is_some_and(|same| !same.holds()) {
@@ -66,11 +85,30 @@ pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     } else if let Some(same) = &same {
         output::print(same.table())?;
     }
+    if let Some(path) = &options.certificate {
+        let written = Certificate::new(&settings, certified, same.as_ref());
+        write(path, &written, &refused)?;
+    }
     Ok(match outcome {
         Outcome::Verified => Answer::Yes,
         Outcome::Refuted => Answer::No,
         Outcome::NotVerified => Answer::Undecided,
     })
+}
+
+fn is_same(model: &Model) -> bool {
+    SAME.contains(&model.name.as_str())
+}
+
+/// Writes a certificate; none where a text was refused, which yields no model to certify.
+fn write(path: &Path, certificate: &Certificate, refused: &[&str]) -> anyhow::Result<()> {
+    if !refused.is_empty() {
+        eprintln!("no certificate is written: {} refused", refused.join(", "));
+        return Ok(());
+    }
+    output::write(path, certificate.text())?;
+    eprintln!("{}: {}", path.display(), certificate.summary());
+    Ok(())
 }
 
 fn refuse(loaded: &Loaded) {

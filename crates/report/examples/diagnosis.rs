@@ -10,6 +10,7 @@ mod made;
 use std::path::PathBuf;
 
 use diagnose::Verdict;
+use report::CertificateNote;
 use report::diagnosis::{DiagnosisPage, make};
 
 fn main() -> std::io::Result<()> {
@@ -37,6 +38,7 @@ fn main() -> std::io::Result<()> {
         },
         after: if extended { &after } else { &[] },
         extended: extended.then_some(found::EXTENDED),
+        certificate: &CertificateNote::none(),
     };
     let made = make(&page);
     std::fs::create_dir_all(&folder)?;

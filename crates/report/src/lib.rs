@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 mod atomic_file;
+mod certificate;
 mod data_faults;
 pub mod diagnosis;
 pub mod effects;
@@ -13,4 +14,5 @@ pub mod literature;
 mod result_folder;
 
 pub use atomic_file::write_atomic;
+pub use certificate::{CertificateNote, WithCertificate};
 pub use result_folder::{MANIFEST, ResultFile, ResultFolder, ResultFolderError};

@@ -8,6 +8,7 @@ mod made;
 use diagnose::{Report, Verdict};
 use identify::FlightEvidence;
 use identify::dataset::Role;
+use report::CertificateNote;
 use report::diagnosis::{DiagnosisPage, Made, make};
 
 const TWO_MEGABYTES: usize = 2_000_000;
@@ -20,6 +21,7 @@ fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) ->
         before,
         after,
         extended,
+        certificate: &CertificateNote::none(),
     });
     check(&made);
     made
@@ -287,6 +289,7 @@ fn names_from_outside_are_escaped() {
         before: &after,
         after: &after,
         extended: Some(EVIL),
+        certificate: &CertificateNote::none(),
     });
     check(&made);
     assert!(made.html.matches("&lt;script&gt;alert(1)").count() > 30);
@@ -440,6 +443,7 @@ fn what_cannot_be_relied_on_says_so_first_and_flights_are_compared_in_pairs() {
         after: &[],
         reasons_against: &["the time limit was reached".to_owned()],
         extended: None,
+        certificate: &CertificateNote::none(),
     });
     check(&made);
     let body = &made.html[made.html.find("<main>").unwrap()..];

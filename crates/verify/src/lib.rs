@@ -10,6 +10,7 @@
 //! An error is measured against the sum of the magnitudes of the terms that make up a value (see
 //! [`oracle::scalar::ErrorBound`]): cancellation neither hides a fault nor looks like one.
 
+pub mod certificate;
 pub mod checks;
 mod claim;
 mod claimed_flights;
@@ -23,6 +24,7 @@ pub mod mutants;
 pub mod random;
 pub mod refute;
 pub mod report;
+pub mod rounding;
 mod row;
 pub mod same_motion;
 pub mod sample;
@@ -38,6 +40,7 @@ use model_spec::model::Model;
 use mutants::equivalence::Original;
 use random::Random;
 use report::{Report, Row};
+use rounding::{Effort, Rounding};
 use same_motion::SameMotion;
 use subject::Subject;
 use values::Values;
@@ -134,6 +137,21 @@ pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     same_motion::compare(&subjects, options)
 }
 
+/// Rounding errors of every backend and of every statement of a model, at many points.
+pub fn rounding(model: &Model, options: &Options) -> Rounding {
+    let compiled = codegen::compile(model);
+    let engine = Engine::new(&compiled);
+    let subject = Subject::new(model, &engine);
+    rounding::measure(&subject, &compiled, options, Effort::DETAILS)
+}
+
+/// Rows of the checks of a compiled program against a model, which need not be the one it was compiled from: those of
+/// [`run`] without the text, the effects and the mutants.
+pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
+    let engine = Engine::new(compiled);
+    every_check(&Subject::new(model, &engine), compiled, &engine, options)
+}
+
 fn every_check(
     subject: &Subject<'_>,
     compiled: &Compiled,
@@ -173,6 +191,8 @@ fn every_check(
     let runs = checks::backends::runs(model, compiled, &points);
     rows.push(checks::backends::check(compiled, &runs));
     rows.push(checks::backends::check_fma(compiled, &runs));
+    let measured = rounding::measure(subject, compiled, options, Effort::ROW);
+    rows.push(rounding::row(&measured));
     rows.push(checks::backends::generated_code(model));
     let singular = checks::singular::points(model);
     let points: Vec<_> = singular.iter().map(|(_, point)| point.clone()).collect();

@@ -4,10 +4,10 @@ use crate::refute::Refutation;
 pub use crate::row::{Measure, Row, Verdict, Worst};
 use crate::table::plain_table;
 use comfy_table::Cell;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Outcome of all checks of one model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
     /// Every check that applies was made and holds.
@@ -91,6 +91,10 @@ impl Report {
                 (_, Measure::Count) => [format!("{:.0} faults", row.worst), String::from("0")],
                 (_, Measure::Ulp) => [
                     format!("{:.0} ulp", row.worst),
+                    format!("{:.0} ulp", row.tolerance),
+                ],
+                (_, Measure::Magnitude) => [
+                    format!("{:.1} ulp", row.worst),
                     format!("{:.0} ulp", row.tolerance),
                 ],
                 (_, Measure::Relative) => [

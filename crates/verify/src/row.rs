@@ -1,9 +1,9 @@
 //! Rows of a report: the result of each check.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Outcome of a check.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// Every error is within the tolerance.
@@ -18,13 +18,15 @@ pub enum Verdict {
 }
 
 /// Measure of a check's errors.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measure {
     /// Relative to the sum of the magnitudes of the terms that make up the value.
     Relative,
     /// Units in the last place.
     Ulp,
+    /// Units in the last place of the sum of the magnitudes of the terms that make up the value.
+    Magnitude,
     /// Number of faults.
     Count,
 }

@@ -13,6 +13,7 @@ fn stable(report: &Report) -> String {
         let most = match row.measure {
             Measure::Relative => format!("{:e}", row.tolerance),
             Measure::Ulp => format!("{} ulp", row.tolerance),
+            Measure::Magnitude => format!("{} ulp of the magnitude", row.tolerance),
             Measure::Count => format!("{} faults", row.tolerance),
         };
         format!("{}: {:?}, at most {most}", row.check, row.verdict)
@@ -53,6 +54,7 @@ fn the_disc_is_verified() {
     rigid body, exact: Holds, at most 0 faults
     f, J and Jp, exact: Holds, at most 0 faults
     backends: Holds, at most 0 ulp
+    rounding: Holds, at most 64 ulp of the magnitude
     generated code: Holds, at most 0 faults
     singular points: Holds, at most 0 faults
     check cases of the model: Holds, at most 0 faults

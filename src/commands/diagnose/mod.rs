@@ -8,9 +8,10 @@ use anyhow::Context;
 use codegen::generate::generate_with;
 use identify::dataset::{self, Dataset};
 use identify::{Fit, FitOptions, FitStatus};
-use report::ResultFile;
 use report::diagnosis::DiagnosisPage;
+use report::{CertificateNote, ResultFile, WithCertificate};
 
+use super::certificate;
 use super::fit::{dataset_name, deadline, drawn, fitted_text, held, model_of, priors};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
@@ -31,6 +32,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
+    let certificate = certificate::Found::read(options.certificate.as_deref(), &model)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
     let name = dataset_name(&options.dataset);
     let progress = Progress::new()?;
@@ -63,7 +65,8 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let has_extension = found.after.is_some();
     if let Some(folder) = &out {
         found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
-        output::replace(folder, &results(&dataset, &name, &found, &reasons)?)?;
+        let note = certificate.note(&model);
+        output::replace(folder, &results(&dataset, &name, &found, &reasons, &note)?)?;
     }
     output::print(summary::summary(&found.report, &reasons))?;
     if let Some(folder) = &options.out {
@@ -159,8 +162,12 @@ fn results(
     name: &str,
     found: &Diagnosis,
     reasons_against: &[String],
+    certificate: &CertificateNote,
 ) -> anyhow::Result<Vec<ResultFile>> {
-    let json = serde_json::to_string_pretty(&found.report)?;
+    let json = serde_json::to_string_pretty(&WithCertificate {
+        report: &found.report,
+        certificate,
+    })?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),
         ResultFile::new("candidates.csv", tables::candidates(&found.report)?),
@@ -193,6 +200,7 @@ fn results(
         after: &after.map_or_else(Vec::new, |(_, fitted)| evidence(fitted, &flights)),
         reasons_against,
         extended: extended.as_deref(),
+        certificate,
     };
     let made = report::diagnosis::make(&page);
     files.push(ResultFile::new("report.html", made.html));

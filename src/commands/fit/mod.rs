@@ -14,11 +14,11 @@ use identify::dataset::{self, Dataset, Role};
 use identify::{FitOptions, Prior};
 use model_spec::ModelTree;
 use model_spec::model::Model;
-use report::ResultFile;
 use report::fit::Figure;
 use report::fit::FitPage;
+use report::{CertificateNote, ResultFile, WithCertificate};
 
-use super::number;
+use super::{certificate, number};
 use crate::cli::Fit;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -32,6 +32,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     let dataset = dataset::load(&options.dataset)?;
     let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
+    let certificate = certificate::Found::read(options.certificate.as_deref(), &model)?;
     let model = model_spec::load::load(&model, &super::names(&options.with))?;
     let progress = Progress::new()?;
     let asked = FitOptions {
@@ -50,10 +51,9 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     drop(progress);
     let fitted = fitted.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
     if let Some(folder) = &out {
-        output::replace(
-            folder,
-            &results(&options.dataset, &model, &dataset, &fitted)?,
-        )?;
+        let note = certificate.note(&model);
+        let files = results(&options.dataset, &model, &dataset, &fitted, &note)?;
+        output::replace(folder, &files)?;
     }
     output::print(summary::summary(&model, &fitted.report))?;
     if let Some(folder) = &options.out {
@@ -100,6 +100,7 @@ fn results(
     model: &Model,
     dataset: &Dataset,
     fitted: &identify::Fit,
+    certificate: &CertificateNote,
 ) -> anyhow::Result<Vec<ResultFile>> {
     let name = dataset_name(from);
     let evidence: Vec<_> = drawn(fitted)
@@ -111,8 +112,12 @@ fn results(
         evidence: &evidence,
         model,
         dataset: &name,
+        certificate,
     };
-    let json = serde_json::to_string_pretty(&fitted.report)?;
+    let json = serde_json::to_string_pretty(&WithCertificate {
+        report: &fitted.report,
+        certificate,
+    })?;
     let (html, figures) = report::fit::html_and_figures(&page);
     let note = format!("Default values fitted to {name} by `hyzer fit`.");
     let fitted_model = fitted_text(&ModelTree::of(model), &note, dataset, fitted)?;

@@ -7,6 +7,7 @@ mod limits;
 mod page;
 mod words;
 
+use crate::certificate::CertificateNote;
 use diagnose::Report;
 
 use identify::FlightEvidence;
@@ -25,6 +26,8 @@ pub struct DiagnosisPage<'a> {
     pub reasons_against: &'a [String],
     /// Text of the added effect or of the extended model file, in the model language.
     pub extended: Option<&'a str>,
+    /// What the certificate of the model says.
+    pub certificate: &'a CertificateNote,
 }
 
 /// HTML report of a diagnosis with its figures.

@@ -54,6 +54,8 @@ pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
         verdict => words::verdict(report),
         summary => report.summary.trim(),
         gain => words::gain(report),
+        certificate => page.certificate.sentence(),
+        certified => page.certificate.is_verified(),
         paired => report.gain.as_ref().and_then(words::paired),
         lack_of_fit => report.lack_of_fit.as_ref().map(|test| plain_values(&limits::lack_of_fit(test))),
         notes => plain_values(&notes),

@@ -9,6 +9,7 @@ pub(crate) mod page;
 pub(crate) mod thin;
 pub(crate) mod words;
 
+use crate::certificate::CertificateNote;
 use identify::{Coefficient, FitReport, FlightEvidence};
 use model_spec::model::Model;
 
@@ -23,6 +24,8 @@ pub struct FitPage<'a> {
     pub model: &'a Model,
     /// Name of the dataset.
     pub dataset: &'a str,
+    /// What the certificate of the model says.
+    pub certificate: &'a CertificateNote,
 }
 
 impl FitPage<'_> {

@@ -51,6 +51,8 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         effects => words::names(report.effects.iter().map(String::as_str)),
         summary => plain_values(&words::summary(page)),
         alarms => plain_values(&words::alarms(page)),
+        certificate => page.certificate.sentence(),
+        verified => page.certificate.is_verified(),
         reasons_against => plain_values(&reasons_against(report)),
         faults => plain_values(&data_faults::table(&report.data_faults)),
         coefficients => plain_values(&coefficients::rows(page)),

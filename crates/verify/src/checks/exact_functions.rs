@@ -1,8 +1,10 @@
 //! Exact arithmetic for all of f, J and Jp and the observation: the compiled functions against the vector tree of the
 //! declared law and its dual numbers, at random points of the field of integers modulo 2^61 − 1. Roots, polar angles,
-//! sines and cosines have their relations there; other functions are symbols that depend on their arguments.
+//! sines and cosines have their relations there; other functions are symbols that depend on their arguments. What the
+//! field cannot decide, such as branches and rounded constants, is compared in 256 bits at states of the model.
 
 use super::exact::{POINTS, Spot};
+use super::long_functions;
 use crate::Options;
 use crate::field::{self, Angle, Machine};
 use crate::random::Random;
@@ -12,9 +14,10 @@ use codegen::Compiled;
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Function, Op, Operand, Unary};
 use model_spec::model::{FrameKind, Model};
-use num_traits::{One, Zero};
-use oracle::scalar::{Dual, Prime};
+use num_traits::One;
+use oracle::scalar::{Dual, Field, Prime};
 use oracle::{Point, Tree, derivatives_of};
+use std::ops::Range;
 
 /// Name of the check.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
@@ -50,24 +53,34 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     }
     if faults.is_empty() && good < POINTS {
         if lacking < LACKING {
-            return Row::skipped(
-                FUNCTIONS,
-                "roots exist together at too few points of the field",
-            );
+            let why = "roots exist together at too few points of the field";
+            return in_long_arithmetic(model, compiled, options, why);
         }
         faults.push(String::from(
             "roots in the code do not exist where those of the law do",
         ));
     }
     if let Some(why) = undecided(compiled).filter(|_| !faults.is_empty()) {
-        let rows = faults.join(", ");
-        return Row::skipped(FUNCTIONS, format!("not decided, by {why}: {rows}"));
+        return in_long_arithmetic(model, compiled, options, why);
     }
     // Points at which all roots exist are one in MAX_TRIALS or more.
     let chance = DEGREE * MAX_TRIALS as f64 / 2f64.powi(61);
     let chance = POINTS as f64 * chance.log10();
     let says = format!("identical but for a chance below 1e{chance:.0}");
     Row::counted(FUNCTIONS, good, &faults, &says)
+}
+
+/// Row of functions that the field does not decide: refuted where they differ in 256 bits, else not exact.
+fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
+    let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
+    match long_functions::differences(model, compiled, &mut random) {
+        Some(faults) if !faults.is_empty() => Row::counted(FUNCTIONS, 1, &faults, ""),
+        Some(_) => Row::skipped(
+            FUNCTIONS,
+            format!("not decided exactly, by {why}; equal in 256 bits but for rounded constants"),
+        ),
+        None => Row::skipped(FUNCTIONS, format!("not decided, by {why}")),
+    }
 }
 
 /// Comparison at one point of the field.
@@ -105,7 +118,7 @@ fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
         .chain(&compiled.layout.parameters);
     let mut faults = Vec::new();
     for (j, name) in variables.enumerate() {
-        let direction = direction(model, &spot.point, j);
+        let direction = direction(model, &spot.point.states, j);
         let Some(expected) = law(model, spot, j, &direction) else {
             return Compared::NoLaw;
         };
@@ -113,10 +126,7 @@ fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
             return Compared::NoCode;
         };
         for (function, values) in values {
-            let (rows, section, jacobians) = match function.name.starts_with('f') {
-                true => (0..states, "dx", ["j", "jp"]),
-                false => (states..expected.len(), "y", ["dy_dx", "dy_dp"]),
-            };
+            let (rows, section, jacobians) = sections(function, states, expected.len());
             let first = function.range(section).start;
             for (k, row) in rows.enumerate() {
                 let (value, derivative) = expected[row];
@@ -136,15 +146,28 @@ fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
     Compared::At(faults)
 }
 
-/// Directional derivative of a row from the entries of a function; `None` if the function has no such Jacobian.
-fn along(
+/// Rows of the law that a function computes, of `all` after `states` derivatives, and the names of the sections of its values
+/// and Jacobians.
+pub(crate) fn sections(
     function: &Function,
-    values: &[Prime],
+    states: usize,
+    all: usize,
+) -> (Range<usize>, &'static str, [&'static str; 2]) {
+    match function.name.starts_with('f') {
+        true => (0..states, "dx", ["j", "jp"]),
+        false => (states..all, "y", ["dy_dx", "dy_dp"]),
+    }
+}
+
+/// Directional derivative of a row from the entries of a function; `None` if the function has no such Jacobian.
+pub(crate) fn along<T: Field>(
+    function: &Function,
+    values: &[T],
     [by_state, by_parameter]: [&str; 2],
     row: usize,
     variable: usize,
-    direction: &[Prime],
-) -> Option<Prime> {
+    direction: &[T],
+) -> Option<T> {
     let states = direction.len();
     let section = if variable < states {
         by_state
@@ -161,10 +184,10 @@ fn along(
     let of_row = entries.filter(|((r, _), _)| *r as usize == row);
     let weight = |column: usize| match variable.checked_sub(states) {
         None => direction[column],
-        Some(parameter) if parameter == column => Prime::one(),
-        Some(_) => Prime::zero(),
+        Some(parameter) if parameter == column => T::one(),
+        Some(_) => T::zero(),
     };
-    Some(of_row.fold(Prime::zero(), |sum, ((_, column), &value)| {
+    Some(of_row.fold(T::zero(), |sum, ((_, column), &value)| {
         sum + value * weight(*column as usize)
     }))
 }
@@ -207,24 +230,24 @@ fn law(
 
 /// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for a
 /// component of a quaternion, 0 for a parameter.
-fn direction(model: &Model, point: &Point<Prime>, variable: usize) -> Vec<Prime> {
-    let mut out = vec![Prime::zero(); point.states.len()];
+pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
+    let mut out = vec![T::zero(); states.len()];
     if let Some(component) = out.get_mut(variable) {
-        *component = Prime::one();
+        *component = T::one();
     }
     for frame in &model.frames {
         if let FrameKind::Quaternion { states: q, .. } = frame.kind
             && q.contains(&variable)
         {
             for k in q {
-                out[k] -= point.states[variable] * point.states[k];
+                out[k] -= states[variable] * states[k];
             }
         }
     }
     out
 }
 
-fn row_name(model: &Model, row: usize) -> String {
+pub(crate) fn row_name(model: &Model, row: usize) -> String {
     match model.states.get(row) {
         Some(state) => format!("der({})", state.name),
         None => format!("observation {}", row - model.states.len() + 1),

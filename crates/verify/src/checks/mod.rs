@@ -9,6 +9,7 @@ pub mod effects;
 pub mod exact;
 pub mod exact_functions;
 pub mod identities;
+mod long_functions;
 pub mod metamorphic;
 pub mod reference;
 pub mod singular;

@@ -1,0 +1,185 @@
+//! Whether a certificate still stands: comparison of what it covers with what is there now.
+
+use super::{Certificate, CertifiedCheck, CertifiedModel, Fingerprint, Origin, Program, pairs};
+use crate::report::{Report, Verdict};
+use model_spec::load::{Loaded, inspect};
+use model_spec::model::Model;
+use serde::Serialize;
+use std::fmt;
+use std::path::Path;
+
+/// Something that a certificate covers and that has changed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Change {
+    /// Name of the model; `None` for the program and for comparisons of models.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model: Option<String>,
+    /// What changed, by name.
+    pub what: String,
+}
+
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.model {
+            Some(model) => write!(f, "{model}: {}", self.what),
+            None => f.write_str(&self.what),
+        }
+    }
+}
+
+impl Certificate {
+    /// What has changed since the certificate was written, by hashes; `folder` is that of the certificate.
+    pub fn changes(&self, folder: &Path) -> Vec<Change> {
+        let mut changes = self.program.changes();
+        for model in &self.models {
+            changes.extend(model.changes(folder, self.options.seed));
+        }
+        changes
+    }
+
+    /// What has changed, by hashes and by the verdicts of the checks made again. `same` chooses the models that describe
+    /// one motion.
+    pub fn changes_again(&self, folder: &Path, same: impl Fn(&Model) -> bool) -> Vec<Change> {
+        let mut changes = self.changes(folder);
+        let options = self.options.options();
+        let mut models = Vec::new();
+        for certified in &self.models {
+            let Ok(loaded) = certified.load(folder) else {
+                continue;
+            };
+            let report: Report = crate::run(&loaded, &options);
+            let checks: Vec<CertifiedCheck> = report.rows.iter().map(Into::into).collect();
+            let name = Some(certified.model.as_str());
+            changes.extend(verdicts(name, &certified.checks, &checks));
+            models.extend(loaded.model.filter(|model| same(model)));
+        }
+        let again = (models.len() > 1).then(|| crate::same_motion(&models, &options));
+        changes.extend(verdicts(None, &self.same_motion, &pairs(again.as_ref())));
+        changes
+    }
+}
+
+impl Program {
+    pub(super) fn changes(&self) -> Vec<Change> {
+        let present = Self::present();
+        let mut changes = Vec::new();
+        let mut change = |what: String| changes.push(Change { model: None, what });
+        if self.version != present.version {
+            change(format!(
+                "program version: {}, now {}",
+                self.version, present.version
+            ));
+        }
+        if self.effects != present.effects {
+            change(String::from("built-in effects of the program changed"));
+        }
+        changes
+    }
+}
+
+impl CertifiedModel {
+    pub(super) fn changes(&self, folder: &Path, seed: u64) -> Vec<Change> {
+        let change = |what: String| Change {
+            model: Some(self.model.clone()),
+            what,
+        };
+        let loaded = match self.load(folder) {
+            Ok(loaded) => loaded,
+            Err(why) => return vec![change(why)],
+        };
+        let Some(model) = &loaded.model else {
+            return vec![change(String::from("its text is refused by the checker"))];
+        };
+        let now = Fingerprint::of(model, &loaded.sources, folder, seed);
+        self.covers
+            .differences(&now)
+            .into_iter()
+            .map(change)
+            .collect()
+    }
+
+    fn load(&self, folder: &Path) -> Result<Loaded, String> {
+        let name = self.from.found(folder)?;
+        let with: Result<Vec<String>, String> =
+            self.with.iter().map(|w: &Origin| w.found(folder)).collect();
+        let with = with?;
+        let with: Vec<&str> = with.iter().map(String::as_str).collect();
+        inspect(&name, &with).map_err(|why| {
+            let why = why.to_string();
+            format!(
+                "cannot be loaded: {}",
+                why.lines().next().unwrap_or_default()
+            )
+        })
+    }
+}
+
+impl Fingerprint {
+    /// Names of what differs.
+    fn differences(&self, now: &Self) -> Vec<String> {
+        let mut changes = Vec::new();
+        for source in &self.sources {
+            match now.sources.iter().find(|other| other.name == source.name) {
+                Some(other) if other.sha256 == source.sha256 => {}
+                Some(_) => changes.push(format!("source {} changed", source.name)),
+                None => changes.push(format!("source {} is no part of it now", source.name)),
+            }
+        }
+        for source in &now.sources {
+            if !self.sources.iter().any(|other| other.name == source.name) {
+                changes.push(format!("source {} is new", source.name));
+            }
+        }
+        if changes.is_empty() && self.sources != now.sources {
+            changes.push(String::from("sources are in another order"));
+        }
+        let code = [
+            ("schedule", &self.schedule, &now.schedule),
+            ("generated Rust code", &self.rust, &now.rust),
+            ("results of the tape", &self.results, &now.results),
+        ];
+        for (name, before, after) in code {
+            if before != after {
+                changes.push(format!("{name} changed"));
+            }
+        }
+        changes
+    }
+}
+
+/// Checks whose verdict differs, or that only one side has.
+fn verdicts(
+    model: Option<&str>,
+    before: &[CertifiedCheck],
+    after: &[CertifiedCheck],
+) -> Vec<Change> {
+    let change = |what: String| Change {
+        model: model.map(str::to_owned),
+        what,
+    };
+    let word = |verdict: Verdict| match verdict {
+        Verdict::Holds => "holds",
+        Verdict::Refuted => "refuted",
+        Verdict::Skipped => "skipped",
+        Verdict::Unverified => "not verified",
+    };
+    let mut changes = Vec::new();
+    for old in before {
+        match after.iter().find(|new| new.check == old.check) {
+            Some(new) if new.verdict == old.verdict => {}
+            Some(new) => changes.push(change(format!(
+                "check `{}`: {}, now {}",
+                old.check,
+                word(old.verdict),
+                word(new.verdict)
+            ))),
+            None => changes.push(change(format!("check `{}` is not made now", old.check))),
+        }
+    }
+    for new in after {
+        if !before.iter().any(|old| old.check == new.check) {
+            changes.push(change(format!("check `{}` is new", new.check)));
+        }
+    }
+    changes
+}

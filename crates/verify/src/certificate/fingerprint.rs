@@ -1,0 +1,142 @@
+//! Hashes of what a certificate covers.
+
+use super::origin::relative;
+use crate::BACKEND_POINTS;
+use crate::checks::backends;
+use crate::random::Random;
+use crate::sample;
+use codegen::backend::Backend;
+use codegen::rust::PlainRust;
+use model_spec::load::{EFFECTS, GENERAL_EFFECTS};
+use model_spec::model::{Model, Source};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::fmt::{self, Write};
+use std::path::Path;
+
+/// SHA-256, as 64 hexadecimal digits.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String")]
+pub struct Hash(String);
+
+impl TryFrom<String> for Hash {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        let is_digit = |b: u8| b.is_ascii_digit() || (b'a'..=b'f').contains(&b);
+        if text.len() == 64 && text.bytes().all(is_digit) {
+            Ok(Self(text))
+        } else {
+            Err(String::from("expected 64 hexadecimal digits of a SHA-256"))
+        }
+    }
+}
+
+impl fmt::Display for Hash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl Hash {
+    /// Hash of texts, each with its length, so that none runs into the next.
+    fn of<'a>(texts: impl IntoIterator<Item = &'a [u8]>) -> Self {
+        let mut digest = Sha256::new();
+        for text in texts {
+            digest.update((text.len() as u64).to_le_bytes());
+            digest.update(text);
+        }
+        Self::finished(digest)
+    }
+
+    /// Hash of one text, as `sha256sum` gives it.
+    pub fn of_text(text: &str) -> Self {
+        Self::finished(Sha256::new_with_prefix(text))
+    }
+
+    fn finished(digest: Sha256) -> Self {
+        let mut hex = String::new();
+        for byte in digest.finalize() {
+            // Writing to a string does not fail.
+            let _ = write!(hex, "{byte:02x}");
+        }
+        Self(hex)
+    }
+
+    /// Hash of the names and texts of all built-in effects.
+    pub(super) fn of_built_in_effects() -> Self {
+        let all = EFFECTS.iter().chain(GENERAL_EFFECTS);
+        Self::of(all.flat_map(|(name, text)| [name.as_bytes(), text.as_bytes()]))
+    }
+}
+
+/// A text and its hash.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HashedSource {
+    /// Path from the folder of the certificate, or name of a built-in text.
+    pub name: String,
+    /// Hash of the text.
+    pub sha256: Hash,
+}
+
+/// Hashes of the texts of a model and of the code made of them.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fingerprint {
+    /// Text of the model, then those of the effects.
+    pub sources: Vec<HashedSource>,
+    /// Schedules of all functions, which every backend prints or interprets.
+    pub schedule: Hash,
+    /// Plain Rust code of the model.
+    pub rust: Hash,
+    /// Bits of the results of the tape, without fused multiply-add, at seeded points.
+    pub results: Hash,
+}
+
+impl Fingerprint {
+    /// Hashes of a model; `folder` is that of the certificate.
+    pub fn of(model: &Model, sources: &[Source], folder: &Path, seed: u64) -> Self {
+        let compiled = codegen::compile(model);
+        let schedule = compiled.functions().map(|f| format!("{f:?}"));
+        let files = PlainRust.emit(model, &compiled);
+        let mut random = Random::new(seed, "results in a certificate");
+        let points: Vec<_> = (0..BACKEND_POINTS)
+            .map(|_| sample::point(model, &mut random))
+            .collect();
+        let runs = backends::runs(model, &compiled, &points);
+        let first = runs.first().into_iter().flat_map(|run| &run.results);
+        let bits: Vec<[u8; 8]> = first
+            .flatten()
+            .map(|value| value.to_bits().to_le_bytes())
+            .collect();
+        Self {
+            sources: hashed(sources, folder),
+            schedule: Hash::of(schedule.iter().map(String::as_bytes)),
+            rust: Hash::of(
+                files
+                    .iter()
+                    .flat_map(|file| [file.path.as_bytes(), file.text.as_bytes()]),
+            ),
+            results: Hash::of(bits.iter().map(<[u8; 8]>::as_slice)),
+        }
+    }
+
+    /// Whether the texts are the same, whatever their names.
+    pub(super) fn has_texts(&self, sources: &[Source]) -> bool {
+        let own = self.sources.iter().map(|source| &source.sha256);
+        let others: Vec<Hash> = sources.iter().map(|s| Hash::of_text(&s.text)).collect();
+        own.eq(others.iter())
+    }
+}
+
+fn hashed(sources: &[Source], folder: &Path) -> Vec<HashedSource> {
+    let one = |source: &Source| HashedSource {
+        name: match Path::new(&source.name) {
+            path if path.is_file() => relative(path, folder),
+            _ => source.name.clone(),
+        },
+        sha256: Hash::of_text(&source.text),
+    };
+    sources.iter().map(one).collect()
+}

@@ -1,0 +1,122 @@
+//! Reading of a certificate: bounded, with the place of what is wrong.
+
+use super::{Certificate, CertifiedModel, SCHEMA, outcome};
+use crate::report::{Outcome, Verdict};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// Maximum size of a certificate, bytes.
+pub const MAX_BYTES: u64 = 4_000_000;
+/// Maximum number of models.
+const MAX_MODELS: usize = 1000;
+/// Maximum number of random points per check, that of the command.
+const MAX_CASES: usize = 100_000;
+
+/// A file that is no certificate.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CertificateError {
+    /// The file cannot be read.
+    #[error("cannot be read: {0}")]
+    Unreadable(#[from] std::io::Error),
+    /// The file is too long.
+    #[error("found more than {MAX_BYTES} bytes, expected a certificate")]
+    TooLong,
+    /// The file is not UTF-8.
+    #[error("byte {0} begins no character of UTF-8")]
+    NotUtf8(usize),
+    /// The text is no JSON of a certificate; the message ends with line and column.
+    #[error("{0}")]
+    Malformed(#[from] serde_json::Error),
+    /// A value contradicts others or is out of range.
+    #[error("{place}: found {found}, expected {expected}")]
+    Invalid {
+        /// Place in the file, such as `models[0].outcome`.
+        place: String,
+        /// What the file has.
+        found: String,
+        /// What is expected there.
+        expected: String,
+    },
+}
+
+impl Certificate {
+    /// Reads a certificate from a file.
+    ///
+    /// # Errors
+    /// [`CertificateError`].
+    pub fn read(path: &Path) -> Result<Self, CertificateError> {
+        let mut bytes = Vec::new();
+        File::open(path)?
+            .take(MAX_BYTES + 1)
+            .read_to_end(&mut bytes)?;
+        if bytes.len() as u64 > MAX_BYTES {
+            return Err(CertificateError::TooLong);
+        }
+        let text = String::from_utf8(bytes)
+            .map_err(|error| CertificateError::NotUtf8(error.utf8_error().valid_up_to()))?;
+        Self::parse(&text)
+    }
+
+    /// Parses the text of a certificate.
+    ///
+    /// # Errors
+    /// [`CertificateError`].
+    pub fn parse(text: &str) -> Result<Self, CertificateError> {
+        if text.len() as u64 > MAX_BYTES {
+            return Err(CertificateError::TooLong);
+        }
+        let certificate: Self = serde_json::from_str(text)?;
+        certificate.validate()?;
+        Ok(certificate)
+    }
+
+    fn validate(&self) -> Result<(), CertificateError> {
+        let invalid = |place: String, found: String, expected: &str| {
+            Err(CertificateError::Invalid {
+                place,
+                found,
+                expected: expected.to_owned(),
+            })
+        };
+        if self.schema != SCHEMA {
+            return invalid("schema".into(), format!("{:?}", self.schema), SCHEMA);
+        }
+        let cases = self.options.cases;
+        if cases == 0 || cases > MAX_CASES {
+            return invalid("options.cases".into(), cases.to_string(), "1 to 100000");
+        }
+        let count = self.models.len();
+        if count == 0 || count > MAX_MODELS {
+            return invalid("models".into(), format!("{count} models"), "1 to 1000");
+        }
+        for (index, model) in self.models.iter().enumerate() {
+            let (found, expected) = (model.outcome, of_checks(model));
+            if found != expected {
+                let place = format!("models[{index}].outcome");
+                return invalid(place, name(found), &(name(expected) + ", by its checks"));
+            }
+        }
+        let (found, expected) = (self.outcome, outcome(&self.models, &self.same_motion));
+        if found != expected {
+            let expected = name(expected) + ", by the models";
+            return invalid("outcome".into(), name(found), &expected);
+        }
+        Ok(())
+    }
+}
+
+/// Outcome by the verdicts of a model's checks.
+fn of_checks(model: &CertifiedModel) -> Outcome {
+    let outcomes = model.checks.iter().map(|check| match check.verdict {
+        Verdict::Holds | Verdict::Skipped => Outcome::Verified,
+        Verdict::Unverified => Outcome::NotVerified,
+        Verdict::Refuted => Outcome::Refuted,
+    });
+    outcomes.max().unwrap_or(Outcome::NotVerified)
+}
+
+fn name(outcome: Outcome) -> String {
+    outcome.words().to_lowercase()
+}

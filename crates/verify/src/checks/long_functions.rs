@@ -1,0 +1,148 @@
+//! All of f, J and Jp and the observation in 256 bits: the compiled functions against the vector tree of the declared law and
+//! its dual numbers, at states of the model. Only constants that the code rounds to f64 may differ.
+
+use super::exact_functions::{along, direction, row_name, sections};
+use crate::random::Random;
+use crate::rounding::big::{Big, with_numbers};
+use crate::rounding::program::{Inputs, magnitudes, outputs};
+use crate::sample;
+use codegen::Compiled;
+use codegen::program::Function;
+use model_spec::model::Model;
+use oracle::scalar::{Dual, ErrorBound, Real};
+use oracle::{Point, Tree, derivatives_of};
+
+/// Number of points: of functions with branches, some on either side.
+const POINTS: usize = 8;
+/// Maximum number of draws of points at which rounding decides no branch.
+const DRAWS: usize = 30;
+/// Largest difference relative to the magnitude of the terms: a thousand roundings of constants.
+const TOLERANCE: f64 = 1e-13;
+
+/// Values of a function of the code, with the magnitudes of their terms.
+struct Evaluated<'a> {
+    function: &'a Function,
+    values: Vec<Big>,
+    bounds: Vec<ErrorBound>,
+}
+
+/// Names of the values and derivatives that differ; `None` if no point was found at which the comparison can be made.
+pub fn differences(model: &Model, compiled: &Compiled, random: &mut Random) -> Option<Vec<String>> {
+    let (mut faults, mut made) = (Vec::new(), 0);
+    for _ in 0..DRAWS {
+        if made == POINTS || !faults.is_empty() {
+            break;
+        }
+        let point = sample::point(model, random);
+        if let Some(found) = with_numbers(|| at(model, compiled, &point)) {
+            made += 1;
+            faults.extend(found);
+        }
+    }
+    faults.sort();
+    faults.dedup();
+    (made > 0).then_some(faults)
+}
+
+/// Differences at a point; `None` where rounding may decide a branch.
+fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<String>> {
+    let all = evaluated(compiled, point)?;
+    let states: Vec<Big> = point.states.iter().map(|&s| Big::lit(s)).collect();
+    let bounded: Vec<ErrorBound> = point.states.iter().map(|&s| ErrorBound::lit(s)).collect();
+    let layout = &compiled.layout;
+    let mut faults = Vec::new();
+    for (j, name) in layout.states.iter().chain(&layout.parameters).enumerate() {
+        let along_state = direction(model, &states, j);
+        let bound_along = direction(model, &bounded, j);
+        let expected = law(model, point, j, &along_state)?;
+        let size = law(model, point, j, &bound_along)?;
+        for one in &all {
+            let function = one.function;
+            let (rows, section, jacobians) = sections(function, states.len(), expected.len());
+            let first = function.range(section).start;
+            for (k, row) in rows.enumerate() {
+                let Dual { value, derivative } = expected[row];
+                let named = row_name(model, row);
+                if differs(
+                    one.values[first + k],
+                    value,
+                    [one.bounds[first + k], size[row].value],
+                ) {
+                    faults.push(format!("{named} in {}", function.name));
+                }
+                let found = along(function, &one.values, jacobians, k, j, &along_state);
+                let bound = along(function, &one.bounds, jacobians, k, j, &bound_along);
+                if let (Some(found), Some(bound)) = (found, bound)
+                    && differs(found, derivative, [bound, size[row].derivative])
+                {
+                    faults.push(format!("∂{named}/∂{name} in {}", function.name));
+                }
+            }
+        }
+    }
+    Some(faults)
+}
+
+fn evaluated<'a>(compiled: &'a Compiled, point: &Point<f64>) -> Option<Vec<Evaluated<'a>>> {
+    let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
+    let mut inputs: Inputs<Big> = Inputs::of(point);
+    let prepare = &compiled.prepare.program;
+    let (prepared, undecided) = magnitudes(prepare, &bounds, Some(&inputs));
+    if undecided {
+        return None;
+    }
+    bounds.prepared = prepared;
+    inputs.prepared = outputs(prepare, &inputs);
+    let functions = [
+        &compiled.f,
+        &compiled.f_jac,
+        &compiled.f_jac_par,
+        &compiled.observe,
+        &compiled.observe_jac,
+    ];
+    let each = functions.into_iter().map(|function| {
+        let (bounds, undecided) = magnitudes(&function.program, &bounds, Some(&inputs));
+        (!undecided).then(|| Evaluated {
+            function,
+            values: outputs(&function.program, &inputs),
+            bounds,
+        })
+    });
+    each.collect()
+}
+
+/// Whether a value of the code differs from that of the law by more than rounded constants explain; `terms` are those of the
+/// code and of the law.
+fn differs(found: Big, expected: Big, terms: [ErrorBound; 2]) -> bool {
+    let difference = (found - expected).re().abs();
+    let size = terms
+        .iter()
+        .fold(expected.re().abs(), |size, t| size.max(t.magnitude));
+    difference.is_nan() || difference > TOLERANCE * size.max(f64::MIN_POSITIVE)
+}
+
+/// Value and directional derivative of every derivative and of the observation, from the vector tree.
+fn law<T: Real>(
+    model: &Model,
+    at: &Point<f64>,
+    variable: usize,
+    direction: &[T],
+) -> Option<Vec<Dual<T>>> {
+    let mut point: Point<Dual<T>> = at.lift();
+    for (state, &d) in point.states.iter_mut().zip(direction) {
+        state.derivative = d;
+    }
+    if let Some(k) = variable.checked_sub(model.states.len()) {
+        let constants = point.params.iter_mut().chain(&mut point.coefficients);
+        let inputs = point.inputs.iter_mut().flat_map(|v| v.iter_mut());
+        if let Some(value) = constants.chain(inputs).nth(k) {
+            value.derivative = T::one();
+        }
+    }
+    let tree = Tree::new(model, &point);
+    let mut rows = derivatives_of(&tree).ok()?;
+    if let Some(observed) = &model.observation {
+        rows.extend(tree.vector(&observed.value).iter());
+    }
+    Some(rows)
+}

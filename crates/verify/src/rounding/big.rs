@@ -1,0 +1,274 @@
+//! Numbers of 256 bits, as a scalar of the oracle.
+//!
+//! The oracle's scalars are `Copy` and a long number is not: a value is an index into the numbers of the thread, which
+//! [`with_numbers`] begins anew and drops.
+
+use astro_float_num::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE};
+use num_traits::{One, Zero};
+use oracle::scalar::{Elementary, Field, Real};
+use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// Precision of a number, bits.
+pub const PRECISION: usize = 256;
+const NEAREST: RoundingMode = RoundingMode::ToEven;
+
+thread_local! {
+    static NUMBERS: RefCell<Vec<BigFloat>> = const { RefCell::new(Vec::new()) };
+    static CONSTANTS: RefCell<Option<Consts>> = const { RefCell::new(None) };
+}
+
+/// Runs a task with numbers of its own, which end with it: its result must not hold any.
+pub fn with_numbers<R>(task: impl FnOnce() -> R) -> R {
+    let outer = NUMBERS.take();
+    let result = task();
+    NUMBERS.set(outer);
+    result
+}
+
+/// A number of [`PRECISION`] bits, valid within the [`with_numbers`] that made it.
+#[derive(Clone, Copy, Debug)]
+pub struct Big(u32);
+
+impl Big {
+    fn new(value: BigFloat) -> Self {
+        NUMBERS.with_borrow_mut(|numbers| {
+            numbers.push(value);
+            Self(u32::try_from(numbers.len() - 1).expect("fewer than 2^32 numbers"))
+        })
+    }
+
+    fn map(self, f: impl FnOnce(&BigFloat) -> BigFloat) -> Self {
+        let value = NUMBERS.with_borrow(|numbers| f(&numbers[self.0 as usize]));
+        Self::new(value)
+    }
+
+    fn with(self, other: Self, f: impl FnOnce(&BigFloat, &BigFloat) -> BigFloat) -> Self {
+        let value =
+            NUMBERS.with_borrow(|numbers| f(&numbers[self.0 as usize], &numbers[other.0 as usize]));
+        Self::new(value)
+    }
+
+    /// A function that needs the constants of the library, such as π.
+    fn call(self, f: impl FnOnce(&BigFloat, &mut Consts) -> BigFloat) -> Self {
+        CONSTANTS.with_borrow_mut(|constants| {
+            if constants.is_none() {
+                *constants = Consts::new().ok();
+            }
+            match constants {
+                Some(constants) => self.map(|value| f(value, constants)),
+                None => Self::new(BigFloat::nan(None)),
+            }
+        })
+    }
+
+    fn pi() -> Self {
+        Self::zero().call(|_, constants| constants.pi(PRECISION, NEAREST))
+    }
+
+    fn compare(self, other: Self) -> Option<Ordering> {
+        let sign = NUMBERS
+            .with_borrow(|numbers| numbers[self.0 as usize].cmp(&numbers[other.0 as usize]))?;
+        Some(sign.cmp(&0))
+    }
+}
+
+/// The number nearest to a long one; NaN for NaN.
+fn nearest(value: &BigFloat) -> f64 {
+    if value.is_zero() {
+        return 0.0;
+    }
+    if value.is_inf_pos() {
+        return f64::INFINITY;
+    }
+    if value.is_inf_neg() {
+        return f64::NEG_INFINITY;
+    }
+    let Some((words, _, sign, exponent, _)) = value.as_raw_parts() else {
+        return f64::NAN;
+    };
+    // The mantissa is in [1/2, 1), its last word the highest: three words hold more than an f64.
+    let scale = 0.5_f64.powi(WORD_BIT_SIZE as i32);
+    let highest = words.iter().rev().take(3).rev();
+    let mantissa = highest.fold(0.0, |lower, &word| (lower + word as f64) * scale);
+    // In two steps: 2^exponent itself may be too large or too small.
+    let half = exponent.clamp(-2200, 2200) / 2;
+    let rest = exponent.clamp(-2200, 2200) - half;
+    let size = mantissa * 2f64.powi(half) * 2f64.powi(rest);
+    match sign {
+        Sign::Pos => size,
+        Sign::Neg => -size,
+    }
+}
+
+impl PartialEq for Big {
+    fn eq(&self, other: &Self) -> bool {
+        self.compare(*other) == Some(Ordering::Equal)
+    }
+}
+
+macro_rules! operator {
+    ($($trait:ident $method:ident $assign:ident $assign_method:ident;)*) => {$(
+        impl $trait for Big {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.with(other, |a, b| a.$method(b, PRECISION, NEAREST))
+            }
+        }
+        impl $assign for Big {
+            fn $assign_method(&mut self, other: Self) {
+                *self = $trait::$method(*self, other);
+            }
+        }
+    )*};
+}
+
+operator! {
+    Add add AddAssign add_assign;
+    Sub sub SubAssign sub_assign;
+    Mul mul MulAssign mul_assign;
+    Div div DivAssign div_assign;
+}
+
+impl Neg for Big {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.map(BigFloat::neg)
+    }
+}
+
+impl Zero for Big {
+    fn zero() -> Self {
+        Self::lit(0.0)
+    }
+
+    fn is_zero(&self) -> bool {
+        NUMBERS.with_borrow(|numbers| numbers[self.0 as usize].is_zero())
+    }
+}
+
+impl One for Big {
+    fn one() -> Self {
+        Self::lit(1.0)
+    }
+}
+
+impl Field for Big {
+    fn integer(value: i64) -> Self {
+        Self::new(BigFloat::from_i64(value, PRECISION))
+    }
+
+    fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
+        Some(Self::lit(value))
+    }
+}
+
+impl Real for Big {
+    fn lit(value: f64) -> Self {
+        Self::new(BigFloat::from_f64(value, PRECISION))
+    }
+
+    fn re(self) -> f64 {
+        NUMBERS.with_borrow(|numbers| nearest(&numbers[self.0 as usize]))
+    }
+
+    fn elementary(self, function: Elementary) -> Self {
+        let one = || BigFloat::from_i64(1, PRECISION);
+        let x = self.re();
+        match function {
+            Elementary::Sqrt | Elementary::Log if x <= 0.0 => Self::zero(),
+            Elementary::Sqrt => self.map(|x| x.sqrt(PRECISION, NEAREST)),
+            Elementary::Log => self.call(|x, c| x.ln(PRECISION, NEAREST, c)),
+            Elementary::Sin => self.call(|x, c| x.sin(PRECISION, NEAREST, c)),
+            Elementary::Cos => self.call(|x, c| x.cos(PRECISION, NEAREST, c)),
+            Elementary::Exp => self.call(|x, c| x.exp(PRECISION, NEAREST, c)),
+            Elementary::Tanh => self.call(|x, c| x.tanh(PRECISION, NEAREST, c)),
+            Elementary::Atan => self.call(|x, c| x.atan(PRECISION, NEAREST, c)),
+            Elementary::Asin => {
+                let within = self.map(|x| x.clamp(&one().neg(), &one()));
+                within.call(|x, c| x.asin(PRECISION, NEAREST, c))
+            }
+        }
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let (zero, y) = (Self::zero(), self);
+        let atan = |ratio: Self| ratio.elementary(Elementary::Atan);
+        let is_below = |a: Self| a.compare(zero) == Some(Ordering::Less);
+        if y.is_zero() && x.is_zero() {
+            zero
+        } else if y.abs_compare(x) != Some(Ordering::Greater) {
+            // |y| <= |x|
+            match (is_below(x), is_below(y)) {
+                (false, _) => atan(y / x),
+                (true, false) => atan(y / x) + Self::pi(),
+                (true, true) => atan(y / x) - Self::pi(),
+            }
+        } else {
+            let right = Self::pi() / Self::integer(2);
+            let right = if is_below(y) { -right } else { right };
+            right - atan(x / y)
+        }
+    }
+}
+
+impl Big {
+    fn abs_compare(self, other: Self) -> Option<Ordering> {
+        let sign = NUMBERS
+            .with_borrow(|numbers| numbers[self.0 as usize].abs_cmp(&numbers[other.0 as usize]))?;
+        Some(sign.cmp(&0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Big, with_numbers};
+    use num_traits::Zero;
+    use oracle::scalar::{Elementary, Real};
+
+    #[test]
+    fn a_number_goes_there_and_back() {
+        with_numbers(|| {
+            for value in [1.0, -0.1, 3e200, 1e-300, -f64::MAX, 0.0, f64::MIN_POSITIVE] {
+                assert_eq!(Big::lit(value).re().to_bits(), value.to_bits(), "{value}");
+            }
+            assert!(Big::lit(f64::NAN).re().is_nan());
+            assert_eq!((Big::lit(1.0) / Big::zero()).re(), f64::INFINITY);
+        });
+    }
+
+    #[test]
+    fn functions_are_those_of_f64_and_longer() {
+        use Elementary::{Asin, Atan, Cos, Exp, Log, Sin, Sqrt, Tanh};
+        with_numbers(|| {
+            for f in [Asin, Atan, Cos, Exp, Log, Sin, Sqrt, Tanh] {
+                for x in [-0.9, -1e-9, 0.0, 0.3, 0.999] {
+                    let (long, short) = (Big::lit(x).elementary(f).re(), f.value(x));
+                    assert!((long - short).abs() <= 1e-15 * short.abs(), "{f:?} at {x}");
+                }
+            }
+            // sin² + cos² − 1 is 1e-16 for f64.
+            let (sine, cosine) = (Big::lit(0.7).sin(), Big::lit(0.7).cos());
+            let rest = sine * sine + cosine * cosine - Big::lit(1.0);
+            assert!(rest.re().abs() < 1e-70, "{}", rest.re());
+        });
+    }
+
+    #[test]
+    fn polar_angles_in_every_quadrant_and_on_the_axes() {
+        with_numbers(|| {
+            for y in [-2.0, -0.5, 0.0, 0.5, 2.0] {
+                for x in [-1.0, -0.1, 0.0, 0.1, 1.0] {
+                    let long = Real::atan2(Big::lit(y), Big::lit(x)).re();
+                    let short = if y == 0.0 && x == 0.0 {
+                        0.0
+                    } else {
+                        f64::atan2(y, x)
+                    };
+                    assert!((long - short).abs() < 1e-15, "{y} {x}: {long} {short}");
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,164 @@
+//! Programs of the compiler evaluated with any scalar of the oracle.
+
+use super::big::Big;
+use codegen::functions::MathFunction;
+use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
+use num_traits::Zero;
+use oracle::Point;
+use oracle::scalar::{Elementary, ErrorBound, Real};
+
+/// Values of a point, in the order of the compiler's variables.
+pub struct Inputs<T> {
+    time: T,
+    states: Vec<T>,
+    parameters: Vec<T>,
+    marker: Vec<T>,
+    /// Results of the program `prepare`; empty for programs without hoisting.
+    pub prepared: Vec<T>,
+}
+
+impl<T: Real> Inputs<T> {
+    /// Values of a point, each exactly.
+    pub fn of(point: &Point<f64>) -> Self {
+        let all = |values: &[f64]| values.iter().map(|&v| T::lit(v)).collect();
+        Self {
+            time: T::lit(point.time),
+            states: all(&point.states),
+            parameters: all(&crate::engine::parameters(point)),
+            marker: all(point.marker.as_slice()),
+            prepared: Vec::new(),
+        }
+    }
+
+    /// The same with other parameters.
+    pub fn with_parameters(self, parameters: Vec<T>) -> Self {
+        Self { parameters, ..self }
+    }
+}
+
+/// Outputs of a program.
+pub fn outputs<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
+    let temps = evaluated(program, inputs);
+    let outputs = program.outputs.iter();
+    outputs
+        .map(|&output| value(output, inputs, &temps))
+        .collect()
+}
+
+/// Result of every statement of a program.
+fn evaluated<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
+    let mut temps = Vec::with_capacity(program.statements.len());
+    for statement in &program.statements {
+        let next = step(statement.op, |operand| value(operand, inputs, &temps));
+        temps.push(next);
+    }
+    temps
+}
+
+fn value<T: Real>(operand: Operand, inputs: &Inputs<T>, temps: &[T]) -> T {
+    match operand {
+        Operand::Time => inputs.time,
+        Operand::State(i) => inputs.states[i as usize],
+        Operand::Parameter(i) => inputs.parameters[i as usize],
+        Operand::Prepared(i) => inputs.prepared[i as usize],
+        Operand::Marker(i) => inputs.marker[i as usize],
+        Operand::Constant(c) => T::lit(c),
+        Operand::Temp(i) => temps[i as usize],
+    }
+}
+
+fn step<T: Real>(op: Op, value: impl Fn(Operand) -> T) -> T {
+    match op {
+        Op::Unary(op, a) => unary(op, value(a)),
+        Op::Binary(op, a, b) => {
+            let (a, b) = (value(a), value(b));
+            match op {
+                Binary::Add => a + b,
+                Binary::Sub => a - b,
+                Binary::Mul => a * b,
+                Binary::Div => a / b,
+                Binary::Atan2 => a.atan2(b),
+                Binary::Min if b.re() < a.re() => b,
+                Binary::Max if b.re() > a.re() => b,
+                Binary::Min | Binary::Max => a,
+            }
+        }
+        Op::Fused(op, a, b, c) => {
+            let (product, c) = (value(a) * value(b), value(c));
+            match op {
+                Fused::MulAdd => product + c,
+                Fused::MulSub => product - c,
+                Fused::NegMulAdd => c - product,
+            }
+        }
+        Op::IfZero(a, then, _) if value(a).re() == 0.0 => value(then),
+        Op::IfZero(_, _, otherwise) => value(otherwise),
+    }
+}
+
+fn unary<T: Real>(op: Unary, a: T) -> T {
+    let number = |yes: bool| T::lit(if yes { 1.0 } else { 0.0 });
+    match op {
+        Unary::Neg => -a,
+        Unary::RecipOrZero if a.re() == 0.0 => T::zero(),
+        Unary::Recip | Unary::RecipOrZero => T::one() / a,
+        Unary::Call(function) => match function {
+            MathFunction::Sin => a.sin(),
+            MathFunction::Cos => a.cos(),
+            MathFunction::Asin => a.elementary(Elementary::Asin),
+            MathFunction::Exp => a.exp(),
+            MathFunction::Log => a.ln(),
+            MathFunction::Tanh => a.elementary(Elementary::Tanh),
+            MathFunction::Abs => a.abs(),
+            MathFunction::Sign if a.re() < 0.0 => -T::one(),
+            MathFunction::Sign | MathFunction::Heaviside => number(a.re() > 0.0),
+            MathFunction::Sqrt => a.sqrt(),
+            MathFunction::NonZero => number(a.re() != 0.0),
+        },
+    }
+}
+
+/// Distance to a branch, relative to the magnitude of the terms, below which rounding may decide the branch.
+const NEAR: f64 = 1e-9;
+
+/// Distance of an operation to its branch; `None` for an operation without branches.
+fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
+    match op {
+        Op::Unary(Unary::RecipOrZero, a) | Op::IfZero(a, ..) => Some(of(a)),
+        Op::Unary(Unary::Call(function), a) => match function {
+            MathFunction::Abs
+            | MathFunction::Sign
+            | MathFunction::Heaviside
+            | MathFunction::NonZero
+            | MathFunction::Sqrt
+            | MathFunction::Log => Some(of(a)),
+            MathFunction::Asin => Some((T::one() - of(a)) * (T::one() + of(a))),
+            _ => None,
+        },
+        Op::Binary(Binary::Min | Binary::Max, a, b) => Some(of(a) - of(b)),
+        _ => None,
+    }
+}
+
+/// Outputs of a program with the magnitudes of their terms, and whether rounding may decide a branch on the way. With exact
+/// inputs, a distance to a branch that is exactly 0 is no question of rounding.
+pub fn magnitudes(
+    program: &Program,
+    inputs: &Inputs<ErrorBound>,
+    exact: Option<&Inputs<Big>>,
+) -> (Vec<ErrorBound>, bool) {
+    let temps = evaluated(program, inputs);
+    let of = |operand| value(operand, inputs, &temps);
+    let exact = exact.map(|exact| (exact, evaluated(program, exact)));
+    let is_exactly_zero = |op| {
+        exact.as_ref().is_some_and(|(inputs, temps)| {
+            gap(op, |operand| value(operand, inputs, temps)).is_some_and(|gap| gap.is_zero())
+        })
+    };
+    let undecided = program.statements.iter().any(|statement| {
+        let is_near = |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= NEAR * x.magnitude;
+        gap(statement.op, of).is_some_and(is_near) && !is_exactly_zero(statement.op)
+    });
+    let outputs = program.outputs.iter();
+    (outputs.map(|&output| of(output)).collect(), undecided)
+}

@@ -1,0 +1,275 @@
+//! Digits that each statement of a model loses by itself: its local error, after Herbie (Panchekha and others, 2015,
+//! "Automatically improving accuracy for floating point expressions").
+//!
+//! Every statement is compiled with the values of the auxiliary variables as inputs. It is evaluated by the tape from
+//! inputs that are right and rounded, and in [`PRECISION`](super::big::PRECISION) bits from inputs that are right. What
+//! differs was lost in this statement: by its own roundings, or as it magnifies the rounding of what it reads.
+
+use super::big::{Big, with_numbers};
+use super::program::{Inputs, outputs};
+use crate::engine::parameters;
+use crate::expressions::{children_mut, roots_mut};
+use codegen::compile_every_value;
+use codegen::tape::{self, Tape};
+use model_spec::diagnostic::Span;
+use model_spec::model::{AuxVariable, Expr, ExprKind, Input, Model, Parameter, Shape};
+use model_spec::unit::Unit;
+use oracle::Point;
+use oracle::scalar::Real;
+use serde::Serialize;
+use std::path::Path;
+
+/// Number of lost bits from which a statement is named: a cancellation by chance at a random point loses as many once in a
+/// million.
+pub const LOSES: f64 = 20.0;
+
+/// Values below this are not compared: their f64 has fewer digits.
+const SMALLEST: f64 = 1e-290;
+
+/// Statement of a model that loses digits.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Loss {
+    /// Name of what the statement declares: an auxiliary variable, a load, `der(v)`.
+    pub name: String,
+    /// File name of the model or of the effect, without folders.
+    pub source: String,
+    /// Line in the source, from 1.
+    pub line: usize,
+    /// Text of the line.
+    pub text: String,
+    /// Bits lost of the 53 of an f64 at the worst point.
+    pub bits: f64,
+    /// Median of the lost bits over the points.
+    pub median_bits: f64,
+    /// Description of the worst point.
+    pub place: String,
+}
+
+/// A statement of the model: name and location.
+struct Statement {
+    name: String,
+    span: Span,
+}
+
+/// Bits that each statement loses at the points, each with its description; statements that lose none are left out.
+pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
+    let (alone, statements) = separated(model);
+    let whole = compile_every_value(model);
+    let parts = compile_every_value(&alone);
+    let tape = Tape::new(&parts.program);
+    let first = |lets: &[usize], all: usize| all - lets.iter().sum::<usize>();
+    let start = first(&whole.lets, whole.program.outputs.len());
+    let start_alone = first(&parts.lets, parts.program.outputs.len());
+    let mut lost: Vec<Vec<(f64, usize)>> = vec![Vec::new(); statements.len()];
+    for (place, (_, point)) in points.iter().enumerate() {
+        with_numbers(|| {
+            let values: Vec<Big> = outputs(&whole.program, &Inputs::of(point));
+            let given = &values[start..];
+            let p = rearranged(
+                model,
+                &whole.lets,
+                &parameters(point),
+                given.iter().map(|v| v.re()),
+            );
+            let exact_p: Vec<Big> = parameters(point).iter().map(|&v| Big::lit(v)).collect();
+            let exact_p = rearranged(model, &whole.lets, &exact_p, given.iter().copied());
+            let inputs = Inputs::of(point).with_parameters(exact_p);
+            let exact: Vec<Big> = outputs(&parts.program, &inputs);
+            let mut rounded = vec![0.0; tape.outputs()];
+            let inputs = tape::Inputs {
+                t: point.time,
+                x: &point.states,
+                p: &p,
+                prepared: &[],
+                marker: point.marker.as_slice(),
+            };
+            tape.eval(inputs, &mut Vec::new(), &mut rounded);
+            let mut at = start_alone;
+            for (statement, &width) in parts.lets.iter().enumerate() {
+                let range = at..at + width;
+                at += width;
+                if let Some(bits) = bits(&exact[range.clone()], &rounded[range]) {
+                    lost[statement].push((bits, place));
+                }
+            }
+        });
+    }
+    let mut losses: Vec<Loss> = statements
+        .iter()
+        .zip(lost)
+        .filter_map(|(statement, lost)| loss(model, statement, lost, points))
+        .collect();
+    losses.sort_by(|a, b| b.bits.total_cmp(&a.bits));
+    losses
+}
+
+/// Parameters of the separated model: those of the model, then the scalar auxiliary variables; coefficients; inputs, then
+/// the vector auxiliary variables.
+fn rearranged<T: Copy>(
+    model: &Model,
+    lets: &[usize],
+    all: &[T],
+    given: impl Iterator<Item = T>,
+) -> Vec<T> {
+    let given: Vec<T> = given.collect();
+    let (mut scalars, mut vectors, mut at) = (Vec::new(), Vec::new(), 0);
+    for &width in lets {
+        let to = if width == 1 {
+            &mut scalars
+        } else {
+            &mut vectors
+        };
+        to.extend_from_slice(&given[at..at + width]);
+        at += width;
+    }
+    let (params, rest) = all.split_at(model.params.len());
+    [params, &scalars, rest, &vectors].concat()
+}
+
+/// Lost bits of a scalar or a vector, relative to its length; `None` where the value is 0 or has no f64.
+fn bits(exact: &[Big], rounded: &[f64]) -> Option<f64> {
+    let norm = |values: Vec<f64>| values.iter().fold(0.0, |sum: f64, v| sum.hypot(*v));
+    let size = norm(exact.iter().map(|v| v.re()).collect());
+    if !(SMALLEST..f64::INFINITY).contains(&size) {
+        return None;
+    }
+    let each = exact.iter().zip(rounded);
+    let error = norm(each.map(|(&e, &r)| (e - Big::lit(r)).re()).collect());
+    let units = error / size / f64::EPSILON;
+    Some(units.max(1.0).log2().min(53.0))
+}
+
+fn loss(
+    model: &Model,
+    statement: &Statement,
+    mut lost: Vec<(f64, usize)>,
+    points: &[(String, Point<f64>)],
+) -> Option<Loss> {
+    lost.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let &(bits, place) = lost.first().filter(|(bits, _)| *bits > 0.0)?;
+    let source = model.sources.get(usize::from(statement.span.source))?;
+    let line = line(&source.text, statement.span);
+    let text = source.text.lines().nth(line - 1).unwrap_or_default();
+    Some(Loss {
+        name: statement.name.clone(),
+        source: match Path::new(&source.name).file_name() {
+            Some(name) => name.to_string_lossy().into_owned(),
+            None => source.name.clone(),
+        },
+        line,
+        text: text.trim().to_owned(),
+        bits,
+        median_bits: lost[lost.len() / 2].0,
+        place: points[place].0.clone(),
+    })
+}
+
+/// Line of the start of a span, from 1.
+fn line(text: &str, span: Span) -> usize {
+    let before = text.get(..span.range().start).unwrap_or_default();
+    before.matches('\n').count() + 1
+}
+
+/// A model in which every statement reads the auxiliary variables as inputs, and is one itself.
+fn separated(model: &Model) -> (Model, Vec<Statement>) {
+    let mut alone = model.clone();
+    let mut statements: Vec<Statement> = Vec::new();
+    let mut push = |name: &str, span| {
+        statements.push(Statement {
+            name: name.to_owned(),
+            span,
+        });
+    };
+    // What stands in for each auxiliary variable.
+    let mut given = Vec::new();
+    for (index, variable) in model.aux_variables.iter().enumerate() {
+        push(&variable.name, variable.span);
+        let name = format!("given_{index}");
+        given.push(match variable.value.shape {
+            Shape::Scalar => {
+                alone.params.push(parameter(name, variable.span));
+                ExprKind::Param(alone.params.len() - 1)
+            }
+            Shape::Vector(frame) => {
+                alone.inputs.push(input(name, frame, variable.span));
+                ExprKind::Input(alone.inputs.len() - 1)
+            }
+        });
+    }
+    for root in roots_mut(&mut alone) {
+        replace(root, &given);
+    }
+    let mut own: Vec<(String, Expr, Span)> = Vec::new();
+    for load in alone.forces.iter().chain(&alone.moments) {
+        own.push((load.name.clone(), load.value.clone(), load.span));
+    }
+    for equation in &alone.equations {
+        let name = format!("der({})", alone.states[equation.state].name);
+        own.push((name, equation.value.clone(), equation.span));
+    }
+    if let Some(observation) = &alone.observation {
+        own.push((
+            observation.name.clone(),
+            observation.value.clone(),
+            observation.span,
+        ));
+    }
+    if let Some(clock) = &alone.clock {
+        own.push(("clock".to_owned(), clock.value.clone(), clock.span));
+    }
+    if let Some(body) = &alone.body {
+        own.push(("mass".to_owned(), body.mass.clone(), body.mass.span));
+        for entry in body
+            .rotation
+            .iter()
+            .flat_map(|r| r.inertia.iter().flatten())
+        {
+            own.push(("inertia".to_owned(), entry.clone(), entry.span));
+        }
+    }
+    for (index, (name, value, span)) in own.into_iter().enumerate() {
+        push(&name, span);
+        alone.aux_variables.push(AuxVariable {
+            name: format!("statement_{index}"),
+            doc: String::new(),
+            value,
+            span,
+            effect: None,
+        });
+    }
+    (alone, statements)
+}
+
+fn replace(e: &mut Expr, given: &[ExprKind]) {
+    if let ExprKind::AuxVariable(index) = e.kind {
+        e.kind = given[index].clone();
+    }
+    for child in children_mut(&mut e.kind) {
+        replace(child, given);
+    }
+}
+
+fn parameter(name: String, span: Span) -> Parameter {
+    Parameter {
+        name,
+        doc: String::new(),
+        unit: Unit::default(),
+        unit_text: String::new(),
+        inferred: false,
+        value: 0.0,
+        bounds: None,
+        span,
+    }
+}
+
+fn input(name: String, frame: usize, span: Span) -> Input {
+    Input {
+        name,
+        doc: String::new(),
+        frame,
+        unit: Unit::default(),
+        unit_text: String::new(),
+        value: [0.0; 3],
+        span,
+    }
+}

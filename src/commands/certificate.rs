@@ -1,0 +1,88 @@
+//! Certificates: whether one stands, and what the pages of a fit or a diagnosis say of it.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use model_spec::model::Model;
+use report::CertificateNote;
+use verify::certificate::{Certificate, folder_of};
+use verify::report::Outcome;
+
+use crate::{Answer, output};
+
+/// Ending of the certificate next to a model's file.
+const ENDING: &str = "certificate.json";
+
+/// Says whether a certificate stands; answers no where something that it covers has changed.
+pub fn check(
+    path: &Path,
+    again: bool,
+    json: bool,
+    same: impl Fn(&Model) -> bool,
+) -> anyhow::Result<Answer> {
+    let shown = path.display();
+    let certificate = Certificate::read(path).with_context(|| shown.to_string())?;
+    let folder = folder_of(path);
+    let changes = match again {
+        true => certificate.changes_again(&folder, same),
+        false => certificate.changes(&folder),
+    };
+    let stands = changes.is_empty();
+    output::print(if json {
+        let value = serde_json::json!({
+            "stands": stands, "outcome": certificate.outcome, "changes": changes
+        });
+        serde_json::to_string_pretty(&value)? + "\n"
+    } else if stands {
+        format!("{shown} stands: {}\n", certificate.summary())
+    } else {
+        let lines: Vec<String> = changes.iter().map(|c| format!("  {c}\n")).collect();
+        format!("{shown} does not stand:\n{}", lines.concat())
+    })?;
+    Ok(match stands {
+        true => Answer::Yes,
+        false => Answer::No,
+    })
+}
+
+/// The certificate that is asked for, or the one next to the file of a model; read before any work.
+pub struct Found(Option<(PathBuf, Result<Certificate, String>)>);
+
+impl Found {
+    /// Reads the certificate; `name_or_path` is that of the model. One that is asked for must be readable.
+    pub fn read(asked: Option<&Path>, name_or_path: &str) -> anyhow::Result<Self> {
+        if let Some(path) = asked {
+            let read = Certificate::read(path)
+                .with_context(|| format!("--certificate: {}", path.display()))?;
+            return Ok(Self(Some((path.to_owned(), Ok(read)))));
+        }
+        let model = Path::new(name_or_path);
+        let path = model.with_extension(ENDING);
+        if !model.is_file() || !path.is_file() {
+            return Ok(Self(None));
+        }
+        let read = Certificate::read(&path).map_err(|why| why.to_string());
+        Ok(Self(Some((path, read))))
+    }
+
+    /// What the certificate says of the model.
+    pub fn note(&self, model: &Model) -> CertificateNote {
+        let Some((path, read)) = &self.0 else {
+            return CertificateNote::none();
+        };
+        let file = path.file_name().unwrap_or_default();
+        let file = file.to_string_lossy().into_owned();
+        let status = match read {
+            Ok(certificate) => certificate.status(path, model),
+            Err(why) => return CertificateNote::changed(file, None, vec![why.clone()]),
+        };
+        let outcome = status.outcome.map(Outcome::words).map(str::to_lowercase);
+        match outcome {
+            Some(outcome) if status.changes.is_empty() => CertificateNote::stands(file, outcome),
+            outcome => {
+                let changes = status.changes.iter().map(ToString::to_string);
+                CertificateNote::changed(file, outcome, changes.collect())
+            }
+        }
+    }
+}
