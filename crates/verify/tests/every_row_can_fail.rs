@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 use support::{QUICK, built_in, row as row_of};
 use verify::Options;
 use verify::checks::backends::{self, Run};
+use verify::checks::claim::CLAIM;
 use verify::checks::{cases, effect_reference, effects, exact, exact_functions, identities};
 use verify::checks::{derivatives, metamorphic, reference, singular, units};
 use verify::flights::{INVARIANTS, MOMENTA};
@@ -46,6 +47,15 @@ impl Base {
         Self {
             name: "pellet",
             text: own_text(),
+        }
+    }
+
+    /// Stated equations with a claim.
+    fn claimed() -> Self {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../studies/models/glider.hyz");
+        Self {
+            name: "glider",
+            text: std::fs::read_to_string(path).unwrap(),
         }
     }
 
@@ -315,6 +325,87 @@ fn every_row_has_a_breakage_that_it_alone_is_asked_about() {
             assert_eq!(wrong.check, *check);
             assert_eq!(wrong.verdict, Verdict::Refuted, "{}: {wrong:?}", base.name);
         }
+    }
+}
+
+/// Breakages of the rows that hold of stated equations with a claim.
+fn breakages_of_claimed() -> Vec<(&'static str, Breakage)> {
+    let mut all = vec![
+        (units::UNITS, Text("-drag/m", "-drag")),
+        (CLAIM, Text("der(height) = V*sin", "der(height) = V*cos")),
+        (reference::TREE, Code("lift/(m*V)", "-lift/(m*V)")),
+        (
+            identities::IDENTITIES,
+            Text("- g*sin(gamma)", "+ g*sin(gamma)"),
+        ),
+        (INVARIANTS, Text("- g*sin(gamma)", "- 1.01*g*sin(gamma)")),
+        (MOMENTA, Text("- g*cos(gamma)/V", "- 1.001*g*cos(gamma)/V")),
+        (
+            metamorphic::METAMORPHIC,
+            Text("- g*sin(gamma)", "- g*(1 + time/1 [s])*sin(gamma)"),
+        ),
+        (
+            exact_functions::FUNCTIONS,
+            Code("lift/(m*V)", "1.0000000001*lift/(m*V)"),
+        ),
+        (
+            backends::BACKENDS,
+            By(|base| {
+                let next = |v: f64| f64::from_bits(v.to_bits() + 1);
+                let (compiled, runs) = changed_run(base, false, next);
+                backends::check(&compiled, &runs)
+            }),
+        ),
+        (
+            backends::FMA,
+            By(|base| {
+                let (compiled, runs) = changed_run(base, false, |v| v + 1.0);
+                backends::check_fma(&compiled, &runs)
+            }),
+        ),
+        (ROUNDING, By(rounded_badly)),
+        (
+            singular::SINGULAR,
+            Text("-drag/m", "-drag/m*exp(1e5 [1/m]*abs(range - 3 [m]))"),
+        ),
+        (
+            cases::CASES,
+            Text("expect der(V) = -1.635", "expect der(V) = -1.636"),
+        ),
+        (
+            effects::EFFECTS,
+            By(|base| effect_row(base, "drag = pressure_force*C_D*(1 + 0.001*cos(C_x))")),
+        ),
+    ];
+    let of_code = || Code("lift/(m*V)", "1.01*lift/(m*V)");
+    all.extend(derivatives::CHECKS.map(|check| (check, of_code())));
+    all
+}
+
+#[test]
+fn every_row_that_holds_of_claimed_equations_has_a_breakage() {
+    let base = Base::claimed();
+    let report = verify::run(&base.loaded(), &QUICK);
+    let holds = report
+        .rows
+        .iter()
+        .filter(|row| row.verdict == Verdict::Holds);
+    let holds: BTreeSet<&str> = holds.map(|row| row.check).collect();
+    let breakages = breakages_of_claimed();
+    let known: BTreeSet<&str> = breakages.iter().map(|(check, _)| *check).collect();
+    let without: Vec<_> = holds.difference(&known).collect();
+    assert!(without.is_empty(), "{without:?}");
+    for (check, breakage) in &breakages {
+        if !holds.contains(check) {
+            continue;
+        }
+        let wrong = breakage.row(&base, check);
+        // A model without a reference may break a relation on purpose: it is said.
+        let expected = match *check {
+            metamorphic::METAMORPHIC => Verdict::Skipped,
+            _ => Verdict::Refuted,
+        };
+        assert_eq!(wrong.verdict, expected, "{wrong:?}");
     }
 }
 
