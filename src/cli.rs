@@ -33,7 +33,7 @@ pub enum Command {
     Verify(Verify),
     /// Say what a change of a model does: which derivatives are exactly the same function, which are not and by which terms
     #[command(
-        after_help = "Examples:\n  hyzer diff disc_appendix_printed disc_appendix\n  hyzer diff main:models/kite.hyz models/kite.hyz --markdown   # a file at a revision of git\n  hyzer diff disc my_disc.hyz --time --json\n\nNames may change and statements may be reordered, factored or written in another frame. Whether a derivative is the same\nfunction of states, parameters and time is decided by evaluation at random points of a prime field; where functions differ as\nsymbols and agree in numbers to rounding, the output says so. Exit status: 0 the same function (stated values may differ,\nthey are listed), 1 another function."
+        after_help = "Examples:\n  hyzer diff disc_appendix_printed disc_appendix\n  hyzer diff HEAD:model-spec/models/ball.hyz ball --markdown   # a file at a revision of git\n  hyzer diff disc disc_quaternion --time --json\n\nNames may change and statements may be reordered, factored or written in another frame. Whether a derivative is the same\nfunction of states, parameters and time is decided by evaluation at random points of a prime field; where functions differ as\nsymbols and agree in numbers to rounding, the output says so. Exit status: 0 the same function (stated values may differ,\nthey are listed), 1 another function."
     )]
     Diff(Diff),
     /// Trace one quantity, or its derivative, from its line in the model to formula and code

@@ -6,7 +6,7 @@ use std::time::Instant;
 use identify::{CancellationToken, FitOptions};
 
 /// Greatest number of least-squares steps of all refits of one search.
-const MAX_STEPS: usize = 1000;
+const MAX_STEPS: usize = 250;
 
 /// Limits of the refits of one search.
 #[derive(Debug)]

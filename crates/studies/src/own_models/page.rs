@@ -25,6 +25,8 @@ struct Results {
     runs: usize,
     median: Option<f64>,
     slowest: f64,
+    /// Number of threads of each diagnosis.
+    threads: usize,
     models: Vec<ModelRow>,
     rows: Vec<Row>,
 }
@@ -78,6 +80,7 @@ pub fn own_models_page(outcomes: &[Outcome]) -> Result<Page, StudyError> {
         runs: outcomes.len(),
         median: median(seconds.clone()),
         slowest: seconds.fold(0.0, f64::max),
+        threads: outcomes.first().map_or(1, |outcome| outcome.threads),
         models,
         rows: rows.map(row).collect(),
     };

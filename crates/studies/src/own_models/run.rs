@@ -62,6 +62,8 @@ pub struct Outcome {
     pub detectability: Option<f64>,
     /// Computing time, s.
     pub seconds: f64,
+    /// Number of threads of the diagnosis.
+    pub threads: usize,
 }
 
 impl Outcome {
@@ -140,7 +142,7 @@ pub fn tasks(seeds: u64, words: &str) -> Vec<Task> {
     tasks
 }
 
-/// Makes the flights of each task and diagnoses them, on this number of threads.
+/// Makes the flights of each task and diagnoses them, so many at a time, which share the processors.
 pub fn own_models(
     tasks: &[Task],
     threads: usize,
@@ -148,14 +150,16 @@ pub fn own_models(
 ) -> Vec<Outcome> {
     let models: BTreeMap<&str, Model> = SUBJECTS.iter().map(|s| (s.name, s.model())).collect();
     let finished = AtomicUsize::new(0);
+    let of_run = (batch::threads() / threads.max(1)).max(1);
     batch::each_on(threads, tasks.len(), |index| {
-        let outcome = outcome(tasks[index], &models[tasks[index].subject.name]);
+        let model = &models[tasks[index].subject.name];
+        let outcome = outcome(tasks[index], model, of_run);
         progress(1 + finished.fetch_add(1, Ordering::Relaxed), tasks.len());
         outcome
     })
 }
 
-fn outcome(task: Task, model: &Model) -> Outcome {
+fn outcome(task: Task, model: &Model, threads: usize) -> Outcome {
     let hidden = task.hidden.map(|(hidden, size, _)| (hidden, size));
     let noise = Corruption::default();
     let observed = dataset(task.subject, model, hidden, Some(noise), task.seed);
@@ -164,7 +168,7 @@ fn outcome(task: Task, model: &Model) -> Outcome {
         detectability(model, exact, noise.sigma)
     });
     let clock = Instant::now();
-    let found = bounded_diagnosis(model, &observed);
+    let found = bounded_diagnosis(model, &observed, threads);
     let mut outcome = Outcome {
         task,
         verdict: None,
@@ -172,6 +176,7 @@ fn outcome(task: Task, model: &Model) -> Outcome {
         answer: Vec::new(),
         detectability,
         seconds: clock.elapsed().as_secs_f64(),
+        threads,
     };
     match found {
         Ok(report) => {
@@ -183,13 +188,13 @@ fn outcome(task: Task, model: &Model) -> Outcome {
     outcome
 }
 
-/// A diagnosis on one thread, for at most about [`LIMIT`].
-fn bounded_diagnosis(model: &Model, observed: &Dataset) -> Result<Report, String> {
+/// A diagnosis for at most about [`LIMIT`].
+fn bounded_diagnosis(model: &Model, observed: &Dataset, threads: usize) -> Result<Report, String> {
     let token = CancellationToken::default();
     let options = DiagnosisOptions {
         dataset: "hidden",
         fit: FitOptions {
-            threads: Some(1),
+            threads: Some(threads),
             cancellation: Some(&token),
             ..FitOptions::default()
         },
