@@ -1,4 +1,4 @@
-//! Recordings of motion-capture laboratories: readers of their files.
+//! Recordings of motion-capture laboratories: readers of their files, and the throws in them.
 //!
 //! [`read`] recognises the format of a file by its content and gives a [`Take`]: times, points and poses in s and m along
 //! the axes of the file, with notes of what was decided. What the file does not state, such as a unit, is taken from
@@ -18,6 +18,7 @@ mod options;
 mod read;
 mod sheet;
 mod take;
+mod throws;
 mod unit;
 pub mod words;
 
@@ -27,4 +28,5 @@ pub use format::Format;
 pub use options::ReadOptions;
 pub use read::{parse, read};
 pub use take::{Body, Point, Pose, Take};
+pub use throws::{Cause, Cut, Throw, ThrowOptions, Throws, find_throws};
 pub use unit::{LengthUnit, TimeUnit};
