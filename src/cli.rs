@@ -51,6 +51,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer synthesize disc --release backhand --duration 1 --out made\n  hyzer synthesize ball --release serve --flights 4 --held-out 1 --set C_D=0.5 --seed 7 --out balls\n  hyzer synthesize disc --release backhand --with zero_lift_drag_angle --set alpha_0=-0.07 --duration 1 --out odd\n\nReleases by name: run `hyzer simulate --list`. The true values are written to the dataset's folder as\ntruth.toml, which `hyzer fit` does not read."
     )]
     Synthesize(Synthesize),
+    /// Make a dataset of recordings of a laboratory (C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses, CSV), cut to the free flights
+    #[command(
+        after_help = "Examples:\n  hyzer import examples/disc/flight01.csv --length m --time s --up +z --markers examples/disc/dataset.toml --out imported\n  hyzer import examples/ball/flight01.csv examples/ball/flight02.csv --length m --time s --up +z --markers examples/ball/dataset.toml --model ball --out imported\n\nThe format is recognised by the content. Units and axes are as a file states them; what it does not state is asked for by an\noption. The template of --markers is a dataset.toml, of which [[markers]], [parameters] and model are taken. What was decided\nis printed, and written to import.txt in the dataset's folder."
+    )]
+    Import(Import),
     /// Estimate a model's coefficients from measured flights, with their uncertainty
     #[command(
         after_help = "Examples:\n  hyzer fit examples/ball --out fitted\n  hyzer fit examples/disc --with zero_lift_drag_angle --hold C_Nr --profile C_D0 --out fitted\n  hyzer fit examples/disc --model disc_quaternion --prior C_D0=0.1+-0.02 --free wind_x\n\nThe folder then holds report.html, report.json, fitted.hyz (the model with the estimates as its default values), figures and\ntables. Exit status 1: the answer cannot be relied on; the output says why."
@@ -289,6 +294,44 @@ pub struct Synthesize {
     /// Seed of all random numbers
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
+    /// Folder for the dataset: a new or an empty one
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// `hyzer import`.
+#[derive(Args)]
+pub struct Import {
+    /// Recordings: files of a laboratory
+    #[arg(required = true, value_name = "TAKE")]
+    pub takes: Vec<PathBuf>,
+    /// Format: c3d, vicon, qualisys, qualisys-6dof, optitrack, dltdv, poses or csv; by default recognised by the content
+    #[arg(long, value_name = "FORMAT")]
+    pub format: Option<String>,
+    /// Unit of the coordinates, where a file states none or a wrong one: m, cm, mm, in or ft
+    #[arg(long, value_name = "UNIT")]
+    pub length: Option<String>,
+    /// Unit of the times, where a file states none or a wrong one: s or ms
+    #[arg(long, value_name = "UNIT")]
+    pub time: Option<String>,
+    /// Frames per second, where a file states none or wrong ones
+    #[arg(long, value_name = "HZ")]
+    pub rate: Option<f64>,
+    /// Axis of the file that points up, where the file states none or a wrong one: +z, -z, +y, -y, +x or -x
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub up: Option<String>,
+    /// The axes of the file are left-handed
+    #[arg(long)]
+    pub left_handed: bool,
+    /// Name in the template of a label in the files; may be repeated
+    #[arg(long, value_name = "FILE_LABEL=NAME")]
+    pub label: Vec<String>,
+    /// Template: a TOML file with [[markers]], their names and positions on the body, such as a dataset.toml
+    #[arg(long, value_name = "TEMPLATE")]
+    pub markers: PathBuf,
+    /// Model: a name or a path; by default the template's
+    #[arg(long, value_name = "MODEL")]
+    pub model: Option<String>,
     /// Folder for the dataset: a new or an empty one
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,

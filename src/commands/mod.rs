@@ -8,6 +8,7 @@ mod effects;
 mod explain;
 mod fit;
 mod generate;
+mod import;
 mod simulate;
 mod synthesize;
 mod verify;
@@ -23,6 +24,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Verify(options) => verify::run(&options),
         Command::Diff(options) => diff::run(&options),
         Command::Explain(options) => explain::run(&options),
+        Command::Import(options) => import::run(&options),
         Command::Simulate(options) => simulate::run(&options),
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),

@@ -11,7 +11,6 @@ mod in_memory;
 mod lines;
 mod manifest;
 mod names;
-mod number;
 mod place;
 mod samples;
 mod table;

@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use csv::{ReaderBuilder, StringRecord};
+use takes::number::number;
 
 use super::header::{Header, separator};
 use super::lines::Lines;
 use super::place::Places;
+use super::samples;
 use super::words::shown;
-use super::{number::number, samples};
 use crate::input_error::InputError;
 
 #[derive(Debug, Default, PartialEq)]

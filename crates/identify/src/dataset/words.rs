@@ -1,30 +1,7 @@
-//! Formatting for error messages: external texts escaped, long lists shortened, similar names suggested.
+//! Formatting for error messages: external texts and long lists as `takes` shows them, and similar names suggested.
 
 use model_spec::nearest_name;
-
-/// Longest external text in a message, characters; longer texts are cut.
-const LONGEST: usize = 40;
-/// Greatest number of names that a message lists.
-const MOST: usize = 12;
-
-/// An external text in quotes, escaped and cut to a bounded length.
-pub(super) fn shown(text: &str) -> String {
-    if text.chars().count() <= LONGEST {
-        return format!("{text:?}");
-    }
-    let start: String = text.chars().take(LONGEST).collect();
-    format!("{start:?}…")
-}
-
-/// A list of names for a message; long lists are shortened.
-pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
-    let mut names = names.into_iter();
-    let first: Vec<&str> = names.by_ref().take(MOST).collect();
-    match names.count() {
-        0 => first.join(", "),
-        more => format!("{} and {more} more", first.join(", ")),
-    }
-}
+pub(super) use takes::words::{listed, shown};
 
 /// Suggestion ` (did you mean …?)` if one of the names is similar to `wrong`; otherwise empty.
 pub(super) fn meant<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> String {
@@ -39,22 +16,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn texts_are_escaped_and_cut() {
-        assert_eq!(shown("a\u{1b}b"), "\"a\\u{1b}b\"");
-        assert_eq!(shown(&"x".repeat(50)), format!("\"{}\"…", "x".repeat(40)));
-    }
-
-    #[test]
     fn near_names_are_meant_and_far_ones_are_not() {
         assert_eq!(meant("modle", ["model", "noise"]), " (did you mean model?)");
         assert_eq!(meant("weather", ["model", "noise"]), "");
         assert_eq!(meant("0", ["t"]), "");
-    }
-
-    #[test]
-    fn long_lists_are_counted() {
-        let names: Vec<String> = (0..20).map(|i| i.to_string()).collect();
-        let told = listed(names.iter().map(String::as_str));
-        assert!(told.ends_with("11 and 8 more"), "{told}");
     }
 }

@@ -4,13 +4,15 @@ use std::collections::BTreeMap;
 
 use super::bytes::{Bytes, Order};
 use super::{Wrong, wrong};
-use crate::dataset::words::shown;
+use crate::words::shown;
 
 /// Greatest number of groups and parameters in a C3D file, which bounds the memory used.
 const MOST: usize = 20_000;
 
 /// One C3D parameter in its stored form.
 struct Parameter<'a> {
+    /// Offset of the parameter's type in the file, bytes.
+    place: usize,
     kind: i8,
     dimensions: &'a [u8],
     data: Bytes<'a>,
@@ -20,14 +22,17 @@ struct Parameter<'a> {
 pub(super) struct Parameters<'a> {
     groups: BTreeMap<String, u8>,
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
+    /// Offset of the section in the file, bytes.
+    start: usize,
 }
 
 impl<'a> Parameters<'a> {
-    /// Parses the parameter section, which lies between the header and the data.
-    pub fn read(section: &'a [u8], order: Order) -> Result<Self, Wrong> {
+    /// Parses the parameter section, which lies between the header and the data, at the byte `start` of the file.
+    pub fn read(section: &'a [u8], start: usize, order: Order) -> Result<Self, Wrong> {
         let mut found = Self {
             groups: BTreeMap::new(),
             parameters: BTreeMap::new(),
+            start,
         };
         // Two bytes of old use, the number of blocks, the processor.
         let mut at = 4;
@@ -37,12 +42,12 @@ impl<'a> Parameters<'a> {
                 break;
             }
             if found.groups.len() + found.parameters.len() >= MOST {
-                return wrong("a parameter more", format!("at most {MOST}"));
+                return wrong(start + at, "a parameter more", format!("at most {MOST}"));
             }
-            let name = part(section, at + 2, usize::from(length))?;
+            let name = part(section, start, at + 2, usize::from(length))?;
             let name = text(name).to_uppercase();
             at += 2 + usize::from(length);
-            part(section, at, 2)?;
+            part(section, start, at, 2)?;
             let all = Bytes {
                 bytes: section,
                 order,
@@ -51,7 +56,7 @@ impl<'a> Parameters<'a> {
             if id < 0 {
                 found.groups.entry(name).or_insert(id.unsigned_abs());
             } else {
-                let parameter = Parameter::read(section, at + 2, order, &name)?;
+                let parameter = Parameter::read(section, start, at + 2, order, &name)?;
                 let key = (id.unsigned_abs(), name);
                 found.parameters.entry(key).or_insert(parameter);
             }
@@ -60,6 +65,7 @@ impl<'a> Parameters<'a> {
                 0 => break,
                 1 => {
                     return wrong(
+                        start + at,
                         "an entry of the parameters that ends in itself",
                         "a next entry",
                     );
@@ -75,6 +81,12 @@ impl<'a> Parameters<'a> {
         self.parameters.get(&(group, name.to_owned()))
     }
 
+    /// Offset of a parameter in the file, or of the whole section, bytes.
+    pub fn place(&self, group: &str, name: &str) -> usize {
+        let parameter = self.get(group, name);
+        parameter.map_or(self.start, |parameter| parameter.place)
+    }
+
     /// First number of a parameter; `None` if the parameter is absent.
     pub fn number(&self, group: &str, name: &str) -> Result<Option<f64>, Wrong> {
         let Some(parameter) = self.get(group, name) else {
@@ -84,7 +96,11 @@ impl<'a> Parameters<'a> {
             (2, 2..) => Ok(Some(f64::from(parameter.data.i16(0)))),
             (4, 4..) => Ok(Some(f64::from(parameter.data.f32(0)))),
             (1, 1..) => Ok(Some(f64::from(parameter.data.bytes[0]))),
-            _ => wrong(format!("{group}:{name} without a number"), "a number"),
+            _ => wrong(
+                parameter.place,
+                format!("{group}:{name} without a number"),
+                "a number",
+            ),
         }
     }
 
@@ -98,7 +114,11 @@ impl<'a> Parameters<'a> {
             Some(number) if (0.0..=4294967295.0).contains(&number) && number.fract() == 0.0 => {
                 Ok(Some(number as u64))
             }
-            Some(number) => wrong(format!("{group}:{name} = {number}"), "a number of frames"),
+            Some(number) => wrong(
+                self.place(group, name),
+                format!("{group}:{name} = {number}"),
+                "a number of frames",
+            ),
         }
     }
 
@@ -110,7 +130,11 @@ impl<'a> Parameters<'a> {
                 let [low, high] = [0, 2].map(|at| u32::from(parameter.data.u16(at)));
                 Ok(Some(low | high << 16))
             }
-            Some(_) => wrong(format!("{group}:{name} of another kind"), "two integers"),
+            Some(parameter) => wrong(
+                parameter.place,
+                format!("{group}:{name} of another kind"),
+                "two integers",
+            ),
         }
     }
 
@@ -119,8 +143,23 @@ impl<'a> Parameters<'a> {
         match self.get(group, name) {
             None => Ok(None),
             Some(parameter) if parameter.kind == -1 => Ok(Some(text(parameter.data.bytes))),
-            Some(_) => wrong(format!("{group}:{name} of another kind"), "a text"),
+            Some(parameter) => wrong(
+                parameter.place,
+                format!("{group}:{name} of another kind"),
+                "a text",
+            ),
         }
+    }
+
+    /// First text of a parameter that may have several; `None` if the parameter is absent.
+    pub fn first_text(&self, group: &str, name: &str) -> Result<Option<String>, Wrong> {
+        let whole = self.text(group, name)?;
+        let several = self.get(group, name).filter(|it| it.dimensions.len() > 1);
+        let first = several.and_then(|it| {
+            let width = usize::from(*it.dimensions.first()?);
+            it.data.bytes.get(..width).map(text)
+        });
+        Ok(first.or(whole))
     }
 
     /// Labels of this number of points, from the parameters LABELS, LABELS2, …; each of them has at most 255 labels.
@@ -135,7 +174,11 @@ impl<'a> Parameters<'a> {
                 break;
             };
             if parameter.kind != -1 {
-                return wrong(format!("POINT:{name} of another kind"), "texts");
+                return wrong(
+                    parameter.place,
+                    format!("POINT:{name} of another kind"),
+                    "texts",
+                );
             }
             let width = usize::from(parameter.dimensions.first().copied().unwrap_or(0));
             if width > 0 {
@@ -144,20 +187,28 @@ impl<'a> Parameters<'a> {
             }
         }
         if labels.is_empty() {
-            return wrong("no POINT:LABELS", "the name of every point");
+            return wrong(self.start, "no POINT:LABELS", "the name of every point");
         }
         Ok(labels)
     }
 }
 
 impl<'a> Parameter<'a> {
-    fn read(section: &'a [u8], at: usize, order: Order, name: &str) -> Result<Self, Wrong> {
-        let &[kind, count] = part(section, at, 2)? else {
-            return wrong("half a parameter", "a whole one");
+    fn read(
+        section: &'a [u8],
+        start: usize,
+        at: usize,
+        order: Order,
+        name: &str,
+    ) -> Result<Self, Wrong> {
+        let place = start + at;
+        let &[kind, count] = part(section, start, at, 2)? else {
+            return wrong(place, "half a parameter", "a whole one");
         };
         let kind = kind.cast_signed();
         if ![-1, 1, 2, 4].contains(&kind) || count > 7 {
             return wrong(
+                place,
                 format!(
                     "the parameter {} of type {kind} with {count} dimensions",
                     shown(name)
@@ -165,13 +216,14 @@ impl<'a> Parameter<'a> {
                 "type -1, 1, 2 or 4 and at most 7 dimensions",
             );
         }
-        let dimensions = part(section, at + 2, usize::from(count))?;
+        let dimensions = part(section, start, at + 2, usize::from(count))?;
         // Seven dimensions of 255 still fit.
         let size: u64 = dimensions.iter().map(|&d| u64::from(d)).product();
         let size = size * u64::from(kind.unsigned_abs());
         let size = usize::try_from(size).unwrap_or(usize::MAX);
-        let bytes = part(section, at + 2 + usize::from(count), size)?;
+        let bytes = part(section, start, at + 2 + usize::from(count), size)?;
         Ok(Self {
+            place,
             kind,
             dimensions,
             data: Bytes { bytes, order },
@@ -179,12 +231,13 @@ impl<'a> Parameter<'a> {
     }
 }
 
-/// Bytes `at..at + length` of the section, or an error if the section is shorter.
-fn part(section: &[u8], at: usize, length: usize) -> Result<&[u8], Wrong> {
+/// Bytes `at..at + length` of the section that begins at `start`, or an error if the section is shorter.
+fn part(section: &[u8], start: usize, at: usize, length: usize) -> Result<&[u8], Wrong> {
     let end = at.checked_add(length);
     match end.and_then(|end| section.get(at..end)) {
         Some(part) => Ok(part),
         None => wrong(
+            start + at,
             format!("a parameter of {length} bytes at byte {at} of the parameters"),
             format!("all of it within their {} bytes", section.len()),
         ),

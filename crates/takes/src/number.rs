@@ -1,7 +1,7 @@
 //! Parsing of one table cell as a number.
 
 /// Parses a table cell as a finite number; `None` for a missing value. The error says what was expected instead.
-pub(super) fn number(cell: &str) -> Result<Option<f64>, &'static str> {
+pub fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     const EXPECTED: &str = "a finite number, or nothing for a dropout";
     if cell.is_empty() {
         return Ok(None);

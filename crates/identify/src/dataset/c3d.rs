@@ -1,0 +1,83 @@
+//! Marker positions of a C3D file (motion capture), for the markers that a dataset declares.
+//!
+//! Labels that the dataset does not declare are ignored. A file that contradicts itself is refused; an import reads
+//! more of those, and says how.
+
+use std::path::Path;
+
+use takes::c3d::{Recording, Wrong};
+use takes::words::{listed, shown};
+
+use super::samples;
+use super::table::Table;
+use crate::input_error::InputError;
+
+pub(super) fn parse(file: &Path, bytes: &[u8], markers: &[&str]) -> Result<Table, InputError> {
+    table(bytes, markers).map_err(|(found, expected)| InputError::of_file(file, found, expected))
+}
+
+/// What was found and what was expected, in words.
+type Words = (String, String);
+
+fn words(wrong: Wrong) -> Words {
+    (wrong.found, wrong.expected)
+}
+
+fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Words> {
+    let recording = Recording::open(bytes).map_err(words)?;
+    if let Some(deviation) = recording.deviations().first() {
+        return Err(words(deviation.wrong.clone()));
+    }
+    let (unit, text) = recording.unit().map_err(words)?;
+    if !["m", "cm", "mm"].contains(&text.to_ascii_lowercase().as_str()) {
+        let found = format!("the unit {}", shown(&text));
+        return Err((found, "m, cm or mm in POINT:UNITS".into()));
+    }
+    let rate = recording.rate().map_err(words)?;
+    if recording.frames() > samples::most(markers.len()) {
+        let expected = format!("at most {}", samples::most(markers.len()));
+        return Err((format!("{} frames", recording.frames()), expected));
+    }
+    let places = markers.iter().map(|marker| place(&recording, marker));
+    let places = places.collect::<Result<Vec<usize>, Words>>()?;
+    let mut table = Table::default();
+    for frame in 0..recording.frames() {
+        let time = (f64::from(recording.first_frame()) + frame as f64) / rate;
+        samples::time(table.times.first(), table.times.last(), time)?;
+        let mut row = Vec::with_capacity(markers.len());
+        for (&place, marker) in places.iter().zip(markers) {
+            let position = recording.position(frame, place);
+            let position = position.map(|raw| raw.map(|x| x * unit.metres()));
+            let number = u64::from(recording.first_frame()) + frame as u64;
+            for (value, axis) in position.into_iter().flatten().zip(["x", "y", "z"]) {
+                let name = format_args!("{marker}_{axis} of frame {number}");
+                samples::coordinate(&name, value)?;
+            }
+            row.push(position);
+        }
+        table.positions.push(row);
+        table.times.push(time);
+    }
+    Ok(table)
+}
+
+/// Index of a marker among the points of a frame, by its label.
+fn place(recording: &Recording<'_>, marker: &str) -> Result<usize, Words> {
+    let labels = recording.labels();
+    let mut found =
+        (0..recording.points().min(labels.len())).filter(|&place| labels[place] == marker);
+    match (found.next(), found.next()) {
+        (Some(place), None) => Ok(place),
+        (Some(_), Some(_)) => Err((
+            format!("two points {}", shown(marker)),
+            "each declared marker once in POINT:LABELS".into(),
+        )),
+        (None, _) => {
+            let labels: Vec<String> = labels.iter().map(|label| shown(label)).collect();
+            Err((
+                format!("the labels {}", listed(labels.iter().map(String::as_str))),
+                format!("every declared marker among them, as {}", shown(marker)),
+            ))
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Errors in the files of a recording, with their location.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Location of an error in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The whole file.
+    File,
+    /// A line, from 1.
+    Line(usize),
+    /// A cell of a table: its line and its number in the line, both from 1.
+    Cell(usize, usize),
+    /// An offset in bytes, from 0.
+    Byte(usize),
+}
+
+/// A malformed recording: its location, what was found and what was expected.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}{place}: found {found}, expected {expected}", file.display())]
+pub struct TakeError {
+    /// File that contains the error.
+    pub file: PathBuf,
+    /// Location in the file.
+    pub place: Place,
+    /// What was found at this location.
+    pub found: String,
+    /// What was expected instead.
+    pub expected: String,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => Ok(()),
+            Self::Line(line) => write!(f, ":{line}"),
+            Self::Cell(line, cell) => write!(f, ":{line}, cell {cell}"),
+            Self::Byte(byte) => write!(f, ", byte {byte}"),
+        }
+    }
+}
+
+/// An error of a file whose path the caller adds.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Fault {
+    pub place: Place,
+    pub found: String,
+    pub expected: String,
+}
+
+impl Fault {
+    pub fn new(place: Place, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self {
+            place,
+            found: found.into(),
+            expected: expected.into(),
+        }
+    }
+
+    pub fn of(self, file: &Path) -> TakeError {
+        TakeError {
+            file: file.to_path_buf(),
+            place: self.place,
+            found: self.found,
+            expected: self.expected,
+        }
+    }
+}

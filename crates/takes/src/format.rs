@@ -1,0 +1,151 @@
+//! Formats of recordings, recognised by their content.
+
+use std::fmt;
+
+use crate::c3d::is_c3d;
+use crate::columns::{Column, Quantity};
+use crate::error::{Fault, Place};
+use crate::words::shown;
+
+/// Format of the file of a recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// C3D, binary, of most laboratories.
+    C3d,
+    /// Table of Vicon Nexus: the section `Trajectories`.
+    Vicon,
+    /// Table of Qualisys Track Manager: points.
+    Qualisys,
+    /// Table of Qualisys Track Manager: poses of rigid bodies.
+    QualisysPoses,
+    /// Table of OptiTrack Motive.
+    OptiTrack,
+    /// Points digitised in video by DLTdv8: `pt1_X,pt1_Y,pt1_Z`.
+    Dltdv,
+    /// Table with a header that names positions and quaternions.
+    Poses,
+    /// Table with a header that names the coordinates of points.
+    Plain,
+}
+
+impl Format {
+    /// All formats, with their names in the option `--format`.
+    pub const ALL: [(Self, &'static str); 8] = [
+        (Self::C3d, "c3d"),
+        (Self::Vicon, "vicon"),
+        (Self::Qualisys, "qualisys"),
+        (Self::QualisysPoses, "qualisys-6dof"),
+        (Self::OptiTrack, "optitrack"),
+        (Self::Dltdv, "dltdv"),
+        (Self::Poses, "poses"),
+        (Self::Plain, "csv"),
+    ];
+
+    /// Name of the format in the option `--format`.
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].1
+    }
+
+    /// The format of a name.
+    pub fn parse(name: &str) -> Option<Self> {
+        let mut all = Self::ALL.iter();
+        all.find(|(_, known)| known.eq_ignore_ascii_case(name))
+            .map(|&(format, _)| format)
+    }
+
+    /// The format of a file, by its bytes and, where it is text, by its first lines.
+    pub(crate) fn recognise(bytes: &[u8]) -> Result<Self, Fault> {
+        const EXPECTED: &str = "a recording: C3D, or a table of Vicon, Qualisys, OptiTrack, DLTdv8, of poses or of points \
+                                (or its name in the option --format)";
+        if is_c3d(bytes) {
+            return Ok(Self::C3d);
+        }
+        if bytes.starts_with(b"PK\x03\x04") {
+            let expected = "a recording; a workbook is exported as CSV first";
+            return Err(Fault::new(Place::Byte(0), "a ZIP archive", expected));
+        }
+        let text = crate::file::text(bytes)?;
+        let lines = || text.lines().zip(1..);
+        let filled = |line: &str| !line.trim_matches([',', ';', '\t', ' ', '\r']).is_empty();
+        let Some((first, line)) = lines().find(|(line, _)| filled(line) && !line.starts_with('#'))
+        else {
+            return Err(Fault::new(Place::Line(1), "an empty file", EXPECTED));
+        };
+        let keyword = first.split([',', ';', '\t']).next().unwrap_or_default();
+        match keyword.trim().trim_matches('"') {
+            "Trajectories" | "Devices" | "Model Outputs" | "Segments" | "Joints" | "Events" => {
+                Ok(Self::Vicon)
+            }
+            "Format Version" => Ok(Self::OptiTrack),
+            keyword if keyword.starts_with("NO_OF_") => {
+                let has_bodies = lines().take(crate::read::QUALISYS_HEADER).any(|(line, _)| {
+                    line.starts_with("BODY_NAMES") || line.starts_with("NO_OF_BODIES")
+                });
+                Ok(match has_bodies {
+                    true => Self::QualisysPoses,
+                    false => Self::Qualisys,
+                })
+            }
+            "PathFileType" => {
+                let found = "a TRC file";
+                let expected = "another export of the recording, as C3D or CSV";
+                Err(Fault::new(Place::Line(line), found, expected))
+            }
+            _ => by_columns(first).ok_or_else(|| {
+                let found = if first.contains("speedMph") {
+                    "releases (TechDisc), no tracks".to_owned()
+                } else {
+                    format!("the first line {}", shown(first))
+                };
+                Fault::new(Place::Line(line), found, EXPECTED)
+            }),
+        }
+    }
+}
+
+/// The format of a table by the names of its columns.
+fn by_columns(header: &str) -> Option<Format> {
+    let separator = crate::sheet::separator(header);
+    let names: Vec<&str> = header
+        .split(char::from(separator))
+        .map(|name| name.trim().trim_matches('"'))
+        .collect();
+    let columns: Vec<Column> = names.iter().map(|name| Column::parse(name)).collect();
+    let has = |wanted: fn(&Quantity) -> bool| columns.iter().any(|c| wanted(&c.quantity));
+    if has(|q| matches!(q, Quantity::Quaternion(_))) {
+        Some(Format::Poses)
+    } else if !has(|q| matches!(q, Quantity::Coordinate(..))) {
+        None
+    } else if names.iter().all(|name| is_digitised(name)) {
+        Some(Format::Dltdv)
+    } else {
+        Some(Format::Plain)
+    }
+}
+
+/// Whether a column's name is one of DLTdv8: `pt` with a number, and an axis.
+pub(crate) fn is_digitised(name: &str) -> bool {
+    let number = name
+        .strip_prefix("pt")
+        .and_then(|rest| rest.split_once('_'));
+    number.is_some_and(|(number, axis)| {
+        !number.is_empty()
+            && number.bytes().all(|b| b.is_ascii_digit())
+            && matches!(axis, "X" | "Y" | "Z")
+    })
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::C3d => "C3D",
+            Self::Vicon => "Vicon CSV",
+            Self::Qualisys => "Qualisys TSV",
+            Self::QualisysPoses => "Qualisys 6DOF TSV",
+            Self::OptiTrack => "OptiTrack CSV",
+            Self::Dltdv => "DLTdv8",
+            Self::Poses => "table of poses",
+            Self::Plain => "table of points",
+        })
+    }
+}

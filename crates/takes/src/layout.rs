@@ -1,0 +1,325 @@
+//! Samples of a table whose columns are known.
+
+use crate::error::{Fault, Place};
+use crate::format::Format;
+use crate::sheet::Sheet;
+use crate::take::{Body, Point, Pose, Take};
+use crate::unit::LengthUnit;
+
+/// Greatest absolute coordinate, m.
+const FARTHEST: f64 = 1e4;
+/// Limit of samples × (points + bodies), which bounds the memory used.
+const MOST: usize = 1 << 23;
+/// Greatest number of points and bodies.
+pub(crate) const MOST_LABELS: usize = 4096;
+/// Greatest distance of a quaternion's norm, or of the entries of RᵀR − 1, from their values for a rotation.
+const ROTATION_TOLERANCE: f64 = 0.02;
+
+/// Where the time of a row comes from.
+pub(crate) enum Clock {
+    /// A column, with the length of its unit in s.
+    Column(usize, f64),
+    /// A column of frame numbers, with the frames per second.
+    Frame(usize, f64),
+    /// The count of the rows, with the frames per second.
+    Count(f64),
+}
+
+/// Columns of an attitude.
+pub(crate) enum Attitude {
+    /// Quaternion w, x, y, z from the body to the room.
+    Quaternion([usize; 4]),
+    /// Rotation matrix from the body to the room, by rows.
+    Matrix([usize; 9]),
+}
+
+/// Columns of a table.
+pub(crate) struct Layout {
+    pub format: Format,
+    pub clock: Clock,
+    pub length: LengthUnit,
+    pub points: Vec<(String, [usize; 3])>,
+    pub bodies: Vec<(String, [usize; 3], Attitude)>,
+    /// Number of cells of a row.
+    pub width: usize,
+    /// Whether a position of exactly 0, 0, 0 stands for one that was not seen.
+    pub zero_is_gap: bool,
+    pub notes: Vec<String>,
+    /// Number of rows that the file states.
+    pub stated: Option<usize>,
+}
+
+impl Layout {
+    /// Reads the rows from the current one on, until the end or the first row that `ends` the section.
+    pub fn samples(
+        self,
+        sheet: &mut Sheet<'_>,
+        ends: impl Fn(&Sheet<'_>) -> bool,
+    ) -> Result<Take, Fault> {
+        let labels = self.points.len() + self.bodies.len();
+        let place = Place::Line(sheet.line());
+        if labels == 0 {
+            return Err(Fault::new(place, "no points", "at least one tracked point"));
+        }
+        if labels > MOST_LABELS {
+            let expected = format!("at most {MOST_LABELS}");
+            return Err(Fault::new(place, format!("{labels} points"), expected));
+        }
+        let point = |(label, _): &(String, [usize; 3])| Point {
+            label: label.clone(),
+            positions: Vec::new(),
+        };
+        let body = |(label, ..): &(String, [usize; 3], Attitude)| Body {
+            label: label.clone(),
+            poses: Vec::new(),
+        };
+        let mut take = Take {
+            format: self.format,
+            times: Vec::new(),
+            points: self.points.iter().map(point).collect(),
+            bodies: self.bodies.iter().map(body).collect(),
+            length: self.length,
+            up: None,
+            left_handed: None,
+            notes: Vec::new(),
+        };
+        let mut zeros = 0;
+        let mut more = true;
+        while more && !ends(sheet) {
+            if !self.is_whole(sheet, &mut take.notes)? {
+                break;
+            }
+            if take.times.len() >= MOST / labels {
+                let expected = format!("at most {} rows", MOST / labels);
+                return Err(sheet.fault(0, "a row more", expected));
+            }
+            self.row(sheet, &mut take, &mut zeros)?;
+            // Where rows are counted, one without any position counts too.
+            more = match self.clock {
+                Clock::Count(_) => sheet.advance_line()?,
+                _ => sheet.advance()?,
+            };
+        }
+        self.finish(take, zeros, sheet)
+    }
+
+    fn finish(self, mut take: Take, zeros: usize, sheet: &Sheet<'_>) -> Result<Take, Fault> {
+        let rows = take.times.len();
+        if rows == 0 {
+            let place = Place::Line(sheet.line());
+            return Err(Fault::new(place, "no rows", "at least one sample"));
+        }
+        if let Some(stated) = self.stated
+            && stated != rows
+        {
+            take.notes.push(format!(
+                "the file states {stated} frames and holds {rows}: those were read"
+            ));
+        }
+        if zeros > 0 {
+            take.notes.push(format!(
+                "{zeros} positions of exactly 0, 0, 0 were read as not seen"
+            ));
+        }
+        let mut notes = self.notes;
+        notes.append(&mut take.notes);
+        take.notes = notes;
+        unique(&mut take);
+        Ok(take)
+    }
+
+    /// Whether the current row is complete; false for a last row that was cut.
+    fn is_whole(&self, sheet: &Sheet<'_>, notes: &mut Vec<String>) -> Result<bool, Fault> {
+        let (found, filled) = (sheet.width(), sheet.filled());
+        if found < self.width {
+            if sheet.is_cut() {
+                notes.push(format!(
+                    "the last row, in line {}, is cut and was left out",
+                    sheet.line()
+                ));
+                return Ok(false);
+            }
+            let expected = format!("{} cells, as in the header", self.width);
+            return Err(sheet.fault(found, format!("{found} cells"), expected));
+        }
+        if filled > self.width {
+            let expected = format!("{} cells, as in the header", self.width);
+            return Err(sheet.fault(self.width, format!("{filled} cells"), expected));
+        }
+        Ok(true)
+    }
+
+    fn row(&self, sheet: &Sheet<'_>, take: &mut Take, zeros: &mut usize) -> Result<(), Fault> {
+        take.times.push(self.time(sheet, &take.times)?);
+        for ((label, axes), point) in self.points.iter().zip(&mut take.points) {
+            let position = self.position(sheet, label, *axes, zeros)?;
+            point.positions.push(position);
+        }
+        for ((label, axes, attitude), body) in self.bodies.iter().zip(&mut take.bodies) {
+            let pose = match self.position(sheet, label, *axes, zeros)? {
+                None => None,
+                Some(position) => attitude.quaternion(sheet)?.map(|quaternion| Pose {
+                    position,
+                    quaternion,
+                }),
+            };
+            body.poses.push(pose);
+        }
+        Ok(())
+    }
+
+    fn time(&self, sheet: &Sheet<'_>, before: &[f64]) -> Result<f64, Fault> {
+        let (cell, time) = match self.clock {
+            Clock::Count(rate) => (0, before.len() as f64 / rate),
+            Clock::Column(index, unit) => {
+                let time = sheet.needed(index, "the time of the sample")?;
+                (index, time * unit)
+            }
+            Clock::Frame(index, rate) => {
+                let frame = sheet.needed(index, "the number of the frame")?;
+                if frame.fract() != 0.0 || !(0.0..=1e9).contains(&frame) {
+                    let found = format!("the frame {frame}");
+                    return Err(sheet.fault(index, found, "a whole number, not negative"));
+                }
+                (index, frame / rate)
+            }
+        };
+        match before.last() {
+            Some(&last) if time <= last => {
+                let found = format!("the time {time} s");
+                Err(sheet.fault(cell, found, format!("a time after {last} s")))
+            }
+            _ => Ok(time),
+        }
+    }
+
+    fn position(
+        &self,
+        sheet: &Sheet<'_>,
+        label: &str,
+        axes: [usize; 3],
+        zeros: &mut usize,
+    ) -> Result<Option<[f64; 3]>, Fault> {
+        let mut position = [0.0; 3];
+        let mut seen = true;
+        for (value, index) in position.iter_mut().zip(axes) {
+            // Qualisys may write NULL for what was not seen.
+            match sheet.cell(index) {
+                "NULL" => seen = false,
+                _ => match sheet.number(index)? {
+                    Some(number) => *value = number * self.length.metres(),
+                    None => seen = false,
+                },
+            }
+            if value.abs() > FARTHEST {
+                let found = format!("{} {}", sheet.cell(index), self.length);
+                let expected =
+                    format!("a coordinate of {label:?} of at most {FARTHEST} m (another unit?)");
+                return Err(sheet.fault(index, found, expected));
+            }
+        }
+        if seen && self.zero_is_gap && position == [0.0; 3] {
+            *zeros += 1;
+            return Ok(None);
+        }
+        Ok(seen.then_some(position))
+    }
+}
+
+impl Attitude {
+    /// Unit quaternion of the current row; `None` where a component is missing.
+    fn quaternion(&self, sheet: &Sheet<'_>) -> Result<Option<[f64; 4]>, Fault> {
+        match self {
+            Self::Quaternion(columns) => {
+                let mut q = [0.0; 4];
+                for (value, &index) in q.iter_mut().zip(columns) {
+                    match sheet.number(index)? {
+                        Some(number) => *value = number,
+                        None => return Ok(None),
+                    }
+                }
+                let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+                if (norm - 1.0).abs() > ROTATION_TOLERANCE {
+                    let found = format!("a quaternion of norm {norm:.4}");
+                    return Err(sheet.fault(columns[0], found, "a norm of 1"));
+                }
+                Ok(Some(q.map(|x| x / norm)))
+            }
+            Self::Matrix(columns) => {
+                let mut m = [0.0; 9];
+                for (value, &index) in m.iter_mut().zip(columns) {
+                    match sheet.number(index)? {
+                        Some(number) => *value = number,
+                        None => return Ok(None),
+                    }
+                }
+                if !is_rotation(&m) {
+                    let found = "a matrix that is no rotation";
+                    let expected = "orthonormal columns of a right-handed frame";
+                    return Err(sheet.fault(columns[0], found, expected));
+                }
+                Ok(Some(of_matrix(&m)))
+            }
+        }
+    }
+}
+
+fn is_rotation(m: &[f64; 9]) -> bool {
+    let column = |i: usize| [m[i], m[i + 3], m[i + 6]];
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let (a, b, c) = (column(0), column(1), column(2));
+    let near = |value: f64, wanted: f64| (value - wanted).abs() <= ROTATION_TOLERANCE;
+    let cross = [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ];
+    near(dot(a, a), 1.0) && near(dot(b, b), 1.0) && near(dot(a, b), 0.0) && near(dot(cross, c), 1.0)
+}
+
+/// Quaternion of a rotation matrix by rows, from its largest component.
+fn of_matrix(m: &[f64; 9]) -> [f64; 4] {
+    let squares = [
+        1.0 + m[0] + m[4] + m[8],
+        1.0 + m[0] - m[4] - m[8],
+        1.0 - m[0] + m[4] - m[8],
+        1.0 - m[0] - m[4] + m[8],
+    ];
+    let largest = (0..4).fold(
+        0,
+        |best, i| if squares[i] > squares[best] { i } else { best },
+    );
+    let (xy, xz, yz) = (m[1] + m[3], m[2] + m[6], m[5] + m[7]);
+    let (wx, wy, wz) = (m[7] - m[5], m[2] - m[6], m[3] - m[1]);
+    let q = match largest {
+        0 => [squares[0], wx, wy, wz],
+        1 => [wx, squares[1], xy, xz],
+        2 => [wy, xy, squares[2], yz],
+        _ => [wz, xz, yz, squares[3]],
+    };
+    let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+    q.map(|x| x / norm)
+}
+
+/// Makes the labels unique: a second `a` becomes `a#2`, with a note.
+pub(crate) fn unique(take: &mut Take) {
+    let mut seen = std::collections::BTreeSet::new();
+    let points = take.points.iter_mut().map(|point| &mut point.label);
+    let bodies = take.bodies.iter_mut().map(|body| &mut body.label);
+    for label in points.chain(bodies) {
+        if seen.insert(label.clone()) {
+            continue;
+        }
+        let mut number = 2;
+        while seen.contains(&format!("{label}#{number}")) {
+            number += 1;
+        }
+        let other = format!("{label}#{number}");
+        take.notes.push(format!(
+            "a second {} is called {other:?}",
+            crate::words::shown(label)
+        ));
+        seen.insert(other.clone());
+        *label = other;
+    }
+}

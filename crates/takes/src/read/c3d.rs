@@ -1,0 +1,120 @@
+//! Points of a C3D file.
+
+use crate::axes::Axis;
+use crate::c3d::{Recording, Wrong};
+use crate::error::{Fault, Place};
+use crate::format::Format;
+use crate::layout::{MOST_LABELS, unique};
+use crate::options::ReadOptions;
+use crate::take::{Point, Take};
+use crate::words::shown;
+
+/// Limit of frames × points, which bounds the memory used.
+const MOST: usize = 1 << 23;
+/// Greatest absolute coordinate, m.
+const FARTHEST: f64 = 1e4;
+
+fn fault(wrong: Wrong) -> Fault {
+    Fault::new(Place::Byte(wrong.byte), wrong.found, wrong.expected)
+}
+
+pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
+    let recording = Recording::open(bytes).map_err(fault)?;
+    let mut notes = Vec::new();
+    for deviation in recording.deviations() {
+        notes.push(format!(
+            "found {}, expected {}: read as {}",
+            deviation.wrong.found, deviation.wrong.expected, deviation.read_as
+        ));
+    }
+    let length = length(&recording, options, &mut notes)?;
+    let rate = match (recording.rate(), options.rate) {
+        (Ok(rate), _) => options.rate(Some(rate), Place::Byte(20), &mut notes)?,
+        (Err(wrong), Some(_)) => {
+            notes.push(format!("found {}: the option --rate was used", wrong.found));
+            options.rate(None, Place::Byte(20), &mut notes)?
+        }
+        (Err(wrong), None) => {
+            let mut fault = fault(wrong);
+            fault.expected += ", or the option --rate";
+            return Err(fault);
+        }
+    };
+    let named = recording.points().min(recording.labels().len());
+    let places: Vec<usize> = (0..named)
+        .filter(|&place| !recording.labels()[place].is_empty())
+        .collect();
+    let unnamed = recording.points() - places.len();
+    if unnamed > 0 {
+        notes.push(format!("{unnamed} points without a label were left out"));
+    }
+    let frames = recording.frames();
+    let cells = frames.checked_mul(places.len().max(1));
+    if places.len() > MOST_LABELS || cells.is_none_or(|cells| cells > MOST) {
+        let found = format!("{frames} frames of {} points", places.len());
+        let expected = format!("at most {MOST} positions of at most {MOST_LABELS} points");
+        return Err(Fault::new(Place::Byte(0), found, expected));
+    }
+    let first = f64::from(recording.first_frame());
+    let mut points = Vec::with_capacity(places.len());
+    for place in places {
+        let label = recording.labels()[place].clone();
+        let mut positions = Vec::with_capacity(frames);
+        for frame in 0..frames {
+            let position = recording.position(frame, place);
+            let position = position.map(|raw| raw.map(|x| x * length.metres()));
+            let is_far = |x: &f64| x.is_nan() || x.abs() > FARTHEST;
+            if let Some(far) = position.iter().flatten().find(|x| is_far(x)) {
+                let found = format!("{} at {far} m", shown(&label));
+                let expected = format!("at most {FARTHEST} m (another unit?)");
+                let byte = Place::Byte(recording.byte_of_frame(frame));
+                return Err(Fault::new(byte, found, expected));
+            }
+            positions.push(position);
+        }
+        points.push(Point { label, positions });
+    }
+    let up = recording.screen_up().and_then(|text| Axis::parse(&text));
+    let mut take = Take {
+        format: Format::C3d,
+        times: (0..frames)
+            .map(|frame| (first + frame as f64) / rate)
+            .collect(),
+        points,
+        bodies: Vec::new(),
+        length,
+        up,
+        left_handed: Some(false),
+        notes,
+    };
+    unique(&mut take);
+    Ok(take)
+}
+
+/// Unit of the coordinates by the file or the option.
+fn length(
+    recording: &Recording<'_>,
+    options: &ReadOptions,
+    notes: &mut Vec<String>,
+) -> Result<crate::LengthUnit, Fault> {
+    match (recording.unit(), options.length) {
+        (Ok((unit, text)), _) => {
+            if !crate::LengthUnit::is_whole_name(&text) {
+                notes.push(format!("the unit {} was read as {unit}", shown(&text)));
+            }
+            options.length(Some(unit), Place::Byte(0), notes)
+        }
+        (Err(wrong), Some(unit)) => {
+            notes.push(format!(
+                "found {}: the option --length was used",
+                wrong.found
+            ));
+            Ok(unit)
+        }
+        (Err(wrong), None) => {
+            let mut fault = fault(wrong);
+            fault.expected += ", or the option --length";
+            Err(fault)
+        }
+    }
+}

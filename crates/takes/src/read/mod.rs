@@ -1,0 +1,62 @@
+//! Readers, one per format.
+
+mod c3d;
+mod header;
+mod optitrack;
+mod qualisys;
+mod vicon;
+
+use std::path::Path;
+
+use crate::error::{Fault, Place, TakeError};
+use crate::format::Format;
+use crate::options::ReadOptions;
+use crate::take::Take;
+
+pub(crate) use qualisys::HEADER as QUALISYS_HEADER;
+
+/// Greatest size of a file, bytes.
+const LARGEST: u64 = 1 << 30;
+
+/// Reads the recording in a file.
+///
+/// # Errors
+/// [`TakeError`] for the first fault, with its location.
+pub fn read(file: &Path, options: &ReadOptions) -> Result<Take, TakeError> {
+    let bytes = crate::file::bytes(file, LARGEST, "a recording")?;
+    parse(file, &bytes, options)
+}
+
+/// Reads the recording in the bytes of a file, whose path serves for messages.
+///
+/// # Errors
+/// [`TakeError`] for the first fault, with its location.
+pub fn parse(file: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Take, TakeError> {
+    checked(bytes, options).map_err(|fault| fault.of(file))
+}
+
+fn checked(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
+    let format = match options.format {
+        Some(format) => format,
+        None => Format::recognise(bytes)?,
+    };
+    let take = if format == Format::C3d {
+        c3d::read(bytes, options)?
+    } else {
+        let text = crate::file::text(bytes)?;
+        match format {
+            Format::Vicon => vicon::read(text, options)?,
+            Format::Qualisys | Format::QualisysPoses => qualisys::read(text, format, options)?,
+            Format::OptiTrack => optitrack::read(text, options)?,
+            _ => header::read(text, format, options)?,
+        }
+    };
+    let points = take.points.iter().flat_map(|point| &point.positions);
+    let mut seen = points.filter(|position| position.is_some());
+    let mut poses = take.bodies.iter().flat_map(|body| &body.poses);
+    if seen.next().is_none() && !poses.any(|pose| pose.is_some()) {
+        let expected = "a point that is seen at least once";
+        return Err(Fault::new(Place::File, "positions of nothing", expected));
+    }
+    Ok(take)
+}

@@ -1,0 +1,266 @@
+//! Table of OptiTrack Motive: a line of properties; rows of types, names, kinds and axes above each column; rows.
+
+use std::collections::BTreeMap;
+
+use crate::error::{Fault, Place};
+use crate::format::Format;
+use crate::layout::{Attitude, Clock, Layout};
+use crate::options::ReadOptions;
+use crate::sheet::{Sheet, separator};
+use crate::take::Take;
+use crate::unit::LengthUnit;
+use crate::words::{listed, shown};
+
+/// Columns before the first track: frame and time.
+const FIXED: usize = 2;
+/// Greatest number of lines between the properties and the axes.
+const MOST_LINES: usize = 12;
+
+/// The lines above the columns.
+#[derive(Default)]
+struct Heads {
+    types: Vec<String>,
+    names: Vec<String>,
+    kinds: Vec<String>,
+    axes: Vec<String>,
+}
+
+/// Columns of one name and type.
+#[derive(Default)]
+struct Track {
+    position: [Option<usize>; 3],
+    quaternion: [Option<usize>; 4],
+    has_angles: bool,
+}
+
+pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
+    let mut sheet = Sheet::new(text, separator(text.lines().next().unwrap_or_default()));
+    let properties = properties(&mut sheet)?;
+    let line = Place::Line(1);
+    let property = |name: &str| properties.get(name).map(String::as_str);
+    if let Some(space) = property("Coordinate Space")
+        && !space.eq_ignore_ascii_case("global")
+    {
+        let found = format!("the coordinate space {}", shown(space));
+        return Err(Fault::new(line, found, "Global"));
+    }
+    let mut notes = Vec::new();
+    let stated = match property("Length Units") {
+        None => None,
+        Some(text) => match LengthUnit::parse(text) {
+            Some(unit) => Some(unit),
+            None => {
+                let found = format!("the unit {}", shown(text));
+                return Err(Fault::new(
+                    line,
+                    found,
+                    "Meters, Centimeters or Millimeters",
+                ));
+            }
+        },
+    };
+    let length = options.length(stated, line, &mut notes)?;
+    let stated_rows = match property("Total Exported Frames") {
+        None => None,
+        Some(text) => match text.parse() {
+            Ok(count) => Some(count),
+            Err(_) => return Err(Fault::new(line, shown(text), "a number of frames")),
+        },
+    };
+    let heads = heads(&mut sheet)?;
+    let width = heads
+        .axes
+        .iter()
+        .rposition(|axis| !axis.is_empty())
+        .map_or(0, |last| last + 1);
+    let tracks = tracks(&heads, &sheet)?;
+    let mut layout = Layout {
+        format: Format::OptiTrack,
+        clock: Clock::Column(1, 1.0),
+        length,
+        points: Vec::new(),
+        bodies: Vec::new(),
+        width,
+        zero_is_gap: false,
+        notes,
+        stated: stated_rows,
+    };
+    fill(&mut layout, &tracks, property("Rotation Type"), &sheet)?;
+    if !sheet.advance()? {
+        let place = Place::Line(sheet.line());
+        return Err(Fault::new(place, "no rows", "at least one sample"));
+    }
+    let mut take = layout.samples(&mut sheet, |_| false)?;
+    take.left_handed = Some(false);
+    Ok(take)
+}
+
+/// Properties of the first line, by name.
+fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> {
+    if !sheet.advance()? || sheet.cell(0) != "Format Version" {
+        let found = shown(sheet.cell(0));
+        let expected = "the line of properties, from Format Version on";
+        return Err(Fault::new(Place::Line(1), found, expected));
+    }
+    let cells = sheet.cells();
+    let pairs = cells.chunks_exact(2);
+    Ok(pairs
+        .map(|pair| (pair[0].clone(), pair[1].clone()))
+        .collect())
+}
+
+/// Reads the lines above the columns, up to that of the axes.
+fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
+    const EXPECTED: &str = "the line of the axes, from Frame on";
+    let mut heads = Heads::default();
+    for _ in 0..MOST_LINES {
+        if !sheet.advance()? {
+            let place = Place::Line(sheet.line());
+            return Err(Fault::new(place, "the end of the file", EXPECTED));
+        }
+        if sheet.cell(0).eq_ignore_ascii_case("frame") {
+            if !sheet.cell(1).to_ascii_lowercase().starts_with("time (s") {
+                let found = shown(sheet.cell(1));
+                return Err(sheet.fault(1, found, "a column Time (Seconds)"));
+            }
+            heads.axes = sheet.cells();
+            let place = |what: &str| {
+                let expected = format!("a line {what} above the axes");
+                Fault::new(
+                    Place::Line(sheet.line()),
+                    format!("no line {what}"),
+                    expected,
+                )
+            };
+            return match (
+                heads.types.is_empty(),
+                heads.names.is_empty(),
+                heads.kinds.is_empty(),
+            ) {
+                (true, ..) => Err(place("Type")),
+                (_, true, _) => Err(place("Name")),
+                (.., true) => Err(place("of Position and Rotation")),
+                _ => Ok(heads),
+            };
+        }
+        let is_kinds = |cell: &String| cell == "Position" || cell == "Rotation";
+        match sheet.cell(1) {
+            "Type" => heads.types = sheet.cells(),
+            "Name" => heads.names = sheet.cells(),
+            _ if sheet.cells().iter().skip(FIXED).any(is_kinds) => heads.kinds = sheet.cells(),
+            _ => {}
+        }
+    }
+    Err(sheet.fault(0, shown(sheet.cell(0)), EXPECTED))
+}
+
+/// A track under its type and name.
+type Named = ((String, String), Track);
+
+/// Columns of each type and name, in the order of the file.
+fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Vec<Named>, Fault> {
+    let mut tracks: Vec<Named> = Vec::new();
+    let mut places = BTreeMap::new();
+    let at = |row: &[String], index: usize| row.get(index).cloned().unwrap_or_default();
+    for index in FIXED..heads.axes.len() {
+        let (kind, axis) = (at(&heads.kinds, index), at(&heads.axes, index));
+        let key = (at(&heads.types, index), at(&heads.names, index));
+        let is_rotation = kind == "Rotation";
+        if !is_rotation && kind != "Position" {
+            continue;
+        }
+        let place = *places.entry(key.clone()).or_insert_with(|| {
+            tracks.push((key, Track::default()));
+            tracks.len() - 1
+        });
+        let track = &mut tracks[place].1;
+        let slot = match (is_rotation, axis.as_str()) {
+            (false, "X" | "Y" | "Z") => {
+                let axis = ["X", "Y", "Z"].iter().position(|name| *name == axis);
+                &mut track.position[axis.unwrap_or(0)]
+            }
+            (true, "W" | "X" | "Y" | "Z") => {
+                let part = ["W", "X", "Y", "Z"].iter().position(|name| *name == axis);
+                track.has_angles = true;
+                &mut track.quaternion[part.unwrap_or(0)]
+            }
+            _ => {
+                return Err(sheet.fault(
+                    index,
+                    shown(&axis),
+                    "an axis X, Y, Z, or W of a rotation",
+                ));
+            }
+        };
+        if slot.replace(index).is_some() {
+            let found = format!("a second {axis} of {}", shown(&tracks[place].0.1));
+            return Err(sheet.fault(index, found, "each axis once"));
+        }
+    }
+    Ok(tracks)
+}
+
+/// Puts points and bodies into the layout. The markers of a rigid body are taken as they were measured; the positions that
+/// Motive solved for serve where those are absent.
+fn fill(
+    layout: &mut Layout,
+    tracks: &[Named],
+    rotation: Option<&str>,
+    sheet: &Sheet<'_>,
+) -> Result<(), Fault> {
+    let measured = |name: &str| {
+        tracks
+            .iter()
+            .any(|((kind, other), _)| kind == "Marker" && other == name)
+    };
+    let mut left_out = Vec::new();
+    for ((kind, name), track) in tracks {
+        let is_body = matches!(kind.as_str(), "Rigid Body" | "Bone");
+        let is_solved = matches!(kind.as_str(), "Rigid Body Marker" | "Bone Marker");
+        let is_named = !name.is_empty() && !name.starts_with("Unlabeled");
+        if !(is_body || is_solved || kind == "Marker") || !is_named || is_solved && measured(name) {
+            left_out.push(format!("{kind} {}", shown(name)));
+            continue;
+        }
+        let [Some(x), Some(y), Some(z)] = track.position else {
+            let found = format!("no position of {}", shown(name));
+            let place = Place::Line(sheet.line());
+            return Err(Fault::new(place, found, "X, Y and Z of each position"));
+        };
+        if is_solved {
+            let name = shown(name);
+            layout
+                .notes
+                .push(format!("{name} is as solved for, not as measured"));
+        }
+        if !is_body {
+            layout.points.push((name.clone(), [x, y, z]));
+            continue;
+        }
+        let attitude = match track.quaternion {
+            [Some(w), Some(a), Some(b), Some(c)] => Attitude::Quaternion([w, a, b, c]),
+            _ if track.has_angles => {
+                let kind = rotation.unwrap_or("another type");
+                let found = format!("rotations of {} as {}", shown(name), shown(kind));
+                let place = Place::Line(sheet.line());
+                return Err(Fault::new(
+                    place,
+                    found,
+                    "an export with Rotation Type Quaternion",
+                ));
+            }
+            _ => {
+                layout.points.push((name.clone(), [x, y, z]));
+                continue;
+            }
+        };
+        layout.bodies.push((name.clone(), [x, y, z], attitude));
+    }
+    if !left_out.is_empty() {
+        let names = listed(left_out.iter().map(String::as_str));
+        layout
+            .notes
+            .push(format!("columns that are not read: {names}"));
+    }
+    Ok(())
+}

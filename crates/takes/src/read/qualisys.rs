@@ -1,0 +1,195 @@
+//! Tables of Qualisys Track Manager: lines of a keyword and values, then rows of points or of rigid bodies.
+//!
+//! A body has a position, three angles, a residual, and its rotation matrix by columns, from the body's axes to those of the
+//! room (QTM manual, 6DOF tracking output). Lengths are in mm, which the format fixes and the file does not state.
+
+use std::collections::BTreeMap;
+
+use crate::error::{Fault, Place};
+use crate::format::Format;
+use crate::layout::{Attitude, Clock, Layout};
+use crate::options::ReadOptions;
+use crate::sheet::Sheet;
+use crate::take::Take;
+use crate::unit::LengthUnit;
+use crate::words::shown;
+
+/// Greatest number of lines before the rows.
+pub(crate) const HEADER: usize = 40;
+/// Columns of a body: position, angles, residual, matrix.
+const BODY: usize = 16;
+/// First column of the matrix within those of a body.
+const MATRIX: usize = 7;
+
+pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<Take, Fault> {
+    let tab = text.lines().take(HEADER).any(|line| line.contains('\t'));
+    let mut sheet = Sheet::new(text, if tab { b'\t' } else { b',' });
+    let has_bodies = format == Format::QualisysPoses;
+    let mut keywords: BTreeMap<String, (usize, Vec<String>)> = BTreeMap::new();
+    let mut titles: Option<Vec<String>> = None;
+    let mut has_rows = false;
+    while sheet.advance()? {
+        let first = sheet.cell(0).to_owned();
+        let is_keyword = first.len() > 1
+            && first
+                .bytes()
+                .all(|b| b.is_ascii_uppercase() || b.is_ascii_digit() || b == b'_')
+            && first.starts_with(|c: char| c.is_ascii_uppercase())
+            && first != "NULL"
+            && titles.is_none();
+        if is_keyword && keywords.len() < HEADER {
+            keywords.insert(first, (sheet.line(), sheet.cells().split_off(1)));
+        } else if titles.is_none()
+            && first != "NULL"
+            && first.starts_with(|c: char| c.is_ascii_alphabetic())
+        {
+            titles = Some(sheet.cells());
+        } else {
+            has_rows = true;
+            break;
+        }
+    }
+    let end = Place::Line(sheet.line());
+    let (keyword, parts) = match has_bodies {
+        true => ("BODY_NAMES", BODY),
+        false => ("MARKER_NAMES", 3),
+    };
+    let Some((line, labels)) = keywords.get(keyword) else {
+        return Err(Fault::new(
+            end,
+            format!("no line {keyword}"),
+            "the labels of the tracks",
+        ));
+    };
+    let named = labels.iter().rposition(|label| !label.is_empty());
+    let labels = &labels[..named.map_or(0, |last| last + 1)];
+    if let Some(at) = labels.iter().position(String::is_empty) {
+        let place = Place::Cell(*line, at + 2);
+        return Err(Fault::new(place, "an empty label", "a label of each track"));
+    }
+    let mut notes = Vec::new();
+    let count = |keyword: &str| count(&keywords, keyword);
+    let tracks = count(if has_bodies {
+        "NO_OF_BODIES"
+    } else {
+        "NO_OF_MARKERS"
+    })?;
+    if let Some(stated) = tracks
+        && stated != labels.len()
+    {
+        let place = Place::Line(*line);
+        let found = format!("{} labels", labels.len());
+        return Err(Fault::new(
+            place,
+            found,
+            format!("{stated}, as stated above"),
+        ));
+    }
+    let stated = match keywords.get("FREQUENCY") {
+        Some((line, values)) => {
+            let text = values.first().map_or("", String::as_str);
+            let Ok(rate) = text.replace(',', ".").parse::<f64>() else {
+                let place = Place::Cell(*line, 2);
+                return Err(Fault::new(place, shown(text), "the frames per second"));
+            };
+            Some(rate)
+        }
+        None => None,
+    };
+    let length = options.length(Some(LengthUnit::Millimetre), end, &mut notes)?;
+    if options.length.is_none() {
+        notes.push("lengths are in mm, as Qualisys writes them".into());
+    }
+    if !has_rows {
+        return Err(Fault::new(end, "no rows", "at least one sample"));
+    }
+    let fixed = fixed_columns(&sheet, titles.as_deref(), parts * labels.len())?;
+    let clock = match fixed {
+        Fixed::Time(index) => Clock::Column(index, 1.0),
+        Fixed::Frame => Clock::Frame(0, options.rate(stated, end, &mut notes)?),
+        Fixed::None => Clock::Count(options.rate(stated, end, &mut notes)?),
+    };
+    let start = match fixed {
+        Fixed::Time(index) => index + 1,
+        Fixed::Frame => 1,
+        Fixed::None => 0,
+    };
+    let axes = |i: usize| [0, 1, 2].map(|axis| start + parts * i + axis);
+    // The file has the matrix by columns.
+    let matrix =
+        |i: usize| [0, 3, 6, 1, 4, 7, 2, 5, 8].map(|entry| start + parts * i + MATRIX + entry);
+    let mut layout = Layout {
+        format,
+        clock,
+        length,
+        points: Vec::new(),
+        bodies: Vec::new(),
+        width: start + parts * labels.len(),
+        zero_is_gap: true,
+        notes,
+        stated: count("NO_OF_FRAMES")?,
+    };
+    for (i, label) in labels.iter().enumerate() {
+        match has_bodies {
+            true => {
+                let body = (label.clone(), axes(i), Attitude::Matrix(matrix(i)));
+                layout.bodies.push(body);
+            }
+            false => layout.points.push((label.clone(), axes(i))),
+        }
+    }
+    layout.samples(&mut sheet, |_| false)
+}
+
+/// A line of a keyword and a count.
+fn count(
+    keywords: &BTreeMap<String, (usize, Vec<String>)>,
+    keyword: &str,
+) -> Result<Option<usize>, Fault> {
+    let Some((line, values)) = keywords.get(keyword) else {
+        return Ok(None);
+    };
+    let text = values.first().map_or("", String::as_str);
+    match text.parse() {
+        Ok(count) => Ok(Some(count)),
+        Err(_) => Err(Fault::new(Place::Cell(*line, 2), shown(text), "a count")),
+    }
+}
+
+/// Columns before the first track.
+#[derive(Clone, Copy)]
+enum Fixed {
+    /// A time at this column, the last of them.
+    Time(usize),
+    /// The number of the frame alone.
+    Frame,
+    None,
+}
+
+fn fixed_columns(
+    sheet: &Sheet<'_>,
+    titles: Option<&[String]>,
+    tracks: usize,
+) -> Result<Fixed, Fault> {
+    if let Some(titles) = titles {
+        let is = |index: usize, name: &str| {
+            let title = titles.get(index).map_or("", String::as_str);
+            title.to_ascii_lowercase().starts_with(name)
+        };
+        return Ok(match (is(0, "frame"), is(0, "time"), is(1, "time")) {
+            (true, _, true) => Fixed::Time(1),
+            (true, _, false) => Fixed::Frame,
+            (false, true, _) => Fixed::Time(0),
+            _ => Fixed::None,
+        });
+    }
+    match sheet.filled().max(tracks) - tracks {
+        0 if sheet.width() >= tracks => Ok(Fixed::None),
+        2 => Ok(Fixed::Time(1)),
+        _ => {
+            let found = format!("{} cells", sheet.filled());
+            let expected = format!("{tracks}, or {} with frame and time", tracks + 2);
+            Err(sheet.fault(0, found, expected))
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! Table of Vicon Nexus: sections of a name, a rate, labels, names of columns, units, and rows.
+
+use crate::error::{Fault, Place};
+use crate::format::Format;
+use crate::layout::{Clock, Layout};
+use crate::options::ReadOptions;
+use crate::sheet::{Sheet, separator};
+use crate::take::Take;
+use crate::unit::LengthUnit;
+use crate::words::{listed, shown};
+
+/// Name of the section that is read.
+const SECTION: &str = "Trajectories";
+/// Columns before the first point: frame and sub-frame.
+const FIXED: usize = 2;
+
+pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
+    let header = text.lines().take(20).find(|line| line.starts_with("Frame"));
+    let mut sheet = Sheet::new(text, separator(header.unwrap_or(",")));
+    let mut notes = Vec::new();
+    find_section(&mut sheet, &mut notes)?;
+    let at = |sheet: &Sheet<'_>| Place::Line(sheet.line());
+    let next = |sheet: &mut Sheet<'_>, what: &str| match sheet.advance()? {
+        true => Ok(()),
+        false => {
+            let found = "the end of the file";
+            Err(Fault::new(at(sheet), found, what))
+        }
+    };
+    next(&mut sheet, "the frames per second of the section")?;
+    let stated = sheet.needed(0, "the frames per second of the section")?;
+    let rate = options.rate(Some(stated), at(&sheet), &mut notes)?;
+    if !sheet.advance_line()? {
+        let found = "the end of the file";
+        return Err(Fault::new(at(&sheet), found, "the labels of the points"));
+    }
+    let labels = sheet.cells();
+    let labels_line = sheet.line();
+    next(&mut sheet, "the names of the columns, from Frame on")?;
+    if !sheet.cell(0).eq_ignore_ascii_case("frame") {
+        let found = shown(sheet.cell(0));
+        return Err(sheet.fault(0, found, "the names of the columns, from Frame on"));
+    }
+    let names = sheet.cells();
+    let points = points(&sheet, &labels, labels_line, &names, &mut notes)?;
+    let width = names
+        .iter()
+        .rposition(|name| !name.is_empty())
+        .map_or(0, |last| last + 1);
+    next(&mut sheet, "a row of units, or the first sample")?;
+    let unit = units(&sheet, &points)?;
+    let length = options.length(unit, at(&sheet), &mut notes)?;
+    if sheet.cell(0).is_empty() {
+        next(&mut sheet, "the first sample")?;
+    }
+    let layout = Layout {
+        format: Format::Vicon,
+        clock: Clock::Frame(0, rate),
+        length,
+        points,
+        bodies: Vec::new(),
+        width,
+        zero_is_gap: false,
+        notes,
+        stated: None,
+    };
+    // Another section may follow; its name is no number.
+    let starts_section = |sheet: &Sheet<'_>| {
+        sheet.filled() == 1 && sheet.cell(0).starts_with(|c: char| c.is_ascii_alphabetic())
+    };
+    layout.samples(&mut sheet, starts_section)
+}
+
+/// Advances to the section of the trajectories; sections before it are named in a note.
+fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fault> {
+    let mut skipped: Vec<String> = Vec::new();
+    while sheet.advance()? {
+        let name = sheet.cell(0);
+        if name == SECTION {
+            if !skipped.is_empty() {
+                let names = listed(skipped.iter().map(String::as_str));
+                notes.push(format!("sections that are not read: {names}"));
+            }
+            return Ok(());
+        }
+        if sheet.filled() == 1 && name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            skipped.push(shown(name));
+        }
+    }
+    let found = match skipped.is_empty() {
+        true => "no section".to_owned(),
+        false => format!(
+            "the sections {}",
+            listed(skipped.iter().map(String::as_str))
+        ),
+    };
+    let place = Place::Line(sheet.line());
+    Err(Fault::new(place, found, format!("the section {SECTION}")))
+}
+
+/// Labels and columns of the points; the subject's name is left out where all have the same.
+fn points(
+    sheet: &Sheet<'_>,
+    labels: &[String],
+    labels_line: usize,
+    names: &[String],
+    notes: &mut Vec<String>,
+) -> Result<Vec<(String, [usize; 3])>, Fault> {
+    let mut found: Vec<(String, [usize; 3])> = Vec::new();
+    for (index, label) in labels.iter().enumerate() {
+        if label.is_empty() {
+            continue;
+        }
+        let name = |offset: usize| names.get(index + offset).map_or("", String::as_str);
+        let axes = [name(0), name(1), name(2)];
+        if index < FIXED || axes.map(str::to_ascii_uppercase) != ["X", "Y", "Z"] {
+            let found = format!("the columns {} under {}", axes.join(", "), shown(label));
+            return Err(sheet.fault(index, found, "X, Y, Z under each label"));
+        }
+        found.push((label.clone(), [index, index + 1, index + 2]));
+    }
+    let columns = |name: &&String| matches!(name.as_str(), "X" | "Y" | "Z");
+    let unlabelled = names
+        .iter()
+        .filter(columns)
+        .count()
+        .saturating_sub(3 * found.len());
+    if found.is_empty() {
+        let place = Place::Line(labels_line);
+        return Err(Fault::new(place, "no labels", "a label over each X, Y, Z"));
+    }
+    if unlabelled > 0 {
+        notes.push(format!(
+            "{unlabelled} columns without a label were left out"
+        ));
+    }
+    let subject = found[0]
+        .0
+        .split_once(':')
+        .map(|(subject, _)| subject.to_owned());
+    if let Some(subject) = subject {
+        let prefix = format!("{subject}:");
+        if found
+            .iter()
+            .all(|(label, _)| label.len() > prefix.len() && label.starts_with(&prefix))
+        {
+            for (label, _) in &mut found {
+                label.drain(..prefix.len());
+            }
+            notes.push(format!(
+                "the subject {} is left out of the labels",
+                shown(&subject)
+            ));
+        }
+    }
+    Ok(found)
+}
+
+/// Unit of the points; `None` where the row is no row of units.
+fn units(sheet: &Sheet<'_>, points: &[(String, [usize; 3])]) -> Result<Option<LengthUnit>, Fault> {
+    if !sheet.cell(0).is_empty() {
+        return Ok(None);
+    }
+    let mut unit = None;
+    for &index in points.iter().flat_map(|(_, columns)| columns) {
+        let text = sheet.cell(index);
+        let Some(found) = LengthUnit::parse(text) else {
+            return Err(sheet.fault(index, shown(text), "a unit of length, such as mm"));
+        };
+        if unit.is_some_and(|unit| unit != found) {
+            return Err(sheet.fault(index, shown(text), "one unit of length"));
+        }
+        unit = Some(found);
+    }
+    Ok(unit)
+}

@@ -1,0 +1,66 @@
+//! The points of a take that move as one body.
+
+use crate::take::Take;
+
+use super::norm;
+
+/// Number of samples that are compared.
+const COMPARED: usize = 300;
+/// Greatest spread (central 80 %) of the distance between two points of a rigid body, m.
+const RIGID: f64 = 0.012;
+/// Speed that a thrown body reaches, m/s.
+const FAST: f64 = 2.0;
+/// Least number of common samples of two points.
+const COMMON: usize = 5;
+
+/// The largest set of points that keep their distances and move; by their indices, sorted.
+pub(super) fn rigid_points(take: &Take) -> Vec<usize> {
+    let stride = (take.times.len() / COMPARED).max(1);
+    let count = take.points.len();
+    let moving: Vec<usize> = (0..count).filter(|&i| moves(take, i)).collect();
+    let mut best: Vec<usize> = Vec::new();
+    for &seed in &moving {
+        let mut members = vec![seed];
+        for &other in &moving {
+            let keeps = |&member: &usize| member != other && is_rigid(take, member, other, stride);
+            if other != seed && members.iter().all(keeps) {
+                members.push(other);
+            }
+        }
+        if members.len() > best.len() {
+            members.sort_unstable();
+            best = members;
+        }
+    }
+    best
+}
+
+/// Whether a point reaches the speed of a throw, over pairs of samples several apart.
+fn moves(take: &Take, point: usize) -> bool {
+    let positions = &take.points[point].positions;
+    let apart = 5.min(positions.len().saturating_sub(1)).max(1);
+    (apart..positions.len()).any(|i| match (positions[i - apart], positions[i]) {
+        (Some(a), Some(b)) => {
+            let moved = norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
+            moved > FAST * (take.times[i] - take.times[i - apart])
+        }
+        _ => false,
+    })
+}
+
+fn is_rigid(take: &Take, a: usize, b: usize, stride: usize) -> bool {
+    let (a, b) = (&take.points[a].positions, &take.points[b].positions);
+    let pairs = a.iter().zip(b).step_by(stride);
+    let mut distances: Vec<f64> = pairs
+        .filter_map(|(a, b)| {
+            let (a, b) = ((*a)?, (*b)?);
+            Some(norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]]))
+        })
+        .collect();
+    if distances.len() < COMMON {
+        return false;
+    }
+    distances.sort_by(f64::total_cmp);
+    let at = |fraction: f64| distances[((distances.len() - 1) as f64 * fraction) as usize];
+    at(0.9) - at(0.1) <= RIGID
+}

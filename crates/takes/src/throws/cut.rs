@@ -1,0 +1,186 @@
+//! The time of a change of motion: the hinge that explains the samples on both sides best.
+
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::follow::Stop;
+use super::track::Track;
+use super::windows::half;
+
+/// Samples beyond the change that are explained too: so many, s, and at least.
+const BEYOND: (f64, usize) = (0.03, 4);
+/// Candidates per time between samples.
+const CANDIDATES: usize = 4;
+/// Samples that are left out at a cut, since a change is timed to about one sample.
+const MARGIN: usize = 1;
+/// Hinges that are tried, by the powers of the time beyond the change: a jump of the acceleration, with a change of its rate, a
+/// jump of the velocity, with one of the acceleration.
+const HINGES: [&[i32]; 4] = [&[2], &[2, 3], &[1], &[1, 2]];
+
+/// A change of the motion at the beginning or the end of a flight.
+#[derive(Clone, Debug)]
+pub(super) struct Change {
+    /// Place of the track: the first or the last of the flight.
+    pub inside: usize,
+    /// Time of the change, s.
+    pub time: f64,
+    /// Velocity in the flight at the change, m/s.
+    pub velocity: [f64; 3],
+    /// Velocity after less velocity before, m/s, where it jumps.
+    pub velocity_jump: Option<[f64; 3]>,
+    /// Acceleration outside the flight less that inside, m/s²; where the velocity jumps, its mean over the samples that are
+    /// explained beyond the change.
+    pub acceleration: [f64; 3],
+}
+
+/// The change at the end of a followed flight, or at its beginning (`early`).
+pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool) -> Change {
+    let data = if early { 0 } else { path.len() - 1 };
+    let last = stop.last(data);
+    let plain = Change {
+        inside: last,
+        time: track.times[last],
+        velocity: [0.0; 3],
+        velocity_jump: None,
+        acceleration: [0.0; 3],
+    };
+    match stop {
+        Stop::Deviation { .. } => located(track, path, last, early).unwrap_or(plain),
+        _ => plain,
+    }
+}
+
+/// One fitted candidate.
+struct Fit {
+    time: f64,
+    /// Bayesian information criterion.
+    criterion: f64,
+    coefficients: DMatrix<f64>,
+    hinge: &'static [i32],
+}
+
+fn located(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> Option<Change> {
+    let half = half(track);
+    let beyond = ((BEYOND.0 / track.step).round() as usize).max(BEYOND.1);
+    let within = 2 * half + 2;
+    // Deviations show with a delay: the change lies inward of them.
+    let (places, near) = match early {
+        true => (
+            last.saturating_sub(beyond)..(last + within).min(path.len()),
+            last.saturating_sub(1)..(last + beyond + 1).min(path.len()),
+        ),
+        false => (
+            last.saturating_sub(within)..(last + beyond + 1).min(path.len()),
+            last.saturating_sub(beyond)..(last + 2).min(path.len()),
+        ),
+    };
+    let mut best: Option<Fit> = None;
+    for i in near.start..near.end.saturating_sub(1) {
+        let (a, b) = (track.times[i], track.times[i + 1]);
+        for part in 0..CANDIDATES {
+            let time = a + (b - a) * part as f64 / CANDIDATES as f64;
+            for hinge in HINGES {
+                if let Some(fit) = fit(track, path, places.clone(), time, early, hinge)
+                    && best
+                        .as_ref()
+                        .is_none_or(|best| fit.criterion < best.criterion)
+                {
+                    best = Some(fit);
+                }
+            }
+        }
+    }
+    let best = best?;
+    let row = |k: usize| [0, 1, 2].map(|axis| best.coefficients[(k, axis)]);
+    let outward = if early { -1.0 } else { 1.0 };
+    let jumps = best.hinge[0] == 1;
+    let inside = match early {
+        true => places.clone().find(|&i| track.times[i] >= best.time)? + MARGIN,
+        false => places
+            .clone()
+            .rfind(|&i| track.times[i] <= best.time)?
+            .checked_sub(MARGIN)?,
+    };
+    Some(Change {
+        inside: inside.min(path.len() - 1),
+        time: best.time,
+        velocity: row(1),
+        velocity_jump: jumps.then(|| row(CUBIC).map(|x| outward * x)),
+        acceleration: if jumps {
+            [0.0; 3]
+        } else {
+            row(CUBIC).map(|x| 2.0 * x)
+        },
+    })
+}
+
+/// Number of coefficients of the flight on one axis.
+const CUBIC: usize = 4;
+
+/// Fits a cubic in time from the candidate, plus the powers of the time beyond it.
+fn fit(
+    track: &Track,
+    path: &[[f64; 3]],
+    places: Range<usize>,
+    time: f64,
+    early: bool,
+    hinge: &'static [i32],
+) -> Option<Fit> {
+    let rows = places.len();
+    let columns = CUBIC + hinge.len();
+    if rows < columns + 2 {
+        return None;
+    }
+    let mut design = DMatrix::zeros(rows, columns);
+    let mut values = DMatrix::zeros(rows, 3);
+    for (row, i) in places.enumerate() {
+        let t = track.times[i] - time;
+        let out = if early { (-t).max(0.0) } else { t.max(0.0) };
+        let terms = [1.0, t, t * t, t * t * t].into_iter();
+        let terms = terms.chain(hinge.iter().map(|&power| out.powi(power)));
+        for (column, term) in terms.enumerate() {
+            design[(row, column)] = term;
+        }
+        for axis in 0..3 {
+            values[(row, axis)] = path[i][axis];
+        }
+    }
+    // Columns of one size, so that the normal equations are well scaled.
+    let sizes: Vec<f64> = design.column_iter().map(|column| column.norm()).collect();
+    // A hinge beyond the last sample has no column.
+    if sizes.iter().any(|&size| size <= 0.0) {
+        return None;
+    }
+    let scale = DVector::from_iterator(columns, sizes.iter().map(|size| 1.0 / size));
+    let scaled = &design * DMatrix::from_diagonal(&scale);
+    let normal = scaled.transpose() * &scaled;
+    let solution = normal.cholesky()?.solve(&(scaled.transpose() * &values));
+    let misfit = (&scaled * &solution - &values).norm_squared();
+    let count = (3 * rows) as f64;
+    Some(Fit {
+        time,
+        criterion: count * misfit.max(1e-18).ln() + (3 * hinge.len()) as f64 * count.ln(),
+        coefficients: DMatrix::from_diagonal(&scale) * solution,
+        hinge,
+    })
+}
+
+/// Mean acceleration over places of the track, m/s²: that of a quadratic.
+pub(super) fn mean_acceleration(
+    track: &Track,
+    path: &[[f64; 3]],
+    places: Range<usize>,
+) -> Option<[f64; 3]> {
+    let t0 = track.times[places.start];
+    let mut normal = nalgebra::Matrix3::zeros();
+    let mut right = nalgebra::Matrix3::zeros();
+    for i in places {
+        let t = track.times[i] - t0;
+        let row = nalgebra::Vector3::new(1.0, t, t * t);
+        normal += row * row.transpose();
+        right += row * nalgebra::Vector3::from(path[i]).transpose();
+    }
+    let solution = normal.cholesky()?.solve(&right);
+    Some([0, 1, 2].map(|axis| 2.0 * solution[(2, axis)]))
+}

@@ -1,0 +1,157 @@
+//! Following a free flight sample by sample: each is compared with its prediction from those before.
+
+use std::ops::Range;
+
+use super::ThrowOptions;
+use super::track::Track;
+use super::windows::half;
+
+/// Residual in standard deviations beyond which a sample does not follow.
+const STRANGE: f64 = 4.5;
+/// Number of consecutive samples that must not follow.
+const CONSECUTIVE: usize = 2;
+/// Change of the acceleration in free flight that a prediction across a gap allows for, m/s³.
+const JERK: f64 = 60.0;
+/// Least standard deviation of a position, m.
+const FINEST: f64 = 5e-5;
+
+/// Where following ended, by places of the track.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Stop {
+    /// The samples end.
+    Data,
+    /// Nothing is seen between these, and what follows does not continue the flight.
+    Gap { from: usize, to: usize },
+    /// Samples beyond this one do not follow.
+    Deviation { last: usize },
+}
+
+impl Stop {
+    /// Last place of the flight in the direction of following.
+    pub fn last(&self, data: usize) -> usize {
+        match self {
+            Self::Data => data,
+            Self::Gap { from, .. } => *from,
+            Self::Deviation { last } => *last,
+        }
+    }
+}
+
+/// Follows a flight from the middle of a run to both sides; where it begins and where it ends.
+pub(super) fn follow(
+    track: &Track,
+    path: &[[f64; 3]],
+    run: &Range<usize>,
+    options: &ThrowOptions,
+) -> (Stop, Stop) {
+    let noise = noise(track, path, run);
+    let middle = (run.start + run.end) / 2;
+    let half = half(track);
+    let around = middle.saturating_sub(half)..(middle + half + 1).min(path.len());
+    let side = |forward: bool| {
+        let mut inside: Vec<usize> = around.clone().collect();
+        if !forward {
+            inside.reverse();
+        }
+        extend(track, path, inside, forward, noise, options)
+    };
+    (side(false), side(true))
+}
+
+fn extend(
+    track: &Track,
+    path: &[[f64; 3]],
+    mut inside: Vec<usize>,
+    forward: bool,
+    noise: f64,
+    options: &ThrowOptions,
+) -> Stop {
+    let length = inside.len();
+    let step = |i: usize, by: usize| match forward {
+        true => Some(i + by).filter(|&next| next < path.len()),
+        false => i.checked_sub(by),
+    };
+    loop {
+        let Some(&last) = inside.last() else {
+            return Stop::Data;
+        };
+        let Some(next) = step(last, 1) else {
+            return Stop::Data;
+        };
+        let recent = &inside[inside.len() - length.min(inside.len())..];
+        let gap = (track.times[next] - track.times[last]).abs();
+        let is_gap = gap > 1.5 * track.step;
+        if gap > options.longest_gap {
+            return Stop::Gap {
+                from: last,
+                to: next,
+            };
+        }
+        let follows = |place: usize| is_predicted(track, path, recent, place, noise);
+        let following = (1..=CONSECUTIVE).filter_map(|by| step(last, by));
+        let Some(good) = following.into_iter().find(|&place| follows(place)) else {
+            return match is_gap {
+                true => Stop::Gap {
+                    from: last,
+                    to: next,
+                },
+                false => Stop::Deviation { last },
+            };
+        };
+        inside.push(good);
+    }
+}
+
+/// Whether a sample agrees with the quadratic through the recent ones.
+fn is_predicted(
+    track: &Track,
+    path: &[[f64; 3]],
+    recent: &[usize],
+    place: usize,
+    noise: f64,
+) -> bool {
+    let t0 = track.times[place];
+    let ends = [recent[0], recent[recent.len() - 1]];
+    let scale = (track.times[ends[0]] - track.times[ends[1]])
+        .abs()
+        .max(track.step);
+    let row = |i: usize| {
+        let s = (track.times[i] - t0) / scale;
+        nalgebra::Vector3::new(1.0, s, s * s)
+    };
+    let mut normal = nalgebra::Matrix3::zeros();
+    let mut right = nalgebra::Matrix3::zeros();
+    for &i in recent {
+        let row = row(i);
+        normal += row * row.transpose();
+        right += row * nalgebra::Vector3::from(path[i]).transpose();
+    }
+    let Some(factor) = normal.cholesky() else {
+        return false;
+    };
+    let solution = factor.solve(&right);
+    let leverage = factor.inverse()[(0, 0)];
+    let ahead = (t0 - track.times[ends[1]]).abs();
+    let allowed = STRANGE * noise * (1.0 + leverage).sqrt() + JERK * ahead.powi(3) / 6.0;
+    (0..3).all(|axis| (solution[(0, axis)] - path[place][axis]).abs() <= allowed)
+}
+
+/// Standard deviation of a position in a run, m, from third differences of consecutive samples; robust.
+fn noise(track: &Track, path: &[[f64; 3]], run: &Range<usize>) -> f64 {
+    let half = half(track);
+    let wide = run.start.saturating_sub(half / 2)..(run.end + half / 2).min(path.len());
+    let mut sizes: Vec<f64> = Vec::new();
+    for i in wide.start + 3..wide.end {
+        let span = track.times[i] - track.times[i - 3];
+        if span > 3.5 * track.step {
+            continue;
+        }
+        let [a, b, c, d] = [path[i], path[i - 1], path[i - 2], path[i - 3]];
+        // The variance of a third difference is 20 times that of a sample.
+        let third = |axis: usize| a[axis] - 3.0 * b[axis] + 3.0 * c[axis] - d[axis];
+        sizes.extend([0, 1, 2].map(|axis| third(axis).abs() / 20.0_f64.sqrt()));
+    }
+    sizes.sort_by(f64::total_cmp);
+    let median = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+    (1.4826 * median).max(FINEST)
+}

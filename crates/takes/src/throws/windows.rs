@@ -1,0 +1,141 @@
+//! Local fits of a track: smoothness, velocity and acceleration at each sample.
+
+use std::ops::Range;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::track::Track;
+use super::{dot, norm};
+
+/// Half of a window, s.
+const HALF: f64 = 0.042;
+/// Least number of samples on each side of a window's middle.
+const LEAST: usize = 4;
+/// Standard acceleration of gravity, m/s².
+const GRAVITY: f64 = 9.81;
+/// Speed below which a body counts as carried or at rest unless it falls, m/s.
+const SLOW: f64 = 1.0;
+/// Bound of an aerodynamic acceleration, m/s², and its part that grows with the square of the speed, 1/m. A shuttlecock, with
+/// a terminal speed of 6.8 m/s, has 0.21 1/m.
+const AERODYNAMIC: (f64, f64) = (3.0, 0.3);
+/// Greatest acceleration along the velocity without gravity, m/s²: air does not push, but wind may a little.
+const PUSH: f64 = 2.5;
+/// Residual in standard deviations up to which a window is smooth.
+const SMOOTH: f64 = 2.5;
+/// Prior standard deviation of the distance from a cluster's centroid to the point that moves smoothly, m.
+const OFFSET: f64 = 0.1;
+/// Least standard deviation of a position, m.
+const FINEST: f64 = 5e-5;
+/// Prior standard deviation of a position, m, for the weight of the prior.
+const TYPICAL: f64 = 1e-3;
+
+/// Fit of a quadratic to the samples around one.
+#[derive(Clone, Debug)]
+pub(super) struct Window {
+    pub velocity: [f64; 3],
+    pub acceleration: [f64; 3],
+    /// Point of the body that moves smoothly, from the centroid, in the cluster's axes, m.
+    pub offset: [f64; 3],
+    /// Standard deviation of the residuals, one axis, m.
+    pub residual: f64,
+    /// Standard error of an acceleration per standard deviation of a position, 1/s².
+    pub spread: f64,
+}
+
+impl Window {
+    /// Whether the motion is one of free flight.
+    pub fn is_free(&self, noise: f64) -> bool {
+        let [x, y, z] = self.acceleration;
+        let air = [x, y, z + GRAVITY];
+        let speed = norm(self.velocity);
+        let slack = 3.0 * noise * self.spread;
+        let is_moving = speed > SLOW || norm(air) < 0.5 * GRAVITY;
+        let push = dot(air, self.velocity) / speed.max(1e-9);
+        self.residual <= SMOOTH * noise
+            && is_moving
+            && norm(air) <= AERODYNAMIC.0 + AERODYNAMIC.1 * speed * speed + slack
+            && (push <= PUSH + slack || speed <= SLOW)
+    }
+}
+
+/// Number of samples on each side of a window's middle.
+pub(super) fn half(track: &Track) -> usize {
+    ((HALF / track.step).round() as usize).max(LEAST)
+}
+
+/// A window around each sample of the track; `None` where too few are near.
+pub(super) fn windows(track: &Track) -> Vec<Option<Window>> {
+    let half = half(track);
+    (0..track.times.len())
+        .map(|i| window(track, i, half))
+        .collect()
+}
+
+fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
+    let range = i.checked_sub(half)?..i + half + 1;
+    if range.end > track.times.len() {
+        return None;
+    }
+    let t0 = track.times[i];
+    let span = track.times[range.end - 1] - track.times[range.start];
+    // A gap widens the window; its samples are then too far for a quadratic.
+    if span > 3.0 * (2 * half) as f64 * track.step {
+        return None;
+    }
+    let scale = 0.5 * span;
+    let mut normal = SMatrix::<f64, 12, 12>::zeros();
+    let mut right = SVector::<f64, 12>::zeros();
+    let mut squares = 0.0;
+    for k in range.clone() {
+        let s = (track.times[k] - t0) / scale;
+        let powers = [1.0, s, s * s];
+        for axis in 0..3 {
+            let mut row = SVector::<f64, 12>::zeros();
+            for (power, value) in powers.iter().enumerate() {
+                row[3 * power + axis] = *value;
+            }
+            for column in 0..3 {
+                row[9 + column] = -track.rotation(k)[(axis, column)];
+            }
+            let value = track.centres[k][axis] - track.centres[i][axis];
+            normal += row * row.transpose();
+            right += row * value;
+            squares += value * value;
+        }
+    }
+    let prior = (TYPICAL / OFFSET).powi(2);
+    for k in 9..12 {
+        normal[(k, k)] += prior;
+    }
+    let factor = normal.cholesky()?;
+    let solution = factor.solve(&right);
+    let inverse = factor.inverse();
+    let misfit = (squares - solution.dot(&right)).max(0.0);
+    let axis = |power: usize| [0, 1, 2].map(|axis| solution[3 * power + axis]);
+    let per = |values: [f64; 3], unit: f64| values.map(|x| x / unit);
+    Some(Window {
+        velocity: per(axis(1), scale),
+        acceleration: per(axis(2), 0.5 * scale * scale),
+        offset: [solution[9], solution[10], solution[11]],
+        residual: (misfit / (3 * range.len() - 9) as f64).sqrt(),
+        spread: inverse[(6, 6)].max(0.0).sqrt() / (0.5 * scale * scale),
+    })
+}
+
+/// Standard deviation of a position, m: that of the quieter windows, which are free flight or rest.
+pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
+    let mut residuals: Vec<f64> = windows.iter().flatten().map(|w| w.residual).collect();
+    residuals.sort_by(f64::total_cmp);
+    let quiet = residuals.get(residuals.len() / 3).copied().unwrap_or(0.0);
+    quiet.max(FINEST)
+}
+
+/// Median offset over a run of windows.
+pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
+        let each = windows[run.clone()].iter().flatten();
+        let mut values: Vec<f64> = each.map(|window| window.offset[axis]).collect();
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied().unwrap_or(0.0)
+    })
+}

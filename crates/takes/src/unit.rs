@@ -1,0 +1,135 @@
+//! Units of length and time of a recording.
+
+use std::fmt;
+
+/// Unit of the coordinates of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// Metre.
+    Metre,
+    /// Centimetre.
+    Centimetre,
+    /// Millimetre.
+    Millimetre,
+    /// Inch, 0.0254 m.
+    Inch,
+    /// Foot, 0.3048 m.
+    Foot,
+}
+
+/// Unit of the times of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TimeUnit {
+    /// Second.
+    Second,
+    /// Millisecond.
+    Millisecond,
+}
+
+/// Shortest beginning of a unit's name that is read as the name.
+const SHORTEST_CUT: usize = 3;
+
+impl LengthUnit {
+    const ALL: [(Self, &'static str, f64, &'static [&'static str]); 5] = [
+        (Self::Metre, "m", 1.0, &["meters", "metres"]),
+        (
+            Self::Centimetre,
+            "cm",
+            1e-2,
+            &["centimeters", "centimetres"],
+        ),
+        (
+            Self::Millimetre,
+            "mm",
+            1e-3,
+            &["millimeters", "millimetres"],
+        ),
+        (Self::Inch, "in", 0.0254, &["inches"]),
+        (Self::Foot, "ft", 0.3048, &["feet", "foot"]),
+    ];
+
+    /// The unit of a symbol (`mm`) or of a name or its beginning (`Millimeters`, `mete`), in any case.
+    pub fn parse(text: &str) -> Option<Self> {
+        let text = text.trim().to_ascii_lowercase();
+        let is = |symbol: &str, names: &[&str]| {
+            let begins = |name: &&str| text.len() >= SHORTEST_CUT && name.starts_with(&text);
+            text == symbol || names.iter().any(begins)
+        };
+        let mut all = Self::ALL.iter();
+        let found = all.find(|(_, symbol, _, names)| is(symbol, names));
+        found.map(|&(unit, ..)| unit)
+    }
+
+    /// Length of the unit, m.
+    pub fn metres(self) -> f64 {
+        Self::ALL[self as usize].2
+    }
+
+    /// Symbol of the unit: `m`, `cm`, `mm`, `in` or `ft`.
+    pub fn symbol(self) -> &'static str {
+        Self::ALL[self as usize].1
+    }
+
+    /// Whether a text is one of the unit's symbols or full names, not the beginning of one.
+    pub(crate) fn is_whole_name(text: &str) -> bool {
+        let text = text.trim().to_ascii_lowercase();
+        Self::ALL.iter().any(|(_, symbol, _, names)| {
+            let singular = |name: &&str| name.strip_suffix('s') == Some(text.as_str());
+            text == *symbol || names.iter().any(|name| *name == text || singular(name))
+        })
+    }
+}
+
+impl fmt::Display for LengthUnit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.symbol())
+    }
+}
+
+impl TimeUnit {
+    /// The unit of a symbol (`ms`) or a name (`Seconds`), in any case.
+    pub fn parse(text: &str) -> Option<Self> {
+        match text.trim().to_ascii_lowercase().as_str() {
+            "s" | "sec" | "second" | "seconds" => Some(Self::Second),
+            "ms" | "msec" | "millisecond" | "milliseconds" => Some(Self::Millisecond),
+            _ => None,
+        }
+    }
+
+    /// Length of the unit, s.
+    pub fn seconds(self) -> f64 {
+        match self {
+            Self::Second => 1.0,
+            Self::Millisecond => 1e-3,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_by_symbol_name_and_beginning_of_a_name() {
+        let cases = [
+            ("mm", LengthUnit::Millimetre),
+            (" M ", LengthUnit::Metre),
+            ("mete", LengthUnit::Metre),
+            ("Millimeters", LengthUnit::Millimetre),
+            ("centimetre", LengthUnit::Centimetre),
+            ("inch", LengthUnit::Inch),
+            ("Feet", LengthUnit::Foot),
+        ];
+        for (text, unit) in cases {
+            assert_eq!(LengthUnit::parse(text), Some(unit), "{text}");
+        }
+        for text in ["", "me", "mmm", "deg", "milli metre", "furlong"] {
+            assert_eq!(LengthUnit::parse(text), None, "{text}");
+        }
+        assert!(LengthUnit::is_whole_name("Meter") && !LengthUnit::is_whole_name("mete"));
+        assert_eq!(
+            LengthUnit::parse("ft").map(LengthUnit::metres),
+            Some(0.3048)
+        );
+    }
+}

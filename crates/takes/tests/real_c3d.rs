@@ -1,0 +1,143 @@
+//! C3D files that real programs wrote; skipped where they are absent.
+
+use std::path::PathBuf;
+
+use takes::{LengthUnit, ReadOptions, Take, read};
+
+/// The folder of the recordings beside the checkout, or nothing, which the test then says.
+fn recordings() -> Option<PathBuf> {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let folder = root.join("../../../shared/data/c3d");
+    let folder = match std::env::var_os("HYZER_SHARED_DATA") {
+        Some(data) => PathBuf::from(data).join("c3d"),
+        None => folder,
+    };
+    if folder.is_dir() {
+        return Some(folder);
+    }
+    eprintln!("skipped: no measured data c3d beside the checkout");
+    None
+}
+
+fn positions(take: &Take) -> impl Iterator<Item = (usize, usize, Option<[f64; 3]>)> {
+    let points = take.points.iter().enumerate();
+    points.flat_map(|(number, point)| {
+        let each = point.positions.iter().enumerate();
+        each.map(move |(frame, position)| (number, frame, *position))
+    })
+}
+
+#[test]
+fn six_forms_of_one_take_have_the_same_positions() {
+    let Some(folder) = recordings() else { return };
+    let forms = [
+        "pc_real", "pc_int", "DEC_INT", "Dec_real", "sgi_int", "sgi_real",
+    ]
+    .map(|form| {
+        let names = ["c3d", "C3D"].map(|ext| folder.join(format!("c3d.org_sample02_{form}.{ext}")));
+        let file = names.into_iter().find(|name| name.is_file()).expect(form);
+        read(&file, &ReadOptions::default()).expect(form)
+    });
+    let first = &forms[0];
+    assert_eq!((first.points.len(), first.times.len()), (36, 89));
+    assert!(first.notes.is_empty(), "{:?}", first.notes);
+    let mut seen = 0;
+    for other in &forms[1..] {
+        assert_eq!(other.times, first.times);
+        assert!(other.labels().eq(first.labels()));
+        for (a, b) in positions(first).zip(positions(other)) {
+            match (a.2, b.2) {
+                (Some(a), Some(b)) => {
+                    // Integers are within one step of the scale, 0.2812 mm.
+                    let far = a.iter().zip(b).any(|(a, b)| (a - b).abs() > 2.82e-4);
+                    assert!(!far, "{a:?} {b:?}");
+                    seen += 1;
+                }
+                (None, None) => {}
+                other => panic!("{other:?} of point {} in frame {}", a.0, a.1),
+            }
+        }
+    }
+    assert!(seen > 10_000, "{seen}");
+}
+
+#[test]
+fn what_real_programs_wrote_wrongly_is_read_with_notes_or_refused() {
+    let Some(folder) = recordings() else { return };
+    let open = |name: &str, options: &ReadOptions| read(&folder.join(name), options);
+    let noted = |name: &str, note: &str, points: usize, frames: usize| {
+        let take = open(name, &ReadOptions::default()).expect(name);
+        assert!(
+            take.notes.iter().any(|it| it.contains(note)),
+            "{name}: {:?}",
+            take.notes
+        );
+        assert_eq!(
+            (take.points.len(), take.times.len()),
+            (points, frames),
+            "{name}"
+        );
+        take
+    };
+    noted(
+        "c3d.org_sample13_golfswing.c3d",
+        "POINT:FRAMES = 515",
+        29,
+        514,
+    );
+    let take = noted("c3d.org_sample15_FP1.C3D", "\"mete\" was read as m", 8, 480);
+    assert_eq!(take.length, LengthUnit::Metre);
+    noted("ezc3d_Optotrak.c3d", "the 29 whole frames", 54, 29);
+    noted(
+        "c3d.org_sample24_MotionMonitorC3D.c3d",
+        "112 analogue words",
+        7,
+        840,
+    );
+    noted("others_badParameterOffset.c3d", "are not scaled", 41, 111);
+    let chosen = ReadOptions {
+        length: Some(LengthUnit::Millimetre),
+        ..ReadOptions::default()
+    };
+    let take = open("c3d.org_sample28_dynamic.C3D", &chosen).expect("labels with blanks");
+    assert!(
+        take.labels().any(|label| label == "r knee 1"),
+        "{:?}",
+        take.notes
+    );
+    let error = open("c3d.org_sample06_MACsample.c3d", &ReadOptions::default());
+    assert!(
+        error
+            .expect_err("two scales")
+            .to_string()
+            .contains("POINT:SCALE")
+    );
+}
+
+#[test]
+fn every_recording_is_read_or_refused_with_a_reason() {
+    let Some(folder) = recordings() else { return };
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    files.sort();
+    let mut refused = 0;
+    for file in &files {
+        match read(file, &ReadOptions::default()) {
+            Ok(take) => eprintln!(
+                "{}: {} points, {} frames, up {:?}, {:?}",
+                file.file_name().unwrap_or_default().display(),
+                take.points.len(),
+                take.times.len(),
+                take.up.map(|up| up.to_string()),
+                take.notes
+            ),
+            Err(error) => {
+                eprintln!("{error}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused <= 3, "{refused} of {} refused", files.len());
+}

@@ -1,0 +1,167 @@
+//! What was tracked, as the option `--markers` states it: markers, known parameters, the model.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Context, bail};
+use identify::dataset::Marker;
+use takes::words::listed;
+use takes::{Take, rotated};
+
+/// Greatest size of a template, bytes.
+const LARGEST: u64 = 4 << 20;
+
+/// Parts of a `dataset.toml` that hold for any recording of the same body.
+pub struct Template {
+    /// Name or path of the model.
+    pub model: Option<String>,
+    /// Known constants, SI.
+    pub parameters: BTreeMap<String, f64>,
+    /// Markers and their positions on the body, m.
+    pub markers: Vec<Marker>,
+}
+
+/// What of a take becomes the markers of the template, in their order.
+pub enum Followed {
+    /// A point per marker, by its index.
+    Points(Vec<usize>),
+    /// A body, by its index, on which the markers of the template are fixed.
+    Pose(usize, Vec<[f64; 3]>),
+}
+
+impl Template {
+    /// Reads a template: a `dataset.toml`, or its `[[markers]]` with `[parameters]` and `model` where they are known.
+    pub fn read(file: &Path) -> anyhow::Result<Self> {
+        let bytes = takes::file::bytes(file, LARGEST, "a TOML file with [[markers]]")?;
+        let name = file.display();
+        let text = String::from_utf8(bytes).with_context(|| name.to_string())?;
+        let table: toml::Table = text.parse().with_context(|| name.to_string())?;
+        let number = |value: &toml::Value| {
+            value
+                .as_float()
+                .or_else(|| value.as_integer().map(|whole| whole as f64))
+        };
+        let mut parameters = BTreeMap::new();
+        for (key, value) in table
+            .get("parameters")
+            .and_then(toml::Value::as_table)
+            .into_iter()
+            .flatten()
+        {
+            match number(value) {
+                Some(value) => parameters.insert(key.clone(), value),
+                None => bail!("{name}: found {key} = {value}, expected a number"),
+            };
+        }
+        let mut markers = Vec::new();
+        let listed = table.get("markers").and_then(toml::Value::as_array);
+        for marker in listed.into_iter().flatten() {
+            let label = marker.get("name").and_then(toml::Value::as_str);
+            let position = marker.get("position").and_then(toml::Value::as_array);
+            let position: Option<Vec<f64>> = position.and_then(|p| p.iter().map(number).collect());
+            match (label, position.as_deref()) {
+                (Some(label), Some(&[x, y, z])) => markers.push(Marker {
+                    name: label.to_owned(),
+                    position: [x, y, z],
+                }),
+                _ => bail!(
+                    "{name}: found the marker {marker}, expected name = \"…\" and position = [x, y, z] in m"
+                ),
+            }
+        }
+        if markers.is_empty() {
+            bail!(
+                "{name}: found no [[markers]], expected the name and position of each tracked point"
+            );
+        }
+        let model = table
+            .get("model")
+            .and_then(toml::Value::as_str)
+            .map(str::to_owned);
+        Ok(Self {
+            model,
+            parameters,
+            markers,
+        })
+    }
+
+    /// The points of a take that are the markers, by their labels or the names given to these; or else its only body.
+    pub fn followed(
+        &self,
+        take: &Take,
+        labels: &BTreeMap<String, String>,
+    ) -> anyhow::Result<Followed> {
+        if let Some(label) = labels
+            .keys()
+            .find(|label| !take.labels().any(|known| known == *label))
+        {
+            bail!(
+                "--label: found {label:?}, expected one of the labels {}",
+                listed(take.labels())
+            );
+        }
+        let name = |label: &str| labels.get(label).map_or(label, String::as_str).to_owned();
+        let mut points = Vec::new();
+        let mut missing = Vec::new();
+        for marker in &self.markers {
+            let found = take
+                .points
+                .iter()
+                .position(|point| name(&point.label) == marker.name);
+            match found {
+                Some(point) => points.push(point),
+                None => missing.push(marker.name.as_str()),
+            }
+        }
+        if missing.is_empty() {
+            return Ok(Followed::Points(points));
+        }
+        if let ([_], true) = (&take.bodies[..], points.is_empty()) {
+            let markers = self.markers.iter().map(|marker| marker.position);
+            return Ok(Followed::Pose(0, markers.collect()));
+        }
+        bail!(
+            "found the labels {}, and none for {}; expected --label FILE_LABEL=NAME for each",
+            listed(take.labels()),
+            listed(missing)
+        );
+    }
+}
+
+impl Followed {
+    /// Whether a pose is followed.
+    pub fn is_pose(&self) -> bool {
+        matches!(self, Self::Pose(..))
+    }
+
+    /// Labels in the file.
+    pub fn labels<'t>(&self, take: &'t Take) -> Vec<&'t str> {
+        match self {
+            Self::Points(points) => points
+                .iter()
+                .map(|&i| take.points[i].label.as_str())
+                .collect(),
+            Self::Pose(body, _) => vec![take.bodies[*body].label.as_str()],
+        }
+    }
+
+    /// Positions of the markers in a sample, m; `None` where one was not seen.
+    pub fn positions(&self, take: &Take, sample: usize) -> Vec<Option<[f64; 3]>> {
+        match self {
+            Self::Points(points) => points
+                .iter()
+                .map(|&i| take.points[i].positions[sample])
+                .collect(),
+            Self::Pose(body, markers) => {
+                let pose = take.bodies[*body].poses[sample];
+                let each = markers.iter().map(|&marker| {
+                    pose.map(|pose| {
+                        let arm = rotated(pose.quaternion, marker);
+                        [0, 1, 2].map(|axis| pose.position[axis] + arm[axis])
+                    })
+                });
+                each.collect()
+            }
+        }
+    }
+}

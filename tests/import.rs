@@ -1,0 +1,241 @@
+//! `hyzer import` as its users meet it: recordings become datasets that `hyzer fit` takes.
+
+#[path = "support/examples.rs"]
+mod examples;
+mod support;
+
+use std::fmt::Write;
+use std::path::Path;
+
+use examples::the_examples_run;
+use support::{hyzer, told};
+
+const TEMPLATE: &str = "examples/disc/dataset.toml";
+
+/// A flight of the example as Vicon writes it, in mm, y up, with labels of its own: at rest in a hand, pushed along the velocity,
+/// in flight, and stopped.
+fn vicon(flight: &identify::dataset::Flight) -> String {
+    let rate = 120.0;
+    let first = flight
+        .positions
+        .iter()
+        .position(|row| row.iter().all(Option::is_some));
+    let first = first.expect("all seen");
+    let row =
+        |i: usize| -> Option<Vec<[f64; 3]>> { flight.positions.get(i)?.iter().copied().collect() };
+    let mean = |row: &[[f64; 3]]| {
+        [0, 1, 2].map(|a| row.iter().map(|p| p[a]).sum::<f64>() / row.len() as f64)
+    };
+    let (early, late) = (
+        first,
+        (first + 1..first + 20)
+            .rev()
+            .find(|&i| row(i).is_some())
+            .expect("seen"),
+    );
+    let seconds = flight.times[late] - flight.times[early];
+    let (a, b) = (
+        mean(&row(early).expect("seen")),
+        mean(&row(late).expect("seen")),
+    );
+    let velocity = [0, 1, 2].map(|axis| (b[axis] - a[axis]) / seconds);
+    let push = 0.15;
+    let mut rows: Vec<Vec<Option<[f64; 3]>>> = Vec::new();
+    for i in 0..60 {
+        // Time before the first sample; from rest to the velocity at a constant acceleration.
+        let t = f64::from(60 - i) / rate;
+        let way = if t < push {
+            t - 0.5 * t * t / push
+        } else {
+            0.5 * push
+        };
+        let held = row(first).expect("seen").into_iter();
+        let noise = 1e-3 * (f64::from(i) * 12.9898).sin();
+        rows.push(
+            held.map(|p| Some([0, 1, 2].map(|k| p[k] - velocity[k] * way + noise)))
+                .collect(),
+        );
+    }
+    rows.extend(flight.positions[first..].iter().cloned());
+    let mut text = format!(
+        "Trajectories\n{rate}\n,,lab:A,,,lab:B,,,lab:rim C,,\nFrame,Sub Frame,X,Y,Z,X,Y,Z,X,Y,Z\n"
+    );
+    text += ",,mm,mm,mm,mm,mm,mm,mm,mm,mm\n";
+    for (i, row) in rows.iter().enumerate() {
+        let _ = write!(text, "{i},0");
+        for point in row {
+            let _ = match point {
+                Some([x, y, z]) => write!(text, ",{:.4},{:.4},{:.4}", 1e3 * x, 1e3 * z, -1e3 * y),
+                None => write!(text, ",,,"),
+            };
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[test]
+fn the_examples_of_the_help_run() {
+    the_examples_run("import", 2, "imported");
+}
+
+#[test]
+fn recordings_become_a_dataset_that_is_fitted() {
+    let around = tempfile::tempdir().expect("a folder");
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
+    let dataset = identify::dataset::load(&example).expect("the example");
+    let mut command = hyzer();
+    command.arg("import");
+    for (i, flight) in dataset.flights.iter().enumerate() {
+        let file = around.path().join(format!("take{i}.csv"));
+        std::fs::write(&file, vicon(flight)).expect("written");
+        command.arg(file);
+    }
+    let out = around.path().join("imported");
+    command
+        .args(["--up", "+y", "--markers", TEMPLATE, "--out"])
+        .arg(&out);
+    command.args(["--label", "A=m1", "--label", "B=m2", "--label", "rim C=m3"]);
+    let (status, text, errors) = told(&mut command);
+    assert_eq!(status, 0, "{errors}");
+    assert!(text.contains("the hand lets go"), "{text}");
+    assert!(text.contains("the subject \"lab\" is left out"), "{text}");
+    let decisions = std::fs::read_to_string(out.join("import.txt")).expect("the decisions");
+    assert!(text.starts_with(&decisions), "{decisions}");
+    let imported = identify::dataset::load(&out).expect("a dataset");
+    assert_eq!(imported.flights.len(), dataset.flights.len());
+    assert_eq!(
+        (&imported.model, &imported.markers),
+        (&dataset.model, &dataset.markers)
+    );
+    // 60 samples were of the hand; a release that was not seen is at the first sample after the gap.
+    let starts = imported
+        .flights
+        .iter()
+        .map(|flight| flight.times[0] * 120.0);
+    let starts: Vec<f64> = starts.collect();
+    assert!(
+        starts.iter().all(|start| (59.0..75.0).contains(start)),
+        "{starts:?}"
+    );
+    let seen = starts.iter().filter(|start| (59.0..64.0).contains(*start));
+    assert!(seen.count() >= 6, "{starts:?}");
+    let fitted = around.path().join("fitted");
+    let (status, text, errors) = told(hyzer().arg("fit").arg(&out).arg("--out").arg(&fitted));
+    assert_eq!(status, 0, "{text}{errors}");
+    let report = std::fs::read_to_string(fitted.join("report.json")).expect("a report");
+    let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
+    let truth = std::fs::read_to_string(example.join("truth.toml")).expect("the truth");
+    let truth: toml::Table = truth.parse().expect("TOML");
+    let truths = truth["coefficients"].as_table().expect("coefficients");
+    assert_eq!(truths.len(), 8);
+    for (name, truth) in truths {
+        let found = &report["coefficients"][name];
+        let number = |key: &str| found[key].as_f64().expect("a number");
+        let off =
+            (number("value") - truth.as_float().expect("a number")).abs() / number("std_error");
+        assert!(off < 5.0, "{name}: {found}, put in {truth}");
+    }
+}
+
+#[test]
+fn what_is_not_known_is_asked_for_and_nothing_is_written() {
+    const TAKE: &str = "examples/disc/flight01.csv";
+    let cases: [(&[&str], &str); 10] = [
+        (&[TAKE, "--markers", TEMPLATE], "--time"),
+        (&[TAKE, "--time", "s", "--markers", TEMPLATE], "--length"),
+        (
+            &[TAKE, "--time", "s", "--length", "m", "--markers", TEMPLATE],
+            "--up",
+        ),
+        (&[TAKE, "--time", "s", "--length", "m"], "--markers"),
+        (
+            &[
+                TAKE,
+                "--time",
+                "s",
+                "--length",
+                "m",
+                "--up",
+                "+z",
+                "--markers",
+                "examples/ball/dataset.toml",
+            ],
+            "--label",
+        ),
+        (&[TAKE, "--time", "h", "--markers", TEMPLATE], "s or ms"),
+        (
+            &[TAKE, "--length", "yard", "--markers", TEMPLATE],
+            "m, cm, mm, in or ft",
+        ),
+        (
+            &[
+                TAKE,
+                "--time",
+                "s",
+                "--length",
+                "m",
+                "--up",
+                "top",
+                "--markers",
+                TEMPLATE,
+            ],
+            "+z, -z",
+        ),
+        (&[TAKE, "--format", "trc", "--markers", TEMPLATE], "vicon"),
+        (
+            &["examples/README.md", "--markers", TEMPLATE],
+            "a recording",
+        ),
+    ];
+    let around = tempfile::tempdir().expect("a folder");
+    for (arguments, expected) in cases {
+        let out = around.path().join("made");
+        let (status, text, errors) =
+            told(hyzer().arg("import").args(arguments).arg("--out").arg(&out));
+        assert_eq!((status, text.as_str()), (2, ""), "{arguments:?}: {errors}");
+        assert!(errors.contains(expected), "{arguments:?}: {errors}");
+        assert_eq!(
+            std::fs::read_dir(around.path()).expect("a folder").count(),
+            0
+        );
+    }
+}
+
+#[test]
+fn a_pose_becomes_the_markers_of_the_template() {
+    let around = tempfile::tempdir().expect("a folder");
+    let mut table = "t_s,disc_x_m,disc_y_m,disc_z_m,disc_qw,disc_qx,disc_qy,disc_qz\n".to_owned();
+    for i in 0..60 {
+        let t = f64::from(i) / 120.0;
+        let (w, z) = ((10.0 * t).cos(), (10.0 * t).sin());
+        let _ = writeln!(
+            table,
+            "{t},{},0,{},{w},0,0,{z}",
+            10.0 * t,
+            2.0 - 4.905 * t * t
+        );
+    }
+    let take = around.path().join("pose.csv");
+    std::fs::write(&take, table).expect("written");
+    let out = around.path().join("imported");
+    let mut command = hyzer();
+    command
+        .arg("import")
+        .arg(&take)
+        .args(["--up", "+z", "--markers", TEMPLATE, "--out"])
+        .arg(&out);
+    let (status, text, errors) = told(&mut command);
+    assert_eq!(status, 0, "{errors}");
+    assert!(text.contains("the pose is written as"), "{text}");
+    let flight = &identify::dataset::load(&out).expect("a dataset").flights[0];
+    assert_eq!(flight.times.len(), 60);
+    // Half of a turn after 0.157 s: the first marker, at x = 0.1, is behind.
+    let t = flight.times[19];
+    let seen = flight.positions[19][0].expect("seen");
+    assert!(
+        (seen[0] - 10.0 * t - 0.1 * (20.0 * t).cos()).abs() < 1e-9,
+        "{seen:?}"
+    );
+    assert!((seen[1] - 0.1 * (20.0 * t).sin()).abs() < 1e-9, "{seen:?}");
+}
