@@ -1,6 +1,7 @@
 //! Levenberg–Marquardt iteration over all flights, within bounds.
 
 use flight::batch;
+use nalgebra::DVector;
 
 use super::local_refinement::{Backoff, OneFlight, with_refined_locals};
 use super::{
@@ -163,8 +164,10 @@ pub fn solve_after(
     })
 }
 
-fn refine(flight: &OneFlight<'_>, start: Iterate) -> Option<Solution> {
-    solve(flight, start, StoppingCriteria::REFINEMENT).ok()
+fn refine(flight: &OneFlight<'_>, start: Iterate) -> Option<(DVector<f64>, f64)> {
+    let solution = solve(flight, start, StoppingCriteria::REFINEMENT).ok()?;
+    let local = solution.iterate.local.into_iter().next()?;
+    Some((local, solution.squares))
 }
 
 /// Normal equations and sum of squares at a candidate iterate; `None` if a flight cannot be predicted there.

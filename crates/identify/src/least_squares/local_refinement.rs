@@ -6,9 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use flight::batch;
 use nalgebra::DVector;
 
-use super::{
-    Constraint, Iterate, LeastSquaresProblem, NormalBlock, Solution, SolveError, Unknowns,
-};
+use super::{Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, Unknowns};
 use crate::error::FlightError;
 
 /// How often a refinement is tried: after each failure in a row, it waits for twice as many rejected steps.
@@ -82,7 +80,7 @@ impl LeastSquaresProblem for OneFlight<'_> {
 
 /// The candidate with the local parameters of each flight fitted anew, starting from its own, or from those `before` where they
 /// cannot be predicted; `None` if a flight cannot be predicted from either, or the flights leave more than `limit` together.
-/// `solve` minimises the sum of squares of one flight.
+/// `solve` minimises the sum of squares of one flight: its local parameters, and what they leave.
 ///
 /// # Errors
 /// [`SolveError::Cancelled`].
@@ -91,7 +89,7 @@ pub fn with_refined_locals(
     candidate: &Iterate,
     before: &Iterate,
     limit: f64,
-    solve: impl Fn(&OneFlight<'_>, Iterate) -> Option<Solution> + Sync,
+    solve: impl Fn(&OneFlight<'_>, Iterate) -> Option<(DVector<f64>, f64)> + Sync,
 ) -> Result<Option<Iterate>, SolveError> {
     // What some flights leave is exceeded by all of them: the outcome does not depend on which flights were first.
     let left = Mutex::new(0.0);
@@ -111,9 +109,10 @@ pub fn with_refined_locals(
         if *left.lock().unwrap_or_else(PoisonError::into_inner) > limit {
             return None;
         }
-        let solution = from(&candidate.local[flight]).or_else(|| from(&before.local[flight]))?;
-        *left.lock().unwrap_or_else(PoisonError::into_inner) += solution.squares;
-        solution.iterate.local.into_iter().next()
+        let refined = from(&candidate.local[flight]).or_else(|| from(&before.local[flight]));
+        let (local, squares) = refined?;
+        *left.lock().unwrap_or_else(PoisonError::into_inner) += squares;
+        Some(local)
     });
     if problem.is_cancelled() {
         return Err(SolveError::Cancelled);

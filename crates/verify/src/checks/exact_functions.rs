@@ -4,6 +4,7 @@
 //! field cannot decide, such as branches and rounded constants, is compared in 256 bits at states of the model.
 
 use super::exact::{POINTS, Spot};
+use super::function_rows::{along, direction, row_name, sections};
 use super::long_functions;
 use crate::Options;
 use crate::field::{self, Angle, Machine};
@@ -13,11 +14,10 @@ use crate::symbolic::{Symbolic, evaluate};
 use codegen::Compiled;
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Function, Op, Operand, Unary};
-use model_spec::model::{FrameKind, Model};
+use model_spec::model::Model;
 use num_traits::One;
-use oracle::scalar::{Dual, Field, Prime};
+use oracle::scalar::{Dual, Prime};
 use oracle::{Point, Tree, derivatives_of};
-use std::ops::Range;
 
 /// Name of the check.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
@@ -146,52 +146,6 @@ fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
     Compared::At(faults)
 }
 
-/// Rows of the law that a function computes, of `all` after `states` derivatives, and the names of the sections of its values
-/// and Jacobians.
-pub(crate) fn sections(
-    function: &Function,
-    states: usize,
-    all: usize,
-) -> (Range<usize>, &'static str, [&'static str; 2]) {
-    match function.name.starts_with('f') {
-        true => (0..states, "dx", ["j", "jp"]),
-        false => (states..all, "y", ["dy_dx", "dy_dp"]),
-    }
-}
-
-/// Directional derivative of a row from the entries of a function; `None` if the function has no such Jacobian.
-pub(crate) fn along<T: Field>(
-    function: &Function,
-    values: &[T],
-    [by_state, by_parameter]: [&str; 2],
-    row: usize,
-    variable: usize,
-    direction: &[T],
-) -> Option<T> {
-    let states = direction.len();
-    let section = if variable < states {
-        by_state
-    } else {
-        by_parameter
-    };
-    if !function.sections.iter().any(|s| s.name == section) {
-        return None;
-    }
-    let entries = function
-        .pattern(section)
-        .iter()
-        .zip(&values[function.range(section)]);
-    let of_row = entries.filter(|((r, _), _)| *r as usize == row);
-    let weight = |column: usize| match variable.checked_sub(states) {
-        None => direction[column],
-        Some(parameter) if parameter == column => T::one(),
-        Some(_) => T::zero(),
-    };
-    Some(of_row.fold(T::zero(), |sum, ((_, column), &value)| {
-        sum + value * weight(*column as usize)
-    }))
-}
-
 /// Value and directional derivative of every derivative and of the observation, from the vector tree.
 fn law(
     model: &Model,
@@ -226,32 +180,6 @@ fn law(
             .map(|row| (row.value.0, row.derivative.0))
             .collect(),
     )
-}
-
-/// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for a
-/// component of a quaternion, 0 for a parameter.
-pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
-    let mut out = vec![T::zero(); states.len()];
-    if let Some(component) = out.get_mut(variable) {
-        *component = T::one();
-    }
-    for frame in &model.frames {
-        if let FrameKind::Quaternion { states: q, .. } = frame.kind
-            && q.contains(&variable)
-        {
-            for k in q {
-                out[k] -= states[variable] * states[k];
-            }
-        }
-    }
-    out
-}
-
-pub(crate) fn row_name(model: &Model, row: usize) -> String {
-    match model.states.get(row) {
-        Some(state) => format!("der({})", state.name),
-        None => format!("observation {}", row - model.states.len() + 1),
-    }
 }
 
 /// What the field has no relations for, where the programs contain it: then a difference is no proof.

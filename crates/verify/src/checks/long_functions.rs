@@ -1,7 +1,7 @@
 //! All of f, J and Jp and the observation in 256 bits: the compiled functions against the vector tree of the declared law and
 //! its dual numbers, at states of the model. Only constants that the code rounds to f64 may differ.
 
-use super::exact_functions::{along, direction, row_name, sections};
+use super::function_rows::{along, direction, row_name, sections};
 use crate::random::Random;
 use crate::rounding::big::{Big, with_numbers};
 use crate::rounding::program::{Inputs, magnitudes, outputs};

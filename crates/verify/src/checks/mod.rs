@@ -8,6 +8,7 @@ pub mod effect_reference;
 pub mod effects;
 pub mod exact;
 pub mod exact_functions;
+mod function_rows;
 pub mod identities;
 mod long_functions;
 pub mod metamorphic;

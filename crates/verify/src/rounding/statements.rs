@@ -2,7 +2,7 @@
 //! "Automatically improving accuracy for floating point expressions").
 //!
 //! Every statement is compiled with the values of the auxiliary variables as inputs. It is evaluated by the tape from
-//! inputs that are right and rounded, and in [`PRECISION`](super::big::PRECISION) bits from inputs that are right. What
+//! inputs that are right and rounded, and in 256 bits from inputs that are right. What
 //! differs was lost in this statement: by its own roundings, or as it magnifies the rounding of what it reads.
 
 use super::big::{Big, with_numbers};

@@ -1,0 +1,78 @@
+//! Rows and directions by which the values of compiled functions are compared with those of the vector tree.
+
+use codegen::program::Function;
+use model_spec::model::{FrameKind, Model};
+use oracle::scalar::Field;
+use std::ops::Range;
+
+/// Rows of the law that a function computes, of `all` after `states` derivatives, and the names of the sections of its values
+/// and Jacobians.
+pub(crate) fn sections(
+    function: &Function,
+    states: usize,
+    all: usize,
+) -> (Range<usize>, &'static str, [&'static str; 2]) {
+    match function.name.starts_with('f') {
+        true => (0..states, "dx", ["j", "jp"]),
+        false => (states..all, "y", ["dy_dx", "dy_dp"]),
+    }
+}
+
+/// Directional derivative of a row from the entries of a function; `None` if the function has no such Jacobian.
+pub(crate) fn along<T: Field>(
+    function: &Function,
+    values: &[T],
+    [by_state, by_parameter]: [&str; 2],
+    row: usize,
+    variable: usize,
+    direction: &[T],
+) -> Option<T> {
+    let states = direction.len();
+    let section = if variable < states {
+        by_state
+    } else {
+        by_parameter
+    };
+    if !function.sections.iter().any(|s| s.name == section) {
+        return None;
+    }
+    let entries = function
+        .pattern(section)
+        .iter()
+        .zip(&values[function.range(section)]);
+    let of_row = entries.filter(|((r, _), _)| *r as usize == row);
+    let weight = |column: usize| match variable.checked_sub(states) {
+        None => direction[column],
+        Some(parameter) if parameter == column => T::one(),
+        Some(_) => T::zero(),
+    };
+    Some(of_row.fold(T::zero(), |sum, ((_, column), &value)| {
+        sum + value * weight(*column as usize)
+    }))
+}
+
+/// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for a
+/// component of a quaternion, 0 for a parameter.
+pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
+    let mut out = vec![T::zero(); states.len()];
+    if let Some(component) = out.get_mut(variable) {
+        *component = T::one();
+    }
+    for frame in &model.frames {
+        if let FrameKind::Quaternion { states: q, .. } = frame.kind
+            && q.contains(&variable)
+        {
+            for k in q {
+                out[k] -= states[variable] * states[k];
+            }
+        }
+    }
+    out
+}
+
+pub(crate) fn row_name(model: &Model, row: usize) -> String {
+    match model.states.get(row) {
+        Some(state) => format!("der({})", state.name),
+        None => format!("observation {}", row - model.states.len() + 1),
+    }
+}
