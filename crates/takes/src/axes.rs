@@ -1,8 +1,6 @@
-//! Axes of a recording, and the change to the axes of a dataset: right-handed, z up.
+//! Axes of a recording, as the one that points up.
 
 use std::fmt;
-
-use crate::take::{Pose, Take};
 
 /// A signed axis of the file, as the one that points up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +24,7 @@ impl Axis {
     }
 
     /// Quaternion of the rotation that turns this axis to +z.
-    fn to_z(self) -> [f64; 4] {
+    pub(crate) fn to_z(self) -> [f64; 4] {
         let h = std::f64::consts::FRAC_1_SQRT_2;
         match (self.index, self.negative) {
             (0, false) => [h, 0.0, -h, 0.0],
@@ -39,7 +37,7 @@ impl Axis {
     }
 
     /// A vector along the file's axes, after the rotation that turns this axis to +z.
-    fn turned(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn turned(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match (self.index, self.negative) {
             (0, false) => [-z, y, x],
             (0, true) => [z, y, -x],
@@ -58,64 +56,10 @@ impl fmt::Display for Axis {
     }
 }
 
-impl Take {
-    /// The take along right-handed axes with z up. Where the axes of the file are left-handed, the second horizontal
-    /// axis is mirrored, and so is that of each body's own axes.
-    pub fn with_z_up(mut self, up: Axis, left_handed: bool) -> Self {
-        let mirror = |[x, y, z]: [f64; 3]| if left_handed { [x, -y, z] } else { [x, y, z] };
-        let changed = |position: [f64; 3]| mirror(up.turned(position));
-        for position in self
-            .points
-            .iter_mut()
-            .flat_map(|point| &mut point.positions)
-        {
-            *position = position.map(changed);
-        }
-        let turn = up.to_z();
-        for pose in self.bodies.iter_mut().flat_map(|body| &mut body.poses) {
-            *pose = pose.map(|pose| {
-                // A reflection turns the axis of a rotation the other way.
-                let [w, x, y, z] = product(turn, pose.quaternion);
-                let mirrored = if left_handed {
-                    [w, -x, y, -z]
-                } else {
-                    [w, x, y, z]
-                };
-                Pose {
-                    position: changed(pose.position),
-                    quaternion: mirrored,
-                }
-            });
-        }
-        self.up = Some(Axis {
-            index: 2,
-            negative: false,
-        });
-        self.left_handed = Some(false);
-        self
-    }
-}
-
-/// Product of two quaternions w, x, y, z.
-fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
-    [
-        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-        a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
-        a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
-    ]
-}
-
-/// A vector of the body's axes along the axes of the room, by the quaternion of the body's attitude.
-pub fn rotated(q: [f64; 4], v: [f64; 3]) -> [f64; 3] {
-    let conjugate = [q[0], -q[1], -q[2], -q[3]];
-    let [_, x, y, z] = product(product(q, [0.0, v[0], v[1], v[2]]), conjugate);
-    [x, y, z]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quaternion::rotated;
 
     #[test]
     fn each_axis_turns_to_z_and_nothing_is_mirrored() {

@@ -28,6 +28,9 @@ pub enum Format {
     Plain,
 }
 
+/// Greatest number of lines before the rows of a table of Qualisys.
+pub(crate) const QUALISYS_HEADER: usize = 40;
+
 impl Format {
     /// All formats, with their names in the option `--format`.
     pub const ALL: [(Self, &'static str); 8] = [
@@ -78,7 +81,7 @@ impl Format {
             }
             "Format Version" => Ok(Self::OptiTrack),
             keyword if keyword.starts_with("NO_OF_") => {
-                let has_bodies = lines().take(crate::read::QUALISYS_HEADER).any(|(line, _)| {
+                let has_bodies = lines().take(QUALISYS_HEADER).any(|(line, _)| {
                     line.starts_with("BODY_NAMES") || line.starts_with("NO_OF_BODIES")
                 });
                 Ok(match has_bodies {

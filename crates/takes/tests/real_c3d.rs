@@ -8,10 +8,6 @@ use takes::{LengthUnit, ReadOptions, Take, read};
 fn recordings() -> Option<PathBuf> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let folder = root.join("../../../shared/data/c3d");
-    let folder = match std::env::var_os("HYZER_SHARED_DATA") {
-        Some(data) => PathBuf::from(data).join("c3d"),
-        None => folder,
-    };
     if folder.is_dir() {
         return Some(folder);
     }

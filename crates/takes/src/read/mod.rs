@@ -13,8 +13,6 @@ use crate::format::Format;
 use crate::options::ReadOptions;
 use crate::take::Take;
 
-pub(crate) use qualisys::HEADER as QUALISYS_HEADER;
-
 /// Greatest size of a file, bytes.
 const LARGEST: u64 = 1 << 30;
 

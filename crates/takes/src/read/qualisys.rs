@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::error::{Fault, Place};
-use crate::format::Format;
+use crate::format::{Format, QUALISYS_HEADER as HEADER};
 use crate::layout::{Attitude, Clock, Layout};
 use crate::options::ReadOptions;
 use crate::sheet::Sheet;
@@ -14,8 +14,6 @@ use crate::take::Take;
 use crate::unit::LengthUnit;
 use crate::words::shown;
 
-/// Greatest number of lines before the rows.
-pub(crate) const HEADER: usize = 40;
 /// Columns of a body: position, angles, residual, matrix.
 const BODY: usize = 16;
 /// First column of the matrix within those of a body.

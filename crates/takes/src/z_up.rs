@@ -1,0 +1,43 @@
+//! The change of a take to the axes of a dataset: right-handed, z up.
+
+use crate::axes::Axis;
+use crate::quaternion::product;
+use crate::take::{Pose, Take};
+
+impl Take {
+    /// The take along right-handed axes with z up. Where the axes of the file are left-handed, the second horizontal
+    /// axis is mirrored, and so is that of each body's own axes.
+    pub fn with_z_up(mut self, up: Axis, left_handed: bool) -> Self {
+        let mirror = |[x, y, z]: [f64; 3]| if left_handed { [x, -y, z] } else { [x, y, z] };
+        let changed = |position: [f64; 3]| mirror(up.turned(position));
+        for position in self
+            .points
+            .iter_mut()
+            .flat_map(|point| &mut point.positions)
+        {
+            *position = position.map(changed);
+        }
+        let turn = up.to_z();
+        for pose in self.bodies.iter_mut().flat_map(|body| &mut body.poses) {
+            *pose = pose.map(|pose| {
+                // A reflection turns the axis of a rotation the other way.
+                let [w, x, y, z] = product(turn, pose.quaternion);
+                let mirrored = if left_handed {
+                    [w, -x, y, -z]
+                } else {
+                    [w, x, y, z]
+                };
+                Pose {
+                    position: changed(pose.position),
+                    quaternion: mirrored,
+                }
+            });
+        }
+        self.up = Some(Axis {
+            index: 2,
+            negative: false,
+        });
+        self.left_handed = Some(false);
+        self
+    }
+}
