@@ -26,7 +26,7 @@ pub enum TimeUnit {
     Millisecond,
 }
 
-/// Shortest beginning of a unit's name that is read as the name.
+/// Shortest prefix of a unit's name that is accepted as an abbreviation.
 const SHORTEST_CUT: usize = 3;
 
 impl LengthUnit {

@@ -8,7 +8,7 @@ use support::read;
 use takes::{Format, LengthUnit, ReadOptions};
 
 /// Messages under the names of what is malformed.
-fn told(cases: &[(&str, Vec<u8>)], options: &ReadOptions) -> String {
+fn messages(cases: &[(&str, Vec<u8>)], options: &ReadOptions) -> String {
     let mut text = String::new();
     let mut names = std::collections::BTreeSet::new();
     for (name, bytes) in cases {
@@ -61,7 +61,7 @@ fn unknown_files() {
             b"id,time,timeSeconds,speedMph,speedKmh\n1,2,3,4,5\n".to_vec(),
         ),
     ];
-    insta::assert_snapshot!(told(&cases, &none()));
+    insta::assert_snapshot!(messages(&cases, &none()));
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn vicon() {
         ),
         ("forces alone", changed(&good, "Trajectories", "Devices")),
     ];
-    insta::assert_snapshot!(told(&cases, &none()));
+    insta::assert_snapshot!(messages(&cases, &none()));
 }
 
 #[test]
@@ -208,7 +208,7 @@ fn qualisys() {
             line(&poses, at(&poses, "3\t"), "3\t0.5\t1\t2\t3"),
         ),
     ];
-    insta::assert_snapshot!(told(&cases, &none()));
+    insta::assert_snapshot!(messages(&cases, &none()));
 }
 
 #[test]
@@ -266,7 +266,7 @@ fn optitrack() {
             changed(&good, "\n0,0,0,0,0,1,", "\n0,0,0,0,0,one,"),
         ),
     ];
-    insta::assert_snapshot!(told(&cases, &none()));
+    insta::assert_snapshot!(messages(&cases, &none()));
 }
 
 #[test]
@@ -313,16 +313,16 @@ fn tables() {
             text("t_s,m1_x_m,m1_y_m,m1_z_m\n0,123456,2,3\n"),
         ),
     ];
-    let mut all = told(&cases, &none());
+    let mut all = messages(&cases, &none());
     let mut options = none();
     (options.rate, options.length) = (Some(0.0), Some(LengthUnit::Metre));
-    all += &told(
+    all += &messages(
         &[("a rate of 0 by the option", support::dltdv().into_bytes())],
         &options,
     );
     options.rate = Some(120.0);
     options.format = Some(Format::Dltdv);
-    all += &told(
+    all += &messages(
         &[(
             "another table under the format dltdv",
             text("a_x,a_y,a_z\n1,2,3\n"),
@@ -330,12 +330,12 @@ fn tables() {
         &options,
     );
     options.format = Some(Format::Poses);
-    all += &told(
+    all += &messages(
         &[("points under the format poses", plain.clone().into_bytes())],
         &options,
     );
     options.format = Some(Format::C3d);
-    all += &told(
+    all += &messages(
         &[("a table under the format c3d", plain.into_bytes())],
         &options,
     );
@@ -404,5 +404,5 @@ fn c3d() {
             with(&|file| file.more = vec![("LONG", 4, vec![255; 7], Vec::new())])
         }),
     ];
-    insta::assert_snapshot!(told(&cases, &none()));
+    insta::assert_snapshot!(messages(&cases, &none()));
 }

@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use takes::{LengthUnit, ReadOptions, Take, read};
 
-/// The folder of the recordings beside the checkout, or nothing, which the test then says.
+/// The folder of the recordings next to the repository; `None` with a message where it is absent.
 fn recordings() -> Option<PathBuf> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let folder = root.join("../../../shared/data/c3d");
     if folder.is_dir() {
         return Some(folder);
     }
-    eprintln!("skipped: no measured data c3d beside the checkout");
+    eprintln!("skipped: no measured data c3d next to the repository");
     None
 }
 

@@ -4,13 +4,10 @@ mod support;
 
 use codegen::Compiled;
 use codegen::program::{Binary, Function, Fused, Op, Unary};
-use codegen::tape::{Inputs, Tape};
 use model_spec::load::MODELS;
 use model_spec::model::Model;
-use oracle::Point;
-use support::{QUICK, built_in, edited};
+use support::{QUICK, built_in, edited, results};
 use verify::checks::exact_functions::check;
-use verify::engine::parameters;
 use verify::random::Random;
 use verify::report::Verdict;
 use verify::sample;
@@ -71,35 +68,6 @@ fn changed(op: Op) -> Vec<Op> {
         }
         Op::IfZero(a, then, otherwise) => vec![Op::IfZero(a, otherwise, then)],
     }
-}
-
-/// Results of a function at points.
-fn results(compiled: &Compiled, function: &Function, points: &[Point<f64>]) -> Vec<f64> {
-    let (prepare, tape) = (
-        Tape::new(&compiled.prepare.program),
-        Tape::new(&function.program),
-    );
-    let mut all = Vec::new();
-    for point in points {
-        let p = parameters(point);
-        let before = Inputs {
-            t: point.time,
-            x: &point.states,
-            p: &p,
-            prepared: &[],
-            marker: point.marker.as_slice(),
-        };
-        let mut prepared = vec![0.0; prepare.outputs()];
-        prepare.eval(before, &mut Vec::new(), &mut prepared);
-        let mut out = vec![0.0; tape.outputs()];
-        let inputs = Inputs {
-            prepared: &prepared,
-            ..before
-        };
-        tape.eval(inputs, &mut Vec::new(), &mut out);
-        all.extend(out);
-    }
-    all
 }
 
 /// Mutants of the code of a model, each `step`-th: (those that change a value, those of them that the check refutes).

@@ -5,14 +5,11 @@ mod support;
 
 use codegen::Compiled;
 use codegen::program::{Binary, Function, Fused, Op, Operand, Program, Unary};
-use codegen::tape::{Inputs, Tape};
 use model_spec::load::{MODELS, from_text};
 use model_spec::model::Model;
-use oracle::Point;
 use std::time::Instant;
-use support::{QUICK, built_in};
+use support::{QUICK, TOP, built_in, results};
 use verify::checks::exact_functions::check;
-use verify::engine::parameters;
 use verify::random::Random;
 use verify::report::Verdict;
 use verify::sample;
@@ -23,27 +20,6 @@ const MUTANTS: usize = 400;
 /// Operators of mutation.
 const OPERATORS: [fn(&mut Program, &mut Random) -> Option<String>; 5] =
     [operand, sign, constant, dropped_term, output];
-
-/// A body of revolution about its first axis, by angles about 3, 2 and 1, in still air.
-const TOP: &str = "model top;
-param m = 0.43 kg;
-param I_l = 0.0019 kg*m^2;
-param I_t = 0.0029 kg*m^2;
-param g = 9.81 m/s^2;
-coefficient k = 0.01 kg/m in 0 .. 1;
-coefficient c = 0.0001 N*m*s in 0 .. 1;
-frame N;
-frame A = N turned psi about 3;
-frame B = A turned theta about 2;
-frame C = B turned phi about 1;
-body top {
-  mass m; inertia diag(I_l, I_t, I_t) in B; fixed in C;
-  position (x, y, z) in N; velocity (vx, vy, vz) in N;
-}
-force weight = -m*g*N.3;
-force drag = -k*norm(velocity)*velocity;
-moment damping = -c*angular_velocity;
-";
 
 /// A glider in its vertical plane, by stated equations, with air that thins with height and a stall.
 const GLIDER: &str = "model glider;
@@ -190,35 +166,6 @@ fn output(program: &mut Program, random: &mut Random) -> Option<String> {
     );
     program.outputs[a] = program.outputs[b];
     Some(format!("result {a} is result {b}"))
-}
-
-/// Results of a function at points.
-fn results(compiled: &Compiled, function: &Function, points: &[Point<f64>]) -> Vec<f64> {
-    let (prepare, tape) = (
-        Tape::new(&compiled.prepare.program),
-        Tape::new(&function.program),
-    );
-    let mut all = Vec::new();
-    for point in points {
-        let p = parameters(point);
-        let before = Inputs {
-            t: point.time,
-            x: &point.states,
-            p: &p,
-            prepared: &[],
-            marker: point.marker.as_slice(),
-        };
-        let mut prepared = vec![0.0; prepare.outputs()];
-        prepare.eval(before, &mut Vec::new(), &mut prepared);
-        let mut out = vec![0.0; tape.outputs()];
-        let inputs = Inputs {
-            prepared: &prepared,
-            ..before
-        };
-        tape.eval(inputs, &mut Vec::new(), &mut out);
-        all.extend(out);
-    }
-    all
 }
 
 /// Mutants of one operator.

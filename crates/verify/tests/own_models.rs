@@ -3,7 +3,7 @@
 mod support;
 
 use model_spec::load::{Loaded, inspect_text};
-use support::{QUICK, built_in, edited, row, with_lines};
+use support::{QUICK, TOP, built_in, edited, row, with_lines};
 use verify::checks::backends::GENERATED;
 use verify::checks::{exact, identities, metamorphic, reference, singular};
 use verify::flights::{INVARIANTS, MOMENTA};
@@ -20,27 +20,6 @@ force weight = -m*g*N.3;
 force drag = -k*norm(velocity)*velocity;
 marker mark in N;
 observe mark = position + mark;
-";
-
-/// A body of revolution about its first axis, by angles about 3, 2 and 1, in still air.
-const BODY: &str = "model top;
-param m = 0.43 kg;
-param I_l = 0.0019 kg*m^2;
-param I_t = 0.0029 kg*m^2;
-param g = 9.81 m/s^2;
-coefficient k = 0.01 kg/m in 0 .. 1;
-coefficient c = 0.0001 N*m*s in 0 .. 1;
-frame N;
-frame A = N turned psi about 3;
-frame B = A turned theta about 2;
-frame C = B turned phi about 1;
-body top {
-  mass m; inertia diag(I_l, I_t, I_t) in B; fixed in C;
-  position (x, y, z) in N; velocity (vx, vy, vz) in N;
-}
-force weight = -m*g*N.3;
-force drag = -k*norm(velocity)*velocity;
-moment damping = -c*angular_velocity;
 ";
 
 /// A glider in its vertical plane, by stated equations; it has no path angle at rest.
@@ -79,7 +58,7 @@ fn a_point_in_still_air_is_verified_and_the_relation_of_the_wind_does_not_apply(
 
 #[test]
 fn a_body_of_revolution_about_its_first_axis_is_verified_and_its_meaning_is_known() {
-    let report = report(BODY);
+    let report = report(TOP);
     assert_eq!(report.outcome(), Outcome::Verified, "{}", report.table());
     for check in [metamorphic::METAMORPHIC, INVARIANTS] {
         assert_eq!(
@@ -93,7 +72,7 @@ fn a_body_of_revolution_about_its_first_axis_is_verified_and_its_meaning_is_know
 
 #[test]
 fn a_force_across_the_axis_of_revolution_is_said() {
-    let report = report(&format!("{BODY}force jet = 0.1 [N]*C.2;"));
+    let report = report(&format!("{TOP}force jet = 0.1 [N]*C.2;"));
     let relations = row(&report, metamorphic::METAMORPHIC);
     assert!(
         relations.detail.contains("turn about the axis of symmetry"),

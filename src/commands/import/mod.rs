@@ -24,7 +24,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     let template = Template::read(&options.markers)?;
     let labels = labels(&options.label)?;
     let reading = reading(options)?;
-    let mut beside = Vec::new();
+    let mut other_files = Vec::new();
     let Some(mut model) = options.model.clone().or_else(|| template.model.clone()) else {
         bail!(
             "no model: found none in {}, expected the option --model",
@@ -38,7 +38,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
             .file_name()
             .map(|name| name.to_string_lossy().into_owned());
         model = name.unwrap_or(model);
-        beside.push((model.clone(), text));
+        other_files.push((model.clone(), text));
     }
     let mut dataset = Dataset {
         model,
@@ -71,12 +71,12 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
             ThrowOptions::default().shortest
         );
     }
-    beside.push((DECISIONS.to_owned(), decisions.clone()));
-    let beside: Vec<(&str, String)> = beside
+    other_files.push((DECISIONS.to_owned(), decisions.clone()));
+    let other_files: Vec<(&str, String)> = other_files
         .iter()
         .map(|(name, text)| (name.as_str(), text.clone()))
         .collect();
-    progress::writing(|| write_with(&options.out, &dataset, &beside))
+    progress::writing(|| write_with(&options.out, &dataset, &other_files))
         .with_context(|| format!("--out {}", options.out.display()))?;
     let count = dataset.flights.len();
     output::print(format!(

@@ -24,7 +24,7 @@ pub struct RowResult {
     pub outcomes: Vec<Outcome>,
 }
 
-/// Runs all rows, so many diagnoses at a time, which share the processors; calls `progress` with the number of finished runs
+/// Runs all rows, `at_a_time` diagnoses in parallel, which share the processors; calls `progress` with the number of finished runs
 /// and of all.
 pub fn run_rows(
     rows: &[Row],

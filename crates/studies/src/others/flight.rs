@@ -7,7 +7,7 @@ use oracle::{ClaimedBody, Point, Tree, derivatives};
 
 /// Duration of a flight, s.
 pub const DURATION: f64 = 2.0;
-/// Number of instants at which a flight is looked at, the release and the end among them.
+/// Number of instants at which a flight is evaluated, the release and the end among them.
 const INSTANTS: usize = 41;
 
 /// Points along a flight from a point, at equal intervals of time; `None` if the flight fails.

@@ -142,7 +142,7 @@ pub fn tasks(seeds: u64, words: &str) -> Vec<Task> {
     tasks
 }
 
-/// Makes the flights of each task and diagnoses them, so many at a time, which share the processors.
+/// Makes the flights of each task and diagnoses them, `threads` in parallel, which share the processors.
 pub fn own_models(
     tasks: &[Task],
     threads: usize,

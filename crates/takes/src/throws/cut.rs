@@ -8,9 +8,9 @@ use super::follow::Stop;
 use super::track::Track;
 use super::windows::half;
 
-/// Samples beyond the change that are explained too: so many, s, and at least.
+/// Time beyond the change whose samples are explained too, s, and the least number of these samples.
 const BEYOND: (f64, usize) = (0.03, 4);
-/// Candidates per time between samples.
+/// Number of candidate times of a change per sampling interval.
 const CANDIDATES: usize = 4;
 /// Samples that are left out at a cut, since a change is timed to about one sample.
 const MARGIN: usize = 1;

@@ -92,7 +92,7 @@ impl Body {
     }
 }
 
-/// A recording of so many throws.
+/// A recording of this number of throws.
 pub fn recording(seed: u64, throws: usize) -> Made {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let r = &mut random;

@@ -39,7 +39,7 @@ impl Origin {
     }
 }
 
-/// Path of a file from a folder; the path as it is where the two have nothing in common.
+/// Path of a file from a folder; the unchanged path where the two have nothing in common.
 pub(super) fn relative(path: &Path, folder: &Path) -> String {
     let folder = match folder.as_os_str().is_empty() {
         true => Path::new("."),

@@ -19,7 +19,7 @@ use oracle::scalar::Real;
 use serde::Serialize;
 use std::path::Path;
 
-/// Number of lost bits from which a statement is named: a cancellation by chance at a random point loses as many once in a
+/// Number of lost bits from which a statement is named: an accidental cancellation at a random point loses as many once in a
 /// million.
 pub const LOSES: f64 = 20.0;
 

@@ -1,7 +1,12 @@
 //! Models with a line changed, and their checks.
 
+use codegen::Compiled;
+use codegen::program::Function;
+use codegen::tape::{Inputs, Tape};
 use model_spec::load::{Loaded, inspect, inspect_text};
+use oracle::Point;
 use verify::Options;
+use verify::engine::parameters;
 use verify::report::{Report, Row, Verdict};
 
 /// Few points and no mutants: a fault shows at almost every point.
@@ -61,4 +66,56 @@ pub fn row<'a>(report: &'a Report, check: &str) -> &'a Row {
 pub fn verdict(loaded: &Loaded, check: &str) -> Verdict {
     assert!(loaded.model.is_some(), "{:#?}", loaded.diagnostics);
     row(&verify::run(loaded, &QUICK), check).verdict
+}
+
+/// A body of revolution about its first axis, by angles about 3, 2 and 1, in still air.
+#[allow(dead_code)]
+pub const TOP: &str = "model top;
+param m = 0.43 kg;
+param I_l = 0.0019 kg*m^2;
+param I_t = 0.0029 kg*m^2;
+param g = 9.81 m/s^2;
+coefficient k = 0.01 kg/m in 0 .. 1;
+coefficient c = 0.0001 N*m*s in 0 .. 1;
+frame N;
+frame A = N turned psi about 3;
+frame B = A turned theta about 2;
+frame C = B turned phi about 1;
+body top {
+  mass m; inertia diag(I_l, I_t, I_t) in B; fixed in C;
+  position (x, y, z) in N; velocity (vx, vy, vz) in N;
+}
+force weight = -m*g*N.3;
+force drag = -k*norm(velocity)*velocity;
+moment damping = -c*angular_velocity;
+";
+
+/// Results of a function at points.
+#[allow(dead_code)]
+pub fn results(compiled: &Compiled, function: &Function, points: &[Point<f64>]) -> Vec<f64> {
+    let (prepare, tape) = (
+        Tape::new(&compiled.prepare.program),
+        Tape::new(&function.program),
+    );
+    let mut all = Vec::new();
+    for point in points {
+        let p = parameters(point);
+        let before = Inputs {
+            t: point.time,
+            x: &point.states,
+            p: &p,
+            prepared: &[],
+            marker: point.marker.as_slice(),
+        };
+        let mut prepared = vec![0.0; prepare.outputs()];
+        prepare.eval(before, &mut Vec::new(), &mut prepared);
+        let mut out = vec![0.0; tape.outputs()];
+        let inputs = Inputs {
+            prepared: &prepared,
+            ..before
+        };
+        tape.eval(inputs, &mut Vec::new(), &mut out);
+        all.extend(out);
+    }
+    all
 }
