@@ -104,8 +104,15 @@ impl CompiledModel {
 
     /// A tape whose measurement equation is an auxiliary variable of the model: its components in its own frame, a scalar
     /// as the first of three. With derivatives by these parameters alone; `None` if the model has no such variable.
-    pub fn observing(model: &Model, variable: &str, parameters: Vec<usize>) -> Option<CompiledModel> {
-        let index = model.aux_variables.iter().position(|own| own.name == variable)?;
+    pub fn observing(
+        model: &Model,
+        variable: &str,
+        parameters: Vec<usize>,
+    ) -> Option<CompiledModel> {
+        let index = model
+            .aux_variables
+            .iter()
+            .position(|own| own.name == variable)?;
         let span = model.aux_variables[index].span;
         let own = model.aux_variables[index].value.clone();
         let value = Expr {
