@@ -43,6 +43,7 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
         measured: Vec::new(),
         outlier: Vec::new(),
         predicted: Vec::new(),
+        sensors: Vec::new(),
         state_names: names.split(' ').map(str::to_owned).collect(),
         states: Vec::new(),
         quantity_names: ["V", "alpha", "d1_x"].map(str::to_owned).to_vec(),
@@ -237,6 +238,8 @@ pub fn report(flights: usize) -> FitReport {
         reliable: true,
         why: Vec::new(),
         rms_m: 0.001523,
+        sees_positions: true,
+        sensors: Vec::new(),
         noise: NoiseReport {
             sigma_m: 0.001517,
             ar1: 0.24,
