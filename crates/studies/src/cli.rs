@@ -49,6 +49,9 @@ pub enum Study {
     /// Whether mistakes of a laboratory are named, harmless, or reported as unreliable; with the section of `cuts`
     #[command(after_help = "Example:\n  hyzer-studies spoiled --seeds 2 --only 'labels one'")]
     Spoiled(Runs),
+    /// Fits and diagnoses by poses, gyroscopes, accelerometers and speeds, alone and with markers
+    #[command(after_help = "Example:\n  hyzer-studies sensors --seeds 20")]
+    Sensors(Runs),
     /// Truncation at the ground: flights that touch nothing, and flights that bounce
     #[command(after_help = "Example:\n  hyzer-studies cuts --seeds 10")]
     Cuts(Runs),

@@ -20,6 +20,7 @@ use studies::others::{others, others_page};
 use studies::own_models::{self, own_models_page};
 use studies::paper::{Study, paper_page};
 use studies::real_data::{RealData, real_data_page};
+use studies::sensors::{sensors, sensors_page};
 use studies::spoiled::{self, spoiled_page};
 
 fn main() -> ExitCode {
@@ -47,6 +48,12 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
         cli::Study::Fits(options) => (random_fits(&options)?, options.out),
         cli::Study::OwnModels(options) => (models_of_users(&options)?, options.out),
         cli::Study::Spoiled(options) => (spoiled_datasets(&options)?, options.out),
+        cli::Study::Sensors(options) => {
+            let seeds = options.seeds.unwrap_or(100);
+            let done = |set: &str| eprintln!("{set}");
+            let sets = sensors(seeds, seeds.div_ceil(5), options.threads(), &done);
+            (sensors_page(&sets, seeds)?, options.out)
+        }
         cli::Study::Cuts(options) => {
             let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());
             (spoiled_page(&[], Some(cuts))?, options.out)

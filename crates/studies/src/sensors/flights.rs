@@ -21,7 +21,7 @@ pub struct Observed {
     pub markers: bool,
     /// Sensors, where the dataset states them.
     pub sensors: Vec<Sensor>,
-    /// How far each sensor really is from where it is stated to be, m.
+    /// How far an accelerometer really is from where it is stated to be, m.
     pub displacement: [f64; 3],
     /// Noise.
     pub noise: SensorNoise,
@@ -80,7 +80,10 @@ pub fn sensor_flights(model: &Model, plan: &Plan<'_>, observed: &Observed, seed:
             }
             let mut readings = Vec::new();
             for sensor in &observed.sensors {
-                let place = Vector3::from(sensor.position) + Vector3::from(observed.displacement);
+                let mut place = Vector3::from(sensor.position);
+                if sensor.kind == SensorKind::Instrument(Instrument::Accelerometer) {
+                    place += Vector3::from(observed.displacement);
+                }
                 let at = (body, &motion);
                 read(
                     sensor.kind,

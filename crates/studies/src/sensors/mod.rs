@@ -1,5 +1,10 @@
-//! Study of fits to sensors of every kind: poses, gyroscope and accelerometer, and sensors of several kinds together.
+//! Study of fits and diagnoses by sensors of every kind: poses, gyroscope and accelerometer, and several kinds together. Writes
+//! docs/sensors.md.
 
 mod flights;
+mod page;
+mod study;
 
 pub use flights::{Observed, SensorNoise, sensor_flights};
+pub use page::sensors_page;
+pub use study::{DISPLACEMENT, SensorSet, sensors};

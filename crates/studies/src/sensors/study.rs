@@ -1,0 +1,226 @@
+//! Fits and diagnoses of the sets of sensors.
+
+use diagnose::{DiagnosisOptions, diagnose};
+use flight::batch;
+use identify::dataset::{Role, Sensor, SensorKind};
+use identify::{FitOptions, fit, interval};
+use model_spec::compose::Instrument;
+use serde::Serialize;
+
+use super::flights::{Observed, SensorNoise, sensor_flights};
+use crate::oracle_flights::{Plan, TWELVE, disc, truth};
+
+/// Flights of a dataset, and how many of them a diagnosis holds out.
+const FLIGHTS: (usize, usize) = (12, 4);
+
+/// Displacement of accelerometers that a diagnosis is to find, m.
+pub const DISPLACEMENT: [f64; 3] = [0.005, 0.0, 0.0];
+
+/// Name of the effect that is a displaced accelerometer.
+const MISPLACED: &str = "accelerometer-misplaced";
+
+/// Results of one set of sensors.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct SensorSet {
+    /// What is measured, in words.
+    pub name: String,
+    /// Number of datasets.
+    pub datasets: usize,
+    /// Number of fits without a result, or that did not converge.
+    pub failed: usize,
+    /// Number of 95 % intervals, over datasets and coefficients, and how many contain the true value.
+    pub intervals: usize,
+    /// Intervals that contain the true value.
+    pub covered: usize,
+    /// Number of estimates within three standard errors of the true value.
+    pub within_three: usize,
+    /// Root mean square of the errors over their standard errors.
+    pub rms_z: f64,
+    /// Median time of a fit, s.
+    pub seconds: f64,
+    /// Standard errors over those with markers, median over the coefficients.
+    pub relative_error: f64,
+    /// Diagnoses without a displaced sensor, and how many of them find nothing.
+    pub clean: [usize; 2],
+    /// Diagnoses with a displaced accelerometer, and how many name it with an estimate within three standard errors.
+    pub displaced: Option<[usize; 2]>,
+}
+
+/// A sensor without stated noise.
+fn sensor(name: &str, kind: SensorKind, position: [f64; 3]) -> Sensor {
+    Sensor {
+        name: name.to_owned(),
+        kind,
+        position,
+        sigma: None,
+        sigma_angle: None,
+    }
+}
+
+/// The sets: names in words, whether there are markers, the sensors.
+fn sets() -> Vec<(&'static str, bool, Vec<Sensor>)> {
+    let instrument = |name, kind, place| sensor(name, SensorKind::Instrument(kind), place);
+    let pose = sensor("tag", SensorKind::Pose, [0.03, 0.0, 0.01]);
+    let gyroscope = instrument("gyro", Instrument::Gyroscope, [0.0; 3]);
+    let accelerometer = instrument("acc", Instrument::Accelerometer, [0.02, -0.01, 0.005]);
+    let speed = instrument("radar", Instrument::Speed, [0.0; 3]);
+    let inertial = vec![gyroscope.clone(), accelerometer.clone()];
+    vec![
+        ("three markers", true, Vec::new()),
+        ("pose", false, vec![pose.clone()]),
+        ("gyroscope and accelerometer", false, inertial.clone()),
+        ("three markers, gyroscope and accelerometer", true, inertial),
+        (
+            "pose, gyroscope, accelerometer and speed",
+            false,
+            vec![pose, gyroscope, accelerometer, speed],
+        ),
+    ]
+}
+
+/// Fits `seeds` datasets of each set and diagnoses `diagnosed` of them, with and without a displaced accelerometer.
+pub fn sensors(
+    seeds: u64,
+    diagnosed: u64,
+    threads: usize,
+    done: &(dyn Fn(&str) + Sync),
+) -> Vec<SensorSet> {
+    let mut markers = Vec::new();
+    let mut found = Vec::new();
+    for (name, has_markers, sensors) in sets() {
+        let observed = Observed {
+            markers: has_markers,
+            sensors,
+            displacement: [0.0; 3],
+            noise: SensorNoise::default(),
+        };
+        let runs = batch::each_on(threads, seeds as usize, |seed| run(&observed, seed as u64));
+        let mut set = SensorSet {
+            name: name.to_owned(),
+            datasets: runs.len(),
+            ..SensorSet::default()
+        };
+        let errors = gather(&runs, &mut set);
+        if markers.is_empty() {
+            markers.clone_from(&errors);
+        }
+        let mut ratios: Vec<f64> = errors
+            .iter()
+            .zip(&markers)
+            .map(|(own, of)| own / of)
+            .collect();
+        set.relative_error = identify::median(&mut ratios);
+        done(name);
+        diagnoses(&observed, diagnosed, threads, &mut set);
+        done(&format!("{name}, diagnoses"));
+        found.push(set);
+    }
+    found
+}
+
+/// One fit: its time, s, and of each coefficient the error over the standard error, whether the interval holds the truth, and
+/// the standard error. `None` without a converged fit.
+type Run = Option<(f64, Vec<(f64, bool, f64)>)>;
+
+fn run(observed: &Observed, seed: u64) -> Run {
+    let model = disc();
+    let plan = Plan {
+        flights: FLIGHTS.0,
+        ..TWELVE
+    };
+    let dataset = sensor_flights(&model, &plan, observed, seed);
+    let clock = std::time::Instant::now();
+    let options = FitOptions {
+        threads: Some(1),
+        ..FitOptions::default()
+    };
+    let found = fit(&model, &dataset, &options).ok()?;
+    let seconds = clock.elapsed().as_secs_f64();
+    if !found.report.iterations.converged || !found.report.reliable {
+        return None;
+    }
+    let each = truth(&model, &plan).into_iter().map(|(name, value)| {
+        let own = &found.report.coefficients[&name];
+        let [low, high] = interval(own.value, own.std_error);
+        let z = (own.value - value) / own.std_error;
+        (z, low <= value && value <= high, own.std_error)
+    });
+    Some((seconds, each.collect()))
+}
+
+/// Adds runs to a set; returns the median standard error of each coefficient.
+fn gather(runs: &[Run], set: &mut SensorSet) -> Vec<f64> {
+    let good: Vec<_> = runs.iter().flatten().collect();
+    set.failed = runs.len() - good.len();
+    let all = || good.iter().flat_map(|(_, each)| each);
+    set.intervals = all().count();
+    set.covered = all().filter(|(_, is_covered, _)| *is_covered).count();
+    set.within_three = all().filter(|(z, ..)| z.abs() <= 3.0).count();
+    let squares: f64 = all().map(|(z, ..)| z * z).sum();
+    set.rms_z = (squares / set.intervals.max(1) as f64).sqrt();
+    set.seconds = identify::median(&mut good.iter().map(|(s, _)| *s).collect::<Vec<f64>>());
+    let count = good.first().map_or(0, |(_, each)| each.len());
+    let errors = (0..count).map(|index| {
+        let of_one = good.iter().map(|(_, each)| each[index].2);
+        identify::median(&mut of_one.collect::<Vec<f64>>())
+    });
+    errors.collect()
+}
+
+fn diagnoses(observed: &Observed, count: u64, threads: usize, set: &mut SensorSet) {
+    let is_accelerometer =
+        |sensor: &Sensor| sensor.kind == SensorKind::Instrument(Instrument::Accelerometer);
+    let clean = batch::each_on(threads, count as usize, |seed| {
+        let names = causes(observed, seed as u64)?;
+        Some(names.is_empty())
+    });
+    set.clean = [
+        clean.len(),
+        clean.iter().filter(|found| **found == Some(true)).count(),
+    ];
+    if observed.sensors.iter().any(is_accelerometer) {
+        let displaced = Observed {
+            displacement: DISPLACEMENT,
+            ..observed.clone()
+        };
+        let found = batch::each_on(threads, count as usize, |seed| {
+            let names = causes(&displaced, seed as u64)?;
+            Some(
+                names
+                    .iter()
+                    .any(|(name, is_right)| name == MISPLACED && *is_right),
+            )
+        });
+        let named = found.iter().filter(|found| **found == Some(true)).count();
+        set.displaced = Some([found.len(), named]);
+    }
+}
+
+/// Effects of all causes of a diagnosis, each with whether its first estimate is the displacement; `None` without a result.
+fn causes(observed: &Observed, seed: u64) -> Option<Vec<(String, bool)>> {
+    let model = disc();
+    let plan = Plan {
+        flights: FLIGHTS.0,
+        ..TWELVE
+    };
+    let mut dataset = sensor_flights(&model, &plan, observed, 1000 + seed);
+    let fitted = FLIGHTS.0 - FLIGHTS.1;
+    for flight in dataset.flights.iter_mut().skip(fitted) {
+        flight.role = Role::HeldOut;
+    }
+    let options = DiagnosisOptions {
+        fit: FitOptions {
+            threads: Some(1),
+            ..FitOptions::default()
+        },
+        ..DiagnosisOptions::default()
+    };
+    let found = diagnose(&model, &dataset, &options).ok()?;
+    let effects = found.report.causes.iter().flat_map(|cause| &cause.effects);
+    let each = effects.map(|effect| {
+        let first = effect.estimates.get("accelerometer_by_1");
+        let off = first.map(|own| (own.value - DISPLACEMENT[0]).abs() / own.std_error);
+        (effect.name.clone(), off.is_some_and(|off| off <= 3.0))
+    });
+    Some(each.collect())
+}
