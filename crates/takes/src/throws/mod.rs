@@ -10,6 +10,7 @@ mod breaks;
 mod cluster;
 mod cut;
 mod follow;
+mod motion;
 mod track;
 mod windows;
 
@@ -18,6 +19,7 @@ use std::ops::Range;
 use crate::take::Take;
 use cut::{Change, changes};
 use follow::{Stop, follow};
+pub use motion::{Motion, motion};
 use track::Track;
 use windows::{Window, windows};
 
