@@ -59,6 +59,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         model,
         parameters: template.parameters.clone(),
         markers: template.markers.clone(),
+        sensors: Vec::new(),
         sigma: None,
         flights: Vec::new(),
     };
@@ -225,6 +226,7 @@ fn add(
             known: BTreeMap::new(),
             times: turned.times[throw.samples()].to_vec(),
             positions: positions.collect(),
+            readings: Vec::new(),
         };
         describe(throw, &flight.file, &mut lines);
         flights.push(shown.flight(throw, &flight));
