@@ -53,7 +53,7 @@ pub enum Command {
     Synthesize(Synthesize),
     /// Make a dataset of recordings of a laboratory (C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses, CSV), cut to the free flights
     #[command(
-        after_help = "Examples:\n  hyzer import examples/disc/flight01.csv --length m --time s --up +z --markers examples/disc/dataset.toml --out imported\n  hyzer import examples/ball/flight01.csv examples/ball/flight02.csv --length m --time s --up +z --markers examples/ball/dataset.toml --model ball --out imported\n\nThe format is recognised by the content. Units and axes are as a file states them; what it does not state is asked for by an\noption. The template of --markers is a dataset.toml, of which [[markers]], [parameters] and model are taken. What was decided\nis printed, and written to import.txt in the dataset's folder."
+        after_help = "Examples:\n  hyzer import examples/disc/flight01.csv --length m --time s --up +z --markers examples/disc/dataset.toml --out imported\n  hyzer import examples/ball/flight01.csv examples/ball/flight02.csv --length m --time s --up +z --markers examples/ball/dataset.toml --model ball --out imported\n\nThe format is recognised by the content. Units and axes are as a file states them; what it does not state is asked for by an\noption. The template of --markers is a dataset.toml, of which [[markers]], [parameters] and model are taken. What was decided\nis printed, and written to import.txt in the dataset's folder; import.html shows each flight as it was cut."
     )]
     Import(Import),
     /// Estimate a model's coefficients from measured flights, with their uncertainty

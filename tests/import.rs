@@ -102,6 +102,20 @@ fn recordings_become_a_dataset_that_is_fitted() {
     assert!(text.contains("the subject \"lab\" is left out"), "{text}");
     let decisions = std::fs::read_to_string(out.join("import.txt")).expect("the decisions");
     assert!(text.starts_with(&decisions), "{decisions}");
+    let page = std::fs::read_to_string(out.join("import.html")).expect("the page");
+    for text in [
+        "the hand lets go",
+        "not seen",
+        "Height, m",
+        "Speed, m/s",
+        "Rate of rotation, rad/s",
+        "Distance less template, mm",
+        "flight08.csv",
+        "m1–m2",
+        "+y, by --up",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
     let imported = identify::dataset::load(&out).expect("a dataset");
     assert_eq!(imported.flights.len(), dataset.flights.len());
     assert_eq!(
@@ -135,6 +149,49 @@ fn recordings_become_a_dataset_that_is_fitted() {
         let off =
             (number("value") - truth.as_float().expect("a number")).abs() / number("std_error");
         assert!(off < 5.0, "{name}: {found}, put in {truth}");
+    }
+}
+
+#[test]
+fn a_free_flight_is_not_cut() {
+    let around = tempfile::tempdir().expect("a folder");
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
+    let dataset = identify::dataset::load(&example).expect("the example");
+    let out = around.path().join("imported");
+    let mut command = hyzer();
+    command.arg("import");
+    for flight in &dataset.flights {
+        command.arg(example.join(&flight.file));
+    }
+    command.args([
+        "--length",
+        "m",
+        "--time",
+        "s",
+        "--up",
+        "+z",
+        "--markers",
+        TEMPLATE,
+        "--out",
+    ]);
+    let (status, text, errors) = told(command.arg(&out));
+    assert_eq!(status, 0, "{errors}");
+    assert!(!text.contains("suddenly"), "{text}");
+    let imported = identify::dataset::load(&out).expect("a dataset");
+    for (flight, whole) in imported.flights.iter().zip(&dataset.flights) {
+        // Samples in which all three markers are seen.
+        let seen = |row: &Vec<Option<[f64; 3]>>| row.iter().all(Option::is_some);
+        let ends = [
+            whole.positions.iter().position(seen),
+            whole.positions.iter().rposition(seen),
+        ];
+        let ends = ends.map(|end| whole.times[end.expect("seen")]);
+        assert_eq!(
+            [flight.times[0], *flight.times.last().expect("samples")],
+            ends,
+            "{}",
+            whole.file
+        );
     }
 }
 

@@ -10,6 +10,7 @@ pub mod diagnosis;
 pub mod effects;
 pub mod figures;
 pub mod fit;
+pub mod import;
 pub mod literature;
 mod result_folder;
 

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::quaternion::product;
+
 /// A signed axis of the file, as the one that points up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Axis {
@@ -21,6 +23,18 @@ impl Axis {
         };
         let index = ["x", "y", "z"].iter().position(|axis| *axis == name)?;
         Some(Self { index, negative })
+    }
+
+    /// A position along the file's axes, along right-handed axes with z up, where this axis points up. Where the file's axes
+    /// are left-handed, the second horizontal axis is mirrored.
+    pub fn upright(self, left_handed: bool, position: [f64; 3]) -> [f64; 3] {
+        let [x, y, z] = self.turned(position);
+        [x, if left_handed { -y } else { y }, z]
+    }
+
+    /// An attitude w, x, y, z with respect to the file's right-handed axes, with respect to axes with z up.
+    pub fn upright_attitude(self, quaternion: [f64; 4]) -> [f64; 4] {
+        product(self.to_z(), quaternion)
     }
 
     /// Quaternion of the rotation that turns this axis to +z.

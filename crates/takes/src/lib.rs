@@ -31,5 +31,5 @@ pub use options::ReadOptions;
 pub use quaternion::rotated;
 pub use read::{parse, read};
 pub use take::{Body, Point, Pose, Take};
-pub use throws::{Cause, Cut, Throw, ThrowOptions, Throws, find_throws};
+pub use throws::{Cause, Cut, Motion, Throw, ThrowOptions, Throws, find_throws, motion};
 pub use unit::{LengthUnit, TimeUnit};

@@ -8,8 +8,7 @@ impl Take {
     /// The take along right-handed axes with z up. Where the axes of the file are left-handed, the second horizontal
     /// axis is mirrored, and so is that of each body's own axes.
     pub fn with_z_up(mut self, up: Axis, left_handed: bool) -> Self {
-        let mirror = |[x, y, z]: [f64; 3]| if left_handed { [x, -y, z] } else { [x, y, z] };
-        let changed = |position: [f64; 3]| mirror(up.turned(position));
+        let changed = |position: [f64; 3]| up.upright(left_handed, position);
         for position in self
             .points
             .iter_mut()

@@ -406,3 +406,28 @@ fn c3d() {
     ];
     insta::assert_snapshot!(messages(&cases, &none()));
 }
+
+#[test]
+fn digitised_points() {
+    let good = support::dltdv();
+    let mut options = none();
+    (options.rate, options.length) = (Some(120.0), Some(LengthUnit::Metre));
+    read(good.as_bytes(), &options).expect("a good one");
+    let head = good.lines().next().expect("a header");
+    let cases = [
+        ("the header alone", format!("{head}\n").into_bytes()),
+        ("a coordinate missing", changed(&good, "pt2_Z", "pt2_Y2")),
+        ("a point twice", changed(&good, "pt2_X", "pt1_X")),
+        ("a row too short", line(&good, 3, "1,2,3,4")),
+        ("a row too long", line(&good, 3, "1,2,3,4,5,6,7,8,9,10")),
+        ("a word", line(&good, 3, "1,2,3,4,far,6,7,8,9")),
+        ("infinity", line(&good, 3, "1,2,3,4,inf,6,7,8,9")),
+        ("kilometres", line(&good, 3, "1,2,3,4,1e7,6,7,8,9")),
+        (
+            "a decimal comma between commas",
+            line(&good, 3, "\"1,5\",2,3,4,5,6,7,8,9"),
+        ),
+        ("a quote left open", line(&good, 3, "1,2,3,\"4,5,6,7,8,9")),
+    ];
+    insta::assert_snapshot!(messages(&cases, &options));
+}

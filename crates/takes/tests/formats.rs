@@ -202,9 +202,11 @@ fn what_programs_write_wrongly_is_read_with_a_note() {
     let mut more = support::c3d().bytes();
     // The last frame in the header, and the count of the parameters.
     more[8] = 13;
+    let mut reaching = support::c3d();
+    reaching.more = vec![("LONG", -1, vec![200, 4], Vec::new())];
     let cut_c3d = support::c3d().bytes();
     let cut_c3d = &cut_c3d[..cut_c3d.len() - 10];
-    let cases: [(&str, Vec<u8>, &str, usize); 7] = [
+    let cases: [(&str, Vec<u8>, &str, usize); 8] = [
         (
             "a count off by one",
             stated.into_bytes(),
@@ -229,6 +231,12 @@ fn what_programs_write_wrongly_is_read_with_a_note() {
             "a frame more in the header",
             more,
             "the 12 whole frames",
+            12,
+        ),
+        (
+            "a parameter that reaches into the data",
+            reaching.bytes(),
+            "the parameters before it",
             12,
         ),
         (

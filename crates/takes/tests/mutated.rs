@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use support::read;
-use takes::{LengthUnit, ReadOptions, TimeUnit};
+use takes::{LengthUnit, ReadOptions, ThrowOptions, TimeUnit, find_throws};
 
 /// Spoiled files of each kind; with those of the ten kinds, 20,000.
 const EACH: usize = 2000;
@@ -94,6 +94,9 @@ fn twenty_thousand_spoiled_files() {
                     let points = take.points.iter().flat_map(|point| &point.positions);
                     let finite = points.flatten().flatten().all(|x| x.is_finite());
                     assert!(finite, "{kind} {case}");
+                    for throw in find_throws(&take, &[], &ThrowOptions::default()).throws {
+                        assert!(throw.samples().end <= take.times.len(), "{kind} {case}");
+                    }
                 }
                 Err(error) => {
                     assert!(

@@ -1,5 +1,6 @@
 //! Command `hyzer import`: recordings of laboratories become a dataset, cut to the free flights.
 
+mod page;
 mod template;
 
 use std::collections::BTreeMap;
@@ -8,15 +9,29 @@ use std::path::Path;
 
 use anyhow::{Context, bail};
 use identify::dataset::{Dataset, Flight, Role, write_with};
+use report::import::{ImportPage, ImportedTake};
 use takes::words::listed;
 use takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};
 
+use self::page::Shown;
 use self::template::Template;
 use crate::cli::Import;
 use crate::{Answer, output, progress};
 
 /// File of the dataset that says what was decided.
 const DECISIONS: &str = "import.txt";
+/// Page with the same and the figures of each flight.
+const PAGE: &str = "import.html";
+
+/// What was found in the recordings.
+#[derive(Default)]
+struct Found {
+    flights: Vec<Flight>,
+    /// What was decided, as text.
+    decisions: String,
+    /// The same with its curves, for the page.
+    takes: Vec<ImportedTake>,
+}
 
 /// Reads the takes, cuts them to their throws, writes the dataset, and prints what was decided.
 pub fn run(options: &Import) -> anyhow::Result<Answer> {
@@ -49,24 +64,22 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         sigma: None,
         flights: Vec::new(),
     };
-    let mut decisions = String::new();
+    let mut found = Found::default();
     for file in &options.takes {
-        let _ = writeln!(decisions, "{}", file.display());
+        let _ = writeln!(found.decisions, "{}", file.display());
         let take = takes::read(file, &reading)?;
-        let before = dataset.flights.len();
-        add(
-            &take,
-            file,
-            &template,
-            &labels,
-            options,
-            &mut dataset.flights,
-            &mut decisions,
-        )?;
-        if dataset.flights.len() == before {
-            decisions.push_str("  no throw\n");
+        let before = found.flights.len();
+        add(&take, file, &template, &labels, options, &mut found)?;
+        if found.flights.len() == before {
+            found.decisions.push_str("  no throw\n");
         }
     }
+    let Found {
+        flights,
+        decisions,
+        takes,
+    } = found;
+    dataset.flights = flights;
     if dataset.flights.is_empty() {
         bail!(
             "found no throw, expected at least one free flight of {} s\n{decisions}",
@@ -74,6 +87,13 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         );
     }
     other_files.push((DECISIONS.to_owned(), decisions.clone()));
+    let name = options.out.file_name().unwrap_or(options.out.as_os_str());
+    let page = report::import::html(&ImportPage {
+        dataset: name.to_string_lossy().into_owned(),
+        model: dataset.model.clone(),
+        takes,
+    });
+    other_files.push((PAGE.to_owned(), page));
     let other_files: Vec<(&str, String)> = other_files
         .iter()
         .map(|(name, text)| (name.as_str(), text.clone()))
@@ -130,15 +150,14 @@ fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     Ok(labels)
 }
 
-/// Adds the throws of a take to the flights, and what was decided to the text.
+/// Adds the throws of a take to the flights, and what was decided to the text and the page.
 fn add(
     take: &Take,
     file: &Path,
     template: &Template,
     labels: &BTreeMap<String, String>,
     options: &Import,
-    flights: &mut Vec<Flight>,
-    decisions: &mut String,
+    all: &mut Found,
 ) -> anyhow::Result<()> {
     let stated = match &options.up {
         Some(text) => match Axis::parse(text) {
@@ -163,35 +182,18 @@ fn add(
         (false, Some(false)) => "right-handed",
         (false, _) => "taken as right-handed (otherwise --left-handed)",
     };
-    let _ = writeln!(
-        decisions,
-        "  {}: {} samples, lengths in {}, {up} up {by}, axes {hand}; written in m, z up",
-        take.format,
-        take.times.len(),
-        take.length
-    );
-    for note in &take.notes {
-        let _ = writeln!(decisions, "  note: {note}");
-    }
     let followed = template
         .followed(take, labels)
         .with_context(|| file.display().to_string())?;
     let followed_labels: Vec<&str> = followed.labels(take);
     let turned = take.clone().with_z_up(up, options.left_handed);
-    let limits = ThrowOptions::default();
-    let found = takes::find_throws(&turned, &followed_labels, &limits);
-    let _ = writeln!(
-        decisions,
-        "  followed: {}",
-        listed(followed_labels.iter().copied())
-    );
+    let found = takes::find_throws(&turned, &followed_labels, &ThrowOptions::default());
+    let mut notes = take.notes.clone();
     if followed.is_pose() {
         let note = "the pose is written as the positions of the template's markers, whose errors go together";
-        let _ = writeln!(decisions, "  note: {note}");
+        notes.push(note.into());
     }
-    for note in &found.notes {
-        let _ = writeln!(decisions, "  note: {note}");
-    }
+    notes.extend(found.notes.iter().cloned());
     if found.throws.is_empty()
         && let Some(other) = other_up(take, &followed_labels, options.left_handed, up)
     {
@@ -200,28 +202,63 @@ fn add(
             file.display()
         );
     }
+    let motion = takes::motion(&turned, &followed_labels);
+    let shown = Shown {
+        take: &turned,
+        followed: &followed,
+        markers: &template.markers,
+        motion: motion.as_ref(),
+    };
+    let mut flights = Vec::new();
+    let mut lines = String::new();
     for throw in &found.throws {
         if !is_downwards(throw.acceleration) {
             let [x, y, z] = throw.acceleration;
-            let _ = writeln!(
-                decisions,
-                "  note: a flight accelerates by {x:.1}, {y:.1}, {z:.1} m/s² (z up), not downwards: is {up} up?"
-            );
+            notes.push(format!(
+                "a flight accelerates by {x:.1}, {y:.1}, {z:.1} m/s² (z up), not downwards: is {up} up?"
+            ));
         }
-        let name = format!("flight{:02}.csv", flights.len() + 1);
-        describe(throw, &name, decisions);
         let positions = throw
             .samples()
             .map(|sample| followed.positions(&turned, sample));
-        flights.push(Flight {
-            file: name,
+        let flight = Flight {
+            file: format!("flight{:02}.csv", all.flights.len() + 1),
             role: Role::Fit,
             known: BTreeMap::new(),
             times: turned.times[throw.samples()].to_vec(),
             positions: positions.collect(),
             readings: Vec::new(),
-        });
+        };
+        describe(throw, &flight.file, &mut lines);
+        flights.push(shown.flight(throw, &flight));
+        all.flights.push(flight);
     }
+    let labels = listed(followed_labels.iter().copied());
+    let samples = take.times.len();
+    let _ = writeln!(
+        all.decisions,
+        "  {}: {samples} samples, lengths in {}, {up} up {by}, axes {hand}; written in m, z up\n  followed: {labels}",
+        take.format, take.length
+    );
+    for note in &notes {
+        let _ = writeln!(all.decisions, "  note: {note}");
+    }
+    all.decisions += &lines;
+    let decision = |what: &str, text: String| (what.to_owned(), text);
+    all.takes.push(ImportedTake {
+        file: file.display().to_string(),
+        decisions: vec![
+            decision("format", take.format.to_string()),
+            decision("samples", samples.to_string()),
+            decision("lengths", format!("in {}, written in m", take.length)),
+            decision("up", format!("{up}, {by}; written with z up")),
+            decision("axes", hand.to_owned()),
+            decision("followed", labels),
+        ],
+        notes,
+        heights: page::heights(motion.as_ref()),
+        flights,
+    });
     Ok(())
 }
 

@@ -62,6 +62,14 @@ impl Fields<'_> {
         }
     }
 
+    /// `true` or `false`.
+    pub fn truth(&self, value: &Value<'_>, key: &str) -> Result<bool, InputError> {
+        match value.get_ref() {
+            DeValue::Boolean(truth) => Ok(*truth),
+            _ => Err(self.wrong_kind(value, key, "true or false")),
+        }
+    }
+
     /// A finite number; integers are accepted.
     pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
         let number = match value.get_ref() {

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::recording::Recording;
 use super::{Dataset, assemble, manifest, manifest_text, table, table_text};
 use crate::input_error::InputError;
 
@@ -21,8 +22,13 @@ impl Dataset {
             let text = flights
                 .next()
                 .map(|flight| table_text(flight, markers, sensors));
-            table::parse(&path, &text.unwrap_or_default(), &names, sensors)
-                .map(|table| (path, table))
+            table::parse(
+                &path,
+                &text.unwrap_or_default(),
+                (&names, sensors),
+                &Recording::default(),
+            )
+            .map(|table| (path, table))
         })?;
         if read == *self {
             return Ok(());

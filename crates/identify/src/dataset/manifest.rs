@@ -7,6 +7,7 @@ use std::path::Path;
 use toml::de::DeTable;
 
 use super::fields::{Fields, Value};
+use super::recording::Recording;
 use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::{InputError, line_and_column};
@@ -26,6 +27,7 @@ const NOISIEST: f64 = 1.0;
 #[derive(Debug, PartialEq)]
 pub(super) struct Manifest {
     pub model: String,
+    pub recording: Recording,
     pub parameters: BTreeMap<String, f64>,
     pub markers: Vec<Marker>,
     pub sensors: Vec<Sensor>,
@@ -69,8 +71,9 @@ pub(super) struct Checker<'a>(pub(super) Fields<'a>);
 impl Checker<'_> {
     fn manifest(&self, document: &DeTable<'_>) -> Result<Manifest, InputError> {
         let fields = &self.0;
-        const KEYS: [&str; 6] = [
+        const KEYS: [&str; 7] = [
             "model",
+            "recording",
             "parameters",
             "markers",
             "sensors",
@@ -89,9 +92,11 @@ impl Checker<'_> {
         }
         let (mut markers, mut sigma) = (self.markers(document)?, self.sigma(document)?);
         let sensors = self.sensors(document, &mut markers, &mut sigma)?;
+        let recording = Recording::read(fields, document, &sensors)?;
         let flights = self.flights(document)?;
         Ok(Manifest {
             model,
+            recording,
             parameters,
             markers,
             sensors,

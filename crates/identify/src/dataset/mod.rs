@@ -13,9 +13,11 @@ mod manifest;
 mod manifest_sensors;
 mod names;
 mod place;
+mod recording;
 mod samples;
 mod sensor;
 mod table;
+mod upright;
 mod words;
 mod write;
 
@@ -121,6 +123,7 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
         return Err(InputError::of_file(folder, found, expected));
     }
     let manifest = manifest::read(&folder.join("dataset.toml"))?;
+    let recording = manifest.recording;
     assemble(manifest, |entry, markers, sensors| {
         let path = folder.join(&entry.file);
         let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
@@ -137,9 +140,14 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
             c3d::parse(&path, &bytes, &names)
         } else {
             let bytes = file::bytes(&path, LARGEST, "a table")?;
-            table::parse(&path, file::text(&path, &bytes)?, &names, sensors)
+            table::parse(
+                &path,
+                file::text(&path, &bytes)?,
+                (&names, sensors),
+                &recording,
+            )
         }
-        .map(|table| (path, table))
+        .map(|table| (path, upright::upright(&recording, table, sensors)))
     })
 }
 

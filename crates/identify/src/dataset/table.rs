@@ -8,6 +8,7 @@ use takes::number::number;
 use super::header::{Header, separator};
 use super::lines::Lines;
 use super::place::Places;
+use super::recording::Recording;
 use super::samples;
 use super::sensor::{Reading, Sensor};
 use super::words::shown;
@@ -23,8 +24,8 @@ pub(super) struct Table {
 pub(super) fn parse(
     file: &Path,
     text: &str,
-    markers: &[&str],
-    sensors: &[Sensor],
+    (markers, sensors): (&[&str], &[Sensor]),
+    recording: &Recording,
 ) -> Result<Table, InputError> {
     let separator = separator(text);
     let mut reader = ReaderBuilder::new()
@@ -49,7 +50,7 @@ pub(super) fn parse(
     let header = Header::new(&lines, &record, markers, sensors)?;
     let mut table = Table::default();
     while lines.next(&mut reader, &mut record)? {
-        row(&lines, &record, &header, markers, &mut table)?;
+        row(&lines, &record, &header, (markers, recording), &mut table)?;
     }
     if table.times.is_empty() {
         let place = lines.places.cell(text.len(), 0);
@@ -67,7 +68,7 @@ fn row(
     lines: &Lines<'_>,
     record: &StringRecord,
     header: &Header,
-    markers: &[&str],
+    (markers, recording): (&[&str], &Recording),
     table: &mut Table,
 ) -> Result<(), InputError> {
     if record.len() != header.width {
@@ -87,13 +88,14 @@ fn row(
     let Some(time) = read(header.time)? else {
         return Err(lines.fault(header.time, "no time", "the time of the sample, s"));
     };
+    let time = recording.seconds(time);
     samples::time(table.times.first(), table.times.last(), time)
         .map_err(|(found, expected)| lines.fault(header.time, found, expected))?;
     let mut positions = Vec::with_capacity(markers.len());
     for (axes, marker) in header.columns.iter().zip(markers) {
         let mut point = [None; 3];
         for ((slot, &index), axis) in point.iter_mut().zip(axes).zip(["x", "y", "z"]) {
-            *slot = read(index)?;
+            *slot = read(index)?.map(|value| recording.metres(value));
             if let Some(value) = *slot {
                 samples::coordinate(&format_args!("{marker}_{axis}"), value)
                     .map_err(|(found, expected)| lines.fault(index, found, expected))?;

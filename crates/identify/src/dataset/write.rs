@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::recording::Recording;
 use super::{Dataset, Flight, KnownValue, Marker, Role, Sensor, assemble, manifest, names, table};
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
@@ -153,7 +154,8 @@ fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()>
                 expected,
             ));
         }
-        table::parse(&path, text, &names, sensors).map(|table| (path, table))
+        table::parse(&path, text, (&names, sensors), &Recording::default())
+            .map(|table| (path, table))
     });
     if read.map_err(refused)? == *dataset {
         Ok(())

@@ -5,7 +5,9 @@
 //! contradicts itself and only one reading is sensible, that reading is taken and listed as a [`Deviation`].
 
 mod bytes;
+mod floor;
 mod frames;
+mod parameter;
 mod parameters;
 
 use std::fmt::Display;
@@ -13,6 +15,7 @@ use std::fmt::Display;
 use self::bytes::{BLOCK, Bytes, Order};
 use self::frames::{Extent, frames};
 use self::parameters::Parameters;
+use crate::axes::Axis;
 use crate::unit::LengthUnit;
 use crate::words::shown;
 
@@ -113,7 +116,8 @@ impl<'a> Recording<'a> {
                 "a block of the file after the parameters",
             );
         }
-        let parameters = Parameters::read(&bytes[start..data_start], start, order)?;
+        let section = &bytes[start..data_start];
+        let (parameters, cut) = Parameters::read(section, start, order)?;
         let (points, analog) = (word(2) as usize, word(3) as usize);
         if let Some(used) = parameters.number("POINT", "USED")?
             && used != points as f64
@@ -125,6 +129,9 @@ impl<'a> Recording<'a> {
             );
         }
         let mut deviations = Vec::new();
+        if let Some(cut) = cut {
+            deviations.push(after_the_cut(cut, &parameters, bytes.len())?);
+        }
         let storage = storage(&parameters, header.f32(12), &mut deviations)?;
         // Each point has three coordinates and a residual.
         let width = match storage {
@@ -226,6 +233,11 @@ impl<'a> Recording<'a> {
         }
     }
 
+    /// The axis that points up, as the corners of the force platforms in the floor state it.
+    pub fn floor_up(&self) -> Option<Axis> {
+        floor::up(&self.parameters.floats("FORCE_PLATFORM", "CORNERS"))
+    }
+
     /// Text of `POINT:Y_SCREEN`, the axis that is drawn upwards.
     pub fn screen_up(&self) -> Option<String> {
         self.parameters.text("POINT", "Y_SCREEN").ok().flatten()
@@ -254,6 +266,23 @@ impl<'a> Recording<'a> {
         };
         (seen && !raw.iter().any(|x| x.is_nan())).then_some(raw)
     }
+}
+
+/// The deviation of parameters that reach into the data: those before the data are read, if they have what is needed.
+fn after_the_cut(
+    cut: Wrong,
+    parameters: &Parameters<'_>,
+    length: usize,
+) -> Result<Deviation, Wrong> {
+    let needed = ["USED", "FRAMES", "SCALE", "RATE", "LABELS", "UNITS"];
+    if parameters.end_of_cut() > length || !needed.iter().all(|name| parameters.has("POINT", name))
+    {
+        return Err(cut);
+    }
+    Ok(Deviation {
+        wrong: cut,
+        read_as: "the parameters before it".into(),
+    })
 }
 
 fn storage(

@@ -3,20 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::bytes::{Bytes, Order};
+use super::parameter::{Parameter, Shape, part};
 use super::{Wrong, wrong};
-use crate::words::shown;
 
 /// Greatest number of groups and parameters in a C3D file, which bounds the memory used.
 const MOST: usize = 20_000;
-
-/// One C3D parameter in its stored form.
-struct Parameter<'a> {
-    /// Offset of the parameter's type in the file, bytes.
-    place: usize,
-    kind: i8,
-    dimensions: &'a [u8],
-    data: Bytes<'a>,
-}
 
 /// C3D parameters by group and name, both in capitals.
 pub(super) struct Parameters<'a> {
@@ -24,15 +15,23 @@ pub(super) struct Parameters<'a> {
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
     /// Offset of the section in the file, bytes.
     start: usize,
+    /// Offset in the file of the end of a parameter that does not end in the section; 0 if there is none.
+    end_of_cut: usize,
 }
 
 impl<'a> Parameters<'a> {
-    /// Parses the parameter section, which lies between the header and the data, at the byte `start` of the file.
-    pub fn read(section: &'a [u8], start: usize, order: Order) -> Result<Self, Wrong> {
+    /// Parses the parameter section, which lies between the header and the data, at the byte `start` of the file. A
+    /// parameter that does not end in the section is returned as a fault, with the parameters before it.
+    pub fn read(
+        section: &'a [u8],
+        start: usize,
+        order: Order,
+    ) -> Result<(Self, Option<Wrong>), Wrong> {
         let mut found = Self {
             groups: BTreeMap::new(),
             parameters: BTreeMap::new(),
             start,
+            end_of_cut: 0,
         };
         // Two bytes of old use, the number of blocks, the processor.
         let mut at = 4;
@@ -56,7 +55,14 @@ impl<'a> Parameters<'a> {
             if id < 0 {
                 found.groups.entry(name).or_insert(id.unsigned_abs());
             } else {
-                let parameter = Parameter::read(section, start, at + 2, order, &name)?;
+                let shape = Shape::read(section, start, at + 2, &name)?;
+                let parameter = match shape.parameter(section, start, order) {
+                    Ok(parameter) => parameter,
+                    Err(cut) => {
+                        found.end_of_cut = start.saturating_add(shape.end());
+                        return Ok((found, Some(cut)));
+                    }
+                };
                 let key = (id.unsigned_abs(), name);
                 found.parameters.entry(key).or_insert(parameter);
             }
@@ -73,7 +79,26 @@ impl<'a> Parameters<'a> {
                 _ => at += offset,
             }
         }
-        Ok(found)
+        Ok((found, None))
+    }
+
+    /// Offset in the file of the end of the parameter that does not end in the section; 0 if there is none.
+    pub fn end_of_cut(&self) -> usize {
+        self.end_of_cut
+    }
+
+    /// Whether there is a parameter.
+    pub fn has(&self, group: &str, name: &str) -> bool {
+        self.get(group, name).is_some()
+    }
+
+    /// All numbers of a parameter of floats; none if it is absent or of another kind.
+    pub fn floats(&self, group: &str, name: &str) -> Vec<f64> {
+        let Some(parameter) = self.get(group, name).filter(|it| it.kind == 4) else {
+            return Vec::new();
+        };
+        let places = (0..parameter.data.bytes.len()).step_by(4);
+        places.map(|at| f64::from(parameter.data.f32(at))).collect()
     }
 
     fn get(&self, group: &str, name: &str) -> Option<&Parameter<'a>> {
@@ -190,57 +215,6 @@ impl<'a> Parameters<'a> {
             return wrong(self.start, "no POINT:LABELS", "the name of every point");
         }
         Ok(labels)
-    }
-}
-
-impl<'a> Parameter<'a> {
-    fn read(
-        section: &'a [u8],
-        start: usize,
-        at: usize,
-        order: Order,
-        name: &str,
-    ) -> Result<Self, Wrong> {
-        let place = start + at;
-        let &[kind, count] = part(section, start, at, 2)? else {
-            return wrong(place, "half a parameter", "a whole one");
-        };
-        let kind = kind.cast_signed();
-        if ![-1, 1, 2, 4].contains(&kind) || count > 7 {
-            return wrong(
-                place,
-                format!(
-                    "the parameter {} of type {kind} with {count} dimensions",
-                    shown(name)
-                ),
-                "type -1, 1, 2 or 4 and at most 7 dimensions",
-            );
-        }
-        let dimensions = part(section, start, at + 2, usize::from(count))?;
-        // Seven dimensions of 255 still fit.
-        let size: u64 = dimensions.iter().map(|&d| u64::from(d)).product();
-        let size = size * u64::from(kind.unsigned_abs());
-        let size = usize::try_from(size).unwrap_or(usize::MAX);
-        let bytes = part(section, start, at + 2 + usize::from(count), size)?;
-        Ok(Self {
-            place,
-            kind,
-            dimensions,
-            data: Bytes { bytes, order },
-        })
-    }
-}
-
-/// Bytes `at..at + length` of the section that begins at `start`, or an error if the section is shorter.
-fn part(section: &[u8], start: usize, at: usize, length: usize) -> Result<&[u8], Wrong> {
-    let end = at.checked_add(length);
-    match end.and_then(|end| section.get(at..end)) {
-        Some(part) => Ok(part),
-        None => wrong(
-            start + at,
-            format!("a parameter of {length} bytes at byte {at} of the parameters"),
-            format!("all of it within their {} bytes", section.len()),
-        ),
     }
 }
 

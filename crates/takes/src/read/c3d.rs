@@ -74,7 +74,7 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
         }
         points.push(Point { label, positions });
     }
-    let up = recording.screen_up().and_then(|text| Axis::parse(&text));
+    let up = up(&recording, &mut notes);
     let mut take = Take {
         format: Format::C3d,
         times: (0..frames)
@@ -89,6 +89,23 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     };
     unique(&mut take);
     Ok(take)
+}
+
+/// The axis that points up: by the force platforms, else the axis that is drawn upwards.
+fn up(recording: &Recording<'_>, notes: &mut Vec<String>) -> Option<Axis> {
+    let drawn = recording.screen_up().and_then(|text| Axis::parse(&text));
+    let floor = recording.floor_up();
+    match (floor, drawn) {
+        (Some(up), Some(drawn)) if up != drawn => notes.push(format!(
+            "POINT:Y_SCREEN draws {drawn} upwards, and the corners of the force platforms say that {up} is up: read as {up} up"
+        )),
+        (Some(up), None) => notes.push(format!("{up} is up by the corners of the force platforms")),
+        (None, Some(up)) => notes.push(format!(
+            "{up} is up by POINT:Y_SCREEN, the axis that is drawn upwards; --up states another"
+        )),
+        _ => {}
+    }
+    floor.or(drawn)
 }
 
 /// Unit of the coordinates by the file or the option.

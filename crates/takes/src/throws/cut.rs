@@ -52,20 +52,29 @@ pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool
 }
 
 /// One fitted candidate.
-struct Fit {
-    time: f64,
+pub(super) struct Fit {
+    pub time: f64,
     /// Bayesian information criterion.
-    criterion: f64,
-    coefficients: DMatrix<f64>,
-    hinge: &'static [i32],
+    pub criterion: f64,
+    /// Coefficients of the powers of time from the candidate, then of the hinge, by axis.
+    pub coefficients: DMatrix<f64>,
+    /// Their covariance on one axis.
+    pub covariance: DMatrix<f64>,
+    pub hinge: &'static [i32],
 }
 
-fn located(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> Option<Change> {
+/// The samples around the end of following that a change is fitted to, and the times between which it may lie.
+pub(super) fn places(
+    track: &Track,
+    path: &[[f64; 3]],
+    last: usize,
+    early: bool,
+) -> (Range<usize>, Range<usize>) {
     let half = half(track);
     let beyond = ((BEYOND.0 / track.step).round() as usize).max(BEYOND.1);
     let within = 2 * half + 2;
     // Deviations show with a delay: the change lies inward of them.
-    let (places, near) = match early {
+    match early {
         true => (
             last.saturating_sub(beyond)..(last + within).min(path.len()),
             last.saturating_sub(1)..(last + beyond + 1).min(path.len()),
@@ -74,7 +83,16 @@ fn located(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> Option
             last.saturating_sub(within)..(last + beyond + 1).min(path.len()),
             last.saturating_sub(beyond)..(last + 2).min(path.len()),
         ),
-    };
+    }
+}
+
+/// The hinge that explains the samples best.
+pub(super) fn best(
+    track: &Track,
+    path: &[[f64; 3]],
+    (places, near): (&Range<usize>, &Range<usize>),
+    early: bool,
+) -> Option<Fit> {
     let mut best: Option<Fit> = None;
     for i in near.start..near.end.saturating_sub(1) {
         let (a, b) = (track.times[i], track.times[i + 1]);
@@ -91,7 +109,12 @@ fn located(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> Option
             }
         }
     }
-    let best = best?;
+    best
+}
+
+fn located(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> Option<Change> {
+    let (places, near) = places(track, path, last, early);
+    let best = best(track, path, (&places, &near), early)?;
     let row = |k: usize| [0, 1, 2].map(|axis| best.coefficients[(k, axis)]);
     let outward = if early { -1.0 } else { 1.0 };
     let jumps = best.hinge[0] == 1;
@@ -116,10 +139,10 @@ fn located(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> Option
 }
 
 /// Number of coefficients of the flight on one axis.
-const CUBIC: usize = 4;
+pub(super) const CUBIC: usize = 4;
 
 /// Fits a cubic in time from the candidate, plus the powers of the time beyond it.
-fn fit(
+pub(super) fn fit(
     track: &Track,
     path: &[[f64; 3]],
     places: Range<usize>,
@@ -155,13 +178,17 @@ fn fit(
     let scale = DVector::from_iterator(columns, sizes.iter().map(|size| 1.0 / size));
     let scaled = &design * DMatrix::from_diagonal(&scale);
     let normal = scaled.transpose() * &scaled;
-    let solution = normal.cholesky()?.solve(&(scaled.transpose() * &values));
+    let factor = normal.cholesky()?;
+    let solution = factor.solve(&(scaled.transpose() * &values));
     let misfit = (&scaled * &solution - &values).norm_squared();
     let count = (3 * rows) as f64;
+    let unscale = DMatrix::from_diagonal(&scale);
+    let variance = misfit / (3 * (rows - columns)) as f64;
     Some(Fit {
         time,
         criterion: count * misfit.max(1e-18).ln() + (3 * hinge.len()) as f64 * count.ln(),
-        coefficients: DMatrix::from_diagonal(&scale) * solution,
+        coefficients: &unscale * solution,
+        covariance: &unscale * factor.inverse() * &unscale * variance,
         hinge,
     })
 }

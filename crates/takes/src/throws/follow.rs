@@ -37,12 +37,14 @@ impl Stop {
     }
 }
 
-/// Follows a flight from the middle of a run to both sides; where it begins and where it ends.
+/// Follows a flight from the middle of a run to both sides; where it begins and where it ends. Samples that deviate end it
+/// where `is_break` says so of the last place that followed, at the beginning of the flight if its second argument is true.
 pub(super) fn follow(
     track: &Track,
     path: &[[f64; 3]],
     run: &Range<usize>,
     options: &ThrowOptions,
+    is_break: &dyn Fn(usize, bool) -> bool,
 ) -> (Stop, Stop) {
     let noise = noise(track, path, run);
     let middle = (run.start + run.end) / 2;
@@ -53,7 +55,7 @@ pub(super) fn follow(
         if !forward {
             inside.reverse();
         }
-        extend(track, path, inside, forward, noise, options)
+        extend(track, path, inside, forward, noise, options, is_break)
     };
     (side(false), side(true))
 }
@@ -65,6 +67,7 @@ fn extend(
     forward: bool,
     noise: f64,
     options: &ThrowOptions,
+    is_break: &dyn Fn(usize, bool) -> bool,
 ) -> Stop {
     let length = inside.len();
     let step = |i: usize, by: usize| match forward {
@@ -89,7 +92,9 @@ fn extend(
         }
         let follows = |place: usize| is_predicted(track, path, recent, place, noise);
         let following = (1..=CONSECUTIVE).filter_map(|by| step(last, by));
-        let Some(good) = following.into_iter().find(|&place| follows(place)) else {
+        let good = following.clone().find(|&place| follows(place));
+        let good = good.or_else(|| (!is_break(last, !forward)).then_some(next));
+        let Some(good) = good else {
             return match is_gap {
                 true => Stop::Gap {
                     from: last,

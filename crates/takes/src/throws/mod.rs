@@ -3,12 +3,14 @@
 //! No model of the body is used. The motion of a rigid cluster of points, or of a tracked pose, is free flight where it is
 //! smooth, moves, and its acceleration without gravity is one that air can cause: not along the velocity, which is the
 //! hand's, and not greater than the bound of [`windows`]. From the middle of such a run the flight is followed in both
-//! directions for as long as the samples agree with their prediction; the cut is then where a change of velocity or
-//! acceleration explains the samples on both sides best.
+//! directions for as long as the samples agree with their prediction, or deviate as air may make them; the cut is then
+//! where a change of velocity or acceleration explains the samples on both sides best.
 
+mod breaks;
 mod cluster;
 mod cut;
 mod follow;
+mod motion;
 mod track;
 mod windows;
 
@@ -17,6 +19,7 @@ use std::ops::Range;
 use crate::take::Take;
 use cut::{Change, changes};
 use follow::{Stop, follow};
+pub use motion::{Motion, motion};
 use track::Track;
 use windows::{Window, windows};
 
@@ -158,7 +161,8 @@ fn throw(
     options: &ThrowOptions,
 ) -> Option<(Range<usize>, Throw)> {
     let path = track.path(windows::offset(windows, run));
-    let (start, end) = follow(track, &path, run, options);
+    let is_break = |last: usize, early: bool| breaks::is_break(track, &path, last, early);
+    let (start, end) = follow(track, &path, run, options, &is_break);
     let early = changes(track, &path, &start, true);
     let late = changes(track, &path, &end, false);
     let (first, last) = (early.inside, late.inside);

@@ -122,6 +122,11 @@ impl Track {
         track
     }
 
+    /// Whether the attitude of the cluster is followed.
+    pub fn has_attitude(&self) -> bool {
+        !self.rotations.is_empty()
+    }
+
     /// Rotation of the cluster at a place of the track; zero where none is followed.
     pub fn rotation(&self, i: usize) -> Matrix3<f64> {
         self.rotations

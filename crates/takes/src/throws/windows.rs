@@ -12,9 +12,9 @@ const HALF: f64 = 0.042;
 /// Least number of samples on each side of a window's middle.
 const LEAST: usize = 4;
 /// Standard acceleration of gravity, m/s².
-const GRAVITY: f64 = 9.81;
+pub(super) const GRAVITY: f64 = 9.81;
 /// Speed below which a body counts as carried or at rest unless it falls, m/s.
-const SLOW: f64 = 1.0;
+pub(super) const SLOW: f64 = 1.0;
 /// Bound of an aerodynamic acceleration, m/s², and its part that grows with the square of the speed, 1/m. A shuttlecock, with
 /// a terminal speed of 6.8 m/s, has 0.21 1/m.
 const AERODYNAMIC: (f64, f64) = (3.0, 0.3);
@@ -50,12 +50,16 @@ impl Window {
         let speed = norm(self.velocity);
         let slack = 3.0 * noise * self.spread;
         let is_moving = speed > SLOW || norm(air) < 0.5 * GRAVITY;
-        let push = dot(air, self.velocity) / speed.max(1e-9);
-        self.residual <= SMOOTH * noise
-            && is_moving
-            && norm(air) <= AERODYNAMIC.0 + AERODYNAMIC.1 * speed * speed + slack
-            && (push <= PUSH + slack || speed <= SLOW)
+        self.residual <= SMOOTH * noise && is_moving && allowed(self.velocity, air, slack)
     }
+}
+
+/// Whether air can cause an acceleration, m/s² without gravity, at a velocity, m/s; `slack` is the acceleration's uncertainty.
+pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
+    let speed = norm(velocity);
+    let push = dot(air, velocity) / speed.max(1e-9);
+    norm(air) <= AERODYNAMIC.0 + AERODYNAMIC.1 * speed * speed + slack
+        && (push <= PUSH + slack || speed <= SLOW)
 }
 
 /// Number of samples on each side of a window's middle.

@@ -1,0 +1,120 @@
+//! How the tables of a dataset are written: the section `[recording]` of `dataset.toml`. The reader converts to m, s and
+//! right-handed axes with z up.
+
+use std::ops::Range;
+
+use takes::{Axis, LengthUnit, TimeUnit};
+use toml::de::DeTable;
+
+use super::fields::Fields;
+use super::sensor::{Sensor, SensorKind};
+use super::words::{meant, shown};
+use crate::input_error::InputError;
+
+const LENGTHS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
+const TIMES: [&str; 2] = ["s", "ms"];
+const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
+/// Value of `up` where the vertical is not known.
+const UNKNOWN: &str = "unknown";
+
+/// The vertical of the tables.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Up {
+    /// An axis of the tables.
+    Axis(Axis),
+    /// To be estimated.
+    Unknown,
+}
+
+/// Units and axes of the tables of a dataset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Recording {
+    pub length: LengthUnit,
+    pub time: TimeUnit,
+    pub up: Up,
+    pub left_handed: bool,
+}
+
+impl Default for Recording {
+    fn default() -> Self {
+        Self {
+            length: LengthUnit::Metre,
+            time: TimeUnit::Second,
+            up: Up::Axis(Axis {
+                index: 2,
+                negative: false,
+            }),
+            left_handed: false,
+        }
+    }
+}
+
+impl Recording {
+    /// Reads the section `[recording]`; what it does not state has its default.
+    pub fn read(
+        fields: &Fields<'_>,
+        document: &DeTable<'_>,
+        sensors: &[Sensor],
+    ) -> Result<Self, InputError> {
+        let mut recording = Self::default();
+        let Some(table) = fields.table(document, "recording")? else {
+            return Ok(recording);
+        };
+        let keys = ["length", "time", "up", "left_handed"];
+        fields.keys(table, " in [recording]", &keys)?;
+        if let Some((text, _)) = choice(fields, table, "length", &LENGTHS)? {
+            recording.length = LengthUnit::parse(&text).unwrap_or(recording.length);
+        }
+        if let Some((text, _)) = choice(fields, table, "time", &TIMES)? {
+            recording.time = TimeUnit::parse(&text).unwrap_or(recording.time);
+        }
+        if let Some((text, span)) = choice(fields, table, "up", &UPS)? {
+            recording.up = Axis::parse(&text).map_or(Up::Unknown, Up::Axis);
+            if recording.up == Up::Unknown {
+                let expected =
+                    "an axis of the tables: a vertical that is not known is not estimated yet";
+                return Err(fields.fault(span, format!("up = {}", shown(&text)), expected));
+            }
+        }
+        if let Some(value) = table.get("left_handed") {
+            recording.left_handed = fields.truth(value, "left_handed")?;
+            let pose = sensors.iter().find(|it| it.kind == SensorKind::Pose);
+            if let (true, Some(pose)) = (recording.left_handed, pose) {
+                let found = format!("left_handed = true with the pose {}", shown(&pose.name));
+                let expected = "poses with respect to right-handed axes";
+                return Err(fields.fault(value.span(), found, expected));
+            }
+        }
+        Ok(recording)
+    }
+
+    /// Time of the tables, in s.
+    pub fn seconds(&self, time: f64) -> f64 {
+        time * self.time.seconds()
+    }
+
+    /// Coordinate of the tables, in m.
+    pub fn metres(&self, coordinate: f64) -> f64 {
+        coordinate * self.length.metres()
+    }
+}
+
+/// The text of a key that is one of several, with its place; `None` if the key is absent.
+fn choice(
+    fields: &Fields<'_>,
+    table: &DeTable<'_>,
+    key: &str,
+    choices: &[&str],
+) -> Result<Option<(String, Range<usize>)>, InputError> {
+    let Some(value) = table.get(key) else {
+        return Ok(None);
+    };
+    let quoted: Vec<String> = choices.iter().map(|choice| format!("{choice:?}")).collect();
+    let expected = quoted.join(", ");
+    let text = fields.text(value, key, &expected)?;
+    if choices.contains(&text.as_str()) {
+        return Ok(Some((text, value.span())));
+    }
+    let expected = format!("{expected}{}", meant(&text, choices.iter().copied()));
+    Err(fields.fault(value.span(), format!("{key} = {}", shown(&text)), expected))
+}

@@ -1,0 +1,39 @@
+//! The change of a table to right-handed axes with z up.
+
+use super::recording::{Recording, Up};
+use super::sensor::{Reading, Sensor, SensorKind};
+use super::table::Table;
+
+/// A table along right-handed axes with z up; its times and the positions of its markers are in s and m already.
+pub(super) fn upright(recording: &Recording, mut table: Table, sensors: &[Sensor]) -> Table {
+    let Up::Axis(up) = recording.up else {
+        return table;
+    };
+    let turned = |position: [f64; 3]| up.upright(recording.left_handed, position);
+    for position in table.positions.iter_mut().flatten() {
+        *position = position.map(turned);
+    }
+    let poses = sensors.iter().flat_map(|sensor| {
+        let is_pose = sensor.kind == SensorKind::Pose;
+        sensor
+            .kind
+            .channels()
+            .iter()
+            .map(move |channel| (is_pose, channel.len()))
+    });
+    let poses: Vec<(bool, usize)> = poses.collect();
+    for row in &mut table.readings {
+        for (reading, &(is_pose, parts)) in row.iter_mut().zip(&poses) {
+            let change = |[a, b, c, d]: Reading| match (is_pose, parts) {
+                (true, 4) => up.upright_attitude([a, b, c, d]),
+                (true, _) => {
+                    let [x, y, z] = turned([a, b, c].map(|part| recording.metres(part)));
+                    [x, y, z, d]
+                }
+                (false, _) => [a, b, c, d],
+            };
+            *reading = reading.map(change);
+        }
+    }
+    table
+}

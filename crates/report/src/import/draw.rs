@@ -1,0 +1,145 @@
+//! Figures of an import: each flight over the time of its take, and the whole take.
+
+use super::{Curve, Distance, ImportedFlight, ImportedTake};
+use crate::figures::{Dots, Layout, Line, Look, Mark, Panel, figure_of};
+use crate::fit::Drawn;
+use crate::fit::thin;
+
+/// Maximum number of pairs whose distances are drawn: the number of distinct colours.
+const MOST_PAIRS: usize = 4;
+/// Maximum number of dots of a curve outside the flight.
+const MOST_DOTS: usize = 150;
+
+/// Curves and distances of a flight: the flight as lines, what was cut away as grey dots.
+pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
+    let mut panels: Vec<Panel> = flight.curves.iter().map(|it| curve(flight, it)).collect();
+    if let Some(panel) = distances(flight) {
+        panels.push(panel);
+    }
+    for panel in &mut panels {
+        panel.marks = marks([(flight.release.time, "release"), (flight.end.time, "end")]);
+    }
+    let svg = figure_of(Layout::SMALL, &flight.file, &panels);
+    let caption = format!(
+        "From {:.3} s: {}. To {:.3} s: {}.",
+        flight.release.time, flight.release.reason, flight.end.time, flight.end.reason
+    );
+    Drawn::new(
+        format!("flight-{number:02}"),
+        flight.file.clone(),
+        caption,
+        svg,
+    )
+}
+
+/// Height over a whole take, with its flights.
+pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
+    let inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));
+    let mut panel = split(&take.heights, inside);
+    panel.title = "Height, m".into();
+    panel.height = Some(110.0);
+    let release = take
+        .flights
+        .iter()
+        .map(|flight| (flight.release.time, flight.file.as_str()));
+    let end = take.flights.iter().map(|flight| (flight.end.time, ""));
+    panel.marks = marks(release.chain(end));
+    let drawn = |layout| figure_of(layout, &take.file, std::slice::from_ref(&panel));
+    let mut figure = Drawn::new(
+        format!("take-{number:02}"),
+        take.file.clone(),
+        "Lines: the flights; grey: what was cut away.".into(),
+        drawn(Layout::WIDE),
+    );
+    figure.narrow = Some(drawn(Layout::SMALL));
+    figure
+}
+
+fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
+    let mark = |(time, name): (f64, &str)| Mark {
+        name: name.to_owned(),
+        at: (time, f64::NAN),
+    };
+    of.into_iter().map(mark).collect()
+}
+
+/// Points within as a line, the others as grey dots.
+fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
+    let line = points.iter().map(|&(time, value)| match inside(time) {
+        true => (time, value),
+        false => (time, f64::NAN),
+    });
+    let line: Vec<(f64, f64)> = line.collect();
+    let outside = points
+        .iter()
+        .filter(|(time, value)| !inside(*time) && value.is_finite());
+    let outside: Vec<(f64, f64)> = outside.copied().collect();
+    Panel {
+        across: "time of the recording, s".into(),
+        lines: vec![Line {
+            name: String::new(),
+            points: thin::curve(&line, thin::MOST),
+        }],
+        dots: vec![Dots {
+            look: Look::Pale,
+            points: thin::stride(&outside, MOST_DOTS),
+        }],
+        ..Panel::default()
+    }
+}
+
+fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
+    Panel {
+        title: curve.title.clone(),
+        ..split(&curve.points, |time| flight.holds(time))
+    }
+}
+
+/// Distances less those of the template: a pair whose markers were exchanged or came loose jumps.
+fn distances(flight: &ImportedFlight) -> Option<Panel> {
+    let mut pairs: Vec<&Distance> = flight.distances.iter().collect();
+    pairs.sort_by(|a, b| spread(flight, b).total_cmp(&spread(flight, a)));
+    let left_out = pairs.len().saturating_sub(MOST_PAIRS);
+    pairs.truncate(MOST_PAIRS);
+    let line = |pair: &&Distance| {
+        let off = pair.points.iter().map(|&(t, d)| match flight.holds(t) {
+            true => (t, 1e3 * (d - pair.template)),
+            false => (t, f64::NAN),
+        });
+        let off: Vec<(f64, f64)> = off.collect();
+        Line {
+            // Blanks widen the margin: bold letters of a name may be wide.
+            name: format!("{}   ", pair.name),
+            points: thin::curve(&off, thin::MOST),
+        }
+    };
+    let more = match left_out {
+        0 => String::new(),
+        n => format!(" ({n} steadier pairs left out)"),
+    };
+    (!pairs.is_empty()).then(|| Panel {
+        title: format!("Distance less template, mm{more}"),
+        across: "time of the recording, s".into(),
+        lines: pairs.iter().map(line).collect(),
+        thin: true,
+        levels: vec![0.0],
+        ..Panel::default()
+    })
+}
+
+/// Median of a pair's distance in the flight, and its greatest departure from it, m.
+pub(super) fn median_and_departure(flight: &ImportedFlight, pair: &Distance) -> Option<(f64, f64)> {
+    let seen = pair
+        .points
+        .iter()
+        .filter(|(t, d)| flight.holds(*t) && d.is_finite());
+    let mut seen: Vec<f64> = seen.map(|point| point.1).collect();
+    seen.sort_by(f64::total_cmp);
+    let middle = *seen.get(seen.len() / 2)?;
+    let farthest = seen.iter().map(|d| (d - middle).abs()).fold(0.0, f64::max);
+    Some((middle, farthest))
+}
+
+fn spread(flight: &ImportedFlight, pair: &Distance) -> f64 {
+    median_and_departure(flight, pair).map_or(0.0, |(_, departure)| departure)
+}

@@ -1,0 +1,91 @@
+//! One parameter of a C3D file, in its stored form.
+
+use super::bytes::{Bytes, Order};
+use super::{Wrong, wrong};
+use crate::words::shown;
+
+/// One C3D parameter in its stored form.
+pub(super) struct Parameter<'a> {
+    /// Offset of the parameter's type in the file, bytes.
+    pub place: usize,
+    pub kind: i8,
+    pub dimensions: &'a [u8],
+    pub data: Bytes<'a>,
+}
+
+/// Kind and dimensions of a parameter, and where its data are in the section.
+pub(super) struct Shape<'a> {
+    kind: i8,
+    dimensions: &'a [u8],
+    /// Offset of the parameter's type in the file, bytes.
+    place: usize,
+    /// Offset of the data in the section, and their size, bytes.
+    at: usize,
+    size: usize,
+}
+
+impl<'a> Shape<'a> {
+    pub fn read(section: &'a [u8], start: usize, at: usize, name: &str) -> Result<Self, Wrong> {
+        let place = start + at;
+        let &[kind, count] = part(section, start, at, 2)? else {
+            return wrong(place, "half a parameter", "a whole one");
+        };
+        let kind = kind.cast_signed();
+        if ![-1, 1, 2, 4].contains(&kind) || count > 7 {
+            return wrong(
+                place,
+                format!(
+                    "the parameter {} of type {kind} with {count} dimensions",
+                    shown(name)
+                ),
+                "type -1, 1, 2 or 4 and at most 7 dimensions",
+            );
+        }
+        let dimensions = part(section, start, at + 2, usize::from(count))?;
+        // Seven dimensions of 255 still fit.
+        let size: u64 = dimensions.iter().map(|&d| u64::from(d)).product();
+        let size = size * u64::from(kind.unsigned_abs());
+        Ok(Self {
+            kind,
+            dimensions,
+            place,
+            at: at + 2 + usize::from(count),
+            size: usize::try_from(size).unwrap_or(usize::MAX),
+        })
+    }
+
+    /// Offset of the data's end in the section, bytes.
+    pub fn end(&self) -> usize {
+        self.at.saturating_add(self.size)
+    }
+
+    pub fn parameter(
+        &self,
+        section: &'a [u8],
+        start: usize,
+        order: Order,
+    ) -> Result<Parameter<'a>, Wrong> {
+        Ok(Parameter {
+            place: self.place,
+            kind: self.kind,
+            dimensions: self.dimensions,
+            data: Bytes {
+                bytes: part(section, start, self.at, self.size)?,
+                order,
+            },
+        })
+    }
+}
+
+/// Bytes `at..at + length` of the section that begins at `start`, or an error if the section is shorter.
+pub(super) fn part(section: &[u8], start: usize, at: usize, length: usize) -> Result<&[u8], Wrong> {
+    let end = at.checked_add(length);
+    match end.and_then(|end| section.get(at..end)) {
+        Some(part) => Ok(part),
+        None => wrong(
+            start + at,
+            format!("a parameter of {length} bytes at byte {at} of the parameters"),
+            format!("all of it within their {} bytes", section.len()),
+        ),
+    }
+}

@@ -1,0 +1,76 @@
+//! Whether a deviation from a followed flight ends it. A strong lift that changes with the attitude, a wobble or a fast spin
+//! deviates from a local prediction too: the flight ends where the motion beyond is none that air can cause.
+
+use nalgebra::DVector;
+
+use super::cut::{CUBIC, Fit, best, fit, places};
+use super::norm;
+use super::track::Track;
+use super::windows::{GRAVITY, SLOW, allowed};
+
+/// Standard errors by which a bound must be exceeded.
+const CERTAIN: f64 = 4.5;
+/// Least jump of the velocity at an impact, m/s; air changes the velocity less within a sample or two.
+const IMPACT: f64 = 1.0;
+
+/// Whether the samples beyond a place, at the beginning (`early`) or end of a followed flight, are no free flight that goes on.
+pub(super) fn is_break(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> bool {
+    let (places, near) = places(track, path, last, early);
+    let Some(changed) = best(track, path, (&places, &near), early) else {
+        return false;
+    };
+    let outmost = match early {
+        true => track.times[places.start],
+        false => track.times[places.end - 1],
+    };
+    let smooth = fit(track, path, places, track.times[last], early, &[]);
+    let motion = match smooth {
+        Some(smooth) if smooth.criterion <= changed.criterion => smooth,
+        _ => changed,
+    };
+    if let Some((jump, error)) = velocity_jump(&motion)
+        && jump > IMPACT + CERTAIN * error
+    {
+        return true;
+    }
+    let beyond = 0.5 * (outmost - motion.time).abs();
+    let (velocity, _) = derivative(&motion, early, beyond, 1);
+    let (acceleration, error) = derivative(&motion, early, beyond, 2);
+    let air = [acceleration[0], acceleration[1], acceleration[2] + GRAVITY];
+    let rests = norm(velocity) <= SLOW && norm(air) >= 0.5 * GRAVITY;
+    rests || !allowed(velocity, air, CERTAIN * error)
+}
+
+/// Jump of the velocity in a fitted motion, m/s, with its standard error; `None` where it does not jump.
+fn velocity_jump(motion: &Fit) -> Option<(f64, f64)> {
+    (motion.hinge.first() == Some(&1)).then(|| {
+        let jump = [0, 1, 2].map(|axis| motion.coefficients[(CUBIC, axis)]);
+        (
+            norm(jump),
+            motion.covariance[(CUBIC, CUBIC)].max(0.0).sqrt(),
+        )
+    })
+}
+
+/// A derivative of a fitted motion, a time `beyond` the change, with its standard error on one axis.
+fn derivative(motion: &Fit, early: bool, beyond: f64, order: i32) -> ([f64; 3], f64) {
+    let sign: f64 = if early { -1.0 } else { 1.0 };
+    let term = |power: i32, time: f64| -> f64 {
+        let factors: f64 = (0..order).map(|k| f64::from(power - k)).product();
+        if power < order {
+            0.0
+        } else {
+            factors * time.powi(power - order)
+        }
+    };
+    let own = (0..CUBIC as i32).map(|power| term(power, sign * beyond));
+    // The hinge grows with the time beyond, which runs against the time at a beginning.
+    let hinge = motion
+        .hinge
+        .iter()
+        .map(|&power| sign.powi(order) * term(power, beyond));
+    let row = DVector::from_iterator(CUBIC + motion.hinge.len(), own.chain(hinge));
+    let value = motion.coefficients.transpose() * &row;
+    let variance = row.dot(&(&motion.covariance * &row));
+    ([value[0], value[1], value[2]], variance.max(0.0).sqrt())
+}

@@ -1,0 +1,71 @@
+//! Height, speed and rate of rotation of a followed body over a whole take, for its figures.
+
+use super::norm;
+use super::track::Track;
+use crate::take::Take;
+
+/// Gap between samples, in sampling intervals, across which nothing is differentiated.
+const GAP: f64 = 1.5;
+
+/// Curves of a followed body over the time of its take; not finite where the body is not seen.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Times, s: those of the samples, and one within each gap.
+    pub times: Vec<f64>,
+    /// Height of the centroid of the followed points, m.
+    pub heights: Vec<f64>,
+    /// Speed of the centroid, m/s.
+    pub speeds: Vec<f64>,
+    /// Rate of rotation, rad/s, by the turn between two samples; none where the attitude is not followed. A rate above π
+    /// per sampling interval appears lower.
+    pub rotation: Option<Vec<f64>>,
+}
+
+/// The motion of the points or bodies of `labels` in a take with z up; `None` where they are never seen together.
+pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
+    let track = Track::new(take, labels, &mut Vec::new())?;
+    let mut motion = Motion::default();
+    let mut rates = Vec::new();
+    let near = |i: usize, j: usize| track.times[j] - track.times[i] <= GAP * track.step;
+    let last = track.times.len() - 1;
+    for i in 0..=last {
+        let next = (i + 1).min(last);
+        let before = i.saturating_sub(1);
+        let (from, to) = (
+            if near(before, i) { before } else { i },
+            if near(i, next) { next } else { i },
+        );
+        motion.times.push(track.times[i]);
+        motion.heights.push(track.centres[i][2]);
+        let moved = [0, 1, 2].map(|axis| track.centres[to][axis] - track.centres[from][axis]);
+        motion
+            .speeds
+            .push(norm(moved) / (track.times[to] - track.times[from]));
+        rates.push(match next > i && near(i, next) {
+            true => turn(&track, i, next) / (track.times[next] - track.times[i]),
+            false => f64::NAN,
+        });
+        if next > i && !near(i, next) {
+            motion
+                .times
+                .push(0.5 * (track.times[i] + track.times[next]));
+            motion.heights.push(f64::NAN);
+            motion.speeds.push(f64::NAN);
+            rates.push(f64::NAN);
+        }
+    }
+    motion.rotation = track.has_attitude().then_some(rates);
+    Some(motion)
+}
+
+/// Angle between the attitudes at two places of the track, rad.
+fn turn(track: &Track, i: usize, j: usize) -> f64 {
+    let relative = track.rotation(j) * track.rotation(i).transpose();
+    // The sine is the better half of the angle near 0, the cosine near π.
+    let sine = [
+        relative[(2, 1)] - relative[(1, 2)],
+        relative[(0, 2)] - relative[(2, 0)],
+        relative[(1, 0)] - relative[(0, 1)],
+    ];
+    norm(sine).atan2(relative.trace() - 1.0)
+}
