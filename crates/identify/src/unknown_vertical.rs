@@ -52,7 +52,7 @@ fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError
     let text = format!(
         "/// The axes that positions are measured in are turned from the vertical by angles that are not known.\n\
          effect {EFFECT} {{\n\
-         source \"the dataset: up = \\\"unknown\\\"\";\n\
+         source \"the dataset: its vertical is unknown\";\n\
          site vertical;\n\
          variables position;\n\
          /// turn of the measured axes about x\n\

@@ -179,7 +179,7 @@ fn assemble(
         parameters: manifest.parameters,
         markers: manifest.markers,
         sensors: manifest.sensors,
-        unknown_vertical: false,
+        unknown_vertical: manifest.recording.up == recording::Up::Unknown,
         sigma: manifest.sigma,
         flights,
     })

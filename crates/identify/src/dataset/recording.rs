@@ -17,6 +17,12 @@ const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
 /// Value of `up` where the vertical is not known.
 const UNKNOWN: &str = "unknown";
 
+/// The axis that is up by default, and the third axis where the vertical is not known.
+const UP_Z: Axis = Axis {
+    index: 2,
+    negative: false,
+};
+
 /// The vertical of the tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Up {
@@ -40,10 +46,7 @@ impl Default for Recording {
         Self {
             length: LengthUnit::Metre,
             time: TimeUnit::Second,
-            up: Up::Axis(Axis {
-                index: 2,
-                negative: false,
-            }),
+            up: Up::Axis(UP_Z),
             left_handed: false,
         }
     }
@@ -68,13 +71,8 @@ impl Recording {
         if let Some((text, _)) = choice(fields, table, "time", &TIMES)? {
             recording.time = TimeUnit::parse(&text).unwrap_or(recording.time);
         }
-        if let Some((text, span)) = choice(fields, table, "up", &UPS)? {
+        if let Some((text, _)) = choice(fields, table, "up", &UPS)? {
             recording.up = Axis::parse(&text).map_or(Up::Unknown, Up::Axis);
-            if recording.up == Up::Unknown {
-                let expected =
-                    "an axis of the tables: a vertical that is not known is not estimated yet";
-                return Err(fields.fault(span, format!("up = {}", shown(&text)), expected));
-            }
         }
         if let Some(value) = table.get("left_handed") {
             recording.left_handed = fields.truth(value, "left_handed")?;
@@ -86,6 +84,14 @@ impl Recording {
             }
         }
         Ok(recording)
+    }
+
+    /// The axis of the tables that becomes the third axis of the dataset.
+    pub fn third_axis(&self) -> Axis {
+        match self.up {
+            Up::Axis(axis) => axis,
+            Up::Unknown => UP_Z,
+        }
     }
 
     /// Time of the tables, in s.

@@ -1,14 +1,12 @@
-//! The change of a table to right-handed axes with z up.
+//! The change of a table to right-handed axes with z up, where what is up is known.
 
-use super::recording::{Recording, Up};
+use super::recording::Recording;
 use super::sensor::{Reading, Sensor, SensorKind};
 use super::table::Table;
 
 /// A table along right-handed axes with z up; its times and the positions of its markers are in s and m already.
 pub(super) fn upright(recording: &Recording, mut table: Table, sensors: &[Sensor]) -> Table {
-    let Up::Axis(up) = recording.up else {
-        return table;
-    };
+    let up = recording.third_axis();
     let turned = |position: [f64; 3]| up.upright(recording.left_handed, position);
     for position in table.positions.iter_mut().flatten() {
         *position = position.map(turned);

@@ -175,6 +175,9 @@ pub fn manifest_text(dataset: &Dataset) -> String {
             let _ = writeln!(text, "{} = {value:?}", key(name));
         }
     }
+    if dataset.unknown_vertical {
+        text.push_str("\n[recording]\nup = \"unknown\"\n");
+    }
     for marker in &dataset.markers {
         let name = quoted(&marker.name);
         let position = &marker.position;
