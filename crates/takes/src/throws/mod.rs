@@ -18,6 +18,7 @@ use crate::take::Take;
 use cut::{Change, changes};
 use follow::{Stop, follow};
 use track::Track;
+pub(crate) use track::fitted;
 use windows::{Window, windows};
 
 /// Limits of the search for throws.
