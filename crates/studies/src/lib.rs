@@ -20,6 +20,7 @@ pub mod real_data;
 pub mod seeded;
 pub mod spoiled;
 mod statistics;
+pub mod takes;
 
 pub use error::StudyError;
 pub use page::Page;

@@ -21,6 +21,7 @@ use studies::own_models::{self, own_models_page};
 use studies::paper::{Study, paper_page};
 use studies::real_data::{RealData, real_data_page};
 use studies::spoiled::{self, spoiled_page};
+use studies::takes::takes_page;
 
 fn main() -> ExitCode {
     match run(cli::Cli::parse().study) {
@@ -47,6 +48,7 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
         cli::Study::Fits(options) => (random_fits(&options)?, options.out),
         cli::Study::OwnModels(options) => (models_of_users(&options)?, options.out),
         cli::Study::Spoiled(options) => (spoiled_datasets(&options)?, options.out),
+        cli::Study::Takes(options) => (takes(&options)?, options.runs.out),
         cli::Study::Cuts(options) => {
             let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());
             (spoiled_page(&[], Some(cuts))?, options.out)
@@ -79,6 +81,22 @@ fn report_progress(done: usize, of: usize) {
     if done.is_multiple_of((of / 20).max(1)) {
         eprintln!("{done} of {of} runs");
     }
+}
+
+fn takes(options: &cli::Takes) -> anyhow::Result<Page> {
+    let seeds = match options
+        .runs
+        .only
+        .as_deref()
+        .map(|only| only.strip_prefix('#'))
+    {
+        None => (0..options.runs.seeds.unwrap_or(200)).collect(),
+        Some(Some(seed)) => vec![seed.parse().context("a seed is a number")?],
+        Some(None) => anyhow::bail!("--only: expected a seed, such as '#7'"),
+    };
+    let (python, threads) = (options.python.as_deref(), options.runs.threads());
+    let sessions = studies::takes::sessions(&seeds, python, threads, &report_progress);
+    Ok(takes_page(&sessions)?)
 }
 
 fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {
