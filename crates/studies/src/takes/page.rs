@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::run::{Session, SessionResult, TEMPLATES};
+use super::run::{CoefficientError, GIVEN, Session, SessionResult, TemplateErrors};
 use crate::error::StudyError;
 use crate::oracle_flights::TRUTH;
 use crate::page::{Page, render};
@@ -33,14 +33,21 @@ struct Results {
     across: f64,
     along: f64,
     greatest_across: f64,
-    heights: usize,
-    heights_covered: Option<f64>,
-    height_error: Option<f64>,
-    height_std_error: Option<f64>,
+    /// Heights of the centre of mass of flights with the cuts found, and with the true ones.
+    heights: [HeightRow; 2],
     formats: Vec<FormatRow>,
-    templates: Vec<TemplateRow>,
+    fits: Vec<FitRow>,
     coefficients: Vec<CoefficientRow>,
     examples: Vec<String>,
+}
+
+/// Estimated heights of the centre of mass, mm.
+#[derive(Serialize)]
+struct HeightRow {
+    estimated: usize,
+    covered: Option<f64>,
+    error: Option<f64>,
+    std_error: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -52,10 +59,11 @@ struct FormatRow {
     covered: f64,
 }
 
-/// Fits with one template.
+/// Fits to one kind of flights and template.
 #[derive(Serialize)]
-struct TemplateRow {
-    name: &'static str,
+struct FitRow {
+    cuts: &'static str,
+    template: &'static str,
     fits: usize,
     failed: usize,
     covered: f64,
@@ -64,7 +72,7 @@ struct TemplateRow {
     rms_z: f64,
 }
 
-/// Coverage of a coefficient with each template.
+/// Coverage of a coefficient by each kind of fit.
 #[derive(Serialize)]
 struct CoefficientRow {
     name: &'static str,
@@ -96,8 +104,6 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
         .collect();
     let cuts = || results.iter().flat_map(|result| &result.cuts);
     let templates = || results.iter().map(|result| result.template);
-    let estimated = || templates().filter_map(|t| Some((t.height, t.height_std_error?)));
-    let has_heights = estimated().next().is_some();
     // A session without a result counts against every share.
     let of_sessions = |holds: &dyn Fn(&SessionResult) -> bool| {
         share(sessions.iter().map(|s| s.result.as_ref().is_ok_and(holds)))
@@ -113,22 +119,21 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
         across: of_sessions(&|result| result.template.across <= MILLIMETRE),
         along: of_sessions(&|result| result.template.along <= MILLIMETRE),
         greatest_across: 1e3 * templates().map(|t| t.across).fold(0.0, f64::max),
-        heights: estimated().count(),
-        heights_covered: has_heights
-            .then(|| share(estimated().map(|(error, std)| error.abs() <= NORMAL_95 * std))),
-        height_error: median(estimated().map(|(error, _)| 1e3 * error.abs())),
-        height_std_error: median(estimated().map(|(_, std)| 1e3 * std)),
+        heights: [
+            heights(templates()),
+            heights(results.iter().map(|result| result.template_of_true_cuts)),
+        ],
         formats: formats(sessions),
-        templates: (0..TEMPLATES.len())
-            .map(|template| template_row(template, &results))
+        fits: (0..GIVEN.len())
+            .map(|kind| fit_row(kind, &results))
             .collect(),
         coefficients: TRUTH
             .iter()
             .map(|(name, _)| CoefficientRow {
                 name,
-                covered: (0..TEMPLATES.len())
-                    .map(|template| {
-                        let errors = errors(template, &results).filter(|e| e.name == *name);
+                covered: (0..GIVEN.len())
+                    .map(|kind| {
+                        let errors = errors(kind, &results).filter(|e| e.name == *name);
                         share(errors.map(|error| error.is_covered))
                     })
                     .collect(),
@@ -142,21 +147,36 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
     })
 }
 
-/// Errors of all coefficients of the fits with a template.
+fn heights(templates: impl Iterator<Item = TemplateErrors>) -> HeightRow {
+    let estimated = templates.filter_map(|t| Some((t.height, t.height_std_error?)));
+    let estimated: Vec<(f64, f64)> = estimated.collect();
+    let each = || estimated.iter();
+    let is_covered = |(error, std_error): &(f64, f64)| error.abs() <= NORMAL_95 * std_error;
+    HeightRow {
+        estimated: estimated.len(),
+        covered: (!estimated.is_empty()).then(|| share(each().map(is_covered))),
+        error: median(each().map(|(error, _)| 1e3 * error.abs())),
+        std_error: median(each().map(|(_, std_error)| 1e3 * std_error)),
+    }
+}
+
+/// Errors of all coefficients of the fits of a kind.
 fn errors<'r>(
-    template: usize,
+    kind: usize,
     results: &'r [&'r SessionResult],
-) -> impl Iterator<Item = &'r super::run::CoefficientError> {
-    let fits = results.iter().map(move |result| &result.fits[template]);
+) -> impl Iterator<Item = &'r CoefficientError> {
+    let fits = results.iter().map(move |result| &result.fits[kind]);
     fits.filter_map(|fit| fit.as_ref().ok()).flatten()
 }
 
-fn template_row(template: usize, results: &[&SessionResult]) -> TemplateRow {
-    let all = || errors(template, results);
-    let fits = || results.iter().map(|result| &result.fits[template]);
+fn fit_row(kind: usize, results: &[&SessionResult]) -> FitRow {
+    let all = || errors(kind, results);
+    let fits = || results.iter().map(|result| &result.fits[kind]);
     let squares: f64 = all().map(|error| error.z * error.z).sum();
-    TemplateRow {
-        name: TEMPLATES[template],
+    let (cuts, template) = GIVEN[kind];
+    FitRow {
+        cuts,
+        template,
         fits: fits().count(),
         failed: fits().filter(|fit| fit.is_err()).count(),
         covered: share(all().map(|error| error.is_covered)),

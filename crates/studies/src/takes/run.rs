@@ -1,5 +1,6 @@
 //! Round trips: takes are filmed, written, imported, given a template and fitted.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -7,8 +8,8 @@ use std::time::Duration;
 use flight::batch;
 use identify::dataset::{Dataset, Flight, Marker, Role};
 use takes::{
-    Axis, CentreHeight, EstimatedTemplate, FreeFlight, ReadOptions, Take, ThrowOptions, Throws,
-    estimate_template, find_throws,
+    Axis, CentreHeight, EstimatedTemplate, FreeFlight, Point, ReadOptions, Take, ThrowOptions,
+    Throws, estimate_template, find_throws,
 };
 
 use super::c3d;
@@ -21,11 +22,16 @@ use crate::oracle_flights::{TRUTH, disc, empty, file_name};
 /// Longest time of a fit.
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Which positions of the markers a fit is given.
-pub(super) const TEMPLATES: [&str; 3] = [
-    "estimated",
-    "estimated, with the true height of the centre of mass",
-    "true",
+/// Cuts of the flights and positions of the markers that a fit is given.
+pub(super) const GIVEN: [(&str, &str); 5] = [
+    ("found", "estimated"),
+    ("found", "true"),
+    ("true", "estimated"),
+    (
+        "true",
+        "estimated, with the true height of the centre of mass",
+    ),
+    ("true", "true"),
 ];
 
 /// A session's round trip.
@@ -54,7 +60,9 @@ pub struct SessionResult {
     pub false_throws: usize,
     /// Errors of the template.
     pub template: TemplateErrors,
-    /// Errors of the fit with each of the templates; a text where it failed.
+    /// Errors of the template from flights with the true cuts.
+    pub template_of_true_cuts: TemplateErrors,
+    /// Errors of the fit to each kind of flights and template; a text where it failed.
     pub fits: Vec<Result<Vec<CoefficientError>, String>>,
 }
 
@@ -164,28 +172,41 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
     let labels: Vec<String> = (1..=filmed.markers.len())
         .map(|k| format!("m{k}"))
         .collect();
-    let flights = flights(&imported, &labels)?;
-    let free: Vec<FreeFlight<'_>> = flights
-        .iter()
-        .map(|flight| FreeFlight {
+    let [mut found, mut exact] = [0; 2].map(|_| Vec::new());
+    for ((take, throws), truth) in imported.iter().zip(&filmed.takes) {
+        if !throws.throws.is_empty() && labels.iter().any(|label| !throws.labels.contains(label)) {
+            return Err(format!("the points {:?} are followed", throws.labels));
+        }
+        let ranges = throws.throws.iter().map(|throw| throw.samples());
+        add_flights(take, &labels, ranges, &mut found);
+        let ranges = truth.flights.iter().map(|(first, last)| *first..last + 1);
+        add_flights(take, &labels, ranges, &mut exact);
+    }
+    let estimated = |flights: &[Flight], height: Option<f64>| {
+        let flights = flights.iter().map(|flight| FreeFlight {
             times: &flight.times,
             positions: &flight.positions,
-        })
-        .collect();
-    let template = estimate_template(&labels, &free, None).map_err(|e| e.to_string())?;
-    let truth = turned(&filmed.markers, template.first);
-    let mean = truth.iter().map(|p| p[2]).sum::<f64>() / truth.len() as f64;
-    let with_height = estimate_template(&labels, &free, Some(-mean)).map_err(|e| e.to_string())?;
+        });
+        let flights: Vec<FreeFlight<'_>> = flights.collect();
+        estimate_template(&labels, &flights, height).map_err(|error| error.to_string())
+    };
+    let template = estimated(&found, None)?;
+    let of_true_cuts = estimated(&exact, None)?;
+    let mean = filmed.markers.iter().map(|p| p[2]).sum::<f64>() / labels.len() as f64;
+    let with_height = estimated(&exact, Some(-mean))?;
     let fits = [
-        positions(&template),
-        positions(&with_height),
-        filmed.markers.clone(),
+        fit(&labels, &positions(&template), &found),
+        fit(&labels, &filmed.markers, &found),
+        fit(&labels, &positions(&of_true_cuts), &exact),
+        fit(&labels, &positions(&with_height), &exact),
+        fit(&labels, &filmed.markers, &exact),
     ];
     Ok(SessionResult {
         cuts,
         false_throws,
-        template: template_errors(&template, &truth),
-        fits: fits.map(|markers| fit(&labels, &markers, &flights)).into(),
+        template: template_errors(&template, &filmed.markers),
+        template_of_true_cuts: template_errors(&of_true_cuts, &filmed.markers),
+        fits: fits.into(),
     })
 }
 
@@ -199,39 +220,39 @@ fn imported(file: &[u8]) -> Result<(Take, Throws), String> {
     Ok((take, found))
 }
 
-/// The free flights of the takes, with the markers in the order of their labels.
-fn flights(imported: &[(Take, Throws)], labels: &[String]) -> Result<Vec<Flight>, String> {
-    let mut flights = Vec::new();
-    for (take, found) in imported {
-        let points = labels.iter().map(|label| {
-            let is_followed = found.labels.contains(label) || found.throws.is_empty();
-            let mut points = take.points.iter();
-            let point = points.find(|point| point.label == *label);
-            point
-                .filter(|_| is_followed)
-                .ok_or(format!("{label} is not among the points of the body"))
+/// Adds the flights of ranges of samples, with the markers in the order of their labels.
+fn add_flights(
+    take: &Take,
+    labels: &[String],
+    ranges: impl Iterator<Item = Range<usize>>,
+    flights: &mut Vec<Flight>,
+) {
+    let points = labels
+        .iter()
+        .map(|label| take.points.iter().find(|point| point.label == *label));
+    let points: Vec<Option<&Point>> = points.collect();
+    for range in ranges {
+        let row = |sample: usize| {
+            let each = points.iter().map(|point| (*point)?.positions[sample]);
+            each.collect()
+        };
+        flights.push(Flight {
+            file: file_name(flights.len()),
+            role: Role::Fit,
+            known: Default::default(),
+            times: take.times[range.clone()].to_vec(),
+            positions: range.map(row).collect(),
         });
-        let points = points.collect::<Result<Vec<_>, _>>()?;
-        for throw in &found.throws {
-            let row = |sample: usize| points.iter().map(|point| point.positions[sample]).collect();
-            flights.push(Flight {
-                file: file_name(flights.len()),
-                role: Role::Fit,
-                known: Default::default(),
-                times: take.times[throw.samples()].to_vec(),
-                positions: throw.samples().map(row).collect(),
-            });
-        }
     }
-    Ok(flights)
 }
 
 fn positions(template: &EstimatedTemplate) -> Vec<[f64; 3]> {
     template.markers.iter().map(|m| m.position).collect()
 }
 
-fn template_errors(template: &EstimatedTemplate, truth: &[[f64; 3]]) -> TemplateErrors {
-    let pairs = || template.markers.iter().zip(truth);
+fn template_errors(template: &EstimatedTemplate, markers: &[[f64; 3]]) -> TemplateErrors {
+    let truth = turned(markers, template.first);
+    let pairs = || template.markers.iter().zip(&truth);
     let height = pairs().map(|(m, t)| m.position[2] - t[2]).sum::<f64>() / truth.len() as f64;
     let across = pairs().map(|(m, t)| (m.position[0] - t[0]).hypot(m.position[1] - t[1]));
     let along = pairs().map(|(m, t)| (m.position[2] - t[2] - height).abs());

@@ -18,6 +18,8 @@ const TAKES: (usize, usize) = (3, 4);
 const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
 /// Time of a body in the net, and after its first touch of the ground, for which it is seen, s; and that for which it is fetched.
 const AFTER: (f64, f64) = (0.3, 0.7);
+/// Shortest flight to the ground, s.
+const SHORTEST: f64 = 0.35;
 /// Fraction of single positions that are not seen.
 const GAPS: f64 = 0.02;
 /// Time from the ends of a flight within which the body is not hidden as a whole, s.
@@ -96,19 +98,29 @@ fn add_throw(
     let model = disc();
     let (reference, constants) = (reference_of(&model), disc_constants(&model, &TWELVE));
     let is_low = r.random_bool(0.5);
-    let mut start = match is_low {
-        true => LOW.draw(r),
-        false => Throws::SPREAD.draw(r),
-    };
-    if is_low {
-        start.position.z = r.random_range(0.4..1.2);
-    }
-    let hand = Hand::draw(start, r);
-    let surface = Surface {
-        restitution: r.random_range(0.2..0.6),
-        friction: r.random_range(0.2..0.7),
-    };
     let (longest, deceleration) = (r.random_range(0.5..1.0), r.random_range(60.0..200.0));
+    // A low throw is one that reaches the ground in time, and another one does not.
+    let (start, surface, touch) = loop {
+        let mut start = match is_low {
+            true => LOW.draw(r),
+            false => Throws::SPREAD.draw(r),
+        };
+        if is_low {
+            start.position.z = r.random_range(0.6..1.8);
+        }
+        let surface = Surface {
+            restitution: r.random_range(0.2..0.6),
+            friction: r.random_range(0.2..0.7),
+        };
+        let seen = fly(&model, (&reference, &constants), start, surface, &[longest]);
+        let touch = seen.first.map(|(time, _)| time);
+        match touch {
+            None if !is_low => break (start, surface, None),
+            Some(time) if is_low && time >= SHORTEST => break (start, surface, touch),
+            _ => {}
+        }
+    };
+    let hand = Hand::draw(start, r);
     let released = hand.seconds();
     // A grid of frames, of which none need be at the release.
     let flown = (0..)
@@ -116,8 +128,7 @@ fn add_throw(
         .skip_while(|t| *t < 0.0)
         .take_while(|t| *t <= longest + AFTER.0);
     let flown: Vec<f64> = flown.collect();
-    let Touched { states, first } = fly(&model, (&reference, &constants), start, surface, &flown);
-    let touch = first.map(|(time, _)| time).filter(|t| *t <= longest);
+    let Touched { states, .. } = fly(&model, (&reference, &constants), start, surface, &flown);
     let end = touch.unwrap_or(longest);
     let at_net = integrate(&reference, &constants, start, &[longest])[0];
     let noise = Normal::new(0.0, sigma).expect("a positive width");
