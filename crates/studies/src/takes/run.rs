@@ -242,6 +242,7 @@ fn add_flights(
             known: Default::default(),
             times: take.times[range.clone()].to_vec(),
             positions: range.map(row).collect(),
+            readings: Vec::new(),
         });
     }
 }
