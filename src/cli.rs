@@ -53,7 +53,7 @@ pub enum Command {
     Synthesize(Synthesize),
     /// Make a dataset of recordings of a laboratory (C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses, CSV), cut to the free flights
     #[command(
-        after_help = "Examples:\n  hyzer import examples/disc/flight01.csv --length m --time s --up +z --markers examples/disc/dataset.toml --out imported\n  hyzer import examples/ball/flight01.csv examples/ball/flight02.csv --length m --time s --up +z --markers examples/ball/dataset.toml --model ball --out imported\n\nThe format is recognised by the content. Units and axes are as a file states them; what it does not state is asked for by an\noption. The template of --markers is a dataset.toml, of which [[markers]], [parameters] and model are taken. What was decided\nis printed, and written to import.txt in the dataset's folder; import.html shows each flight as it was cut."
+        after_help = "Examples:\n  hyzer import examples/disc/flight01.csv --length m --time s --up +z --markers examples/disc/dataset.toml --out imported\n  hyzer import examples/ball/flight01.csv examples/ball/flight02.csv --length m --time s --up +z --markers examples/ball/dataset.toml --model ball --out imported\n\nThe format is recognised by the content. Units and axes are as a file states them; what it does not state is asked for by an\noption. The template of --markers is a dataset.toml, of which [[markers]], [parameters] and model are taken. Without it the positions\nof the markers are estimated from the throws of all takes, with their standard errors. What was decided is printed, and written to\nimport.txt in the dataset's folder; import.html shows each flight as it was cut."
     )]
     Import(Import),
     /// Estimate a model's coefficients from measured flights, with their uncertainty
@@ -326,9 +326,19 @@ pub struct Import {
     /// Name in the template of a label in the files; may be repeated
     #[arg(long, value_name = "FILE_LABEL=NAME")]
     pub label: Vec<String>,
-    /// Template: a TOML file with [[markers]], their names and positions on the body, such as a dataset.toml
+    /// Template: a TOML file with [[markers]], their names and positions on the body, such as a dataset.toml; without it the
+    /// positions are estimated from the throws
     #[arg(long, value_name = "TEMPLATE")]
-    pub markers: PathBuf,
+    pub markers: Option<PathBuf>,
+    /// Height of the centre of mass above the mean of the markers along the axis of the spin, m, where it is known and no template
+    /// is given; negative where it is below them
+    #[arg(
+        long,
+        value_name = "METRES",
+        allow_hyphen_values = true,
+        conflicts_with = "markers"
+    )]
+    pub centre_height: Option<f64>,
     /// Model: a name or a path; by default the template's
     #[arg(long, value_name = "MODEL")]
     pub model: Option<String>,

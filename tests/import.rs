@@ -296,3 +296,94 @@ fn a_pose_becomes_the_markers_of_the_template() {
     );
     assert!((seen[1] - 0.1 * (20.0 * t).sin()).abs() < 1e-9, "{seen:?}");
 }
+
+/// A recording with a point that stays where it is.
+fn with_wand(text: &str) -> String {
+    let lines = text.lines().enumerate().map(|(i, line)| {
+        line.to_owned()
+            + match i {
+                0 | 1 => "",
+                2 => ",lab:wand,,",
+                3 => ",X,Y,Z",
+                4 => ",mm,mm,mm",
+                _ => ",5000.0,100.0,0.0",
+            }
+            + "\n"
+    });
+    lines.collect()
+}
+
+#[test]
+fn without_a_template_the_positions_of_the_markers_are_estimated() {
+    let around = tempfile::tempdir().expect("a folder");
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
+    let dataset = identify::dataset::load(&example).expect("the example");
+    let mut command = hyzer();
+    command.arg("import");
+    for (i, flight) in dataset.flights.iter().enumerate() {
+        let file = around.path().join(format!("take{i}.csv"));
+        std::fs::write(&file, with_wand(&vicon(flight))).expect("written");
+        command.arg(file);
+    }
+    let out = around.path().join("imported");
+    command.args(["--up", "+y", "--model", "disc", "--label", "A=m1", "--out"]);
+    let (status, text, errors) = told(command.arg(&out));
+    assert_eq!(status, 0, "{errors}");
+    assert!(
+        text.contains("they do not keep their distances to the others in every take: wand"),
+        "{text}"
+    );
+    assert!(text.contains("third axis: the axis of the spin"), "{text}");
+    assert!(text.contains("centre of mass: "), "{text}");
+    let manifest = std::fs::read_to_string(out.join("dataset.toml")).expect("a manifest");
+    let comments =
+        manifest.matches("# estimated from the takes; standard errors of the position, m: ");
+    assert_eq!(comments.count(), 3, "{manifest}");
+    let imported = identify::dataset::load(&out).expect("a dataset");
+    let names: Vec<&str> = imported.markers.iter().map(|m| m.name.as_str()).collect();
+    assert_eq!(names, ["m1", "B", "rim_C"]);
+    // The first marker of the example is on the first axis, as the estimate chooses.
+    let mean = |markers: &[identify::dataset::Marker]| {
+        markers.iter().map(|m| m.position[2]).sum::<f64>() / markers.len() as f64
+    };
+    let (height, truth) = (mean(&imported.markers), mean(&dataset.markers));
+    for (found, truth_marker) in imported.markers.iter().zip(&dataset.markers) {
+        let [x, y, z] = [0, 1, 2].map(|axis| found.position[axis] - truth_marker.position[axis]);
+        let along = z - (height - truth);
+        assert!(
+            x.hypot(y) < 1e-3 && along.abs() < 1e-3,
+            "{found:?}, put in {truth_marker:?}"
+        );
+    }
+}
+
+#[test]
+fn a_template_that_cannot_be_estimated_is_asked_for() {
+    let around = tempfile::tempdir().expect("a folder");
+    let out = around.path().join("imported");
+    let ball = [
+        "examples/ball/flight01.csv",
+        "--length",
+        "m",
+        "--time",
+        "s",
+        "--up",
+        "+z",
+    ];
+    let mut command = hyzer();
+    command
+        .arg("import")
+        .args(ball)
+        .args(["--model", "ball", "--out"]);
+    let (status, _, errors) = told(command.arg(&out));
+    assert_eq!(status, 2, "{errors}");
+    assert!(errors.contains("expected at least 3 points"), "{errors}");
+    let mut command = hyzer();
+    command
+        .arg("import")
+        .args(ball)
+        .args(["--model", "ball", "--centre-height", "12", "--out"]);
+    let (status, _, errors) = told(command.arg(&out));
+    assert_eq!(status, 2, "{errors}");
+    assert!(errors.contains("millimetres?"), "{errors}");
+}

@@ -55,6 +55,20 @@ pub enum Study {
     /// Truncation at the ground: flights that touch nothing, and flights that bounce
     #[command(after_help = "Example:\n  hyzer-studies cuts --seeds 10")]
     Cuts(Runs),
+    /// From takes of throws, as laboratories write them, to a template and coefficients
+    #[command(after_help = "Example:\n  hyzer-studies takes --seeds 20 --python python3")]
+    Takes(Takes),
+}
+
+/// `hyzer-studies takes`.
+#[derive(Args)]
+pub struct Takes {
+    /// Options of its runs; `--only '#7'` runs the session of seed 7
+    #[command(flatten)]
+    pub runs: Runs,
+    /// Python with ezc3d, which writes every fourth session as C3D; without it there is no C3D
+    #[arg(long, value_name = "PATH")]
+    pub python: Option<PathBuf>,
 }
 
 /// Options of a study of random runs.

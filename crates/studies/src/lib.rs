@@ -21,6 +21,7 @@ pub mod seeded;
 pub mod sensors;
 pub mod spoiled;
 mod statistics;
+pub mod takes;
 
 pub use error::StudyError;
 pub use page::Page;

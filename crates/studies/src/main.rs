@@ -22,6 +22,7 @@ use studies::paper::{Study, paper_page};
 use studies::real_data::{RealData, real_data_page};
 use studies::sensors::{sensors, sensors_page};
 use studies::spoiled::{self, spoiled_page};
+use studies::takes::takes_page;
 
 fn main() -> ExitCode {
     match run(cli::Cli::parse().study) {
@@ -54,6 +55,7 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
             let sets = sensors(seeds, seeds.div_ceil(5), options.threads(), &done);
             (sensors_page(&sets, seeds)?, options.out)
         }
+        cli::Study::Takes(options) => (takes(&options)?, options.runs.out),
         cli::Study::Cuts(options) => {
             let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());
             (spoiled_page(&[], Some(cuts))?, options.out)
@@ -86,6 +88,22 @@ fn report_progress(done: usize, of: usize) {
     if done.is_multiple_of((of / 20).max(1)) {
         eprintln!("{done} of {of} runs");
     }
+}
+
+fn takes(options: &cli::Takes) -> anyhow::Result<Page> {
+    let seeds = match options
+        .runs
+        .only
+        .as_deref()
+        .map(|only| only.strip_prefix('#'))
+    {
+        None => (0..options.runs.seeds.unwrap_or(200)).collect(),
+        Some(Some(seed)) => vec![seed.parse().context("a seed is a number")?],
+        Some(None) => anyhow::bail!("--only: expected a seed, such as '#7'"),
+    };
+    let (python, threads) = (options.python.as_deref(), options.runs.threads());
+    let sessions = studies::takes::sessions(&seeds, python, threads, &report_progress);
+    Ok(takes_page(&sessions)?)
 }
 
 fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {

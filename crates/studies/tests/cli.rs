@@ -30,7 +30,14 @@ fn the_page_on_the_paper_is_what_the_command_writes() {
 
 #[test]
 fn every_command_has_help_with_an_example() {
-    for command in ["paper", "identification", "real-data", "discovery", "fits"] {
+    for command in [
+        "paper",
+        "identification",
+        "real-data",
+        "discovery",
+        "fits",
+        "takes",
+    ] {
         let help = stdout(hyzer_studies().args([command, "--help"]), 0);
         assert!(
             help.contains(&format!("  hyzer-studies {command}")),

@@ -19,6 +19,7 @@ mod quaternion;
 mod read;
 mod sheet;
 mod take;
+mod template;
 mod throws;
 mod unit;
 pub mod words;
@@ -31,5 +32,9 @@ pub use options::ReadOptions;
 pub use quaternion::rotated;
 pub use read::{parse, read};
 pub use take::{Body, Point, Pose, Take};
+pub use template::{
+    CentreHeight, EstimatedMarker, EstimatedTemplate, FreeFlight, TemplateError, UpVote,
+    estimate_template,
+};
 pub use throws::{Cause, Cut, Motion, Throw, ThrowOptions, Throws, find_throws, motion};
 pub use unit::{LengthUnit, TimeUnit};

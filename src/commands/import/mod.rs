@@ -1,14 +1,16 @@
 //! Command `hyzer import`: recordings of laboratories become a dataset, cut to the free flights.
 
+mod estimated;
 mod page;
 mod template;
+mod written;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, bail};
-use identify::dataset::{Dataset, Flight, Role, write_with};
+use identify::dataset::{Dataset, Flight, Role};
 use report::import::{ImportPage, ImportedTake};
 use takes::words::listed;
 use takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};
@@ -36,15 +38,25 @@ struct Found {
 /// Reads the takes, cuts them to their throws, writes the dataset, and prints what was decided.
 pub fn run(options: &Import) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
-    let template = Template::read(&options.markers)?;
-    let labels = labels(&options.label)?;
+    let mut labels = labels(&options.label)?;
     let reading = reading(options)?;
+    let mut decisions = String::new();
+    let mut comments = Vec::new();
+    let template = match (&options.markers, &options.model) {
+        (Some(file), _) => Template::read(file)?,
+        (None, Some(_)) => {
+            let found = estimated::estimated(options, &reading, &mut labels)?;
+            decisions = found.decisions;
+            comments = found.comments;
+            found.template
+        }
+        (None, None) => bail!(
+            "no model: expected the option --model, or a template that states it by --markers"
+        ),
+    };
     let mut other_files = Vec::new();
     let Some(mut model) = options.model.clone().or_else(|| template.model.clone()) else {
-        bail!(
-            "no model: found none in {}, expected the option --model",
-            options.markers.display()
-        );
+        bail!("no model: found none in the template, expected the option --model");
     };
     // A model that is not built in is copied into the dataset.
     if Path::new(&model).is_file() {
@@ -64,7 +76,10 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         sigma: None,
         flights: Vec::new(),
     };
-    let mut found = Found::default();
+    let mut found = Found {
+        decisions,
+        ..Found::default()
+    };
     for file in &options.takes {
         let _ = writeln!(found.decisions, "{}", file.display());
         let take = takes::read(file, &reading)?;
@@ -81,10 +96,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     } = found;
     dataset.flights = flights;
     if dataset.flights.is_empty() {
-        bail!(
-            "found no throw, expected at least one free flight of {} s\n{decisions}",
-            ThrowOptions::default().shortest
-        );
+        bail!("{}\n{decisions}", no_throw());
     }
     other_files.push((DECISIONS.to_owned(), decisions.clone()));
     let name = options.out.file_name().unwrap_or(options.out.as_os_str());
@@ -98,7 +110,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         .iter()
         .map(|(name, text)| (name.as_str(), text.clone()))
         .collect();
-    progress::writing(|| write_with(&options.out, &dataset, &other_files))
+    progress::writing(|| written::write(&options.out, &dataset, &other_files, &comments))
         .with_context(|| format!("--out {}", options.out.display()))?;
     let count = dataset.flights.len();
     output::print(format!(
@@ -159,20 +171,8 @@ fn add(
     options: &Import,
     all: &mut Found,
 ) -> anyhow::Result<()> {
-    let stated = match &options.up {
-        Some(text) => match Axis::parse(text) {
-            Some(up) => Some(up),
-            None => bail!("--up: found {text:?}, expected +z, -z, +y, -y, +x or -x"),
-        },
-        None => None,
-    };
-    let Some(up) = stated.or(take.up) else {
-        bail!(
-            "{}: found no statement of the axis that points up, expected the option --up, such as --up +z or --up +y",
-            file.display()
-        );
-    };
-    let by = if stated.is_some() {
+    let (up, is_option) = up_of(take, file, options)?;
+    let by = if is_option {
         "by --up"
     } else {
         "as the file states"
@@ -260,6 +260,30 @@ fn add(
         flights,
     });
     Ok(())
+}
+
+/// What is said where no take has a throw.
+fn no_throw() -> String {
+    let shortest = ThrowOptions::default().shortest;
+    format!("found no throw, expected at least one free flight of {shortest} s")
+}
+
+/// Axis of a take that points up, and whether the option states it.
+fn up_of(take: &Take, file: &Path, options: &Import) -> anyhow::Result<(Axis, bool)> {
+    let stated = match &options.up {
+        Some(text) => match Axis::parse(text) {
+            Some(up) => Some(up),
+            None => bail!("--up: found {text:?}, expected +z, -z, +y, -y, +x or -x"),
+        },
+        None => None,
+    };
+    let Some(up) = stated.or(take.up) else {
+        bail!(
+            "{}: found no statement of the axis that points up, expected the option --up, such as --up +z or --up +y",
+            file.display()
+        );
+    };
+    Ok((up, stated.is_some()))
 }
 
 /// Whether an acceleration, m/s², is more downwards than aside, as that of most flights is.

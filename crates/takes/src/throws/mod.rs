@@ -21,6 +21,7 @@ use cut::{Change, changes};
 use follow::{Stop, follow};
 pub use motion::{Motion, motion};
 use track::Track;
+pub(crate) use track::fitted;
 use windows::{Window, windows};
 
 /// Limits of the search for throws.

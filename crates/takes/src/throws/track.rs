@@ -183,7 +183,7 @@ fn refined(
 }
 
 /// Centre and rotation of the template that fit the seen points best (Kabsch 1976); `None` where too few are seen.
-fn fitted(
+pub(crate) fn fitted(
     template: &[Vector3<f64>],
     seen: &[Option<Vector3<f64>>],
 ) -> Option<(Vector3<f64>, Matrix3<f64>)> {

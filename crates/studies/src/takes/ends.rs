@@ -1,0 +1,83 @@
+//! Motion of a body before its release and after its end: a hand that pushes, a net that stops.
+
+use nalgebra::{UnitQuaternion, Vector3};
+use oracle::{Physical, Quaternion};
+use rand::{Rng, RngExt};
+
+/// Motion up to the release: held, then pushed along the velocity with an acceleration that follows a sine.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hand {
+    release: Physical<f64>,
+    /// Time for which the body is held, s.
+    held: f64,
+    /// Half period of the sine, s, and the part of it at which the hand lets go.
+    half: f64,
+    part: f64,
+}
+
+/// Amplitude of a held body's sway, m, and its angular frequency, rad/s.
+const SWAY: (f64, f64) = (0.003, 4.0);
+
+impl Hand {
+    /// A hand that gives a body this state at the release.
+    pub fn draw(release: Physical<f64>, random: &mut impl Rng) -> Self {
+        Self {
+            release,
+            held: random.random_range(0.3..0.6),
+            half: random.random_range(0.12..0.3),
+            part: random.random_range(0.55..0.85),
+        }
+    }
+
+    /// Time of the release from the beginning of the motion, s.
+    pub fn seconds(&self) -> f64 {
+        self.held + self.push()
+    }
+
+    fn push(&self) -> f64 {
+        self.part * self.half
+    }
+
+    /// State at a time from the beginning, s, up to the release.
+    pub fn at(&self, time: f64) -> Physical<f64> {
+        let since = (time - self.held).clamp(0.0, self.push());
+        let rate = std::f64::consts::PI / self.half;
+        // Way and speed of the push relative to the speed at the release.
+        let size = 1.0 - (std::f64::consts::PI * self.part).cos();
+        let way = |t: f64| (t - (rate * t).sin() / rate) / size;
+        let back = self.release.velocity * (way(since) - way(self.push()));
+        let sway = match time < self.held {
+            true => SWAY.0 * (SWAY.1 * (time - self.held)).sin(),
+            false => 0.0,
+        };
+        // The spin grows evenly during the push.
+        let turned = (since * since / self.push() - self.push()) / 2.0;
+        Physical {
+            position: self.release.position + back + Vector3::new(sway, 0.0, sway),
+            attitude: rotated(&self.release, turned),
+            ..self.release
+        }
+    }
+}
+
+/// State so long, s, after a net took a body: it is stopped at this deceleration, m/s².
+pub(super) fn in_net(taken: &Physical<f64>, deceleration: f64, since: f64) -> Physical<f64> {
+    let stop = taken.velocity.norm() / deceleration;
+    let t = since.min(stop);
+    let way = t - t * t / (2.0 * stop);
+    Physical {
+        position: taken.position + taken.velocity * way,
+        attitude: rotated(taken, way),
+        ..*taken
+    }
+}
+
+/// Attitude after a turn with the angular velocity of a state for so long, s.
+fn rotated(body: &Physical<f64>, seconds: f64) -> Quaternion<f64> {
+    let turn = UnitQuaternion::from_scaled_axis(body.angular_velocity * seconds);
+    let turn = Quaternion {
+        w: turn.w,
+        v: turn.imag(),
+    };
+    turn.times(body.attitude)
+}

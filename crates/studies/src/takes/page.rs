@@ -1,0 +1,226 @@
+//! docs/takes.md.
+
+use serde::Serialize;
+
+use super::run::{CoefficientError, GIVEN, Session, SessionResult, TemplateErrors};
+use crate::error::StudyError;
+use crate::oracle_flights::TRUTH;
+use crate::page::{Page, render};
+use crate::statistics::median;
+
+/// Greatest error of a cut, samples.
+const CUT: i64 = 3;
+/// Greatest error of a template, m.
+const MILLIMETRE: f64 = 0.001;
+/// Greatest error of a coefficient, standard errors.
+const MAX_Z: f64 = 3.0;
+/// Half width of a 95 % interval of a normal variable, standard deviations.
+const NORMAL_95: f64 = 1.96;
+/// Greatest number of sessions without a result that the page lists.
+const MAX_EXAMPLES: usize = 8;
+
+#[derive(Serialize)]
+struct Results {
+    sessions: usize,
+    failed: usize,
+    flights: usize,
+    missed: usize,
+    false_throws: usize,
+    /// Sessions with every cut within the limit, and flights so.
+    cut_sessions: f64,
+    cut_flights: f64,
+    /// Sessions with a template within 1 mm across the axis, and along it but for the height of the centre of mass.
+    across: f64,
+    along: f64,
+    greatest_across: f64,
+    /// Heights of the centre of mass of flights with the cuts found, and with the true ones.
+    heights: [HeightRow; 2],
+    formats: Vec<FormatRow>,
+    fits: Vec<FitRow>,
+    coefficients: Vec<CoefficientRow>,
+    examples: Vec<String>,
+}
+
+/// Estimated heights of the centre of mass, mm.
+#[derive(Serialize)]
+struct HeightRow {
+    estimated: usize,
+    covered: Option<f64>,
+    error: Option<f64>,
+    std_error: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct FormatRow {
+    name: &'static str,
+    sessions: usize,
+    cut_flights: f64,
+    across: f64,
+    covered: f64,
+}
+
+/// Fits to one kind of flights and template.
+#[derive(Serialize)]
+struct FitRow {
+    cuts: &'static str,
+    template: &'static str,
+    fits: usize,
+    failed: usize,
+    covered: f64,
+    within: f64,
+    max_z: f64,
+    rms_z: f64,
+}
+
+/// Coverage of a coefficient by each kind of fit.
+#[derive(Serialize)]
+struct CoefficientRow {
+    name: &'static str,
+    covered: Vec<f64>,
+}
+
+/// Share of the values that hold.
+fn share(values: impl IntoIterator<Item = bool>) -> f64 {
+    let (mut holding, mut all) = (0, 0);
+    for value in values {
+        holding += usize::from(value);
+        all += 1;
+    }
+    f64::from(holding as u32) / f64::from(all.max(1))
+}
+
+fn is_cut(cut: &Option<[i64; 2]>) -> bool {
+    cut.is_some_and(|ends| ends.iter().all(|end| end.abs() <= CUT))
+}
+
+/// The page of the round trips.
+///
+/// # Errors
+/// [`StudyError::Page`] if the template does not go with the results.
+pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
+    let results: Vec<&SessionResult> = sessions
+        .iter()
+        .filter_map(|session| session.result.as_ref().ok())
+        .collect();
+    let cuts = || results.iter().flat_map(|result| &result.cuts);
+    let templates = || results.iter().map(|result| result.template);
+    // A session without a result counts against every share.
+    let of_sessions = |holds: &dyn Fn(&SessionResult) -> bool| {
+        share(sessions.iter().map(|s| s.result.as_ref().is_ok_and(holds)))
+    };
+    let all = Results {
+        sessions: sessions.len(),
+        failed: sessions.len() - results.len(),
+        flights: cuts().count(),
+        missed: cuts().filter(|cut| cut.is_none()).count(),
+        false_throws: results.iter().map(|result| result.false_throws).sum(),
+        cut_sessions: of_sessions(&|result| result.cuts.iter().all(is_cut)),
+        cut_flights: share(cuts().map(is_cut)),
+        across: of_sessions(&|result| result.template.across <= MILLIMETRE),
+        along: of_sessions(&|result| result.template.along <= MILLIMETRE),
+        greatest_across: 1e3 * templates().map(|t| t.across).fold(0.0, f64::max),
+        heights: [
+            heights(templates()),
+            heights(results.iter().map(|result| result.template_of_true_cuts)),
+        ],
+        formats: formats(sessions),
+        fits: (0..GIVEN.len())
+            .map(|kind| fit_row(kind, &results))
+            .collect(),
+        coefficients: TRUTH
+            .iter()
+            .map(|(name, _)| CoefficientRow {
+                name,
+                covered: (0..GIVEN.len())
+                    .map(|kind| {
+                        let errors = errors(kind, &results).filter(|e| e.name == *name);
+                        share(errors.map(|error| error.is_covered))
+                    })
+                    .collect(),
+            })
+            .collect(),
+        examples: examples(sessions),
+    };
+    Ok(Page {
+        text: render(include_str!("page.md"), all)?,
+        figures: Vec::new(),
+    })
+}
+
+fn heights(templates: impl Iterator<Item = TemplateErrors>) -> HeightRow {
+    let estimated = templates.filter_map(|t| Some((t.height, t.height_std_error?)));
+    let estimated: Vec<(f64, f64)> = estimated.collect();
+    let each = || estimated.iter();
+    let is_covered = |(error, std_error): &(f64, f64)| error.abs() <= NORMAL_95 * std_error;
+    HeightRow {
+        estimated: estimated.len(),
+        covered: (!estimated.is_empty()).then(|| share(each().map(is_covered))),
+        error: median(each().map(|(error, _)| 1e3 * error.abs())),
+        std_error: median(each().map(|(_, std_error)| 1e3 * std_error)),
+    }
+}
+
+/// Errors of all coefficients of the fits of a kind.
+fn errors<'r>(
+    kind: usize,
+    results: &'r [&'r SessionResult],
+) -> impl Iterator<Item = &'r CoefficientError> {
+    let fits = results.iter().map(move |result| &result.fits[kind]);
+    fits.filter_map(|fit| fit.as_ref().ok()).flatten()
+}
+
+fn fit_row(kind: usize, results: &[&SessionResult]) -> FitRow {
+    let all = || errors(kind, results);
+    let fits = || results.iter().map(|result| &result.fits[kind]);
+    let squares: f64 = all().map(|error| error.z * error.z).sum();
+    let (cuts, template) = GIVEN[kind];
+    FitRow {
+        cuts,
+        template,
+        fits: fits().count(),
+        failed: fits().filter(|fit| fit.is_err()).count(),
+        covered: share(all().map(|error| error.is_covered)),
+        within: share(all().map(|error| error.z.abs() <= MAX_Z)),
+        max_z: all().map(|error| error.z.abs()).fold(0.0, f64::max),
+        rms_z: (squares / all().count().max(1) as f64).sqrt(),
+    }
+}
+
+fn formats(sessions: &[Session]) -> Vec<FormatRow> {
+    let mut names: Vec<&'static str> = Vec::new();
+    for session in sessions {
+        if !names.contains(&session.format) {
+            names.push(session.format);
+        }
+    }
+    let row = |name: &'static str| {
+        let of: Vec<&Session> = sessions.iter().filter(|s| s.format == name).collect();
+        let found: Vec<&SessionResult> = of.iter().filter_map(|s| s.result.as_ref().ok()).collect();
+        FormatRow {
+            name,
+            sessions: of.len(),
+            cut_flights: share(found.iter().flat_map(|r| &r.cuts).map(is_cut)),
+            across: share(found.iter().map(|r| r.template.across <= MILLIMETRE)),
+            covered: share(errors(0, &found).map(|error| error.is_covered)),
+        }
+    };
+    names.into_iter().map(row).collect()
+}
+
+/// Sessions without a result, and with a fit that failed.
+fn examples(sessions: &[Session]) -> Vec<String> {
+    let each = sessions.iter().filter_map(|session| {
+        let why = match &session.result {
+            Err(why) => why,
+            Ok(result) => result.fits.iter().find_map(|fit| fit.as_ref().err())?,
+        };
+        let (seed, format, rate, markers) =
+            (session.seed, session.format, session.rate, session.markers);
+        let noise = 1e3 * session.sigma;
+        let text = format!(
+            "seed {seed}, {format}, {markers} markers at {rate} Hz with {noise:.2} mm: {why}"
+        );
+        Some(text.replace('\n', " "))
+    });
+    each.take(MAX_EXAMPLES).collect()
+}

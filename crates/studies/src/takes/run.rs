@@ -1,0 +1,299 @@
+//! Round trips: takes are filmed, written, imported, given a template and fitted.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+
+use flight::batch;
+use identify::dataset::{Dataset, Flight, Marker, Role};
+use takes::{
+    Axis, CentreHeight, EstimatedTemplate, FreeFlight, Point, ReadOptions, Take, ThrowOptions,
+    Throws, estimate_template, find_throws,
+};
+
+use super::c3d;
+use super::session::{Filmed, filmed, turned};
+use super::text::Writer;
+use crate::bounded_fit::bounded_fit;
+use crate::error::StudyError;
+use crate::oracle_flights::{TRUTH, disc, empty, file_name};
+
+/// Longest time of a fit.
+const LIMIT: Duration = Duration::from_secs(120);
+
+/// Cuts of the flights and positions of the markers that a fit is given.
+pub(super) const GIVEN: [(&str, &str); 5] = [
+    ("found", "estimated"),
+    ("found", "true"),
+    ("true", "estimated"),
+    (
+        "true",
+        "estimated, with the true height of the centre of mass",
+    ),
+    ("true", "true"),
+];
+
+/// A session's round trip.
+#[derive(Clone, Debug)]
+pub struct Session {
+    /// Seed of the session.
+    pub seed: u64,
+    /// Format of its takes.
+    pub format: &'static str,
+    /// Frames per second.
+    pub rate: f64,
+    /// Number of markers.
+    pub markers: usize,
+    /// Standard deviation of a coordinate, m.
+    pub sigma: f64,
+    /// What came out, or why nothing did.
+    pub result: Result<SessionResult, String>,
+}
+
+/// What came out of a session.
+#[derive(Clone, Debug)]
+pub struct SessionResult {
+    /// Release and end of each flight less the truth, samples; `None` for a flight that was not found.
+    pub cuts: Vec<Option<[i64; 2]>>,
+    /// Throws that are none.
+    pub false_throws: usize,
+    /// Errors of the template.
+    pub template: TemplateErrors,
+    /// Errors of the template from flights with the true cuts.
+    pub template_of_true_cuts: TemplateErrors,
+    /// Errors of the fit to each kind of flights and template; a text where it failed.
+    pub fits: Vec<Result<Vec<CoefficientError>, String>>,
+}
+
+/// Errors of a template, m.
+#[derive(Clone, Copy, Debug)]
+pub struct TemplateErrors {
+    /// Greatest error of a marker across the axis.
+    pub across: f64,
+    /// Greatest error of a marker along the axis relative to the mean of the markers.
+    pub along: f64,
+    /// Error of the height of the centre of mass.
+    pub height: f64,
+    /// Its standard error, where the height was estimated.
+    pub height_std_error: Option<f64>,
+}
+
+/// Error of a coefficient.
+#[derive(Clone, Debug)]
+pub struct CoefficientError {
+    /// Name of the coefficient.
+    pub name: &'static str,
+    /// Error in standard errors.
+    pub z: f64,
+    /// Whether the 95 % interval has the truth.
+    pub is_covered: bool,
+}
+
+/// Round trips of sessions on this number of threads; C3D is among the formats where a Python with ezc3d is given.
+pub fn sessions(
+    seeds: &[u64],
+    python: Option<&Path>,
+    threads: usize,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<Session> {
+    let finished = AtomicUsize::new(0);
+    let mut writers = vec![Writer::Vicon, Writer::Qualisys, Writer::OptiTrack];
+    writers.extend(python.map(|_| Writer::C3d));
+    batch::each_on(threads, seeds.len(), |index| {
+        let seed = seeds[index];
+        let writer = writers[seed as usize % writers.len()];
+        let session = session(seed, writer, python);
+        let done = 1 + finished.fetch_add(1, Ordering::Relaxed);
+        progress(done, seeds.len());
+        session
+    })
+}
+
+fn session(seed: u64, writer: Writer, python: Option<&Path>) -> Session {
+    let filmed = filmed(seed);
+    let result = files(&filmed, writer, python, seed)
+        .map_err(|error| error.to_string())
+        .and_then(|files| round_trip(&filmed, &files));
+    Session {
+        seed,
+        format: writer.label(),
+        rate: filmed.rate,
+        markers: filmed.markers.len(),
+        sigma: filmed.sigma,
+        result,
+    }
+}
+
+/// The files of the takes.
+fn files(
+    filmed: &Filmed,
+    writer: Writer,
+    python: Option<&Path>,
+    seed: u64,
+) -> Result<Vec<Vec<u8>>, StudyError> {
+    let takes = filmed.takes.iter();
+    let texts: Vec<String> = takes
+        .map(|take| writer.text(&take.rows, filmed.rate))
+        .collect();
+    match (writer, python) {
+        (Writer::C3d, Some(python)) => c3d::written(python, seed, &texts),
+        _ => Ok(texts.into_iter().map(String::into_bytes).collect()),
+    }
+}
+
+fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, String> {
+    let imported = files
+        .iter()
+        .map(|file| imported(file))
+        .collect::<Result<Vec<(Take, Throws)>, String>>()?;
+    let mut cuts = Vec::new();
+    let mut false_throws = 0;
+    for ((_, found), take) in imported.iter().zip(&filmed.takes) {
+        let near = |&(first, last): &(usize, usize)| {
+            let throws = found.throws.iter();
+            throws
+                .map(|throw| (throw.release.sample, throw.end.sample))
+                .find(|(from, to)| *from < last && first < *to)
+        };
+        cuts.extend(take.flights.iter().map(|truth| {
+            let (from, to) = near(truth)?;
+            Some([from as i64 - truth.0 as i64, to as i64 - truth.1 as i64])
+        }));
+        let is_true = |from: usize, to: usize| {
+            let mut all = take.flights.iter();
+            all.any(|&(first, last)| from < last && first < to)
+        };
+        let throws = found.throws.iter();
+        false_throws += throws
+            .filter(|throw| !is_true(throw.release.sample, throw.end.sample))
+            .count();
+    }
+    let labels: Vec<String> = (1..=filmed.markers.len())
+        .map(|k| format!("m{k}"))
+        .collect();
+    let [mut found, mut exact] = [0; 2].map(|_| Vec::new());
+    for ((take, throws), truth) in imported.iter().zip(&filmed.takes) {
+        if !throws.throws.is_empty() && labels.iter().any(|label| !throws.labels.contains(label)) {
+            return Err(format!("the points {:?} are followed", throws.labels));
+        }
+        let ranges = throws.throws.iter().map(|throw| throw.samples());
+        add_flights(take, &labels, ranges, &mut found);
+        let ranges = truth.flights.iter().map(|(first, last)| *first..last + 1);
+        add_flights(take, &labels, ranges, &mut exact);
+    }
+    let estimated = |flights: &[Flight], height: Option<f64>| {
+        let flights = flights.iter().map(|flight| FreeFlight {
+            times: &flight.times,
+            positions: &flight.positions,
+        });
+        let flights: Vec<FreeFlight<'_>> = flights.collect();
+        estimate_template(&labels, &flights, height).map_err(|error| error.to_string())
+    };
+    let template = estimated(&found, None)?;
+    let of_true_cuts = estimated(&exact, None)?;
+    let mean = filmed.markers.iter().map(|p| p[2]).sum::<f64>() / labels.len() as f64;
+    let with_height = estimated(&exact, Some(-mean))?;
+    let fits = [
+        fit(&labels, &positions(&template), &found),
+        fit(&labels, &filmed.markers, &found),
+        fit(&labels, &positions(&of_true_cuts), &exact),
+        fit(&labels, &positions(&with_height), &exact),
+        fit(&labels, &filmed.markers, &exact),
+    ];
+    Ok(SessionResult {
+        cuts,
+        false_throws,
+        template: template_errors(&template, &filmed.markers),
+        template_of_true_cuts: template_errors(&of_true_cuts, &filmed.markers),
+        fits: fits.into(),
+    })
+}
+
+/// The take of a file, and its throws.
+fn imported(file: &[u8]) -> Result<(Take, Throws), String> {
+    let take = takes::parse(&PathBuf::from("take"), file, &ReadOptions::default());
+    let take = take.map_err(|error| error.to_string())?;
+    let up = Axis::parse("+y").ok_or("an axis")?;
+    let take = take.with_z_up(up, false);
+    let found = find_throws(&take, &[], &ThrowOptions::default());
+    Ok((take, found))
+}
+
+/// Adds the flights of ranges of samples, with the markers in the order of their labels.
+fn add_flights(
+    take: &Take,
+    labels: &[String],
+    ranges: impl Iterator<Item = Range<usize>>,
+    flights: &mut Vec<Flight>,
+) {
+    let points = labels
+        .iter()
+        .map(|label| take.points.iter().find(|point| point.label == *label));
+    let points: Vec<Option<&Point>> = points.collect();
+    for range in ranges {
+        let row = |sample: usize| {
+            let each = points.iter().map(|point| (*point)?.positions[sample]);
+            each.collect()
+        };
+        flights.push(Flight {
+            file: file_name(flights.len()),
+            role: Role::Fit,
+            known: Default::default(),
+            times: take.times[range.clone()].to_vec(),
+            positions: range.map(row).collect(),
+            readings: Vec::new(),
+        });
+    }
+}
+
+fn positions(template: &EstimatedTemplate) -> Vec<[f64; 3]> {
+    template.markers.iter().map(|m| m.position).collect()
+}
+
+fn template_errors(template: &EstimatedTemplate, markers: &[[f64; 3]]) -> TemplateErrors {
+    let truth = turned(markers, template.first);
+    let pairs = || template.markers.iter().zip(&truth);
+    let height = pairs().map(|(m, t)| m.position[2] - t[2]).sum::<f64>() / truth.len() as f64;
+    let across = pairs().map(|(m, t)| (m.position[0] - t[0]).hypot(m.position[1] - t[1]));
+    let along = pairs().map(|(m, t)| (m.position[2] - t[2] - height).abs());
+    TemplateErrors {
+        across: across.fold(0.0, f64::max),
+        along: along.fold(0.0, f64::max),
+        height,
+        height_std_error: match template.height {
+            CentreHeight::Estimated { std_error, .. } => Some(std_error),
+            _ => None,
+        },
+    }
+}
+
+fn fit(
+    labels: &[String],
+    markers: &[[f64; 3]],
+    flights: &[Flight],
+) -> Result<Vec<CoefficientError>, String> {
+    let model = disc();
+    let markers = labels.iter().zip(markers).map(|(name, position)| Marker {
+        name: name.clone(),
+        position: *position,
+    });
+    let dataset = Dataset {
+        markers: markers.collect(),
+        flights: flights.to_vec(),
+        ..empty(&model)
+    };
+    let fitted = bounded_fit(&model, &dataset, LIMIT).result;
+    let report = fitted.map_err(|error| error.to_string())?.report;
+    let each = TRUTH.iter().map(|(name, truth)| {
+        let found = report.coefficients.get(*name);
+        let found = found.ok_or_else(|| format!("no coefficient {name}"))?;
+        let [low, high] = found.interval;
+        Ok(CoefficientError {
+            name,
+            z: (found.value - truth) / found.std_error,
+            is_covered: (low..=high).contains(truth),
+        })
+    });
+    each.collect()
+}

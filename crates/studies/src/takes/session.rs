@@ -1,0 +1,182 @@
+//! A session in a laboratory: takes of several throws of one disc.
+
+use std::f64::consts::TAU;
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha12Rng;
+use rand_distr::{Distribution, Normal};
+
+use super::ends::{Hand, in_net};
+use crate::contact::{Surface, Touched, fly};
+use crate::oracle_flights::{
+    TWELVE, Throws, disc, disc_constants, integrate, marker_positions, reference_of,
+};
+
+/// Takes of a session, and throws of each.
+const TAKES: (usize, usize) = (3, 4);
+/// Rates of the cameras, Hz.
+const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
+/// Time of a body in the net, and after its first touch of the ground, for which it is seen, s; and that for which it is fetched.
+const AFTER: (f64, f64) = (0.3, 0.7);
+/// Shortest flight to the ground, s.
+const SHORTEST: f64 = 0.35;
+/// Fraction of single positions that are not seen.
+const GAPS: f64 = 0.02;
+/// Time from the ends of a flight within which the body is not hidden as a whole, s.
+const IN_SIGHT: f64 = 0.1;
+
+/// Low throws, downwards, which reach the ground.
+const LOW: Throws = Throws {
+    speed: (8.0, 18.0),
+    launch: (-0.3, 0.0),
+    nose: (-0.1, 0.2),
+    ..Throws::SPREAD
+};
+
+/// Positions of the markers, m, z up, by sample and marker.
+pub(super) type Rows = Vec<Vec<Option<[f64; 3]>>>;
+
+/// What was filmed, and what is true of it.
+pub(super) struct Filmed {
+    /// Positions of the markers in the body frame, m.
+    pub markers: Vec<[f64; 3]>,
+    /// Frames per second.
+    pub rate: f64,
+    /// Standard deviation of a coordinate, m.
+    pub sigma: f64,
+    pub takes: Vec<FilmedTake>,
+}
+
+/// A take.
+pub(super) struct FilmedTake {
+    pub rows: Rows,
+    /// First and last sample of each free flight.
+    pub flights: Vec<(usize, usize)>,
+}
+
+/// Films the session of a seed.
+pub(super) fn filmed(seed: u64) -> Filmed {
+    let mut random = ChaCha12Rng::seed_from_u64(seed);
+    let r = &mut random;
+    let rate = RATES[r.random_range(0..RATES.len())];
+    let sigma = r.random_range(0.0005..0.0015);
+    let count = r.random_range(3..=5);
+    let phase: f64 = r.random_range(0.0..TAU);
+    let markers = (0..count).map(|k| {
+        let angle = phase + TAU * f64::from(k) / f64::from(count) + r.random_range(-0.4..0.4);
+        let radius = r.random_range(0.05..0.12);
+        let height = r.random_range(0.005..0.02);
+        [radius * angle.cos(), radius * angle.sin(), height]
+    });
+    let markers: Vec<[f64; 3]> = markers.collect();
+    let takes = (0..TAKES.0).map(|_| {
+        let mut take = FilmedTake {
+            rows: Vec::new(),
+            flights: Vec::new(),
+        };
+        for _ in 0..TAKES.1 {
+            add_throw(&mut take, &markers, rate, sigma, r);
+        }
+        take
+    });
+    Filmed {
+        takes: takes.collect(),
+        markers,
+        rate,
+        sigma,
+    }
+}
+
+/// Adds a throw to a take: hand, flight, net or ground, and the time in which the disc is fetched.
+fn add_throw(
+    take: &mut FilmedTake,
+    markers: &[[f64; 3]],
+    rate: f64,
+    sigma: f64,
+    r: &mut ChaCha12Rng,
+) {
+    let model = disc();
+    let (reference, constants) = (reference_of(&model), disc_constants(&model, &TWELVE));
+    let is_low = r.random_bool(0.5);
+    let (longest, deceleration) = (r.random_range(0.5..1.0), r.random_range(60.0..200.0));
+    // A low throw is one that reaches the ground in time, and another one does not.
+    let (start, surface, touch) = loop {
+        let mut start = match is_low {
+            true => LOW.draw(r),
+            false => Throws::SPREAD.draw(r),
+        };
+        if is_low {
+            start.position.z = r.random_range(0.6..1.8);
+        }
+        let surface = Surface {
+            restitution: r.random_range(0.2..0.6),
+            friction: r.random_range(0.2..0.7),
+        };
+        let seen = fly(&model, (&reference, &constants), start, surface, &[longest]);
+        let touch = seen.first.map(|(time, _)| time);
+        match touch {
+            None if !is_low => break (start, surface, None),
+            Some(time) if is_low && time >= SHORTEST => break (start, surface, touch),
+            _ => {}
+        }
+    };
+    let hand = Hand::draw(start, r);
+    let released = hand.seconds();
+    // A grid of frames, of which none need be at the release.
+    let flown = (0..)
+        .map(|k| f64::from(k) / rate - released)
+        .skip_while(|t| *t < 0.0)
+        .take_while(|t| *t <= longest + AFTER.0);
+    let flown: Vec<f64> = flown.collect();
+    let Touched { states, .. } = fly(&model, (&reference, &constants), start, surface, &flown);
+    let end = touch.unwrap_or(longest);
+    let at_net = integrate(&reference, &constants, start, &[longest])[0];
+    let noise = Normal::new(0.0, sigma).expect("a positive width");
+    let hidden = hidden(end, r);
+    let before = (0..)
+        .map(|k| f64::from(k) / rate)
+        .take_while(|t| *t < released)
+        .map(|t| (t - released, hand.at(t)));
+    let after = flown.iter().zip(&states).map(|(t, state)| match touch {
+        None if *t > longest => (*t, in_net(&at_net, deceleration, *t - longest)),
+        _ => (*t, *state),
+    });
+    let seen: Vec<_> = before
+        .chain(after.take_while(|(t, _)| *t <= end + AFTER.0))
+        .collect();
+    let at = take.rows.len();
+    let first = seen.iter().position(|(t, _)| *t >= 0.0);
+    let last = seen.iter().rposition(|(t, _)| *t <= end);
+    if let (Some(first), Some(last)) = (first, last) {
+        take.flights.push((at + first, at + last));
+    }
+    for (t, body) in seen {
+        let is_hidden = hidden.is_some_and(|(from, to)| t > from && t < to);
+        let row = marker_positions(&body, markers).into_iter().map(|exact| {
+            let noisy = exact.map(|x| x + noise.sample(r));
+            (!r.random_bool(GAPS) && !is_hidden).then_some(noisy)
+        });
+        take.rows.push(row.collect());
+    }
+    let fetched = (AFTER.1 * rate) as usize;
+    take.rows
+        .extend((0..fetched).map(|_| vec![None; markers.len()]));
+}
+
+/// A time in which nothing of the disc is seen, in every third flight.
+fn hidden(end: f64, r: &mut ChaCha12Rng) -> Option<(f64, f64)> {
+    let (from, to) = (IN_SIGHT, end - 2.0 * IN_SIGHT);
+    let length = r.random_range(0.02..0.06);
+    let at = from + r.random_range(0.0..1.0) * (to - from);
+    (r.random_bool(1.0 / 3.0) && to > from).then_some((at, at + length))
+}
+
+/// Markers turned about the third axis so that the one of this index lies on the first axis.
+pub(super) fn turned(markers: &[[f64; 3]], first: usize) -> Vec<[f64; 3]> {
+    let [x, y, _] = markers[first];
+    let angle = y.atan2(x);
+    let (s, c) = angle.sin_cos();
+    let each = markers.iter();
+    each.map(|[x, y, z]| [c * x + s * y, c * y - s * x, *z])
+        .collect()
+}

@@ -1,0 +1,80 @@
+//! Motion of the centre of mass by air forces that turn with a wobbling axis.
+//!
+//! The force on a body of revolution lies in the plane of velocity and axis. Where the axis turns about the velocity, the force
+//! turns with it: this part is known. Where it turns towards the velocity, the force changes by the body's own coefficients: this
+//! part is not known.
+
+use nalgebra::{DMatrix, Vector3};
+
+use super::smooth::Smooth;
+
+/// Standard acceleration of gravity, m/s².
+const GRAVITY: f64 = 9.81;
+/// Least sine of the angle between velocity and axis.
+const LEAST_SINE: f64 = 0.2;
+/// Standard deviation of the unknown part relative to a force that turns with the axis.
+const UNKNOWN: f64 = 0.5;
+
+/// Displacements of the centre of mass, m, a row per sample: the known part, and the size of the unknown part.
+pub(super) struct AirMotion {
+    pub known: DMatrix<f64>,
+    pub unknown: DMatrix<f64>,
+}
+
+/// Displacements by the wobble of an axis along the path of the centre of mass (m, room).
+pub(super) fn air_motion(
+    times: &[f64],
+    smooth: &Smooth,
+    path: &DMatrix<f64>,
+    axes: &DMatrix<f64>,
+) -> AirMotion {
+    let [_, velocities, accelerations] = smooth.fitted(path);
+    let [mean_axes, _, _] = smooth.fitted(axes);
+    let row = |of: &DMatrix<f64>, i: usize| Vector3::new(of[(i, 0)], of[(i, 1)], of[(i, 2)]);
+    let count = times.len();
+    let [mut known, mut unknown] = [0; 2].map(|_| DMatrix::<f64>::zeros(count, 3));
+    for i in 0..count {
+        let mean = row(&mean_axes, i);
+        let (Some(along), Some(mean)) = (
+            row(&velocities, i).try_normalize(1e-6),
+            mean.try_normalize(1e-6),
+        ) else {
+            continue;
+        };
+        let force = row(&accelerations, i) + Vector3::new(0.0, 0.0, GRAVITY);
+        let lift = force - along * force.dot(&along);
+        let wobble = row(axes, i) - row(&mean_axes, i);
+        let sideways = along.cross(&mean);
+        let sine = sideways.norm();
+        if sine < LEAST_SINE {
+            unknown.set_row(i, &(wobble * lift.norm() * UNKNOWN).transpose());
+            continue;
+        }
+        let side = sideways / sine;
+        let angle = wobble.dot(&side) / sine;
+        known.set_row(i, &(along.cross(&force) * angle).transpose());
+        let fore = wobble - side * wobble.dot(&side);
+        unknown.set_row(i, &(fore * lift.norm() * UNKNOWN).transpose());
+    }
+    AirMotion {
+        known: twice_integrated(times, &known),
+        unknown: twice_integrated(times, &unknown),
+    }
+}
+
+/// Double integral of each column over time, by trapezia.
+fn twice_integrated(times: &[f64], of: &DMatrix<f64>) -> DMatrix<f64> {
+    let once = |of: &DMatrix<f64>| {
+        let mut sums = DMatrix::<f64>::zeros(of.nrows(), of.ncols());
+        for i in 1..of.nrows() {
+            let step = 0.5 * (times[i] - times[i - 1]);
+            let next = sums.row(i - 1) + (of.row(i) + of.row(i - 1)) * step;
+            sums.set_row(i, &next);
+        }
+        sums
+    };
+    // A constant would hide a small wobble in a parabola's rounding.
+    let mean = of.row_mean();
+    let centred = DMatrix::from_fn(of.nrows(), of.ncols(), |i, k| of[(i, k)] - mean[k]);
+    once(&once(&centred))
+}

@@ -1,0 +1,345 @@
+//! Axis of the spin and centre of mass: the direction and the point of the body whose paths have no part that turns with it.
+//!
+//! With the rotations R and positions c of the samples, and (·)~ for what a polynomial in time leaves of a signal, the path of the
+//! point p is c + R p, and least squares give B p = −Σ R~ᵀ c~ with B = Σ R~ᵀ R~. B is nearly 0 along the axis of the spin, whose
+//! path is smooth but for its wobble. Both sides are freed of the noise of the rotations (method of moments).
+
+use nalgebra::{DMatrix, Matrix3, Rotation3, SymmetricEigen, Vector3};
+
+use super::air::air_motion;
+use super::shape::{Placed, Shape};
+use super::smooth::Smooth;
+use super::{FreeFlight, LEAST_SAMPLES, TemplateError, UpVote};
+
+/// Least and greatest degree of the polynomial of a path.
+const DEGREES: (usize, usize) = (2, 10);
+/// Degrees per turn of the body: a polynomial of this degree has at most half as many waves as the body has turns.
+const DEGREES_PER_TURN: f64 = 1.0;
+/// Passes of weights, degrees and the motion by the air.
+const PASSES: usize = 3;
+/// Least information across the axis, as a share of that of a body that turns many times, and greatest ratio of that along it.
+const SPIN: (f64, f64) = (0.05, 0.5);
+/// Least wobble of the axis, as a ratio of its mean square to that of its noise.
+const WOBBLE: f64 = 0.1;
+/// Least sine of the axis above the horizontal of a release that decides which side is up.
+const UPWARDS: f64 = 0.2;
+
+/// Axis and centre in the axes of the shape.
+pub(super) struct Centre {
+    /// Unit vector along the spin, upwards at the release.
+    pub axis: Vector3<f64>,
+    /// Covariance of the axis.
+    pub axis_covariance: Matrix3<f64>,
+    /// Point of the axis at height 0, the height of the mean of the markers, m.
+    pub foot: Vector3<f64>,
+    /// Its covariance, m².
+    pub foot_covariance: Matrix3<f64>,
+    /// Change of the foot with the height of the centre.
+    pub slope: Vector3<f64>,
+    /// Height of the centre of mass along the axis and its standard error, m, where the axis wobbles enough.
+    pub height: Option<(f64, f64)>,
+    pub up: Option<UpVote>,
+    pub turns: f64,
+}
+
+/// A flight's motion.
+struct Motion {
+    times: Vec<f64>,
+    centres: DMatrix<f64>,
+    rotations: Vec<Matrix3<f64>>,
+    noise: Vec<PoseNoise>,
+    degree: usize,
+    turns: f64,
+}
+
+/// Noise of a pose per variance of a coordinate.
+struct PoseNoise {
+    /// Number of markers.
+    count: f64,
+    /// Their mean in the shape, m.
+    mean: Vector3<f64>,
+    /// Mean of the square of the rotation's error as a cross product, 1/m².
+    rotation: Matrix3<f64>,
+}
+
+impl PoseNoise {
+    fn new(points: &[Vector3<f64>], pose: &Placed) -> Option<Self> {
+        let used = || points.iter().zip(&pose.used).filter(|(_, used)| **used);
+        let count = used().count() as f64;
+        let mean = used().map(|(point, _)| point).sum::<Vector3<f64>>() / count;
+        let tensor = used().map(|(point, _)| {
+            let arm = point - mean;
+            Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()
+        });
+        let covariance = tensor.sum::<Matrix3<f64>>().try_inverse()?;
+        let rotation = Matrix3::identity() * covariance.trace() - covariance;
+        Some(Self {
+            count,
+            mean,
+            rotation,
+        })
+    }
+
+    /// Weight of the path of a point: variance of a coordinate of a measured position over that of the path.
+    fn weight(&self, point: &Vector3<f64>) -> f64 {
+        let arm = point - self.mean;
+        1.0 / (1.0 / self.count + arm.dot(&(self.rotation * arm)) / 3.0)
+    }
+}
+
+/// The two sides of the equations, with and without noise.
+#[derive(Default)]
+struct Sums {
+    raw: Matrix3<f64>,
+    noise: Matrix3<f64>,
+    right: Vector3<f64>,
+    weight: f64,
+    /// Degrees of freedom of the estimated noise.
+    freedom: f64,
+    /// Right side of the unknown motion by the air.
+    unknown: Vector3<f64>,
+}
+
+/// Axis and centre of the flights.
+pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre, TemplateError> {
+    let each = shape.poses.iter().zip(flights);
+    let each = each.filter(|(poses, _)| poses.len() >= LEAST_SAMPLES);
+    let mut motions: Vec<Motion> = each
+        .map(|(poses, flight)| Motion::new(shape, poses, flight))
+        .collect();
+    let variance = shape.sigma * shape.sigma;
+    let mut point = Vector3::zeros();
+    let mut axis: Option<Vector3<f64>> = None;
+    let mut sums = Sums::default();
+    for _ in 0..PASSES {
+        sums = Sums::default();
+        for motion in &motions {
+            motion.add(&point, axis.as_ref(), variance, &mut sums);
+        }
+        let found = axis_of(&sums).ok_or_else(|| TemplateError::NoSpin {
+            turns: motions.iter().map(|m| m.turns).sum(),
+        })?;
+        axis = Some(found);
+        point = match height(&sums, &found, variance) {
+            Some((height, _)) => at_height(&sums, &found, height).0,
+            None => at_height(&sums, &found, 0.0).0,
+        };
+        for motion in &mut motions {
+            motion.choose_degree(&point);
+        }
+    }
+    let mut axis = axis.unwrap_or_else(Vector3::z);
+    let (up, votes) = side(&motions, &axis);
+    if !up {
+        axis = -axis;
+    }
+    let (spread, residual) = residuals(&motions, &point, &axis);
+    let (foot, slope, inverse) = at_height_with_inverse(&sums, &axis, 0.0);
+    Ok(Centre {
+        axis,
+        axis_covariance: inverse * spread,
+        foot,
+        foot_covariance: inverse * residual,
+        slope,
+        height: height(&sums, &axis, residual),
+        up: votes,
+        turns: motions.iter().map(|motion| motion.turns).sum(),
+    })
+}
+
+/// Unit vector of the axis; `None` where the body does not turn about one.
+fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
+    let eigen = SymmetricEigen::new(sums.raw - sums.noise);
+    let mut order = [0, 1, 2];
+    order.sort_by(|&a, &b| eigen.eigenvalues[a].total_cmp(&eigen.eigenvalues[b]));
+    let [least, middle, _] = order.map(|k| eigen.eigenvalues[k]);
+    let turns = middle > SPIN.0 * sums.weight && least < SPIN.1 * middle;
+    turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
+}
+
+/// The point of the axis at a height, its change with the height, and the inverse of B across the axis.
+fn at_height_with_inverse(
+    sums: &Sums,
+    axis: &Vector3<f64>,
+    height: f64,
+) -> (Vector3<f64>, Vector3<f64>, Matrix3<f64>) {
+    let across = Matrix3::identity() - axis * axis.transpose();
+    let matrix = sums.raw - sums.noise;
+    let size = matrix.trace().max(f64::MIN_POSITIVE);
+    // Along the axis the matrix is made regular, and the inverse is then freed of it.
+    let regular = across * matrix * across + axis * axis.transpose() * size;
+    let inverse = regular.try_inverse().unwrap_or_else(Matrix3::zeros);
+    let inverse = across * inverse * across;
+    let slope = -inverse * (matrix * axis);
+    let foot = -inverse * sums.right + slope * height;
+    (foot, slope, inverse)
+}
+
+fn at_height(sums: &Sums, axis: &Vector3<f64>, height: f64) -> (Vector3<f64>, Vector3<f64>) {
+    let (foot, slope, _) = at_height_with_inverse(sums, axis, height);
+    (foot + axis * height, slope)
+}
+
+/// Height of the centre of mass along the axis, m, and its standard error, by the variance of a coordinate of unit weight.
+fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)> {
+    let (foot, slope, _) = at_height_with_inverse(sums, axis, 0.0);
+    let direction = axis + slope;
+    let matrix = sums.raw - sums.noise;
+    let information = axis.dot(&(matrix * direction));
+    let noise = axis.dot(&(sums.noise * axis));
+    if information <= WOBBLE * noise || information <= 0.0 {
+        return None;
+    }
+    let height = -axis.dot(&(sums.right + matrix * foot)) / information;
+    let by_noise = variance * direction.dot(&(sums.raw * direction)) / information.powi(2);
+    let by_air = direction.dot(&sums.unknown) / information;
+    // The noise that is taken from the matrix is itself estimated.
+    let by_estimate = height * noise / information * (2.0 / sums.freedom.max(1.0)).sqrt();
+    Some((
+        height,
+        (by_noise + by_air * by_air + by_estimate * by_estimate).sqrt(),
+    ))
+}
+
+/// Mean squares of what is left of the axis's path, and of that of the centre of mass per unit of weight, m².
+fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (f64, f64) {
+    let (mut axes, mut paths, mut axis_freedom, mut freedom) = (0.0, 0.0, 0.0, -3.0);
+    for motion in motions {
+        let Some(smooth) = motion.smooth(point) else {
+            continue;
+        };
+        axes += smooth.rest(&motion.directions(axis)).norm_squared();
+        paths += smooth.rest(&motion.path(point)).norm_squared();
+        // The path of a unit vector has two directions.
+        let left = (motion.times.len() - motion.degree - 1) as f64;
+        axis_freedom += 2.0 * left;
+        freedom += 3.0 * left;
+    }
+    (
+        axes / f64::max(axis_freedom, 1.0),
+        paths / f64::max(freedom, 1.0),
+    )
+}
+
+/// Whether an axis points upwards at the releases, and the flights that decide it.
+fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
+    let heights = motions.iter().map(|motion| {
+        let early = (motion.rotations.len() / 10).max(3);
+        let sum = motion.rotations.iter().take(early).map(|r| (r * axis).z);
+        sum.sum::<f64>() / early as f64
+    });
+    let heights: Vec<f64> = heights.collect();
+    let counted = |sign: f64| heights.iter().filter(|h| sign * **h > UPWARDS).count();
+    let (up, down) = (counted(1.0), counted(-1.0));
+    let is_up = match up == down {
+        true => heights.iter().sum::<f64>() >= 0.0,
+        false => up > down,
+    };
+    let votes = (up != down).then(|| UpVote {
+        for_it: up.max(down),
+        against: up.min(down),
+    });
+    (is_up, votes)
+}
+
+impl Motion {
+    fn new(shape: &Shape, poses: &[Placed], flight: &FreeFlight<'_>) -> Self {
+        let with_noise = poses
+            .iter()
+            .filter_map(|pose| Some((pose, PoseNoise::new(&shape.points, pose)?)));
+        let (poses, noise): (Vec<&Placed>, Vec<PoseNoise>) = with_noise.unzip();
+        let rotations: Vec<Matrix3<f64>> = poses.iter().map(|pose| pose.rotation).collect();
+        let angles = rotations.windows(2).map(|pair| {
+            let between = pair[0].transpose() * pair[1];
+            Rotation3::from_matrix_unchecked(between).angle()
+        });
+        let turns = angles.sum::<f64>() / std::f64::consts::TAU;
+        let centres = DMatrix::from_fn(poses.len(), 3, |i, k| poses[i].position[k]);
+        let mut motion = Self {
+            times: poses.iter().map(|p| flight.times[p.sample]).collect(),
+            centres,
+            rotations,
+            noise,
+            degree: 0,
+            turns,
+        };
+        motion.degree = motion.most().min(4);
+        motion
+    }
+
+    /// Greatest degree of the polynomials.
+    fn most(&self) -> usize {
+        let by_turns = (DEGREES_PER_TURN * self.turns) as usize;
+        let by_samples = self.times.len() / 4;
+        by_turns.min(by_samples).clamp(DEGREES.0, DEGREES.1)
+    }
+
+    fn weights(&self, point: &Vector3<f64>) -> Vec<f64> {
+        self.noise.iter().map(|noise| noise.weight(point)).collect()
+    }
+
+    fn smooth(&self, point: &Vector3<f64>) -> Option<Smooth> {
+        Smooth::new(&self.times, &self.weights(point), self.degree)
+    }
+
+    /// Path of a point of the body, m.
+    fn path(&self, point: &Vector3<f64>) -> DMatrix<f64> {
+        &self.centres + self.directions(point)
+    }
+
+    /// A vector of the body along the axes of the room.
+    fn directions(&self, vector: &Vector3<f64>) -> DMatrix<f64> {
+        DMatrix::from_fn(self.rotations.len(), 3, |i, k| {
+            (self.rotations[i].row(k) * vector)[0]
+        })
+    }
+
+    /// Adds the flight to the sums; with an axis, the motion by the air is taken from the path.
+    fn add(&self, point: &Vector3<f64>, axis: Option<&Vector3<f64>>, variance: f64, to: &mut Sums) {
+        let weights = self.weights(point);
+        let Some(smooth) = Smooth::new(&self.times, &weights, self.degree) else {
+            return;
+        };
+        let mut centres = self.centres.clone();
+        let mut unknown = DMatrix::zeros(self.times.len(), 3);
+        if let Some(axis) = axis {
+            let path = self.path(point);
+            let air = air_motion(&self.times, &smooth, &path, &self.directions(axis));
+            centres -= air.known;
+            unknown = smooth.rest(&air.unknown);
+        }
+        let centres = smooth.rest(&centres);
+        for room in 0..3 {
+            let own = DMatrix::from_fn(self.times.len(), 3, |i, k| self.rotations[i][(room, k)]);
+            let own = smooth.rest(&own);
+            let squares = own.transpose() * &own;
+            to.raw += Matrix3::from_fn(|a, b| squares[(a, b)]);
+            let right = own.transpose() * centres.column(room);
+            to.right += Vector3::new(right[0], right[1], right[2]);
+            let right = own.transpose() * unknown.column(room);
+            to.unknown += Vector3::new(right[0], right[1], right[2]);
+        }
+        for (i, noise) in self.noise.iter().enumerate() {
+            let square = noise.rotation * (weights[i] * smooth.left(i) * variance);
+            to.noise += square;
+            to.right += square * noise.mean;
+            to.freedom += 3.0 * noise.count - 6.0;
+        }
+        to.weight += weights.iter().sum::<f64>();
+    }
+
+    /// Chooses the degree by the Bayesian information criterion of the path of a point.
+    fn choose_degree(&mut self, point: &Vector3<f64>) {
+        let weights = self.weights(point);
+        let path = self.path(point);
+        let count = (3 * self.times.len()) as f64;
+        let criterion = |degree: usize| {
+            let smooth = Smooth::new(&self.times, &weights, degree)?;
+            let misfit = smooth.rest(&path).norm_squared().max(f64::MIN_POSITIVE);
+            Some(count * misfit.ln() + (3 * (degree + 1)) as f64 * count.ln())
+        };
+        let degrees = (DEGREES.0..=self.most()).filter_map(|d| Some((d, criterion(d)?)));
+        let best = degrees.min_by(|a, b| a.1.total_cmp(&b.1));
+        self.degree = best.map_or(self.degree, |(degree, _)| degree);
+    }
+}

@@ -1,0 +1,139 @@
+//! A template for takes without one: where the markers are on the body, from the free flights themselves.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use anyhow::{Context, bail};
+use identify::dataset::Marker;
+use takes::words::{listed, shown};
+use takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
+
+use super::template::Template;
+use super::{no_throw, up_of};
+use crate::cli::Import;
+
+/// Greatest distance of the centre of mass from the markers, m.
+const FARTHEST: f64 = 2.0;
+
+/// An estimated template, what was decided, and a comment for each marker.
+pub struct Estimated {
+    pub template: Template,
+    pub decisions: String,
+    pub comments: Vec<String>,
+}
+
+/// Positions of the points that move as one body in every take that has a throw. Labels that are no names of markers get one.
+pub fn estimated(
+    options: &Import,
+    reading: &ReadOptions,
+    names: &mut BTreeMap<String, String>,
+) -> anyhow::Result<Estimated> {
+    if let Some(height) = options.centre_height.filter(|h| !(h.abs() <= FARTHEST)) {
+        bail!(
+            "--centre-height: found {height}, expected metres, at most {FARTHEST} (millimetres?)"
+        );
+    }
+    let mut thrown: Vec<(Take, Throws)> = Vec::new();
+    for file in &options.takes {
+        let mut take = takes::read(file, reading)?;
+        // The positions of single points are what places them.
+        take.bodies.clear();
+        let (up, _) = up_of(&take, file, options)?;
+        let turned = take.with_z_up(up, options.left_handed);
+        let found = takes::find_throws(&turned, &[], &ThrowOptions::default());
+        if !found.throws.is_empty() {
+            thrown.push((turned, found));
+        }
+    }
+    if thrown.is_empty() {
+        bail!(
+            "{} to estimate the template from, or a template by --markers",
+            no_throw()
+        );
+    }
+    let (labels, left_out) = labels(&thrown);
+    let mut flights = Vec::new();
+    for (take, found) in &thrown {
+        let points = labels
+            .iter()
+            .map(|label| take.points.iter().position(|p| p.label == *label));
+        let points: Vec<Option<usize>> = points.collect();
+        for throw in &found.throws {
+            let row = |sample: usize| -> Vec<Option<[f64; 3]>> {
+                let each = points.iter();
+                each.map(|point| take.points[(*point)?].positions[sample])
+                    .collect()
+            };
+            let rows: Vec<_> = throw.samples().map(row).collect();
+            flights.push((&take.times[throw.samples()], rows));
+        }
+    }
+    let flights: Vec<FreeFlight<'_>> = flights
+        .iter()
+        .map(|(times, positions)| FreeFlight { times, positions })
+        .collect();
+    let mut decisions = "template\n".to_owned();
+    for label in &labels {
+        let name = name(label);
+        if name != *label && !names.contains_key(label) {
+            let _ = writeln!(decisions, "  the label {} is named {name}", shown(label));
+            names.insert(label.clone(), name);
+        }
+    }
+    let name = |label: &String| names.get(label).unwrap_or(label).clone();
+    let labels: Vec<String> = labels.iter().map(name).collect();
+    let found = estimate_template(&labels, &flights, options.centre_height)
+        .context("the template from the takes")?;
+    for line in found.decisions() {
+        let _ = writeln!(decisions, "  {line}");
+    }
+    if !left_out.is_empty() {
+        let names = listed(left_out.iter().map(String::as_str));
+        let _ = writeln!(
+            decisions,
+            "  left out, since they do not keep their distances to the others in every take: {names}"
+        );
+    }
+    let comments = found.markers.iter().map(|marker| {
+        let [x, y, z] = marker.std_error.map(|error| format!("{error:.6}"));
+        format!("estimated from the takes; standard errors of the position, m: {x}, {y}, {z}")
+    });
+    Ok(Estimated {
+        comments: comments.collect(),
+        template: Template {
+            model: None,
+            parameters: BTreeMap::new(),
+            markers: found
+                .markers
+                .iter()
+                .map(|marker| Marker {
+                    name: marker.label.clone(),
+                    // Finer digits than a nanometre would pretend what no estimate knows.
+                    position: marker.position.map(|x| (x * 1e9).round() / 1e9 + 0.0),
+                })
+                .collect(),
+        },
+        decisions,
+    })
+}
+
+/// A name of a marker for a label: without blanks and marks.
+fn name(label: &str) -> String {
+    let is_kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
+    let each = label.chars().map(|c| if is_kept(c) { c } else { '_' });
+    each.collect()
+}
+
+/// Labels of the points that move as one in all takes, in the order of the first, and of those that do not.
+fn labels(thrown: &[(Take, Throws)]) -> (Vec<String>, Vec<String>) {
+    let is_rigid = |label: &String| thrown.iter().all(|(_, found)| found.labels.contains(label));
+    let mut all: Vec<String> = Vec::new();
+    for (take, _) in thrown {
+        for label in take.labels() {
+            if !all.iter().any(|known| known == label) {
+                all.push(label.to_owned());
+            }
+        }
+    }
+    all.into_iter().partition(is_rigid)
+}
