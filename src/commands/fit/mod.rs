@@ -16,6 +16,7 @@ use model_spec::ModelTree;
 use model_spec::model::Model;
 use report::fit::Figure;
 use report::fit::FitPage;
+use report::viewer::View;
 use report::{CertificateNote, ResultFile, WithCertificate};
 
 use super::{certificate, number};
@@ -25,6 +26,12 @@ use crate::{Answer, output};
 
 /// File name of the model with the fitted values.
 const FITTED: &str = "fitted.hyz";
+
+/// File name of the flights in three dimensions.
+pub(super) const FLIGHTS: &str = "flights.html";
+
+/// Folder of the numbers behind the figures.
+pub(super) const FIGURE_DATA: &str = "figure-data";
 
 /// Fits the model to the dataset, prints a summary, and writes the report files.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
@@ -109,6 +116,7 @@ fn results(
         .collect();
     let page = FitPage {
         report: &fitted.report,
+        fit: Some(fitted),
         evidence: &evidence,
         model,
         dataset: &name,
@@ -130,8 +138,16 @@ fn results(
         ResultFile::new("flights.csv", tables::flights(&fitted.report)?),
         ResultFile::new("residuals.csv", tables::residuals(dataset, fitted)?),
     ];
-    let figure = |figure: Figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg);
-    files.extend(figures.into_iter().map(figure));
+    let figure = |figure: Figure| {
+        let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
+        [
+            ResultFile::new(format!("{}.svg", figure.name), figure.svg),
+            ResultFile::new(table, figure.csv),
+        ]
+    };
+    files.extend(figures.into_iter().flat_map(figure));
+    let view = View::of_fit(fitted, "").html(&format!("{} · {name}", model.name));
+    files.extend(view.map(|html| ResultFile::new(FLIGHTS, html)));
     Ok(files)
 }
 
