@@ -40,7 +40,9 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     let flight = simulate(&body, &release, &settings)?;
     if let Some(folder) = &out {
         check_rows(options, flight.end)?;
-        output::replace(folder, &results(&model, &body, &release, &flight, options))?;
+        let mut files = results(&model, &body, &release, &flight, options);
+        output::add_figures(&mut files, &options.figures)?;
+        output::replace(folder, &files)?;
     }
     output::print(summary(&model, &body, &flight))?;
     if let Some(folder) = &options.out {

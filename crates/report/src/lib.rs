@@ -11,6 +11,7 @@ mod data_faults;
 pub mod diagnosis;
 pub mod effects;
 mod equation;
+mod figure_file;
 pub mod figures;
 pub mod fit;
 pub mod literature;
@@ -19,5 +20,6 @@ pub mod viewer;
 
 pub use atomic_file::write_atomic;
 pub use bands::{PredictionBand, prediction_band};
+pub use figure_file::{FigureError, FigureKind};
 pub use certificate::{CertificateNote, WithCertificate};
 pub use result_folder::{MANIFEST, ResultFile, ResultFolder, ResultFolderError};

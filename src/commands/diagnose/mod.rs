@@ -69,7 +69,9 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     if let Some(folder) = &out {
         found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
         let note = certificate.note(&model);
-        output::replace(folder, &results(&dataset, &name, &found, &reasons, &note)?)?;
+        let mut files = results(&dataset, &name, &found, &reasons, &note)?;
+        output::add_figures(&mut files, &options.figures)?;
+        output::replace(folder, &files)?;
     }
     output::print(summary::summary(&found.report, &reasons))?;
     if let Some(folder) = &options.out {

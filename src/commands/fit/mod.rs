@@ -59,7 +59,8 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let fitted = fitted.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
     if let Some(folder) = &out {
         let note = certificate.note(&model);
-        let files = results(&options.dataset, &model, &dataset, &fitted, &note)?;
+        let mut files = results(&options.dataset, &model, &dataset, &fitted, &note)?;
+        output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
     output::print(summary::summary(&model, &fitted.report))?;

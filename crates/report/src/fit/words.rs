@@ -110,7 +110,6 @@ pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
             "They cannot tell {unknown} from zero: other values explain them as well."
         ));
     }
-    sentences.extend(held_out_words(page.report));
     sentences
 }
 

@@ -4,7 +4,7 @@ use super::super::{Drawn, FitPage};
 use crate::bands::std_error;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
-use crate::fit::numbers::{Digits, percent, unit};
+use crate::fit::numbers::percent;
 
 /// Relative standard errors between which the axis extends, %.
 const AXIS: (f64, f64) = (0.1, 1e3);
@@ -24,18 +24,17 @@ pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
     if sizes.is_empty() {
         return None;
     }
-    let row = |(name, c, size): &(&str, &identify::Coefficient, f64)| {
-        let digits = Digits::of(c.value, std_error(c));
+    let row = |(name, _, size): &(&str, &identify::Coefficient, f64)| {
         let class = if *size < 1.0 { "bar" } else { "bar loose" };
         Row {
             name: (*name).to_owned(),
             class: "tick",
             shapes: vec![Shape::Bar((1e2 * size).clamp(AXIS.0, AXIS.1), class)],
-            words: format!("{} {}", digits.one(c.value), unit(&c.unit)),
+            words: percent(*size),
         }
     };
     let chart = Chart {
-        title: "What the flights tell of each coefficient".into(),
+        title: "Precision of each coefficient".into(),
         legend: Vec::new(),
         rows: sizes.iter().map(row).collect(),
         axis: Axis::Log(AXIS.0),
