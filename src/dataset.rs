@@ -35,6 +35,7 @@ impl DatasetBuilder {
                 model: model.to_owned(),
                 parameters: BTreeMap::new(),
                 markers: Vec::new(),
+                sensors: Vec::new(),
                 sigma: None,
                 flights: Vec::new(),
             },
@@ -83,6 +84,7 @@ impl DatasetBuilder {
             known: BTreeMap::new(),
             times: times.to_vec(),
             positions,
+            readings: Vec::new(),
         });
         self
     }

@@ -35,7 +35,7 @@ pub struct Layout {
     pub coefficients: usize,
     /// Names of the marker's coordinates; empty if the model has no marker.
     pub marker: Vec<String>,
-    /// Names of auxiliary variables by component, without those that depend on the marker.
+    /// Names of auxiliary variables by component, without those of an observation.
     pub quantities: Vec<String>,
     /// Default values of the parameters, SI, in parameter-vector order.
     pub defaults: Vec<f64>,
@@ -87,7 +87,7 @@ impl Layout {
             .map(String::as_str);
         let used: HashSet<&str> = scalars.chain(symbols).collect();
         let mut names = Vec::new();
-        for (quantity, of_marker) in model.aux_variables.iter().zip(depends_on_marker(model)) {
+        for (quantity, of_marker) in model.aux_variables.iter().zip(is_of_observation(model)) {
             let name = &quantity.name;
             match quantity.value.shape {
                 _ if of_marker => {}
@@ -164,23 +164,49 @@ fn position(names: &[String], name: &str) -> Option<usize> {
     names.iter().position(|own| own == name)
 }
 
-/// For each auxiliary variable, whether it depends on the marker and so is defined only at observations.
-pub fn depends_on_marker(model: &Model) -> Vec<bool> {
+/// For each auxiliary variable, whether it is defined only at observations: it depends on the marker, or on what is known
+/// once forces and moments are.
+pub fn is_of_observation(model: &Model) -> Vec<bool> {
+    let of_marker = depending_on(model, |kind| matches!(kind, ExprKind::Marker));
+    let of_motion = depends_on_accelerations(model);
+    of_marker
+        .iter()
+        .zip(of_motion)
+        .map(|(a, b)| *a || b)
+        .collect()
+}
+
+/// For each auxiliary variable, whether it depends on the specific force or the angular acceleration.
+pub fn depends_on_accelerations(model: &Model) -> Vec<bool> {
+    depending_on(model, is_acceleration)
+}
+
+/// Whether an expression is known only once forces and moments are.
+pub(crate) fn is_acceleration(kind: &ExprKind) -> bool {
+    matches!(
+        kind,
+        ExprKind::SpecificForce | ExprKind::AngularAcceleration
+    )
+}
+
+/// For each auxiliary variable, whether its definition has such a leaf, by itself or by others.
+fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec<bool> {
     let mut known: Vec<bool> = Vec::new();
     for quantity in &model.aux_variables {
-        let found = uses_marker(&quantity.value, &known);
+        let found = depends(&quantity.value, &known, is_leaf);
         known.push(found);
     }
     known
 }
 
-fn uses_marker(e: &Expr, known: &[bool]) -> bool {
-    match e.kind {
-        ExprKind::Marker => return true,
-        ExprKind::AuxVariable(index) => return known.get(index).copied().unwrap_or(false),
+/// Whether an expression has such a leaf, given which auxiliary variables have one.
+pub(crate) fn depends(e: &Expr, known: &[bool], is_leaf: fn(&ExprKind) -> bool) -> bool {
+    match &e.kind {
+        kind if is_leaf(kind) => return true,
+        ExprKind::AuxVariable(index) => return known.get(*index).copied().unwrap_or(false),
         _ => {}
     }
     let mut found = false;
-    e.children(&mut |child| found |= uses_marker(child, known));
+    e.children(&mut |child| found |= depends(child, known, is_leaf));
     found
 }

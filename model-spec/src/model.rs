@@ -223,6 +223,14 @@ pub struct Load {
     pub effect: Option<usize>,
 }
 
+impl Load {
+    /// Whether the force is the body's weight, which an accelerometer does not feel: by its name, `weight` or one with
+    /// `gravity` in it.
+    pub fn is_weight(&self) -> bool {
+        self.name == "weight" || self.name.contains("gravity")
+    }
+}
+
 /// `der(state) = value`.
 #[derive(Clone, Debug)]
 pub struct Equation {
@@ -383,6 +391,12 @@ pub enum ExprKind {
     Velocity,
     /// Angular velocity of the body, in the frame [`Rotation::angular_velocity_frame`].
     AngularVelocity,
+    /// Sum of the forces other than the body's weight over its mass, in [`Body::velocity_frame`], m/s²; known once the
+    /// forces are.
+    SpecificForce,
+    /// Derivative of the angular velocity in the inertial frame, with its components in
+    /// [`Rotation::angular_velocity_frame`], rad/s²; known once forces and moments are.
+    AngularAcceleration,
     /// Coordinates of the marker in the marker's frame, m.
     Marker,
     /// Three scalars as a vector in the expression's frame.

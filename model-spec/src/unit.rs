@@ -48,6 +48,10 @@ impl Unit {
     pub const SPEED: Unit = Unit::of([1, 0, -1, 0, 0, 0, 0, 0]);
     /// Radian per second, rad/s.
     pub const RATE: Unit = Unit::of([0, 0, -1, 0, 0, 0, 0, 1]);
+    /// Metre per second squared, m/s².
+    pub const ACCELERATION: Unit = Unit::of([1, 0, -2, 0, 0, 0, 0, 0]);
+    /// Radian per second squared, rad/s².
+    pub const ANGULAR_ACCELERATION: Unit = Unit::of([0, 0, -2, 0, 0, 0, 0, 1]);
     /// Newton, kg m/s².
     pub const NEWTON: Unit = Unit::of([1, 1, -2, 0, 0, 0, 0, 0]);
     /// Newton metre, kg m²/s².

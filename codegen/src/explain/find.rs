@@ -4,7 +4,7 @@ use super::error::{ExplainError, nearest};
 use crate::compile::{Compiled, Selection, compile_for};
 use crate::graph::{NodeId, Symbol};
 use crate::latex;
-use crate::layout::{Layout, depends_on_marker};
+use crate::layout::{Layout, is_of_observation};
 use crate::lower::lower;
 use model_spec::diagnostic::Span;
 use model_spec::model::{AuxVariable, Load, Model};
@@ -65,7 +65,7 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     let lowered = &compiled.lowered;
     let of_let = |name: &str| {
         let mut start = 0;
-        let of_marker = depends_on_marker(&changed);
+        let of_marker = is_of_observation(&changed);
         for ((quantity, nodes), of_marker) in changed
             .aux_variables
             .iter()

@@ -47,7 +47,7 @@ fn derivatives_agree_with_differences() {
         let lets = model
             .aux_variables
             .iter()
-            .zip(crate::layout::depends_on_marker(&model));
+            .zip(crate::layout::is_of_observation(&model));
         let lets = lets.filter(|(_, of_marker)| !of_marker);
         let mut quantities: Vec<String> = lets.map(|(l, _)| l.name.clone()).collect();
         quantities.extend(model.states.iter().map(|s| format!("der({})", s.name)));

@@ -26,6 +26,8 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
         E::Position => Piece::atom(r"\mathbf{r}"),
         E::Velocity => Piece::atom(r"\mathbf{v}"),
         E::AngularVelocity => Piece::atom(r"\boldsymbol{\omega}"),
+        E::SpecificForce => Piece::atom(r"\mathbf{f}"),
+        E::AngularAcceleration => Piece::atom(r"\dot{\boldsymbol{\omega}}"),
         E::Marker => {
             let marker = model.marker.as_ref().map_or("marker", |m| m.name.as_str());
             Piece::atom(name(marker, Style::Vector))

@@ -60,6 +60,8 @@ impl Lowering<'_> {
                 Value::Vector(self.states(self.model.body.as_ref().map(|body| body.velocity)))
             }
             E::AngularVelocity => Value::Vector(self.spin()),
+            E::SpecificForce => Value::Vector(self.specific_force()),
+            E::AngularAcceleration => Value::Vector(self.angular_acceleration()),
             E::Marker => Value::Vector([0, 1, 2].map(|k| self.graph.symbol(Symbol::Marker(k)))),
             E::Components(parts) => {
                 let components = [&parts[0], &parts[1], &parts[2]].map(|part| self.scalar(part));

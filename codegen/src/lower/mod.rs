@@ -61,6 +61,9 @@ pub(crate) struct Lowering<'a> {
     pub(crate) graph: ExprGraph,
     pub(crate) layout: Layout,
     pub(crate) lets: Vec<Value>,
+    /// Rates of the components of the angular velocity in its frame, and the angular velocity of that frame, once the
+    /// equations of motion are lowered.
+    pub(crate) component_rates: Option<(Vector, Vector)>,
     pub(crate) provenance: Vec<Provenance>,
     /// Names in `provenance`.
     pub(crate) recorded: HashSet<String>,
@@ -74,26 +77,32 @@ pub fn lower(model: &Model) -> Lowered {
         graph: ExprGraph::new(),
         layout,
         lets: Vec::new(),
+        component_rates: None,
         provenance: Vec::new(),
         recorded: HashSet::new(),
     };
     lowering.leaves();
     lowering.assumptions();
-    for quantity in &model.aux_variables {
-        let value = lowering.evaluate(&quantity.value);
+    let of_motion = crate::layout::depends_on_accelerations(model);
+    for (quantity, of_motion) in model.aux_variables.iter().zip(&of_motion) {
+        let value = match of_motion {
+            // Overwritten once the equations of motion are lowered.
+            true => Value::Scalar(lowering.graph.whole(0)),
+            false => lowering.evaluate(&quantity.value),
+        };
         lowering.lets.push(value);
     }
     let mut quantities = Vec::new();
     let names = lowering.layout.quantities.clone();
     let mut next = names.iter();
-    let of_marker = crate::layout::depends_on_marker(model);
+    let of_marker = crate::layout::is_of_observation(model);
     for ((quantity, value), of_marker) in model
         .aux_variables
         .iter()
         .zip(lowering.lets.clone())
         .zip(of_marker)
     {
-        // the compiled function `quantities` has no marker argument
+        // the compiled function `quantities` has no marker argument, and is known without the motion
         if of_marker {
             continue;
         }
@@ -106,6 +115,10 @@ pub fn lower(model: &Model) -> Lowered {
         }
     }
     let dx = lowering.motion();
+    let later = model.aux_variables.iter().enumerate();
+    for (index, quantity) in later.filter(|(index, _)| of_motion[*index]) {
+        lowering.lets[index] = lowering.evaluate(&quantity.value);
+    }
     let observation = model.observation.as_ref().map(|observation| {
         let vector = lowering.vector(&observation.value);
         for (k, &component) in vector.iter().enumerate() {

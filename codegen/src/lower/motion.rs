@@ -67,14 +67,42 @@ impl Lowering<'_> {
             body.velocity_frame,
         );
         let carried = frames::cross(&mut self.graph, spin, velocity);
-        let force = self.loads(&model.forces, "force", body.velocity_frame);
+        let force = self.loads(model.forces.iter(), "force", body.velocity_frame);
         for k in 0..3 {
             let pushed = self.graph.distribute(force[k], lightness);
             dx[body.velocity[k]] = self.graph.sub(pushed, carried[k]);
         }
     }
 
-    fn loads(&mut self, loads: &[Load], kind: &str, frame: usize) -> Vector {
+    /// Sum of the forces other than the weight over the mass, m/s², in the frame of the velocity.
+    pub(crate) fn specific_force(&mut self) -> Vector {
+        let model = self.model;
+        let Some(body) = &model.body else {
+            return frames::zero(&mut self.graph);
+        };
+        let felt = model.forces.iter().filter(|load| !load.is_weight());
+        let force = self.loads(felt, "force", body.velocity_frame);
+        let mass = self.scalar(&body.mass);
+        let lightness = self.graph.power(mass, -2);
+        force.map(|component| self.graph.distribute(component, lightness))
+    }
+
+    /// Derivative of the angular velocity in the inertial frame, rad/s², components in the frame of the angular velocity.
+    pub(crate) fn angular_acceleration(&mut self) -> Vector {
+        let Some((rates, turning)) = self.component_rates else {
+            return frames::zero(&mut self.graph);
+        };
+        let spin = self.spin();
+        let transport = frames::cross(&mut self.graph, turning, spin);
+        frames::add(&mut self.graph, rates, transport)
+    }
+
+    fn loads<'m>(
+        &mut self,
+        loads: impl Iterator<Item = &'m Load>,
+        kind: &str,
+        frame: usize,
+    ) -> Vector {
         let mut total = frames::zero(&mut self.graph);
         for load in loads {
             let vector = self.vector(&load.value);
@@ -144,7 +172,7 @@ impl Lowering<'_> {
         let momentum = inertia.map(|row| frames::dot(&mut self.graph, row, spin));
         let turning = frames::angular_velocity(&mut self.graph, model, frame, frame);
         let carried = frames::cross(&mut self.graph, turning, momentum);
-        let moment = self.loads(&model.moments, "moment", frame);
+        let moment = self.loads(model.moments.iter(), "moment", frame);
         let mut left = frames::sub(&mut self.graph, moment, carried);
         if let Some(turned) = &turned {
             let drift = self.drift(turned, spin);
@@ -156,6 +184,7 @@ impl Lowering<'_> {
                 .collect();
             self.graph.sum(terms, Number::ZERO)
         });
+        self.component_rates = Some((acceleration, turning));
         match rotation.angular_velocity {
             Some((states, within)) if within == frame => {
                 for k in 0..3 {

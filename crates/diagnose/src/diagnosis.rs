@@ -198,7 +198,7 @@ impl<'a> Analysis<'a> {
             && !search.is_significant()
         {
             // The noise that the model leaves hides what the noise floor shows.
-            search = Search::with_noise(&mut model, &base, residuals.noise, context)?;
+            search = Search::with_noise(&mut model, &base, residuals.noise.clone(), context)?;
         }
         let mut analysis = Self {
             context,

@@ -6,7 +6,7 @@ use codegen::Layout;
 use codegen::compile::{Compiled, Effort, Selection, compile, compile_at, compile_for};
 use codegen::rust::source_hash;
 use codegen::tape_model::TapeModel;
-use model_spec::model::Model;
+use model_spec::model::{Expr, ExprKind, Model, Observation, Shape};
 use std::borrow::Cow;
 
 /// State vector of a model, in the order of its layout.
@@ -102,6 +102,36 @@ impl CompiledModel {
         })
     }
 
+    /// A tape whose measurement equation is an auxiliary variable of the model: its components in its own frame, a scalar
+    /// as the first of three. With derivatives by these parameters alone; `None` if the model has no such variable.
+    pub fn observing(
+        model: &Model,
+        variable: &str,
+        parameters: Vec<usize>,
+    ) -> Option<CompiledModel> {
+        let index = model
+            .aux_variables
+            .iter()
+            .position(|own| own.name == variable)?;
+        let span = model.aux_variables[index].span;
+        let own = model.aux_variables[index].value.clone();
+        let value = Expr {
+            kind: ExprKind::AuxVariable(index),
+            span,
+            ..own
+        };
+        let value = match value.shape {
+            Shape::Vector(_) => value,
+            Shape::Scalar => vector_of(value),
+        };
+        let mut observing = model.clone();
+        let name = variable.to_owned();
+        observing.observation = Some(Observation { name, value, span });
+        let selection = Selection::Only(parameters);
+        let compiled = compile_at(&observing, &selection, &[], Effort::Quick);
+        Some(CompiledModel::of_selection(&observing, &compiled))
+    }
+
     /// A tape with derivatives by selected parameters.
     fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
         let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(compiled)));
@@ -168,6 +198,25 @@ impl CompiledModel {
             }
         }
         parameters
+    }
+}
+
+/// The vector whose first component in the inertial frame is a scalar, and whose others are 0.
+fn vector_of(scalar: Expr) -> Expr {
+    let zero = || Expr {
+        kind: ExprKind::Number {
+            value: 0.0,
+            exact: Some((0, 1)),
+        },
+        ..scalar.clone()
+    };
+    let (span, unit) = (scalar.span, scalar.unit);
+    let parts = Box::new([scalar.clone(), zero(), zero()]);
+    Expr {
+        kind: ExprKind::Components(parts),
+        shape: Shape::Vector(0),
+        unit,
+        span,
     }
 }
 

@@ -188,6 +188,14 @@ pub enum FitError {
         /// Name of the model.
         model: String,
     },
+    /// A sensor of the dataset does not fit the model.
+    #[error("the model {model} has no reading for the dataset's sensors: {reason}")]
+    Sensor {
+        /// Name of the model.
+        model: String,
+        /// Reason in words.
+        reason: String,
+    },
     /// The markers do not determine the attitude of a body that rotates.
     #[error(
         "the model {model} turns, and {} do not show how: three are needed that are not in line",

@@ -5,6 +5,8 @@
 //! compiled model. The resulting [`Fit`] holds a [`FitReport`] with estimates, uncertainties and residual diagnostics.
 //! [`synthesize`] makes datasets whose true coefficients are known.
 
+mod channel;
+mod channel_observers;
 mod contact_time;
 pub mod dataset;
 mod error;
@@ -44,14 +46,15 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 pub use report::{
     AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
     FlightOutcome, FlightReport, Iterations, MarkerDistance, NoiseReport, NonIdentifiable, Profile,
-    Truncation,
+    SensorEvidence, SensorReport, Truncation,
 };
 pub use statistics::{median, robust_sigma};
 pub use uncertainty::interval;
 
 // The estimation problem, and predictions with their derivatives.
+pub use channel::{Channel, ChannelKind};
 pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
-pub use noise::{Moments, NoiseModel};
+pub use noise::{AxesNoise, Moments, NoiseModel};
 pub use noise_floor::{median_noise_floor, noise_floor};
 pub use observations::Observations;
 pub use predict::{Loss, PointResidual, Residuals, each_residual, linearise, linearise_with};

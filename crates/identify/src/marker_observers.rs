@@ -8,7 +8,7 @@ use model_spec::layout::ParamId;
 /// all others.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
-/// Bound models, one per marker or one shared by all, for the measurement equations.
+/// Bound models, one per marker and one for points that are no markers, or one shared by all, for the measurement equations.
 pub struct MarkerConditions<'a>(Vec<BoundModel<'a>>);
 
 impl<'a> MarkerConditions<'a> {
@@ -18,16 +18,18 @@ impl<'a> MarkerConditions<'a> {
         if places.iter().all(Option::is_none) {
             return Self(vec![body.bind(parameters.to_vec())]);
         }
-        let each = (0..markers).map(|marker| {
+        let bound = |marker: Option<usize>| {
             let mut parameters = parameters.to_vec();
             for (axis, place) in places.iter().enumerate() {
                 if let Some(place) = *place {
-                    parameters[place] = f64::from(u8::from(axis == marker));
+                    parameters[place] = f64::from(u8::from(Some(axis) == marker));
                 }
             }
             body.bind(parameters)
-        });
-        Self(each.collect())
+        };
+        // The last is for points that are no markers.
+        let each = (0..markers).map(Some).chain([None]);
+        Self(each.map(bound).collect())
     }
 
     /// Evaluators of the measurement equations.
@@ -64,10 +66,5 @@ impl<'a> MarkerObservers<'a> {
         (marker, position): (usize, &[f64; 3]),
     ) -> ([f64; 3], ObservationJacobians<'_>) {
         self.of(marker).position_with_jacobians(t, x, position)
-    }
-
-    /// Values of the model's auxiliary quantities, in the order of the layout.
-    pub fn quantities(&mut self, t: f64, x: &[f64]) -> Vec<f64> {
-        self.of(0).quantities(t, x)
     }
 }

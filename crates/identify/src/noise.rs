@@ -1,9 +1,20 @@
-//! Noise of measured coordinates: a stationary AR(1) process along each axis.
+//! Noise of measured values: a stationary AR(1) process along each axis of each group of channels.
 
-/// Noise along each axis of the inertial frame: a stationary AR(1) process.
-#[derive(Clone, Copy, Debug, PartialEq)]
+use std::ops::{Deref, DerefMut};
+
+/// Noise of all channels: one process for each group. It dereferences to that of the first group, which is that of the
+/// markers where there are any.
+#[derive(Clone, Debug, PartialEq)]
 pub struct NoiseModel {
-    /// Standard deviation along each axis, m.
+    groups: Vec<AxesNoise>,
+    /// Group of each channel; channels beyond are of the first.
+    group_of: Vec<usize>,
+}
+
+/// Noise of one group of channels along each axis: a stationary AR(1) process.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxesNoise {
+    /// Standard deviation along each axis, m; of channels other than positions, in their unit over their scale.
     pub sigma: [f64; 3],
     /// Lag autocorrelation at the time `interval`, along each axis.
     pub ar1: [f64; 3],
@@ -18,6 +29,80 @@ const MAX_AR1: f64 = 0.9;
 const MIN_PAIRS: usize = 20;
 
 impl NoiseModel {
+    /// White noise of standard deviation `sigma`, m, along every axis of every channel; `interval` in s.
+    pub fn white(sigma: f64, interval: f64) -> Self {
+        AxesNoise::white(sigma, interval).into()
+    }
+
+    /// Noise of groups of channels, and the group of each channel.
+    ///
+    /// # Panics
+    /// Without groups.
+    pub fn of_groups(groups: Vec<AxesNoise>, group_of: Vec<usize>) -> Self {
+        assert!(!groups.is_empty(), "noise of at least one group");
+        Self { groups, group_of }
+    }
+
+    /// Noise of a channel.
+    pub fn of(&self, channel: usize) -> &AxesNoise {
+        let group = self.group_of.get(channel).copied().unwrap_or(0);
+        &self.groups[group]
+    }
+
+    /// Noise of every group.
+    pub fn groups(&self) -> &[AxesNoise] {
+        &self.groups
+    }
+
+    /// The same standard deviations without correlation.
+    pub fn uncorrelated(&self) -> Self {
+        let white = self.groups.iter().map(|group| AxesNoise {
+            ar1: [0.0; 3],
+            ..*group
+        });
+        Self {
+            groups: white.collect(),
+            group_of: self.group_of.clone(),
+        }
+    }
+
+    /// Whether standard deviations agree within 0.5 % and autocorrelations within 0.005.
+    pub fn is_close_to(&self, other: &NoiseModel) -> bool {
+        self.is_within(other, 0.005)
+    }
+
+    /// Whether standard deviations agree within this fraction, and autocorrelations within this number.
+    pub fn is_within(&self, other: &NoiseModel, tolerance: f64) -> bool {
+        let mut pairs = self.groups.iter().zip(&other.groups);
+        self.groups.len() == other.groups.len()
+            && pairs.all(|(one, other)| one.is_within(other, tolerance))
+    }
+}
+
+impl From<AxesNoise> for NoiseModel {
+    fn from(noise: AxesNoise) -> Self {
+        Self {
+            groups: vec![noise],
+            group_of: Vec::new(),
+        }
+    }
+}
+
+impl Deref for NoiseModel {
+    type Target = AxesNoise;
+
+    fn deref(&self) -> &AxesNoise {
+        &self.groups[0]
+    }
+}
+
+impl DerefMut for NoiseModel {
+    fn deref_mut(&mut self) -> &mut AxesNoise {
+        &mut self.groups[0]
+    }
+}
+
+impl AxesNoise {
     /// White noise of standard deviation `sigma`, m, along every axis; `interval` in s.
     pub fn white(sigma: f64, interval: f64) -> Self {
         Self {
@@ -53,12 +138,11 @@ impl NoiseModel {
         (self.sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
     }
 
-    /// Whether standard deviations agree within 0.5 % and autocorrelations within 0.005.
-    pub fn is_close_to(&self, other: &NoiseModel) -> bool {
-        let same = |a: f64, b: f64| (a / b - 1.0).abs() < 0.005;
+    fn is_within(&self, other: &AxesNoise, tolerance: f64) -> bool {
+        let same = |a: f64, b: f64| (a / b - 1.0).abs() < tolerance;
         (0..3).all(|axis| {
             same(self.sigma[axis], other.sigma[axis])
-                && (self.ar1[axis] - other.ar1[axis]).abs() < 0.005
+                && (self.ar1[axis] - other.ar1[axis]).abs() < tolerance
         })
     }
 }
@@ -79,7 +163,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Adds the residuals of one marker of a flight, m; `None` for a missing value.
+    /// Adds the residuals of one channel of a flight, m; `None` for a missing value.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], interval: f64) {
         let mut before: Option<(f64, [f64; 3])> = None;
         for (&time, residual) in times.iter().zip(residuals) {
@@ -114,7 +198,7 @@ impl Moments {
 
     /// Estimates the noise from residuals after a fit of `unknowns` unknowns; a `given` standard deviation (m)
     /// replaces the estimated one.
-    pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> NoiseModel {
+    pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> AxesNoise {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;
         let sigma = [0, 1, 2].map(|axis| {
@@ -129,7 +213,7 @@ impl Moments {
             let correlation = self.products[axis] / self.neighbours[axis];
             correlation.clamp(-MAX_AR1, MAX_AR1)
         });
-        NoiseModel {
+        AxesNoise {
             sigma,
             ar1,
             interval,

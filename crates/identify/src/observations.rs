@@ -5,14 +5,15 @@ use std::ops::Range;
 use model_spec::layout::StateId;
 use nalgebra::DVector;
 
-use crate::dataset::{Flight, Role};
+use crate::channel::ChannelKind;
+use crate::dataset::{Flight, Role, attitude, points_seen};
 use crate::error::FlightError;
 use crate::problem::FitProblem;
 use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
 use crate::statistics::median;
 
-/// Samples of one flight from the first to the last with a measured marker, and what is known of the flight.
+/// Samples of one flight from the first to the last with a measured value, and what is known of the flight.
 #[derive(Clone, Debug)]
 pub struct Observations {
     /// File name of the flight.
@@ -23,12 +24,18 @@ pub struct Observations {
     pub origin: f64,
     /// Times of the samples since the first, s.
     pub times: Vec<f64>,
-    /// `measured[sample * markers + marker]`: position, m, inertial frame; `None` for a missing value.
+    /// `measured[sample * channels + channel]`: position, m, inertial frame; rotation vector of an attitude, rad; reading of
+    /// an instrument in its unit, a single number three times. `None` for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,
-    /// `outlier[sample * markers + marker]`: whether the point is excluded as an outlier.
+    /// `outlier[sample * channels + channel]`: whether the value is excluded as an outlier.
     pub outlier: Vec<bool>,
-    /// Number of markers.
+    /// Number of channels; markers are the first.
+    pub channels: usize,
+    /// Number of points that show the pose, as [`FitProblem::markers`].
     pub markers: usize,
+    /// `stand_ins[sample * markers + point]`: points that show the pose where these are not the markers themselves; empty
+    /// otherwise.
+    pub stand_ins: Vec<Option<[f64; 3]>>,
     /// Parameters of the flight in the order of the layout, SI; global parameters still have their initial values.
     pub parameters: Vec<f64>,
     /// Known states at the first sample, SI.
@@ -44,17 +51,18 @@ pub struct Observations {
 }
 
 impl Observations {
-    /// Extracts the samples of a flight from the first to the last measured marker.
+    /// Extracts the samples of a flight from the first to the last measured value.
     ///
     /// # Errors
     /// [`FlightError::NoMeasurement`]; [`FlightError::UnknownKnownValue`] or [`FlightError::KnownAndEstimated`] for
     /// known values that do not match the problem.
     pub fn new(problem: &FitProblem, flight: &Flight) -> Result<Self, FlightError> {
-        let has_measurement = |row: &Vec<Option<[f64; 3]>>| row.iter().any(Option::is_some);
-        let first = flight.positions.iter().position(has_measurement);
+        let all = 0..flight.times.len();
+        let is_measured =
+            |sample: &usize| row(problem, flight, *sample).any(|value| value.is_some());
+        let first = all.clone().find(is_measured);
         let first = first.ok_or(FlightError::NoMeasurement)?;
-        let last = flight.positions.iter().rposition(has_measurement);
-        let last = last.unwrap_or(first);
+        let last = all.rev().find(is_measured).unwrap_or(first);
         let origin = flight.times[first];
         let known = problem.known_values(&flight.known)?;
         let mut parameters = problem.parameters.clone();
@@ -62,8 +70,16 @@ impl Observations {
             parameters[id.index()] = value;
         }
         let known_states: Vec<StateId> = known.states.iter().map(|(state, _)| *state).collect();
-        let rows = &flight.positions[first..=last];
-        let measured: Vec<_> = rows.iter().flatten().copied().collect();
+        let measured: Vec<_> = (first..=last)
+            .flat_map(|sample| row(problem, flight, sample))
+            .collect();
+        let channels = problem.channels.len();
+        let stand_ins: Vec<_> = match problem.is_shown_by_markers() {
+            true => Vec::new(),
+            false => (first..=last)
+                .flat_map(|sample| stand_ins(problem, flight, sample))
+                .collect(),
+        };
         let times = flight.times[first..=last].iter();
         let mut notes = Vec::new();
         if first > 0 {
@@ -78,7 +94,9 @@ impl Observations {
             times: times.map(|t| t - origin).collect(),
             outlier: vec![false; measured.len()],
             measured,
+            channels,
             markers: problem.markers.len(),
+            stand_ins,
             parameters,
             manifold: StateManifold::new(&problem.model, &known_states),
             known_states: known.states,
@@ -92,7 +110,7 @@ impl Observations {
     pub(crate) fn like(problem: &FitProblem, flight: &Flight, other: &Self) -> Option<Self> {
         let mut observations = Self::new(problem, flight).ok()?;
         let samples = other.times.len();
-        let is_same = observations.markers == other.markers
+        let is_same = observations.channels == other.channels
             && observations.times.get(..samples)? == other.times.as_slice();
         if !is_same {
             return None;
@@ -105,14 +123,22 @@ impl Observations {
         Some(observations)
     }
 
-    /// Measured positions of all markers in one sample, m.
+    /// Measured positions of the points that show the pose in one sample, m.
     pub fn points(&self, sample: usize) -> &[Option<[f64; 3]>] {
-        &self.measured[sample * self.markers..][..self.markers]
+        match self.stand_ins.is_empty() {
+            true => &self.measured[sample * self.channels..][..self.markers],
+            false => &self.stand_ins[sample * self.markers..][..self.markers],
+        }
     }
 
-    /// Measured position of a marker, m; `None` if missing or an outlier.
-    pub fn inlier(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
-        let index = sample * self.markers + marker;
+    /// Measured value of a channel; `None` if missing.
+    pub fn value(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
+        self.measured[sample * self.channels + channel]
+    }
+
+    /// Measured value of a channel; `None` if missing or an outlier.
+    pub fn inlier(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
+        let index = sample * self.channels + channel;
         self.measured[index].filter(|_| !self.outlier[index])
     }
 
@@ -165,11 +191,13 @@ impl Observations {
 
     /// This arc of a flight, with the samples of another range of the flight.
     pub(crate) fn longer(&self, flight: &Observations, samples: Range<usize>) -> Observations {
-        let points = samples.start * self.markers..samples.end * self.markers;
+        let points = samples.start * self.channels..samples.end * self.channels;
+        let stand_ins = samples.start * self.markers..samples.end * self.markers;
         Observations {
             times: flight.times[samples].to_vec(),
             measured: flight.measured[points.clone()].to_vec(),
             outlier: flight.outlier[points].to_vec(),
+            stand_ins: flight.stand_ins.get(stand_ins).unwrap_or_default().to_vec(),
             manifold: self.manifold.clone(),
             file: self.file.clone(),
             parameters: self.parameters.clone(),
@@ -182,8 +210,9 @@ impl Observations {
 
     fn keep(&mut self, samples: usize) {
         self.times.truncate(samples);
-        self.measured.truncate(samples * self.markers);
-        self.outlier.truncate(samples * self.markers);
+        self.measured.truncate(samples * self.channels);
+        self.outlier.truncate(samples * self.channels);
+        self.stand_ins.truncate(samples * self.markers);
     }
 
     /// Overwrites the known states of an initial state with their known values.
@@ -202,6 +231,43 @@ impl Observations {
         }
         parameters
     }
+}
+
+/// Values of all channels in one sample, as [`Observations::measured`].
+fn row<'f>(
+    problem: &'f FitProblem,
+    flight: &'f Flight,
+    sample: usize,
+) -> impl Iterator<Item = Option<[f64; 3]>> + 'f {
+    let positions = flight.positions[sample].iter().copied();
+    let readings = flight.readings.get(sample).into_iter().flatten();
+    let of_sensors = &problem.channels[flight.positions[sample].len()..];
+    let readings = readings.zip(of_sensors);
+    positions.chain(readings.map(|(reading, channel)| {
+        reading.map(|reading| match (channel.kind, channel.components) {
+            (ChannelKind::Attitude, _) => attitude(reading).scaled_axis().into(),
+            (_, 1) => [reading[0]; 3],
+            _ => [reading[0], reading[1], reading[2]],
+        })
+    }))
+}
+
+/// Points that show the pose in a sample: the markers, then those that stand for pose sensors.
+fn stand_ins(
+    problem: &FitProblem,
+    flight: &Flight,
+    sample: usize,
+) -> impl Iterator<Item = Option<[f64; 3]>> {
+    let markers = flight.positions[sample].iter().copied();
+    let first = flight.positions[sample].len();
+    let channels = problem.channels[first..].iter();
+    let poses = channels
+        .enumerate()
+        .filter(|(_, channel)| channel.kind == ChannelKind::Position);
+    let readings = flight.readings.get(sample);
+    let seen = poses.filter_map(move |(index, _)| Some(points_seen(readings?.get(index..)?)));
+    let seen: Vec<_> = markers.chain(seen.flatten()).collect();
+    seen.into_iter()
 }
 
 /// Median of the flights' sampling intervals, s; 1 if none has two samples.

@@ -158,6 +158,21 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     median(space)
 }
 
+/// Robust standard deviation of the local residuals of each group of channels along each axis, m.
+pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64; 3]> {
+    let groups = group_of.iter().max().map_or(1, |last| last + 1);
+    let of_group = |group: usize| {
+        let series = local_residuals.iter().zip(group_of);
+        let series = series.filter(|(_, own)| **own == group);
+        let series: Vec<_> = series.map(|(series, _)| series.clone()).collect();
+        robust_scale(&series)
+    };
+    match groups {
+        1 => vec![robust_scale(local_residuals)],
+        _ => (0..groups).map(of_group).collect(),
+    }
+}
+
 /// Robust standard deviation of local residuals along each axis, m.
 pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     let mut sizes = Vec::with_capacity(local_residuals.iter().map(Vec::len).sum());
@@ -177,17 +192,22 @@ pub fn median_scale(scales: &[[f64; 3]]) -> [f64; 3] {
     })
 }
 
-/// Outliers at a scale: their indices `sample * markers + marker`, as in `Observations::outlier`, and local
-/// residuals, m.
-pub fn outlier_candidates(local_residuals: &Residuals, scale: [f64; 3]) -> Vec<(usize, [f64; 3])> {
-    let markers = local_residuals.len();
+/// Outliers at the scales of the groups of channels: their indices `sample * channels + channel`, as in
+/// `Observations::outlier`, and local residuals, m.
+pub fn outlier_candidates(
+    local_residuals: &Residuals,
+    scales: &[[f64; 3]],
+    group_of: &[usize],
+) -> Vec<(usize, [f64; 3])> {
+    let channels = local_residuals.len();
     let mut outlier_candidates = Vec::new();
-    for (marker, series) in local_residuals.iter().enumerate() {
+    for (channel, series) in local_residuals.iter().enumerate() {
+        let scale = scales[group_of.get(channel).copied().unwrap_or(0)];
         for (sample, local_residual) in series.iter().enumerate() {
             if let Some(local_residual) =
                 local_residual.filter(|local_residual| is_outlier(local_residual, scale))
             {
-                outlier_candidates.push((sample * markers + marker, local_residual));
+                outlier_candidates.push((sample * channels + channel, local_residual));
             }
         }
     }
@@ -199,10 +219,14 @@ pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
     (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
 }
 
-/// Outlier flags at a scale, by index `sample * markers + marker` as in `Observations::outlier`.
-pub fn outlier_mask(local_residuals: &Residuals, scale: [f64; 3]) -> Vec<bool> {
+/// Outlier flags at the scales of the groups, by index `sample * channels + channel` as in `Observations::outlier`.
+pub fn outlier_mask(
+    local_residuals: &Residuals,
+    scales: &[[f64; 3]],
+    group_of: &[usize],
+) -> Vec<bool> {
     let mut outlier_mask = vec![false; local_residuals.iter().map(Vec::len).sum()];
-    for (place, _) in outlier_candidates(local_residuals, scale) {
+    for (place, _) in outlier_candidates(local_residuals, scales, group_of) {
         outlier_mask[place] = true;
     }
     outlier_mask
@@ -227,7 +251,7 @@ mod tests {
         let times: Vec<f64> = (0..80).map(f64::from).collect();
         let local_residuals = local_residuals(&times, &[series]);
         let scale = robust_scale(&local_residuals);
-        let outlier_mask = outlier_mask(&local_residuals, scale);
+        let outlier_mask = outlier_mask(&local_residuals, &[scale], &[0]);
         let found: Vec<usize> = (0..80).filter(|&i| outlier_mask[i]).collect();
         assert_eq!(found, [0, 20, 22, 79]);
     }

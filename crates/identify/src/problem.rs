@@ -6,11 +6,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use flight::CompiledModel;
+use model_spec::compose::Instrument;
 use model_spec::layout::{Layout, ParamId, StateId};
 use model_spec::model::Model;
 
-use crate::dataset::{Dataset, KnownValue};
+use crate::channel::{self, Channel, ChannelKind};
+use crate::dataset::{Dataset, KnownValue, SensorKind, points_on_body};
 use crate::error::{FitError, FlightError, NameSource};
+use crate::noise::{Moments, NoiseModel};
 use crate::options::FitOptions;
 use crate::pose;
 use crate::tolerance::FINE_TOLERANCE;
@@ -29,8 +32,13 @@ pub struct FitProblem {
     pub model: Arc<Model>,
     /// The compiled model.
     pub body: Arc<CompiledModel>,
-    /// Positions of the markers in the frame that they are fixed in, m.
+    /// Positions of the points that show the pose, in the frame that markers are fixed in, m: the markers, or points that
+    /// stand for a pose sensor where there are too few.
     pub markers: Vec<[f64; 3]>,
+    /// What residuals are of: the markers, then the channels of the sensors.
+    pub channels: Vec<Channel>,
+    /// Models whose measurement equation is the quantity of an instrument among the sensors.
+    pub instruments: Vec<(Instrument, Arc<CompiledModel>)>,
     /// Whether the body has an attitude, which its markers determine; false for a point mass.
     pub has_attitude: bool,
     /// Values of all parameters in the order of the layout, SI, without those known for a single flight.
@@ -89,7 +97,7 @@ impl FitProblem {
         options: &FitOptions<'_>,
     ) -> Result<Self, FitError> {
         let mut parameters = known_constants(model, body.layout(), dataset)?;
-        let markers: Vec<[f64; 3]> = dataset.markers.iter().map(|m| m.position).collect();
+        let mut markers: Vec<[f64; 3]> = dataset.markers.iter().map(|m| m.position).collect();
         // Markers of a point mass are fixed in the inertial frame, which is frame 0.
         let marker = model.marker.as_ref();
         let has_attitude = marker.is_some_and(|marker| marker.frame != 0);
@@ -97,7 +105,23 @@ impl FitProblem {
             let model = model.name.clone();
             return Err(FitError::NoObservation { model });
         }
+        let (channels, kinds) = channel::of_dataset(dataset);
+        let instruments = instruments(model, &kinds)?;
         if has_attitude && !pose::fix_attitude(&markers) {
+            let poses = dataset.sensors.iter();
+            let poses = poses.filter(|sensor| sensor.kind == SensorKind::Pose);
+            markers.extend(poses.flat_map(|sensor| points_on_body(sensor.position)));
+        }
+        let is_seen_by_instruments = markers.is_empty() && !instruments.is_empty();
+        if !has_attitude
+            && let Some(pose) = channels.iter().find(|c| c.kind == ChannelKind::Attitude)
+        {
+            return Err(FitError::Sensor {
+                model: model.name.clone(),
+                reason: format!("{} is a pose, and a point mass has no attitude", pose.name),
+            });
+        }
+        if has_attitude && !is_seen_by_instruments && !pose::fix_attitude(&markers) {
             return Err(FitError::AttitudeNotObservable {
                 model: model.name.clone(),
                 markers: markers.len(),
@@ -109,6 +133,8 @@ impl FitProblem {
             model: Arc::new(model.clone()),
             body: Arc::new(body),
             markers,
+            channels,
+            instruments,
             has_attitude,
             parameters,
             globals,
@@ -125,6 +151,72 @@ impl FitProblem {
             })?;
         }
         Ok(problem)
+    }
+
+    /// Whether markers alone are measured.
+    pub(crate) fn sees_markers_alone(&self) -> bool {
+        let mut channels = self.channels.iter();
+        channels.all(|channel| matches!(channel.kind, ChannelKind::Marker(_)))
+    }
+
+    /// Whether the points that show the pose are markers, and not points that stand for a pose sensor.
+    pub(crate) fn is_shown_by_markers(&self) -> bool {
+        let markers = self.channels.iter();
+        let markers = markers.filter(|channel| matches!(channel.kind, ChannelKind::Marker(_)));
+        markers.count() == self.markers.len()
+    }
+
+    /// Group of each channel whose noise is one process.
+    pub fn noise_groups(&self) -> Vec<usize> {
+        self.channels.iter().map(|channel| channel.group).collect()
+    }
+
+    /// Noise of the groups by sums over their residuals after a fit of this number of unknowns; standard deviations that the
+    /// dataset states replace the estimated ones.
+    pub fn noise_of(&self, moments: &[Moments], unknowns: usize, interval: f64) -> NoiseModel {
+        let all: usize = moments.iter().map(|sum| sum.count).sum();
+        let groups = moments.iter().enumerate().map(|(group, sum)| {
+            let of_group = self.channels.iter().find(|channel| channel.group == group);
+            let given = of_group.and_then(|channel| Some(channel.sigma? * channel.scale));
+            // Each group bears its part of the unknowns.
+            let unknowns = (unknowns * sum.count).div_ceil(all.max(1));
+            sum.noise(unknowns, interval, given)
+        });
+        NoiseModel::of_groups(groups.collect(), self.noise_groups())
+    }
+
+    /// Empty sums for each group.
+    pub fn no_moments(&self) -> Vec<Moments> {
+        let groups = self
+            .noise_groups()
+            .into_iter()
+            .max()
+            .map_or(1, |last| last + 1);
+        vec![Moments::default(); groups]
+    }
+
+    /// Whether positions of the body are measured; otherwise its place and heading are free, and have weak priors.
+    pub(crate) fn sees_positions(&self) -> bool {
+        self.channels.iter().any(Channel::is_position)
+    }
+
+    /// Whether the residuals of a channel count in the root mean square of a flight: those of markers, m; without markers
+    /// those of pose sensors; without positions all.
+    pub fn is_scored(&self, channel: usize) -> bool {
+        let is_marker = |channel: &Channel| matches!(channel.kind, ChannelKind::Marker(_));
+        match (self.channels.iter().any(is_marker), self.sees_positions()) {
+            (true, _) => is_marker(&self.channels[channel]),
+            (false, true) => self.channels[channel].is_position(),
+            (false, false) => true,
+        }
+    }
+
+    /// Takes the initial noise estimate and the scales of the channels from another problem of the same dataset.
+    pub fn take_scales(&mut self, other: &FitProblem) {
+        self.sigma0 = other.sigma0;
+        for (channel, other) in self.channels.iter_mut().zip(&other.channels) {
+            channel.scale = other.scale;
+        }
     }
 
     /// Whether residuals of this scale, m, are far above the noise of the samples: the model is wrong, or the minimum is.
@@ -198,6 +290,27 @@ impl FitProblem {
                 .collect(),
         }
     }
+}
+
+/// The models that instruments observe, with derivatives by all parameters.
+fn instruments(
+    model: &Model,
+    kinds: &[Instrument],
+) -> Result<Vec<(Instrument, Arc<CompiledModel>)>, FitError> {
+    let refused = |reason: String| FitError::Sensor {
+        model: model.name.clone(),
+        reason,
+    };
+    let measured = model.with_instruments(kinds);
+    let measured = measured.map_err(|error| refused(error.to_string()))?;
+    let parameters: Vec<usize> = (0..Layout::new(&measured).parameters.len()).collect();
+    let each = kinds.iter().map(|kind| {
+        let compiled = CompiledModel::observing(&measured, kind.name(), parameters.clone());
+        let missing = || refused(format!("it has no quantity `{}`", kind.name()));
+        let compiled = compiled.ok_or_else(missing)?;
+        Ok((*kind, Arc::new(compiled)))
+    });
+    each.collect()
 }
 
 /// Default parameters, overridden by the known constants of the dataset, SI.

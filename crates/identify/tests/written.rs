@@ -16,6 +16,7 @@ fn small() -> Dataset {
         known: BTreeMap::from([("rho".into(), KnownValue::Scalar(1.19))]),
         times: vec![0.0, 0.1],
         positions: vec![vec![Some([1.0, 2.0, 3.0])], vec![None]],
+        readings: Vec::new(),
     };
     Dataset {
         model: "ball".into(),
@@ -24,6 +25,7 @@ fn small() -> Dataset {
             name: "centre".into(),
             position: [0.0; 3],
         }],
+        sensors: Vec::new(),
         sigma: Some(0.001),
         flights: vec![flight("a.csv"), flight("sub/b.csv")],
     }
@@ -150,6 +152,7 @@ fn flight(markers: usize) -> impl Strategy<Value = Flight> {
                 known,
                 times: times.collect(),
                 positions: rows.iter().map(|(_, row)| row.clone()).collect(),
+                readings: Vec::new(),
             }
         })
 }
@@ -175,6 +178,7 @@ fn dataset() -> impl Strategy<Value = Dataset> {
                     model: format!("m{model}"),
                     parameters: parameters.clone(),
                     markers: (0..markers).map(marker).collect(),
+                    sensors: Vec::new(),
                     sigma,
                     flights,
                 }

@@ -5,9 +5,11 @@
 
 use crate::frames::{PlacedFrame, place_real};
 use crate::point::Point;
+use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::{Real, call};
-use model_spec::model::{Body, Expr, ExprKind, Load, Model, Shape};
-use nalgebra::Vector3;
+use model_spec::layout::depends_on_accelerations;
+use model_spec::model::{Body, Expr, ExprKind, Load, Model, Rotation, Shape};
+use nalgebra::{Matrix3, Vector3};
 
 /// Value of an expression: scalar or vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,15 +47,48 @@ impl<'a, T: Real> Tree<'a, T> {
             frames,
             aux_variables: Vec::with_capacity(model.aux_variables.len()),
         };
+        let of_motion = depends_on_accelerations(model);
         for (index, named) in model.aux_variables.iter().enumerate() {
             let given_value = given
                 .iter()
                 .find(|(i, _)| *i == index)
                 .map(|(_, value)| *value);
-            let value = given_value.unwrap_or_else(|| tree.value(&named.value));
+            let value = match given_value {
+                Some(value) => value,
+                // Computed below, when all that loads depend on is known.
+                None if of_motion[index] => Value::Scalar(T::zero()),
+                None => tree.value(&named.value),
+            };
             tree.aux_variables.push(value);
         }
+        for (index, named) in model.aux_variables.iter().enumerate() {
+            if of_motion[index] && given.iter().all(|(i, _)| *i != index) {
+                tree.aux_variables[index] = tree.value(&named.value);
+            }
+        }
         tree
+    }
+
+    /// Sum of the forces other than the weight over the mass, m/s², in inertial components.
+    fn specific_force(&self) -> Vector3<T> {
+        let felt = self.model.forces.iter().filter(|load| !load.is_weight());
+        let force = felt.fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value));
+        force / self.scalar(&self.body().mass)
+    }
+
+    /// Derivative of the angular velocity, rad/s², in inertial components.
+    fn angular_acceleration(&self) -> Vector3<T> {
+        let rotation = self.rotation();
+        let frame = &self.frames[rotation.inertia_frame];
+        let inertia = Matrix3::from_fn(|row, column| self.scalar(&rotation.inertia[row][column]));
+        angular_acceleration(
+            &inertia_in_n(&frame.axes, &inertia),
+            &frame
+                .angular_velocity
+                .expect("an inertia frame with angular velocity"),
+            &self.angular_velocity(),
+            &self.total(&self.model.moments),
+        )
     }
 
     /// Value of a scalar expression.
@@ -118,18 +153,9 @@ impl<'a, T: Real> Tree<'a, T> {
                 let body = self.body();
                 Vector(self.frames[body.velocity_frame].axes * self.states(body.velocity))
             }
-            K::AngularVelocity => {
-                let rotation = self
-                    .body()
-                    .rotation
-                    .as_ref()
-                    .expect("a body with attitude, by the checker");
-                Vector(
-                    self.frames[rotation.body_frame]
-                        .angular_velocity
-                        .expect("a body frame with angular velocity"),
-                )
-            }
+            K::AngularVelocity => Vector(self.angular_velocity()),
+            K::SpecificForce => Vector(self.specific_force()),
+            K::AngularAcceleration => Vector(self.angular_acceleration()),
             K::Marker => {
                 let marker = self
                     .model
@@ -226,6 +252,17 @@ impl<'a, T: Real> Tree<'a, T> {
 
     fn states(&self, indices: [usize; 3]) -> Vector3<T> {
         Vector3::from(indices.map(|i| self.point.states[i]))
+    }
+
+    fn angular_velocity(&self) -> Vector3<T> {
+        self.frames[self.rotation().body_frame]
+            .angular_velocity
+            .expect("a body frame with angular velocity")
+    }
+
+    fn rotation(&self) -> &'a Rotation {
+        let rotation = self.body().rotation.as_ref();
+        rotation.expect("a body with attitude, by the checker")
     }
 
     fn body(&self) -> &'a Body {

@@ -18,6 +18,7 @@ mod page;
 pub mod paper;
 pub mod real_data;
 pub mod seeded;
+pub mod sensors;
 pub mod spoiled;
 mod statistics;
 

@@ -3,7 +3,9 @@
 use identify::Observations;
 use identify::dataset::{Dataset, KnownValue};
 use identify::synthesize::{Corruption as Made, corrupt};
-use identify::{FitOptions, FitProblem, Loss, NoiseModel, Unknowns, initial_guesses, linearise};
+use identify::{
+    AxesNoise, FitOptions, FitProblem, Loss, NoiseModel, Unknowns, initial_guesses, linearise,
+};
 use nalgebra::DVector;
 use studies::oracle_flights::{Plan, TWELVE, disc, flights};
 
@@ -96,11 +98,11 @@ fn check(model: &str, dataset: &Dataset, free: &[String], loss: Loss<'_>) {
 
 #[test]
 fn gradients_are_those_of_the_squares() {
-    let correlated = NoiseModel {
+    let correlated = NoiseModel::from(AxesNoise {
         sigma: [0.001, 0.002, 0.003],
         ar1: [0.5, 0.0, -0.3],
         interval: 1.0 / 120.0,
-    };
+    });
     let data = dataset();
     check("disc", &data, &[], Loss::Whitened(&correlated));
     check(

@@ -276,6 +276,8 @@ impl<'a> Checker<'a> {
             | ExprKind::Position
             | ExprKind::Velocity
             | ExprKind::AngularVelocity
+            | ExprKind::SpecificForce
+            | ExprKind::AngularAcceleration
             | ExprKind::Marker => Some(e.span),
             ExprKind::AuxVariable(i) => self.varies[*i].then_some(e.span),
             _ => {

@@ -227,6 +227,8 @@ impl Checker<'_> {
             ExprKind::Position | ExprKind::Marker => written(Term::known(Unit::METRE)),
             ExprKind::Velocity => written(Term::known(Unit::SPEED)),
             ExprKind::AngularVelocity => written(Term::known(Unit::RATE)),
+            ExprKind::SpecificForce => written(Term::known(Unit::ACCELERATION)),
+            ExprKind::AngularAcceleration => written(Term::known(Unit::ANGULAR_ACCELERATION)),
             _ => {
                 e.children(&mut |child| self.leaves(child, out));
                 return;

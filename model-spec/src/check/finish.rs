@@ -150,6 +150,8 @@ impl Tables {
             K::Position | K::Marker => Unit::METRE,
             K::Velocity => Unit::SPEED,
             K::AngularVelocity => Unit::RATE,
+            K::SpecificForce => Unit::ACCELERATION,
+            K::AngularAcceleration => Unit::ANGULAR_ACCELERATION,
             K::Components(parts) => parts
                 .iter()
                 .find(|p| !bare_zero(p))

@@ -3,6 +3,7 @@
 //! Checks act on the vector expressions as written, before any simplification. A statement with an error is reported
 //! once and omitted; statements that refer to it cause no further reports.
 
+mod accelerations;
 mod attitude;
 mod body;
 mod call;
@@ -37,6 +38,7 @@ use term::{Term, Units};
 use unitless::Unitless;
 
 pub(crate) use quantity::si_value;
+pub(crate) use scope::OF_BODY;
 pub use singular::{SingularPoint, nonzero_constants, singular_points};
 
 /// Result of [`check`](fn@check): the model and the diagnostics.
@@ -190,6 +192,7 @@ impl<'a> Checker<'a> {
         self.equations();
         self.claim();
         self.limits();
+        self.after_motion();
         self.finish();
         if self.sound() {
             self.singularities();

@@ -70,12 +70,16 @@ impl Checker<'_> {
         match name {
             "pi" => Some(scalar(ExprKind::Pi, Term::one())),
             "time" => Some(scalar(ExprKind::Time, Term::known(Unit::SECOND))),
-            "position" | "velocity" | "angular_velocity" => self.of_body(name, span),
+            "position"
+            | "velocity"
+            | "angular_velocity"
+            | "specific_force"
+            | "angular_acceleration" => self.of_body(name, span),
             _ => self.unknown_name(name, span),
         }
     }
 
-    /// Resolves `position`, `velocity` or `angular_velocity` of the body.
+    /// Resolves a vector of the body: `position`, `velocity`, `angular_velocity`, `specific_force`, `angular_acceleration`.
     fn of_body(&mut self, name: &str, span: Span) -> Option<Typed> {
         if self.declared_body.is_none() {
             let message = format!("there is no body whose `{name}` this could be");
@@ -90,15 +94,26 @@ impl Checker<'_> {
         let (kind, frame, unit) = match name {
             "position" => (ExprKind::Position, 0, Unit::METRE),
             "velocity" => (ExprKind::Velocity, body.velocity_frame, Unit::SPEED),
+            "specific_force" => (
+                ExprKind::SpecificForce,
+                body.velocity_frame,
+                Unit::ACCELERATION,
+            ),
             _ => match &body.rotation {
-                Some(rotation) => (
+                Some(rotation) if name == "angular_velocity" => (
                     ExprKind::AngularVelocity,
                     rotation.angular_velocity_frame,
                     Unit::RATE,
                 ),
+                Some(rotation) => (
+                    ExprKind::AngularAcceleration,
+                    rotation.angular_velocity_frame,
+                    Unit::ANGULAR_ACCELERATION,
+                ),
                 None => {
-                    let fault =
-                        Diagnostic::new(Kind::Name, span, "a point has no angular velocity");
+                    let words = name.replace('_', " ");
+                    let message = format!("a point has no {words}");
+                    let fault = Diagnostic::new(Kind::Name, span, message);
                     self.report(
                         fault.help("declare a `body` with moments of inertia, or an `input`"),
                     );

@@ -34,7 +34,13 @@ pub(super) struct Scope {
 pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
 
 /// Names predefined in models with a body; other models may declare them.
-pub(super) const OF_BODY: [&str; 3] = ["position", "velocity", "angular_velocity"];
+pub(crate) const OF_BODY: [&str; 5] = [
+    "position",
+    "velocity",
+    "angular_velocity",
+    "specific_force",
+    "angular_acceleration",
+];
 
 /// Names of the built-in functions.
 pub(super) const FUNCTIONS: [&str; 24] = [

@@ -117,6 +117,8 @@ impl Sizes {
             | K::Position
             | K::Velocity
             | K::AngularVelocity
+            | K::SpecificForce
+            | K::AngularAcceleration
             | K::Marker => ATOM,
             K::Axis(..) => Size {
                 factors: self.frames,

@@ -15,6 +15,8 @@ use crate::unit::{Unit, symbol};
 const POSITION: &str = "position";
 const VELOCITY: &str = "velocity";
 const ANGULAR_VELOCITY: &str = "angular_velocity";
+const SPECIFIC_FORCE: &str = "specific_force";
+const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
 /// What an effect needs that speaks of a mass, its position or its velocity.
 const BODY: &str = "a body or a point";
@@ -104,6 +106,7 @@ impl Binding {
         if body.is_some() {
             add(POSITION, true, Unit::METRE);
             add(VELOCITY, true, Unit::SPEED);
+            add(SPECIFIC_FORCE, true, Unit::ACCELERATION);
             values
                 .entry(MASS.to_owned())
                 .or_insert((false, Unit::KILOGRAM));
@@ -112,6 +115,8 @@ impl Binding {
         frames.insert(FRAMES[0].to_owned());
         if turns {
             values.insert(ANGULAR_VELOCITY.to_owned(), (true, Unit::RATE));
+            let acceleration = (true, Unit::ANGULAR_ACCELERATION);
+            values.insert(ANGULAR_ACCELERATION.to_owned(), acceleration);
             for name in INERTIA {
                 values
                     .entry(name.to_owned())
@@ -358,8 +363,8 @@ impl Uses<'_> {
         }
         match name {
             _ if self.binding.values.contains_key(name) => Ok(()),
-            POSITION | VELOCITY | MASS => Err(lacking(BODY.to_owned())),
-            ANGULAR_VELOCITY => Err(lacking(TURNING.to_owned())),
+            POSITION | VELOCITY | SPECIFIC_FORCE | MASS => Err(lacking(BODY.to_owned())),
+            ANGULAR_VELOCITY | ANGULAR_ACCELERATION => Err(lacking(TURNING.to_owned())),
             _ if INERTIA.contains(&name) => Err(lacking(TURNING.to_owned())),
             _ => Err(lacking(format!("a quantity `{name}`"))),
         }

@@ -27,6 +27,7 @@ mod effect_tree;
 mod known;
 mod offers;
 mod rates;
+mod sensors;
 mod values;
 
 use std::sync::Arc;
@@ -44,6 +45,7 @@ use crate::syntax::{self, Parsed};
 pub use binding::{Binding, Unmet};
 pub use effect_tree::EffectTree;
 pub use known::{KnownEffect, Origin, Refused, known_effects};
+pub use sensors::Instrument;
 pub use values::ValueError;
 
 /// A model's syntax tree with effects applied, and the source texts that its spans refer to.

@@ -3,6 +3,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use crate::check::OF_BODY;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{
     Body, BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
@@ -204,7 +205,7 @@ pub(super) fn body(file: &File) -> Option<&Body> {
 }
 
 fn is_of_body(file: &File, name: &str) -> bool {
-    body(file).is_some() && ["position", "velocity", "angular_velocity"].contains(&name)
+    body(file).is_some() && OF_BODY.contains(&name)
 }
 
 /// Names of values that an effect declares.

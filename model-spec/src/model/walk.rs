@@ -20,6 +20,8 @@ impl Expr {
             | K::Position
             | K::Velocity
             | K::AngularVelocity
+            | K::SpecificForce
+            | K::AngularAcceleration
             | K::Marker => {}
             K::Components(parts) | K::Ratio(parts) => parts.iter().for_each(visit),
             K::Neg(a)
@@ -67,6 +69,8 @@ impl Expr {
             | K::Position
             | K::Velocity
             | K::AngularVelocity
+            | K::SpecificForce
+            | K::AngularAcceleration
             | K::Marker => {}
             K::Components(parts) | K::Ratio(parts) => parts.iter_mut().for_each(visit),
             K::Neg(a)

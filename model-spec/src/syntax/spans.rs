@@ -44,6 +44,13 @@ impl Effect {
     }
 }
 
+impl Item {
+    /// Calls `change` on every source span of a statement of the kinds that an effect may contain.
+    pub(crate) fn change_spans(&mut self, change: Change<'_>) {
+        statement(self, change);
+    }
+}
+
 /// Calls `change` on every span of a statement of the kinds that an effect may contain.
 fn statement(item: &mut Item, change: Change<'_>) {
     change(&mut item.span);

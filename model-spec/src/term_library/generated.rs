@@ -309,6 +309,8 @@ fn look(e: &Expr, before: &[Traits], found: &mut Traits) {
         | ExprKind::Position
         | ExprKind::Velocity
         | ExprKind::AngularVelocity
+        | ExprKind::SpecificForce
+        | ExprKind::AngularAcceleration
         | ExprKind::Axis(1.., _) => found.varies = true,
         // Of a marker, and so no quantity of the flight.
         ExprKind::Coefficient(_) | ExprKind::Marker => found.is_estimated = true,

@@ -44,6 +44,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         model,
         parameters: template.parameters.clone(),
         markers: template.markers.clone(),
+        sensors: Vec::new(),
         sigma: None,
         flights: Vec::new(),
     };
@@ -217,6 +218,7 @@ fn add(
             known: BTreeMap::new(),
             times: turned.times[throw.samples()].to_vec(),
             positions: positions.collect(),
+            readings: Vec::new(),
         });
     }
     Ok(())

@@ -244,7 +244,7 @@ fn encompassing_problem(
     let fixed = fixed_parameters(encompassing, &[]);
     let body = CompiledModel::specialized(&encompassing.model, &fixed);
     let mut problem = FitProblem::with_body(&encompassing.model, body, context.dataset, &options)?;
-    problem.sigma0 = fit.problem().sigma0;
+    problem.take_scales(fit.problem());
     Ok(problem)
 }
 

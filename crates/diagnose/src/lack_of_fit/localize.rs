@@ -1,6 +1,6 @@
 //! Where and when residuals depart from noise.
 
-use identify::NoiseModel;
+use identify::{Channel, NoiseModel};
 use serde::{Deserialize, Serialize};
 
 use super::noise_floor::FlightSeries;
@@ -14,14 +14,17 @@ const STRETCH: f64 = 0.5;
 pub struct SmoothMisfit {
     /// File of the flight.
     pub file: String,
-    /// Marker and axis of the inertial frame, as the column of the table: `m1_z`.
+    /// Marker or sensor and axis, as the column of the table: `m1_z`.
     pub coordinate: String,
     /// Begin of the stretch where the departure exceeds half its greatest size, s after the first sample.
     pub from_s: f64,
     /// End of that stretch, s after the first sample.
     pub to_s: f64,
-    /// Greatest size of the smooth departure, measured − predicted, m.
+    /// Greatest size of the smooth departure, measured − predicted, in `unit`.
     pub size_m: f64,
+    /// Unit of the departure: `m` of positions.
+    #[serde(default)]
+    pub unit: String,
     /// p-value of the flight.
     pub p: f64,
 }
@@ -31,10 +34,11 @@ pub(super) fn greatest_misfit(
     flight: &FlightSeries,
     basis: &SplineBasis,
     noise: &NoiseModel,
-    names: &[String],
+    channels: &[Channel],
 ) -> Option<SmoothMisfit> {
     let mut best: Option<(f64, usize, usize, Vec<f64>)> = None;
     for (marker, axes) in flight.series.iter().enumerate() {
+        let noise = noise.of(marker);
         for (axis, series) in axes.iter().enumerate() {
             let found = series
                 .residuals_only()
@@ -60,15 +64,20 @@ pub(super) fn greatest_misfit(
         .collect();
     let greatest = (0..curve.len()).max_by(|&a, &b| curve[a].abs().total_cmp(&curve[b].abs()))?;
     let size = curve[greatest];
+    let channel = &channels[marker];
     let belongs = |index: usize| curve[index] * size.signum() >= STRETCH * size.abs();
     let from = (0..=greatest).rev().take_while(|&k| belongs(k)).last();
     let to = (greatest..curve.len()).take_while(|&k| belongs(k)).last();
     Some(SmoothMisfit {
         file: String::new(),
-        coordinate: format!("{}_{}", names[marker], ["x", "y", "z"][axis]),
+        coordinate: match channel.components {
+            1 => channel.name.clone(),
+            _ => format!("{}_{}", channel.name, ["x", "y", "z"][axis]),
+        },
+        unit: channel.unit.to_owned(),
         from_s: times[from.unwrap_or(greatest)],
         to_s: times[to.unwrap_or(greatest)],
-        size_m: size,
+        size_m: size / channel.scale,
         p: 1.0,
     })
 }

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 use flight::batch;
 use identify::dataset::Role;
-use identify::{Fit, FitError, FlightId, NoiseModel, Observations, each_residual};
+use identify::{Channel, Fit, FitError, FlightId, NoiseModel, Observations, each_residual};
 use serde::{Deserialize, Serialize};
 
 use self::f_test::ScaledStatistic;
@@ -96,7 +96,8 @@ impl LackOfFit {
                 kept.push(flight);
             }
         }
-        let Some(floor) = NoiseFloor::estimate(&series, interval, threads) else {
+        let channels = &fit.problem().channels;
+        let Some(floor) = NoiseFloor::estimate(&series, channels, interval, threads) else {
             return Ok(None);
         };
         let sigma0 = INTEGRATION_ERROR * fit.problem().sigma0;
@@ -107,12 +108,14 @@ impl LackOfFit {
             Ok(FlightMisfit::new(&with, &slow, &floor.noise, least_ratio))
         });
         let misfits: Vec<Option<FlightMisfit>> = misfits.into_iter().collect::<Result<_, _>>()?;
-        Ok(Some(Self::of_misfits((&kept, &series), &misfits, &floor)))
+        let channels = &fit.problem().channels;
+        let misfits = (misfits.as_slice(), channels.as_slice());
+        Ok(Some(Self::of_misfits((&kept, &series), misfits, &floor)))
     }
 
     fn of_misfits(
         (flights, series): (&[FittedFlight<'_>], &[FlightSeries]),
-        misfits: &[Option<FlightMisfit>],
+        (misfits, channels): (&[Option<FlightMisfit>], &[Channel]),
         floor: &NoiseFloor,
     ) -> Self {
         let error = floor.relative_error();
@@ -134,7 +137,7 @@ impl LackOfFit {
             .filter_map(|&(index, p)| {
                 let flight = &flights[index];
                 let basis = flight.slow();
-                let found = greatest_misfit(&series[index], &basis, &floor.noise, &flight.markers)?;
+                let found = greatest_misfit(&series[index], &basis, &floor.noise, channels)?;
                 Some(SmoothMisfit {
                     file: flight.observed.file.clone(),
                     p,
@@ -162,7 +165,7 @@ impl LackOfFit {
             noise_floor_m,
             beyond_noise_m: beyond.max(0.0).sqrt(),
             excess_chi2: (slow.value - slow.dof).max(fine.value - fine.dof).max(0.0),
-            noise: floor.noise,
+            noise: floor.noise.clone(),
         }
     }
 }
@@ -171,7 +174,6 @@ impl LackOfFit {
 struct FittedFlight<'f> {
     observed: &'f Observations,
     id: FlightId,
-    markers: Vec<String>,
 }
 
 /// The fitted flights of a fit.
@@ -179,11 +181,7 @@ fn fitted_flights(fit: &Fit) -> Vec<FittedFlight<'_>> {
     let all = (0..fit.report.flights.len()).map(FlightId::new);
     let fitted = all.filter_map(|id| {
         let (observed, _) = fit.flight(id)?;
-        (observed.role == Role::Fit).then(|| FittedFlight {
-            observed,
-            id,
-            markers: fit.marker_names().to_vec(),
-        })
+        (observed.role == Role::Fit).then(|| FittedFlight { observed, id })
     });
     fitted.collect()
 }
@@ -213,15 +211,24 @@ impl FittedFlight<'_> {
         let frequency = frequency(&evidence.predicted, interval);
         let wanted = (1.0 / (KNOTS_PER_PERIOD * frequency)).min(duration / FINE_INTERVALS);
         let knot_interval = wanted.max(MIN_SAMPLES_PER_KNOT * interval);
-        let mut series = empty_series(evidence.markers.len(), 1);
+        let channels = &fit.problem().channels;
+        let mut series = empty_series(channels.len(), 1);
         for (sample, &time) in evidence.times.iter().enumerate() {
-            for (marker, axes) in series.iter_mut().enumerate() {
-                let Some(residual) = evidence.residual(sample, marker) else {
-                    continue;
+            let mut positions = 0..;
+            let mut sensors = evidence.sensors.iter();
+            for (channel, axes) in channels.iter().zip(&mut series) {
+                let residual = match channel.is_position() {
+                    true => positions
+                        .next()
+                        .and_then(|index| evidence.residual(sample, index)),
+                    false => sensors
+                        .next()
+                        .and_then(|own| own.residuals[sample].filter(|_| !own.outlier[sample])),
                 };
-                for (series, residual) in axes.iter_mut().zip(residual) {
+                let Some(residual) = residual else { continue };
+                for (series, residual) in axes.iter_mut().zip(residual).take(channel.components) {
                     series.times.push(time);
-                    series.sides.push(-residual);
+                    series.sides.push(-residual * channel.scale);
                 }
             }
         }
@@ -245,14 +252,15 @@ impl FittedFlight<'_> {
             .body
             .bind(observed.parameters(problem, fit.global()));
         let count = 1 + observed.manifold.dimension();
-        let mut series = empty_series(observed.markers, count);
+        let mut series = empty_series(observed.channels, count);
         let motion = conditions.differentiable_rhs();
         each_residual(problem, observed, unknowns, motion, &[], |point| {
-            if observed.inlier(point.sample, point.marker).is_none() {
+            if observed.inlier(point.sample, point.channel).is_none() {
                 return;
             }
-            let axes = series[point.marker].iter_mut().zip(point.rows);
-            for ((series, row), residual) in axes.zip(point.residual) {
+            let components = problem.channels[point.channel].components;
+            let axes = series[point.channel].iter_mut().zip(point.rows);
+            for ((series, row), residual) in axes.zip(point.residual).take(components) {
                 series.times.push(observed.times[point.sample]);
                 series.sides.push(residual);
                 series.sides.extend_from_slice(row);
@@ -269,8 +277,8 @@ impl FittedFlight<'_> {
     }
 }
 
-fn empty_series(markers: usize, count: usize) -> Vec<[Series; 3]> {
-    (0..markers)
+fn empty_series(channels: usize, count: usize) -> Vec<[Series; 3]> {
+    (0..channels)
         .map(|_| [0; 3].map(|_| Series::new(count)))
         .collect()
 }

@@ -4,7 +4,7 @@
 //! likelihood gives the variance and the autocorrelation of what they leave, without the bias of the splines' coefficients.
 
 use flight::batch;
-use identify::NoiseModel;
+use identify::{AxesNoise, Channel, NoiseModel};
 
 use super::series::Series;
 use super::spline_basis::SplineBasis;
@@ -21,21 +21,21 @@ const CURVATURE_STEP: f64 = 0.03;
 /// Greatest number of residuals of one axis from which the autocorrelation is estimated.
 const MAX_RESIDUALS: usize = 40_000;
 
-/// Residuals of one flight, by marker and axis, and its splines.
+/// Residuals of one flight, by channel and axis, and its splines.
 pub(super) struct FlightSeries {
-    /// `series[marker][axis]`.
+    /// `series[channel][axis]`.
     pub series: Vec<[Series; 3]>,
     /// Splines that follow every smooth motion.
     pub fine: SplineBasis,
 }
 
 /// Noise that no smooth motion follows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct NoiseFloor {
     /// The noise.
     pub noise: NoiseModel,
-    /// Standard errors of the autocorrelations.
-    pub ar1_std_error: [f64; 3],
+    /// Standard errors of the autocorrelations of each group of channels.
+    pub ar1_std_error: Vec<[f64; 3]>,
 }
 
 /// Restricted likelihood of one axis at one autocorrelation.
@@ -51,7 +51,12 @@ struct Likelihood {
 
 impl NoiseFloor {
     /// Estimates the noise of residuals `interval` seconds apart; `None` if there are fewer residuals than splines need.
-    pub fn estimate(flights: &[FlightSeries], interval: f64, threads: usize) -> Option<Self> {
+    pub fn estimate(
+        flights: &[FlightSeries],
+        channels: &[Channel],
+        interval: f64,
+        threads: usize,
+    ) -> Option<Self> {
         let mut count = 0;
         let used = flights.iter().take_while(|flight| {
             let before = count;
@@ -63,34 +68,55 @@ impl NoiseFloor {
             before < MAX_RESIDUALS
         });
         let used: Vec<&FlightSeries> = used.collect();
-        let axes = batch::each_on(threads, 3, |axis| of_axis(&used, axis, interval));
-        let mut floor = Self {
-            noise: NoiseModel::white(0.0, interval),
-            ar1_std_error: [0.0; 3],
-        };
-        for (axis, found) in axes.into_iter().enumerate() {
-            let (ar1, std_error, sigma) = found?;
-            floor.noise.ar1[axis] = ar1;
-            floor.noise.sigma[axis] = sigma;
-            floor.ar1_std_error[axis] = std_error;
+        let group_of: Vec<usize> = channels.iter().map(|channel| channel.group).collect();
+        let count = group_of.iter().max().map_or(1, |last| last + 1);
+        let (mut groups, mut ar1_std_error) = (Vec::new(), Vec::new());
+        for group in 0..count {
+            let is_single = |channel: &Channel| channel.group == group && channel.components == 1;
+            let components = if channels.iter().any(is_single) { 1 } else { 3 };
+            let axes = batch::each_on(threads, components, |axis| {
+                of_axis(&used, (group, &group_of), axis, interval)
+            });
+            let (mut noise, mut errors) = (AxesNoise::white(0.0, interval), [0.0; 3]);
+            for axis in 0..3 {
+                // A single number stands there three times.
+                let (ar1, std_error, sigma) = axes[axis % components]?;
+                noise.ar1[axis] = ar1;
+                noise.sigma[axis] = sigma;
+                errors[axis] = std_error;
+            }
+            groups.push(noise);
+            ar1_std_error.push(errors);
         }
-        Some(floor)
+        Some(Self {
+            noise: NoiseModel::of_groups(groups, group_of),
+            ar1_std_error,
+        })
     }
 
     /// Standard deviation of the ratio of slow to fast noise power, relative, averaged over the axes: the error with which
     /// the noise of slow motions is extrapolated from that of fast ones.
     pub fn relative_error(&self) -> f64 {
-        let of_axis = |axis: usize| {
-            let ar1 = self.noise.ar1[axis];
-            self.ar1_std_error[axis] * (2.0 / (1.0 - ar1) + 1.0 / (1.0 + ar1)) / 3.0
-        };
-        (0..3).map(|axis| of_axis(axis).powi(2)).sum::<f64>().sqrt()
+        let axes = 3.0 * self.ar1_std_error.len() as f64;
+        let pairs = self.noise.groups().iter().zip(&self.ar1_std_error);
+        let squares = pairs.flat_map(|(noise, errors)| {
+            (0..3).map(move |axis| {
+                let ar1 = noise.ar1[axis];
+                (errors[axis] * (2.0 / (1.0 - ar1) + 1.0 / (1.0 + ar1)) / axes).powi(2)
+            })
+        });
+        squares.sum::<f64>().sqrt()
     }
 }
 
 /// Autocorrelation, its standard error, and standard deviation (m) along an axis.
-fn of_axis(flights: &[&FlightSeries], axis: usize, interval: f64) -> Option<(f64, f64, f64)> {
-    let at = |ar1: f64| likelihood(flights, axis, ar1, interval);
+fn of_axis(
+    flights: &[&FlightSeries],
+    group: (usize, &[usize]),
+    axis: usize,
+    interval: f64,
+) -> Option<(f64, f64, f64)> {
+    let at = |ar1: f64| likelihood(flights, group, axis, ar1, interval);
     let deviance = |ar1: f64| at(ar1).deviance;
     let ratio = (5.0_f64.sqrt() - 1.0) / 2.0;
     let (mut low, mut high) = AR1_RANGE;
@@ -125,13 +151,21 @@ fn of_axis(flights: &[&FlightSeries], axis: usize, interval: f64) -> Option<(f64
     Some((ar1, std_error, sigma))
 }
 
-fn likelihood(flights: &[&FlightSeries], axis: usize, ar1: f64, interval: f64) -> Likelihood {
-    let mut noise = NoiseModel::white(1.0, interval);
+/// Likelihood of the channels of a group, along an axis.
+fn likelihood(
+    flights: &[&FlightSeries],
+    (group, group_of): (usize, &[usize]),
+    axis: usize,
+    ar1: f64,
+    interval: f64,
+) -> Likelihood {
+    let mut noise = AxesNoise::white(1.0, interval);
     noise.ar1[axis] = ar1;
     let mut total = Likelihood::default();
     for flight in flights {
         let (mut squares, mut dof, mut ln) = (0.0, 0.0, 0.0);
-        for series in &flight.series {
+        let of_group = flight.series.iter().zip(group_of);
+        for (series, _) in of_group.filter(|(_, own)| **own == group) {
             let found = series[axis].whitened(&flight.fine, &noise, axis);
             let on_splines: f64 = found.projected.coordinates.iter().map(|c| c * c).sum();
             squares += (found.products[0] - on_splines).max(0.0);
@@ -179,12 +213,26 @@ mod tests {
             .collect()
     }
 
+    fn marker() -> Channel {
+        Channel {
+            name: "m1".to_owned(),
+            kind: identify::ChannelKind::Marker(0),
+            position: [0.0; 3],
+            components: 3,
+            group: 0,
+            sigma: None,
+            scale: 1.0,
+            unit: "m",
+        }
+    }
+
     #[test]
     fn noise_is_found_again_whatever_moves_beside_it() {
         for ar1 in [0.0, 0.6] {
-            let found = NoiseFloor::estimate(&flights(ar1), 1.0 / 120.0, 1).unwrap();
+            let channels = [marker()];
+            let found = NoiseFloor::estimate(&flights(ar1), &channels, 1.0 / 120.0, 1).unwrap();
             for axis in 0..3 {
-                let error = found.ar1_std_error[axis];
+                let error = found.ar1_std_error[0][axis];
                 assert!(error > 0.01 && error < 0.2, "{found:?}");
                 assert!(
                     (found.noise.ar1[axis] - ar1).abs() < 3.0 * error,

@@ -1,11 +1,11 @@
-//! Residuals of one marker along one axis, whitened.
+//! Residuals of one channel along one axis, whitened.
 
-use identify::NoiseModel;
+use identify::AxesNoise;
 
 use super::banded::{BANDWIDTH, BandedGram, Projected};
 use super::spline_basis::{SUPPORT, SplineBasis};
 
-/// Residuals of one marker of a flight at the times of its inliers.
+/// Residuals of one channel of a flight at the times of its inliers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Series {
     /// Times of the inliers, s.
@@ -42,7 +42,7 @@ impl Series {
     pub fn whitened(
         &self,
         basis: &SplineBasis,
-        noise: &NoiseModel,
+        noise: &AxesNoise,
         axis: usize,
     ) -> WhitenedProducts {
         let count = self.count;

@@ -1,7 +1,7 @@
 //! Smooth part of the residuals of one flight: how much of it a fit with splines would take away, beyond what the flight's
 //! own unknowns take.
 
-use identify::NoiseModel;
+use identify::{AxesNoise, NoiseModel};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use super::f_test::ScaledStatistic;
@@ -105,9 +105,9 @@ impl Projection {
             gradient: DVector::zeros(locals),
             samples: 0,
         };
-        for axes in &flight.series {
+        for (channel, axes) in flight.series.iter().enumerate() {
             for (axis, series) in axes.iter().enumerate() {
-                sum.add(series, basis, noise, axis);
+                sum.add(series, basis, noise.of(channel), axis);
             }
         }
         sum.left = &sum.local - &sum.left;
@@ -115,7 +115,7 @@ impl Projection {
         sum
     }
 
-    fn add(&mut self, series: &Series, basis: &SplineBasis, noise: &NoiseModel, axis: usize) {
+    fn add(&mut self, series: &Series, basis: &SplineBasis, noise: &AxesNoise, axis: usize) {
         let found = series.whitened(basis, noise, axis);
         let count = series.count;
         self.total += found.products[0];

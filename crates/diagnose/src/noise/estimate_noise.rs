@@ -2,8 +2,8 @@
 
 use flight::batch;
 use identify::NormalBlock;
-use identify::outliers::{local_residuals, median_scale, outlier_mask, robust_scale};
-use identify::{FitError, Moments, NoiseModel, PointResidual, Residuals, eliminate};
+use identify::outliers::{group_scales, local_residuals, median_scale, outlier_mask};
+use identify::{FitError, NoiseModel, PointResidual, Residuals, eliminate};
 use nalgebra::DVector;
 
 use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel};
@@ -110,14 +110,14 @@ impl ScoreTestModel {
             .copied()
             .collect();
         let mut remaining: Residuals =
-            vec![vec![None; observations.times.len()]; observations.markers];
+            vec![vec![None; observations.times.len()]; observations.channels];
         self.each_residual(at, flight, |point: PointResidual<'_>| {
             let change = |axis: usize| -> f64 {
                 let row = &point.rows[axis];
                 row.iter().zip(&step).map(|(a, b)| a * b).sum()
             };
             let after = [0, 1, 2].map(|axis| point.residual[axis] + change(axis));
-            remaining[point.marker][point.sample] = Some(after);
+            remaining[point.channel][point.sample] = Some(after);
         })?;
         Ok(remaining)
     }
@@ -129,22 +129,30 @@ impl ScoreTestModel {
         let local: Vec<_> = pairs
             .map(|(observations, residuals)| local_residuals(&observations.times, residuals))
             .collect();
-        let scales: Vec<[f64; 3]> = local.iter().map(|local| robust_scale(local)).collect();
-        let typical = median_scale(&scales);
-        let mut sum = Moments::default();
+        let group_of = self.problem.noise_groups();
+        let scales = local.iter().map(|local| group_scales(local, &group_of));
+        let scales: Vec<Vec<[f64; 3]>> = scales.collect();
+        let mut sums = self.problem.no_moments();
+        let typical = (0..sums.len()).map(|group| {
+            let of_group = scales.iter().map(|scales| scales[group]);
+            median_scale(&of_group.collect::<Vec<_>>())
+        });
+        let typical: Vec<[f64; 3]> = typical.collect();
         for (index, observations) in self.flights.iter_mut().enumerate() {
-            let scale = [0, 1, 2].map(|axis| typical[axis].max(scales[index][axis]));
-            observations.outlier = outlier_mask(&local[index], scale);
-            for (marker, series) in residuals[index].iter().enumerate() {
+            let pairs = typical.iter().zip(&scales[index]);
+            let scales = pairs.map(|(usual, own)| [0, 1, 2].map(|axis| usual[axis].max(own[axis])));
+            let scales: Vec<[f64; 3]> = scales.collect();
+            observations.outlier = outlier_mask(&local[index], &scales, &group_of);
+            for (channel, series) in residuals[index].iter().enumerate() {
                 let good = series.iter().enumerate().map(|(sample, residual)| {
-                    let place = sample * observations.markers + marker;
+                    let place = sample * observations.channels + channel;
                     residual.filter(|_| !observations.outlier[place])
                 });
                 let good: Vec<Option<[f64; 3]>> = good.collect();
-                sum.add(&observations.times, &good, interval);
+                sums[group_of[channel]].add(&observations.times, &good, interval);
             }
         }
-        sum.noise(unknowns, interval, self.problem.sigma)
+        self.problem.noise_of(&sums, unknowns, interval)
     }
 }
 
@@ -156,9 +164,9 @@ mod tests {
     fn the_noise_is_that_of_the_dataset_given_the_missing_effect_and_smaller_than_the_misfit_without()
      {
         let mut fixture = fixture();
-        let misfit = *fixture.fit.noise();
+        let misfit = fixture.fit.noise().clone();
         let stall = [fixture.candidate("stall")];
-        let mut noise = misfit;
+        let mut noise = misfit.clone();
         // The first fit is weighted by the misfit, the second by what it leaves.
         for _ in 0..2 {
             let from = &fixture.iterate;

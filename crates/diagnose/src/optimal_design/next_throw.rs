@@ -104,7 +104,7 @@ fn simulated(
     noise: &NoiseModel,
 ) -> Option<NormalBlock> {
     let samples = (ranges.duration * ranges.rate) as usize;
-    let points = samples * problem.markers.len();
+    let points = samples * problem.channels.len();
     let mut parameters = like.parameters.clone();
     if let (false, Some(components)) = (
         problem.has_attitude,
@@ -121,6 +121,7 @@ fn simulated(
         outlier: vec![false; points],
         parameters,
         known_states: Vec::new(),
+        stand_ins: Vec::new(),
         ..like.clone()
     };
     let motion = release.motion(ranges.height, problem.has_attitude);

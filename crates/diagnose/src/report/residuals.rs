@@ -67,9 +67,13 @@ fn departure(found: &SmoothMisfit) -> String {
         from_s,
         to_s,
         size_m,
+        unit,
         ..
     } = found;
-    let size = millimetres(*size_m);
+    let size = match unit.as_str() {
+        "" | "m" => millimetres(*size_m),
+        unit => format!("{} {unit}", three_figures(*size_m)),
+    };
     let sign = if *size_m > 0.0 { "+" } else { "" };
     format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")
 }

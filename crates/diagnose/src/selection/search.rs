@@ -225,11 +225,7 @@ impl<'a> Search<'a> {
     ) -> Result<bool, DiagnosisError> {
         let at = given.linearization_point();
         let noise = model.estimate_noise(at, &given.effects, &self.noise)?;
-        let is_equal = |axis: usize| {
-            (noise.sigma[axis] / self.noise.sigma[axis] - 1.0).abs() < NOISE_TOLERANCE
-                && (noise.ar1[axis] - self.noise.ar1[axis]).abs() < NOISE_TOLERANCE
-        };
-        if (0..3).all(is_equal) {
+        if noise.is_within(&self.noise, NOISE_TOLERANCE) {
             return Ok(false);
         }
         self.noise = noise;
@@ -423,7 +419,7 @@ mod tests {
             dataset: &dataset,
             options: &DiagnosisOptions::default(),
         };
-        let noise = *fixture.fit.noise();
+        let noise = fixture.fit.noise().clone();
         let mut search =
             Search::new(&mut fixture.model, &fixture.iterate, &noise, context).unwrap();
         search.accepted.clear();

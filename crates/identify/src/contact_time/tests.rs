@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::{Onset, contact_time};
 use crate::dataset::Flight;
 use crate::fit::contact_refinement::tests::pushed;
-use crate::noise::NoiseModel;
+use crate::noise::{AxesNoise, NoiseModel};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
@@ -35,10 +35,9 @@ fn contacts(
     let problem = FitProblem::new(&model, &made.dataset, &FitOptions::default()).unwrap();
     let values = problem.globals.iter().map(|global| global.model_value);
     let global = nalgebra::DVector::from_iterator(problem.globals.len(), values);
-    let noise = NoiseModel {
-        ar1: [noise.ar1; 3],
-        ..NoiseModel::white(noise.sigma, 1.0 / plan.rate)
-    };
+    let mut axes = AxesNoise::white(noise.sigma, 1.0 / plan.rate);
+    axes.ar1 = [noise.ar1; 3];
+    let noise = NoiseModel::from(axes);
     let each = made
         .dataset
         .flights

@@ -77,6 +77,7 @@ impl Trajectory {
             times: places.iter().map(|(_, time)| *time).collect(),
             measured: vec![Some([0.0; 3]); points],
             outlier: vec![false; points],
+            stand_ins: Vec::new(),
             manifold,
             file: String::new(),
             parameters: observations.parameters.clone(),

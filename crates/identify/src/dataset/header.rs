@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use csv::StringRecord;
 
 use super::lines::Lines;
+use super::sensor::Sensor;
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 
@@ -13,6 +14,8 @@ pub(super) struct Header {
     pub width: usize,
     pub time: usize,
     pub columns: Vec<[usize; 3]>,
+    /// Columns of each channel of the sensors.
+    pub channels: Vec<Vec<usize>>,
 }
 
 /// Cell separator of a table: a semicolon or a tab if the header contains one, otherwise a comma.
@@ -38,16 +41,24 @@ impl Header {
         lines: &Lines<'_>,
         record: &StringRecord,
         markers: &[&str],
+        sensors: &[Sensor],
     ) -> Result<Self, InputError> {
+        let mut channels = empty_channels(sensors);
+        let of_sensor = names_of_sensors(sensors);
         let places: BTreeMap<&str, usize> = markers.iter().copied().zip(0..).collect();
         let mut time = None;
         let mut columns = vec![[usize::MAX; 3]; markers.len()];
         for (index, name) in record.iter().map(str::trim).enumerate() {
             let before = if name == "t" {
                 time.replace(index)
+            } else if let Some(&(channel, part)) = of_sensor.get(name) {
+                let slot: &mut usize = &mut channels[channel][part];
+                let before = (*slot != usize::MAX).then_some(*slot);
+                *slot = index;
+                before
             } else {
                 let Some((marker, axis)) = split(name, &places) else {
-                    let expected = expected_instead_of(name, markers);
+                    let expected = expected_instead_of(name, markers, &of_sensor);
                     return Err(lines.fault(
                         index,
                         format!("the column {}", shown(name)),
@@ -74,12 +85,36 @@ impl Header {
                 return Err(lines.fault(0, found, "x, y and z of every marker"));
             }
         }
+        let mut places = of_sensor.iter();
+        if let Some((name, _)) = places.find(|(_, (c, part))| channels[*c][*part] == usize::MAX) {
+            let found = format!("no column {name}");
+            return Err(lines.fault(0, found, "every column of every sensor"));
+        }
         Ok(Self {
             width: record.len(),
             time,
             columns,
+            channels,
         })
     }
+}
+
+fn empty_channels(sensors: &[Sensor]) -> Vec<Vec<usize>> {
+    let all = sensors.iter().flat_map(|sensor| sensor.kind.channels());
+    all.map(|endings| vec![usize::MAX; endings.len()]).collect()
+}
+
+/// Channel and part of each column of the sensors, by its name.
+fn names_of_sensors(sensors: &[Sensor]) -> BTreeMap<String, (usize, usize)> {
+    let all = sensors.iter().flat_map(|sensor| {
+        let channels = sensor.kind.channels().iter();
+        channels.map(move |endings| (sensor.name.as_str(), *endings))
+    });
+    let each = all.enumerate().flat_map(|(channel, (name, endings))| {
+        let parts = endings.iter().enumerate();
+        parts.map(move |(part, ending)| (format!("{name}{ending}"), (channel, part)))
+    });
+    each.collect()
 }
 
 fn split(name: &str, places: &BTreeMap<&str, usize>) -> Option<(usize, usize)> {
@@ -88,12 +123,25 @@ fn split(name: &str, places: &BTreeMap<&str, usize>) -> Option<(usize, usize)> {
     Some((*places.get(marker)?, axis))
 }
 
-fn expected_instead_of(name: &str, markers: &[&str]) -> String {
+fn expected_instead_of(
+    name: &str,
+    markers: &[&str],
+    of_sensor: &BTreeMap<String, (usize, usize)>,
+) -> String {
     let columns: Vec<String> = ["x", "y", "z"]
         .iter()
         .flat_map(|axis| markers.iter().map(move |marker| format!("{marker}_{axis}")))
         .collect();
-    let near = meant(name, columns.iter().map(String::as_str).chain(["t"]));
+    let of_sensor: Vec<&str> = of_sensor.keys().map(String::as_str).collect();
+    let all = columns
+        .iter()
+        .map(String::as_str)
+        .chain(of_sensor.iter().copied());
+    let near = meant(name, all.chain(["t"]));
+    if !of_sensor.is_empty() {
+        let known = columns.iter().map(String::as_str).chain(of_sensor);
+        return format!("t, or {}{near}", listed(known));
+    }
     let known = listed(markers.iter().copied());
     format!("t, or _x, _y, _z of a declared marker: {known}{near}")
 }

@@ -15,11 +15,14 @@ impl Dataset {
         let file = Path::new("dataset.toml");
         let manifest = manifest::parse(file, &manifest_text(self))?;
         let mut flights = self.flights.iter();
-        let read = assemble(manifest, |entry, markers| {
+        let read = assemble(manifest, |entry, markers, sensors| {
             let path = PathBuf::from(&entry.file);
             let names: Vec<&str> = markers.iter().map(|marker| &*marker.name).collect();
-            let text = flights.next().map(|flight| table_text(flight, markers));
-            table::parse(&path, &text.unwrap_or_default(), &names).map(|table| (path, table))
+            let text = flights
+                .next()
+                .map(|flight| table_text(flight, markers, sensors));
+            table::parse(&path, &text.unwrap_or_default(), &names, sensors)
+                .map(|table| (path, table))
         })?;
         if read == *self {
             return Ok(());

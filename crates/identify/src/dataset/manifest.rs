@@ -8,15 +8,15 @@ use toml::de::DeTable;
 
 use super::fields::{Fields, Value};
 use super::words::{meant, shown};
-use super::{KnownValue, Marker, Role, file, names};
+use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::{InputError, line_and_column};
 
 /// Greatest size of `dataset.toml`, bytes.
 const LARGEST: u64 = 4 << 20;
 /// Greatest number of markers of a dataset.
-const MOST_MARKERS: usize = 1000;
+pub(super) const MOST_MARKERS: usize = 1000;
 /// Greatest absolute coordinate of a marker in the body frame, m; greater values suggest millimetres.
-const FARTHEST: f64 = 10.0;
+pub(super) const FARTHEST: f64 = 10.0;
 /// Distance below which two markers count as identical, m.
 const NEAREST: f64 = 1e-6;
 /// Greatest standard deviation of a measured coordinate, m; greater values suggest millimetres.
@@ -28,6 +28,7 @@ pub(super) struct Manifest {
     pub model: String,
     pub parameters: BTreeMap<String, f64>,
     pub markers: Vec<Marker>,
+    pub sensors: Vec<Sensor>,
     pub sigma: Option<f64>,
     pub flights: Vec<Entry>,
 }
@@ -63,12 +64,19 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
 }
 
 /// Checks the values of the manifest and converts them.
-struct Checker<'a>(Fields<'a>);
+pub(super) struct Checker<'a>(pub(super) Fields<'a>);
 
 impl Checker<'_> {
     fn manifest(&self, document: &DeTable<'_>) -> Result<Manifest, InputError> {
         let fields = &self.0;
-        const KEYS: [&str; 5] = ["model", "parameters", "markers", "noise", "flights"];
+        const KEYS: [&str; 6] = [
+            "model",
+            "parameters",
+            "markers",
+            "sensors",
+            "noise",
+            "flights",
+        ];
         fields.keys(document, "", &KEYS)?;
         let model = self.model(document)?;
         let mut parameters = BTreeMap::new();
@@ -79,13 +87,14 @@ impl Checker<'_> {
                 parameters.insert(name, number);
             }
         }
-        let markers = self.markers(document)?;
-        let sigma = self.sigma(document)?;
+        let (mut markers, mut sigma) = (self.markers(document)?, self.sigma(document)?);
+        let sensors = self.sensors(document, &mut markers, &mut sigma)?;
         let flights = self.flights(document)?;
         Ok(Manifest {
             model,
             parameters,
             markers,
+            sensors,
             sigma,
             flights,
         })
@@ -121,7 +130,7 @@ impl Checker<'_> {
     }
 
     /// A required value of the table at the byte range `span`.
-    fn needed<'d, 't>(
+    pub(super) fn needed<'d, 't>(
         &self,
         (span, table): &(Range<usize>, &'d DeTable<'t>),
         key: &str,
@@ -135,7 +144,7 @@ impl Checker<'_> {
     fn markers(&self, document: &DeTable<'_>) -> Result<Vec<Marker>, InputError> {
         let fields = &self.0;
         let tables = fields.tables(document, "markers")?;
-        if tables.is_empty() {
+        if tables.is_empty() && !document.contains_key("sensors") {
             let expected = "at least one marker: what was tracked";
             return Err(fields.fault(0..0, "no [[markers]]", expected));
         }

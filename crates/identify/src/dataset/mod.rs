@@ -10,9 +10,11 @@ mod header;
 mod in_memory;
 mod lines;
 mod manifest;
+mod manifest_sensors;
 mod names;
 mod place;
 mod samples;
+mod sensor;
 mod table;
 mod words;
 mod write;
@@ -20,6 +22,8 @@ mod write;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+pub use sensor::{Reading, Sensor, SensorKind};
+pub(crate) use sensor::{attitude, points_on_body, points_seen};
 pub use write::{manifest_text, table_text, write, write_with};
 
 use crate::input_error::InputError;
@@ -36,6 +40,8 @@ pub struct Dataset {
     pub parameters: BTreeMap<String, f64>,
     /// Markers that were tracked.
     pub markers: Vec<Marker>,
+    /// Other sensors.
+    pub sensors: Vec<Sensor>,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
     /// The flights, in the order of `dataset.toml`.
@@ -84,17 +90,17 @@ pub struct Flight {
     pub times: Vec<f64>,
     /// `positions[sample][marker]`, m, in the inertial frame; `None` where the marker was not seen.
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
+    /// `readings[sample][channel]` of the sensors, whose channels follow one another; `None` where there is none. Empty
+    /// without sensors.
+    pub readings: Vec<Vec<Option<Reading>>>,
 }
 
 impl Flight {
-    /// Number of measured coordinates: three for each measured marker position.
+    /// Number of measured coordinates: three for each measured position of a marker and each reading of a sensor.
     pub fn measurements(&self) -> usize {
-        3 * self
-            .positions
-            .iter()
-            .flatten()
-            .filter(|seen| seen.is_some())
-            .count()
+        let positions = self.positions.iter().flatten().flatten().count();
+        let readings = self.readings.iter().flatten().flatten().count();
+        3 * (positions + readings)
     }
 }
 
@@ -113,15 +119,23 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
         return Err(InputError::of_file(folder, found, expected));
     }
     let manifest = manifest::read(&folder.join("dataset.toml"))?;
-    assemble(manifest, |entry, markers| {
+    assemble(manifest, |entry, markers, sensors| {
         let path = folder.join(&entry.file);
         let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
         if names::is_c3d(&entry.file) {
             let bytes = file::bytes(&path, LARGEST, "a C3D file")?;
+            if let Some(sensor) = sensors.first() {
+                let found = format!("the sensor {} with a C3D file", sensor.name);
+                return Err(InputError::of_file(
+                    &path,
+                    found,
+                    "a table: C3D has points alone",
+                ));
+            }
             c3d::parse(&path, &bytes, &names)
         } else {
             let bytes = file::bytes(&path, LARGEST, "a table")?;
-            table::parse(&path, file::text(&path, &bytes)?, &names)
+            table::parse(&path, file::text(&path, &bytes)?, &names, sensors)
         }
         .map(|table| (path, table))
     })
@@ -133,17 +147,19 @@ fn assemble(
     mut samples: impl FnMut(
         &manifest::Entry,
         &[Marker],
+        &[Sensor],
     ) -> Result<(std::path::PathBuf, table::Table), InputError>,
 ) -> Result<Dataset, InputError> {
     let mut flights = Vec::with_capacity(manifest.flights.len());
     for entry in manifest.flights {
-        let (path, table) = samples(&entry, &manifest.markers)?;
+        let (path, table) = samples(&entry, &manifest.markers, &manifest.sensors)?;
         let flight = Flight {
             file: entry.file,
             role: entry.role,
             known: entry.known,
             times: table.times,
             positions: table.positions,
+            readings: table.readings,
         };
         samples::whole(&path, &flight, &manifest.markers)?;
         flights.push(flight);
@@ -152,6 +168,7 @@ fn assemble(
         model: manifest.model,
         parameters: manifest.parameters,
         markers: manifest.markers,
+        sensors: manifest.sensors,
         sigma: manifest.sigma,
         flights,
     })

@@ -56,7 +56,7 @@ pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
 /// Checks a complete flight: at least one measured point, coordinates in metres, times in seconds.
 pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<(), InputError> {
     let wrong = |found: String, expected: &str| Err(InputError::of_file(file, found, expected));
-    if flight.positions.iter().flatten().all(Option::is_none) {
+    if flight.measurements() == 0 {
         return wrong(
             "dropouts alone".into(),
             "a marker that is seen at least once",
@@ -104,7 +104,11 @@ fn speed(flight: &Flight) -> Option<f64> {
         return None;
     }
     let speeds = (half..flight.times.len()).filter_map(|i| {
-        let moved = distance(flight.positions[i][0]?, flight.positions[i - half][0]?);
+        let first = |row: &[Option<[f64; 3]>]| row.first().copied().flatten();
+        let moved = distance(
+            first(&flight.positions[i])?,
+            first(&flight.positions[i - half])?,
+        );
         Some(moved / (flight.times[i] - flight.times[i - half]))
     });
     let mut speeds: Vec<f64> = speeds.collect();

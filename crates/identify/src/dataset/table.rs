@@ -9,6 +9,7 @@ use super::header::{Header, separator};
 use super::lines::Lines;
 use super::place::Places;
 use super::samples;
+use super::sensor::{Reading, Sensor};
 use super::words::shown;
 use crate::input_error::InputError;
 
@@ -16,9 +17,15 @@ use crate::input_error::InputError;
 pub(super) struct Table {
     pub times: Vec<f64>,
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
+    pub readings: Vec<Vec<Option<Reading>>>,
 }
 
-pub(super) fn parse(file: &Path, text: &str, markers: &[&str]) -> Result<Table, InputError> {
+pub(super) fn parse(
+    file: &Path,
+    text: &str,
+    markers: &[&str],
+    sensors: &[Sensor],
+) -> Result<Table, InputError> {
     let separator = separator(text);
     let mut reader = ReaderBuilder::new()
         .delimiter(separator as u8)
@@ -34,10 +41,12 @@ pub(super) fn parse(file: &Path, text: &str, markers: &[&str]) -> Result<Table, 
     };
     let mut record = StringRecord::new();
     if !lines.next(&mut reader, &mut record)? {
-        let expected = format!("a header such as t,{}_x,…", markers[0]);
+        let first = markers.first().copied();
+        let first = first.or_else(|| Some(sensors.first()?.name.as_str()));
+        let expected = format!("a header such as t,{}_x,…", first.unwrap_or_default());
         return Err(InputError::at(file, (1, 1), "no header", expected));
     }
-    let header = Header::new(&lines, &record, markers)?;
+    let header = Header::new(&lines, &record, markers, sensors)?;
     let mut table = Table::default();
     while lines.next(&mut reader, &mut record)? {
         row(&lines, &record, &header, markers, &mut table)?;
@@ -96,11 +105,47 @@ fn row(
             _ => None,
         });
     }
-    if table.times.len() >= samples::most(markers.len()) {
-        let expected = format!("at most {} samples", samples::most(markers.len()));
+    let mut readings = Vec::with_capacity(header.channels.len());
+    for columns in &header.channels {
+        readings.push(reading(lines, columns, read)?);
+    }
+    let most = samples::most(markers.len() + header.channels.len());
+    if table.times.len() >= most {
+        let expected = format!("at most {most} samples");
         return Err(lines.fault(0, "a sample more", expected));
     }
     table.times.push(time);
     table.positions.push(positions);
+    if !readings.is_empty() {
+        table.readings.push(readings);
+    }
     Ok(())
+}
+
+/// Greatest deviation of a quaternion's norm from 1.
+const MAX_NORM_ERROR: f64 = 0.02;
+
+/// Reading of a channel from its cells; `None` if one is empty.
+fn reading(
+    lines: &Lines<'_>,
+    columns: &[usize],
+    read: impl Fn(usize) -> Result<Option<f64>, InputError>,
+) -> Result<Option<Reading>, InputError> {
+    let mut reading: Reading = [0.0; 4];
+    let mut is_complete = true;
+    for (part, &index) in reading.iter_mut().zip(columns) {
+        match read(index)? {
+            Some(value) => *part = value,
+            None => is_complete = false,
+        }
+    }
+    if is_complete && columns.len() == 4 {
+        let norm = reading.iter().map(|part| part * part).sum::<f64>().sqrt();
+        if (norm - 1.0).abs() > MAX_NORM_ERROR {
+            let found = format!("a quaternion of norm {norm:.3}");
+            let expected = "a unit quaternion, scalar part first, body to inertial";
+            return Err(lines.fault(columns[0], found, expected));
+        }
+    }
+    Ok(is_complete.then_some(reading))
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::{Dataset, Flight, KnownValue, Marker, Role, assemble, manifest, names, table};
+use super::{Dataset, Flight, KnownValue, Marker, Role, Sensor, assemble, manifest, names, table};
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
 ///
@@ -26,7 +26,10 @@ pub fn write(folder: &Path, dataset: &Dataset) -> io::Result<()> {
 pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -> io::Result<()> {
     let mut files = vec![("dataset.toml".to_owned(), manifest_text(dataset))];
     let each = dataset.flights.iter();
-    files.extend(each.map(|flight| (flight.file.clone(), table_text(flight, &dataset.markers))));
+    files.extend(each.map(|flight| {
+        let text = table_text(flight, &dataset.markers, &dataset.sensors);
+        (flight.file.clone(), text)
+    }));
     is_read_back(dataset, &files)?;
     files.extend(
         beside
@@ -138,7 +141,7 @@ fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()>
     let refused = |error: crate::input_error::InputError| invalid(error.to_string());
     let manifest = manifest::parse(Path::new(&files[0].0), &files[0].1).map_err(refused)?;
     let mut tables = files[1..].iter();
-    let read = assemble(manifest, |entry, markers| {
+    let read = assemble(manifest, |entry, markers, sensors| {
         let path = PathBuf::from(&entry.file);
         let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
         let text = tables.next().map_or("", |(_, text)| text);
@@ -150,7 +153,7 @@ fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()>
                 expected,
             ));
         }
-        table::parse(&path, text, &names).map(|table| (path, table))
+        table::parse(&path, text, &names, sensors).map(|table| (path, table))
     });
     if read.map_err(refused)? == *dataset {
         Ok(())
@@ -178,6 +181,20 @@ pub fn manifest_text(dataset: &Dataset) -> String {
             "\n[[markers]]\nname = {name}\nposition = {position:?}"
         );
     }
+    for sensor in &dataset.sensors {
+        let (name, kind) = (quoted(&sensor.name), sensor.kind.name());
+        let position = &sensor.position;
+        let _ = writeln!(
+            text,
+            "\n[[sensors]]\nname = {name}\nkind = \"{kind}\"\nposition = {position:?}"
+        );
+        if let Some(sigma) = sensor.sigma {
+            let _ = writeln!(text, "sigma = {sigma:?}");
+        }
+        if let Some(sigma) = sensor.sigma_angle {
+            let _ = writeln!(text, "sigma_angle = {sigma:?}");
+        }
+    }
     if let Some(sigma) = dataset.sigma {
         let _ = writeln!(text, "\n[noise]\nsigma = {sigma:?}");
     }
@@ -201,20 +218,37 @@ pub fn manifest_text(dataset: &Dataset) -> String {
 }
 
 /// Text of a flight's table; each number has enough digits to be read back exactly.
-pub fn table_text(flight: &Flight, markers: &[Marker]) -> String {
+pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> String {
     let mut text = "t".to_owned();
     for marker in markers {
         let name = &marker.name;
         let _ = write!(text, ",{name}_x,{name}_y,{name}_z");
     }
+    let channels = |sensor: &Sensor| sensor.kind.channels().iter();
+    let widths: Vec<usize> = sensors.iter().flat_map(channels).map(|c| c.len()).collect();
+    for sensor in sensors {
+        for ending in sensor.kind.channels().iter().copied().flatten() {
+            let _ = write!(text, ",{}{ending}", sensor.name);
+        }
+    }
     text.push('\n');
-    for (time, row) in flight.times.iter().zip(&flight.positions) {
+    let none = Vec::new();
+    for (sample, (time, row)) in flight.times.iter().zip(&flight.positions).enumerate() {
+        let readings = flight.readings.get(sample).unwrap_or(&none);
         let _ = write!(text, "{time}");
         for point in row {
             let _ = match point {
                 Some([x, y, z]) => write!(text, ",{x},{y},{z}"),
                 None => write!(text, ",,,"),
             };
+        }
+        for (reading, width) in readings.iter().zip(&widths) {
+            for part in 0..*width {
+                let _ = match reading {
+                    Some(reading) => write!(text, ",{}", reading[part]),
+                    None => write!(text, ","),
+                };
+            }
         }
         text.push('\n');
     }

@@ -52,6 +52,9 @@ pub fn refine_contacts(
     cache: ResidualCache,
     options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
+    if !problem.sees_markers_alone() {
+        return Ok(cache);
+    }
     let usual = cache.median_scale().max(problem.sigma0);
     let scales = cache.scales();
     let ratio = |index: usize| scales[index].map_or(f64::INFINITY, |scale| scale / usual);

@@ -28,7 +28,7 @@ pub fn continued(
         estimate.map_or(global.model_value, |(_, value)| value.clamp(low, high))
     });
     let global = DVector::from_iterator(problem.globals.len(), values);
-    problem.sigma0 = earlier.problem.sigma0;
+    problem.take_scales(&earlier.problem);
     let mut state = State::new(global, 1.0);
     for &flight in fitted {
         let mut left_out = earlier.excluded.iter();

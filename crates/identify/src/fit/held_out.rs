@@ -86,10 +86,7 @@ fn predict(
     let (_, local) = fit_initial_state(problem, &segment, samples, global, guess.state, options)?;
     mark_outliers(problem, &mut observations, global, &local)?;
     // Autocorrelation of few residuals may be model error: white noise then misleads least.
-    let white = NoiseModel {
-        ar1: [0.0; 3],
-        ..*noise
-    };
+    let white = noise.uncorrelated();
     let loss = Loss::Whitened(&white);
     let (local, solution) = solve_local(
         problem,
@@ -104,7 +101,7 @@ fn predict(
     let system = system.map_err(|_| FlightError::SingularInitialState)?;
     let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));
     let residuals = residuals(problem, &observations, (global, &local), all)?;
-    let rms = rms_from(&observations, &residuals, samples);
+    let rms = rms_from(problem, &observations, &residuals, samples);
     let rms = rms.ok_or(FlightError::NothingMeasuredToPredict)?;
     let report = FlightReport {
         file: observations.file.clone(),
@@ -126,12 +123,18 @@ fn predict(
 
 /// Root mean square residual of one coordinate from sample `first` on, outliers excluded, m; `None` without
 /// residuals.
-fn rms_from(observations: &Observations, residuals: &Residuals, first: usize) -> Option<f64> {
+fn rms_from(
+    problem: &FitProblem,
+    observations: &Observations,
+    residuals: &Residuals,
+    first: usize,
+) -> Option<f64> {
     let (mut squares, mut count) = (0.0, 0_usize);
-    for (marker, series) in residuals.iter().enumerate() {
+    let series = residuals.iter().enumerate();
+    for (channel, series) in series.filter(|(channel, _)| problem.is_scored(*channel)) {
         for (sample, residual) in series.iter().enumerate().skip(first) {
             let Some(residual) = residual else { continue };
-            if !observations.outlier[sample * observations.markers + marker] {
+            if !observations.outlier[sample * observations.channels + channel] {
                 squares += residual.iter().map(|r| r * r).sum::<f64>();
                 count += 3;
             }
@@ -150,7 +153,8 @@ fn mark_outliers(
     let samples = observations.times.len();
     let residuals = residuals(problem, observations, (global, local), samples)?;
     let local_residuals = outliers::local_residuals(&observations.times, &residuals);
-    let scale = outliers::robust_scale(&local_residuals);
-    observations.outlier = outliers::outlier_mask(&local_residuals, scale);
+    let group_of = problem.noise_groups();
+    let scales = outliers::group_scales(&local_residuals, &group_of);
+    observations.outlier = outliers::outlier_mask(&local_residuals, &scales, &group_of);
     Ok(())
 }

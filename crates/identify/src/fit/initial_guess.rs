@@ -233,6 +233,10 @@ pub fn refined_guesses(
             Err(reason) => failure = reason,
         }
     }
+    if !problem.sees_positions() {
+        refined.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        refined.truncate(1);
+    }
     match refined.is_empty() {
         true => Err(failure),
         false => Ok(refined),

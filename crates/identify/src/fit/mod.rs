@@ -4,6 +4,7 @@
 //! wrong minimum, multistart of flights in a wrong minimum, contacts with the ground timed by the fitted model, and
 //! reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together with the unknowns.
 
+mod channel_scales;
 pub(crate) mod contact_refinement;
 mod continued;
 mod exclusion;
@@ -123,7 +124,10 @@ fn fit_after(
         contacts,
     } = match options.known_faults {
         Some(known) => Screening::of_known_faults(known),
-        None => screening::screen(&problem, dataset, options.threads()),
+        None if problem.is_shown_by_markers() && !problem.markers.is_empty() => {
+            screening::screen(&problem, dataset, options.threads())
+        }
+        None => Screening::of_known_faults(&[]),
     };
     let faulty = screening::excluded(dataset, &data_faults, options);
     let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
@@ -150,6 +154,8 @@ fn fit_after(
         None => {
             let observed = initial_guess::observe(&problem, dataset, &fitted, &contacts, options);
             problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
+            let flights = observed.usable.iter().map(|(_, observations)| observations);
+            channel_scales::set_scales(&mut problem, flights);
             let floor = observed.noise_floor;
             let floor_m = floor.map(initial_guess::overall).or(observed.sigma0);
             let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
@@ -316,7 +322,7 @@ impl Fit {
     pub fn evidence(&self, flight: FlightId) -> Option<FlightEvidence> {
         let (observations, local) = self.flight(flight)?;
         let unknowns = (&self.global, local);
-        post_fit::evidence(&self.problem, &self.marker_names, observations, unknowns)
+        post_fit::evidence(&self.problem, observations, unknowns)
     }
 }
 

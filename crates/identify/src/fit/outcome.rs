@@ -6,10 +6,11 @@ use flight::batch;
 use nalgebra::{DMatrix, DVector};
 
 use super::output_error::OutputError;
-use super::post_fit::{EMPTY_RANGE, PostFit, joined, post_fit};
+use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit};
 use super::reweighting::Reweighted;
 use super::state::State;
 use super::{FitError, solve_error};
+use crate::channel::ChannelKind;
 use crate::dataset::Flight;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
@@ -20,7 +21,7 @@ use crate::predict::Loss;
 use crate::problem::FitProblem;
 use crate::report::{
     AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
-    NoiseReport, Profile, ResidualPool,
+    NoiseReport, Profile, ResidualPool, SensorReport,
 };
 use crate::statistics::median;
 use crate::uncertainty::{Covariance, ExcitationRange, interval, non_identifiable, profile};
@@ -40,6 +41,7 @@ pub struct Outcome<'a> {
     /// Median of the flights' rms residuals, m.
     median_rms: f64,
     pool: ResidualPool,
+    channels: Vec<ChannelSum>,
     ranges: ExcitationRange,
     profiles: Vec<Profile>,
 }
@@ -73,8 +75,14 @@ impl<'a> Outcome<'a> {
         let names = layout.quantities.iter().chain(&layout.states).cloned();
         let mut ranges = vec![EMPTY_RANGE; layout.quantities.len() + layout.states.len()];
         let mut flights = Vec::with_capacity(evaluated.len());
+        let mut channels = vec![ChannelSum::default(); problem.channels.len()];
         for (post_fit, initial) in evaluated {
             pool.join(post_fit.pool);
+            for (sum, of_flight) in channels.iter_mut().zip(post_fit.channels) {
+                sum.squares += of_flight.squares;
+                sum.count += of_flight.count;
+                sum.outliers += of_flight.outliers;
+            }
             for (range, of_flight) in ranges.iter_mut().zip(post_fit.ranges) {
                 *range = joined(*range, of_flight);
             }
@@ -94,6 +102,7 @@ impl<'a> Outcome<'a> {
             flights,
             median_rms: median(&mut rms),
             pool,
+            channels,
             ranges: ranges.collect(),
             profiles,
         })
@@ -116,6 +125,7 @@ impl<'a> Outcome<'a> {
             flights: Vec::new(),
             data_faults: Vec::new(),
             marker_distances: Vec::new(),
+            sensors: self.sensors(),
             undetermined: non_identifiable(
                 &problem.model,
                 globals,
@@ -147,6 +157,32 @@ impl<'a> Outcome<'a> {
             (name, row.collect())
         });
         rows.collect()
+    }
+
+    fn sensors(&self) -> Vec<SensorReport> {
+        let channels = self.problem.channels.iter().enumerate();
+        let sensors = channels
+            .zip(&self.channels)
+            .filter_map(|((index, own), sum)| {
+                let measures = match own.kind {
+                    ChannelKind::Marker(_) => return None,
+                    ChannelKind::Position => "position",
+                    ChannelKind::Attitude => "attitude",
+                    ChannelKind::Instrument(place) => self.problem.instruments[place].0.name(),
+                };
+                let noise = self.fitted.noise.of(index);
+                Some(SensorReport {
+                    name: own.name.clone(),
+                    measures: measures.to_owned(),
+                    unit: own.unit.to_owned(),
+                    rms: (sum.squares / (own.components * sum.count).max(1) as f64).sqrt(),
+                    sigma: noise.overall() / own.scale,
+                    ar1: noise.ar1.iter().sum::<f64>() / 3.0,
+                    points: sum.count + sum.outliers,
+                    outliers: sum.outliers,
+                })
+            });
+        sensors.collect()
     }
 
     fn noise_report(&self) -> NoiseReport {

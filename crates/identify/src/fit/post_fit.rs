@@ -3,12 +3,12 @@
 use nalgebra::DVector;
 
 use super::residual_cache::Path;
-use crate::marker_observers::MarkerConditions;
+use crate::channel_observers::ChannelConditions;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::states;
 use crate::problem::FitProblem;
-use crate::report::{FlightEvidence, ResidualPool};
+use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
 
 /// Residual statistics and excitation ranges of one flight.
 pub struct PostFit {
@@ -18,8 +18,41 @@ pub struct PostFit {
     pub outliers: usize,
     /// Sums over the flight's residuals for the residual diagnostics.
     pub pool: ResidualPool,
+    /// Sums over the residuals of each channel.
+    pub channels: Vec<ChannelSum>,
     /// Least and greatest value of each of the model's quantities, followed by those of its states.
     pub ranges: Vec<(f64, f64)>,
+}
+
+/// Sums over the residuals of one channel, each over the scale of the channel.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ChannelSum {
+    /// Sum of squares over all components, outliers excluded.
+    pub squares: f64,
+    /// Number of values, outliers excluded.
+    pub count: usize,
+    /// Number of outliers.
+    pub outliers: usize,
+}
+
+/// Sums over the residuals of every channel of a flight.
+fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) -> Vec<ChannelSum> {
+    let series = path.residuals.iter().zip(&problem.channels).enumerate();
+    let sums = series.map(|(channel, (series, own))| {
+        let mut sum = ChannelSum::default();
+        for (sample, residual) in series.iter().enumerate() {
+            let Some(residual) = residual else { continue };
+            if observations.outlier[sample * observations.channels + channel] {
+                sum.outliers += 1;
+                continue;
+            }
+            sum.count += 1;
+            let components = residual[..own.components].iter();
+            sum.squares += components.map(|r| (r / own.scale).powi(2)).sum::<f64>();
+        }
+        sum
+    });
+    sums.collect()
 }
 
 /// Number of samples at which quantities are evaluated.
@@ -42,14 +75,15 @@ pub fn post_fit(
     path: &Path,
 ) -> PostFit {
     let mut pool = ResidualPool::default();
-    for (marker, series) in path.residuals.iter().enumerate() {
+    let series = path.residuals.iter().enumerate();
+    for (channel, series) in series.filter(|(channel, _)| problem.is_scored(*channel)) {
         let is_outlier =
-            |sample: usize| observations.outlier[sample * observations.markers + marker];
+            |sample: usize| observations.outlier[sample * observations.channels + channel];
         let inliers = series.iter().enumerate();
         let inliers: Vec<_> = inliers
             .map(|(sample, residual)| residual.filter(|_| !is_outlier(sample)))
             .collect();
-        pool.add(&observations.times, &inliers, noise);
+        pool.add(&observations.times, &inliers, noise.of(channel));
     }
     let conditions = problem.body.bind(observations.parameters(problem, global));
     let mut observer = conditions.observer();
@@ -69,6 +103,7 @@ pub fn post_fit(
     PostFit {
         rms: pool.rms(),
         outliers: observations.outliers(),
+        channels: channel_sums(problem, observations, path),
         pool,
         ranges,
     }
@@ -77,32 +112,49 @@ pub fn post_fit(
 /// Measured and predicted values of a flight; `None` if its trajectory cannot be computed.
 pub fn evidence(
     problem: &FitProblem,
-    marker_names: &[String],
     observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
 ) -> Option<FlightEvidence> {
     let samples = observations.times.len();
     let trajectory = states(problem, observations, (global, local), samples).ok()?;
     let parameters = observations.parameters(problem, global);
-    let conditions = MarkerConditions::new(&problem.body, &parameters, observations.markers);
+    let conditions = ChannelConditions::new(problem, &parameters);
     let mut observers = conditions.observers();
+    let bound = problem.body.bind(parameters.clone());
+    let mut observer = bound.observer();
     let layout = problem.body.layout();
-    let rows = |points: &[Option<[f64; 3]>]| points.to_vec();
+    let channels = problem.channels.iter().enumerate();
+    let positions: Vec<usize> = channels
+        .clone()
+        .filter_map(|(index, channel)| channel.is_position().then_some(index))
+        .collect();
+    let sensors = channels.filter(|(_, channel)| !channel.is_position());
+    let sensors = sensors.map(|(index, channel)| SensorEvidence {
+        name: channel.name.clone(),
+        unit: channel.unit.to_owned(),
+        components: channel.components,
+        ..sensor_evidence(observations, index)
+    });
+    let mut sensors: Vec<SensorEvidence> = sensors.collect();
     let mut evidence = FlightEvidence {
         file: observations.file.clone(),
         role: observations.role,
-        markers: marker_names.to_vec(),
+        markers: positions
+            .iter()
+            .map(|&channel| problem.channels[channel].name.clone())
+            .collect(),
         times: observations.times.clone(),
         measured: observations
             .measured
-            .chunks(observations.markers)
-            .map(rows)
+            .chunks(observations.channels)
+            .map(|row| positions.iter().map(|&channel| row[channel]).collect())
             .collect(),
         outlier: observations
             .outlier
-            .chunks(observations.markers)
-            .map(<[_]>::to_vec)
+            .chunks(observations.channels)
+            .map(|row| positions.iter().map(|&channel| row[channel]).collect())
             .collect(),
+        sensors: Vec::new(),
         predicted: Vec::new(),
         state_names: layout.states.clone(),
         states: Vec::new(),
@@ -110,12 +162,44 @@ pub fn evidence(
         quantities: Vec::new(),
     };
     let states = trajectory.chunks(observations.manifold.states());
-    for (&time, state) in observations.times.iter().zip(states) {
-        let markers = problem.markers.iter().enumerate();
-        let predicted = markers.map(|marker| observers.position(time, state, marker));
+    for (sample, (&time, state)) in observations.times.iter().zip(states).enumerate() {
+        // The residual from 0 is the prediction; the scale of a position may differ from 1.
+        let mut position = |channel: usize| {
+            let scale = problem.channels[channel].scale;
+            observers
+                .residual(time, state, channel, [0.0; 3])
+                .map(|y| y / scale)
+        };
+        let predicted = positions.iter().map(|&channel| position(channel));
         evidence.predicted.push(predicted.collect());
-        evidence.quantities.push(observers.quantities(time, state));
+        for sensor in &mut sensors {
+            let residual = observations.value(sample, sensor.channel).map(|seen| {
+                let scale = problem.channels[sensor.channel].scale;
+                let residual = observers.residual(time, state, sensor.channel, seen);
+                residual.map(|predicted_less_measured| -predicted_less_measured / scale)
+            });
+            sensor.residuals.push(residual);
+        }
+        evidence.quantities.push(observer.quantities(time, state));
         evidence.states.push(state.to_vec());
     }
+    evidence.sensors = sensors;
     Some(evidence)
+}
+
+/// Measured values and outliers of a channel.
+fn sensor_evidence(observations: &Observations, channel: usize) -> SensorEvidence {
+    let samples = 0..observations.times.len();
+    let place = |sample: usize| sample * observations.channels + channel;
+    SensorEvidence {
+        channel,
+        measured: samples
+            .clone()
+            .map(|sample| observations.measured[place(sample)])
+            .collect(),
+        outlier: samples
+            .map(|sample| observations.outlier[place(sample)])
+            .collect(),
+        ..SensorEvidence::default()
+    }
 }

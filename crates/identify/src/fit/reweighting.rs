@@ -11,7 +11,7 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::error::FlightError;
 use crate::least_squares::{FailedFlight, Solution, StopReason, StoppingCriteria};
-use crate::noise::{Moments, NoiseModel};
+use crate::noise::NoiseModel;
 use crate::options::FitOptions;
 use crate::outliers;
 use crate::predict::Loss;
@@ -168,67 +168,79 @@ pub fn estimate_noise(
     cache: &ResidualCache,
     options: &FitOptions<'_>,
 ) -> Result<(NoiseModel, bool), FitError> {
-    let judged = outlier_candidates(state, cache, options)?;
-    let scales: Vec<[f64; 3]> = judged.iter().map(|flight| flight.scale).collect();
-    let median_scale = outliers::median_scale(&scales);
+    let judged = outlier_candidates(problem, state, cache, options)?;
+    let group_of = problem.noise_groups();
+    let median_scales: Vec<[f64; 3]> = (0..problem.no_moments().len())
+        .map(|group| {
+            let of_group = judged.iter().map(|flight| flight.scales[group]);
+            outliers::median_scale(&of_group.collect::<Vec<_>>())
+        })
+        .collect();
     let marked = batch::each_on(options.threads(), state.flights.len(), |flight| {
         let residuals = &cache.path(&state.flights, flight)?.residuals;
         let observations = &state.flights[flight];
         // A flight that is noisier than the others is judged by its scale.
-        let FlightOutliers { scale, candidates } = &judged[flight];
-        let scale = [0, 1, 2].map(|axis| median_scale[axis].max(scale[axis]));
+        let FlightOutliers { scales, candidates } = &judged[flight];
         let mut outlier = vec![false; observations.measured.len()];
         for (point, local_residual) in candidates {
+            let group = group_of[point % observations.channels];
+            let (usual, own) = (median_scales[group], scales[group]);
+            let scale = [0, 1, 2].map(|axis| usual[axis].max(own[axis]));
             outlier[*point] = outliers::is_outlier(local_residual, scale);
         }
-        let mut moments = Moments::default();
-        for (marker, series) in residuals.iter().enumerate() {
+        let mut moments = problem.no_moments();
+        for (channel, series) in residuals.iter().enumerate() {
             let inliers = series.iter().enumerate().map(|(sample, residual)| {
-                residual.filter(|_| !outlier[sample * observations.markers + marker])
+                residual.filter(|_| !outlier[sample * observations.channels + channel])
             });
             let inliers: Vec<Option<[f64; 3]>> = inliers.collect();
-            moments.add(&observations.times, &inliers, state.interval);
+            moments[group_of[channel]].add(&observations.times, &inliers, state.interval);
         }
         Ok((outlier, moments))
     });
-    let mut sum = Moments::default();
+    let mut sums = problem.no_moments();
     let mut changed = 0;
     for (observations, marked) in state.flights.iter_mut().zip(marked) {
         let (outlier, moments) = marked?;
         let marks = observations.outlier.iter().zip(&outlier);
         changed += marks.filter(|(before, now)| before != now).count();
         observations.outlier = outlier;
-        sum.join(&moments);
+        for (sum, of_flight) in sums.iter_mut().zip(&moments) {
+            sum.join(of_flight);
+        }
     }
     let flights = state.flights.iter();
     let local: usize = flights.map(|flight| flight.manifold.dimension()).sum();
     let unknowns = local + problem.globals.len();
+    let points: usize = sums.iter().map(|sum| sum.count).sum();
     Ok((
-        sum.noise(unknowns, state.interval, problem.sigma),
-        changed > sum.count / POINTS_PER_CHANGED_MARK,
+        problem.noise_of(&sums, unknowns, state.interval),
+        changed > points / POINTS_PER_CHANGED_MARK,
     ))
 }
 
 /// Possible outliers of one flight.
 struct FlightOutliers {
-    /// Scale of its local residuals along each axis, m.
-    scale: [f64; 3],
-    /// Indices of points that are outliers at this scale, with their local residuals, m. No other point is an outlier
+    /// Scale of its local residuals of each group of channels along each axis, m.
+    scales: Vec<[f64; 3]>,
+    /// Indices of points that are outliers at these scales, with their local residuals, m. No other point is an outlier
     /// at a greater scale.
     candidates: Vec<(usize, [f64; 3])>,
 }
 
 fn outlier_candidates(
+    problem: &FitProblem,
     state: &State,
     cache: &ResidualCache,
     options: &FitOptions<'_>,
 ) -> Result<Vec<FlightOutliers>, FitError> {
+    let group_of = problem.noise_groups();
     let each = batch::each_on(options.threads(), state.flights.len(), |flight| {
         let residuals = &cache.path(&state.flights, flight)?.residuals;
         let local_residuals = outliers::local_residuals(&state.flights[flight].times, residuals);
-        let scale = outliers::robust_scale(&local_residuals);
-        let candidates = outliers::outlier_candidates(&local_residuals, scale);
-        Ok(FlightOutliers { scale, candidates })
+        let scales = outliers::group_scales(&local_residuals, &group_of);
+        let candidates = outliers::outlier_candidates(&local_residuals, &scales, &group_of);
+        Ok(FlightOutliers { scales, candidates })
     });
     each.into_iter().collect()
 }

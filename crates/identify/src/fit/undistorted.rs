@@ -106,6 +106,9 @@ fn without_distortion(
     observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
 ) -> Option<Observations> {
+    if !problem.is_shown_by_markers() {
+        return None;
+    }
     let samples = observations.times.len();
     let trajectory = states(problem, observations, (global, local), samples).ok()?;
     let start = problem.globals.iter().map(|global| global.model_value);
@@ -121,7 +124,7 @@ fn without_distortion(
     for (sample, state) in states.enumerate() {
         let time = observations.times[sample];
         for (marker, position) in problem.markers.iter().enumerate() {
-            let Some(point) = &mut found.measured[sample * observations.markers + marker] else {
+            let Some(point) = &mut found.measured[sample * observations.channels + marker] else {
                 continue;
             };
             let seen = distorted.position(time, state, (marker, position));

@@ -3,6 +3,7 @@
 //! The poses of the first samples give the rigid-body motion at the first one; the state with this motion is found by
 //! inverting the model's measurement equation, whatever the states are.
 
+mod instruments;
 mod observation_inverse;
 mod rigid_motion;
 
@@ -49,6 +50,9 @@ pub fn initial_guesses(
     problem: &FitProblem,
     observations: &Observations,
 ) -> Result<Vec<InitialGuess>, FlightError> {
+    if !problem.sees_positions() {
+        return instrument_guesses(problem, observations);
+    }
     let motion = rigid_motion::of(problem, observations)?;
     let whole = observations
         .interval()
@@ -75,5 +79,22 @@ pub fn initial_guesses(
         Err(failure)
     } else {
         Ok(guesses)
+    }
+}
+
+/// Initial guesses of a flight without measured positions: many, of which a fit to the samples chooses.
+fn instrument_guesses(
+    problem: &FitProblem,
+    observations: &Observations,
+) -> Result<Vec<InitialGuess>, FlightError> {
+    let motions = instruments::motions(problem, observations)?;
+    let states = motions.iter().filter_map(|motion| {
+        let state = observation_inverse::state(problem, observations, motion).ok()?;
+        Some(InitialGuess { state, turns: 0 })
+    });
+    let guesses: Vec<InitialGuess> = states.collect();
+    match guesses.is_empty() {
+        true => Err(FlightError::NoMatchingState),
+        false => Ok(guesses),
     }
 }

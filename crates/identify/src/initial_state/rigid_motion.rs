@@ -87,7 +87,7 @@ pub fn sigma0(
     observations: &Observations,
     poses: &[Option<Pose>],
 ) -> Option<f64> {
-    if problem.has_attitude && problem.markers.len() >= 3 {
+    if problem.has_attitude && problem.markers.len() >= 3 && problem.is_shown_by_markers() {
         let poses = poses.iter().flatten().take(MAX_NOISE_SAMPLES);
         let mut squares: Vec<f64> = poses.map(Pose::variance).collect();
         // The median of χ² with 3 degrees of freedom is 2.366.

@@ -6,6 +6,7 @@
 mod jacobian_columns;
 mod residuals;
 mod trajectory_pass;
+mod weak_prior;
 mod weighted_rows;
 
 use model_spec::layout::ParamId;
@@ -83,7 +84,7 @@ pub fn linearise_with<M: DifferentiableRhs>(
         Loss::Huber(scale) => tolerance::robust(scale, problem.sigma0),
         Loss::Whitened(_) => problem.tolerance * problem.sigma0,
     };
-    let mut rows = WeightedRows::new(columns.accumulator(), observations.markers, loss);
+    let mut rows = WeightedRows::new(columns.accumulator(), &problem.channels, loss);
     let pass = TrajectoryPass {
         problem,
         observations,
@@ -94,12 +95,16 @@ pub fn linearise_with<M: DifferentiableRhs>(
         with_outliers: matches!(loss, Loss::Huber(_)),
     };
     pass.each_point(motion, &columns, cache, |point| {
-        rows.add(point.marker, point.time, point.rows, point.residual);
+        rows.add(point.channel, point.time, point.rows, point.residual);
     })?;
-    Ok(rows.accumulator.block())
+    let mut block = rows.accumulator.block();
+    if !problem.sees_positions() {
+        weak_prior::add(problem, observations, local, &mut block);
+    }
+    Ok(block)
 }
 
-/// Calls `each` with every residual of a flight, outliers included, sample by sample and marker by marker, with its
+/// Calls `each` with every residual of a flight, outliers included, sample by sample and channel by channel, with its
 /// derivatives by the local parameters and then by these parameters of the motion.
 ///
 /// # Errors
@@ -131,7 +136,7 @@ pub fn each_residual<M: DifferentiableRhs>(
             }
         }
         each(PointResidual {
-            marker: point.marker,
+            channel: point.channel,
             sample: point.sample,
             residual: point.residual,
             rows: &rows,
@@ -139,14 +144,14 @@ pub fn each_residual<M: DifferentiableRhs>(
     })
 }
 
-/// Residual of one marker in one sample, with its derivatives.
+/// Residual of one channel in one sample, with its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct PointResidual<'r> {
-    /// Index of the marker.
-    pub marker: usize,
+    /// Index of the channel.
+    pub channel: usize,
     /// Index of the sample.
     pub sample: usize,
-    /// Predicted − measured, m, along each axis.
+    /// Predicted − measured along each axis, m or times the scale of the channel; a single number is there three times.
     pub residual: [f64; 3],
     /// Derivatives of the residual along each axis, by the local parameters and then by the parameters of the motion.
     pub rows: &'r [Vec<f64>; 3],

@@ -5,13 +5,13 @@ use nalgebra::DVector;
 use ode::integrate_at;
 
 use super::trajectory_pass::integration_options;
+use crate::channel_observers::ChannelConditions;
 use crate::error::FlightError;
-use crate::marker_observers::MarkerConditions;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::tolerance::RESIDUAL_TOLERANCE;
 
-/// Residuals `[marker][sample]`, predicted − measured, m; `None` for a missing value. Outliers are included.
+/// Residuals `[channel][sample]`, predicted − measured, m or times the scale of the channel; `None` for a missing value. Outliers are included.
 pub type Residuals = Vec<Vec<Option<[f64; 3]>>>;
 
 /// Model states at the first samples of a flight, sample by sample.
@@ -57,19 +57,16 @@ pub fn residuals_of(
     trajectory: &[f64],
 ) -> Residuals {
     let parameters = observations.parameters(problem, global);
-    let conditions = MarkerConditions::new(&problem.body, &parameters, observations.markers);
+    let conditions = ChannelConditions::new(problem, &parameters);
     let mut observers = conditions.observers();
     let states = observations.manifold.states();
     let samples = trajectory.len() / states;
-    let mut residuals = vec![Vec::with_capacity(samples); observations.markers];
+    let mut residuals = vec![Vec::with_capacity(samples); observations.channels];
     for (sample, state) in trajectory.chunks(states).enumerate() {
-        for (marker, position) in problem.markers.iter().enumerate() {
-            let residual = observations.points(sample)[marker].map(|measured| {
-                let time = observations.times[sample];
-                let y = observers.position(time, state, (marker, position));
-                [0, 1, 2].map(|axis| y[axis] - measured[axis])
-            });
-            residuals[marker].push(residual);
+        let time = observations.times[sample];
+        for (channel, residuals) in residuals.iter_mut().enumerate() {
+            let measured = observations.value(sample, channel);
+            residuals.push(measured.map(|seen| observers.residual(time, state, channel, seen)));
         }
     }
     residuals

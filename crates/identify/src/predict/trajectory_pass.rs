@@ -2,14 +2,15 @@
 
 use std::ops::Range;
 
+use flight::ObservationJacobians;
 use model_spec::layout::ParamId;
 use nalgebra::DVector;
 use ode::{DifferentiableRhs, Sensitivities};
 use ode::{IntegrationOptions, Method, integrate_at, integrate_with_callback};
 
 use super::jacobian_columns::JacobianColumns;
+use crate::channel_observers::ChannelConditions;
 use crate::error::FlightError;
-use crate::marker_observers::MarkerConditions;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
@@ -51,11 +52,11 @@ pub(super) struct TrajectoryPass<'a> {
 
 /// A measured point on the trajectory.
 pub(super) struct ObservedPoint<'r> {
-    pub marker: usize,
+    pub channel: usize,
     pub sample: usize,
     /// Time since the first sample, s.
     pub time: f64,
-    /// Predicted − measured, m.
+    /// Predicted − measured, m or times the scale of the channel.
     pub residual: [f64; 3],
     /// Derivatives of the residual along each axis, in the columns of [`JacobianColumns`].
     pub rows: &'r mut [Vec<f64>; 3],
@@ -82,24 +83,27 @@ impl TrajectoryPass<'_> {
         let mut variations = Sensitivities::new(motion, &directions, &parameters);
         let places = variations.layout();
         let values = observations.parameters(problem, self.global);
-        let conditions = MarkerConditions::new(&problem.body, &values, observations.markers);
+        let conditions = ChannelConditions::new(problem, &values);
         let mut observers = conditions.observers();
         let mut rows = columns.empty_rows();
         let times = &observations.times[..self.samples];
         let mut visit = |sample: usize, both: &[f64]| {
             let (time, state) = (times[sample], places.state(both));
-            for (marker, position) in problem.markers.iter().enumerate() {
-                let Some(measured) = self.measured(sample, marker) else {
+            for channel in 0..observations.channels {
+                let Some(measured) = self.measured(sample, channel) else {
                     continue;
                 };
-                let (y, derivatives) = observers.linearise(time, state, (marker, position));
                 let row_of = |state: usize| places.padded_row(both, state);
-                columns.derive(&derivatives, row_of, &mut rows);
+                let derive = |by: &ObservationJacobians<'_>, rows: &mut [Vec<f64>; 3]| {
+                    columns.derive(by, row_of, rows);
+                };
+                let residual =
+                    observers.linearise((time, state), channel, measured, &mut rows, derive);
                 each(ObservedPoint {
-                    marker,
+                    channel,
                     sample,
                     time,
-                    residual: [0, 1, 2].map(|axis| y[axis] - measured[axis]),
+                    residual,
                     rows: &mut rows,
                 });
             }
@@ -134,8 +138,15 @@ impl TrajectoryPass<'_> {
                 }
             }
             None => {
-                let observed = problem.body.observed_states().into_iter();
-                let observed = observed.map(|state| places.row_range(state));
+                let instruments = problem
+                    .instruments
+                    .iter()
+                    .flat_map(|(_, own)| own.observed_states());
+                let mut observed = problem.body.observed_states();
+                observed.extend(instruments);
+                observed.sort_unstable();
+                observed.dedup();
+                let observed = observed.into_iter().map(|state| places.row_range(state));
                 let shown = joined(std::iter::once(places.state_range()).chain(observed));
                 integrate_with_callback(&mut variations, from, times, &options, &shown, visit)?;
             }
@@ -143,10 +154,10 @@ impl TrajectoryPass<'_> {
         Ok(())
     }
 
-    fn measured(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
+    fn measured(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         match self.with_outliers {
-            true => self.observations.points(sample)[marker],
-            false => self.observations.inlier(sample, marker),
+            true => self.observations.value(sample, channel),
+            false => self.observations.inlier(sample, channel),
         }
     }
 }

@@ -11,7 +11,7 @@ pub struct FlightEvidence {
     pub file: String,
     /// Whether the flight was fitted or held out.
     pub role: Role,
-    /// Names of the markers.
+    /// Names of the markers and pose sensors.
     pub markers: Vec<String>,
     /// Times of the samples, s, from the first.
     pub times: Vec<f64>,
@@ -21,6 +21,9 @@ pub struct FlightEvidence {
     pub outlier: Vec<Vec<bool>>,
     /// `predicted[sample][marker]`: predicted position, m, inertial frame.
     pub predicted: Vec<Vec<[f64; 3]>>,
+    /// Channels that are no positions.
+    #[serde(default)]
+    pub sensors: Vec<SensorEvidence>,
     /// Names of the states.
     pub state_names: Vec<String>,
     /// `states[sample][state]`, SI.
@@ -29,6 +32,25 @@ pub struct FlightEvidence {
     pub quantity_names: Vec<String>,
     /// `quantities[sample][quantity]`, SI.
     pub quantities: Vec<Vec<f64>>,
+}
+
+/// Measured values and residuals of one channel that is no position, in its own unit.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SensorEvidence {
+    /// Name of the sensor.
+    pub name: String,
+    /// Index among the channels of the problem.
+    pub channel: usize,
+    /// Unit of a component: `rad` of an attitude, else that of the instrument.
+    pub unit: String,
+    /// Number of components; a single number stands there three times.
+    pub components: usize,
+    /// Measured value by sample, of an attitude its rotation vector; `None` for a missing one.
+    pub measured: Vec<Option<[f64; 3]>>,
+    /// Whether a measured value is excluded as an outlier, by sample.
+    pub outlier: Vec<bool>,
+    /// Residual by sample, measured − predicted; of an attitude the rotation vector between them, in the inertial frame.
+    pub residuals: Vec<Option<[f64; 3]>>,
 }
 
 impl FlightEvidence {

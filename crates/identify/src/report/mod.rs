@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-pub use evidence::{AxisResiduals, FlightEvidence};
+pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
 pub(crate) use reliability::reasons_against;
 pub(crate) use residuals::ResidualPool;
@@ -46,6 +46,9 @@ pub struct FitReport {
     /// Pairs of markers whose measured distance differs from the predicted one.
     #[serde(default)]
     pub marker_distances: Vec<MarkerDistance>,
+    /// Channels of sensors other than markers.
+    #[serde(default)]
+    pub sensors: Vec<SensorReport>,
     /// Non-identifiable coefficients and combinations, the least determined first.
     pub undetermined: Vec<NonIdentifiable>,
     /// Profile likelihoods that the options ask for.
@@ -67,6 +70,27 @@ pub struct MarkerDistance {
     pub difference_m: f64,
     /// Standard error of `difference_m`, m.
     pub std_error_m: f64,
+}
+
+/// Residuals and noise of one channel of a sensor, in its own unit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SensorReport {
+    /// Name of the sensor.
+    pub name: String,
+    /// What the channel measures: `position`, `attitude`, `gyroscope`, `accelerometer` or `speed`.
+    pub measures: String,
+    /// Unit of a component.
+    pub unit: String,
+    /// Root mean square residual of a component over the fitted flights, outliers excluded.
+    pub rms: f64,
+    /// Root mean square of the components' standard deviations: stated by the dataset, or estimated.
+    pub sigma: f64,
+    /// Lag-1 autocorrelation, mean of the components.
+    pub ar1: f64,
+    /// Number of values.
+    pub points: usize,
+    /// Number of values excluded as outliers.
+    pub outliers: usize,
 }
 
 /// Noise of the measured coordinates: a stationary AR(1) process along each axis.

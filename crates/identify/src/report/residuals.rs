@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use lanes::{Kernel, Lanes};
 
 use super::AxisResiduals;
-use crate::noise::NoiseModel;
+use crate::noise::AxesNoise;
 
 /// Number of lags of the autocorrelation, in samples.
 const LAGS: usize = 25;
@@ -50,8 +50,8 @@ impl Default for ResidualPool {
 }
 
 impl ResidualPool {
-    /// Adds the residuals of one marker of a flight, m; `None` for a missing value.
-    pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &NoiseModel) {
+    /// Adds the residuals of one channel of a flight, m; `None` for a missing value.
+    pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &AxesNoise) {
         self.points += residuals.iter().flatten().count();
         for (k, axis) in self.axes.iter_mut().enumerate() {
             let series: Vec<Option<f64>> = residuals.iter().map(|r| r.map(|r| r[k])).collect();
@@ -255,7 +255,7 @@ mod tests {
             .map(|i| Some([if i % 2 == 0 { 1.0 } else { -1.0 }; 3]))
             .collect();
         let mut pool = ResidualPool::default();
-        pool.add(&times, &residuals, &NoiseModel::white(1.0, 1.0));
+        pool.add(&times, &residuals, &AxesNoise::white(1.0, 1.0));
         let axes = pool.axes();
         assert!((axes["x"].autocorrelation[1] + 1.0).abs() < 1e-12);
         assert!((axes["z"].autocorrelation[2] - 1.0).abs() < 1e-12);

@@ -65,6 +65,7 @@ impl Maker<'_> {
             known,
             times,
             positions,
+            readings: Vec::new(),
         };
         Ok((flight, state))
     }

@@ -176,7 +176,10 @@ pub(super) fn lack_of_fit(test: &LackOfFit) -> LackOfFitText {
             d.coordinate.clone(),
             plain(d.from_s, 2),
             plain(d.to_s, 2),
-            millimetres(d.size_m),
+            match d.unit.as_str() {
+                "" | "m" => millimetres(d.size_m),
+                unit => format!("{} {unit}", significant(d.size_m, 3)),
+            },
             words::probability(d.p),
         ]
     };

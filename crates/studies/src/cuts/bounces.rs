@@ -156,6 +156,7 @@ pub(crate) fn bouncing_flight(index: usize, random: &mut impl Rng) -> (Flight, (
             role: Role::Fit,
             known: Default::default(),
             positions: positions.collect(),
+            readings: Vec::new(),
             times,
         };
         return (flight, touch);

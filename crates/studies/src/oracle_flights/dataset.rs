@@ -75,6 +75,7 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
             role: Role::Fit,
             known: Default::default(),
             positions: positions.collect(),
+            readings: Vec::new(),
             times,
         }
     });
@@ -90,6 +91,7 @@ pub(crate) fn empty(model: &Model) -> Dataset {
         model: model.name.clone(),
         parameters: Default::default(),
         markers: default_markers(model),
+        sensors: Vec::new(),
         sigma: None,
         flights: Vec::new(),
     }

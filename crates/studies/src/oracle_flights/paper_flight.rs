@@ -60,6 +60,7 @@ pub fn paper_flight(model: &Model, name: &str, curves: Option<Curves<'_>>) -> Da
         role: Role::Fit,
         known: Default::default(),
         positions: positions.collect(),
+        readings: Vec::new(),
         times,
     }];
     dataset

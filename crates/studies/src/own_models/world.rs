@@ -71,6 +71,7 @@ pub(super) fn dataset(
             known: Default::default(),
             times,
             positions,
+            readings: Vec::new(),
         }
     });
     let flights = flights.collect();
@@ -86,6 +87,7 @@ pub(super) fn dataset(
         model: model.name.clone(),
         parameters: Default::default(),
         markers: markers.collect(),
+        sensors: Vec::new(),
         sigma: None,
         flights,
     }

@@ -120,6 +120,7 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
             name: "m1".to_owned(),
             position: marker,
         }],
+        sensors: Vec::new(),
         sigma: None,
         flights: flights.collect(),
     }

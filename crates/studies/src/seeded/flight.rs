@@ -64,6 +64,7 @@ pub(super) fn seeded_flight(
         role,
         known: Default::default(),
         positions,
+        readings: Vec::new(),
         times,
     }
 }

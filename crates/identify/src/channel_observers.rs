@@ -1,0 +1,173 @@
+//! Measurement equations of all channels at one set of parameters.
+
+use flight::{BoundModel, ModelObserver};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+use crate::channel::ChannelKind;
+use crate::marker_observers::{MarkerConditions, MarkerObservers};
+use crate::problem::FitProblem;
+
+/// Bound models for the measurement equations of all channels.
+pub struct ChannelConditions<'a> {
+    problem: &'a FitProblem,
+    markers: MarkerConditions<'a>,
+    instruments: Vec<BoundModel<'a>>,
+}
+
+impl<'a> ChannelConditions<'a> {
+    /// Binds the parameters of a flight, in the order of the layout.
+    pub fn new(problem: &'a FitProblem, parameters: &[f64]) -> Self {
+        let channels = problem.channels.iter();
+        let markers = channels
+            .filter(|own| matches!(own.kind, ChannelKind::Marker(_)))
+            .count();
+        let instruments = problem.instruments.iter();
+        Self {
+            problem,
+            markers: MarkerConditions::new(&problem.body, parameters, markers),
+            instruments: instruments
+                .map(|(_, own)| own.bind(parameters.to_vec()))
+                .collect(),
+        }
+    }
+
+    /// Evaluators of the measurement equations.
+    pub fn observers(&self) -> ChannelObservers<'_> {
+        ChannelObservers {
+            problem: self.problem,
+            markers: self.markers.observers(),
+            instruments: self.instruments.iter().map(BoundModel::observer).collect(),
+        }
+    }
+}
+
+/// Evaluators of the channels' measurement equations.
+pub struct ChannelObservers<'a> {
+    problem: &'a FitProblem,
+    markers: MarkerObservers<'a>,
+    instruments: Vec<ModelObserver<'a>>,
+}
+
+/// Index of no marker.
+const NO_MARKER: usize = usize::MAX;
+
+/// Unit vectors of the body, as points.
+const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+impl ChannelObservers<'_> {
+    /// Residual of a channel, predicted less measured, times its scale; at time `t` (s) and state `x`.
+    pub fn residual(&mut self, t: f64, x: &[f64], channel: usize, measured: [f64; 3]) -> [f64; 3] {
+        let own = &self.problem.channels[channel];
+        let y = match own.kind {
+            ChannelKind::Marker(marker) => self.markers.position(t, x, (marker, &own.position)),
+            ChannelKind::Position => self.markers.position(t, x, (NO_MARKER, &own.position)),
+            ChannelKind::Instrument(index) => {
+                let y = self.instruments[index].position(t, x, &own.position);
+                if own.components == 1 { [y[0]; 3] } else { y }
+            }
+            ChannelKind::Attitude => {
+                let origin: Vector3<f64> =
+                    self.markers.position(t, x, (NO_MARKER, &[0.0; 3])).into();
+                let mut at = |axis| {
+                    let tip: Vector3<f64> = self.markers.position(t, x, (NO_MARKER, axis)).into();
+                    tip - origin
+                };
+                let predicted = [at(&AXES[0]), at(&AXES[1]), at(&AXES[2])];
+                return rotation(measured, predicted).map(|r| r * own.scale).into();
+            }
+        };
+        [0, 1, 2].map(|axis| (y[axis] - measured[axis]) * own.scale)
+    }
+
+    /// Residual as from [`residual`](Self::residual), with its derivatives as `derive` writes them from those of an
+    /// observation into rows, one for each axis.
+    pub fn linearise(
+        &mut self,
+        (t, x): (f64, &[f64]),
+        channel: usize,
+        measured: [f64; 3],
+        rows: &mut [Vec<f64>; 3],
+        mut derive: impl FnMut(&flight::ObservationJacobians<'_>, &mut [Vec<f64>; 3]),
+    ) -> [f64; 3] {
+        let own = &self.problem.channels[channel];
+        let y = match own.kind {
+            ChannelKind::Marker(marker) => {
+                let (y, by) = self.markers.linearise(t, x, (marker, &own.position));
+                derive(&by, rows);
+                y
+            }
+            ChannelKind::Position => {
+                let (y, by) = self.markers.linearise(t, x, (NO_MARKER, &own.position));
+                derive(&by, rows);
+                y
+            }
+            ChannelKind::Instrument(index) => {
+                let instrument = &mut self.instruments[index];
+                let (y, by) = instrument.position_with_jacobians(t, x, &own.position);
+                derive(&by, rows);
+                if own.components == 1 { [y[0]; 3] } else { y }
+            }
+            ChannelKind::Attitude => {
+                let residual = self.attitude((t, x), measured, rows, derive);
+                scale(rows, own.scale);
+                return residual.map(|r| r * own.scale).into();
+            }
+        };
+        if own.scale != 1.0 {
+            scale(rows, own.scale);
+        }
+        [0, 1, 2].map(|axis| (y[axis] - measured[axis]) * own.scale)
+    }
+
+    /// Residual of an attitude, rad, with its derivatives: it is linear in the directions of the body's axes.
+    fn attitude(
+        &mut self,
+        (t, x): (f64, &[f64]),
+        measured: [f64; 3],
+        rows: &mut [Vec<f64>; 3],
+        mut derive: impl FnMut(&flight::ObservationJacobians<'_>, &mut [Vec<f64>; 3]),
+    ) -> Vector3<f64> {
+        let seen = axes(measured);
+        let (origin, by) = self.markers.linearise(t, x, (NO_MARKER, &[0.0; 3]));
+        let origin = Vector3::from(origin);
+        let mut of_origin = rows.clone();
+        derive(&by, &mut of_origin);
+        let mut of_axis = rows.clone();
+        rows.iter_mut().for_each(|row| row.fill(0.0));
+        let mut predicted = [Vector3::zeros(); 3];
+        for (k, axis) in AXES.iter().enumerate() {
+            let (tip, by) = self.markers.linearise(t, x, (NO_MARKER, axis));
+            derive(&by, &mut of_axis);
+            predicted[k] = Vector3::from(tip) - origin;
+            let half_cross = 0.5 * seen.column(k).cross_matrix();
+            for (to, weights) in rows.iter_mut().zip(half_cross.row_iter()) {
+                for (from, weight) in weights.iter().enumerate() {
+                    let pairs = of_axis[from].iter().zip(&of_origin[from]);
+                    for (to, (tip, origin)) in to.iter_mut().zip(pairs) {
+                        *to += weight * (tip - origin);
+                    }
+                }
+            }
+        }
+        rotation(measured, predicted)
+    }
+}
+
+fn scale(rows: &mut [Vec<f64>; 3], scale: f64) {
+    rows.iter_mut().flatten().for_each(|value| *value *= scale);
+}
+
+/// Axes of the body, as columns, of a rotation vector, rad.
+fn axes(rotation: [f64; 3]) -> Matrix3<f64> {
+    let turn = UnitQuaternion::from_scaled_axis(Vector3::from(rotation));
+    *turn.to_rotation_matrix().matrix()
+}
+
+/// Rotation vector, rad, from the measured attitude to the predicted directions of the body's axes: its length is the sine of
+/// the angle.
+fn rotation(measured: [f64; 3], predicted: [Vector3<f64>; 3]) -> Vector3<f64> {
+    let seen = axes(measured);
+    let each = predicted.iter().enumerate();
+    let sum: Vector3<f64> = each.map(|(k, axis)| seen.column(k).cross(axis)).sum();
+    0.5 * sum
+}

@@ -1,0 +1,134 @@
+//! `[[sensors]]` of `dataset.toml`.
+
+use toml::de::DeTable;
+
+use super::manifest::{Checker, FARTHEST, MOST_MARKERS};
+use super::words::{listed, meant, shown};
+use super::{Marker, Sensor, SensorKind, names};
+use crate::input_error::InputError;
+
+/// Name of the kind that is a marker.
+const MARKER: &str = "marker";
+
+const KEYS: [&str; 5] = ["name", "kind", "position", "sigma", "sigma_angle"];
+
+impl Checker<'_> {
+    /// The sensors; those that are markers join `markers`, with their standard deviation as that of the dataset.
+    pub(super) fn sensors(
+        &self,
+        document: &DeTable<'_>,
+        markers: &mut Vec<Marker>,
+        sigma: &mut Option<f64>,
+    ) -> Result<Vec<Sensor>, InputError> {
+        let fields = &self.0;
+        let tables = fields.tables(document, "sensors")?;
+        if tables.len() > MOST_MARKERS {
+            let found = format!("{} sensors", tables.len());
+            let expected = format!("at most {MOST_MARKERS}");
+            return Err(fields.fault(tables[MOST_MARKERS].0.clone(), found, expected));
+        }
+        if tables.is_empty() && markers.is_empty() {
+            let expected = "at least one marker or sensor: what was measured";
+            return Err(fields.fault(0..0, "no [[markers]] and no [[sensors]]", expected));
+        }
+        let mut sensors: Vec<Sensor> = Vec::new();
+        for entry in &tables {
+            fields.keys(entry.1, " in [[sensors]]", &KEYS)?;
+            let value = self.needed(entry, "name", "the sensor's name")?;
+            let name = fields.text(value, "name", "the sensor's name in quotes")?;
+            if let Some(expected) = names::wrong_with_marker(&name) {
+                let found = format!("the sensor name {}", shown(&name));
+                return Err(fields.fault(value.span(), found, expected));
+            }
+            let own = sensors.iter().map(|sensor| sensor.name.as_str());
+            let others = markers.iter().map(|marker| marker.name.as_str());
+            if name == "t" || own.chain(others).any(|other| other == name) {
+                let found = format!("a second column or sensor {}", shown(&name));
+                return Err(fields.fault(value.span(), found, "each name once"));
+            }
+            let kind = self.kind(entry)?;
+            let position = match entry.1.get("position") {
+                Some(value) => fields.vector(value, "position")?,
+                None => [0.0; 3],
+            };
+            if let Some(far) = position.iter().find(|axis| axis.abs() > FARTHEST) {
+                let expected = format!("at most {FARTHEST} m from the body's origin");
+                return Err(fields.fault(
+                    entry.0.clone(),
+                    format!("a sensor at {far} m"),
+                    expected,
+                ));
+            }
+            let own_sigma = self.deviation(entry.1, "sigma")?;
+            let sigma_angle = self.deviation(entry.1, "sigma_angle")?;
+            if sigma_angle.is_some() && kind != Some(SensorKind::Pose) {
+                let expected = "sigma_angle with kind = \"pose\" alone";
+                return Err(fields.fault(entry.0.clone(), "sigma_angle", expected));
+            }
+            match kind {
+                Some(kind) => sensors.push(Sensor {
+                    name,
+                    kind,
+                    position,
+                    sigma: own_sigma,
+                    sigma_angle,
+                }),
+                None => {
+                    if let (Some(own), Some(other)) = (own_sigma, *sigma)
+                        && own != other
+                    {
+                        let found = format!("sigma = {own} and sigma = {other}");
+                        let expected = "one standard deviation for all markers";
+                        return Err(fields.fault(entry.0.clone(), found, expected));
+                    }
+                    *sigma = own_sigma.or(*sigma);
+                    markers.push(Marker { name, position });
+                }
+            }
+        }
+        Ok(sensors)
+    }
+
+    /// What a sensor measures; `None` for a marker.
+    fn kind(
+        &self,
+        entry: &(std::ops::Range<usize>, &DeTable<'_>),
+    ) -> Result<Option<SensorKind>, InputError> {
+        let all = || {
+            SensorKind::ALL
+                .iter()
+                .map(|(_, name)| *name)
+                .chain([MARKER])
+        };
+        let expected = format!("kind, one of {}", listed(all()));
+        let value = self.needed(entry, "kind", &expected)?;
+        let kind = self.0.text(value, "kind", &expected)?;
+        if kind == MARKER {
+            return Ok(None);
+        }
+        let mut known = SensorKind::ALL.iter();
+        match known.find(|(_, name)| *name == kind) {
+            Some((found, _)) => Ok(Some(*found)),
+            None => {
+                let found = format!("kind = {}", shown(&kind));
+                let expected = format!("one of {}{}", listed(all()), meant(&kind, all()));
+                Err(self.0.fault(value.span(), found, expected))
+            }
+        }
+    }
+
+    /// A standard deviation of a sensor.
+    fn deviation(&self, table: &DeTable<'_>, key: &str) -> Result<Option<f64>, InputError> {
+        let Some(value) = table.get(key) else {
+            return Ok(None);
+        };
+        let number = self.0.number(value, key)?;
+        if number > 0.0 {
+            return Ok(Some(number));
+        }
+        let expected = "a standard deviation above 0";
+        Err(self
+            .0
+            .fault(value.span(), format!("{key} = {number}"), expected))
+    }
+}

@@ -1,0 +1,74 @@
+//! Scales of channels other than markers, by the noise of their samples.
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use crate::channel::ChannelKind;
+use crate::observations::Observations;
+use crate::path_noise::path_noise;
+use crate::problem::FitProblem;
+use crate::statistics::{median, robust_sigma};
+
+/// Least noise of a channel relative to the median magnitude of its values: rounding in tables.
+const MIN_RELATIVE_NOISE: f64 = 1e-6;
+
+/// Sets the scale of each channel other than markers, so that its noise is that of a marker's coordinate. `problem.sigma0` is
+/// set before.
+pub fn set_scales<'o>(
+    problem: &mut FitProblem,
+    flights: impl Iterator<Item = &'o Observations> + Clone,
+) {
+    for channel in 0..problem.channels.len() {
+        let own = &problem.channels[channel];
+        // Without markers `sigma0` is the noise of the poses' positions.
+        if problem.is_scored(channel) && own.is_position() {
+            continue;
+        }
+        let is_attitude = own.kind == ChannelKind::Attitude;
+        let noise = own.sigma.or_else(|| {
+            let each = flights
+                .clone()
+                .filter_map(|flight| noise(flight, channel, is_attitude));
+            let mut each: Vec<f64> = each.collect();
+            (!each.is_empty()).then(|| median(&mut each))
+        });
+        if let Some(noise) = noise.filter(|noise| *noise > 0.0) {
+            problem.channels[channel].scale = problem.sigma0 / noise;
+        }
+    }
+}
+
+/// Noise of a channel in one flight by a smoother, in the unit of the channel.
+fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64> {
+    let samples = flight.times.iter().enumerate();
+    let values = samples.filter_map(|(sample, time)| {
+        let value = flight.value(sample, channel)?;
+        Some((*time, Vector3::from(value)))
+    });
+    let values: Vec<(f64, Vector3<f64>)> = values.collect();
+    if values.len() < 4 {
+        return None;
+    }
+    let mut sizes: Vec<f64> = values.iter().map(|(_, value)| value.norm()).collect();
+    let least = MIN_RELATIVE_NOISE * median(&mut sizes);
+    let noise = match is_attitude {
+        true => attitude_noise(&values),
+        false => path_noise(values.into_iter()),
+    };
+    Some(noise.max(least))
+}
+
+/// Noise of an attitude about one axis, rad: of each against the middle of its neighbours.
+fn attitude_noise(values: &[(f64, Vector3<f64>)]) -> f64 {
+    let turn = |value: &Vector3<f64>| UnitQuaternion::from_scaled_axis(*value);
+    let mut sizes = Vec::new();
+    for three in values.windows(3) {
+        let [(before, a), (time, b), (after, c)] = [three[0], three[1], three[2]];
+        let part = (time - before) / (after - before);
+        let between = (turn(&a).inverse() * turn(&c)).scaled_axis();
+        let middle = turn(&a) * UnitQuaternion::from_scaled_axis(between * part);
+        let off = (middle.inverse() * turn(&b)).scaled_axis();
+        let spread = (1.0 + part * part + (1.0 - part).powi(2)).sqrt();
+        sizes.extend(off.iter().map(|part| part.abs() / spread));
+    }
+    robust_sigma(&mut sizes)
+}

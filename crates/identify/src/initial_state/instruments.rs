@@ -1,0 +1,142 @@
+//! Motions from which a flight seen by gyroscopes, accelerometers and speeds alone may start: no position tells its place,
+//! its heading and its attitude, which are tried.
+
+use model_spec::compose::Instrument;
+use nalgebra::{UnitQuaternion, Vector3};
+
+use super::RigidMotion;
+use crate::channel::ChannelKind;
+use crate::error::FlightError;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
+use crate::statistics::median;
+
+/// Time over which the specific force is averaged, s.
+const AVERAGED: f64 = 0.15;
+
+/// Speeds that are tried where none is measured, m/s.
+const SPEEDS: [f64; 3] = [6.0, 12.0, 22.0];
+
+/// Angles between the velocity and the plane across the spin that are tried, rad.
+const ANGLES: [f64; 2] = [0.05, 0.25];
+
+/// Tilts of the body that are tried, rad, about axes in the plane of the ground.
+const TILT: f64 = 0.35;
+
+/// Rate above which a body spins about an axis, rad/s.
+const SPINS: f64 = 5.0;
+
+/// Motions at the first sample to start from.
+///
+/// # Errors
+/// [`FlightError::NoMatchingState`] if no instrument gives a reading.
+pub fn motions(
+    problem: &FitProblem,
+    observations: &Observations,
+) -> Result<Vec<RigidMotion>, FlightError> {
+    let readings = |wanted: Instrument| -> Vec<(f64, Vector3<f64>, Vector3<f64>)> {
+        let is_wanted = |kind: &ChannelKind| matches!(kind, ChannelKind::Instrument(index) if problem.instruments[*index].0 == wanted);
+        let channels = problem.channels.iter().enumerate();
+        let Some((channel, own)) = channels.clone().find(|(_, own)| is_wanted(&own.kind)) else {
+            return Vec::new();
+        };
+        let samples = observations.times.iter().enumerate();
+        let seen = samples.filter_map(|(sample, time)| {
+            let value = observations.inlier(sample, channel)?;
+            Some((*time, Vector3::from(value), Vector3::from(own.position)))
+        });
+        seen.collect()
+    };
+    let rates = readings(Instrument::Gyroscope);
+    let forces = readings(Instrument::Accelerometer);
+    let speeds: Vec<f64> = readings(Instrument::Speed)
+        .iter()
+        .map(|(_, v, _)| v.x)
+        .collect();
+    if rates.is_empty() && forces.is_empty() && speeds.is_empty() {
+        return Err(FlightError::NoMatchingState);
+    }
+    let spin = middle(rates.iter().take(5).map(|(_, rate, _)| *rate));
+    let force = mean_force(&rates, &forces);
+    let (across, axis) = match spin.norm() > SPINS {
+        true => {
+            let axis = spin.normalize();
+            (force - axis * axis.dot(&force), axis)
+        }
+        false => (force, Vector3::z()),
+    };
+    let along = (-across).try_normalize(1e-6).unwrap_or_else(Vector3::x);
+    let up = if axis.dot(&force) < 0.0 { -axis } else { axis };
+    let measured = speeds.iter().take(5).copied().collect::<Vec<f64>>();
+    let speeds = match measured.is_empty() {
+        true => SPEEDS.to_vec(),
+        false => vec![median(&mut measured.clone())],
+    };
+    let mut motions = Vec::new();
+    for attitude in attitudes() {
+        for &speed in &speeds {
+            for angle in ANGLES {
+                let velocity = speed * (angle.cos() * along - angle.sin() * up);
+                motions.push(RigidMotion {
+                    position: Vector3::zeros(),
+                    velocity: attitude * velocity,
+                    attitude: problem.has_attitude.then_some(attitude),
+                    rates: problem.has_attitude.then(|| attitude * spin),
+                });
+            }
+        }
+    }
+    Ok(motions)
+}
+
+/// Attitudes that are tried: level and tilted, each also upside down.
+fn attitudes() -> Vec<UnitQuaternion<f64>> {
+    let tilts = [
+        Vector3::zeros(),
+        Vector3::x() * TILT,
+        Vector3::x() * -TILT,
+        Vector3::y() * TILT,
+        Vector3::y() * -TILT,
+    ];
+    let over = UnitQuaternion::from_scaled_axis(Vector3::x() * std::f64::consts::PI);
+    let upright = tilts.map(UnitQuaternion::from_scaled_axis);
+    let all = upright.iter().copied();
+    all.chain(upright.iter().map(|tilt| *tilt * over)).collect()
+}
+
+/// Median of each component.
+fn middle(vectors: impl Iterator<Item = Vector3<f64>>) -> Vector3<f64> {
+    let all: Vec<Vector3<f64>> = vectors.collect();
+    let component = |axis: usize| median(&mut all.iter().map(|v| v[axis]).collect::<Vec<f64>>());
+    Vector3::new(component(0), component(1), component(2))
+}
+
+/// Mean specific force at the mass centre over the first samples, m/s², in the body's axes at the first sample.
+fn mean_force(
+    rates: &[(f64, Vector3<f64>, Vector3<f64>)],
+    forces: &[(f64, Vector3<f64>, Vector3<f64>)],
+) -> Vector3<f64> {
+    let Some(first) = forces.first().map(|(time, ..)| *time) else {
+        return Vector3::zeros();
+    };
+    let mut turned = UnitQuaternion::identity();
+    let (mut sum, mut count) = (Vector3::zeros(), 0.0);
+    let mut before = first;
+    let mut rates = rates.iter().peekable();
+    let mut rate = rates
+        .peek()
+        .map_or_else(Vector3::zeros, |(_, rate, _)| *rate);
+    for (time, force, place) in forces
+        .iter()
+        .take_while(|(time, ..)| *time <= first + AVERAGED)
+    {
+        while let Some((_, next, _)) = rates.next_if(|(at, ..)| at <= time) {
+            rate = *next;
+        }
+        turned *= UnitQuaternion::from_scaled_axis(rate * (time - before));
+        before = *time;
+        sum += turned * (force - rate.cross(&rate.cross(place)));
+        count += 1.0;
+    }
+    sum / count
+}

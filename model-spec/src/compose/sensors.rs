@@ -1,0 +1,165 @@
+//! Quantities that instruments on a body measure: `gyroscope`, `accelerometer` and `speed`. A model may declare them by
+//! `let`; one that does not gets their usual definitions.
+
+use std::sync::Arc;
+
+use crate::error::LoadError;
+use crate::model::Model;
+use crate::source::Span;
+use crate::syntax;
+use crate::syntax::ast::{FrameKind, ItemKind};
+
+use super::ModelTree;
+
+/// An instrument whose reading is a quantity of the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Instrument {
+    /// Angular velocity, rad/s, in the frame that markers are fixed in.
+    Gyroscope,
+    /// Specific force where it sits on the body, m/s², in the frame that markers are fixed in.
+    Accelerometer,
+    /// Speed, m/s; of the mass centre over the ground unless the model declares another.
+    Speed,
+}
+
+impl Instrument {
+    /// Name of the quantity in a model, and of the kind in a dataset.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gyroscope => "gyroscope",
+            Self::Accelerometer => "accelerometer",
+            Self::Speed => "speed",
+        }
+    }
+
+    /// Number of components of a reading.
+    pub fn components(self) -> usize {
+        match self {
+            Self::Gyroscope | Self::Accelerometer => 3,
+            Self::Speed => 1,
+        }
+    }
+
+    /// The usual definition, given the frame and the name of the model's marker.
+    fn definition(self, frame: &str, marker: &str) -> String {
+        match self {
+            Self::Gyroscope => format!("let gyroscope = in_{frame}(angular_velocity);"),
+            Self::Accelerometer => format!(
+                "let accelerometer = in_{frame}(specific_force) + cross(in_{frame}(angular_acceleration), {marker}) \
+                 + cross(in_{frame}(angular_velocity), cross(in_{frame}(angular_velocity), {marker}));"
+            ),
+            Self::Speed => "let speed = norm(velocity);".to_owned(),
+        }
+    }
+}
+
+impl ModelTree {
+    /// The model with a quantity for each of these instruments: its own, or the usual one.
+    ///
+    /// # Errors
+    /// [`LoadError::Faults`] if the usual definition does not fit the model, such as that of a gyroscope on a point mass.
+    pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<ModelTree, LoadError> {
+        let mut tree = self.clone();
+        for instrument in instruments {
+            if !tree.declares(instrument.name()) {
+                tree.define(*instrument)?;
+            }
+        }
+        Ok(tree)
+    }
+
+    fn declares(&self, name: &str) -> bool {
+        self.file
+            .items
+            .iter()
+            .any(|item| matches!(&item.kind, ItemKind::Let(own) if own.name.text == name))
+    }
+
+    fn define(&mut self, instrument: Instrument) -> Result<(), LoadError> {
+        let marker = self.file.items.iter().find_map(|item| match &item.kind {
+            ItemKind::Marker(marker) => {
+                Some((marker.frame.text.as_str(), marker.name.text.as_str()))
+            }
+            _ => None,
+        });
+        let first = self.file.items.iter().find_map(|item| match &item.kind {
+            ItemKind::Frame(frame) if matches!(frame.kind, FrameKind::Inertial) => {
+                Some(frame.name.text.as_str())
+            }
+            _ => None,
+        });
+        let (frame, marker) = marker.unwrap_or((first.unwrap_or("N"), "position"));
+        let text = instrument.definition(frame, marker);
+        let parsed = syntax::parse(&format!("the usual {}", instrument.name()), &text);
+        let place = u16::try_from(self.sources.len()).unwrap_or(u16::MAX);
+        self.sources.push(parsed.source);
+        let file = Arc::make_mut(&mut self.file);
+        for mut item in parsed.file.items {
+            item.change_spans(&mut |span: &mut Span| span.source = place);
+            file.items.push(item);
+        }
+        Ok(())
+    }
+}
+
+impl Model {
+    /// The model with a quantity for each of these instruments, as from [`ModelTree::with_instruments`].
+    ///
+    /// # Errors
+    /// [`LoadError::Faults`] if the usual definition does not fit the model.
+    pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<Model, LoadError> {
+        let has = |name: &str| self.aux_variables.iter().any(|own| own.name == name);
+        if instruments.iter().all(|own| has(own.name())) {
+            return Ok(self.clone());
+        }
+        ModelTree::of(self).with_instruments(instruments)?.check()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Instrument; 3] = [
+        Instrument::Gyroscope,
+        Instrument::Accelerometer,
+        Instrument::Speed,
+    ];
+
+    #[test]
+    fn a_body_has_every_instrument_and_a_point_mass_has_a_speed() {
+        for name in ["disc", "disc_quaternion", "discus"] {
+            let model = crate::load::load(name, &[]).expect(name);
+            let measured = model.with_instruments(&ALL).expect(name);
+            assert_eq!(measured.aux_variables.len(), model.aux_variables.len() + 3);
+        }
+        let ball = crate::load::load("ball", &[]).expect("the ball");
+        assert!(ball.with_instruments(&[Instrument::Speed]).is_ok());
+        let refused = ball.with_instruments(&[Instrument::Gyroscope]);
+        let words = refused.expect_err("a point has no rates").to_string();
+        assert!(words.contains("a point has no angular velocity"), "{words}");
+    }
+
+    #[test]
+    fn a_model_s_own_definition_stays() {
+        let text = "model stone; frame N; point stone { mass 1 kg; position (x, y, z) in N; velocity (u, v, w) in N; }\n\
+                    let speed = velocity.1;";
+        let model = crate::load::from_text("stone.hyz", text, &[]).expect("a model");
+        let measured = model
+            .with_instruments(&[Instrument::Speed])
+            .expect("as it is");
+        assert_eq!(measured.aux_variables.len(), 1);
+    }
+
+    #[test]
+    fn loads_cannot_depend_on_what_follows_from_them() {
+        let text = "model stone; frame N; point stone { mass 1 kg; position (x, y, z) in N; velocity (u, v, w) in N; }\n\
+                    let felt = specific_force; force drag = -(1 kg)*felt;";
+        let refused = crate::load::from_text("stone.hyz", text, &[]).expect_err("a circle");
+        let words = refused.to_string();
+        assert!(
+            words.contains("follow from the forces and moments"),
+            "{words}"
+        );
+    }
+}
