@@ -50,7 +50,9 @@ pub fn add_figures(files: &mut Vec<ResultFile>, kinds: &[String]) -> anyhow::Res
                 continue;
             };
             let svg = std::str::from_utf8(&file.contents).context("--figures")?;
-            let picture = kind.draw(svg).with_context(|| format!("--figures: {path}"))?;
+            let picture = kind
+                .draw(svg)
+                .with_context(|| format!("--figures: {path}"))?;
             drawn.push(ResultFile::new(format!("{stem}.{}", kind.name()), picture));
         }
         files.extend(drawn);

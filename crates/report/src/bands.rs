@@ -45,10 +45,10 @@ pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
     })
 }
 
-/// Derivatives of one predicted position by the initial state and by the global parameters, for each axis.
+/// Derivatives of one predicted value by the initial state and by the global parameters, for each axis.
 struct Sensitivity {
     sample: usize,
-    marker: usize,
+    channel: usize,
     is_outlier: bool,
     rows: [DVector<f64>; 3],
 }
@@ -71,10 +71,10 @@ pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
         conditions.differentiable_rhs(),
         &columns,
         |point| {
-            let at = point.sample * observations.markers + point.marker;
+            let at = point.sample * observations.channels + point.channel;
             found.push(Sensitivity {
                 sample: point.sample,
-                marker: point.marker,
+                channel: point.channel,
                 is_outlier: observations.outlier[at],
                 rows: [0, 1, 2].map(|axis| DVector::from_column_slice(&point.rows[axis])),
             });
@@ -82,11 +82,12 @@ pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
     )
     .ok()?;
     let locals = found.first()?.rows[0].len() - columns.len();
-    let sigma = fit.noise().sigma;
     let mut information = DMatrix::zeros(locals, locals);
     let mut cross = DMatrix::zeros(locals, columns.len());
     for point in found.iter().filter(|p| p.sample < first && !p.is_outlier) {
-        for (row, sigma) in point.rows.iter().zip(sigma) {
+        let sigma = fit.noise().of(point.channel).sigma;
+        let components = problem.channels[point.channel].components.min(sigma.len());
+        for (row, sigma) in point.rows[..components].iter().zip(sigma) {
             let by_local = row.rows(0, locals);
             let weight = 1.0 / (sigma * sigma);
             information.ger(weight, &by_local, &by_local, 1.0);
@@ -97,14 +98,21 @@ pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
     // The initial state follows a change of the coefficients, as it is fitted with them held.
     let follows = -(&of_local * cross);
     let of_global = covariance(&fit.report, &names);
-    let mut std_error = vec![vec![[f64::NAN; 3]; observations.markers]; samples];
+    // The evidence of a flight lists the positions alone, in the order of the channels.
+    let channels = problem.channels.iter().enumerate();
+    let positions = channels.filter(|(_, channel)| channel.is_position());
+    let positions: Vec<usize> = positions.map(|(index, _)| index).collect();
+    let mut std_error = vec![vec![[f64::NAN; 3]; positions.len()]; samples];
     for point in &found {
+        let Some(marker) = positions.iter().position(|p| *p == point.channel) else {
+            continue;
+        };
         for (axis, row) in point.rows.iter().enumerate() {
             let by_local = row.rows(0, locals);
             let by_global = row.rows(locals, columns.len()) + follows.tr_mul(&by_local);
             let variance =
                 by_local.dot(&(&of_local * by_local)) + by_global.dot(&(&of_global * &by_global));
-            std_error[point.sample][point.marker][axis] = variance.max(0.0).sqrt();
+            std_error[point.sample][marker][axis] = variance.max(0.0).sqrt();
         }
     }
     Some(PredictionBand {

@@ -20,6 +20,6 @@ pub mod viewer;
 
 pub use atomic_file::write_atomic;
 pub use bands::{PredictionBand, prediction_band};
-pub use figure_file::{FigureError, FigureKind};
 pub use certificate::{CertificateNote, WithCertificate};
+pub use figure_file::{FigureError, FigureKind};
 pub use result_folder::{MANIFEST, ResultFile, ResultFolder, ResultFolderError};

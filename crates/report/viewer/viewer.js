@@ -140,7 +140,7 @@ function body(i, to, eye) {
   const grown = (p) => add(centre, add(p, centre, -1), scene.larger);
   spot([centre[0], centre[1], scene.ground], to, colours.soft, 3.5, 0.5);
   stroke([centre, [centre[0], centre[1], scene.ground]], to, colours.soft, 1, 0.4);
-  const seen = flight.measured[i] || [], told = flight.predicted[i] || [];
+  const seen = flight.measured[i] || [], expected = flight.predicted[i] || [];
   if (!turned) {
     const [x, y] = to(centre), [x1] = to(add(centre, cross(eye, unit(cross(Math.abs(eye[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0], eye))), radius));
     pen.fillStyle = colours.model; pen.globalAlpha = 0.75; pen.beginPath(); pen.arc(x, y, Math.max(5, Math.abs(x1 - x)), 0, 7); pen.fill(); pen.globalAlpha = 1;
@@ -156,7 +156,7 @@ function body(i, to, eye) {
       stroke([centre, add(centre, axes[k], length)], to, colours.model, k === 2 ? 2.6 : 1.6);
       label(name, add(centre, axes[k], length), to, colours.model);
     });
-    const both = seen.map((p, m) => [p, told[m]]).filter((b) => b[0] && b[1]);
+    const both = seen.map((p, m) => [p, expected[m]]).filter((b) => b[0] && b[1]);
     if (data.shape === "disc" && both.length >= 3) {
       const normal = (k) => unit(cross(add(both[1][k], both[0][k], -1), add(both[2][k], both[0][k], -1)));
       const [from, into] = [normal(1), normal(0)];
@@ -168,7 +168,7 @@ function body(i, to, eye) {
       pen.strokeStyle = colours.measured; pen.lineWidth = 1.8; pen.stroke();
     }
   }
-  told.forEach((p) => { if (p) spot(grown(p), to, colours.model, 3.4); });
+  expected.forEach((p) => { if (p) spot(grown(p), to, colours.model, 3.4); });
   seen.forEach((p) => { if (p) spot(grown(p), to, colours.measured, 3); });
 }
 
@@ -277,6 +277,9 @@ canvas.addEventListener("wheel", (e) => { e.preventDefault(); closer(Math.exp(-e
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { read(); draw(); });
 new ResizeObserver(() => flight && draw()).observe(canvas);
 read();
-const wanted = data.flights.findIndex((f) => "#" + f.name === decodeURIComponent(location.hash));
-choose(Math.max(0, wanted));
-byId("flight").value = String(Math.max(0, wanted));
+// The address may end in #NAME of a flight, or #NAME@SECONDS.
+const [named, at] = decodeURIComponent(location.hash.slice(1)).split("@");
+const wanted = Math.max(0, data.flights.findIndex((f) => f.name === named));
+choose(wanted);
+byId("flight").value = String(wanted);
+if (at && isFinite(+at)) { time = Math.min(end(), Math.max(flight.times[0], +at)); draw(); }

@@ -86,7 +86,7 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     })
 }
 
-/// What the flights tell, and what they cannot: the first sentences of the page.
+/// What the flights determine, and what they do not: the first sentences of the page.
 pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
     let mut kinds: [Vec<&str>; 4] = Default::default();
     for (name, found) in page.coefficients() {
@@ -96,19 +96,17 @@ pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
     let mut sentences = Vec::new();
     if !good.is_empty() {
         sentences.push(format!(
-            "These flights tell {good} to {} or better.",
+            "These flights determine {good} to {} or better.",
             percent(GOOD)
         ));
     }
     if !loose.is_empty() {
         sentences.push(format!(
-            "They tell the sign of {loose}, and the size only roughly."
+            "They determine the sign of {loose}, but the size only roughly."
         ));
     }
     if !unknown.is_empty() {
-        sentences.push(format!(
-            "They cannot tell {unknown} from zero: other values explain them as well."
-        ));
+        sentences.push(format!("They cannot distinguish {unknown} from zero."));
     }
     sentences
 }

@@ -43,6 +43,7 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
         measured: Vec::new(),
         outlier: Vec::new(),
         predicted: Vec::new(),
+        sensors: Vec::new(),
         state_names: names.split(' ').map(str::to_owned).collect(),
         states: Vec::new(),
         quantity_names: ["V", "alpha", "d1_x"].map(str::to_owned).to_vec(),
@@ -231,6 +232,7 @@ pub fn report(flights: usize) -> FitReport {
     };
     let axes = [("x", 1.48, 0.24), ("y", 1.52, 0.26), ("z", 1.55, 0.22)];
     FitReport {
+        sensors: Default::default(),
         schema: "hyzer.fit/1".into(),
         model: "disc".into(),
         effects: Vec::new(),

@@ -10,7 +10,7 @@ use crate::fit::numbers::{Digits, percent, plain, significant, unit};
 use crate::fit::page::sentence;
 use crate::fit::words::names;
 
-/// Standard errors from zero that chance does not reach in any number of diagnoses.
+/// Standard errors from zero that are far beyond chance in any number of diagnoses.
 const BEYOND_CHANCE: f64 = 8.0;
 
 /// Least share of the samples that lie at a point of the curve or beyond for the point to be named.
@@ -30,12 +30,12 @@ pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
         },
         Verdict::Ambiguous => match first {
             Some(cause) => joined([
-                "Something is missing, and these flights cannot tell which of several effects it is. The one that fits best:"
+                "Something is missing, and these flights cannot show which of several effects it is. The one that fits best:"
                     .to_owned(),
                 says(cause),
                 size(curve, first),
             ]),
-            None => "Something is missing, and these flights cannot tell what.".to_owned(),
+            None => "Something is missing, and these flights cannot show what.".to_owned(),
         },
         Verdict::Negligible => match first {
             Some(cause) => joined([
@@ -177,7 +177,7 @@ pub(super) fn sure(report: &Report) -> String {
             "{name} is {} standard errors away from zero{}.",
             plain(z, if z < 10.0 { 1 } else { 0 }),
             if z > BEYOND_CHANCE {
-                ": chance does not do that"
+                ", far beyond chance"
             } else {
                 ""
             }
@@ -270,7 +270,7 @@ pub(super) fn next(page: &DiagnosisPage<'_>) -> String {
     let throw = report
         .next_throw
         .as_ref()
-        .map(|_| "The throw proposed below would tell the explanations apart best.".to_owned());
+        .map(|_| "The throw proposed below would best distinguish the explanations.".to_owned());
     match report.verdict {
         Verdict::None => {
             "Use the model as it is. Flights at other speeds, angles and spins would test it where these do not.".to_owned()

@@ -1,4 +1,4 @@
-//! First figure of the page of a fit: what the flights tell of each coefficient, and what they cannot.
+//! First figure of the page of a fit: how precisely the flights determine each coefficient.
 
 use super::super::{Drawn, FitPage};
 use crate::bands::std_error;

@@ -22,7 +22,9 @@ pub(crate) fn predictions(
     evidence: &[FlightEvidence],
     before: &[FlightEvidence],
 ) -> Vec<Drawn> {
-    let held_out = evidence.iter().filter(|f| f.role == Role::HeldOut);
+    let held_out = evidence
+        .iter()
+        .filter(|f| f.role == Role::HeldOut && !f.markers.is_empty());
     let figures = held_out.take(MOST_FLIGHTS).enumerate();
     figures
         .filter_map(|(i, flight)| {
