@@ -36,6 +36,7 @@ impl DatasetBuilder {
                 parameters: BTreeMap::new(),
                 markers: Vec::new(),
                 sensors: Vec::new(),
+                unknown_vertical: false,
                 sigma: None,
                 flights: Vec::new(),
             },

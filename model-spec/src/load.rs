@@ -67,6 +67,14 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
             Err(error) if !diagnostics.is_empty() => return Err(after(tree, diagnostics, error)),
             found => found?,
         };
+        match tree.with_instruments(&effect.instruments()) {
+            Ok(with) => tree = with,
+            Err(LoadError::Faults {
+                diagnostics: faults,
+                ..
+            }) => diagnostics.extend(faults),
+            Err(error) => return Err(error),
+        }
         if let Err(faults) = tree.apply(&effect) {
             diagnostics.extend(faults);
         }

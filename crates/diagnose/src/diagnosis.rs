@@ -59,6 +59,9 @@ pub fn diagnose_with<R: Send>(
 ) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
     options.validate(model)?;
     let started = Instant::now();
+    // Effects on readings need the quantities that the instruments measure.
+    let (model, dataset) = identify::resolve(model, dataset, &options.fit)?;
+    let (model, dataset) = (&model, &*dataset);
     let base = BaseFit::new(Context {
         model,
         dataset,

@@ -139,7 +139,11 @@ impl ChannelObservers<'_> {
             let (tip, by) = self.markers.linearise(t, x, (NO_MARKER, axis));
             derive(&by, &mut of_axis);
             predicted[k] = Vector3::from(tip) - origin;
-            let half_cross = 0.5 * seen.column(k).cross_matrix();
+            // Of the direction alone: a scale of the measured axes is no turn.
+            let length = predicted[k].norm();
+            let direction = predicted[k] / length;
+            let across = (Matrix3::identity() - direction * direction.transpose()) / length;
+            let half_cross = 0.5 * seen.column(k).cross_matrix() * across;
             for (to, weights) in rows.iter_mut().zip(half_cross.row_iter()) {
                 for (from, weight) in weights.iter().enumerate() {
                     let pairs = of_axis[from].iter().zip(&of_origin[from]);
@@ -168,6 +172,8 @@ fn axes(rotation: [f64; 3]) -> Matrix3<f64> {
 fn rotation(measured: [f64; 3], predicted: [Vector3<f64>; 3]) -> Vector3<f64> {
     let seen = axes(measured);
     let each = predicted.iter().enumerate();
-    let sum: Vector3<f64> = each.map(|(k, axis)| seen.column(k).cross(axis)).sum();
+    let sum: Vector3<f64> = each
+        .map(|(k, axis)| seen.column(k).cross(axis) / axis.norm())
+        .sum();
     0.5 * sum
 }

@@ -33,11 +33,13 @@ mod statistics;
 pub mod synthesize;
 mod tolerance;
 mod uncertainty;
+mod unknown_vertical;
+mod unknowns;
 pub mod wording;
 
 // Fitting a dataset.
 pub use error::{ExcludedFlight, FitError, FlightError, NameSource};
-pub use fit::{CONDITIONING_FRACTION, Fit, fit, refit};
+pub use fit::{CONDITIONING_FRACTION, Fit, refit};
 pub use ids::{FlightId, GlobalId, LocalId};
 pub use input_error::InputError;
 pub use options::{CancellationToken, FitOptions, Prior, Progress};
@@ -50,6 +52,8 @@ pub use report::{
 };
 pub use statistics::{median, robust_sigma};
 pub use uncertainty::interval;
+pub use unknown_vertical::{ANGLES as VERTICAL_ANGLES, upward};
+pub use unknowns::{fit, resolve};
 
 // The estimation problem, and predictions with their derivatives.
 pub use channel::{Channel, ChannelKind};

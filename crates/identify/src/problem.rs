@@ -292,21 +292,36 @@ impl FitProblem {
     }
 }
 
+/// The model with a quantity for each instrument among the sensors of a dataset: its own, or the usual one.
+///
+/// # Errors
+/// [`FitError::Sensor`] if the model has no such quantity, as a point mass has no angular velocity.
+pub fn measured(model: &Model, dataset: &Dataset) -> Result<Model, FitError> {
+    let (_, kinds) = channel::of_dataset(dataset);
+    with_instruments(model, &kinds)
+}
+
+fn with_instruments(model: &Model, kinds: &[Instrument]) -> Result<Model, FitError> {
+    let measured = model.with_instruments(kinds);
+    measured.map_err(|error| FitError::Sensor {
+        model: model.name.clone(),
+        reason: error.to_string(),
+    })
+}
+
 /// The models that instruments observe, with derivatives by all parameters.
 fn instruments(
     model: &Model,
     kinds: &[Instrument],
 ) -> Result<Vec<(Instrument, Arc<CompiledModel>)>, FitError> {
-    let refused = |reason: String| FitError::Sensor {
-        model: model.name.clone(),
-        reason,
-    };
-    let measured = model.with_instruments(kinds);
-    let measured = measured.map_err(|error| refused(error.to_string()))?;
+    let measured = with_instruments(model, kinds)?;
     let parameters: Vec<usize> = (0..Layout::new(&measured).parameters.len()).collect();
     let each = kinds.iter().map(|kind| {
         let compiled = CompiledModel::observing(&measured, kind.name(), parameters.clone());
-        let missing = || refused(format!("it has no quantity `{}`", kind.name()));
+        let missing = || FitError::Sensor {
+            model: model.name.clone(),
+            reason: format!("it has no quantity `{}`", kind.name()),
+        };
         let compiled = compiled.ok_or_else(missing)?;
         Ok((*kind, Arc::new(compiled)))
     });

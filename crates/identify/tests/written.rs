@@ -26,6 +26,7 @@ fn small() -> Dataset {
             position: [0.0; 3],
         }],
         sensors: Vec::new(),
+        unknown_vertical: false,
         sigma: Some(0.001),
         flights: vec![flight("a.csv"), flight("sub/b.csv")],
     }
@@ -179,6 +180,7 @@ fn dataset() -> impl Strategy<Value = Dataset> {
                     parameters: parameters.clone(),
                     markers: (0..markers).map(marker).collect(),
                     sensors: Vec::new(),
+                    unknown_vertical: false,
                     sigma,
                     flights,
                 }

@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use super::instrument::Instrument;
 use crate::diagnostic::{Diagnostic, Kind, Source};
 use crate::error::LoadError;
 use crate::library::{EFFECTS, GENERAL_EFFECTS};
@@ -123,6 +124,15 @@ impl EffectTree {
             _ => &[],
         });
         all.filter(|need| need.otherwise.is_none())
+    }
+
+    /// Instruments whose quantities the effect needs.
+    pub(crate) fn instruments(&self) -> Vec<Instrument> {
+        let is_needed = |instrument: &Instrument| {
+            let mut needs = self.needs();
+            needs.any(|need| need.name.text == instrument.name())
+        };
+        Instrument::ALL.into_iter().filter(is_needed).collect()
     }
 
     /// Name of the effect, words separated by underscores.

@@ -24,6 +24,7 @@
 
 mod binding;
 mod effect_tree;
+mod instrument;
 mod known;
 mod offers;
 mod rates;
@@ -44,8 +45,8 @@ use crate::syntax::{self, Parsed};
 
 pub use binding::{Binding, Unmet};
 pub use effect_tree::EffectTree;
+pub use instrument::Instrument;
 pub use known::{KnownEffect, Origin, Refused, known_effects};
-pub use sensors::Instrument;
 pub use values::ValueError;
 
 /// A model's syntax tree with effects applied, and the source texts that its spans refer to.
@@ -153,7 +154,8 @@ impl ModelTree {
         }
     }
 
-    /// Applies effects in order to a copy of the tree; each is given by name or path as in [`ModelTree::find_effect`].
+    /// Applies effects in order to a copy of the tree; each is given by name or path as in [`ModelTree::find_effect`]. The
+    /// quantity of an instrument that an effect needs gets its usual definition where the model has none.
     ///
     /// # Errors
     /// The errors of [`ModelTree::find_effect`] and [`ModelTree::with`].
@@ -163,7 +165,10 @@ impl ModelTree {
     ) -> Result<ModelTree, LoadError> {
         let mut extended = self.clone();
         for name in names_or_paths {
-            extended = extended.with(&extended.find_effect(name.as_ref())?)?;
+            let effect = extended.find_effect(name.as_ref())?;
+            extended = extended
+                .with_instruments(&effect.instruments())?
+                .with(&effect)?;
         }
         Ok(extended)
     }

@@ -10,48 +10,7 @@ use crate::syntax;
 use crate::syntax::ast::{FrameKind, ItemKind};
 
 use super::ModelTree;
-
-/// An instrument whose reading is a quantity of the model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Instrument {
-    /// Angular velocity, rad/s, in the frame that markers are fixed in.
-    Gyroscope,
-    /// Specific force where it sits on the body, m/s², in the frame that markers are fixed in.
-    Accelerometer,
-    /// Speed, m/s; of the mass centre over the ground unless the model declares another.
-    Speed,
-}
-
-impl Instrument {
-    /// Name of the quantity in a model, and of the kind in a dataset.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Gyroscope => "gyroscope",
-            Self::Accelerometer => "accelerometer",
-            Self::Speed => "speed",
-        }
-    }
-
-    /// Number of components of a reading.
-    pub fn components(self) -> usize {
-        match self {
-            Self::Gyroscope | Self::Accelerometer => 3,
-            Self::Speed => 1,
-        }
-    }
-
-    /// The usual definition, given the frame and the name of the model's marker.
-    fn definition(self, frame: &str, marker: &str) -> String {
-        match self {
-            Self::Gyroscope => format!("let gyroscope = in_{frame}(angular_velocity);"),
-            Self::Accelerometer => format!(
-                "let accelerometer = in_{frame}(specific_force) + cross(in_{frame}(angular_acceleration), {marker}) \
-                 + cross(in_{frame}(angular_velocity), cross(in_{frame}(angular_velocity), {marker}));"
-            ),
-            Self::Speed => "let speed = norm(velocity);".to_owned(),
-        }
-    }
-}
+use super::instrument::Instrument;
 
 impl ModelTree {
     /// The model with a quantity for each of these instruments: its own, or the usual one.
@@ -120,17 +79,11 @@ impl Model {
 mod tests {
     use super::*;
 
-    const ALL: [Instrument; 3] = [
-        Instrument::Gyroscope,
-        Instrument::Accelerometer,
-        Instrument::Speed,
-    ];
-
     #[test]
     fn a_body_has_every_instrument_and_a_point_mass_has_a_speed() {
         for name in ["disc", "disc_quaternion", "discus"] {
             let model = crate::load::load(name, &[]).expect(name);
-            let measured = model.with_instruments(&ALL).expect(name);
+            let measured = model.with_instruments(&Instrument::ALL).expect(name);
             assert_eq!(measured.aux_variables.len(), model.aux_variables.len() + 3);
         }
         let ball = crate::load::load("ball", &[]).expect("the ball");

@@ -139,6 +139,10 @@ fn results(
         ResultFile::new("flights.csv", tables::flights(&fitted.report)?),
         ResultFile::new("residuals.csv", tables::residuals(dataset, fitted)?),
     ];
+    if !dataset.sensors.is_empty() {
+        let table = tables::sensor_residuals(dataset, fitted)?;
+        files.push(ResultFile::new("sensors.csv", table));
+    }
     let figure = |figure: Figure| {
         let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
         [

@@ -33,20 +33,39 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
         let _ = write!(text, ", {left_out} excluded");
     }
     let noise = &report.noise;
-    let _ = writeln!(
-        text,
-        "; rms {:.2} mm\nnoise per coordinate: {:.2} mm ({}), lag-1 autocorrelation {:.2}, {} of {} points outliers\n",
-        1e3 * report.rms_m,
-        1e3 * noise.sigma_m,
-        if noise.estimated {
-            "estimated"
-        } else {
-            "given"
-        },
-        noise.ar1,
-        noise.outliers,
-        noise.points,
-    );
+    if report.sees_positions {
+        let _ = writeln!(
+            text,
+            "; rms {:.2} mm\nnoise per coordinate: {:.2} mm ({}), lag-1 autocorrelation {:.2}, {} of {} points outliers",
+            1e3 * report.rms_m,
+            1e3 * noise.sigma_m,
+            if noise.estimated {
+                "estimated"
+            } else {
+                "given"
+            },
+            noise.ar1,
+            noise.outliers,
+            noise.points,
+        );
+    } else {
+        text.push('\n');
+    }
+    for sensor in &report.sensors {
+        let _ = writeln!(
+            text,
+            "{} ({}): rms {:.3} {unit}, noise {:.3} {unit}, lag-1 autocorrelation {:.2}, {} of {} outliers",
+            sensor.name,
+            sensor.measures,
+            sensor.rms,
+            sensor.sigma,
+            sensor.ar1,
+            sensor.outliers,
+            sensor.points,
+            unit = sensor.unit,
+        );
+    }
+    text.push('\n');
     let _ = writeln!(text, "{}\n", coefficients(model, report));
     for undetermined in &report.undetermined {
         let _ = writeln!(text, "not identifiable: {}\n", undetermined.why);

@@ -107,6 +107,44 @@ pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
+/// CSV table of the residuals of sensors (measured − predicted, in the unit of each), one row per reading.
+pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(["file", "t_s", "sensor", "unit", "x", "y", "z", "outlier"])?;
+    let mut rows = 0;
+    for index in 0..dataset.flights.len() {
+        let Some(flight) = fitted.evidence(identify::FlightId::new(index)) else {
+            continue;
+        };
+        for sensor in &flight.sensors {
+            for (sample, time) in flight.times.iter().enumerate() {
+                let Some(residual) = sensor.residuals[sample] else {
+                    continue;
+                };
+                let part = |axis: usize| match axis < sensor.components {
+                    true => format!("{:.6}", residual[axis]),
+                    false => String::new(),
+                };
+                table.write_record([
+                    &flight.file,
+                    &format!("{time:.6}"),
+                    &sensor.name,
+                    &sensor.unit,
+                    &part(0),
+                    &part(1),
+                    &part(2),
+                    &sensor.outlier[sample].to_string(),
+                ])?;
+                rows += 1;
+            }
+        }
+        if rows > MOST_ROWS {
+            break;
+        }
+    }
+    Ok(table.into_inner()?)
+}
+
 /// Role of a flight as spelled in dataset files.
 pub fn role(role: Role) -> &'static str {
     match role {

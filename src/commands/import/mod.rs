@@ -45,6 +45,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         parameters: template.parameters.clone(),
         markers: template.markers.clone(),
         sensors: Vec::new(),
+        unknown_vertical: false,
         sigma: None,
         flights: Vec::new(),
     };

@@ -42,6 +42,8 @@ pub struct Dataset {
     pub markers: Vec<Marker>,
     /// Other sensors.
     pub sensors: Vec<Sensor>,
+    /// Whether the direction of the vertical in the axes of the positions is unknown; otherwise their z is up.
+    pub unknown_vertical: bool,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
     /// The flights, in the order of `dataset.toml`.
@@ -169,6 +171,7 @@ fn assemble(
         parameters: manifest.parameters,
         markers: manifest.markers,
         sensors: manifest.sensors,
+        unknown_vertical: false,
         sigma: manifest.sigma,
         flights,
     })

@@ -47,8 +47,9 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, reasons_against};
-use crate::screening::{self, DataFault, Screening};
+use crate::screening::{self, DataFault, FaultKind, Screening};
 use crate::tolerance;
+use crate::unknown_vertical;
 pub use held_out::CONDITIONING_FRACTION;
 #[cfg(test)]
 pub(crate) use one_flight::fit_initial_state;
@@ -77,15 +78,10 @@ struct FittedFlight {
     state: DVector<f64>,
 }
 
-/// Fits a model to the flights of a dataset.
+/// Fits a model to the flights of a dataset that leaves nothing open, as [`fit`](fn@crate::fit) does.
 ///
 /// # Errors
-/// [`FitError::InvalidOption`] for impossible options; [`FitError::UnknownName`], [`FitError::NotEstimated`],
-/// [`FitError::NoObservation`] and [`FitError::AttitudeNotObservable`] if model, dataset and options do not match;
-/// [`FitError::Flight`] if the known values of a flight do not match the model; [`FitError::NothingToFit`],
-/// [`FitError::FaultyData`] and [`FitError::NoUsableFlight`] without usable flights; [`FitError::Interrupted`].
-///
-/// A flight that cannot be flown or fitted is excluded; its report says why.
+/// Those of [`fit`](fn@crate::fit).
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
     fit_after(model, dataset, options, None)
 }
@@ -129,6 +125,9 @@ fn fit_after(
         }
         None => Screening::of_known_faults(&[]),
     };
+    if unknown_vertical::is_in(model) {
+        data_faults.retain(|fault| fault.fault != FaultKind::Axes);
+    }
     let faulty = screening::excluded(dataset, &data_faults, options);
     let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
     fitted.retain(|flight| !is_faulty(flight));

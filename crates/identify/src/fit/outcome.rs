@@ -119,6 +119,7 @@ impl<'a> Outcome<'a> {
             reliable: true,
             why: Vec::new(),
             rms_m: self.pool.rms(),
+            sees_positions: problem.sees_positions(),
             noise: self.noise_report(),
             coefficients: self.coefficients(),
             correlations: self.correlations(),

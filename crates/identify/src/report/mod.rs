@@ -30,8 +30,12 @@ pub struct FitReport {
     pub reliable: bool,
     /// Reasons why they cannot; empty if they can.
     pub why: Vec<String>,
-    /// Root mean square residual of one coordinate over the fitted flights, outliers excluded, m.
+    /// Root mean square residual of one coordinate over the fitted flights, outliers excluded, m. Without measured positions:
+    /// that of all sensors, each over its noise, times the millimetre.
     pub rms_m: f64,
+    /// Whether positions of the body are measured, by markers or poses.
+    #[serde(default = "yes")]
+    pub sees_positions: bool,
     /// Estimated noise.
     pub noise: NoiseReport,
     /// Coefficients, and other global parameters, by name.
@@ -59,6 +63,10 @@ pub struct FitReport {
     pub iterations: Iterations,
     /// Computing time by stage, s; `total` is that of all stages.
     pub seconds: BTreeMap<String, f64>,
+}
+
+fn yes() -> bool {
+    true
 }
 
 /// Distance between two markers of a rigid body, where it is not as predicted.

@@ -232,13 +232,14 @@ pub fn report(flights: usize) -> FitReport {
     };
     let axes = [("x", 1.48, 0.24), ("y", 1.52, 0.26), ("z", 1.55, 0.22)];
     FitReport {
-        sensors: Default::default(),
         schema: "hyzer.fit/1".into(),
         model: "disc".into(),
         effects: Vec::new(),
         reliable: true,
         why: Vec::new(),
         rms_m: 0.001523,
+        sees_positions: true,
+        sensors: Vec::new(),
         noise: NoiseReport {
             sigma_m: 0.001517,
             ar1: 0.24,

@@ -92,6 +92,7 @@ pub(crate) fn empty(model: &Model) -> Dataset {
         parameters: Default::default(),
         markers: default_markers(model),
         sensors: Vec::new(),
+        unknown_vertical: false,
         sigma: None,
         flights: Vec::new(),
     }

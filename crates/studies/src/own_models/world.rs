@@ -88,6 +88,7 @@ pub(super) fn dataset(
         parameters: Default::default(),
         markers: markers.collect(),
         sensors: Vec::new(),
+        unknown_vertical: false,
         sigma: None,
         flights,
     }

@@ -121,6 +121,7 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
             position: marker,
         }],
         sensors: Vec::new(),
+        unknown_vertical: false,
         sigma: None,
         flights: flights.collect(),
     }

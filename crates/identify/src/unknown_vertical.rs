@@ -1,0 +1,147 @@
+//! Datasets whose vertical is not known, such as those in the axes of a camera: its direction is estimated with the rest, from
+//! starts all around.
+
+use model_spec::compose::{EffectTree, ModelTree};
+use model_spec::model::Model;
+
+use crate::dataset::{Dataset, Role};
+use crate::error::FitError;
+use crate::fit::{Fit, fit};
+use crate::options::FitOptions;
+
+/// Name of the effect that turns the measured axes.
+pub const EFFECT: &str = "unknown_vertical";
+
+/// Whether the model turns the measured axes by angles that are estimated.
+pub(crate) fn is_in(model: &Model) -> bool {
+    model.effects.iter().any(|own| own.name == EFFECT)
+}
+
+/// Greatest number of flights from which the start is chosen.
+const TRIED_FLIGHTS: usize = 6;
+
+/// Names of the angles, rad: about x, then about the y that the axes have then.
+pub const ANGLES: [&str; 2] = ["vertical_x", "vertical_y"];
+
+/// Directions of the upward axis that are tried, in the measured axes: along the axes and halfway between them.
+fn directions() -> Vec<[f64; 3]> {
+    let all =
+        (0..27).map(|index| [index / 9, index / 3 % 3, index % 3].map(|k| f64::from(k) - 1.0));
+    let zeros = |v: &[f64; 3]| v.iter().filter(|x| **x == 0.0).count();
+    all.filter(|v| (1..=2).contains(&zeros(v))).collect()
+}
+
+/// Angles of the turn that brings `up`, in the measured axes, upright.
+fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
+    let length = (x * x + y * y + z * z).sqrt();
+    // In measured axes the vertical is (-sin b cos a, sin a, cos b cos a).
+    let about_x = (y / length).clamp(-1.0, 1.0).asin();
+    [about_x, (-x).atan2(z)]
+}
+
+/// Unit vector upwards in the measured axes, for angles about x and y, rad.
+pub fn upward([about_x, about_y]: [f64; 2]) -> [f64; 3] {
+    let (sin_x, cos_x) = about_x.sin_cos();
+    let (sin_y, cos_y) = about_y.sin_cos();
+    [-sin_y * cos_x, sin_x, cos_y * cos_x]
+}
+
+/// The model with the turn of the measured axes by angles that are estimated, starting from these.
+fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError> {
+    let [x, y] = ANGLES;
+    let text = format!(
+        "/// The axes that positions are measured in are turned from the vertical by angles that are not known.\n\
+         effect {EFFECT} {{\n\
+         source \"the dataset: up = \\\"unknown\\\"\";\n\
+         site vertical;\n\
+         variables position;\n\
+         /// turn of the measured axes about x\n\
+         coefficient {x} = {about_x:?} rad in -4 .. 4;\n\
+         /// turn about the y that they have then\n\
+         coefficient {y} = {about_y:?} rad in -4 .. 4;\n\
+         negligible {x} 1e-6 rad;\n\
+         negligible {y} 1e-6 rad;\n\
+         replace observe = (cos({y})*previous.1 - sin({y})*(cos({x})*previous.3 - sin({x})*previous.2),\n\
+           cos({x})*previous.2 + sin({x})*previous.3,\n\
+           sin({y})*previous.1 + cos({y})*(cos({x})*previous.3 - sin({x})*previous.2)) in inertial;\n}}\n"
+    );
+    let refused = |error: model_spec::LoadError| FitError::Sensor {
+        model: model.name.clone(),
+        reason: error.to_string(),
+    };
+    let effect = EffectTree::parse("unknown_vertical.hyz", &text).map_err(refused)?;
+    let tree = ModelTree::of(model).with(&effect).map_err(refused)?;
+    tree.check().map_err(refused)
+}
+
+/// The model whose measured axes are turned, starting from the direction of the vertical with which the flights are fitted
+/// best.
+///
+/// # Errors
+/// Those of the last fit, if none succeeds.
+pub fn with_vertical(
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+) -> Result<Model, FitError> {
+    let mut few = dataset.clone();
+    few.flights.retain(|flight| flight.role == Role::Fit);
+    few.flights.truncate(TRIED_FLIGHTS);
+    let of_few = FitOptions {
+        profiles: &[],
+        progress: None,
+        ..*options
+    };
+    let mut best: Option<(f64, [f64; 2])> = None;
+    let mut failure = FitError::NothingToFit;
+    for direction in directions() {
+        if options.is_cancelled() {
+            return Err(FitError::Interrupted);
+        }
+        let start = angles(direction);
+        match fit(&turned(model, start)?, &few, &of_few) {
+            Ok(found) => {
+                let misfit = misfit(&found);
+                if best.is_none_or(|(least, _)| misfit < least)
+                    && let Some(angles) = estimated(&found)
+                {
+                    best = Some((misfit, angles));
+                }
+            }
+            Err(error) => failure = error,
+        }
+    }
+    match best {
+        Some((_, angles)) => turned(model, angles),
+        None => Err(failure),
+    }
+}
+
+/// Root mean square that a fit leaves; each excluded flight counts as much again.
+fn misfit(found: &Fit) -> f64 {
+    let excluded = found.report.excluded().count() as f64;
+    found.report.rms_m * (1.0 + excluded)
+}
+
+/// The estimated angles, rad.
+fn estimated(found: &Fit) -> Option<[f64; 2]> {
+    let value = |name: &str| Some(found.report.coefficients.get(name)?.value);
+    Some([value(ANGLES[0])?, value(ANGLES[1])?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_and_directions_are_one_another_s_inverse() {
+        for direction in directions() {
+            let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let back = upward(angles(direction));
+            for (a, b) in direction.iter().zip(back) {
+                assert!((a / length - b).abs() < 1e-12, "{direction:?} {back:?}");
+            }
+        }
+        assert_eq!(directions().len(), 18);
+    }
+}
