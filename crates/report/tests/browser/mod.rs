@@ -14,6 +14,9 @@ const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chro
 /// Longest time that the browser may take for one condition.
 const PATIENCE: Duration = Duration::from_secs(20);
 
+/// The page and not the empty one before it is loaded.
+const LOADED: &str = "location.protocol === 'file:' && document.readyState === 'complete'";
+
 /// A page in a browser, which is ended with it.
 pub struct Browser {
     child: Child,
@@ -73,7 +76,7 @@ impl Browser {
         let asked = json!({ "targetId": target["targetId"], "flatten": true });
         let attached = browser.ask("Target.attachToTarget", asked);
         browser.session = attached["sessionId"].as_str().unwrap().to_owned();
-        assert!(browser.wait_for("document.readyState === 'complete'"));
+        assert!(browser.wait_for(LOADED));
         Some(browser)
     }
 
