@@ -119,6 +119,11 @@ fn backends() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(values)
 }
 
+/// The kinds of figure files.
+fn figure_kinds() -> clap::builder::PossibleValuesParser {
+    clap::builder::PossibleValuesParser::new(report::FigureKind::ALL.map(report::FigureKind::name))
+}
+
 /// `hyzer verify`.
 #[derive(Args)]
 pub struct Verify {
@@ -228,7 +233,10 @@ pub struct Simulate {
     /// Add an effect, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
-    /// Folder for trajectory.csv and flight.svg: new, empty, or of earlier results, which are replaced
+    /// Also write every figure as pdf or png; may be repeated
+    #[arg(long, value_name = "KIND", value_parser = figure_kinds(), requires = "out")]
+    pub figures: Vec<String>,
+    /// Folder for trajectory.csv, flight.svg and flight.html: new, empty, or of earlier results, which are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// List the named releases
@@ -386,6 +394,9 @@ pub struct Fit {
     /// file, MODEL.certificate.json
     #[arg(long, value_name = "FILE")]
     pub certificate: Option<PathBuf>,
+    /// Also write every figure as pdf or png; may be repeated
+    #[arg(long, value_name = "KIND", value_parser = figure_kinds(), requires = "out")]
+    pub figures: Vec<String>,
     /// Folder for report.html, report.json, fitted.hyz, figures and tables: new, empty, or of earlier results, which are
     /// replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]
@@ -428,6 +439,9 @@ pub struct Diagnose {
     /// file, MODEL.certificate.json
     #[arg(long, value_name = "FILE")]
     pub certificate: Option<PathBuf>,
+    /// Also write every figure as pdf or png; may be repeated
+    #[arg(long, value_name = "KIND", value_parser = figure_kinds(), requires = "out")]
+    pub figures: Vec<String>,
     /// Folder for report.html, report.json, the extended model, figures and tables: new, empty, or of earlier results, which
     /// are replaced; other files in it are kept
     #[arg(long, value_name = "DIR")]

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use anyhow::Context;
-use report::{ResultFile, ResultFolder};
+use report::{FigureKind, ResultFile, ResultFolder};
 
 use crate::progress;
 
@@ -37,6 +37,27 @@ pub fn new_folder(path: &Path) -> anyhow::Result<()> {
 /// Replaces the results in a folder, as a whole.
 pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()> {
     progress::writing(|| folder.replace(files)).context("--out")
+}
+
+/// Adds to the files each figure, which is one of name `….svg`, as a file of the other kinds too.
+pub fn add_figures(files: &mut Vec<ResultFile>, kinds: &[String]) -> anyhow::Result<()> {
+    let is_asked = |kind: &FigureKind| kinds.iter().any(|name| name == kind.name());
+    for kind in FigureKind::ALL.into_iter().filter(is_asked) {
+        let mut drawn = Vec::new();
+        for file in files.iter() {
+            let path = &file.path;
+            let Some(stem) = path.strip_suffix(".svg") else {
+                continue;
+            };
+            let svg = std::str::from_utf8(&file.contents).context("--figures")?;
+            let picture = kind
+                .draw(svg)
+                .with_context(|| format!("--figures: {path}"))?;
+            drawn.push(ResultFile::new(format!("{stem}.{}", kind.name()), picture));
+        }
+        files.extend(drawn);
+    }
+    Ok(())
 }
 
 /// Prints text to standard output and flushes it.

@@ -244,6 +244,30 @@ fn a_changed_model_flies_at_once_and_differently() {
 }
 
 #[test]
+fn figures_are_written_as_the_kinds_that_are_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    let mut command = hyzer();
+    let command = command.args(["simulate", "--release", "backhand", "--until", "1"]);
+    let command = command.args(["--figures", "pdf", "--figures", "png", "--out"]);
+    stdout(command.arg(&out), 0);
+    let begins =
+        |name: &str, with: &[u8]| std::fs::read(out.join(name)).is_ok_and(|f| f.starts_with(with));
+    assert!(begins("flight.svg", b"<svg") && begins("flight.html", b"<!DOCTYPE"));
+    assert!(begins("flight.pdf", b"%PDF-") && begins("flight.png", b"\x89PNG"));
+    let mut command = hyzer();
+    let command = command.args([
+        "simulate",
+        "--release",
+        "backhand",
+        "--figures",
+        "gif",
+        "--out",
+    ]);
+    command.arg(&out).assert().code(2);
+}
+
+#[test]
 fn a_discus_goes_farther_against_the_wind_than_with_it() {
     let distance = |wind: &str| {
         let told = stdout(

@@ -140,6 +140,7 @@ fn earlier_results_are_gone_and_other_files_stay() {
         names,
         [
             ".hyzer-results",
+            "flight.html",
             "flight.svg",
             "notes.txt",
             "trajectory.csv"

@@ -10,6 +10,7 @@ use model_spec::model::Model;
 use ode::{IntegrationOptions, Trajectory};
 use report::ResultFile;
 use report::figures::{StateLabel, flight as picture};
+use report::viewer::View;
 
 use super::number;
 use crate::cli::Simulate;
@@ -39,11 +40,16 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     let flight = simulate(&body, &release, &settings)?;
     if let Some(folder) = &out {
         check_rows(options, flight.end)?;
-        output::replace(folder, &results(&model, &release, &flight, options))?;
+        let mut files = results(&model, &body, &release, &flight, options);
+        output::add_figures(&mut files, &options.figures)?;
+        output::replace(folder, &files)?;
     }
     output::print(summary(&model, &body, &flight))?;
     if let Some(folder) = &options.out {
-        eprintln!("trajectory.csv and flight.svg are in {}", folder.display());
+        eprintln!(
+            "trajectory.csv, flight.svg and flight.html are in {}",
+            folder.display()
+        );
     }
     Ok(Answer::Yes)
 }
@@ -218,6 +224,7 @@ fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
 /// The files that `--out` holds.
 fn results(
     model: &Model,
+    body: &CompiledModel,
     release: &Release,
     flight: &Trajectory,
     options: &Simulate,
@@ -236,11 +243,17 @@ fn results(
         None => release.model.clone(),
     };
     let labels: Vec<StateLabel<'_>> = labels.collect();
-    vec![
+    let mut files = vec![
         ResultFile::new(
             "trajectory.csv",
             trajectory_csv(flight, &names, options.rate),
         ),
         ResultFile::new("flight.svg", picture(&title, flight, &labels)),
-    ]
+    ];
+    let view = View::of_trajectory(&title, model, body, release, flight);
+    files.extend(
+        view.html(&title)
+            .map(|html| ResultFile::new("flight.html", html)),
+    );
+    files
 }

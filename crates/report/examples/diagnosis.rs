@@ -30,6 +30,7 @@ fn main() -> std::io::Result<()> {
     let extended = report.extended_model.is_some();
     let page = DiagnosisPage {
         report: &report,
+        fits: None,
         reasons_against: &[],
         before: if verdict == Verdict::None {
             &after

@@ -15,6 +15,7 @@ fn main() -> std::io::Result<()> {
     let model = model_spec::load::load("disc", &[]).map_err(std::io::Error::other)?;
     let (report, evidence) = (made::report(flights), made::evidence(flights.min(12)));
     let page = FitPage {
+        fit: None,
         report: &report,
         evidence: &evidence,
         model: &model,

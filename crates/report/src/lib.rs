@@ -3,17 +3,24 @@
 
 #![forbid(unsafe_code)]
 
+mod angle;
 mod atomic_file;
+mod bands;
 mod certificate;
 mod data_faults;
 pub mod diagnosis;
 pub mod effects;
+mod equation;
+mod figure_file;
 pub mod figures;
 pub mod fit;
 pub mod import;
 pub mod literature;
 mod result_folder;
+pub mod viewer;
 
 pub use atomic_file::write_atomic;
+pub use bands::{PredictionBand, prediction_band};
 pub use certificate::{CertificateNote, WithCertificate};
+pub use figure_file::{FigureError, FigureKind};
 pub use result_folder::{MANIFEST, ResultFile, ResultFolder, ResultFolderError};

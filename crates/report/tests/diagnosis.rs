@@ -17,6 +17,7 @@ fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) ->
     let extended = report.extended_model.as_ref().map(|_| found::EXTENDED);
     let made = make(&DiagnosisPage {
         report,
+        fits: None,
         reasons_against: &[],
         before,
         after,
@@ -285,6 +286,7 @@ fn names_from_outside_are_escaped() {
     report.verified.as_mut().unwrap().checks[0] = (evil(), evil());
     let made = make(&DiagnosisPage {
         report: &report,
+        fits: None,
         reasons_against: &[EVIL.to_owned()],
         before: &after,
         after: &after,
@@ -441,6 +443,7 @@ fn what_cannot_be_relied_on_says_so_first_and_flights_are_compared_in_pairs() {
         report: &report,
         before: &[],
         after: &[],
+        fits: None,
         reasons_against: &["the time limit was reached".to_owned()],
         extended: None,
         certificate: &CertificateNote::none(),

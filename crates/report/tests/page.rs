@@ -18,6 +18,7 @@ fn disc() -> Model {
 fn made(report: &FitReport, evidence: &[FlightEvidence]) -> (String, Vec<Figure>) {
     let model = disc();
     let page = FitPage {
+        fit: None,
         report,
         evidence,
         model: &model,
@@ -139,6 +140,7 @@ fn names_from_outside_are_escaped() {
     evidence[0].state_names[0] = EVIL.into();
     let model = disc();
     let page = FitPage {
+        fit: None,
         report: &report,
         evidence: &evidence,
         model: &model,
@@ -335,6 +337,7 @@ fn the_page_says_what_the_certificate_of_the_model_says() {
     let (report, model) = (made::report(2), disc());
     let says = |note: CertificateNote| {
         let page = FitPage {
+            fit: None,
             report: &report,
             evidence: &[],
             model: &model,

@@ -8,11 +8,14 @@ use anyhow::Context;
 use codegen::generate::generate_with;
 use identify::dataset::{self, Dataset};
 use identify::{Fit, FitOptions, FitStatus};
-use report::diagnosis::DiagnosisPage;
+use report::diagnosis::{DiagnosisPage, Fits};
+use report::viewer::View;
 use report::{CertificateNote, ResultFile, WithCertificate};
 
 use super::certificate;
-use super::fit::{dataset_name, deadline, drawn, fitted_text, held, model_of, priors};
+use super::fit::{
+    FIGURE_DATA, FLIGHTS, dataset_name, deadline, drawn, fitted_text, held, model_of, priors,
+};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -66,7 +69,9 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     if let Some(folder) = &out {
         found.report.extended_model = has_extension.then(|| EXTENDED.to_owned());
         let note = certificate.note(&model);
-        output::replace(folder, &results(&dataset, &name, &found, &reasons, &note)?)?;
+        let mut files = results(&dataset, &name, &found, &reasons, &note)?;
+        output::add_figures(&mut files, &options.figures)?;
+        output::replace(folder, &files)?;
     }
     output::print(summary::summary(&found.report, &reasons))?;
     if let Some(folder) = &options.out {
@@ -198,6 +203,10 @@ fn results(
         report: &found.report,
         before: &evidence(&found.before, &flights),
         after: &after.map_or_else(Vec::new, |(_, fitted)| evidence(fitted, &flights)),
+        fits: Some(Fits {
+            before: &found.before,
+            after: after.map(|(_, fitted)| fitted),
+        }),
         reasons_against,
         extended: extended.as_deref(),
         certificate,
@@ -206,6 +215,16 @@ fn results(
     files.push(ResultFile::new("report.html", made.html));
     let figures = made.figures.into_iter();
     files.extend(figures.map(|(name, figure)| ResultFile::new(name, figure)));
+    let tables = made.tables.into_iter();
+    files.extend(tables.map(|(name, csv)| ResultFile::new(format!("{FIGURE_DATA}/{name}"), csv)));
+    let view = match after {
+        Some((_, fitted)) => {
+            View::of_fit(fitted, "extended").join(View::of_fit(&found.before, "original"))
+        }
+        None => View::of_fit(&found.before, ""),
+    };
+    let view = view.html(&format!("{} · {name}", found.report.model));
+    files.extend(view.map(|html| ResultFile::new(FLIGHTS, html)));
     Ok(files)
 }
 

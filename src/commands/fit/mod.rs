@@ -16,6 +16,7 @@ use model_spec::ModelTree;
 use model_spec::model::Model;
 use report::fit::Figure;
 use report::fit::FitPage;
+use report::viewer::View;
 use report::{CertificateNote, ResultFile, WithCertificate};
 
 use super::{certificate, number};
@@ -25,6 +26,12 @@ use crate::{Answer, output};
 
 /// File name of the model with the fitted values.
 const FITTED: &str = "fitted.hyz";
+
+/// File name of the flights in three dimensions.
+pub(super) const FLIGHTS: &str = "flights.html";
+
+/// Folder of the numbers behind the figures.
+pub(super) const FIGURE_DATA: &str = "figure-data";
 
 /// Fits the model to the dataset, prints a summary, and writes the report files.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
@@ -52,7 +59,8 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let fitted = fitted.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
     if let Some(folder) = &out {
         let note = certificate.note(&model);
-        let files = results(&options.dataset, &model, &dataset, &fitted, &note)?;
+        let mut files = results(&options.dataset, &model, &dataset, &fitted, &note)?;
+        output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
     output::print(summary::summary(&model, &fitted.report))?;
@@ -109,6 +117,7 @@ fn results(
         .collect();
     let page = FitPage {
         report: &fitted.report,
+        fit: Some(fitted),
         evidence: &evidence,
         model,
         dataset: &name,
@@ -134,8 +143,16 @@ fn results(
         let table = tables::sensor_residuals(dataset, fitted)?;
         files.push(ResultFile::new("sensors.csv", table));
     }
-    let figure = |figure: Figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg);
-    files.extend(figures.into_iter().map(figure));
+    let figure = |figure: Figure| {
+        let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
+        [
+            ResultFile::new(format!("{}.svg", figure.name), figure.svg),
+            ResultFile::new(table, figure.csv),
+        ]
+    };
+    files.extend(figures.into_iter().flat_map(figure));
+    let view = View::of_fit(fitted, "").html(&format!("{} · {name}", model.name));
+    files.extend(view.map(|html| ResultFile::new(FLIGHTS, html)));
     Ok(files)
 }
 

@@ -1,9 +1,11 @@
 //! Tables of the hypotheses (sets of effects that explain the model error) and of the throw that discriminates them.
 
-use diagnose::{Cause, CauseEffect, NextThrow, Report};
+use diagnose::{Cause, CauseEffect, NextThrow};
+use model_spec::compose::ModelTree;
 use serde::Serialize;
 
-use super::words;
+use super::{DiagnosisPage, words};
+use crate::equation::of_effect;
 use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
 use crate::fit::page::sentence;
@@ -30,6 +32,8 @@ pub(super) struct Explanation {
 struct Effect {
     name: String,
     doc: String,
+    /// Equations that it adds or replaces, MathML.
+    equations: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -48,21 +52,39 @@ struct Row {
 }
 
 /// Hypotheses of the report, the best first.
-pub(super) fn explanations(report: &Report) -> Vec<Explanation> {
-    report.causes.iter().take(MOST).map(explanation).collect()
+pub(super) fn explanations(page: &DiagnosisPage<'_>) -> Vec<Explanation> {
+    let causes = page.report.causes.iter().take(MOST);
+    causes.map(|cause| explanation(page, cause)).collect()
 }
 
-fn explanation(cause: &Cause) -> Explanation {
+/// Equations of an effect as MathML: in the extended model, or in the model with this effect alone.
+fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
+    let Some(fits) = &page.fits else {
+        return Vec::new();
+    };
+    let identifier = diagnose::identifier(name);
+    let extended = fits.after.map(|fit| &*fit.problem().model);
+    let found = extended.map_or_else(Vec::new, |model| of_effect(model, &identifier));
+    if !found.is_empty() {
+        return found;
+    }
+    let tree = ModelTree::of(&fits.before.problem().model);
+    let alone = tree.with_named([&identifier]).and_then(|tree| tree.check());
+    alone.map_or_else(|_| Vec::new(), |model| of_effect(&model, &identifier))
+}
+
+fn explanation(page: &DiagnosisPage<'_>, cause: &Cause) -> Explanation {
     let rival = cause.strongest_remaining.as_ref();
     let effects = cause.effects.iter().map(|e| Effect {
-        name: e.name.clone(),
+        name: words::readable(&e.name),
+        equations: equations(page, &e.name),
         doc: match e.doc.trim() {
             "" => "It has no description.".to_owned(),
             doc => sentence(&doc.replace('\n', " ")),
         },
     });
     Explanation {
-        name: words::cause(cause),
+        name: words::readable(&words::cause(cause)),
         gain: significant(cause.chi2_decrease, 4),
         explained: (cause.explained > 0.0)
             .then(|| [percent(cause.explained), millimetres(cause.remaining_m)]),

@@ -3,6 +3,7 @@
 mod causes;
 mod coefficients;
 mod draw;
+mod finding;
 mod limits;
 mod page;
 mod words;
@@ -10,7 +11,8 @@ mod words;
 use crate::certificate::CertificateNote;
 use diagnose::Report;
 
-use identify::FlightEvidence;
+use identify::{Fit, FlightEvidence};
+
 pub use words::{lack_of_fit as lack_of_fit_sentence, paired as paired_gain_sentence};
 
 /// Contents of the HTML report of a diagnosis.
@@ -22,12 +24,32 @@ pub struct DiagnosisPage<'a> {
     pub before: &'a [FlightEvidence],
     /// Flights as predicted by the extended model; empty if the model was not extended.
     pub after: &'a [FlightEvidence],
+    /// Fits of both models, from which curves and bands are computed; none in a page without them.
+    pub fits: Option<Fits<'a>>,
     /// Reasons not to rely on the diagnosis; empty if there are none.
     pub reasons_against: &'a [String],
     /// Text of the added effect or of the extended model file, in the model language.
     pub extended: Option<&'a str>,
     /// What the certificate of the model says.
     pub certificate: &'a CertificateNote,
+}
+
+/// Fits of a diagnosis.
+#[derive(Clone, Copy)]
+pub struct Fits<'a> {
+    /// Fit of the model under test.
+    pub before: &'a Fit,
+    /// Fit of the extended model; none if the model was not extended.
+    pub after: Option<&'a Fit>,
+}
+
+impl std::fmt::Debug for Fits<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let model = |fit: &Fit| fit.report.model.clone();
+        let mut shown = f.debug_struct("Fits");
+        shown.field("before", &model(self.before));
+        shown.field("after", &self.after.map(model)).finish()
+    }
 }
 
 /// HTML report of a diagnosis with its figures.
@@ -37,16 +59,24 @@ pub struct Made {
     pub html: String,
     /// File name and SVG text of each figure, in the order of the page.
     pub figures: Vec<(String, String)>,
+    /// File name and CSV text of the numbers behind each figure, in the same order.
+    pub tables: Vec<(String, String)>,
 }
 
 /// Draws every figure once and renders the HTML page.
 pub fn make(page: &DiagnosisPage<'_>) -> Made {
-    let figures = draw::Figures::of(page);
-    let html = page::html(page, &figures);
-    let files = figures.into_all().into_iter();
-    let files = files.map(|drawn| (drawn.figure.name + ".svg", drawn.figure.svg));
+    let (finding, figure) = finding::finding(page);
+    let figures = draw::Figures::of(page, figure);
+    let html = page::html(page, &finding, &figures);
+    let (mut svg, mut csv) = (Vec::new(), Vec::new());
+    for drawn in figures.into_all() {
+        let figure = drawn.figure;
+        csv.push((format!("{}.csv", figure.name), figure.csv));
+        svg.push((figure.name + ".svg", figure.svg));
+    }
     Made {
         html,
-        figures: files.collect(),
+        figures: svg,
+        tables: csv,
     }
 }

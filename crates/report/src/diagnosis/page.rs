@@ -7,13 +7,14 @@ use minijinja::context;
 use minijinja::value::Value;
 
 use super::draw::{self, Figures};
+use super::finding::Finding;
 use super::{DiagnosisPage, causes, coefficients, limits, words};
 use crate::data_faults;
 use crate::figures::svg::STYLE;
 use crate::fit::Drawn;
 use crate::fit::flights::short;
 use crate::fit::numbers::{millimetres, percent, plain};
-use crate::fit::page::{capitalized, plain_values, rendered, sentence};
+use crate::fit::page::{capitalized, plain_values, reached, rendered, sentence, table_link};
 use crate::fit::words::names;
 
 /// Maximum length of the shown text of the extended model, characters.
@@ -24,7 +25,7 @@ const MOST_NOTES: usize = 40;
 const OPEN: usize = 6;
 
 /// Renders the self-contained HTML page.
-pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
+pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> String {
     let report = page.report;
     let (curves, more_curves) = split(&figures.curves);
     let (channels, more_channels) = split(&figures.channels);
@@ -53,6 +54,8 @@ pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
         kind => words::kind(report.verdict),
         verdict => words::verdict(report),
         summary => report.summary.trim(),
+        finding => plain_values(finding),
+        finding_figure => figures.finding.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
         gain => words::gain(report),
         certificate => page.certificate.sentence(),
         certified => page.certificate.is_verified(),
@@ -61,8 +64,8 @@ pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
         notes => plain_values(&notes),
         reasons_against => plain_values(&reasons_against),
         faults => plain_values(&data_faults::table(&report.data_faults)),
-        gain_figure => figures.gain.iter().map(one).collect::<Vec<_>>(),
-        causes => plain_values(&causes::explanations(report)),
+        gain_figure => figures.gain.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
+        causes => plain_values(&causes::explanations(page)),
         more_causes => report.causes.len().saturating_sub(causes::MOST),
         throw => report.next_throw.as_ref().map(|t| plain_values(&causes::throw(t))),
         candidates => figures.sigmas.iter().map(one).collect::<Vec<_>>(),
@@ -70,12 +73,14 @@ pub(super) fn html(page: &DiagnosisPage<'_>, figures: &Figures) -> String {
         scores => plain_values(&limits::scores(report)),
         looked_for => count(looked_for, "effect"),
         alarms,
+        predictions => shown(&figures.predictions),
         residuals => shown(&figures.residuals),
         curves => shown(curves),
         more_curves => shown(more_curves),
         unmoved => names(draw::unmoved(page).iter().map(String::as_str)),
         flights_figure => figures.flights.iter().map(one).collect::<Vec<_>>(),
         flights => plain_values(&limits::flights(report)),
+        shown_by => if page.after.is_empty() { "" } else { " · extended" },
         fitted => number(Role::Fit),
         held_out => number(Role::HeldOut),
         coefficients => plain_values(&coefficients::rows(report)),
@@ -110,9 +115,11 @@ fn one(drawn: &Drawn) -> Value {
     let safe = |svg: &String| Value::from_safe_string(draw::without_style(svg));
     context! {
         name => &drawn.figure.name,
+        title => &drawn.figure.title,
         caption => &drawn.figure.caption,
         svg => safe(&drawn.figure.svg),
         narrow => drawn.narrow.as_ref().map(safe),
+        csv => table_link(&drawn.figure),
     }
 }
 

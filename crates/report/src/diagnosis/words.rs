@@ -16,6 +16,11 @@ pub(super) fn cause(cause: &Cause) -> String {
     }
 }
 
+/// Name of an effect as text: words separated by spaces.
+pub(super) fn readable(name: &str) -> String {
+    name.replace(['-', '_'], " ")
+}
+
 /// Sentence that states the verdict.
 pub(super) fn verdict(report: &Report) -> String {
     let first = report.causes.first();

@@ -4,6 +4,11 @@ use super::axis::number;
 use super::layout::{Layout, Scale};
 use super::panel::{Look, Panel};
 use super::svg::{Svg, cut};
+use crate::fit::numbers::significant;
+use crate::fit::thin::stride;
+
+/// Maximum number of points of a line whose values can be shown.
+const MOST_VALUES: usize = 6;
 
 /// SVG text of a figure: its panels below one another, in a single column of the default width.
 pub fn figure(title: &str, panels: &[Panel]) -> String {
@@ -39,6 +44,7 @@ impl Panel {
         self.draw_ground(svg, &scale);
         self.draw_axes(svg, &scale, layout.letters);
 
+        self.draw_ribbon(svg, &scale);
         self.draw_marks(svg, &scale, width, letter);
         let kind = if self.thin { 't' } else { 'c' };
         for (i, line) in self.lines.iter().enumerate() {
@@ -59,7 +65,48 @@ impl Panel {
         }
         self.draw_places(svg, &scale, width, letter);
         self.draw_names(svg, &scale, width, letter);
+        self.draw_values(svg, &scale, (width, letter));
         scale.bottom() + layout.below
+    }
+
+    /// Draws the band along x.
+    fn draw_ribbon(&self, svg: &mut Svg, scale: &Scale) {
+        let finite = |r: &&(f64, f64, f64)| [r.0, r.1, r.2].iter().all(|v| v.is_finite());
+        let points: Vec<_> = self.ribbon.iter().filter(finite).collect();
+        if points.len() < 2 {
+            return;
+        }
+        let inside = |y: f64| scale.y(y).clamp(scale.top, scale.bottom());
+        let upper = points.iter().map(|r| (scale.x(r.0), inside(r.2)));
+        let lower = points.iter().rev().map(|r| (scale.x(r.0), inside(r.1)));
+        svg.path("ribbon", upper.chain(lower));
+    }
+
+    /// Marks points of the lines and the bars whose values are shown when pointed at, tapped or focused.
+    fn draw_values(&self, svg: &mut Svg, scale: &Scale, size: (f64, f64)) {
+        let number = |v: f64| significant(v, 4);
+        let mut value = |x: f64, y: f64, text: String| {
+            let place = (scale.x(x), scale.y(y));
+            let is_inside = scale.top <= place.1 && place.1 <= scale.bottom();
+            if is_inside && place.0.is_finite() {
+                svg.value(place, size, &text);
+            }
+        };
+        let lines = self.lines.iter().filter(|line| line.points.len() > 1);
+        for line in lines {
+            let name = match line.name.as_str() {
+                "" => String::new(),
+                name => format!("{name}: "),
+            };
+            for (x, y) in stride(&line.points, MOST_VALUES) {
+                value(x, y, format!("{name}{} at {}", number(y), number(x)));
+            }
+        }
+        for bar in stride(&self.bars, 2 * MOST_VALUES) {
+            let (from, to) = (number(bar.from), number(bar.to));
+            let text = format!("{} from {from} to {to}", number(bar.height));
+            value(0.5 * (bar.from + bar.to), bar.height, text);
+        }
     }
 
     /// Draws the background of a panel, behind the axes.

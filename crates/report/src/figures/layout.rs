@@ -139,7 +139,9 @@ impl Panel {
         let points = || {
             let lines = self.lines.iter().flat_map(|line| &line.points);
             let dots = self.dots.iter().flat_map(|dots| &dots.points);
-            lines.chain(dots).copied()
+            let ends = |r: &(f64, f64, f64)| [(r.0, r.1), (r.0, r.2)];
+            let ribbon = self.ribbon.iter().flat_map(ends);
+            lines.chain(dots).copied().chain(ribbon)
         };
         let bars = || self.bars.iter();
         let places = bars().flat_map(|bar| [bar.from, bar.to]);

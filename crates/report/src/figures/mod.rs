@@ -5,6 +5,8 @@
 //! colours (Okabe & Ito's) are distinguishable for the colour-blind, and each line is labelled at its end.
 
 pub(crate) mod axis;
+pub(crate) mod chart;
+pub(crate) mod csv;
 mod figure;
 mod flight;
 mod layout;

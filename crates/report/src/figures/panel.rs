@@ -70,6 +70,8 @@ pub struct Panel {
     pub levels: Vec<f64>,
     /// y range that is shaded.
     pub band: Option<(f64, f64)>,
+    /// Band along x, such as a confidence band: points (x, lower, upper) in data units, drawn behind the lines.
+    pub ribbon: Vec<(f64, f64, f64)>,
     /// Range of the vertical axis; from the data if `None`.
     pub up: Option<(f64, f64)>,
     /// Height of the plot, pixels; the layout's if `None`.

@@ -13,14 +13,16 @@ text.dark { fill: #111 } text.pale { fill: #fff } text.little { font-size: 0.77e
 line.grid { stroke: #e4e4e4 } line.zero { stroke: #a0a0a0 } line.axis { stroke: #777 }
 line.mark { stroke: #777; stroke-dasharray: 2 4 } circle.mark { fill: #fff; stroke: #333; stroke-width: 1.5 }
 line.level { stroke: #555; stroke-dasharray: 6 4 }
-rect.ground { fill: #fff } rect.band { fill: #e9eef3 } rect.bar { fill: #0072b2 }
+rect.ground { fill: #fff } rect.band { fill: #e9eef3 } rect.bar { fill: #0072b2 } rect.bar.loose { fill: #d9813f }
 path { fill: none; stroke-width: 2.2; stroke-linejoin: round }
 path.c0 { stroke: #0072b2 } path.c1 { stroke: #d55e00; stroke-dasharray: 9 3 } path.c2 { stroke: #009e73; stroke-dasharray: 3 3 } path.c3 { stroke: #cc79a7; stroke-dasharray: 10 3 2 3 }
 path.t0 { stroke: #0072b2 } path.t1 { stroke: #d55e00 } path.t2 { stroke: #009e73 } path.t3 { stroke: #cc79a7 }
 path.t0, path.t1, path.t2, path.t3 { stroke-width: 1.2 }
 path.d0 { stroke: #0072b2 } path.d1 { stroke: #d55e00 } path.d2 { stroke: #009e73 } path.d3 { stroke: #cc79a7 } path.dx { stroke: #111 } path.dg { stroke: #8a8a8a }
 path.d0, path.d1, path.d2, path.d3, path.dg { stroke-width: 3; stroke-linecap: round } path.dx { stroke-width: 1.3 }
-path.diagonal { stroke: #777; stroke-width: 1 }
+path.diagonal { stroke: #777; stroke-width: 1 } path.ribbon { fill: #cfe2f1; stroke: none }
+g.value circle { fill: #0072b2; fill-opacity: 0 } g.value text { display: none; font-weight: 600; fill: #111; paint-order: stroke; stroke: #fff; stroke-width: 5px; stroke-linejoin: round }
+g.value { outline: none; cursor: default } g.value:hover text, g.value:focus text { display: inline } g.value:hover circle, g.value:focus circle { fill-opacity: .45 }
 "##;
 
 /// SVG document under construction, y axis downwards.
@@ -55,6 +57,19 @@ impl Svg {
         let _ = writeln!(
             self.body,
             r#"<circle class="{class}" cx="{x:.1}" cy="{y:.1}" r="3.5"/>"#
+        );
+    }
+
+    /// Marks a point; its text is shown when the point is pointed at, tapped or focused. `size`: width of the figure and
+    /// of a character, SVG units.
+    pub(crate) fn value(&mut self, (x, y): (f64, f64), size: (f64, f64), text: &str) {
+        let half = 0.53 * size.1 * text.chars().count() as f64;
+        let middle = x.clamp(half + 2.0, (size.0 - half - 2.0).max(half + 2.0));
+        let base = if y > 40.0 { y - 10.0 } else { y + 22.0 };
+        let text = escape(text);
+        let _ = writeln!(
+            self.body,
+            r#"<g class="value" tabindex="-1"><title>{text}</title><circle cx="{x:.1}" cy="{y:.1}" r="6"/><text x="{middle:.1}" y="{base:.1}" text-anchor="middle">{text}</text></g>"#
         );
     }
 

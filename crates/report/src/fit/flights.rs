@@ -25,6 +25,8 @@ pub(super) struct Table {
 #[derive(Serialize)]
 struct Row {
     file: String,
+    /// Anchors of the flight's figures on the page: name and what it shows.
+    figures: Vec<(String, &'static str)>,
     samples: usize,
     rms: String,
     outliers: usize,
@@ -52,7 +54,7 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     Table {
         all: number,
         worst,
-        rows: flights.into_iter().map(row).collect(),
+        rows: flights.into_iter().map(|f| row(page, f)).collect(),
     }
 }
 
@@ -61,11 +63,27 @@ pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     Table {
         all: page.report.excluded().count(),
         worst: false,
-        rows: page.report.excluded().take(MOST_ROWS).map(row).collect(),
+        rows: page
+            .report
+            .excluded()
+            .take(MOST_ROWS)
+            .map(|f| row(page, f))
+            .collect(),
     }
 }
 
-fn row(flight: &FlightReport) -> Row {
+/// Anchors of the figures of a flight, where it is drawn.
+fn figures(page: &FitPage<'_>, file: &str) -> Vec<(String, &'static str)> {
+    let drawn = || page.evidence.iter().take(super::draw::MOST_FLIGHTS);
+    let mut figures = Vec::new();
+    if let Some(at) = drawn().position(|f| f.file == file) {
+        figures.push((format!("tracks-{:02}", at + 1), "paths"));
+        figures.push((format!("states-{:02}", at + 1), "states"));
+    }
+    figures
+}
+
+fn row(page: &FitPage<'_>, flight: &FlightReport) -> Row {
     let cut = flight.cut.as_ref().map(|cut| {
         let (t, samples) = (plain(cut.t, 3), cut.samples);
         format!(
@@ -75,6 +93,7 @@ fn row(flight: &FlightReport) -> Row {
     });
     Row {
         file: flight.file.clone(),
+        figures: figures(page, &flight.file),
         samples: flight.samples,
         rms: if flight.is_used() {
             millimetres(flight.rms())

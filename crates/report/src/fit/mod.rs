@@ -10,14 +10,16 @@ pub(crate) mod thin;
 pub(crate) mod words;
 
 use crate::certificate::CertificateNote;
-use identify::{Coefficient, FitReport, FlightEvidence};
+use identify::{Coefficient, Fit, FitReport, FlightEvidence};
 use model_spec::model::Model;
 
 /// Contents of the HTML report of a fit.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct FitPage<'a> {
     /// Results of the fit.
     pub report: &'a FitReport,
+    /// The fit, from which bands of predictions are computed; none in a page without them.
+    pub fit: Option<&'a Fit>,
     /// Measurements and predictions of the flights to draw; at most the first twelve are drawn.
     pub evidence: &'a [FlightEvidence],
     /// Fitted model.
@@ -55,6 +57,8 @@ pub struct Figure {
     pub caption: String,
     /// SVG text of the figure.
     pub svg: String,
+    /// CSV table of the numbers behind the figure.
+    pub csv: String,
 }
 
 /// Self-contained HTML report of a fit.
@@ -75,6 +79,8 @@ pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
 
 /// Figures of the report, grouped by section.
 struct Figures {
+    precision: Option<Drawn>,
+    predictions: Vec<Drawn>,
     profiles: Vec<Drawn>,
     tracks: Vec<Drawn>,
     residuals: Vec<Drawn>,
@@ -86,7 +92,12 @@ struct Figures {
 
 impl Figures {
     fn of(page: &FitPage<'_>) -> Figures {
+        let predictions = page
+            .fit
+            .map(|fit| draw::predictions(fit, page.evidence, &[]));
         Figures {
+            precision: draw::precision(page),
+            predictions: predictions.unwrap_or_default(),
             profiles: draw::profiles(page.report),
             tracks: draw::tracks(page.evidence),
             residuals: draw::residuals(page.evidence, &page.report.noise),
@@ -100,6 +111,8 @@ impl Figures {
     /// All figures in the order of the page.
     fn in_order(self) -> Vec<Figure> {
         let all = [
+            self.precision.into_iter().collect(),
+            self.predictions,
             self.profiles,
             self.tracks,
             self.residuals,
@@ -119,12 +132,14 @@ pub(crate) struct Drawn {
 }
 
 impl Drawn {
-    pub(crate) fn new(name: String, title: String, caption: String, svg: String) -> Drawn {
+    /// Figure with the given texts: caption, SVG and CSV.
+    pub(crate) fn new(name: String, title: String, [caption, svg, csv]: [String; 3]) -> Drawn {
         let figure = Figure {
             name,
             title,
             caption,
             svg,
+            csv,
         };
         Drawn {
             figure,

@@ -9,7 +9,7 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
 use serde::Serialize;
 
 use super::numbers::{percent, plain};
-use super::{Drawn, Figures, FitPage, coefficients, flights, noise, words};
+use super::{Drawn, Figure, Figures, FitPage, coefficients, flights, noise, words};
 use crate::data_faults;
 use crate::figures::svg::{STYLE, without_style};
 use crate::literature::sources;
@@ -50,6 +50,9 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         dataset => page.dataset,
         effects => words::names(report.effects.iter().map(String::as_str)),
         summary => plain_values(&words::summary(page)),
+        opening => plain_values(&words::opening(page)),
+        precision => figures.precision.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
+        predictions => shown(&figures.predictions),
         alarms => plain_values(&words::alarms(page)),
         certificate => page.certificate.sentence(),
         verified => page.certificate.is_verified(),
@@ -114,8 +117,10 @@ pub(crate) fn rendered(template: &str, context: Value) -> String {
         .lstrip_blocks(true)
         .build();
     environment.set_syntax(syntax.unwrap_or_default());
-    let shared = environment.add_template("data_faults.html", include_str!("../data_faults.html"));
-    shared
+    let faults = environment.add_template("data_faults.html", include_str!("../data_faults.html"));
+    let figure = environment.add_template("figure.html", include_str!("../figure.html"));
+    faults
+        .and(figure)
         .and_then(|()| environment.render_str(template, context))
         .unwrap_or_else(|fault| {
             panic!("the page's own template, which its tests render: {fault:#}")
@@ -131,6 +136,18 @@ pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
     drawn.iter().map(one).collect()
 }
 
+/// Figure of the opening of a page, whose values are reached by the keyboard too.
+pub(crate) fn reached(drawn: &Drawn) -> Drawn {
+    let reached = |svg: &str| svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
+    Drawn {
+        figure: Figure {
+            svg: reached(&drawn.figure.svg),
+            ..drawn.figure.clone()
+        },
+        narrow: drawn.narrow.as_deref().map(reached),
+    }
+}
+
 pub(crate) fn one(drawn: &Drawn) -> Value {
     // The SVG writer has already escaped all external text.
     let safe = |svg: &String| Value::from_safe_string(without_style(svg));
@@ -140,7 +157,34 @@ pub(crate) fn one(drawn: &Drawn) -> Value {
         caption => &figure.caption,
         svg => safe(&figure.svg),
         narrow => drawn.narrow.as_ref().map(safe),
+        csv => table_link(figure),
     }
+}
+
+/// Maximum length of a table that the page holds itself, bytes; the page links to the file of a longer one.
+const MOST_EMBEDDED: usize = 10_000;
+
+/// Link to the table of a figure: a data URI, or the file of a long table.
+pub(crate) fn table_link(figure: &Figure) -> String {
+    match figure.csv.len() <= MOST_EMBEDDED {
+        true => format!("data:text/csv;charset=utf-8,{}", encoded(&figure.csv)),
+        false => format!("figure-data/{}.csv", figure.name),
+    }
+}
+
+/// Percent-encodes what a data URI may not hold.
+fn encoded(text: &str) -> String {
+    let mut encoded = String::with_capacity(text.len() + text.len() / 8);
+    for c in text.chars() {
+        match c {
+            '%' | '#' | '"' | '<' | '>' | ' ' | '&' | '\'' | '\n' | '\r' => {
+                encoded += &format!("%{:02X}", u32::from(c));
+            }
+            c if c.is_control() => {}
+            c => encoded.push(c),
+        }
+    }
+    encoded
 }
 
 /// Truncates a text to the length of a note and ends it with a full stop.

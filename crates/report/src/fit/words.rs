@@ -86,6 +86,31 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     })
 }
 
+/// What the flights determine, and what they do not: the first sentences of the page.
+pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
+    let mut kinds: [Vec<&str>; 4] = Default::default();
+    for (name, found) in page.coefficients() {
+        kinds[kind(found)].push(name);
+    }
+    let [good, loose, unknown, _] = kinds.map(|names_of| names(names_of.into_iter()));
+    let mut sentences = Vec::new();
+    if !good.is_empty() {
+        sentences.push(format!(
+            "These flights determine {good} to {} or better.",
+            percent(GOOD)
+        ));
+    }
+    if !loose.is_empty() {
+        sentences.push(format!(
+            "They determine the sign of {loose}, but the size only roughly."
+        ));
+    }
+    if !unknown.is_empty() {
+        sentences.push(format!("They cannot distinguish {unknown} from zero."));
+    }
+    sentences
+}
+
 /// Sentences that list well determined, loosely determined, undetermined and fixed coefficients.
 fn determined(page: &FitPage<'_>) -> Vec<String> {
     let mut kinds: [Vec<&str>; 4] = Default::default();

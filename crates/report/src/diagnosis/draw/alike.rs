@@ -4,6 +4,7 @@ use diagnose::Report;
 
 use super::drawn;
 use crate::figures::Layout;
+use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
 
@@ -34,7 +35,20 @@ pub(super) fn alike(report: &Report) -> Option<Drawn> {
             ),
         }
     );
-    Some(drawn("alike", title, caption, Layout::COLUMN, |layout| {
+    let mut table = Table::new(&["row", "column", "correlation"]);
+    for (i, &row) in order.iter().enumerate() {
+        for &column in &order[..i] {
+            let value = report.score_correlations.matrix.get(row);
+            let value = value.and_then(|row| row.get(column)).copied();
+            table
+                .text(&all[row])
+                .text(&all[column])
+                .optional(value)
+                .end();
+        }
+    }
+    let texts = [caption, table.finish()];
+    Some(drawn("alike", title, texts, Layout::COLUMN, |layout| {
         draw(report, &order, title, layout)
     }))
 }

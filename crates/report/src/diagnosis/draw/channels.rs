@@ -6,6 +6,7 @@ use super::super::words;
 use super::drawn;
 use crate::figures::Layout;
 use crate::figures::axis::{number, range, ticks};
+use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
 use crate::fit::numbers::{percent, raised};
@@ -44,7 +45,15 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
          explains; shaded: ±2 standard errors. All have one scale.{left_out}"
     );
     let name = format!("channel-{:02}", index + 1);
-    drawn(&name, &title, caption, Layout::WIDE, |layout| {
+    let mut table = Table::new(&["flight", "t_s", "value", "std_error"]);
+    for history in channel.histories.iter().take(MOST_HISTORIES) {
+        for [t, value, error] in points(history) {
+            table.text(&history.file).number(t).number(value);
+            table.number(error).end();
+        }
+    }
+    let texts = [caption, table.finish()];
+    drawn(&name, &title, texts, Layout::WIDE, |layout| {
         draw(channel, &title, layout)
     })
 }

@@ -4,6 +4,7 @@ use diagnose::{CoefficientCurve, Report};
 
 use super::super::DiagnosisPage;
 use super::drawn;
+use crate::figures::csv::of_panels;
 use crate::figures::{Bar, Layout, Line, Panel, figure_of, symbol};
 use crate::fit::Drawn;
 use crate::fit::numbers::unit;
@@ -87,7 +88,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     drawn(
         &format!("curve-{:02}", index + 1),
         &title,
-        caption.into(),
+        [caption.into(), of_panels(&panels)],
         Layout::SMALL,
         |l| figure_of(l, &title, &panels),
     )

@@ -5,7 +5,8 @@ use identify::dataset::Role;
 
 use super::drawn;
 use super::gain::row;
-use super::rows::{Chart, Row, Shape, axis_for};
+use crate::figures::chart::{Chart, Row, Shape, axis_for};
+use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Line, Look, Panel, figure_of};
 use crate::fit::Drawn;
 use crate::fit::thin::stride;
@@ -46,13 +47,10 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
         level: Some((1e3 * report.noise.sigma_m, "noise".into())),
     };
     let caption = "RMS residuals of the fitted flights, without and with the extension.";
-    Some(drawn(
-        "flights",
-        title,
-        caption.into(),
-        Layout::SMALL,
-        |l| chart.draw(l),
-    ))
+    let texts = [caption.into(), chart.csv()];
+    Some(drawn("flights", title, texts, Layout::SMALL, |l| {
+        chart.draw(l)
+    }))
 }
 
 /// Draws RMS residuals before and after for each flight, ranked by the value before; `noise` in mm.
@@ -104,7 +102,12 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     };
     let caption =
         "RMS residuals of the fitted flights, two dots per flight; the broken line is the noise.";
-    drawn("flights", title, caption.into(), Layout::SMALL, |l| {
-        figure_of(l, title, std::slice::from_ref(&panel))
-    })
+    let csv = of_panels(std::slice::from_ref(&panel));
+    drawn(
+        "flights",
+        title,
+        [caption.into(), csv],
+        Layout::SMALL,
+        |l| figure_of(l, title, std::slice::from_ref(&panel)),
+    )
 }

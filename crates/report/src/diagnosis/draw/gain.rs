@@ -4,8 +4,8 @@ use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
 
 use super::drawn;
-use super::rows::{Chart, Row, Shape, axis_for};
 use crate::figures::Layout;
+use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::fit::Drawn;
 
 /// Maximum number of flights with a row.
@@ -73,7 +73,8 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
          noise per coordinate.{left_out}"
     );
     let title = chart.title.clone();
-    Some(drawn("gain", &title, caption, Layout::SMALL, |l| {
+    let texts = [caption, chart.csv()];
+    Some(drawn("gain", &title, texts, Layout::SMALL, |l| {
         chart.draw(l)
     }))
 }

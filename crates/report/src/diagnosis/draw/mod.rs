@@ -6,7 +6,6 @@ mod curves;
 mod flights;
 mod gain;
 mod residuals;
-mod rows;
 mod sigmas;
 
 pub(super) use curves::unmoved;
@@ -14,20 +13,23 @@ pub(super) use curves::unmoved;
 use super::DiagnosisPage;
 use crate::figures::Layout;
 use crate::fit::Drawn;
+use crate::fit::draw::predictions;
 
 /// Style sheet of the diagnosis figures, in addition to the common style sheet.
 pub(super) const STYLE: &str = r##"rect.bar.cause { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
 circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
 line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
 rect.alike { fill: #00437c } rect.unknown { fill: #c9b9b9 }
-path.ribbon { fill: #cfe2f1; stroke: none } path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
+path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
 "##;
 
 /// Figures of the report, grouped by section.
 pub(super) struct Figures {
+    pub(super) finding: Option<Drawn>,
     pub(super) gain: Option<Drawn>,
     pub(super) sigmas: Option<Drawn>,
     pub(super) alike: Option<Drawn>,
+    pub(super) predictions: Vec<Drawn>,
     pub(super) residuals: Vec<Drawn>,
     pub(super) curves: Vec<Drawn>,
     pub(super) flights: Option<Drawn>,
@@ -35,11 +37,13 @@ pub(super) struct Figures {
 }
 
 impl Figures {
-    pub(super) fn of(page: &DiagnosisPage<'_>) -> Figures {
+    pub(super) fn of(page: &DiagnosisPage<'_>, finding: Option<Drawn>) -> Figures {
         Figures {
+            finding,
             gain: gain::gain(page.report),
             sigmas: sigmas::sigmas(page.report),
             alike: alike::alike(page.report),
+            predictions: held_out(page),
             residuals: residuals::residuals(page),
             curves: curves::curves(page.report),
             flights: flights::flights(page.report),
@@ -50,8 +54,10 @@ impl Figures {
     /// All figures in the order of the page.
     pub(super) fn into_all(self) -> Vec<Drawn> {
         let mut all: Vec<Drawn> = Vec::new();
+        all.extend(self.finding);
         all.extend(self.gain);
         all.extend(self.sigmas);
+        all.extend(self.predictions);
         all.extend(self.residuals);
         all.extend(self.curves);
         all.extend(self.alike);
@@ -61,17 +67,33 @@ impl Figures {
     }
 }
 
-/// Draws a figure in the layout `wide` and, if that is not the small layout, a second version for narrow screens.
-fn drawn(
+/// Draws the predictions of the held-out flights by the extended model, or by the model if it was not extended.
+fn held_out(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
+    let Some(fits) = &page.fits else {
+        return Vec::new();
+    };
+    let drawn = match fits.after {
+        Some(after) => predictions(after, page.after, page.before),
+        None => predictions(fits.before, page.before, &[]),
+    };
+    let described = drawn.into_iter().map(|mut drawn| {
+        drawn.figure.svg = described(&drawn.figure.svg, &drawn.figure.caption);
+        drawn
+    });
+    described.collect()
+}
+
+/// Draws a figure, given its caption and CSV table, in the layout `wide` and, if that is not the small layout, a second version for narrow screens.
+pub(super) fn drawn(
     name: &str,
     title: &str,
-    caption: String,
+    [caption, csv]: [String; 2],
     wide: Layout,
     draw: impl Fn(Layout) -> String,
 ) -> Drawn {
     let full = described(&draw(wide), &caption);
     let narrow = (wide != Layout::SMALL).then(|| described(&draw(Layout::SMALL), &caption));
-    let mut drawn = Drawn::new(name.into(), title.into(), caption, full);
+    let mut drawn = Drawn::new(name.into(), title.into(), [caption, full, csv]);
     drawn.narrow = narrow;
     drawn
 }

@@ -5,6 +5,7 @@ use identify::dataset::Role;
 
 use super::super::DiagnosisPage;
 use super::drawn;
+use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Panel, figure_of};
 use crate::fit::Drawn;
 use crate::fit::draw::MOST_FLIGHTS;
@@ -52,7 +53,8 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
              the noise; crosses: outliers.{meaning} Flights: {}.",
             files.join(", ")
         );
-        Some(drawn(name, title, caption, Layout::WIDE, |layout| {
+        let texts = [caption, of_panels(&panels)];
+        Some(drawn(name, title, texts, Layout::WIDE, |layout| {
             if layout == Layout::WIDE {
                 return figure_of(layout, title, &panels);
             }

@@ -4,8 +4,8 @@ use diagnose::{CandidateTest, Report};
 
 use super::super::words;
 use super::drawn;
-use super::rows::{Axis, Chart, Row, Shape};
 use crate::figures::Layout;
+use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::fit::Drawn;
 
 /// Maximum number of candidates that are drawn.
@@ -88,7 +88,8 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
         crate::fit::numbers::percent(report.threshold.alpha)
     );
     let title = chart.title.clone();
-    Some(drawn("candidates", &title, caption, Layout::COLUMN, |l| {
+    let texts = [caption, chart.csv()];
+    Some(drawn("candidates", &title, texts, Layout::COLUMN, |l| {
         chart.draw(l)
     }))
 }

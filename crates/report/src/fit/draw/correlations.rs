@@ -2,6 +2,7 @@
 
 use super::super::numbers::plain;
 use super::super::{Drawn, FitPage};
+use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 
 const WIDTH: f64 = 360.0;
@@ -73,12 +74,15 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     let title = "Correlations of the coefficients";
     let text = svg.finish(title, (WIDTH, bottom + 36.0), 460.0, LETTERS);
     let caption = "Of the estimation errors of two coefficients: near ±1 only a combination of the two is identifiable.";
-    Some(Drawn::new(
-        "correlations".into(),
-        title.into(),
-        caption.into(),
-        text,
-    ))
+    let mut table = Table::new(&["row", "column", "correlation"]);
+    for (i, row) in names.iter().enumerate() {
+        for column in names.iter().take(i) {
+            let found = report.correlations.get(*row).and_then(|r| r.get(*column));
+            table.text(row).text(column).optional(found.copied()).end();
+        }
+    }
+    let texts = [caption.into(), text, table.finish()];
+    Some(Drawn::new("correlations".into(), title.into(), texts))
 }
 
 /// Draws the colour scale, correlation −1 to 1, at (`left`, `top`), pixels.

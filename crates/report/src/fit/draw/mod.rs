@@ -2,6 +2,8 @@
 
 mod correlations;
 mod histogram;
+mod precision;
+mod predictions;
 mod profiles;
 pub(crate) mod residuals;
 mod states;
@@ -10,6 +12,8 @@ mod whiteness;
 
 pub(super) use correlations::correlations;
 pub(super) use histogram::histogram;
+pub(super) use precision::precision;
+pub(crate) use predictions::predictions;
 pub(super) use profiles::profiles;
 pub(super) use residuals::residuals;
 pub(super) use states::states;
@@ -19,6 +23,7 @@ pub(super) use whiteness::whiteness;
 use identify::FlightEvidence;
 
 use super::Drawn;
+use crate::figures::csv::of_panels;
 use crate::figures::{Layout, Panel, figure_of};
 
 /// Maximum number of flights that are drawn.
@@ -26,7 +31,7 @@ pub(crate) const MOST_FLIGHTS: usize = 12;
 
 pub(crate) fn small(name: String, title: String, caption: String, panels: &[Panel]) -> Drawn {
     let svg = figure_of(Layout::SMALL, &title, panels);
-    Drawn::new(name, title, caption, svg)
+    Drawn::new(name, title, [caption, svg, of_panels(panels)])
 }
 
 /// Sample indices for which times, measurements and predictions all exist.

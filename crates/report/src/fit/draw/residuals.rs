@@ -6,6 +6,7 @@ use identify::{FlightEvidence, NoiseReport};
 use super::super::Drawn;
 use super::super::thin::stride;
 use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen};
+use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 
 /// Maximum number of dots in a panel.
@@ -56,7 +57,11 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseRepo
             files.join(", ")
         );
         let svg = figure_of(Layout::WIDE, title, &panels);
-        let mut drawn = Drawn::new(name.into(), title.into(), caption, svg);
+        let mut drawn = Drawn::new(
+            name.into(),
+            title.into(),
+            [caption, svg, of_panels(&panels)],
+        );
         let dots = panels.iter_mut().flat_map(|panel| &mut panel.dots);
         dots.for_each(|dots| dots.points = stride(&dots.points, NARROW_DOTS));
         drawn.narrow = Some(figure_of(Layout::SMALL, title, &panels));

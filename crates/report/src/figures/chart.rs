@@ -1,13 +1,14 @@
 //! Chart of labelled rows: bars or dots along a common horizontal axis.
 
-use crate::figures::Layout;
-use crate::figures::axis::{number, ticks};
-use crate::figures::svg::{Svg, cut};
-use crate::fit::numbers::stated;
+use super::Layout;
+use super::axis::{number, ticks};
+use super::csv::Table;
+use super::svg::{Svg, cut};
+use crate::fit::numbers::{significant, stated};
 
 /// Scale of the horizontal axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Axis {
+pub(crate) enum Axis {
     /// Linear scale from 0.
     Linear,
     /// Logarithmic scale, starting at the given value.
@@ -18,7 +19,7 @@ pub(super) enum Axis {
 
 /// Shape drawn in a row; each has a CSS class.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Shape {
+pub(crate) enum Shape {
     /// Bar from 0 to a value, and its CSS class.
     Bar(f64, &'static str),
     /// Dot at a value, and its CSS class.
@@ -29,33 +30,33 @@ pub(super) enum Shape {
 
 /// Row of a chart.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Row {
+pub(crate) struct Row {
     /// Label at the left end of the row.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// CSS class of the label.
-    pub(super) class: &'static str,
+    pub(crate) class: &'static str,
     /// Bars, dots and lines of the row.
-    pub(super) shapes: Vec<Shape>,
+    pub(crate) shapes: Vec<Shape>,
     /// Text at the right end of the row.
-    pub(super) words: String,
+    pub(crate) words: String,
 }
 
 /// Chart of labelled rows along one axis.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Chart {
-    pub(super) title: String,
+pub(crate) struct Chart {
+    pub(crate) title: String,
     /// Legend entries: shape and its meaning.
-    pub(super) legend: Vec<(Shape, String)>,
-    pub(super) rows: Vec<Row>,
-    pub(super) axis: Axis,
-    pub(super) across: String,
+    pub(crate) legend: Vec<(Shape, String)>,
+    pub(crate) rows: Vec<Row>,
+    pub(crate) axis: Axis,
+    pub(crate) across: String,
     /// Dashed vertical line over all rows: value and label.
-    pub(super) level: Option<(f64, String)>,
+    pub(crate) level: Option<(f64, String)>,
 }
 
 impl Chart {
     /// SVG text of the chart.
-    pub(super) fn draw(&self, layout: Layout) -> String {
+    pub(crate) fn draw(&self, layout: Layout) -> String {
         let (letters, letter) = (layout.letters, layout.letter());
         let mut svg = Svg::new();
         let title = cut(&self.title, layout.width - 16.0, 1.25 * letter);
@@ -98,6 +99,13 @@ impl Chart {
             // The texts at the right end have a column of their own.
             svg.text("mark", (layout.width - 4.0, base), "end", &row.words);
         }
+        for (i, row) in self.rows.iter().enumerate() {
+            let middle = top + step * (i as f64 + 0.5) + 1.0;
+            for (value, what) in self.values(row) {
+                let text = format!("{}{what}: {}", row.name, significant(value, 4));
+                svg.value((place(value), middle), (layout.width, letter), &text);
+            }
+        }
         svg.line("axis", (left, top), (left, bottom));
         svg.line("axis", (left, bottom), (right, bottom));
         if let Some((value, name)) = self.level.as_ref().filter(|l| l.0.is_finite()) {
@@ -118,6 +126,46 @@ impl Chart {
             layout.most,
             letters,
         )
+    }
+
+    /// Values of the bars and dots of a row, each with its meaning after a comma.
+    fn values<'a>(&'a self, row: &'a Row) -> impl Iterator<Item = (f64, String)> + 'a {
+        let of = |shape: &Shape| match *shape {
+            Shape::Bar(value, class) | Shape::Dot(value, class) => Some((value, class)),
+            Shape::Span(..) => None,
+        };
+        let meaning = move |class: &str| {
+            let mut legend = self.legend.iter();
+            let found = legend.find(|(shape, _)| of(shape).is_some_and(|(_, c)| c == class));
+            found.map_or_else(String::new, |(_, words)| format!(", {words}"))
+        };
+        let values = row.shapes.iter().filter_map(of);
+        let finite = values.filter(|(value, _)| value.is_finite());
+        finite.map(move |(value, class)| (value, meaning(class)))
+    }
+
+    /// CSV table of the chart, one line per bar, dot or span.
+    pub(crate) fn csv(&self) -> String {
+        let mut table = Table::new(&["row", "kind", "value", "to"]);
+        for row in &self.rows {
+            for shape in &row.shapes {
+                let (class, value, to) = match *shape {
+                    Shape::Bar(value, class) | Shape::Dot(value, class) => (class, value, None),
+                    Shape::Span(from, to, class) => (class, from, Some(to)),
+                };
+                table.text(&row.name).text(class).number(value);
+                table.optional(to).end();
+            }
+        }
+        if let Some((value, name)) = &self.level {
+            table
+                .text(name)
+                .text("level")
+                .number(*value)
+                .optional(None)
+                .end();
+        }
+        table.finish()
     }
 
     fn greatest(&self) -> f64 {
@@ -231,7 +279,7 @@ impl Axis {
 }
 
 /// Axis scale for positive values: linear, or logarithmic if the values differ by more than a factor of 30.
-pub(super) fn axis_for(values: impl Iterator<Item = f64> + Clone) -> Axis {
+pub(crate) fn axis_for(values: impl Iterator<Item = f64> + Clone) -> Axis {
     let good = values.filter(|v| v.is_finite() && *v > 0.0);
     let least = good.clone().fold(f64::INFINITY, f64::min);
     let most = good.fold(0.0, f64::max);

@@ -1,0 +1,123 @@
+//! Standard errors of what a fit predicts of a flight that it did not see.
+
+use std::collections::BTreeMap;
+
+use identify::{
+    CONDITIONING_FRACTION, Coefficient, Fit, FitReport, FlightId, each_residual, pseudo_inverse,
+};
+use nalgebra::{DMatrix, DVector};
+
+/// Standard errors of the predicted marker positions of a held-out flight.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PredictionBand {
+    /// File name of the flight.
+    pub file: String,
+    /// `std_error[sample][marker]`: standard error of the predicted position along each axis, m, without the noise of the
+    /// measurement. From the covariance of the fit and of the initial state, which is fitted to the first samples.
+    pub std_error: Vec<Vec<[f64; 3]>>,
+    /// Index of the first predicted sample.
+    pub first: usize,
+}
+
+/// Standard error by which coefficients are judged: cluster-robust by flight where that is the larger one.
+pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
+    let clustered = coefficient.std_error_clustered.unwrap_or(0.0);
+    match coefficient.held {
+        true => 0.0,
+        false => coefficient.std_error.max(clustered),
+    }
+}
+
+/// Covariance of named coefficients, from their standard errors and correlations; zero where unknown or fixed.
+pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
+    let known: &BTreeMap<String, Coefficient> = &report.coefficients;
+    let error = |name: &str| known.get(name).map(std_error).filter(|e| e.is_finite());
+    DMatrix::from_fn(names.len(), names.len(), |i, j| {
+        let correlation = match i == j {
+            true => Some(1.0),
+            false => {
+                let row = report.correlations.get(names[i]);
+                row.and_then(|row| row.get(names[j])).copied()
+            }
+        };
+        let correlation = correlation.filter(|c| c.is_finite()).unwrap_or(0.0);
+        error(names[i]).unwrap_or(0.0) * error(names[j]).unwrap_or(0.0) * correlation
+    })
+}
+
+/// Derivatives of one predicted value by the initial state and by the global parameters, for each axis.
+struct Sensitivity {
+    sample: usize,
+    channel: usize,
+    is_outlier: bool,
+    rows: [DVector<f64>; 3],
+}
+
+/// Standard errors of the prediction of a held-out flight; `None` if the flight is excluded, or its first samples do not
+/// determine its initial state.
+pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
+    let (observations, local) = fit.flight(flight)?;
+    let (problem, global) = (fit.problem(), fit.global());
+    let samples = observations.times.len();
+    let first = ((samples as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, samples);
+    let names: Vec<&str> = problem.globals.iter().map(|g| g.name.as_str()).collect();
+    let columns: Vec<_> = problem.globals.iter().map(|g| g.param).collect();
+    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let mut found: Vec<Sensitivity> = Vec::new();
+    each_residual(
+        problem,
+        observations,
+        (global, local),
+        conditions.differentiable_rhs(),
+        &columns,
+        |point| {
+            let at = point.sample * observations.channels + point.channel;
+            found.push(Sensitivity {
+                sample: point.sample,
+                channel: point.channel,
+                is_outlier: observations.outlier[at],
+                rows: [0, 1, 2].map(|axis| DVector::from_column_slice(&point.rows[axis])),
+            });
+        },
+    )
+    .ok()?;
+    let locals = found.first()?.rows[0].len() - columns.len();
+    let mut information = DMatrix::zeros(locals, locals);
+    let mut cross = DMatrix::zeros(locals, columns.len());
+    for point in found.iter().filter(|p| p.sample < first && !p.is_outlier) {
+        let sigma = fit.noise().of(point.channel).sigma;
+        let components = problem.channels[point.channel].components.min(sigma.len());
+        for (row, sigma) in point.rows[..components].iter().zip(sigma) {
+            let by_local = row.rows(0, locals);
+            let weight = 1.0 / (sigma * sigma);
+            information.ger(weight, &by_local, &by_local, 1.0);
+            cross.ger(weight, &by_local, &row.rows(locals, columns.len()), 1.0);
+        }
+    }
+    let of_local = pseudo_inverse(&information)?;
+    // The initial state follows a change of the coefficients, as it is fitted with them held.
+    let follows = -(&of_local * cross);
+    let of_global = covariance(&fit.report, &names);
+    // The evidence of a flight lists the positions alone, in the order of the channels.
+    let channels = problem.channels.iter().enumerate();
+    let positions = channels.filter(|(_, channel)| channel.is_position());
+    let positions: Vec<usize> = positions.map(|(index, _)| index).collect();
+    let mut std_error = vec![vec![[f64::NAN; 3]; positions.len()]; samples];
+    for point in &found {
+        let Some(marker) = positions.iter().position(|p| *p == point.channel) else {
+            continue;
+        };
+        for (axis, row) in point.rows.iter().enumerate() {
+            let by_local = row.rows(0, locals);
+            let by_global = row.rows(locals, columns.len()) + follows.tr_mul(&by_local);
+            let variance =
+                by_local.dot(&(&of_local * by_local)) + by_global.dot(&(&of_global * &by_global));
+            std_error[point.sample][marker][axis] = variance.max(0.0).sqrt();
+        }
+    }
+    Some(PredictionBand {
+        file: observations.file.clone(),
+        std_error,
+        first,
+    })
+}

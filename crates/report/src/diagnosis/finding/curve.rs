@@ -1,0 +1,345 @@
+//! Curve of the quantity that an effect changes, over the variable on which the effect depends.
+
+use diagnose::identifier;
+use flight::ModelObserver;
+use identify::dataset::Role;
+use identify::{Fit, FlightId, Observations, median};
+use model_spec::model::{Expr, ExprKind, Model, Shape};
+use nalgebra::{DMatrix, DVector};
+
+use super::super::Fits;
+use crate::angle::{is_angle, is_angle_state};
+use crate::bands::{covariance, std_error};
+use crate::figures::axis::range;
+
+/// Number of intervals of the abscissa.
+const INTERVALS: usize = 32;
+/// Minimum number of samples in an interval, and maximum number of those that are evaluated.
+const SAMPLES: (usize, usize) = (4, 7);
+/// Maximum number of samples over which the range of the abscissa is found.
+const MOST_SAMPLES: usize = 20_000;
+/// Quantiles of the abscissa between which the curve is drawn.
+const QUANTILES: (f64, f64) = (0.005, 0.995);
+/// Smallest change of the quantity along the curve, as a fraction of its size, that makes a curve worth drawing.
+const FLAT: f64 = 1e-6;
+
+/// Quantity of the extended model over a variable, and of the model without the extension at the same states.
+#[derive(Clone, Debug, PartialEq)]
+pub(in super::super) struct Curve {
+    /// Name of the quantity, as in the model.
+    pub(in super::super) quantity: String,
+    /// What it is, by its documentation; empty without one.
+    pub(in super::super) doc: String,
+    /// Unit of the quantity.
+    pub(in super::super) unit: String,
+    /// Name of the variable.
+    pub(in super::super) over: String,
+    /// Documentation of the variable up to its first comma; empty without one.
+    pub(in super::super) over_doc: String,
+    /// Unit of the variable, `°` for angles.
+    pub(in super::super) over_unit: String,
+    /// Points in the order of the variable.
+    pub(in super::super) points: Vec<Point>,
+}
+
+/// Medians of the samples within an interval of the abscissa.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in super::super) struct Point {
+    /// Value of the variable, degrees for angles, else SI.
+    pub(in super::super) x: f64,
+    /// Value without the extension; not a number if the model has no such quantity.
+    pub(in super::super) before: f64,
+    /// Value with the extension.
+    pub(in super::super) after: f64,
+    /// Standard error of the value with the extension.
+    pub(in super::super) error: f64,
+    /// Number of samples in the interval.
+    pub(in super::super) samples: usize,
+}
+
+/// Variable over which a curve is drawn.
+#[derive(Clone, Copy)]
+enum Abscissa {
+    State(usize),
+    /// Index among the quantities of the layout, and among the model's auxiliary variables.
+    Quantity(usize, usize),
+    Time,
+}
+
+/// Curve of the first quantity that one of these effects changes; `None` if they change no scalar quantity that depends on
+/// a scalar variable.
+pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>) -> Option<Curve> {
+    let after = fits.after?;
+    let model = &after.problem().model;
+    effects.into_iter().find_map(|name| {
+        let index = model
+            .effects
+            .iter()
+            .position(|e| e.name == identifier(name))?;
+        let own = model.aux_variables.iter().enumerate();
+        let own = own.filter(|(_, v)| v.effect == Some(index) && v.value.shape == Shape::Scalar);
+        let mut own = own.map(|(at, _)| at);
+        own.find_map(|at| curve(fits.before, after, at, abscissa(after, at, index)?))
+    })
+}
+
+/// The variable on which the definition of an auxiliary variable depends; one that the effect names goes first.
+fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
+    let model = &after.problem().model;
+    let mut found = Vec::new();
+    collect(model, &model.aux_variables[at].value, effect, &mut found);
+    let layout = after.problem().body.layout();
+    let named = |name: &str| model.effects[effect].variables.iter().any(|v| v == name);
+    let usable = found.into_iter().filter_map(|kind| match kind {
+        ExprKind::State(k) => Some((Abscissa::State(*k), model.states[*k].name.as_str())),
+        ExprKind::Time => Some((Abscissa::Time, "time")),
+        ExprKind::AuxVariable(k) => {
+            let name = model.aux_variables[*k].name.as_str();
+            let quantity = layout.quantities.iter().position(|q| q == name)?;
+            Some((Abscissa::Quantity(quantity, *k), name))
+        }
+        _ => None,
+    });
+    let usable: Vec<(Abscissa, &str)> = usable.collect();
+    let first = usable.iter().find(|(_, name)| named(name));
+    first.or(usable.first()).map(|(abscissa, _)| *abscissa)
+}
+
+/// Scalar variables that an expression reads; those that the same effect defines are followed.
+fn collect<'m>(model: &'m Model, expr: &'m Expr, effect: usize, found: &mut Vec<&'m ExprKind>) {
+    match &expr.kind {
+        ExprKind::AuxVariable(k) if model.aux_variables[*k].effect == Some(effect) => {
+            collect(model, &model.aux_variables[*k].value, effect, found);
+        }
+        kind @ (ExprKind::AuxVariable(_) | ExprKind::State(_) | ExprKind::Time)
+            if expr.shape == Shape::Scalar =>
+        {
+            found.push(kind);
+        }
+        _ => expr.children(&mut |child| collect(model, child, effect, found)),
+    }
+}
+
+/// A sample: flight, time, state.
+struct Sample<'f> {
+    flight: usize,
+    t: f64,
+    state: &'f [f64],
+    x: f64,
+}
+
+fn curve(before: &Fit, after: &Fit, at: usize, over: Abscissa) -> Option<Curve> {
+    let problem = after.problem();
+    let variable = &problem.model.aux_variables[at];
+    let position = |fit: &Fit| {
+        let quantities = &fit.problem().body.layout().quantities;
+        quantities.iter().position(|name| *name == variable.name)
+    };
+    let quantity = position(after)?;
+    let flights = 0..after.report.flights.len();
+    let fitted = flights.filter(|&i| after.report.flights[i].role == Role::Fit);
+    let fitted: Vec<FlightId> = fitted.map(FlightId::new).collect();
+    let evidence: Vec<_> = fitted.iter().filter_map(|&f| after.evidence(f)).collect();
+    let all: usize = evidence.iter().map(|f| f.times.len()).sum();
+    let step = all.div_ceil(MOST_SAMPLES).max(1);
+    let names = (
+        over_name(&problem.model, over),
+        unit_of(&problem.model, over),
+    );
+    let in_degrees = match over {
+        Abscissa::State(k) => is_angle_state(&problem.model.states[k]),
+        Abscissa::Quantity(_, k) => is_angle(&problem.model.aux_variables[k].value),
+        Abscissa::Time => false,
+    };
+    let scale = if in_degrees { 1f64.to_degrees() } else { 1.0 };
+    let mut samples = Vec::new();
+    for (flight, found) in evidence.iter().enumerate() {
+        for i in (0..found.times.len()).step_by(step) {
+            let x = match over {
+                Abscissa::State(k) => found.states[i][k],
+                Abscissa::Quantity(k, _) => found.quantities[i][k],
+                Abscissa::Time => found.times[i],
+            };
+            samples.push(Sample {
+                flight,
+                t: found.times[i],
+                state: &found.states[i],
+                x: x * scale,
+            });
+        }
+    }
+    samples.retain(|s| s.x.is_finite());
+    samples.sort_by(|a, b| a.x.total_cmp(&b.x));
+    let models = Models::new(before, after, &fitted, position(before), quantity);
+    let points = points(&samples, &models);
+    let (low, high) = range(points.iter().map(|p| p.after));
+    if points.len() < 3 || high - low <= FLAT * low.abs().max(high.abs()) {
+        return None;
+    }
+    let over_doc = match over {
+        Abscissa::Quantity(_, k) => problem.model.aux_variables[k].doc.as_str(),
+        _ => "",
+    };
+    Some(Curve {
+        quantity: variable.name.clone(),
+        doc: variable.doc.clone(),
+        unit: variable.value.unit.to_string(),
+        over: names.0,
+        over_doc: over_doc.split(',').next().unwrap_or_default().to_owned(),
+        over_unit: if in_degrees { "°".into() } else { names.1 },
+        points,
+    })
+}
+
+fn over_name(model: &Model, over: Abscissa) -> String {
+    match over {
+        Abscissa::State(k) => model.states[k].name.clone(),
+        Abscissa::Quantity(_, k) => model.aux_variables[k].name.clone(),
+        Abscissa::Time => "time".to_owned(),
+    }
+}
+
+fn unit_of(model: &Model, over: Abscissa) -> String {
+    match over {
+        Abscissa::State(k) => model.states[k].unit.to_string(),
+        Abscissa::Quantity(_, k) => model.aux_variables[k].value.unit.to_string(),
+        Abscissa::Time => "s".to_owned(),
+    }
+}
+
+/// Medians in each interval that has enough samples; samples are in the order of the abscissa.
+fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
+    let Some(last) = samples.len().checked_sub(1) else {
+        return Vec::new();
+    };
+    let quantile = |part: f64| samples[(last as f64 * part) as usize].x;
+    let (low, high) = (quantile(QUANTILES.0), quantile(QUANTILES.1));
+    let step = (high - low) / INTERVALS as f64;
+    let below = |x: f64| samples.partition_point(|s| s.x < x);
+    let interval = |k: usize| {
+        let from = low + step * k as f64;
+        let inside = &samples[below(from)..below(from + step)];
+        if inside.len() < SAMPLES.0 {
+            return None;
+        }
+        let every = inside.len().div_ceil(SAMPLES.1);
+        let chosen: Vec<&Sample<'_>> = inside.iter().skip(every / 2).step_by(every).collect();
+        let values: Vec<[f64; 3]> = chosen.iter().map(|sample| models.values(sample)).collect();
+        let middle = |of: usize| median(&mut values.iter().map(|v| v[of]).collect::<Vec<_>>());
+        Some(Point {
+            x: median(&mut chosen.iter().map(|s| s.x).collect::<Vec<_>>()),
+            before: middle(0),
+            after: middle(1),
+            error: middle(2),
+            samples: inside.len(),
+        })
+    };
+    match step > 0.0 {
+        true => (0..INTERVALS).filter_map(interval).collect(),
+        false => Vec::new(),
+    }
+}
+
+/// The quantity by both models, with derivatives by the global parameters of the extended one.
+struct Models<'f> {
+    before: &'f Fit,
+    after: &'f Fit,
+    flights: Vec<(Option<&'f Observations>, Option<&'f Observations>)>,
+    /// Positions of the quantity among the quantities of both models.
+    positions: (Option<usize>, usize),
+    /// Step of each global parameter: its standard error, SI.
+    steps: Vec<f64>,
+    /// Correlations of the global parameters, 0 for those without a standard error.
+    correlations: DMatrix<f64>,
+}
+
+impl<'f> Models<'f> {
+    fn new(
+        before: &'f Fit,
+        after: &'f Fit,
+        flights: &[FlightId],
+        before_at: Option<usize>,
+        after_at: usize,
+    ) -> Models<'f> {
+        let names: Vec<&str> = {
+            let globals = after.problem().globals.iter();
+            globals.map(|g| g.name.as_str()).collect()
+        };
+        let steps = names.iter().map(|name| {
+            let known = after.report.coefficients.get(*name);
+            known
+                .map(std_error)
+                .filter(|e| e.is_finite())
+                .unwrap_or(0.0)
+        });
+        let steps: Vec<f64> = steps.collect();
+        let of = |i: usize| if steps[i] > 0.0 { 1.0 / steps[i] } else { 0.0 };
+        let covariance = covariance(&after.report, &names);
+        let with_evidence = flights.iter().filter(|f| after.evidence(**f).is_some());
+        Models {
+            before,
+            after,
+            flights: with_evidence
+                .map(|&f| (before.flight(f).map(|p| p.0), after.flight(f).map(|p| p.0)))
+                .collect(),
+            positions: (before_at, after_at),
+            correlations: covariance.map_with_location(|i, j, c| c * of(i) * of(j)),
+            steps,
+        }
+    }
+
+    /// Value without the extension, with it, and its standard error.
+    fn values(&self, sample: &Sample<'_>) -> [f64; 3] {
+        let (before, after) = self.flights[sample.flight];
+        let unextended = match (before, self.positions.0) {
+            (Some(observations), Some(at)) => {
+                let states = self.before.problem().body.layout().states.len();
+                let state = &sample.state[..states.min(sample.state.len())];
+                value(
+                    self.before,
+                    observations,
+                    self.before.global(),
+                    (sample.t, state),
+                    at,
+                )
+            }
+            _ => f64::NAN,
+        };
+        let Some(observations) = after else {
+            return [unextended, f64::NAN, f64::NAN];
+        };
+        let at = |global: &DVector<f64>| {
+            let place = (sample.t, sample.state);
+            value(self.after, observations, global, place, self.positions.1)
+        };
+        let global = self.after.global();
+        let slopes = self.steps.iter().enumerate().map(|(i, &step)| {
+            let moved = |by: f64| {
+                let mut moved = global.clone();
+                moved[i] += by;
+                at(&moved)
+            };
+            if step > 0.0 {
+                0.5 * (moved(step) - moved(-step))
+            } else {
+                0.0
+            }
+        });
+        let slopes = DVector::from_iterator(self.steps.len(), slopes);
+        let variance = slopes.dot(&(&self.correlations * &slopes));
+        [unextended, at(global), variance.max(0.0).sqrt()]
+    }
+}
+
+fn value(
+    fit: &Fit,
+    observations: &Observations,
+    global: &DVector<f64>,
+    (t, state): (f64, &[f64]),
+    at: usize,
+) -> f64 {
+    let problem = fit.problem();
+    let bound = problem.body.bind(observations.parameters(problem, global));
+    let mut observer: ModelObserver<'_> = bound.observer();
+    observer.quantities(t, state)[at]
+}

@@ -1,0 +1,176 @@
+//! The first figure of the page: what the finding is.
+
+use diagnose::{CandidateTest, Report, Verdict};
+
+use super::super::draw::drawn;
+use super::super::words;
+use super::curve::Curve;
+use crate::figures::chart::{Axis, Chart, Row, Shape};
+use crate::figures::csv::of_panels;
+use crate::figures::{Bar, Layout, Line, Panel, figure_of, symbol};
+use crate::fit::Drawn;
+use crate::fit::numbers::{Digits, unit};
+
+/// Name of the figure.
+const NAME: &str = "finding";
+/// Maximum number of rows of a chart.
+const MOST_ROWS: usize = 10;
+/// Half width of a 95 % interval, standard errors.
+const WIDTH_95: f64 = 1.96;
+
+/// Label of a value with its unit.
+fn with_unit(name: &str, of: &str) -> String {
+    match unit(of).as_str() {
+        "" => name.to_owned(),
+        unit => format!("{name}, {unit}"),
+    }
+}
+
+/// Draws the quantity of the model before and after over its variable, with its 95 % band and the number of samples.
+pub(super) fn curve(curve: &Curve) -> Drawn {
+    let line = |name: &str, of: fn(&super::curve::Point) -> f64| Line {
+        name: name.into(),
+        points: curve.points.iter().map(|p| (p.x, of(p))).collect(),
+    };
+    let mut lines = vec![line("extended", |p| p.after)];
+    if curve.points.iter().any(|p| p.before.is_finite()) {
+        lines.push(line("before", |p| p.before));
+    }
+    let band = curve.points.iter().map(|p| {
+        let half = WIDTH_95 * p.error;
+        (p.x, p.after - half, p.after + half)
+    });
+    let band: Vec<(f64, f64, f64)> = band.collect();
+    let over = symbol(&curve.over);
+    let across = match curve.over_doc.as_str() {
+        "" => with_unit(&over, &curve.over_unit),
+        doc => with_unit(&format!("{doc} {over}"), &curve.over_unit),
+    };
+    let middle = |i: usize| 0.5 * (curve.points[i].x + curve.points[i + 1].x);
+    let last = curve.points.len() - 1;
+    let bars = curve.points.iter().enumerate().map(|(i, p)| Bar {
+        from: if i == 0 { p.x } else { middle(i - 1) },
+        to: if i == last { p.x } else { middle(i) },
+        height: p.samples as f64,
+    });
+    let panels = [
+        Panel {
+            title: with_unit(&curve.quantity, &curve.unit),
+            lines,
+            ribbon: band,
+            height: Some(190.0),
+            ..Panel::default()
+        },
+        Panel {
+            title: "Samples".into(),
+            across,
+            bars: bars.collect(),
+            height: Some(44.0),
+            ..Panel::default()
+        },
+    ];
+    let title = format!("{} over {over}", curve.quantity);
+    let caption = "Before: the model as it was, fitted. Extended: with the effect, fitted; shaded: its 95\u{a0}% band from \
+                   the covariance of the fit, mostly narrower than the line. Below: how many samples of the fitted flights support each part.";
+    let texts = [caption.to_owned(), of_panels(&panels)];
+    drawn(NAME, &title, texts, Layout::COLUMN, |l| {
+        figure_of(l, &title, &panels)
+    })
+}
+
+/// Draws the estimates of the first explanation against their smallest sizes of interest, or in standard errors.
+pub(super) fn estimates(report: &Report) -> Option<Drawn> {
+    let effects = report.causes.first()?.effects.iter();
+    let all = effects.flat_map(|e| &e.estimates);
+    let all: Vec<_> = all
+        .filter(|(_, e)| e.value.is_finite() && e.std_error > 0.0)
+        .take(MOST_ROWS)
+        .collect();
+    let interest = |e: &diagnose::Estimate| e.smallest_of_interest.filter(|s| *s > 0.0);
+    let by_interest = !all.is_empty() && all.iter().all(|(_, e)| interest(e).is_some());
+    let rows = all.iter().map(|(name, e)| {
+        let scale = match by_interest {
+            true => interest(e).unwrap_or(e.std_error),
+            false => e.std_error,
+        };
+        let (value, half) = (e.value.abs() / scale, WIDTH_95 * e.std_error / scale);
+        let digits = Digits::of(e.value, e.std_error);
+        Row {
+            name: (*name).clone(),
+            class: "strong",
+            shapes: vec![
+                Shape::Span((value - half).max(0.0), value + half, "reach"),
+                Shape::Dot(value, "after"),
+            ],
+            words: format!("{} {}", digits.one(e.value), unit(&e.unit)),
+        }
+    });
+    let rows: Vec<Row> = rows.collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let (across, level) = match by_interest {
+        true => (
+            "size, in units of the smallest size of interest",
+            (1.0, "of interest".to_owned()),
+        ),
+        false => (
+            "size, in standard errors",
+            (report.threshold.z, "significant".to_owned()),
+        ),
+    };
+    let chart = Chart {
+        title: "Size of the effect".into(),
+        legend: Vec::new(),
+        rows,
+        axis: Axis::Sizes,
+        across: across.into(),
+        level: Some(level),
+    };
+    let caption = "Dot and bar: the estimate, without its sign, and its 95\u{a0}% interval; at 0 the effect is absent.";
+    Some(charted(&chart, caption))
+}
+
+/// Draws the strongest score tests against the threshold.
+pub(super) fn strongest(report: &Report) -> Option<Drawn> {
+    let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
+    all.retain(|c| c.z.is_finite());
+    all.sort_by(|a, b| b.z.total_cmp(&a.z));
+    all.truncate(MOST_ROWS);
+    if all.is_empty() {
+        return None;
+    }
+    let rows = all.iter().map(|c| {
+        let bar = if c.significant {
+            "bar alarm"
+        } else {
+            "bar calm"
+        };
+        Row {
+            name: words::readable(&c.name),
+            class: "tick",
+            shapes: vec![Shape::Bar(c.z.max(0.0), bar)],
+            words: words::sigmas(c.z),
+        }
+    });
+    let chart = Chart {
+        title: "The strongest signs of a missing effect".into(),
+        legend: Vec::new(),
+        rows: rows.collect(),
+        axis: Axis::Sizes,
+        across: "equivalent z".into(),
+        level: Some((report.threshold.z, "significant".into())),
+    };
+    let caption = match report.verdict {
+        Verdict::None => {
+            "The effects with the largest test statistics; none reaches the threshold."
+        }
+        _ => "The effects with the largest test statistics.",
+    };
+    Some(charted(&chart, caption))
+}
+
+fn charted(chart: &Chart, caption: &str) -> Drawn {
+    let texts = [caption.to_owned(), chart.csv()];
+    drawn(NAME, &chart.title, texts, Layout::COLUMN, |l| chart.draw(l))
+}

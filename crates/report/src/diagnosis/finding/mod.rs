@@ -1,0 +1,57 @@
+//! The opening of the page: the finding in words, one figure of it, and what to do next.
+
+mod curve;
+mod draw;
+mod words;
+
+use diagnose::Verdict;
+use serde::Serialize;
+
+use super::DiagnosisPage;
+use crate::fit::Drawn;
+
+/// Words of the opening.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Finding {
+    /// What is wrong with the model, and by how much.
+    pub(super) what: String,
+    /// How sure it is.
+    pub(super) sure: String,
+    /// What to do next.
+    pub(super) next: String,
+}
+
+/// Finding with its figure; no figure if there is nothing to draw.
+pub(super) fn finding(page: &DiagnosisPage<'_>) -> (Finding, Option<Drawn>) {
+    let report = page.report;
+    let effects = || {
+        let first = report.causes.first();
+        first.into_iter().flat_map(|cause| &cause.effects)
+    };
+    let is_drawable = report.verdict != Verdict::None;
+    let fits = page.fits.as_ref().filter(|_| is_drawable);
+    let curve = fits.and_then(|fits| curve::of(fits, effects().map(|e| e.name.as_str())));
+    let figure = match (&curve, report.verdict) {
+        (_, Verdict::Negligible) => draw::estimates(report),
+        (Some(curve), _) => Some(draw::curve(curve)),
+        (None, Verdict::None) => draw::strongest(report),
+        (None, Verdict::Unattributed) => None,
+        (None, _) => draw::estimates(report),
+    };
+    let no_channel = report
+        .unattributed
+        .as_ref()
+        .is_none_or(|u| u.channels.is_empty());
+    let figure = match (figure, report.verdict) {
+        (None, Verdict::Unattributed) if !no_channel => None,
+        (None, Verdict::None) => None,
+        (None, _) => draw::strongest(report),
+        (drawn, _) => drawn,
+    };
+    let finding = Finding {
+        what: words::what(report, curve.as_ref()),
+        sure: words::sure(report),
+        next: words::next(page),
+    };
+    (finding, figure)
+}

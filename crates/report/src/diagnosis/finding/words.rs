@@ -1,0 +1,296 @@
+//! Sentences of the opening: what is wrong, how sure it is, what to do next.
+
+use diagnose::{Cause, CauseEffect, Estimate, Report, Verdict};
+use identify::wording::count;
+
+use super::super::{DiagnosisPage, words};
+use super::curve::{Curve, Point};
+use crate::figures::symbol;
+use crate::fit::numbers::{Digits, percent, plain, significant, unit};
+use crate::fit::page::sentence;
+use crate::fit::words::names;
+
+/// Standard errors from zero that are far beyond chance in any number of diagnoses.
+const BEYOND_CHANCE: f64 = 8.0;
+
+/// Least share of the samples that lie at a point of the curve or beyond for the point to be named.
+const LEAST_SHARE: f64 = 0.025;
+
+/// What is wrong, with its size.
+pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
+    let first = report.causes.first();
+    let model = &report.model;
+    match report.verdict {
+        Verdict::None => format!(
+            "Nothing that these flights can show is missing in {model}: its residuals look like the noise of the measurement."
+        ),
+        Verdict::Named => match first {
+            Some(cause) => joined([says(cause), size(curve, first)]),
+            None => "The model lacks an effect.".to_owned(),
+        },
+        Verdict::Ambiguous => match first {
+            Some(cause) => joined([
+                "Something is missing, and these flights cannot show which of several effects it is. The one that fits best:"
+                    .to_owned(),
+                says(cause),
+                size(curve, first),
+            ]),
+            None => "Something is missing, and these flights cannot show what.".to_owned(),
+        },
+        Verdict::Negligible => match first {
+            Some(cause) => joined([
+                "There is an effect that the model lacks, and it is too small to matter:".to_owned(),
+                says(cause),
+                size(None, first),
+            ]),
+            None => "What the model lacks is too small to matter.".to_owned(),
+        },
+        Verdict::Unattributed => {
+            let channels = report.unattributed.iter().flat_map(|u| &u.channels);
+            let most = channels.max_by(|a, b| a.explained.total_cmp(&b.explained));
+            let place = most.filter(|c| c.explained.is_finite()).map(|c| {
+                format!(
+                    "Most of it acts as {}: that alone explains {} of what all terms explain.",
+                    words::site(&c.site),
+                    percent(c.explained)
+                )
+            });
+            joined([
+                "Something is missing that is not in the catalogue of effects.".to_owned(),
+                place.unwrap_or_default(),
+                size(curve, first),
+            ])
+        }
+    }
+}
+
+fn joined(parts: impl IntoIterator<Item = String>) -> String {
+    let parts = parts.into_iter().filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join(" ")
+}
+
+/// What the effects of a cause say.
+fn says(cause: &Cause) -> String {
+    let each = cause.effects.iter().map(|effect| match effect.doc.trim() {
+        "" => sentence(&words::readable(&effect.name)),
+        doc => sentence(&doc.replace('\n', " ")),
+    });
+    joined(each)
+}
+
+/// Size of a cause: where the curve differs most, or the estimates.
+fn size(curve: Option<&Curve>, cause: Option<&Cause>) -> String {
+    let estimates = || {
+        let effects = cause.into_iter().flat_map(|cause| &cause.effects);
+        let all = effects.flat_map(|e| &e.estimates).take(3);
+        let all: Vec<String> = all.map(|(name, e)| estimate(name, e)).collect();
+        match all.is_empty() {
+            true => String::new(),
+            false => format!("Its size: {}.", all.join(", ")),
+        }
+    };
+    let Some((curve, point)) = curve.and_then(|c| Some((c, farthest(c)?))) else {
+        return estimates();
+    };
+    let digits = Digits::of(point.after, point.error);
+    let unit = unit(&curve.unit);
+    let over = match curve.over_doc.as_str() {
+        "" => symbol(&curve.over),
+        doc => doc.to_owned(),
+    };
+    let (space, degrees) = match curve.over_unit.as_str() {
+        "°" => ("", "°"),
+        other => ("\u{a0}", other),
+    };
+    let place = format!("{over} of {}{space}{degrees}", significant(point.x, 3));
+    let quantity = match curve.doc.as_str() {
+        "" => curve.quantity.clone(),
+        doc => format!("{} ({doc})", curve.quantity),
+    };
+    let value = format!(
+        "{} ± {} {unit}",
+        digits.one(point.after),
+        digits.one(point.error)
+    );
+    let value = value.trim_end();
+    match point.before.is_finite() {
+        true => format!(
+            "At {} {place} {quantity} is {value}; the model without it has {}.",
+            article(&over),
+            digits.one(point.before)
+        ),
+        false => format!("At {} {place} {quantity} is {value}.", article(&over)),
+    }
+}
+
+fn article(noun: &str) -> &'static str {
+    match noun.chars().next() {
+        Some('a' | 'e' | 'i' | 'o' | 'u' | 'α') => "an",
+        _ => "a",
+    }
+}
+
+/// The point where the curves differ most, among those with enough samples further out.
+fn farthest(curve: &Curve) -> Option<Point> {
+    let size = |p: &Point| match p.before.is_finite() {
+        true => (p.after - p.before).abs(),
+        false => p.after.abs(),
+    };
+    let all: usize = curve.points.iter().map(|p| p.samples).sum();
+    let mut below = 0;
+    let supported = curve.points.iter().filter(|p| {
+        below += p.samples;
+        let (low, high) = (below as f64, (all - below + p.samples) as f64);
+        low.min(high) >= LEAST_SHARE * all as f64
+    });
+    let known = supported.filter(|p| p.after.is_finite() && p.error.is_finite());
+    known.copied().max_by(|a, b| size(a).total_cmp(&size(b)))
+}
+
+fn estimate(name: &str, e: &Estimate) -> String {
+    let digits = Digits::of(e.value, e.std_error);
+    let text = format!(
+        "{name} = {} ± {} {}",
+        digits.one(e.value),
+        digits.one(e.std_error),
+        unit(&e.unit)
+    );
+    text.trim_end().to_owned()
+}
+
+/// Estimate of a cause that is the most standard errors from zero.
+fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
+    let effects = cause.effects.iter();
+    let all = effects.flat_map(|effect| effect.estimates.iter().map(move |(n, e)| (effect, n, e)));
+    let all = all.map(|(effect, name, e)| (effect, name, (e.value / e.std_error).abs()));
+    let known = all.filter(|(_, _, z)| z.is_finite());
+    known.max_by(|a, b| a.2.total_cmp(&b.2))
+}
+
+/// How sure the finding is.
+pub(super) fn sure(report: &Report) -> String {
+    let tested = count(report.candidates.len(), "effect");
+    let threshold = words::sigmas(report.threshold.z);
+    let first = report.causes.first();
+    let far = first.and_then(clearest).map(|(_, name, z)| {
+        format!(
+            "{name} is {} standard errors away from zero{}.",
+            plain(z, if z < 10.0 { 1 } else { 0 }),
+            if z > BEYOND_CHANCE {
+                ", far beyond chance"
+            } else {
+                ""
+            }
+        )
+    });
+    let rival = first.and_then(|c| c.strongest_remaining.as_ref());
+    let alone = match rival {
+        _ if report.candidates.is_empty() => String::new(),
+        Some(r) => format!(
+            "Of the {tested} tested only this one explains the flights: with it in the model, the strongest of the others \
+             is {} (p = {}).",
+            words::readable(&r.name),
+            words::probability(r.p)
+        ),
+        None => format!("Of the {tested} tested only this one explains the flights."),
+    };
+    match report.verdict {
+        Verdict::None => {
+            let strongest = report
+                .candidates
+                .iter()
+                .map(|c| c.z)
+                .filter(|z| z.is_finite());
+            let strongest = strongest.fold(f64::NAN, f64::max);
+            joined([
+                format!(
+                    "None of the {tested} tested is significant: the largest test statistic is z = {}, and {threshold} would be \
+                     needed.",
+                    words::sigmas(strongest)
+                ),
+                "An effect below its minimum detectable size could still be there; the sizes are listed under the limits \
+                 of these flights."
+                    .to_owned(),
+            ])
+        }
+        Verdict::Named if first.is_some_and(|c| c.effects.len() > 1) => joined([
+            far.unwrap_or_default(),
+            format!("Of the {tested} tested, only these together explain the flights."),
+        ]),
+        Verdict::Named => joined([far.unwrap_or_default(), alone]),
+        Verdict::Ambiguous => joined([
+            "That something is missing is sure".to_owned()
+                + &match far {
+                    Some(far) => format!(": in the best explanation {far}"),
+                    None => ".".to_owned(),
+                },
+            format!(
+                "Which it is, is open: {}.",
+                names(
+                    report
+                        .causes
+                        .iter()
+                        .map(words::cause)
+                        .collect::<Vec<_>>()
+                        .iter()
+                        .map(String::as_str)
+                )
+            ),
+        ]),
+        Verdict::Negligible => joined([
+            far.unwrap_or_default(),
+            "Every estimate is below the smallest size of interest that its effect states."
+                .to_owned(),
+        ]),
+        Verdict::Unattributed => {
+            let strongest = report.lack_of_fit.as_ref().map(words::lack_of_fit);
+            joined([
+                strongest.unwrap_or_default(),
+                format!("None of the {tested} of the catalogue takes the misfit away."),
+            ])
+        }
+    }
+}
+
+/// What to do next.
+pub(super) fn next(page: &DiagnosisPage<'_>) -> String {
+    let report = page.report;
+    if !page.reasons_against.is_empty() {
+        return "First remove the reasons above; until then this is a hint, not a result."
+            .to_owned();
+    }
+    let extended = report.extended_model.as_deref().map(|file| {
+        let checks = match &report.verified {
+            Some(v) if v.holds => "; it passes the independent checks",
+            Some(_) => "; but it fails an independent check",
+            None => "",
+        };
+        format!("The extended model is {file}, with the values found{checks}.")
+    });
+    let throw = report
+        .next_throw
+        .as_ref()
+        .map(|_| "The throw proposed below would best distinguish the explanations.".to_owned());
+    match report.verdict {
+        Verdict::None => {
+            "Use the model as it is. Flights at other speeds, angles and spins would test it where these do not.".to_owned()
+        }
+        Verdict::Named => joined([
+            extended.unwrap_or_default(),
+            "Use it in place of the model, and diagnose it again with new flights.".to_owned(),
+        ]),
+        Verdict::Ambiguous => joined([
+            throw.unwrap_or_else(|| "Flights that differ more in speed, angle and spin would decide.".to_owned()),
+            extended.map(|e| format!("{e} It has the best explanation, which may not be the right one.")).unwrap_or_default(),
+        ]),
+        Verdict::Negligible => {
+            "Keep the model. If an effect of this size matters to you, switch it on with --with.".to_owned()
+        }
+        Verdict::Unattributed => joined([
+            "Look at when and where the load below is missing, and write an effect for it.".to_owned(),
+            extended
+                .map(|e| format!("{e} Its added term is a description of these flights, not an explanation."))
+                .unwrap_or_default(),
+        ]),
+    }
+}

@@ -1,0 +1,142 @@
+//! Figures as PDF or PNG files, drawn from their SVG.
+//!
+//! The font is a part of DejaVu Sans (`fonts/`), so that a figure looks the same on every machine.
+
+use std::sync::{Arc, LazyLock};
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use svg2pdf::usvg::fontdb::Database;
+use svg2pdf::usvg::{self, Options, Tree};
+use thiserror::Error;
+
+/// Pixels of a PNG per SVG unit.
+const SCALE: f32 = 2.0;
+/// Family of the font, which the style sheet of the figures names.
+const FAMILY: &str = "DejaVu Sans";
+
+/// Kind of file that a figure is written as, in addition to SVG.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FigureKind {
+    /// Vector graphics on a page of the figure's size.
+    Pdf,
+    /// Pixels, two per SVG unit, on white.
+    Png,
+}
+
+/// A figure that cannot be drawn.
+#[derive(Debug, Error)]
+pub enum FigureError {
+    /// The SVG is not understood.
+    #[error("the SVG of a figure is not understood")]
+    Svg(#[from] usvg::Error),
+    /// The PDF cannot be made.
+    #[error("a figure cannot be written as PDF: {0}")]
+    Pdf(String),
+    /// The picture is too large or empty.
+    #[error("a figure of {0} × {1} units cannot be drawn as PNG")]
+    Size(f32, f32),
+    /// The PNG cannot be encoded.
+    #[error("a figure cannot be written as PNG: {0}")]
+    Png(String),
+}
+
+impl FigureKind {
+    /// Every kind.
+    pub const ALL: [FigureKind; 2] = [FigureKind::Pdf, FigureKind::Png];
+
+    /// Ending of the file name, and name of the kind in options.
+    pub fn name(self) -> &'static str {
+        match self {
+            FigureKind::Pdf => "pdf",
+            FigureKind::Png => "png",
+        }
+    }
+
+    /// Draws a figure, given as SVG.
+    ///
+    /// # Errors
+    /// [`FigureError`] if the SVG is not understood or the file cannot be made.
+    pub fn draw(self, svg: &str) -> Result<Vec<u8>, FigureError> {
+        let tree = Tree::from_str(svg, &options())?;
+        match self {
+            FigureKind::Pdf => pdf(&tree),
+            FigureKind::Png => png(&tree),
+        }
+    }
+}
+
+fn options() -> Options<'static> {
+    static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
+        let mut fonts = Database::new();
+        fonts.load_font_data(include_bytes!("../fonts/DejaVuSans.ttf").to_vec());
+        fonts.load_font_data(include_bytes!("../fonts/DejaVuSans-Bold.ttf").to_vec());
+        fonts.set_sans_serif_family(FAMILY);
+        Arc::new(fonts)
+    });
+    Options {
+        font_family: FAMILY.to_owned(),
+        fontdb: Arc::clone(&FONTS),
+        ..Options::default()
+    }
+}
+
+fn pdf(tree: &Tree) -> Result<Vec<u8>, FigureError> {
+    let (file, page) = (
+        svg2pdf::ConversionOptions::default(),
+        svg2pdf::PageOptions::default(),
+    );
+    svg2pdf::to_pdf(tree, file, page).map_err(|error| FigureError::Pdf(error.to_string()))
+}
+
+fn png(tree: &Tree) -> Result<Vec<u8>, FigureError> {
+    let (wide, tall) = (tree.size().width(), tree.size().height());
+    let pixels = |length: f32| (SCALE * length).ceil() as u32;
+    let pixmap = Pixmap::new(pixels(wide), pixels(tall));
+    let mut pixmap = pixmap.ok_or(FigureError::Size(wide, tall))?;
+    let transform = Transform::from_scale(SCALE, SCALE);
+    resvg::render(tree, transform, &mut pixmap.as_mut());
+    let encoded = pixmap.encode_png();
+    encoded.map_err(|error| FigureError::Png(error.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::{Layout, Line, Panel, figure_of};
+
+    fn drawn(title: &str) -> String {
+        let panel = Panel {
+            title: "φ\u{307}, 10⁻³ rad/s".into(),
+            across: "α, °".into(),
+            lines: vec![Line {
+                name: "before".into(),
+                points: vec![(0.0, 1.0), (1.0, 2.0)],
+            }],
+            ..Panel::default()
+        };
+        figure_of(Layout::SMALL, title, &[panel])
+    }
+
+    #[test]
+    fn a_figure_is_a_file_of_each_kind() {
+        let pdf = FigureKind::Pdf.draw(&drawn("C_L over α")).unwrap();
+        assert!(pdf.starts_with(b"%PDF-"));
+        let png = FigureKind::Png.draw(&drawn("C_L over α")).unwrap();
+        assert!(png.starts_with(b"\x89PNG"));
+        let wide = u32::from_be_bytes(png[16..20].try_into().unwrap());
+        assert_eq!(f64::from(wide), 2.0 * Layout::SMALL.width);
+        assert!(FigureKind::Pdf.draw("<svg").is_err());
+    }
+
+    /// Text is drawn with the font of this crate: another title is another picture, and the values that only pointing shows are
+    /// not drawn.
+    #[test]
+    fn text_is_drawn_and_values_are_not() {
+        let pixels = |svg: &str| FigureKind::Png.draw(svg).unwrap();
+        assert_ne!(pixels(&drawn("C_L over α")), pixels(&drawn("C_D over α")));
+        let svg = drawn("C_L over α");
+        let first = svg.find("<g class=\"value\"").unwrap();
+        let without = format!("{}</svg>", &svg[..first]);
+        assert_eq!(pixels(&svg), pixels(&without));
+    }
+}

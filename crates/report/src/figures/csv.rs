@@ -1,0 +1,140 @@
+//! CSV tables of the numbers behind a figure.
+
+use super::panel::Panel;
+
+/// CSV table under construction.
+pub(crate) struct Table {
+    text: String,
+    is_line_begun: bool,
+}
+
+impl Table {
+    pub(crate) fn new(head: &[&str]) -> Table {
+        let mut table = Table {
+            text: String::new(),
+            is_line_begun: false,
+        };
+        for name in head {
+            table.text(name);
+        }
+        table.end();
+        table
+    }
+
+    /// Adds a cell of text, quoted where CSV needs it.
+    pub(crate) fn text(&mut self, cell: &str) -> &mut Table {
+        self.separate();
+        if cell.contains([',', '"', '\n', '\r']) {
+            self.text += &format!("\"{}\"", cell.replace('"', "\"\""));
+        } else {
+            self.text += cell;
+        }
+        self
+    }
+
+    /// Adds a number with six significant digits; an empty cell if it is not finite.
+    pub(crate) fn number(&mut self, value: f64) -> &mut Table {
+        let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
+        self.separate();
+        if rounded.is_finite() {
+            let size = rounded.abs();
+            let is_plain = size == 0.0 || (1e-4..1e7).contains(&size);
+            self.text += &match is_plain {
+                true => format!("{rounded}"),
+                false => format!("{rounded:e}"),
+            };
+        }
+        self
+    }
+
+    /// Adds a number, or an empty cell.
+    pub(crate) fn optional(&mut self, value: Option<f64>) -> &mut Table {
+        self.number(value.unwrap_or(f64::NAN))
+    }
+
+    /// Ends the line.
+    pub(crate) fn end(&mut self) {
+        self.text.push('\n');
+        self.is_line_begun = false;
+    }
+
+    pub(crate) fn finish(self) -> String {
+        self.text
+    }
+
+    fn separate(&mut self) {
+        if self.is_line_begun {
+            self.text.push(',');
+        }
+        self.is_line_begun = true;
+    }
+}
+
+/// CSV table of panels: one line per point, bar, band or level.
+pub(crate) fn of_panels(panels: &[Panel]) -> String {
+    let mut table = Table::new(&["panel", "kind", "series", "x", "x_end", "y", "y_end"]);
+    for panel in panels {
+        let mut line = |kind: &str, series: &str, x: [Option<f64>; 2], y: [Option<f64>; 2]| {
+            table.text(&panel.title).text(kind).text(series);
+            table.optional(x[0]).optional(x[1]);
+            table.optional(y[0]).optional(y[1]).end();
+        };
+        for (x, low, high) in &panel.ribbon {
+            line("band", "", [Some(*x), None], [Some(*low), Some(*high)]);
+        }
+        for of in &panel.lines {
+            for (x, y) in &of.points {
+                line("line", &of.name, [Some(*x), None], [Some(*y), None]);
+            }
+        }
+        for (i, dots) in panel.dots.iter().enumerate() {
+            let series = (i + 1).to_string();
+            for (x, y) in &dots.points {
+                line("point", &series, [Some(*x), None], [Some(*y), None]);
+            }
+        }
+        for bar in &panel.bars {
+            let x = [Some(bar.from), Some(bar.to)];
+            line("bar", "", x, [Some(bar.height), None]);
+        }
+        for level in &panel.levels {
+            line("level", "", [None, None], [Some(*level), None]);
+        }
+    }
+    table.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::Line;
+
+    #[test]
+    fn cells_are_quoted_and_numbers_rounded() {
+        let mut table = Table::new(&["a", "b,c"]);
+        table.text("x\"y").number(1.0 / 3.0).end();
+        table.number(-1.5e-9).number(f64::NAN).end();
+        let text = table.finish();
+        assert_eq!(text, "a,\"b,c\"\n\"x\"\"y\",0.333333\n-1.5e-9,\n");
+    }
+
+    #[test]
+    fn every_point_of_a_panel_has_a_line() {
+        let panel = Panel {
+            title: "C, 1".into(),
+            lines: vec![Line {
+                name: "before".into(),
+                points: vec![(1.0, 2.0), (3.0, 4.0)],
+            }],
+            ribbon: vec![(1.0, 1.5, 2.5)],
+            levels: vec![9.0],
+            ..Panel::default()
+        };
+        let text = of_panels(&[panel]);
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines[1], "\"C, 1\",band,,1,,1.5,2.5");
+        assert_eq!(lines[3], "\"C, 1\",line,before,3,,4,");
+        assert_eq!(lines[4], "\"C, 1\",level,,,,9,");
+        assert_eq!(lines.len(), 5);
+    }
+}

@@ -1,0 +1,58 @@
+//! First figure of the page of a fit: how precisely the flights determine each coefficient.
+
+use super::super::{Drawn, FitPage};
+use crate::bands::std_error;
+use crate::figures::Layout;
+use crate::figures::chart::{Axis, Chart, Row, Shape};
+use crate::fit::numbers::percent;
+
+/// Relative standard errors between which the axis extends, %.
+const AXIS: (f64, f64) = (0.1, 1e3);
+/// Maximum number of rows.
+const MOST: usize = 24;
+
+/// Draws the relative standard error of each estimated coefficient, the most precise first; `None` without one.
+pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
+    let found = page.coefficients().into_iter();
+    let sizes = found.map(|(name, c)| (name, c, std_error(c) / c.value.abs()));
+    let mut sizes: Vec<_> = sizes
+        .filter(|(_, c, size)| !c.held && size.is_finite())
+        .collect();
+    sizes.sort_by(|a, b| a.2.total_cmp(&b.2));
+    let left_out = sizes.len().saturating_sub(MOST);
+    sizes.truncate(MOST);
+    if sizes.is_empty() {
+        return None;
+    }
+    let row = |(name, _, size): &(&str, &identify::Coefficient, f64)| {
+        let class = if *size < 1.0 { "bar" } else { "bar loose" };
+        Row {
+            name: (*name).to_owned(),
+            class: "tick",
+            shapes: vec![Shape::Bar((1e2 * size).clamp(AXIS.0, AXIS.1), class)],
+            words: percent(*size),
+        }
+    };
+    let chart = Chart {
+        title: "Precision of each coefficient".into(),
+        legend: Vec::new(),
+        rows: sizes.iter().map(row).collect(),
+        axis: Axis::Log(AXIS.0),
+        across: "standard error, % of the value".into(),
+        level: Some((100.0, "as large as the value".into())),
+    };
+    let more = match left_out {
+        0 => String::new(),
+        n => format!(" {n} less precise ones are not drawn."),
+    };
+    let caption = format!(
+        "Short bars: well determined. A bar up to the broken line: the standard error is {} of the value, so that not even the \
+         sign is known. The larger of the two kinds of standard error is drawn.{more}",
+        percent(1.0)
+    );
+    let draw = |layout| chart.draw(layout);
+    let texts = [caption, draw(Layout::COLUMN), chart.csv()];
+    let mut drawn = Drawn::new("precision".into(), chart.title.clone(), texts);
+    drawn.narrow = Some(draw(Layout::SMALL));
+    Some(drawn)
+}

@@ -1,0 +1,113 @@
+//! Figures of the prediction of held-out flights: errors over time with the band that the fit predicts for them.
+
+use identify::dataset::Role;
+use identify::{Fit, FlightEvidence, FlightId};
+
+use super::super::Drawn;
+use super::super::thin::{MOST, stride};
+use super::{is_outlier, predicted, samples, seen, small};
+use crate::bands::{PredictionBand, prediction_band};
+use crate::figures::{Dots, Look, Mark, Panel};
+
+/// Maximum number of flights that are drawn.
+const MOST_FLIGHTS: usize = 6;
+/// Maximum number of dots of a series.
+const MOST_DOTS: usize = 400;
+/// Half width of a 95 % interval, standard errors.
+const WIDTH_95: f64 = 1.96;
+
+/// Draws the prediction errors of each held-out flight, by `fit` and, in grey, those in `before` by another model.
+pub(crate) fn predictions(
+    fit: &Fit,
+    evidence: &[FlightEvidence],
+    before: &[FlightEvidence],
+) -> Vec<Drawn> {
+    let held_out = evidence
+        .iter()
+        .filter(|f| f.role == Role::HeldOut && !f.markers.is_empty());
+    let figures = held_out.take(MOST_FLIGHTS).enumerate();
+    figures
+        .filter_map(|(i, flight)| {
+            let index = fit
+                .report
+                .flights
+                .iter()
+                .position(|f| f.file == flight.file)?;
+            let band = prediction_band(fit, FlightId::new(index))?;
+            let other = before.iter().find(|f| f.file == flight.file);
+            Some(figure(i, flight, other, &band, fit.noise().sigma))
+        })
+        .collect()
+}
+
+fn figure(
+    index: usize,
+    flight: &FlightEvidence,
+    before: Option<&FlightEvidence>,
+    band: &PredictionBand,
+    sigma: [f64; 3],
+) -> Drawn {
+    let first = flight.times.get(band.first).copied();
+    let panel = |(axis, name): (usize, &str)| {
+        let half = |sample: usize| {
+            let errors = band.std_error.get(sample)?.iter().map(|error| error[axis]);
+            let largest = errors.filter(|e| e.is_finite()).reduce(f64::max)?;
+            Some(1e3 * WIDTH_95 * largest.hypot(sigma[axis]))
+        };
+        let ribbon = samples(flight).filter_map(|s| Some((flight.times[s], -half(s)?, half(s)?)));
+        let ribbon: Vec<(f64, f64, f64)> = ribbon.collect();
+        let pale = before.map(|before| Dots {
+            look: Look::Pale,
+            points: stride(&errors(before, axis), MOST_DOTS),
+        });
+        let own = Dots {
+            look: Look::Colour(0),
+            points: stride(&errors(flight, axis), MOST_DOTS),
+        };
+        let mark = first.map(|t| Mark {
+            name: "predicted from here".into(),
+            at: (t, f64::NAN),
+        });
+        Panel {
+            title: format!("{name}, mm"),
+            across: if axis == 2 {
+                "time, s".into()
+            } else {
+                String::new()
+            },
+            dots: pale.into_iter().chain([own]).collect(),
+            ribbon: stride(&ribbon, MOST),
+            marks: mark.filter(|_| axis == 0).into_iter().collect(),
+            height: Some(84.0),
+            ..Panel::default()
+        }
+    };
+    let panels: Vec<Panel> = ["x", "y", "z"].into_iter().enumerate().map(panel).collect();
+    let grey = match before {
+        Some(_) => "; grey: by the model before",
+        None => "",
+    };
+    let caption = format!(
+        "Measured − predicted, all markers{grey}. Shaded: where 95\u{a0}% of the points of a correct model lie, from the covariance \
+         of the coefficients, of the initial state (fitted to the first 30\u{a0}%) and of the noise."
+    );
+    let name = format!("prediction-{:02}", index + 1);
+    small(name, flight.file.clone(), caption, &panels)
+}
+
+/// Times (s) and prediction errors (mm) along an axis, outliers excluded.
+fn errors(flight: &FlightEvidence, axis: usize) -> Vec<(f64, f64)> {
+    let mut errors = Vec::new();
+    for sample in samples(flight) {
+        for marker in 0..flight.markers.len() {
+            let Some(place) = seen(flight, sample, marker) else {
+                continue;
+            };
+            let error = 1e3 * (place[axis] - predicted(flight, sample, marker)[axis]);
+            if error.is_finite() && !is_outlier(flight, sample, marker) {
+                errors.push((flight.times[sample], error));
+            }
+        }
+    }
+    errors
+}

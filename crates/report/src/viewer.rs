@@ -1,0 +1,134 @@
+//! View of flights in three dimensions: one self-contained HTML file that plays them.
+//!
+//! The page draws on a canvas with a script of its own, `viewer/viewer.js`; it loads nothing.
+
+mod samples;
+
+use codegen::latex;
+use flight::CompiledModel;
+use flight::release::Release;
+use identify::dataset::Role;
+use identify::{Fit, FlightId};
+use minijinja::context;
+use minijinja::value::Value;
+use model_spec::model::{Expr, Model};
+use ode::Trajectory;
+use serde::Serialize;
+
+use crate::fit::page::rendered;
+use samples::{Place, flown, recorded};
+
+/// Maximum numbers of flights, and of samples of a flight.
+const MOST_FLIGHTS: usize = 24;
+const MOST_SAMPLES: usize = 240;
+
+/// Shape by which a body is drawn, with its axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Shape {
+    /// A body with an axis of symmetry, its third.
+    Disc,
+    /// Any other rigid body: its axes alone.
+    Cross,
+    /// A point mass.
+    Ball,
+}
+
+/// Flights of one model, to be shown together.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct View {
+    shape: Shape,
+    /// Greatest distance of a marker from the origin of the body frame, m; none if unknown.
+    radius: Option<f64>,
+    flights: Vec<samples::Flight>,
+}
+
+impl View {
+    /// The flights of a fit, measured and predicted, in the dataset's order; evenly chosen ones if there are many. `by` says
+    /// what predicts, and distinguishes flights of two models; it may be empty.
+    pub fn of_fit(fit: &Fit, by: &str) -> View {
+        let problem = fit.problem();
+        let used = (0..fit.report.flights.len()).filter(|&i| fit.report.flights[i].is_used());
+        let used: Vec<usize> = used.collect();
+        let step = used.len().div_ceil(MOST_FLIGHTS).max(1);
+        let flights = used.iter().step_by(step).filter_map(|&i| {
+            let id = FlightId::new(i);
+            let evidence = fit.evidence(id)?;
+            let (observations, _) = fit.flight(id)?;
+            let parameters = observations.parameters(problem, fit.global());
+            let place = Place::new(&problem.model, &problem.body, parameters);
+            let role = match evidence.role {
+                Role::Fit => "fitted",
+                Role::HeldOut => "not fitted",
+            };
+            let mut flight = recorded(&place, &evidence, MOST_SAMPLES);
+            if by.is_empty() {
+                flight.note = role.to_owned();
+            } else {
+                flight.name += &format!(" · {by}");
+                flight.note = format!("{role}; predicted by the {by} model");
+            }
+            Some(flight)
+        });
+        let markers = problem.markers.iter().map(|m| m[0].hypot(m[1]).hypot(m[2]));
+        View {
+            shape: shape(&problem.model),
+            radius: Some(markers.fold(0.0, f64::max)).filter(|r| *r > 0.0),
+            flights: flights.collect(),
+        }
+    }
+
+    /// A simulated flight.
+    pub fn of_trajectory(
+        name: &str,
+        model: &Model,
+        body: &CompiledModel,
+        release: &Release,
+        trajectory: &Trajectory,
+    ) -> View {
+        let place = Place::new(model, body, body.release_parameters(release));
+        View {
+            shape: shape(model),
+            radius: None,
+            flights: vec![flown(&place, name, trajectory, MOST_SAMPLES)],
+        }
+    }
+
+    /// Adds the flights of another view of the same body.
+    pub fn join(mut self, other: View) -> View {
+        self.flights.extend(other.flights);
+        self
+    }
+
+    /// The page; `None` if there is no flight to show.
+    pub fn html(&self, title: &str) -> Option<String> {
+        if self.flights.is_empty() {
+            return None;
+        }
+        let safe = |text: &str| Value::from_safe_string(text.to_owned());
+        // In a script `<` could end the element.
+        let data = serde_json::to_string(self).ok()?.replace('<', "\\u003c");
+        let context = context! {
+            title,
+            css => safe(include_str!("../viewer/viewer.css")),
+            script => safe(include_str!("../viewer/viewer.js")),
+            data => safe(&data),
+        };
+        Some(rendered(include_str!("../viewer/viewer.html"), context))
+    }
+}
+
+/// Shape of a model's body: a disc if its first two moments of inertia are the same expression.
+fn shape(model: &Model) -> Shape {
+    let inertia: Option<&[[Expr; 3]; 3]> = match (&model.body, &model.claim) {
+        (Some(body), _) => body.rotation.as_ref().map(|r| &r.inertia),
+        (None, Some(claim)) => claim.rotation.as_ref().map(|r| &r.inertia),
+        (None, None) => None,
+    };
+    let text = |expr| latex::expression(model, expr);
+    match inertia {
+        None => Shape::Ball,
+        Some(inertia) if text(&inertia[0][0]) == text(&inertia[1][1]) => Shape::Disc,
+        Some(_) => Shape::Cross,
+    }
+}

@@ -1,0 +1,261 @@
+//! Samples of a flight for the viewer: position, attitude, markers and numbers at each time.
+
+use flight::{BoundModel, CompiledModel};
+use identify::FlightEvidence;
+use model_spec::model::{Model, Shape};
+use ode::Trajectory;
+use serde::Serialize;
+
+use crate::angle::is_angle;
+use crate::figures::symbol;
+use crate::fit::numbers::unit;
+use crate::fit::thin::stride;
+
+/// Maximum numbers of shown numbers and of shown markers.
+const MOST_NUMBERS: usize = 10;
+const MOST_MARKERS: usize = 12;
+/// Units of the quantities that are shown after the angles.
+const UNITS: [&str; 2] = ["m/s", "rad/s"];
+
+/// A flight, lengths in m and times in s.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Flight {
+    pub(super) name: String,
+    /// What is shown, in a few words.
+    pub(super) note: String,
+    times: Vec<f64>,
+    /// Position of the body's origin.
+    position: Vec<[f64; 3]>,
+    /// Rotation matrices from the body to the inertial frame, row by row; none for a point mass.
+    attitude: Option<Vec<[f64; 9]>>,
+    /// Measured and predicted positions of the markers.
+    measured: Vec<Vec<Option<[f64; 3]>>>,
+    predicted: Vec<Vec<[f64; 3]>>,
+    /// Times and positions of the mean of the measured markers, where all are measured.
+    trail_times: Vec<f64>,
+    trail: Vec<[f64; 3]>,
+    arrows: Vec<Arrow>,
+    numbers: Vec<Number>,
+}
+
+/// Constant vector that is given with a flight, such as the wind.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Arrow {
+    name: String,
+    value: [f64; 3],
+    unit: String,
+}
+
+/// Number shown over time.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Number {
+    name: String,
+    unit: String,
+    values: Vec<Option<f64>>,
+}
+
+/// A model with the parameters of one flight, which says where the body is in a state.
+pub(super) struct Place<'m> {
+    model: &'m Model,
+    body: &'m CompiledModel,
+    parameters: Vec<f64>,
+}
+
+impl<'m> Place<'m> {
+    pub(super) fn new(model: &'m Model, body: &'m CompiledModel, parameters: Vec<f64>) -> Self {
+        Place {
+            model,
+            body,
+            parameters,
+        }
+    }
+
+    /// Flight at these times and states, without what was measured; samples without a finite position are left out.
+    fn flight(&self, name: &str, samples: &[(f64, &[f64])]) -> (Flight, Vec<bool>) {
+        let bound = self.body.bind(self.parameters.clone());
+        let has_attitude = self.model.marker.as_ref().is_some_and(|m| m.frame != 0);
+        let mut flight = Flight {
+            name: name.to_owned(),
+            note: String::new(),
+            times: Vec::new(),
+            position: Vec::new(),
+            attitude: has_attitude.then(Vec::new),
+            measured: Vec::new(),
+            predicted: Vec::new(),
+            trail_times: Vec::new(),
+            trail: Vec::new(),
+            arrows: self.arrows(),
+            numbers: Vec::new(),
+        };
+        let mut kept = Vec::with_capacity(samples.len());
+        let mut states = Vec::new();
+        for &(t, state) in samples {
+            let seen = self.seen(&bound, t, state);
+            kept.push(seen.is_some());
+            let Some((position, attitude)) = seen else {
+                continue;
+            };
+            flight.times.push(rounded(t));
+            flight.position.push(position.map(rounded));
+            if let Some(all) = &mut flight.attitude {
+                all.push(attitude.map(rounded));
+            }
+            states.push((t, state));
+        }
+        flight.numbers = self.numbers(&bound, &flight.position, &states);
+        (flight, kept)
+    }
+
+    /// Position and attitude of the body, as the measurement equation sees its origin and its axes; the states `x`, `y`, `z`
+    /// of a model that observes nothing.
+    fn seen(&self, bound: &BoundModel<'_>, t: f64, state: &[f64]) -> Option<([f64; 3], [f64; 9])> {
+        if self.model.observation.is_none() {
+            let layout = self.body.layout();
+            let place = |name: &str| Some(*state.get(layout.state(name)?.index())?);
+            let origin = [place("x")?, place("y")?, place("z")?];
+            let is_finite = origin.iter().all(|v| v.is_finite());
+            return is_finite.then_some((origin, [0.0; 9]));
+        }
+        let mut observer = bound.observer();
+        let origin = observer.position(t, state, &[0.0; 3]);
+        let mut attitude = [0.0; 9];
+        for axis in 0..3 {
+            let mut point = [0.0; 3];
+            point[axis] = 1.0;
+            let end = observer.position(t, state, &point);
+            for row in 0..3 {
+                attitude[3 * row + axis] = end[row] - origin[row];
+            }
+        }
+        let mut all = origin.iter().chain(&attitude);
+        all.all(|v| v.is_finite()).then_some((origin, attitude))
+    }
+
+    /// Inputs in the inertial frame that do not vanish.
+    fn arrows(&self) -> Vec<Arrow> {
+        let layout = self.body.layout();
+        let given = self.model.inputs.iter().filter(|input| input.frame == 0);
+        let arrows = given.filter_map(|input| {
+            let component = |axis: &str| {
+                let name = format!("{}_{axis}", input.name);
+                let at = layout.parameters.iter().position(|p| *p == name)?;
+                self.parameters.get(at).copied().filter(|v| v.is_finite())
+            };
+            Some(Arrow {
+                name: input.name.clone(),
+                value: [component("x")?, component("y")?, component("z")?],
+                unit: input.unit_text.clone(),
+            })
+        });
+        arrows
+            .filter(|a| a.value.iter().any(|v| *v != 0.0))
+            .collect()
+    }
+
+    /// Height, distance, and the model's angles, speeds and rates.
+    fn numbers(
+        &self,
+        bound: &BoundModel<'_>,
+        position: &[[f64; 3]],
+        states: &[(f64, &[f64])],
+    ) -> Vec<Number> {
+        let first = position.first().copied().unwrap_or_default();
+        let number = |name: &str, of: &dyn Fn(&[f64; 3]) -> f64| Number {
+            name: name.to_owned(),
+            unit: "m".to_owned(),
+            values: position.iter().map(|p| Some(rounded(of(p)))).collect(),
+        };
+        let mut numbers = vec![
+            number("height z", &|p| p[2]),
+            number("distance", &|p| (p[0] - first[0]).hypot(p[1] - first[1])),
+        ];
+        let layout = self.body.layout();
+        let scalars = self.model.aux_variables.iter().filter_map(|variable| {
+            let at = layout.quantities.iter().position(|q| *q == variable.name)?;
+            let is_scalar = variable.value.shape == Shape::Scalar;
+            let of = variable.value.unit.to_string();
+            let rank = match is_angle(&variable.value) {
+                true => 0,
+                false => 1 + UNITS.iter().position(|known| *known == of)?,
+            };
+            is_scalar.then_some((rank, at, variable, of))
+        });
+        let mut scalars: Vec<_> = scalars.collect();
+        scalars.sort_by_key(|(rank, ..)| *rank);
+        scalars.truncate(MOST_NUMBERS - numbers.len());
+        let mut observer = bound.observer();
+        let rows: Vec<Vec<f64>> = states
+            .iter()
+            .map(|(t, x)| observer.quantities(*t, x))
+            .collect();
+        numbers.extend(scalars.into_iter().map(|(_, at, variable, of)| {
+            let (scale, of) = match is_angle(&variable.value) {
+                true => (1f64.to_degrees(), "°".to_owned()),
+                false => (1.0, unit(&of)),
+            };
+            let name = match variable.doc.split([',', ':']).next() {
+                None | Some("") => symbol(&variable.name),
+                Some(doc) => format!("{doc} {}", symbol(&variable.name)),
+            };
+            let value = |row: &Vec<f64>| Some(rounded(row[at] * scale)).filter(|v| v.is_finite());
+            Number {
+                name,
+                unit: of,
+                values: rows.iter().map(value).collect(),
+            }
+        }));
+        numbers
+    }
+}
+
+/// Length or other number to a hundredth of a millimetre, and at least six digits where it is small.
+fn rounded(value: f64) -> f64 {
+    match value.abs() {
+        size if size >= 0.1 => (value * 1e5).round() / 1e5,
+        _ => format!("{value:.5e}").parse().unwrap_or(value),
+    }
+}
+
+/// A simulated flight.
+pub(super) fn flown(place: &Place<'_>, name: &str, flown: &Trajectory, most: usize) -> Flight {
+    let length = flown.end - flown.start;
+    let rate = (most.saturating_sub(2).max(1)) as f64 / length.max(f64::MIN_POSITIVE);
+    let samples: Vec<(f64, Vec<f64>)> = flown.at_rate(rate).map(|(t, x)| (t, x.to_vec())).collect();
+    let samples: Vec<(f64, &[f64])> = samples.iter().map(|(t, x)| (*t, x.as_slice())).collect();
+    let mut flight = place.flight(name, &samples).0;
+    flight.measured = vec![Vec::new(); flight.times.len()];
+    flight.predicted = flight.measured.iter().map(|_| Vec::new()).collect();
+    flight
+}
+
+/// A measured flight with its prediction.
+pub(super) fn recorded(place: &Place<'_>, evidence: &FlightEvidence, most: usize) -> Flight {
+    let lengths = [
+        evidence.states.len(),
+        evidence.measured.len(),
+        evidence.predicted.len(),
+    ];
+    let length = lengths.into_iter().fold(evidence.times.len(), usize::min);
+    let chosen = stride(&(0..length).collect::<Vec<_>>(), most);
+    let at = |i: &usize| (evidence.times[*i], evidence.states[*i].as_slice());
+    let samples: Vec<(f64, &[f64])> = chosen.iter().map(at).collect();
+    let (mut flight, kept) = place.flight(&evidence.file, &samples);
+    for (i, _) in chosen.iter().zip(&kept).filter(|(_, kept)| **kept) {
+        let measured = evidence.measured[*i].iter().take(MOST_MARKERS);
+        let measured: Vec<Option<[f64; 3]>> = measured.map(|p| p.map(|p| p.map(rounded))).collect();
+        let predicted = evidence.predicted[*i].iter().take(MOST_MARKERS);
+        let all: Option<Vec<[f64; 3]>> = measured.iter().copied().collect();
+        if let Some(all) = all.filter(|all| !all.is_empty()) {
+            let sum = |axis: usize| all.iter().map(|p| p[axis]).sum::<f64>();
+            flight.trail_times.push(rounded(evidence.times[*i]));
+            flight
+                .trail
+                .push([0, 1, 2].map(|axis| rounded(sum(axis) / all.len() as f64)));
+        }
+        flight.measured.push(measured);
+        flight
+            .predicted
+            .push(predicted.map(|p| p.map(rounded)).collect());
+    }
+    flight
+}
