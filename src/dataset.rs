@@ -37,6 +37,7 @@ impl DatasetBuilder {
                 markers: Vec::new(),
                 sensors: Vec::new(),
                 unknown_vertical: false,
+                origin_error: None,
                 sigma: None,
                 flights: Vec::new(),
             },

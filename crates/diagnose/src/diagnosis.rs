@@ -60,8 +60,12 @@ pub fn diagnose_with<R: Send>(
     options.validate(model)?;
     let started = Instant::now();
     // Effects on readings need the quantities that the instruments measure.
-    let (model, dataset) = identify::resolve(model, dataset, &options.fit)?;
-    let (model, dataset) = (&model, &*dataset);
+    let resolved = identify::resolve(model, dataset, &options.fit)?;
+    let (model, dataset) = (&resolved.model, &*resolved.dataset);
+    let options = &DiagnosisOptions {
+        fit: resolved.options(&options.fit),
+        ..*options
+    };
     let base = BaseFit::new(Context {
         model,
         dataset,

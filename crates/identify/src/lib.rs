@@ -54,7 +54,7 @@ pub use report::{
 pub use statistics::{median, robust_sigma};
 pub use uncertainty::interval;
 
-pub use unknowns::{fit, resolve};
+pub use unknowns::{Resolved, fit, resolve};
 pub use vertical::{ANGLES as VERTICAL_ANGLES, upward};
 
 // The estimation problem, and predictions with their derivatives.

@@ -77,6 +77,9 @@ pub fn with_vertical(
         match fit(&turned(model, start)?, &few, &of_few) {
             Ok(found) => {
                 let misfit = misfit(&found);
+                if let Some(angles) = estimated(&found).filter(|_| reaches_noise(&found)) {
+                    return turned(model, angles);
+                }
                 if best.is_none_or(|(least, _)| misfit < least)
                     && let Some(angles) = estimated(&found)
                 {
@@ -90,6 +93,15 @@ pub fn with_vertical(
         Some((_, angles)) => turned(model, angles),
         None => Err(failure),
     }
+}
+
+/// Ratio of the root mean square to the noise of a smoother at which no other direction can fit better.
+const NOISE_RATIO: f64 = 1.1;
+
+/// Whether a fit leaves the noise alone.
+fn reaches_noise(found: &Fit) -> bool {
+    let floor = found.report.noise.floor_m;
+    floor.is_some_and(|floor| misfit(found) < NOISE_RATIO * floor)
 }
 
 /// Root mean square that a fit leaves; each excluded flight counts as much again.

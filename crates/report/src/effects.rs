@@ -68,7 +68,11 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     };
     let mut all: Vec<Listed> = Vec::new();
     for name in names {
-        let plain = load(name, &[])?;
+        // What is wrong with readings is listed for a model with every instrument that it can carry.
+        let plain = match model {
+            None => load(name, &[])?.with_every_instrument(),
+            Some(_) => load(name, &[])?,
+        };
         let tree = ModelTree::of(&plain);
         for known in known_effects(&plain) {
             let is_offered = match known.refused {

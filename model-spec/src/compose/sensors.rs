@@ -73,6 +73,14 @@ impl Model {
         }
         ModelTree::of(self).with_instruments(instruments)?.check()
     }
+
+    /// The model with a quantity for each instrument that it can carry: a point mass has a speed alone.
+    pub fn with_every_instrument(&self) -> Model {
+        let all = Instrument::ALL.into_iter();
+        all.fold(self.clone(), |model, instrument| {
+            model.with_instruments(&[instrument]).unwrap_or(model)
+        })
+    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,10 @@ use std::fmt::Write;
 use anyhow::{Context, bail};
 use identify::dataset::Marker;
 use takes::words::{listed, shown};
-use takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
+use takes::{
+    CentreHeight, EstimatedTemplate, FreeFlight, ReadOptions, Take, ThrowOptions, Throws,
+    estimate_template,
+};
 
 use super::template::Template;
 use super::{no_throw, up_of};
@@ -20,6 +23,8 @@ pub struct Estimated {
     pub template: Template,
     pub decisions: String,
     pub comments: Vec<String>,
+    /// Standard errors of the centre of mass along the axes of the body, m.
+    pub origin_error: [f64; 3],
 }
 
 /// Positions of the points that move as one body in every take that has a throw. Labels that are no names of markers get one.
@@ -28,7 +33,10 @@ pub fn estimated(
     reading: &ReadOptions,
     names: &mut BTreeMap<String, String>,
 ) -> anyhow::Result<Estimated> {
-    if let Some(height) = options.centre_height.filter(|h| h.is_nan() || h.abs() > FARTHEST) {
+    if let Some(height) = options
+        .centre_height
+        .filter(|h| h.is_nan() || h.abs() > FARTHEST)
+    {
         bail!(
             "--centre-height: found {height}, expected metres, at most {FARTHEST} (millimetres?)"
         );
@@ -99,6 +107,7 @@ pub fn estimated(
         format!("estimated from the takes; standard errors of the position, m: {x}, {y}, {z}")
     });
     Ok(Estimated {
+        origin_error: origin_error(&found),
         comments: comments.collect(),
         template: Template {
             model: None,
@@ -115,6 +124,24 @@ pub fn estimated(
         },
         decisions,
     })
+}
+
+/// Least standard error of the centre of mass along the axis where it is assumed, m.
+const ASSUMED: f64 = 0.02;
+
+/// Standard errors of the centre of mass along the axes of the body, m; 0 along an axis where it is stated.
+fn origin_error(found: &EstimatedTemplate) -> [f64; 3] {
+    let across = |axis: usize| {
+        let each = found.markers.iter().map(|marker| marker.std_error[axis]);
+        each.fold(0.0, f64::max)
+    };
+    let along = match found.height {
+        CentreHeight::Estimated { std_error, .. } => std_error,
+        CentreHeight::Stated { .. } => 0.0,
+        CentreHeight::Assumed { std_error } => std_error.unwrap_or(ASSUMED).max(ASSUMED),
+    };
+    // Finer digits than a micrometre would pretend what no estimate knows.
+    [across(0), across(1), along].map(|error| (error * 1e6).ceil() / 1e6)
 }
 
 /// A name of a marker for a label: without blanks and marks.

@@ -41,13 +41,14 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     let mut labels = labels(&options.label)?;
     let reading = reading(options)?;
     let mut decisions = String::new();
-    let mut comments = Vec::new();
+    let (mut comments, mut origin_error) = (Vec::new(), None);
     let template = match (&options.markers, &options.model) {
         (Some(file), _) => Template::read(file)?,
         (None, Some(_)) => {
             let found = estimated::estimated(options, &reading, &mut labels)?;
             decisions = found.decisions;
             comments = found.comments;
+            origin_error = Some(found.origin_error);
             found.template
         }
         (None, None) => bail!(
@@ -73,6 +74,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         markers: template.markers.clone(),
         sensors: Vec::new(),
         unknown_vertical: false,
+        origin_error,
         sigma: None,
         flights: Vec::new(),
     };

@@ -28,6 +28,7 @@ const NOISIEST: f64 = 1.0;
 pub(super) struct Manifest {
     pub model: String,
     pub recording: Recording,
+    pub origin_error: Option<[f64; 3]>,
     pub parameters: BTreeMap<String, f64>,
     pub markers: Vec<Marker>,
     pub sensors: Vec<Sensor>,
@@ -71,9 +72,10 @@ pub(super) struct Checker<'a>(pub(super) Fields<'a>);
 impl Checker<'_> {
     fn manifest(&self, document: &DeTable<'_>) -> Result<Manifest, InputError> {
         let fields = &self.0;
-        const KEYS: [&str; 7] = [
+        const KEYS: [&str; 8] = [
             "model",
             "recording",
+            "template",
             "parameters",
             "markers",
             "sensors",
@@ -97,6 +99,7 @@ impl Checker<'_> {
         Ok(Manifest {
             model,
             recording,
+            origin_error: self.origin_error(document)?,
             parameters,
             markers,
             sensors,
@@ -194,6 +197,24 @@ impl Checker<'_> {
             markers.push(Marker { name, position });
         }
         Ok(markers)
+    }
+
+    /// Standard errors of the origin of the markers' positions, of `[template]`.
+    fn origin_error(&self, document: &DeTable<'_>) -> Result<Option<[f64; 3]>, InputError> {
+        let Some(template) = self.0.table(document, "template")? else {
+            return Ok(None);
+        };
+        self.0.keys(template, " in [template]", &["origin_error"])?;
+        let Some(value) = template.get("origin_error") else {
+            return Ok(None);
+        };
+        let errors = self.0.vector(value, "origin_error")?;
+        if errors.iter().all(|error| (0.0..=NOISIEST).contains(error)) {
+            return Ok(Some(errors));
+        }
+        let expected = format!("standard errors from 0 to {NOISIEST} m");
+        let found = format!("origin_error = {errors:?}");
+        Err(self.0.fault(value.span(), found, expected))
     }
 
     fn sigma(&self, document: &DeTable<'_>) -> Result<Option<f64>, InputError> {

@@ -46,6 +46,9 @@ pub struct Dataset {
     pub sensors: Vec<Sensor>,
     /// Whether the direction of the vertical in the axes of the positions is unknown; otherwise their z is up.
     pub unknown_vertical: bool,
+    /// Standard errors of the origin of the markers' positions, the mass centre, along the axes of the body, m: it is then
+    /// estimated with the rest. `None` if it is known.
+    pub origin_error: Option<[f64; 3]>,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
     /// The flights, in the order of `dataset.toml`.
@@ -180,6 +183,7 @@ fn assemble(
         markers: manifest.markers,
         sensors: manifest.sensors,
         unknown_vertical: manifest.recording.up == recording::Up::Unknown,
+        origin_error: manifest.origin_error,
         sigma: manifest.sigma,
         flights,
     })

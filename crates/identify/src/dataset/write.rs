@@ -178,6 +178,9 @@ pub fn manifest_text(dataset: &Dataset) -> String {
     if dataset.unknown_vertical {
         text.push_str("\n[recording]\nup = \"unknown\"\n");
     }
+    if let Some(errors) = &dataset.origin_error {
+        let _ = writeln!(text, "\n[template]\norigin_error = {errors:?}");
+    }
     for marker in &dataset.markers {
         let name = quoted(&marker.name);
         let position = &marker.position;

@@ -93,6 +93,7 @@ pub(crate) fn empty(model: &Model) -> Dataset {
         markers: default_markers(model),
         sensors: Vec::new(),
         unknown_vertical: false,
+        origin_error: None,
         sigma: None,
         flights: Vec::new(),
     }

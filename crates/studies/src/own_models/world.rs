@@ -89,6 +89,7 @@ pub(super) fn dataset(
         markers: markers.collect(),
         sensors: Vec::new(),
         unknown_vertical: false,
+        origin_error: None,
         sigma: None,
         flights,
     }

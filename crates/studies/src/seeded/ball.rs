@@ -122,6 +122,7 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
         }],
         sensors: Vec::new(),
         unknown_vertical: false,
+        origin_error: None,
         sigma: None,
         flights: flights.collect(),
     }

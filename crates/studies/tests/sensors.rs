@@ -1,0 +1,150 @@
+//! Fits by sensors of every kind, of datasets in axes of unknown vertical, and of markers whose origin is uncertain.
+
+use std::collections::BTreeMap;
+
+use diagnose::{DiagnosisOptions, diagnose};
+use identify::dataset::{Dataset, Role, Sensor, SensorKind};
+use identify::{FitOptions, FitReport, VERTICAL_ANGLES, fit, upward};
+use model_spec::compose::Instrument;
+use nalgebra::{Rotation3, Vector3};
+use studies::oracle_flights::{Plan, TWELVE, disc, truth};
+use studies::sensors::{Observed, SensorNoise, sensor_flights};
+
+/// Greatest error of an estimate, in standard errors.
+const MAX_Z: f64 = 4.5;
+
+const PLAN: Plan<'static> = Plan {
+    flights: 6,
+    ..TWELVE
+};
+
+fn sensor(name: &str, kind: SensorKind, position: [f64; 3]) -> Sensor {
+    Sensor {
+        name: name.to_owned(),
+        kind,
+        position,
+        sigma: None,
+        sigma_angle: None,
+    }
+}
+
+fn inertial() -> Vec<Sensor> {
+    let gyroscope = SensorKind::Instrument(Instrument::Gyroscope);
+    let accelerometer = SensorKind::Instrument(Instrument::Accelerometer);
+    vec![
+        sensor("gyro", gyroscope, [0.0; 3]),
+        sensor("acc", accelerometer, [0.02, -0.01, 0.005]),
+    ]
+}
+
+fn observed(markers: bool, sensors: Vec<Sensor>, displacement: [f64; 3]) -> Observed {
+    Observed {
+        markers,
+        sensors,
+        displacement,
+        noise: SensorNoise::default(),
+    }
+}
+
+fn assert_true(report: &FitReport, words: &str) {
+    for (name, value) in truth(&disc(), &PLAN) {
+        let own = &report.coefficients[&name];
+        let z = (own.value - value) / own.std_error;
+        assert!(z.abs() < MAX_Z, "{words}: {name} {z} standard errors off");
+    }
+}
+
+fn fitted(dataset: &Dataset) -> FitReport {
+    let found = fit(&disc(), dataset, &FitOptions::default()).expect("a fit");
+    assert!(
+        found.report.iterations.converged,
+        "{:?}",
+        found.report.iterations
+    );
+    found.report
+}
+
+#[test]
+fn poses_and_inertial_sensors_give_the_coefficients_that_markers_give() {
+    let noise = SensorNoise::default();
+    let pose = || sensor("tag", SensorKind::Pose, [0.03, 0.0, 0.01]);
+    let sets = [
+        ("pose", observed(false, vec![pose()], [0.0; 3])),
+        ("inertial", observed(false, inertial(), [0.0; 3])),
+        ("markers and inertial", observed(true, inertial(), [0.0; 3])),
+    ];
+    let stated = BTreeMap::from([
+        ("position", noise.position),
+        ("attitude", noise.attitude),
+        ("gyroscope", noise.rate),
+        ("accelerometer", noise.force),
+    ]);
+    for (words, set) in sets {
+        let report = fitted(&sensor_flights(&disc(), &PLAN, &set, 7));
+        assert_true(&report, words);
+        assert_eq!(report.sees_positions, words != "inertial");
+        for sensor in &report.sensors {
+            let ratio = sensor.sigma / stated[sensor.measures.as_str()];
+            assert!((ratio - 1.0).abs() < 0.08, "{words}: {sensor:?}");
+        }
+    }
+}
+
+#[test]
+fn a_displaced_accelerometer_is_named() {
+    let set = observed(true, inertial(), [0.005, 0.0, 0.0]);
+    let mut dataset = sensor_flights(&disc(), &PLAN, &set, 7);
+    for flight in dataset.flights.iter_mut().skip(4) {
+        flight.role = Role::HeldOut;
+    }
+    let found = diagnose(&disc(), &dataset, &DiagnosisOptions::default()).expect("a diagnosis");
+    let cause = &found.report.causes[0].effects[0];
+    assert_eq!(cause.name, "accelerometer-misplaced");
+    let by = &cause.estimates["accelerometer_by_1"];
+    assert!((by.value - 0.005).abs() < MAX_Z * by.std_error, "{by:?}");
+}
+
+/// A dataset in axes that are turned.
+fn turned(mut dataset: Dataset, turn: Rotation3<f64>) -> Dataset {
+    for flight in &mut dataset.flights {
+        for position in flight.positions.iter_mut().flatten().flatten() {
+            *position = (turn * Vector3::from(*position)).into();
+        }
+    }
+    dataset.unknown_vertical = true;
+    dataset
+}
+
+#[test]
+fn a_vertical_at_any_angle_is_found() {
+    let set = observed(true, Vec::new(), [0.0; 3]);
+    let plan = Plan { flights: 4, ..PLAN };
+    for turn in [
+        Rotation3::from_euler_angles(2.0, 0.7, 0.0),
+        Rotation3::from_euler_angles(-0.4, -1.3, 0.5),
+    ] {
+        let dataset = turned(sensor_flights(&disc(), &plan, &set, 11), turn);
+        let report = fitted(&dataset);
+        let angles = VERTICAL_ANGLES.map(|name| report.coefficients[name].value);
+        let found = Vector3::from(upward(angles));
+        let angle = found.angle(&(turn * Vector3::z()));
+        assert!(angle < 2e-3, "{angle} rad off");
+        assert_true(&report, "unknown vertical");
+    }
+}
+
+#[test]
+fn an_uncertain_origin_of_the_markers_is_estimated() {
+    let set = observed(true, Vec::new(), [0.0; 3]);
+    let mut dataset = sensor_flights(&disc(), &PLAN, &set, 13);
+    for marker in &mut dataset.markers {
+        marker.position[2] += 0.004;
+    }
+    dataset.origin_error = Some([0.0, 0.0, 0.005]);
+    let report = fitted(&dataset);
+    let offset = &report.coefficients["offset_3"];
+    let z = (offset.value + 0.004) / offset.std_error;
+    assert!(z.abs() < MAX_Z && offset.std_error < 0.004, "{offset:?}");
+    assert!(report.coefficients["offset_1"].held);
+    assert_true(&report, "uncertain origin");
+}
