@@ -32,6 +32,7 @@ fn disc() -> Vocabulary {
         optional: Vec::new(),
         inputs: vec!["wind".into(), "omega".into()],
         quaternions: Vec::new(),
+        model: None,
     }
 }
 
