@@ -35,6 +35,7 @@ mod tolerance;
 mod uncertainty;
 mod unknown_vertical;
 mod unknowns;
+mod vertical;
 pub mod wording;
 
 // Fitting a dataset.
@@ -52,8 +53,9 @@ pub use report::{
 };
 pub use statistics::{median, robust_sigma};
 pub use uncertainty::interval;
-pub use unknown_vertical::{ANGLES as VERTICAL_ANGLES, upward};
+
 pub use unknowns::{fit, resolve};
+pub use vertical::{ANGLES as VERTICAL_ANGLES, upward};
 
 // The estimation problem, and predictions with their derivatives.
 pub use channel::{Channel, ChannelKind};

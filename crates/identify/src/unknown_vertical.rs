@@ -8,20 +8,10 @@ use crate::dataset::{Dataset, Role};
 use crate::error::FitError;
 use crate::fit::{Fit, fit};
 use crate::options::FitOptions;
-
-/// Name of the effect that turns the measured axes.
-pub const EFFECT: &str = "unknown_vertical";
-
-/// Whether the model turns the measured axes by angles that are estimated.
-pub(crate) fn is_in(model: &Model) -> bool {
-    model.effects.iter().any(|own| own.name == EFFECT)
-}
+use crate::vertical::{ANGLES, EFFECT, angles};
 
 /// Greatest number of flights from which the start is chosen.
 const TRIED_FLIGHTS: usize = 6;
-
-/// Names of the angles, rad: about x, then about the y that the axes have then.
-pub const ANGLES: [&str; 2] = ["vertical_x", "vertical_y"];
 
 /// Directions of the upward axis that are tried, in the measured axes: along the axes and halfway between them.
 fn directions() -> Vec<[f64; 3]> {
@@ -29,21 +19,6 @@ fn directions() -> Vec<[f64; 3]> {
         (0..27).map(|index| [index / 9, index / 3 % 3, index % 3].map(|k| f64::from(k) - 1.0));
     let zeros = |v: &[f64; 3]| v.iter().filter(|x| **x == 0.0).count();
     all.filter(|v| (1..=2).contains(&zeros(v))).collect()
-}
-
-/// Angles of the turn that brings `up`, in the measured axes, upright.
-fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
-    let length = (x * x + y * y + z * z).sqrt();
-    // In measured axes the vertical is (-sin b cos a, sin a, cos b cos a).
-    let about_x = (y / length).clamp(-1.0, 1.0).asin();
-    [about_x, (-x).atan2(z)]
-}
-
-/// Unit vector upwards in the measured axes, for angles about x and y, rad.
-pub fn upward([about_x, about_y]: [f64; 2]) -> [f64; 3] {
-    let (sin_x, cos_x) = about_x.sin_cos();
-    let (sin_y, cos_y) = about_y.sin_cos();
-    [-sin_y * cos_x, sin_x, cos_y * cos_x]
 }
 
 /// The model with the turn of the measured axes by angles that are estimated, starting from these.
@@ -132,6 +107,7 @@ fn estimated(found: &Fit) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vertical::upward;
 
     #[test]
     fn angles_and_directions_are_one_another_s_inverse() {

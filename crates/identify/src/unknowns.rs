@@ -10,6 +10,7 @@ use crate::fit::{self, Fit};
 use crate::options::FitOptions;
 use crate::problem::measured;
 use crate::unknown_vertical;
+use crate::vertical;
 
 /// The model with a quantity for each instrument of the dataset and an effect for what the dataset leaves open, and the dataset
 /// that then leaves nothing open.
@@ -30,7 +31,7 @@ pub fn resolve<'d>(
         unknown_vertical: false,
         ..dataset.clone()
     };
-    let model = match unknown_vertical::is_in(&model) {
+    let model = match vertical::is_in(&model) {
         true => model,
         false => unknown_vertical::with_vertical(&model, &known, options)?,
     };

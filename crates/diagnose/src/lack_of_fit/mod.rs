@@ -181,7 +181,7 @@ fn fitted_flights(fit: &Fit) -> Vec<FittedFlight<'_>> {
     let all = (0..fit.report.flights.len()).map(FlightId::new);
     let fitted = all.filter_map(|id| {
         let (observed, _) = fit.flight(id)?;
-        (observed.role == Role::Fit).then(|| FittedFlight { observed, id })
+        (observed.role == Role::Fit).then_some(FittedFlight { observed, id })
     });
     fitted.collect()
 }

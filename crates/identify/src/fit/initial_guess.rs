@@ -17,7 +17,7 @@ use crate::options::FitOptions;
 use crate::pose::Pose;
 use crate::problem::FitProblem;
 use crate::statistics::median;
-use crate::unknown_vertical;
+use crate::vertical;
 
 /// Length of the first segment of a flight, on which its initial guess is refined, s.
 const FIRST_SEGMENT: f64 = 0.15;
@@ -193,7 +193,7 @@ fn observations_and_poses(
 ) -> Result<(Observations, Vec<Option<Pose>>), FlightError> {
     let mut observations = Observations::new(problem, flight)?;
     // What a touch of the ground does is not known where the vertical is not.
-    let sought = sought.or(unknown_vertical::is_in(&problem.model).then_some(None));
+    let sought = sought.or(vertical::is_in(&problem.model).then_some(None));
     let unseen = flight
         .times
         .partition_point(|time| *time < observations.origin);

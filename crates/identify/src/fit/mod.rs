@@ -49,7 +49,7 @@ use crate::problem::FitProblem;
 use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, reasons_against};
 use crate::screening::{self, DataFault, FaultKind, Screening};
 use crate::tolerance;
-use crate::unknown_vertical;
+use crate::vertical;
 pub use held_out::CONDITIONING_FRACTION;
 #[cfg(test)]
 pub(crate) use one_flight::fit_initial_state;
@@ -125,7 +125,7 @@ fn fit_after(
         }
         None => Screening::of_known_faults(&[]),
     };
-    if unknown_vertical::is_in(model) {
+    if vertical::is_in(model) {
         data_faults.retain(|fault| fault.fault != FaultKind::Axes);
     }
     let faulty = screening::excluded(dataset, &data_faults, options);

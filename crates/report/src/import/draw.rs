@@ -1,6 +1,7 @@
 //! Figures of an import: each flight over the time of its take, and the whole take.
 
 use super::{Curve, Distance, ImportedFlight, ImportedTake};
+use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Line, Look, Mark, Panel, figure_of};
 use crate::fit::Drawn;
 use crate::fit::thin;
@@ -27,8 +28,7 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     Drawn::new(
         format!("flight-{number:02}"),
         flight.file.clone(),
-        caption,
-        svg,
+        [caption, svg, of_panels(&panels)],
     )
 }
 
@@ -48,8 +48,11 @@ pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
     let mut figure = Drawn::new(
         format!("take-{number:02}"),
         take.file.clone(),
-        "Lines: the flights; grey: what was cut away.".into(),
-        drawn(Layout::WIDE),
+        [
+            "Lines: the flights; grey: what was cut away.".into(),
+            drawn(Layout::WIDE),
+            of_panels(std::slice::from_ref(&panel)),
+        ],
     );
     figure.narrow = Some(drawn(Layout::SMALL));
     figure
