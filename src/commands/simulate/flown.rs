@@ -104,9 +104,9 @@ impl Flown {
             "  range {:.2} m, {:.2} m to the {side} of the throw's line; lands at x {:.2}, y {:.2}, z {:.2} m",
             self.range,
             self.sideways.abs(),
-            self.landing[0],
-            self.landing[1],
-            self.landing[2]
+            shown(self.landing[0]),
+            shown(self.landing[1]),
+            shown(self.landing[2])
         );
         let _ = writeln!(
             text,
@@ -123,8 +123,8 @@ impl Flown {
                 let _ = writeln!(
                     text,
                     "  {label:16} {:>10.2} {:>10.2}",
-                    first + 0.0,
-                    last + 0.0
+                    shown(first),
+                    shown(last)
                 );
             }
         }
@@ -156,6 +156,11 @@ impl Flown {
             "alpha_deg": self.alpha.map(|(least, greatest)| json!({ "least": least, "greatest": greatest })),
         })
     }
+}
+
+/// A value rounded to the two decimals that are shown, without a negative zero.
+pub fn shown(value: f64) -> f64 {
+    (value * 100.0).round() / 100.0 + 0.0
 }
 
 /// Angle of attack, deg: the model's own quantity `alpha` where it has one, else that against the ground; `None` for a

@@ -8,7 +8,7 @@ use model_spec::model::Model;
 use ode::IntegrationOptions;
 use report::{ResultFile, ResultFolder};
 
-use super::flown::Flown;
+use super::flown::{Flown, shown};
 use super::techdisc::Row;
 use super::{check_rows, summary_file, throws};
 use crate::cli::Simulate;
@@ -61,7 +61,7 @@ pub fn run(
                     row.number,
                     flown.release.speed,
                     flown.range,
-                    flown.sideways,
+                    shown(flown.sideways),
                     flown.apex.0,
                     flown.seconds
                 );
