@@ -28,10 +28,7 @@ pub fn estimated(
     reading: &ReadOptions,
     names: &mut BTreeMap<String, String>,
 ) -> anyhow::Result<Estimated> {
-    if let Some(height) = options
-        .centre_height
-        .filter(|h| h.is_nan() || h.abs() > FARTHEST)
-    {
+    if let Some(height) = options.centre_height.filter(|h| h.is_nan() || h.abs() > FARTHEST) {
         bail!(
             "--centre-height: found {height}, expected metres, at most {FARTHEST} (millimetres?)"
         );
