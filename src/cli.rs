@@ -4,6 +4,10 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+mod throw;
+
+pub use throw::ThrowOptions;
+
 /// Declare how a body flies, once; get checked, fast, verified code, and fit it to measured flights.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true, max_term_width = 100)]
@@ -43,7 +47,7 @@ pub enum Command {
     Explain(Explain),
     /// Simulate a release; write the trajectory and a figure
     #[command(
-        after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out against\n\nReleases by name: run `hyzer simulate --list`."
+        after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out flight\n  hyzer simulate disc --speed 20 --launch 8 --nose 2 --hyzer 10 --spin 700 --height 1.5 --out flight\n  hyzer simulate disc --techdisc examples/throws/techdisc.csv --out flight\n\nReleases by name: run `hyzer simulate --list`. A throw by options needs --speed or a release whose throw the options change;\nsigns of the angles: docs/releases.md. With --techdisc every row is flown and listed, or the one of --row; exit status 1: some\ncould not be flown."
     )]
     Simulate(Simulate),
     /// Make a synthetic dataset: simulate releases of a model, observe its markers, add noise
@@ -215,6 +219,9 @@ pub struct Simulate {
     /// A release: a name, or a TOML file
     #[arg(long, value_name = "RELEASE")]
     pub release: Option<String>,
+    /// A throw by its numbers, or a launch monitor's
+    #[command(flatten)]
+    pub throw: ThrowOptions,
     /// Set a parameter, coefficient or initial state, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -236,7 +243,7 @@ pub struct Simulate {
     /// Also write every figure as pdf or png; may be repeated
     #[arg(long, value_name = "KIND", value_parser = figure_kinds(), requires = "out")]
     pub figures: Vec<String>,
-    /// Folder for trajectory.csv, flight.svg and flight.html: new, empty, or of earlier results, which are replaced
+    /// Folder for trajectory.csv, summary.json, flight.svg and flight.html: new, empty, or of earlier results, which are replaced
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// List the named releases

@@ -1,10 +1,16 @@
 //! Command `hyzer simulate`: simulates a release; writes a CSV table and a figure.
 
+mod flown;
+mod launches;
+mod techdisc;
+mod throws;
+
 use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, anyhow, bail};
 use flight::release::{BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_file};
+use flight::throw::Throw;
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::model::Model;
 use ode::{IntegrationOptions, Trajectory};
@@ -12,6 +18,7 @@ use report::ResultFile;
 use report::figures::{StateLabel, flight as picture};
 use report::viewer::View;
 
+use self::flown::Flown;
 use super::number;
 use crate::cli::Simulate;
 use crate::{Answer, output};
@@ -31,27 +38,59 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     }
     check_numbers(options)?;
     let out = output::folder(options.out.as_deref())?;
-    let (model, release) = prepare(options)?;
-    if let Stop::Duration(seconds) = release.stop {
-        check_rows(options, seconds)?;
+    let mut rows = match &options.throw.techdisc {
+        Some(file) => techdisc::read(file)?,
+        None => Vec::new(),
+    };
+    if let Some(name) = &options.throw.row {
+        rows = vec![techdisc::choose(rows, name)?];
     }
+    let (model, mut release) = prepare(options)?;
     let body = CompiledModel::new(&model);
+    if options.throw.techdisc.is_some() && options.throw.row.is_none() {
+        return launches::run(options, &rows, (&model, &body, &release), out.as_ref());
+    }
+    let is_bare = options.release.is_none();
+    let throw = match rows.first() {
+        Some(row) => Some(row.throw),
+        None => is_bare.then(|| Throw::at_speed(0.0)),
+    };
+    throws::apply(&options.throw, throw, &model, &mut release)?;
     let settings = IntegrationOptions::with_tolerance(options.tolerance);
     let flight = simulate(&body, &release, &settings)?;
+    let flown = Flown::of(&model, &body, &release, &flight);
     if let Some(folder) = &out {
         check_rows(options, flight.end)?;
         let mut files = results(&model, &body, &release, &flight, options);
+        files.extend(
+            flown
+                .as_ref()
+                .map(|flown| summary_file("summary.json", flown, &model)),
+        );
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }
-    output::print(summary(&model, &body, &flight))?;
+    let mut text = summary(&model, &body, &flight);
+    text.extend(flown.iter().map(Flown::table));
+    output::print(text)?;
     if let Some(folder) = &options.out {
+        let summary = if flown.is_some() {
+            "summary.json, "
+        } else {
+            ""
+        };
         eprintln!(
-            "trajectory.csv, flight.svg and flight.html are in {}",
+            "trajectory.csv, {summary}flight.svg and flight.html are in {}",
             folder.display()
         );
     }
     Ok(Answer::Yes)
+}
+
+/// The figures of a flight as a file.
+fn summary_file(path: &str, flown: &Flown, model: &Model) -> ResultFile {
+    let text = format!("{:#}\n", flown.json(&model.name));
+    ResultFile::new(path, text)
 }
 
 /// Maximum number of rows of `trajectory.csv`, some 200 MB.
@@ -88,14 +127,17 @@ fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
 
 /// Loads the model, and the release with the changes given on the command line.
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
-    let Some(name) = &options.release else {
-        let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
-        bail!(
-            "no --release: name one of {} or a TOML file",
-            names.join(", ")
-        );
+    let (model, mut release) = match &options.release {
+        Some(name) => released(name, options.model.as_deref(), &options.with)?,
+        None if throws::are_enough(&options.throw) => throws::bare(options)?,
+        None => {
+            let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
+            bail!(
+                "no --release: name one of {} or a TOML file, or state a throw by --speed or --techdisc",
+                names.join(", ")
+            );
+        }
     };
-    let (model, mut release) = released(name, options.model.as_deref(), &options.with)?;
     for set in &options.set {
         apply(set, &model, &mut release)?;
     }
@@ -122,6 +164,9 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
                 Release::MAX_DURATION
             ),
         },
+    }
+    if let Stop::Duration(seconds) = release.stop {
+        check_rows(options, seconds)?;
     }
     Ok((model, release))
 }

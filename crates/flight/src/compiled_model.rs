@@ -132,6 +132,11 @@ impl CompiledModel {
         Some(CompiledModel::of_selection(&observing, &compiled))
     }
 
+    /// Compiles the model to a tape with derivatives by selected parameters.
+    pub(crate) fn compiled_for(model: &Model, selection: &Selection) -> CompiledModel {
+        CompiledModel::of_selection(model, &compile_for(model, selection))
+    }
+
     /// A tape with derivatives by selected parameters.
     fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
         let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(compiled)));

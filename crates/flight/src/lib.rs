@@ -5,6 +5,7 @@
 //!   without Jacobians, the limits of validity as events, and a [`ModelObserver`] for marker positions.
 //! - [`release`] reads the initial conditions of a flight; [`simulate`] integrates them; [`trajectory_csv`] writes the
 //!   result.
+//! - [`throw`] is the motion at release in the terms of launch monitors.
 //!
 //! ```
 //! use flight::CompiledModel;
@@ -34,6 +35,7 @@ mod observer;
 pub mod release;
 mod rhs;
 mod simulate;
+pub mod throw;
 mod trajectory_csv;
 
 pub use bound_model::BoundModel;

@@ -32,6 +32,7 @@ fn disc() -> Vocabulary {
         optional: Vec::new(),
         inputs: vec!["wind".into(), "omega".into()],
         quaternions: Vec::new(),
+        model: None,
     }
 }
 
@@ -189,7 +190,7 @@ fn each_fault_has_its_message() {
     
     r.toml:2:12: duration is the text "1 s"; expected a number
     
-    r.toml:3:1: unknown key "rate"; expected one of model, duration, until, parameters, coefficients, initial, wind, known
+    r.toml:3:1: unknown key "rate"; expected one of model, duration, until, parameters, coefficients, initial, throw, wind, known
     
     r.toml:3:1: unknown key "parameter"; did you mean "parameters"?
     

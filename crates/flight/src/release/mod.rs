@@ -2,7 +2,12 @@
 
 mod fault;
 mod read;
+mod read_throw;
 mod values;
+
+use std::sync::Arc;
+
+use model_spec::model::{Model, Parameter};
 
 pub use fault::{Fault, ReleaseError};
 pub use read::{read, read_file};
@@ -78,7 +83,7 @@ impl Release {
 }
 
 /// Names of a model that its release files may use.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Vocabulary {
     /// Parameters (known constants) of the body and its environment.
     pub parameters: Vec<Name>,
@@ -92,6 +97,8 @@ pub struct Vocabulary {
     pub inputs: Vec<String>,
     /// Indices of four states each that form a unit quaternion.
     pub quaternions: Vec<[usize; 4]>,
+    /// The model, from whose body the states of a throw follow; without it a release has no `[throw]`.
+    pub model: Option<Arc<Model>>,
 }
 
 /// Name of a parameter or coefficient, with its bounds.
@@ -105,8 +112,8 @@ pub struct Name {
 
 impl Vocabulary {
     /// Vocabulary of a model: all names that its release files may use.
-    pub fn of(model: &model_spec::model::Model) -> Vocabulary {
-        let names = |of: &[model_spec::model::Parameter]| {
+    pub fn of(model: &Model) -> Vocabulary {
+        let names = |of: &[Parameter]| {
             of.iter()
                 .map(|c| Name {
                     name: c.name.clone(),
@@ -125,6 +132,7 @@ impl Vocabulary {
                 .collect(),
             inputs: model.inputs.iter().map(|i| i.name.clone()).collect(),
             quaternions: model.quaternions().collect(),
+            model: Some(Arc::new(model.clone())),
         }
     }
 }

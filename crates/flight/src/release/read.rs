@@ -89,6 +89,11 @@ impl<'t> Reader<'t> {
         });
     }
 
+    /// Number of faults found so far.
+    pub(super) fn faults_count(&self) -> usize {
+        self.faults.len()
+    }
+
     fn missing(&mut self, message: impl Into<String>) {
         self.faults.push(Fault {
             location: None,
@@ -112,13 +117,14 @@ impl<'t> Reader<'t> {
             }
         };
         let document = document.get_ref();
-        const KEYS: [&str; 8] = [
+        const KEYS: [&str; 9] = [
             "model",
             "duration",
             "until",
             "parameters",
             "coefficients",
             "initial",
+            "throw",
             "wind",
             "known",
         ];
@@ -152,10 +158,14 @@ impl<'t> Reader<'t> {
             &vocabulary.coefficients,
             &vocabulary.parameters,
         );
-        let initial = self.initial(document, &vocabulary);
+        let is_throw = document.contains_key("throw");
+        let initial = match is_throw {
+            true => Vec::new(),
+            false => self.initial(document, &vocabulary),
+        };
         let wind = self.wind(document);
         let known = self.known(document, &vocabulary);
-        Some(Release {
+        let mut release = Release {
             model: model_name.into(),
             stop: stop?,
             parameters,
@@ -163,7 +173,11 @@ impl<'t> Reader<'t> {
             initial,
             wind,
             known,
-        })
+        };
+        if is_throw {
+            self.throw(document, &vocabulary, &mut release);
+        }
+        Some(release)
     }
 
     fn stop(&mut self, document: &DeTable<'t>) -> Option<Stop> {
@@ -202,7 +216,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Entries of a table of the document; empty if the table is absent.
-    fn table<'d>(
+    pub(super) fn table<'d>(
         &mut self,
         document: &'d DeTable<'t>,
         key: &str,

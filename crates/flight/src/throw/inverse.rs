@@ -1,0 +1,159 @@
+//! The state with a given motion: damped Gauss–Newton on the differences of the motion.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::{DMatrix, DVector};
+
+use super::motion::{BoundMotion, Motion};
+
+/// Norm of the differences below which two motions are the same.
+const SAME: f64 = 1e-9;
+/// Greatest number of steps from one start.
+const MAX_STEPS: usize = 100;
+/// Greatest number of starts that are tried.
+const MAX_STARTS: usize = 16;
+/// Greatest number of starts that are compared.
+const MAX_COMPARED: usize = 4096;
+/// Half the step of the central differences for the Jacobian.
+const DIFFERENCE_STEP: f64 = 1e-5;
+
+/// State within the model's limits at which the body has the motion, searched from `near` or else from its default states at
+/// quarter turns of its frames; `None` if there is none.
+pub fn state(bound: &BoundMotion<'_>, wanted: &Motion, near: Option<&[f64]>) -> Option<Vec<f64>> {
+    let mut starts = match near {
+        Some(state) => vec![state.to_vec()],
+        None => starts(bound),
+    };
+    // The sort is stable.
+    starts.sort_by_cached_key(|start| norm(&bound.differences(start, wanted)).to_bits());
+    starts.into_iter().take(MAX_STARTS).find_map(|start| {
+        let mut found = descend(bound, wanted, start)?;
+        tidy(bound, &mut found);
+        let is_same = norm(&bound.differences(&found, wanted)) < SAME;
+        (is_same && bound.is_within_limits(&found)).then_some(found)
+    })
+}
+
+/// Default states at quarter turns of each frame.
+fn starts(bound: &BoundMotion<'_>) -> Vec<Vec<f64>> {
+    let half = 0.5_f64;
+    let root = half.sqrt();
+    let turns = [
+        [1.0, 0.0, 0.0, 0.0],
+        [root, 0.0, 0.0, root],
+        [0.0, 0.0, 0.0, 1.0],
+        [root, 0.0, 0.0, -root],
+        [0.0, 1.0, 0.0, 0.0],
+        [half, half, half, half],
+        [half, -half, -half, half],
+        [half, half, -half, -half],
+    ];
+    let mut all = vec![bound.default_state()];
+    let mut vary = |places: &[usize], values: &[Vec<f64>]| {
+        if all.len() * values.len() > MAX_COMPARED {
+            return;
+        }
+        let varied = |start: &Vec<f64>, value: &Vec<f64>| {
+            let mut start = start.clone();
+            for (place, value) in places.iter().zip(value) {
+                start[*place] = *value;
+            }
+            start
+        };
+        all = all
+            .iter()
+            .flat_map(|start| values.iter().map(move |value| varied(start, value)))
+            .collect();
+    };
+    for angle in &bound.model.angles {
+        vary(
+            &[*angle],
+            &[0.0, 1.0, -1.0, 2.0].map(|k| vec![k * FRAC_PI_2]),
+        );
+    }
+    for quaternion in &bound.model.quaternions {
+        vary(quaternion, &turns.map(|turn| turn.to_vec()));
+    }
+    all
+}
+
+/// Damped Gauss–Newton from one start; `None` where the motion is not finite.
+fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<Vec<f64>> {
+    let free: Vec<usize> = (0..start.len())
+        .filter(|state| !bound.model.added.contains(state))
+        .collect();
+    let mut state = start;
+    let mut differences = DVector::from_vec(bound.differences(&state, wanted));
+    let mut damping = 1e-3;
+    for _ in 0..MAX_STEPS {
+        let before = differences.norm();
+        if !before.is_finite() {
+            return None;
+        }
+        if before < 1e-14 {
+            break;
+        }
+        let mut jacobian = DMatrix::zeros(differences.len(), free.len());
+        for (column, place) in free.iter().enumerate() {
+            let mut at = |offset: f64| {
+                let own = state[*place];
+                state[*place] = own + offset;
+                let differences = DVector::from_vec(bound.differences(&state, wanted));
+                state[*place] = own;
+                differences
+            };
+            let slope = (at(DIFFERENCE_STEP) - at(-DIFFERENCE_STEP)) / (2.0 * DIFFERENCE_STEP);
+            jacobian.set_column(column, &slope);
+        }
+        let normal = jacobian.tr_mul(&jacobian);
+        let gradient = jacobian.tr_mul(&differences);
+        let mut gained = false;
+        while damping < 1e9 {
+            let mut damped = normal.clone();
+            for i in 0..free.len() {
+                damped[(i, i)] += damping * normal[(i, i)] + 1e-300;
+            }
+            let Some(factor) = damped.cholesky() else {
+                damping = damping.max(1e-12) * 10.0;
+                continue;
+            };
+            let step = factor.solve(&gradient);
+            let mut candidate = state.clone();
+            for (place, step) in free.iter().zip(step.iter()) {
+                candidate[*place] -= step;
+            }
+            let there = DVector::from_vec(bound.differences(&candidate, wanted));
+            if there.norm() < before {
+                (state, differences) = (candidate, there);
+                damping = (damping * 0.1).max(1e-15);
+                gained = true;
+                break;
+            }
+            damping *= 10.0;
+        }
+        if !gained {
+            break;
+        }
+    }
+    Some(state)
+}
+
+/// Angles of frames within half a turn of 0, quaternions of length 1 with a scalar part that is not negative.
+fn tidy(bound: &BoundMotion<'_>, state: &mut [f64]) {
+    for angle in &bound.model.angles {
+        state[*angle] -= TAU * (state[*angle] / TAU).round();
+    }
+    for quaternion in &bound.model.quaternions {
+        let length = norm(&quaternion.map(|i| state[i]));
+        let scale = if state[quaternion[0]] < 0.0 {
+            -1.0
+        } else {
+            1.0
+        } / length;
+        quaternion.iter().for_each(|i| state[*i] *= scale);
+    }
+}
+
+fn norm(values: &[f64]) -> f64 {
+    values.iter().map(|v| v * v).sum::<f64>().sqrt()
+}

@@ -1,0 +1,328 @@
+//! Throws: the motion of a body at release as speed, angles and spin, and the states of a model that have this motion.
+//!
+//! The angles are those of launch monitors. The velocity gives `heading` (over the ground, from +x to the left) and `launch`
+//! (above the horizontal). The body's axis d3 (the third of the frame that is fixed in it) starts normal to the velocity,
+//! in the vertical plane; `hyzer` turns it about the velocity, positive to the left, and `nose` then about the body's left
+//! axis, positive nose-up. Without wind, `nose` is the angle of attack.
+
+mod inverse;
+mod motion;
+
+use std::f64::consts::PI;
+
+use model_spec::model::Model;
+use nalgebra::{Rotation3, Vector3};
+
+use crate::release::Release;
+use motion::{Motion, MotionModel, Turning};
+
+/// rad/s per rpm.
+const RPM: f64 = PI / 30.0;
+
+/// Motion of a body at release.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Throw {
+    /// Speed of the mass centre over the ground, m/s.
+    pub speed: f64,
+    /// Direction of the velocity over the ground, from +x to the left (towards +y), deg.
+    pub heading: f64,
+    /// Angle of the velocity above the horizontal, deg.
+    pub launch: f64,
+    /// Height of the mass centre, m.
+    pub height: f64,
+    /// Angle of attack against the velocity over the ground, positive nose-up, deg. As the next three fields, `None`
+    /// where it is not stated: 0, and all that a body without attitude can have.
+    pub nose: Option<f64>,
+    /// Tilt of the body about the velocity, positive when the left edge, seen from behind, is the lower one, deg.
+    pub hyzer: Option<f64>,
+    /// Spin about the body's axis, positive clockwise seen from above, rpm.
+    pub spin: Option<f64>,
+    /// Angle between the body's axis and its angular momentum, deg: for a body of revolution without moments, half the
+    /// opening angle of the cone that the axis describes. At release the cone's axis is ahead of the body's axis,
+    /// towards the nose.
+    pub wobble: Option<f64>,
+}
+
+/// Name, unit, least and greatest value of each number of a throw.
+pub const FIELDS: [(&str, &str, f64, f64); 8] = [
+    ("speed", "m/s", 0.0, 150.0),
+    ("heading", "deg", -360.0, 360.0),
+    ("launch", "deg", -90.0, 90.0),
+    ("nose", "deg", -90.0, 90.0),
+    ("hyzer", "deg", -180.0, 180.0),
+    ("spin", "rpm", -20000.0, 20000.0),
+    ("height", "m", -1000.0, 10000.0),
+    ("wobble", "deg", 0.0, 60.0),
+];
+
+/// Reason why no state of a model has the motion of a throw.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ThrowError {
+    /// A number outside its range.
+    #[error("{name} is {value}; expected {expected}")]
+    Range {
+        /// Name of the number.
+        name: &'static str,
+        /// Value that was found.
+        value: f64,
+        /// Valid values, in words.
+        expected: String,
+    },
+    /// An angle or spin for a body without attitude.
+    #[error(
+        "found {name}, but the model {model} is a point mass, which has no attitude; expected speed, heading, launch and \
+         height alone"
+    )]
+    NoAttitude {
+        /// Name of the number.
+        name: &'static str,
+        /// Name of the model.
+        model: String,
+    },
+    /// A wobble without spin has no cone.
+    #[error(
+        "found wobble without spin; expected a spin other than 0, about which the axis can turn"
+    )]
+    NoSpin,
+    /// The model does not say what its states mean.
+    #[error(
+        "the model {model} has neither a body nor a claim of one, so that its states cannot be found from a throw; expected \
+         [initial] with every state"
+    )]
+    NoBody {
+        /// Name of the model.
+        model: String,
+    },
+    /// No state within the domain of validity has the motion.
+    #[error(
+        "no state of the model {model} within its limits has this motion; expected a throw that it can have, as by another \
+         nose or hyzer"
+    )]
+    NoState {
+        /// Name of the model.
+        model: String,
+    },
+}
+
+impl ThrowError {
+    /// Name of the number at fault, if it is one.
+    pub fn field(&self) -> Option<&'static str> {
+        match self {
+            ThrowError::Range { name, .. } | ThrowError::NoAttitude { name, .. } => Some(name),
+            ThrowError::NoSpin => Some("wobble"),
+            ThrowError::NoBody { .. } | ThrowError::NoState { .. } => None,
+        }
+    }
+}
+
+impl Throw {
+    /// Height of a throw that states none, m.
+    pub const DEFAULT_HEIGHT: f64 = 1.0;
+
+    /// Horizontal throw along +x at a speed (m/s), from the default height, without a stated attitude.
+    pub fn at_speed(speed: f64) -> Throw {
+        Throw {
+            speed,
+            heading: 0.0,
+            launch: 0.0,
+            height: Self::DEFAULT_HEIGHT,
+            nose: None,
+            hyzer: None,
+            spin: None,
+            wobble: None,
+        }
+    }
+
+    /// The number of this name, in the unit of [`FIELDS`]; `None` where it is not stated or the name is unknown.
+    pub fn field(&self, name: &str) -> Option<f64> {
+        match name {
+            "speed" => Some(self.speed),
+            "heading" => Some(self.heading),
+            "launch" => Some(self.launch),
+            "height" => Some(self.height),
+            "nose" => self.nose,
+            "hyzer" => self.hyzer,
+            "spin" => self.spin,
+            "wobble" => self.wobble,
+            _ => None,
+        }
+    }
+
+    /// Sets the number of this name, in the unit of [`FIELDS`]; an unknown name is ignored.
+    pub fn set(&mut self, name: &str, value: f64) {
+        match name {
+            "speed" => self.speed = value,
+            "heading" => self.heading = value,
+            "launch" => self.launch = value,
+            "height" => self.height = value,
+            "nose" => self.nose = Some(value),
+            "hyzer" => self.hyzer = Some(value),
+            "spin" => self.spin = Some(value),
+            "wobble" => self.wobble = Some(value),
+            _ => {}
+        }
+    }
+
+    /// Checks every number against its range in [`FIELDS`]; the speed is above 0.
+    ///
+    /// # Errors
+    /// [`ThrowError::Range`] for the first number outside its range; [`ThrowError::NoSpin`].
+    pub fn check(&self) -> Result<(), ThrowError> {
+        for (name, unit, least, greatest) in FIELDS {
+            let Some(value) = self.field(name) else {
+                continue;
+            };
+            let is_speed = name == "speed";
+            if !(least..=greatest).contains(&value) || is_speed && value <= 0.0 {
+                let expected = match is_speed {
+                    true => format!("a number above 0 and up to {greatest} {unit}"),
+                    false => format!("a number from {least} to {greatest} {unit}"),
+                };
+                return Err(ThrowError::Range {
+                    name,
+                    value,
+                    expected,
+                });
+            }
+        }
+        let wobbles = self.wobble.is_some_and(|wobble| wobble != 0.0);
+        if wobbles && self.spin.unwrap_or(0.0) == 0.0 {
+            return Err(ThrowError::NoSpin);
+        }
+        Ok(())
+    }
+
+    /// Rotation to the inertial frame from that of the velocity: along it, to its left, upwards.
+    fn course(&self) -> Rotation3<f64> {
+        Rotation3::from_axis_angle(&Vector3::z_axis(), self.heading.to_radians())
+            * Rotation3::from_axis_angle(&Vector3::y_axis(), -self.launch.to_radians())
+    }
+
+    /// Attitude: rotation to the inertial frame from the body's axes, forward, left and up.
+    fn attitude(&self) -> Rotation3<f64> {
+        let angle = |of: Option<f64>| -of.unwrap_or(0.0).to_radians();
+        self.course()
+            * Rotation3::from_axis_angle(&Vector3::x_axis(), angle(self.hyzer))
+            * Rotation3::from_axis_angle(&Vector3::y_axis(), angle(self.nose))
+    }
+}
+
+/// Model of a body, prepared to find the states of throws, and the throws of states.
+pub struct ThrownModel {
+    motion: MotionModel,
+    name: String,
+}
+
+impl ThrownModel {
+    /// Prepares a model.
+    ///
+    /// # Errors
+    /// [`ThrowError::NoBody`] for a model that has neither a body nor a claim.
+    pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
+        let name = model.name.clone();
+        match MotionModel::new(model) {
+            Some(motion) => Ok(ThrownModel { motion, name }),
+            None => Err(ThrowError::NoBody { model: name }),
+        }
+    }
+
+    /// Whether the body has an attitude; false for a point mass.
+    pub fn has_attitude(&self) -> bool {
+        self.motion.has_attitude()
+    }
+
+    /// Parameters of a release, in the order of the model's layout.
+    pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
+        self.motion.release_parameters(release)
+    }
+
+    /// State of the model with the motion of a throw from above the point `ground` (x, y), m. The body's first axis is
+    /// forward. `parameters` are in the order of the model's layout; states that the motion does not determine have
+    /// their default values.
+    ///
+    /// # Errors
+    /// [`ThrowError`]
+    pub fn state(
+        &self,
+        throw: &Throw,
+        ground: [f64; 2],
+        parameters: &[f64],
+    ) -> Result<Vec<f64>, ThrowError> {
+        throw.check()?;
+        let model = || self.name.clone();
+        if !self.has_attitude() {
+            let stated = ["nose", "hyzer", "spin", "wobble"]
+                .into_iter()
+                .find(|name| throw.field(name).is_some());
+            if let Some(name) = stated {
+                return Err(ThrowError::NoAttitude {
+                    name,
+                    model: model(),
+                });
+            }
+        }
+        let axes = throw.attitude().into_inner();
+        let spin = -throw.spin.unwrap_or(0.0) * RPM;
+        let mut wanted = Motion {
+            position: Vector3::new(ground[0], ground[1], throw.height),
+            velocity: throw.course() * Vector3::x() * throw.speed,
+            turning: self.has_attitude().then(|| Turning {
+                axes,
+                rates: axes.column(2) * spin,
+            }),
+        };
+        let bound = self.motion.bind(parameters);
+        let find = |wanted: &Motion, near: Option<&[f64]>| {
+            inverse::state(&bound, wanted, near)
+                .ok_or_else(|| ThrowError::NoState { model: model() })
+        };
+        let state = find(&wanted, None)?;
+        let wobble = throw.wobble.unwrap_or(0.0).to_radians();
+        let Some(turning) = wanted.turning.as_mut().filter(|_| wobble != 0.0) else {
+            return Ok(state);
+        };
+        let no_state = || ThrowError::NoState { model: model() };
+        let cone = axes.column(2) * wobble.cos() + axes.column(0) * wobble.sin();
+        let inertia = bound.inertia(&state).ok_or_else(no_state)?;
+        let along = inertia.try_inverse().ok_or_else(no_state)? * cone;
+        turning.rates = along * (spin / along.dot(&axes.column(2)));
+        find(&wanted, Some(&state))
+    }
+
+    /// Point on the ground below the mass centre at a state, (x, y), m.
+    pub fn ground(&self, state: &[f64], parameters: &[f64]) -> [f64; 2] {
+        let position = self.motion.bind(parameters).motion(state).position;
+        [position.x, position.y]
+    }
+
+    /// The throw whose motion a state has.
+    pub fn throw(&self, state: &[f64], parameters: &[f64]) -> Throw {
+        let bound = self.motion.bind(parameters);
+        let Motion {
+            position,
+            velocity,
+            turning,
+        } = bound.motion(state);
+        let mut throw = Throw {
+            height: position.z,
+            heading: velocity.y.atan2(velocity.x).to_degrees(),
+            launch: velocity.z.atan2(velocity.xy().norm()).to_degrees(),
+            ..Throw::at_speed(velocity.norm())
+        };
+        let Some(turning) = turning else {
+            return throw;
+        };
+        let axis: Vector3<f64> = turning.axes.column(2).into();
+        let seen = throw.course().inverse() * axis;
+        let spin = turning.rates.dot(&axis);
+        throw.nose = Some((-seen.x).atan2(seen.yz().norm()).to_degrees());
+        throw.hyzer = Some(seen.y.atan2(seen.z).to_degrees());
+        throw.spin = Some(-spin / RPM);
+        let wobble = bound.inertia(state).map(|inertia| {
+            let momentum = inertia * turning.rates * spin.signum();
+            momentum.cross(&axis).norm().atan2(momentum.dot(&axis))
+        });
+        throw.wobble = Some(wobble.filter(|_| spin != 0.0).unwrap_or(0.0).to_degrees());
+        throw
+    }
+}

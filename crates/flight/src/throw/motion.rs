@@ -1,0 +1,236 @@
+//! The motion of the body that a model describes, as a function of the state: compiled from the body that it declares, or
+//! from the claim of one.
+
+use codegen::compile::Selection;
+use model_spec::model::{AuxVariable, ClaimedAttitude, Expr, ExprKind, FrameKind, Model, Shape};
+use model_spec::unit::Unit;
+use nalgebra::{Matrix3, Vector3};
+
+use crate::bound_model::BoundModel;
+use crate::compiled_model::CompiledModel;
+use crate::release::Release;
+
+/// Motion of a body at an instant, in the inertial frame.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Position of the mass centre, m.
+    pub position: Vector3<f64>,
+    /// Velocity of the mass centre, m/s.
+    pub velocity: Vector3<f64>,
+    /// Attitude and angular velocity; `None` for a point mass.
+    pub turning: Option<Turning>,
+}
+
+/// Attitude and angular velocity of a body.
+#[derive(Clone, Debug)]
+pub struct Turning {
+    /// Axes of the body as columns; of a claimed body of revolution only the third is its own.
+    pub axes: Matrix3<f64>,
+    /// Angular velocity, rad/s.
+    pub rates: Vector3<f64>,
+}
+
+/// Compiled motion of a model's body.
+pub struct MotionModel {
+    compiled: CompiledModel,
+    has_attitude: bool,
+    is_revolution: bool,
+    /// States that the motion does not determine.
+    pub(super) added: Vec<usize>,
+    /// States that are angles of frames.
+    pub(super) angles: Vec<usize>,
+    /// States of each quaternion, scalar part first.
+    pub(super) quaternions: Vec<[usize; 4]>,
+}
+
+/// Number of vectors of the motion of a body with attitude: position, velocity, axes, angular velocity, rows of the inertia
+/// tensor, axes of its frame.
+const VECTORS: usize = 12;
+/// Number of vectors of the motion of a point mass.
+const POINT_VECTORS: usize = 2;
+
+impl MotionModel {
+    /// Compiles the motion; `None` for a model that has neither a body nor a claim.
+    pub fn new(model: &Model) -> Option<MotionModel> {
+        let (vectors, is_revolution) = vectors(model)?;
+        let mut own = model.clone();
+        // The motion at an instant depends on no load and no observation.
+        own.forces.clear();
+        own.moments.clear();
+        own.observation = None;
+        let span = model
+            .body
+            .as_ref()
+            .map_or_else(Default::default, |b| b.span);
+        own.aux_variables
+            .extend(vectors.iter().enumerate().map(|(k, value)| AuxVariable {
+                name: format!("motion__{k}"),
+                doc: String::new(),
+                value: value.clone(),
+                span,
+                effect: None,
+            }));
+        let angle = |kind| match kind {
+            FrameKind::Turned { angle, .. } => Some(angle),
+            _ => None,
+        };
+        Some(MotionModel {
+            compiled: CompiledModel::compiled_for(&own, &Selection::Only(Vec::new())),
+            has_attitude: vectors.len() == VECTORS,
+            is_revolution,
+            added: model.added_states(),
+            angles: model.frames.iter().filter_map(|f| angle(f.kind)).collect(),
+            quaternions: model.quaternions().collect(),
+        })
+    }
+
+    /// Whether the body has an attitude.
+    pub fn has_attitude(&self) -> bool {
+        self.has_attitude
+    }
+
+    /// Parameters of a release, in the order of the model's layout.
+    pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
+        self.compiled.release_parameters(release)
+    }
+
+    /// Motion with values of the parameters, in the order of the model's layout.
+    pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
+        BoundMotion {
+            model: self,
+            bound: self.compiled.bind(parameters.to_vec()),
+        }
+    }
+}
+
+/// Motion of a model's body for values of its parameters.
+pub struct BoundMotion<'m> {
+    pub(super) model: &'m MotionModel,
+    bound: BoundModel<'m>,
+}
+
+impl BoundMotion<'_> {
+    /// Default states of the model.
+    pub fn default_state(&self) -> Vec<f64> {
+        self.model.compiled.layout().default_states()
+    }
+
+    /// Whether a state is within the model's limits.
+    pub fn is_within_limits(&self, state: &[f64]) -> bool {
+        self.bound.observer().is_within_limits(0.0, state)
+    }
+
+    /// Motion at a state.
+    pub fn motion(&self, state: &[f64]) -> Motion {
+        let vectors = self.vectors(state);
+        Motion {
+            position: vectors[0],
+            velocity: vectors[1],
+            turning: self.model.has_attitude.then(|| Turning {
+                axes: Matrix3::from_columns(&vectors[2..5]),
+                rates: vectors[5],
+            }),
+        }
+    }
+
+    /// Inertia tensor about the mass centre in inertial axes at a state, kg m²; `None` for a point mass.
+    pub fn inertia(&self, state: &[f64]) -> Option<Matrix3<f64>> {
+        let vectors = self.vectors(state);
+        let [.., r1, r2, r3, e1, e2, e3] = vectors[..] else {
+            return None;
+        };
+        Some(e1 * r1.transpose() + e2 * r2.transpose() + e3 * r3.transpose())
+    }
+
+    /// Differences of the motion at a state from a wanted one, each of the order of 1 at most for a motion unlike it.
+    pub fn differences(&self, state: &[f64], wanted: &Motion) -> Vec<f64> {
+        let found = self.motion(state);
+        let speed = wanted.velocity.norm().max(1.0);
+        let mut all = vec![
+            found.position - wanted.position,
+            (found.velocity - wanted.velocity) / speed,
+        ];
+        if let (Some(found), Some(wanted)) = (&found.turning, &wanted.turning) {
+            let rate = wanted.rates.norm().max(1.0);
+            all.push((found.rates - wanted.rates) / rate);
+            let first = if self.model.is_revolution { 2 } else { 0 };
+            all.extend((first..3).map(|k| found.axes.column(k) - wanted.axes.column(k)));
+        }
+        all.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
+    }
+
+    /// The vectors that were compiled, the last of the auxiliary variables.
+    fn vectors(&self, state: &[f64]) -> Vec<Vector3<f64>> {
+        let count = if self.model.has_attitude {
+            VECTORS
+        } else {
+            POINT_VECTORS
+        };
+        let all = self.bound.observer().quantities(0.0, state);
+        let own = &all[all.len() - 3 * count..];
+        own.chunks(3).map(Vector3::from_column_slice).collect()
+    }
+}
+
+/// Expressions of the motion in the inertial frame, in the order of [`VECTORS`], and whether the body is one of revolution
+/// that no frame turns with.
+fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
+    let vector = |kind, frame, unit| Expr {
+        kind,
+        shape: Shape::Vector(frame),
+        unit,
+        span: Default::default(),
+    };
+    let in_inertial = |value: &Expr| match value.shape {
+        Shape::Vector(0) => value.clone(),
+        _ => Expr {
+            kind: ExprKind::Reexpress(Box::new(value.clone())),
+            shape: Shape::Vector(0),
+            ..value.clone()
+        },
+    };
+    let axis = |frame, axis| in_inertial(&vector(ExprKind::Axis(frame, axis), frame, Unit::ONE));
+    let tensor = |rows: &[[Expr; 3]; 3], frame| {
+        let row = |parts: &[Expr; 3]| {
+            let parts = ExprKind::Components(Box::new(parts.clone()));
+            in_inertial(&vector(parts, frame, Unit::INERTIA))
+        };
+        let frame_axes = [1, 2, 3].map(|k| axis(frame, k));
+        rows.iter().map(row).chain(frame_axes).collect::<Vec<_>>()
+    };
+    if let Some(body) = &model.body {
+        let velocity = vector(ExprKind::Velocity, body.velocity_frame, Unit::SPEED);
+        let mut all = vec![
+            vector(ExprKind::Position, 0, Unit::METRE),
+            in_inertial(&velocity),
+        ];
+        if let Some(rotation) = &body.rotation {
+            all.extend([1, 2, 3].map(|k| axis(rotation.body_frame, k)));
+            let frame = rotation.angular_velocity_frame;
+            all.push(in_inertial(&vector(
+                ExprKind::AngularVelocity,
+                frame,
+                Unit::RATE,
+            )));
+            all.extend(tensor(&rotation.inertia, rotation.inertia_frame));
+        }
+        return Some((all, false));
+    }
+    let claim = model.claim.as_ref()?;
+    let mut all = vec![in_inertial(&claim.position), in_inertial(&claim.velocity)];
+    let Some(rotation) = &claim.rotation else {
+        return Some((all, false));
+    };
+    let (axes, is_revolution) = match rotation.attitude {
+        ClaimedAttitude::Frame(frame) => ([1, 2, 3].map(|k| axis(frame, k)), false),
+        // The axis of revolution as the third, the others in turn.
+        ClaimedAttitude::Axis(frame, third) => {
+            let others = [third % 3 + 1, (third + 1) % 3 + 1, third];
+            (others.map(|k| axis(frame, k)), true)
+        }
+    };
+    all.extend(axes);
+    all.push(in_inertial(&rotation.angular_velocity));
+    all.extend(tensor(&rotation.inertia, rotation.inertia_frame));
+    Some((all, is_revolution))
+}

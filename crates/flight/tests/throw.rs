@@ -1,0 +1,306 @@
+//! Throws: throw to state and back in models of several kinds, known states, the cone of the wobble, refusals, `[throw]` in
+//! release files.
+
+use flight::release::{self, Release, Vocabulary};
+use flight::throw::{FIELDS, Throw, ThrowError, ThrownModel};
+use flight::{CompiledModel, simulate};
+use model_spec::model::Model;
+use proptest::prelude::*;
+
+/// A body of a user: other names, another order of frames, velocity in the body, an inertia of three values.
+const OWN: &str = "model slab;
+param mass = 0.3 kg;
+param J_1 = 1e-3 kg*m^2;
+param J_2 = 1.5e-3 kg*m^2;
+param J_3 = 2e-3 kg*m^2;
+param g = 9.81 m/s^2;
+frame N;
+frame E = N turned yaw about 3;
+frame F = E turned pitch about 2;
+frame S = F turned roll about 1;
+body slab {
+  mass mass;
+  inertia diag(J_1, J_2, J_3) in S;
+  fixed in S;
+  position (north, west, up) in N;
+  velocity (vf, vl, vu) in S;
+}
+force weight = -mass*g*N.3;
+";
+
+fn model(name: &str) -> Model {
+    match name {
+        "slab" => model_spec::load::from_text("slab", OWN, &[]),
+        name => model_spec::load::load(name, &[]),
+    }
+    .unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn throw() -> impl Strategy<Value = Throw> {
+    let angles = (-180.0..180.0, -70.0..70.0, -40.0..40.0, -50.0..50.0);
+    let spin = prop_oneof![-1500.0..-100.0, 100.0..1500.0];
+    (5.0..40.0, angles, spin, 0.0..3.0, 0.0..20.0).prop_map(
+        |(speed, (heading, launch, nose, hyzer), spin, height, wobble)| Throw {
+            speed,
+            heading,
+            launch,
+            height,
+            nose: Some(nose),
+            hyzer: Some(hyzer),
+            spin: Some(spin),
+            wobble: Some(wobble),
+        },
+    )
+}
+
+fn returns(thrown: &ThrownModel, parameters: &[f64], throw: Throw) -> Result<(), TestCaseError> {
+    let state = thrown.state(&throw, [1.0, -2.0], parameters);
+    // The chart of three angles ends where its middle angle is a right angle.
+    if let Err(ThrowError::NoState { .. }) = state {
+        return Err(TestCaseError::reject("beyond the limits"));
+    }
+    let back = thrown.throw(&state.expect("a state"), parameters);
+    for (name, ..) in FIELDS {
+        let (was, is) = (throw.field(name), back.field(name));
+        let near = match (was, is) {
+            (Some(was), Some(is)) => (was - is).abs() < 1e-6,
+            (was, is) => was == is,
+        };
+        prop_assert!(near, "{name}: {was:?} became {is:?} in {throw:?}");
+    }
+    Ok(())
+}
+
+fn round_trips(name: &str, cases: u32) {
+    let model = model(name);
+    let thrown = ThrownModel::new(&model).expect("a body");
+    let parameters = CompiledModel::new(&model).layout().default_parameters();
+    let has_attitude = thrown.has_attitude();
+    let config = ProptestConfig {
+        cases,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
+    let mut runner = proptest::test_runner::TestRunner::new(config);
+    let test = |mut throw: Throw| {
+        if !has_attitude {
+            (throw.nose, throw.hyzer) = (None, None);
+            (throw.spin, throw.wobble) = (None, None);
+        }
+        returns(&thrown, &parameters, throw)
+    };
+    runner
+        .run(&throw(), test)
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
+}
+
+#[test]
+fn throws_of_the_disc_return() {
+    round_trips("disc", 64);
+}
+
+#[test]
+fn throws_of_the_disc_by_quaternion_return() {
+    round_trips("disc_quaternion", 64);
+}
+
+#[test]
+fn throws_of_the_discus_return() {
+    round_trips("discus", 32);
+}
+
+#[test]
+fn throws_of_a_point_mass_return() {
+    round_trips("ball", 64);
+}
+
+#[test]
+fn throws_of_a_body_of_ones_own_return() {
+    round_trips("slab", 64);
+}
+
+/// Stated equations with a claim: the states are found from the expressions of the claim.
+#[test]
+fn a_throw_of_a_claimed_point_returns() {
+    let text = "model glider;\nparam m = 3 g;\nframe N;\nstate range = 0 m;\nstate height = 2 m;\nstate V = 4 m/s;\n\
+        state gamma = 0 rad;\nlimit V > 0.2 m/s \"it hangs in the air\";\nder(range) = V*cos(gamma);\n\
+        der(height) = V*sin(gamma);\nder(V) = -1 [/s]*V;\nder(gamma) = 0;\n\
+        claim point glider { mass m; position (range, 0, height) in N;\n\
+        velocity V*((cos(gamma), 0, sin(gamma)) in N); force -1 [/s]*m*V*((cos(gamma), 0, sin(gamma)) in N); }\n";
+    let model = model_spec::load::from_text("glider", text, &[]).unwrap_or_else(|e| panic!("{e}"));
+    let thrown = ThrownModel::new(&model).expect("a claim");
+    let throw = Throw {
+        launch: -20.0,
+        height: 3.0,
+        ..Throw::at_speed(7.0)
+    };
+    let state = thrown.state(&throw, [1.0, 0.0], &[0.003]).expect("a state");
+    let expected = [1.0, 3.0, 7.0, -20f64.to_radians()];
+    for (is, expected) in state.iter().zip(expected) {
+        assert!((is - expected).abs() < 1e-9, "{state:?}");
+    }
+    // It does not fly sideways.
+    let aside = Throw {
+        heading: 30.0,
+        ..throw
+    };
+    let refusal = thrown.state(&aside, [1.0, 0.0], &[0.003]).unwrap_err();
+    assert!(matches!(refusal, ThrowError::NoState { .. }), "{refusal}");
+}
+
+#[test]
+fn a_flat_throw_along_x_has_the_states_of_the_disc_by_name() {
+    let model = model("disc");
+    let thrown = ThrownModel::new(&model).unwrap();
+    let parameters = CompiledModel::new(&model).layout().default_parameters();
+    let throw = Throw {
+        nose: Some(10.0),
+        spin: Some(600.0),
+        height: 1.5,
+        ..Throw::at_speed(20.0)
+    };
+    let state = thrown.state(&throw, [0.0; 2], &parameters).unwrap();
+    let (sin, cos) = 10f64.to_radians().sin_cos();
+    let rate = -20.0 * std::f64::consts::PI;
+    // Nose up is a turn by a negative theta; the air comes from below, w < 0.
+    let expected = [
+        0.0,
+        0.0,
+        1.5,
+        20.0 * cos,
+        0.0,
+        -20.0 * sin,
+        0.0,
+        -10f64.to_radians(),
+        0.0,
+        0.0,
+        0.0,
+        rate,
+    ];
+    for (k, (is, expected)) in state.iter().zip(expected).enumerate() {
+        assert!((is - expected).abs() < 1e-9, "state {k}: {is} {expected}");
+    }
+}
+
+/// The axis of a disc without loads describes a cone of the half angle `wobble`, whose axis starts ahead of it.
+#[test]
+fn the_wobble_is_half_the_angle_of_the_cone() {
+    let text = "model = \"disc_quaternion\"\nduration = 0.2\n[parameters]\nrho = 0\n[coefficients]\nC_Nr = 0\n\
+        [throw]\nspeed = 20\nnose = 5\nspin = 700\nwobble = 7\n";
+    let model = model("disc_quaternion");
+    let read = release::read("r.toml", text, |_| Ok(Vocabulary::of(&model)));
+    let release = read.unwrap_or_else(|e| panic!("{e}"));
+    let flight = simulate(&CompiledModel::new(&model), &release, &Default::default()).unwrap();
+    let axis = |state: &[f64]| {
+        let [q0, q1, q2, q3] = [6, 7, 8, 9].map(|k| state[k]);
+        [
+            2.0 * (q1 * q3 + q0 * q2),
+            2.0 * (q2 * q3 - q0 * q1),
+            1.0 - 2.0 * (q1 * q1 + q2 * q2),
+        ]
+    };
+    let first = axis(&release.state());
+    let greatest = (0..=2000)
+        .filter_map(|k| flight.sample(f64::from(k) * 1e-4))
+        .map(|state| {
+            let there = axis(&state);
+            let dot: f64 = first.iter().zip(there).map(|(a, b)| a * b).sum();
+            dot.min(1.0).acos().to_degrees()
+        })
+        .fold(0.0, f64::max);
+    assert!((greatest - 14.0).abs() < 1e-3, "{greatest}");
+    // Opposite to the release the axis has gone ahead: the disc, nose-up at 5 degrees, dips to -9.
+    let lowest = (0..=2000)
+        .filter_map(|k| flight.sample(f64::from(k) * 1e-4))
+        .map(|state| axis(&state)[0])
+        .fold(f64::MIN, f64::max);
+    assert!((lowest - 9f64.to_radians().sin()).abs() < 1e-3, "{lowest}");
+}
+
+#[test]
+fn what_a_point_mass_cannot_have_is_refused() {
+    let thrown = ThrownModel::new(&model("ball")).unwrap();
+    let parameters = CompiledModel::new(&model("ball"))
+        .layout()
+        .default_parameters();
+    for name in ["nose", "hyzer", "spin", "wobble"] {
+        let mut throw = Throw::at_speed(20.0);
+        throw.set(name, 0.0);
+        let refusal = thrown.state(&throw, [0.0; 2], &parameters).unwrap_err();
+        assert!(
+            refusal.to_string().contains(&format!("found {name}")),
+            "{refusal}"
+        );
+        assert!(refusal.to_string().contains("point mass"), "{refusal}");
+    }
+}
+
+fn read(table: &str) -> Result<Release, release::ReleaseError> {
+    let text = format!("model = \"disc\"\nuntil = \"ground\"\n{table}");
+    release::read("r.toml", &text, |_| Ok(Vocabulary::of(&model("disc"))))
+}
+
+#[test]
+fn each_fault_of_a_throw_is_named_with_its_place() {
+    let cases = [
+        (
+            "[throw]\nlaunch = 3\n",
+            "r.toml:3:1: found no speed in [throw]; expected one, as in speed = 20.0 (m/s)",
+        ),
+        (
+            "[throw]\nspeed = 0\n",
+            "r.toml:4:9: speed is 0; expected a number above 0 and up to 150 m/s",
+        ),
+        (
+            "[throw]\nspeed = -3\n",
+            "r.toml:4:9: speed is -3; expected a number above 0 and up to 150 m/s",
+        ),
+        (
+            "[throw]\nspeed = 20\nlaunch = 91\n",
+            "r.toml:5:10: launch is 91; expected a number from -90 to 90 deg",
+        ),
+        (
+            "[throw]\nspeed = 20\nhyser = 1\n",
+            "r.toml:5:1: unknown key \"hyser\" in [throw]; did you mean \"hyzer\"?",
+        ),
+        (
+            "[throw]\nspeed = \"fast\"\n",
+            "r.toml:4:9: speed is the text \"fast\"; expected a number",
+        ),
+        (
+            "[throw]\nspeed = nan\n",
+            "r.toml:4:9: speed is NaN; expected a finite number",
+        ),
+        (
+            "[throw]\nspeed = 20\nwobble = 2\n",
+            "r.toml:5:10: found wobble without spin; expected a spin other than 0, about which the axis can turn",
+        ),
+        (
+            "[throw]\nspeed = 20\n[initial]\nx = 0\n",
+            "r.toml:3:1: found both [throw] and [initial]; expected one of the two",
+        ),
+        (
+            "[throw]\nspeed = 20\nnose = 90\nspin = 600\n",
+            "r.toml:3:1: no state of the model disc within its limits has this motion; expected a throw that it can have, as by another nose or hyzer",
+        ),
+    ];
+    for (table, expected) in cases {
+        match read(table) {
+            Ok(release) => panic!("{table}: {release:?}"),
+            Err(refusal) => assert_eq!(refusal.to_string(), expected),
+        }
+    }
+    let two = read("[throw]\nlaunch = 91\nspeed = 900\n").unwrap_err();
+    assert_eq!(two.faults.len(), 2, "{two}");
+}
+
+#[test]
+fn a_model_without_a_body_is_refused() {
+    let text = "model fall;\nframe N;\nstate z = 1 m;\nstate vz = 0 m/s;\nder(z) = vz;\nder(vz) = -9.81 [m/s^2];\n";
+    let model = model_spec::load::from_text("fall", text, &[]).unwrap_or_else(|e| panic!("{e}"));
+    let refusal = ThrownModel::new(&model).err().expect("no body");
+    assert!(
+        refusal.to_string().contains("neither a body nor a claim"),
+        "{refusal}"
+    );
+}

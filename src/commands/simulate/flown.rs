@@ -1,0 +1,183 @@
+//! What a simulated flight did, in the terms of throwers: range, height, time, speeds, spin and angles.
+
+use std::fmt::Write;
+
+use flight::release::Release;
+use flight::throw::{Throw, ThrownModel};
+use flight::{BoundModel, CompiledModel};
+use model_spec::model::Model;
+use ode::Trajectory;
+use serde_json::{Value, json};
+
+/// Number of evenly spaced times at which greatest and least values are sought, besides the events of the flight.
+const SAMPLES: u32 = 2000;
+
+/// What a flight did.
+#[derive(Clone, Debug)]
+pub struct Flown {
+    /// Duration, s.
+    pub seconds: f64,
+    /// Reason of the end: the name of an event, or `time`.
+    pub ended_by: String,
+    /// Horizontal distance of the end from the release, m.
+    pub range: f64,
+    /// Distance of the end to the left of the line of the release's heading, m.
+    pub sideways: f64,
+    /// Greatest height, m, and its time, s.
+    pub apex: (f64, f64),
+    /// Greatest speed over the ground, m/s.
+    pub top_speed: f64,
+    /// Position of the mass centre at the end, m.
+    pub landing: [f64; 3],
+    /// Motion at release.
+    pub release: Throw,
+    /// Motion at the end.
+    pub end: Throw,
+    /// Least and greatest angle of attack, deg; `None` for a point mass.
+    pub alpha: Option<(f64, f64)>,
+}
+
+impl Flown {
+    /// Figures of a flight; `None` for a model without a body, whose states have no known meaning.
+    pub fn of(
+        model: &Model,
+        body: &CompiledModel,
+        release: &Release,
+        flight: &Trajectory,
+    ) -> Option<Flown> {
+        let thrown = ThrownModel::new(model).ok()?;
+        let parameters = body.release_parameters(release);
+        let bound = body.bind(parameters.clone());
+        let at = |state: &[f64]| thrown.throw(state, &parameters);
+        let first = flight.sample(flight.start)?;
+        let last = &flight.end_state;
+        let step = (flight.end - flight.start) / f64::from(SAMPLES);
+        let times = (0..SAMPLES).map(|k| flight.start + f64::from(k) * step);
+        let mut all: Vec<(f64, Vec<f64>)> =
+            times.filter_map(|t| Some((t, flight.sample(t)?))).collect();
+        let events = flight.events.iter();
+        all.extend(events.map(|event| (event.time, event.state.to_vec())));
+        all.push((flight.end, last.clone()));
+        let (mut apex, mut top_speed) = ((f64::MIN, 0.0), 0.0_f64);
+        let mut alpha: Option<(f64, f64)> = None;
+        for (t, state) in &all {
+            let motion = at(state);
+            if motion.height > apex.0 {
+                apex = (motion.height, *t);
+            }
+            top_speed = top_speed.max(motion.speed);
+            if let Some(now) = angle_of_attack(&bound, body, *t, state, &motion) {
+                let (least, greatest) = alpha.unwrap_or((now, now));
+                alpha = Some((least.min(now), greatest.max(now)));
+            }
+        }
+        let (release, end) = (at(&first), at(last));
+        let (from, to) = (
+            thrown.ground(&first, &parameters),
+            thrown.ground(last, &parameters),
+        );
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let (sin, cos) = release.heading.to_radians().sin_cos();
+        Some(Flown {
+            seconds: flight.end - flight.start,
+            ended_by: flight
+                .terminal_event
+                .clone()
+                .unwrap_or_else(|| "time".into()),
+            range: dx.hypot(dy),
+            sideways: cos * dy - sin * dx,
+            apex,
+            top_speed,
+            landing: [to[0], to[1], end.height],
+            release,
+            end,
+            alpha,
+        })
+    }
+
+    /// The figures as a short table.
+    pub fn table(&self) -> String {
+        let mut text = String::new();
+        let side = if self.sideways < 0.0 { "right" } else { "left" };
+        let _ = writeln!(
+            text,
+            "  range {:.2} m, {:.2} m to the {side} of the throw's line; lands at x {:.2}, y {:.2}, z {:.2} m",
+            self.range,
+            self.sideways.abs(),
+            shown(self.landing[0]),
+            shown(self.landing[1]),
+            shown(self.landing[2])
+        );
+        let _ = writeln!(
+            text,
+            "  greatest height {:.2} m at {:.2} s; time {:.2} s; top speed {:.2} m/s",
+            self.apex.0, self.apex.1, self.seconds, self.top_speed
+        );
+        if let Some((least, greatest)) = self.alpha {
+            let _ = writeln!(text, "  angle of attack {least:.1} to {greatest:.1} deg");
+        }
+        let _ = writeln!(text, "  {:16} {:>10} {:>10}", "", "release", "end");
+        for (name, unit, ..) in flight::throw::FIELDS {
+            if let (Some(first), Some(last)) = (self.release.field(name), self.end.field(name)) {
+                let label = format!("{name}, {unit}");
+                let _ = writeln!(
+                    text,
+                    "  {label:16} {:>10.2} {:>10.2}",
+                    shown(first),
+                    shown(last)
+                );
+            }
+        }
+        text
+    }
+
+    /// The figures as JSON, with units in the names.
+    pub fn json(&self, model: &str) -> Value {
+        let motion = |throw: &Throw| {
+            json!({
+                "speed_m_s": throw.speed, "heading_deg": throw.heading, "launch_deg": throw.launch,
+                "nose_deg": throw.nose, "hyzer_deg": throw.hyzer, "spin_rpm": throw.spin,
+                "height_m": throw.height, "wobble_deg": throw.wobble,
+            })
+        };
+        json!({
+            "schema": "hyzer.flight/1",
+            "model": model,
+            "seconds": self.seconds,
+            "ended_by": self.ended_by,
+            "range_m": self.range,
+            "left_m": self.sideways,
+            "apex_m": self.apex.0,
+            "apex_s": self.apex.1,
+            "top_speed_m_s": self.top_speed,
+            "landing_m": self.landing,
+            "release": motion(&self.release),
+            "end": motion(&self.end),
+            "alpha_deg": self.alpha.map(|(least, greatest)| json!({ "least": least, "greatest": greatest })),
+        })
+    }
+}
+
+/// A value rounded to the two decimals that are shown, without a negative zero.
+pub fn shown(value: f64) -> f64 {
+    (value * 100.0).round() / 100.0 + 0.0
+}
+
+/// Angle of attack, deg: the model's own quantity `alpha` where it has one, else that against the ground; `None` for a
+/// body without attitude.
+fn angle_of_attack(
+    bound: &BoundModel<'_>,
+    body: &CompiledModel,
+    t: f64,
+    state: &[f64],
+    motion: &Throw,
+) -> Option<f64> {
+    let nose = motion.nose?;
+    match body.layout().quantity("alpha") {
+        Some(alpha) => {
+            let all = bound.observer().quantities(t, state);
+            Some(all[alpha.index()].to_degrees())
+        }
+        None => Some(nose),
+    }
+}

@@ -1,0 +1,76 @@
+//! Throws of the command line: options over a release, over a throw of a launch monitor, or alone.
+
+use anyhow::{Context, bail};
+use flight::release::{Release, Stop};
+use flight::throw::{FIELDS, Throw, ThrownModel};
+use model_spec::model::Model;
+
+use crate::cli::{Simulate, ThrowOptions};
+
+/// Whether the options state a throw by themselves, without a release.
+pub fn are_enough(options: &ThrowOptions) -> bool {
+    options.speed.is_some() || options.techdisc.is_some()
+}
+
+/// The model of the options and its release to the ground, with default values, to which a throw is added.
+pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
+    let Some(name) = &options.model else {
+        bail!(
+            "no MODEL: expected one before the options of a throw, as in hyzer simulate disc --speed 20"
+        );
+    };
+    let model = model_spec::load::load(name, &super::super::names(&options.with))?;
+    let states = model.states.iter();
+    let release = Release {
+        model: name.clone(),
+        stop: Stop::Ground,
+        parameters: Vec::new(),
+        coefficients: Vec::new(),
+        initial: states.map(|s| (s.name.clone(), s.value)).collect(),
+        wind: [0.0; 3],
+        known: Vec::new(),
+    };
+    Ok((model, release))
+}
+
+/// Gives the release the initial states of a throw, with the numbers of the options in place of the throw's. Without a throw
+/// the release's own motion is the one that the options change.
+pub fn apply(
+    options: &ThrowOptions,
+    throw: Option<Throw>,
+    model: &Model,
+    release: &mut Release,
+) -> anyhow::Result<()> {
+    if throw.is_none() && options.given().next().is_none() {
+        return Ok(());
+    }
+    let thrown = ThrownModel::new(model)?;
+    let parameters = thrown.release_parameters(release);
+    let before = release.state();
+    let mut throw = throw.unwrap_or_else(|| thrown.throw(&before, &parameters));
+    for (name, text) in options.given() {
+        let value = text.trim().parse::<f64>().ok().filter(|v| v.is_finite());
+        let unit = FIELDS.iter().find(|(field, ..)| *field == name);
+        let unit = unit.map_or("", |(_, unit, ..)| unit);
+        let value = value
+            .with_context(|| format!("--{name}: found {text:?}, expected a number in {unit}"))?;
+        throw.set(name, value);
+    }
+    let ground = thrown.ground(&before, &parameters);
+    let state = thrown.state(&throw, ground, &parameters);
+    let option = |field: Option<&str>| match field {
+        Some(name) if options.given().any(|(given, _)| given == name) => format!("--{name}"),
+        _ => "the throw".into(),
+    };
+    let state = state.map_err(|e| {
+        let option = option(e.field());
+        anyhow::Error::new(e).context(option)
+    })?;
+    let added = model.added_states();
+    for (index, ((_, value), found)) in release.initial.iter_mut().zip(state).enumerate() {
+        if !added.contains(&index) {
+            *value = found;
+        }
+    }
+    Ok(())
+}
