@@ -232,10 +232,12 @@ fn select(found: &mut Throws, options: &ThrowOptions) {
     for throw in std::mem::take(&mut found.throws) {
         let seconds = throw.end.time - throw.release.time;
         // A hand takes its time: what goes on at once after an impact is a bounce, whatever its beginning looks like.
+        let long =
+            |cause: Cause| matches!(cause, Cause::Gap(seconds) if seconds > options.longest_gap);
         let bounced = last_end.is_some_and(|end| {
             let near = throw.release.time - end.time < options.shortest;
             let seen = !matches!(throw.release.cause, Cause::Hand(_) | Cause::Gap(_));
-            near && (seen || !matches!(end.cause, Cause::Gap(_)))
+            near && (seen || !long(end.cause))
         });
         last_end = Some(throw.end);
         let why = if bounced {
