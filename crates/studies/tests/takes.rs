@@ -1,6 +1,6 @@
 //! Round trips of takes, a small fixed part of the study.
 
-use studies::takes::{sessions, takes_page};
+use studies::takes::{session_cuts, sessions, takes_page};
 
 fn quiet(_: usize, _: usize) {}
 
@@ -41,6 +41,20 @@ fn takes_of_each_text_format_give_a_template_and_coefficients() {
         page.contains("| sessions without a result | 0 | 0 of 3 | yes |"),
         "{page}"
     );
+}
+
+#[test]
+fn flights_are_cut_within_three_samples() {
+    let seeds: Vec<u64> = (0..30).collect();
+    let (cuts, false_throws) = session_cuts(&seeds, 2).expect("takes");
+    let near = |ends: &&[i64; 2]| ends.iter().all(|end| end.abs() <= 3);
+    let good = cuts.iter().flatten().filter(near).count();
+    eprintln!(
+        "{good} of {} flights, {false_throws} that are none",
+        cuts.len()
+    );
+    assert!(good * 100 >= cuts.len() * 95, "{good} of {}", cuts.len());
+    assert_eq!(false_throws, 0);
 }
 
 #[test]

@@ -9,4 +9,4 @@ mod session;
 mod text;
 
 pub use page::takes_page;
-pub use run::{Session, SessionResult, TemplateErrors, sessions};
+pub use run::{Session, SessionCuts, SessionResult, TemplateErrors, session_cuts, sessions};

@@ -13,7 +13,7 @@ use takes::{
 };
 
 use super::c3d;
-use super::session::{Filmed, filmed, turned};
+use super::session::{Filmed, FilmedTake, filmed, turned};
 use super::text::Writer;
 use crate::bounded_fit::bounded_fit;
 use crate::error::StudyError;
@@ -66,6 +66,9 @@ pub struct SessionResult {
     pub fits: Vec<Result<Vec<CoefficientError>, String>>,
 }
 
+/// Cuts as [`SessionResult::cuts`], and the number of throws that are none.
+pub type SessionCuts = (Vec<Option<[i64; 2]>>, usize);
+
 /// Errors of a template, m.
 #[derive(Clone, Copy, Debug)]
 pub struct TemplateErrors {
@@ -110,6 +113,28 @@ pub fn sessions(
     })
 }
 
+/// Cuts of the sessions of seeds, as [`SessionResult::cuts`], and the number of throws that are none, without fits.
+///
+/// # Errors
+/// A text where a take is not read.
+pub fn session_cuts(seeds: &[u64], threads: usize) -> Result<SessionCuts, String> {
+    let each: Vec<Result<SessionCuts, String>> = batch::each_on(threads, seeds.len(), |index| {
+        let filmed = filmed(seeds[index]);
+        let text = |take: &FilmedTake| Writer::Vicon.text(&take.rows, filmed.rate);
+        let takes = filmed.takes.iter();
+        let imported: Result<Vec<(Take, Throws)>, String> =
+            takes.map(|take| imported(text(take).as_bytes())).collect();
+        Ok(cut_errors(&filmed, &imported?))
+    });
+    let mut all = (Vec::new(), 0);
+    for session in each {
+        let (cuts, false_throws) = session?;
+        all.0.extend(cuts);
+        all.1 += false_throws;
+    }
+    Ok(all)
+}
+
 fn session(seed: u64, writer: Writer, python: Option<&Path>) -> Session {
     let filmed = filmed(seed);
     let result = files(&filmed, writer, python, seed)
@@ -147,28 +172,7 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
         .iter()
         .map(|file| imported(file))
         .collect::<Result<Vec<(Take, Throws)>, String>>()?;
-    let mut cuts = Vec::new();
-    let mut false_throws = 0;
-    for ((_, found), take) in imported.iter().zip(&filmed.takes) {
-        let near = |&(first, last): &(usize, usize)| {
-            let throws = found.throws.iter();
-            throws
-                .map(|throw| (throw.release.sample, throw.end.sample))
-                .find(|(from, to)| *from < last && first < *to)
-        };
-        cuts.extend(take.flights.iter().map(|truth| {
-            let (from, to) = near(truth)?;
-            Some([from as i64 - truth.0 as i64, to as i64 - truth.1 as i64])
-        }));
-        let is_true = |from: usize, to: usize| {
-            let mut all = take.flights.iter();
-            all.any(|&(first, last)| from < last && first < to)
-        };
-        let throws = found.throws.iter();
-        false_throws += throws
-            .filter(|throw| !is_true(throw.release.sample, throw.end.sample))
-            .count();
-    }
+    let (cuts, false_throws) = cut_errors(filmed, &imported);
     let labels: Vec<String> = (1..=filmed.markers.len())
         .map(|k| format!("m{k}"))
         .collect();
@@ -208,6 +212,34 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
         template_of_true_cuts: template_errors(&of_true_cuts, &filmed.markers),
         fits: fits.into(),
     })
+}
+
+/// Release and end of each flight less the truth, samples, `None` for a flight that was not found, and the number of throws
+/// that are none.
+fn cut_errors(filmed: &Filmed, imported: &[(Take, Throws)]) -> SessionCuts {
+    let mut cuts = Vec::new();
+    let mut false_throws = 0;
+    for ((_, found), take) in imported.iter().zip(&filmed.takes) {
+        let near = |&(first, last): &(usize, usize)| {
+            let throws = found.throws.iter();
+            throws
+                .map(|throw| (throw.release.sample, throw.end.sample))
+                .find(|(from, to)| *from < last && first < *to)
+        };
+        cuts.extend(take.flights.iter().map(|truth| {
+            let (from, to) = near(truth)?;
+            Some([from as i64 - truth.0 as i64, to as i64 - truth.1 as i64])
+        }));
+        let is_true = |from: usize, to: usize| {
+            let mut all = take.flights.iter();
+            all.any(|&(first, last)| from < last && first < to)
+        };
+        let throws = found.throws.iter();
+        false_throws += throws
+            .filter(|throw| !is_true(throw.release.sample, throw.end.sample))
+            .count();
+    }
+    (cuts, false_throws)
 }
 
 /// The take of a file, and its throws.

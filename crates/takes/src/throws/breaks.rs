@@ -3,7 +3,7 @@
 
 use nalgebra::DVector;
 
-use super::cut::{CUBIC, Fit, best, fit, places};
+use super::cut::{CUBIC, Fit, HINGES, JUMPS, best, fit, places};
 use super::norm;
 use super::track::Track;
 use super::windows::{GRAVITY, SLOW, allowed};
@@ -12,11 +12,30 @@ use super::windows::{GRAVITY, SLOW, allowed};
 const CERTAIN: f64 = 4.5;
 /// Least jump of the velocity at an impact, m/s; air changes the velocity less within a sample or two.
 const IMPACT: f64 = 1.0;
+/// Least jump upwards at the ground, m/s: a body that touches it with its edge begins to turn more than to rise.
+const TOUCH: f64 = 0.2;
+/// Height above the lowest that a body reaches in the take below which it may touch the ground, m: the part of a thrown body
+/// below its middle.
+const REACH: f64 = 0.15;
+/// Height above the lowest level at which a body is held up rather than flies if a change acts upwards, m.
+const LOW: f64 = 0.05;
+/// Least jump upwards of a body that low, m/s, and the standard errors by which it must be exceeded.
+const SLIGHT: f64 = 0.1;
+const LIKELY: f64 = 2.0;
+/// Samples that may lie below the lowest level without counting, such as ghosts.
+const BELOW: usize = 3;
 
-/// Whether the samples beyond a place, at the beginning (`early`) or end of a followed flight, are no free flight that goes on.
-pub(super) fn is_break(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> bool {
+/// Whether the samples beyond a place, at the beginning (`early`) or end of a followed flight, are no free flight that goes on;
+/// `ground` is the lowest level, m.
+pub(super) fn is_break(
+    track: &Track,
+    path: &[[f64; 3]],
+    last: usize,
+    ground: f64,
+    early: bool,
+) -> bool {
     let (places, near) = places(track, path, last, early);
-    let Some(changed) = best(track, path, (&places, &near), early) else {
+    let Some(changed) = best(track, path, (&places, &near), early, &HINGES) else {
         return false;
     };
     let outmost = match early {
@@ -28,10 +47,14 @@ pub(super) fn is_break(track: &Track, path: &[[f64; 3]], last: usize, early: boo
         Some(smooth) if smooth.criterion <= changed.criterion => smooth,
         _ => changed,
     };
-    if let Some((jump, error)) = velocity_jump(&motion)
-        && jump > IMPACT + CERTAIN * error
-    {
-        return true;
+    if let Some((jump, error)) = velocity_jump(&motion) {
+        let bound = match !early && is_touch(path[last][2] - ground, &motion, jump) {
+            true => TOUCH,
+            false => IMPACT,
+        };
+        if norm(jump) > bound + CERTAIN * error {
+            return true;
+        }
     }
     let beyond = 0.5 * (outmost - motion.time).abs();
     let (velocity, _) = derivative(&motion, early, beyond, 1);
@@ -41,15 +64,45 @@ pub(super) fn is_break(track: &Track, path: &[[f64; 3]], last: usize, early: boo
     rests || !allowed(velocity, air, CERTAIN * error)
 }
 
-/// Jump of the velocity in a fitted motion, m/s, with its standard error; `None` where it does not jump.
-fn velocity_jump(motion: &Fit) -> Option<(f64, f64)> {
+/// Jump of the velocity in a fitted motion, m/s, outwards from the flight, with its standard error on one axis; `None` where
+/// it does not jump.
+fn velocity_jump(motion: &Fit) -> Option<([f64; 3], f64)> {
     (motion.hinge.first() == Some(&1)).then(|| {
         let jump = [0, 1, 2].map(|axis| motion.coefficients[(CUBIC, axis)]);
-        (
-            norm(jump),
-            motion.covariance[(CUBIC, CUBIC)].max(0.0).sqrt(),
-        )
+        (jump, motion.covariance[(CUBIC, CUBIC)].max(0.0).sqrt())
     })
+}
+
+/// Whether a body that falls is thrown upwards, by its height above the lowest level, m: as low as the ground may be.
+fn is_touch(height: f64, motion: &Fit, jump: [f64; 3]) -> bool {
+    let falls = motion.coefficients[(1, 2)] < 0.0;
+    falls && jump[2] > 0.5 * norm(jump) && height < REACH
+}
+
+/// Whether a body that falls is held up at a place of the track that is as low as the body comes: small touches one after
+/// another deviate too little from their prediction to be strange.
+pub(super) fn touches(track: &Track, path: &[[f64; 3]], last: usize, ground: f64) -> bool {
+    if path[last][2] > ground + LOW {
+        return false;
+    }
+    let (places, near) = places(track, path, last, false);
+    let Some(changed) = best(track, path, (&places, &near), false, &JUMPS) else {
+        return false;
+    };
+    let smooth = fit(track, path, places, track.times[last], false, &[]);
+    if smooth.is_some_and(|smooth| smooth.criterion <= changed.criterion) {
+        return false;
+    }
+    velocity_jump(&changed).is_some_and(|(jump, error)| {
+        is_touch(path[last][2] - ground, &changed, jump) && jump[2] > SLIGHT + LIKELY * error
+    })
+}
+
+/// Lowest level of a path, m.
+pub(super) fn ground(path: &[[f64; 3]]) -> f64 {
+    let mut heights: Vec<f64> = path.iter().map(|position| position[2]).collect();
+    let place = BELOW.min(heights.len() - 1);
+    *heights.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
 /// A derivative of a fitted motion, a time `beyond` the change, with its standard error on one axis.

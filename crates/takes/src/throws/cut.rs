@@ -16,7 +16,9 @@ const CANDIDATES: usize = 4;
 const MARGIN: usize = 1;
 /// Hinges that are tried, by the powers of the time beyond the change: a jump of the acceleration, with a change of its rate, a
 /// jump of the velocity, with one of the acceleration.
-const HINGES: [&[i32]; 4] = [&[2], &[2, 3], &[1], &[1, 2]];
+pub(super) const HINGES: [&[i32]; 4] = [&[2], &[2, 3], &[1], &[1, 2]];
+/// Those of a touch of the ground: a jump of the velocity.
+pub(super) const JUMPS: [&[i32]; 2] = [&[1], &[1, 2]];
 
 /// A change of the motion at the beginning or the end of a flight.
 #[derive(Clone, Debug)]
@@ -46,7 +48,8 @@ pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool
         acceleration: [0.0; 3],
     };
     match stop {
-        Stop::Deviation { .. } => located(track, path, last, early).unwrap_or(plain),
+        Stop::Deviation { .. } => located(track, path, last, early, &HINGES).unwrap_or(plain),
+        Stop::Touch { .. } => located(track, path, last, early, &JUMPS).unwrap_or(plain),
         _ => plain,
     }
 }
@@ -92,13 +95,14 @@ pub(super) fn best(
     path: &[[f64; 3]],
     (places, near): (&Range<usize>, &Range<usize>),
     early: bool,
+    hinges: &[&'static [i32]],
 ) -> Option<Fit> {
     let mut best: Option<Fit> = None;
     for i in near.start..near.end.saturating_sub(1) {
         let (a, b) = (track.times[i], track.times[i + 1]);
         for part in 0..CANDIDATES {
             let time = a + (b - a) * part as f64 / CANDIDATES as f64;
-            for hinge in HINGES {
+            for &hinge in hinges {
                 if let Some(fit) = fit(track, path, places.clone(), time, early, hinge)
                     && best
                         .as_ref()
@@ -112,9 +116,15 @@ pub(super) fn best(
     best
 }
 
-fn located(track: &Track, path: &[[f64; 3]], last: usize, early: bool) -> Option<Change> {
+fn located(
+    track: &Track,
+    path: &[[f64; 3]],
+    last: usize,
+    early: bool,
+    hinges: &[&'static [i32]],
+) -> Option<Change> {
     let (places, near) = places(track, path, last, early);
-    let best = best(track, path, (&places, &near), early)?;
+    let best = best(track, path, (&places, &near), early, hinges)?;
     let row = |k: usize| [0, 1, 2].map(|axis| best.coefficients[(k, axis)]);
     let outward = if early { -1.0 } else { 1.0 };
     let jumps = best.hinge[0] == 1;

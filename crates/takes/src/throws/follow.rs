@@ -24,6 +24,8 @@ pub(super) enum Stop {
     Gap { from: usize, to: usize },
     /// Samples beyond this one do not follow.
     Deviation { last: usize },
+    /// The ground holds the body up around this one.
+    Touch { last: usize },
 }
 
 impl Stop {
@@ -32,19 +34,26 @@ impl Stop {
         match self {
             Self::Data => data,
             Self::Gap { from, .. } => *from,
-            Self::Deviation { last } => *last,
+            Self::Deviation { last } | Self::Touch { last } => *last,
         }
     }
 }
 
-/// Follows a flight from the middle of a run to both sides; where it begins and where it ends. Samples that deviate end it
-/// where `is_break` says so of the last place that followed, at the beginning of the flight if its second argument is true.
+/// What ends a flight, asked of the last place that followed.
+pub(super) struct Checks<'c> {
+    /// Whether samples that deviate are no flight, at the beginning of the flight if the second argument is true.
+    pub is_break: &'c dyn Fn(usize, bool) -> bool,
+    /// Whether the ground holds the body up, deviations or not.
+    pub touches: &'c dyn Fn(usize) -> bool,
+}
+
+/// Follows a flight from the middle of a run to both sides; where it begins and where it ends.
 pub(super) fn follow(
     track: &Track,
     path: &[[f64; 3]],
     run: &Range<usize>,
     options: &ThrowOptions,
-    is_break: &dyn Fn(usize, bool) -> bool,
+    checks: &Checks<'_>,
 ) -> (Stop, Stop) {
     let noise = noise(track, path, run);
     let middle = (run.start + run.end) / 2;
@@ -55,7 +64,7 @@ pub(super) fn follow(
         if !forward {
             inside.reverse();
         }
-        extend(track, path, inside, forward, noise, options, is_break)
+        extend(track, path, inside, forward, noise, options, checks)
     };
     (side(false), side(true))
 }
@@ -67,7 +76,7 @@ fn extend(
     forward: bool,
     noise: f64,
     options: &ThrowOptions,
-    is_break: &dyn Fn(usize, bool) -> bool,
+    checks: &Checks<'_>,
 ) -> Stop {
     let length = inside.len();
     let step = |i: usize, by: usize| match forward {
@@ -81,6 +90,9 @@ fn extend(
         let Some(next) = step(last, 1) else {
             return Stop::Data;
         };
+        if forward && (checks.touches)(last) {
+            return Stop::Touch { last };
+        }
         let recent = &inside[inside.len() - length.min(inside.len())..];
         let gap = (track.times[next] - track.times[last]).abs();
         let is_gap = gap > 1.5 * track.step;
@@ -93,7 +105,7 @@ fn extend(
         let follows = |place: usize| is_predicted(track, path, recent, place, noise);
         let following = (1..=CONSECUTIVE).filter_map(|by| step(last, by));
         let good = following.clone().find(|&place| follows(place));
-        let good = good.or_else(|| (!is_break(last, !forward)).then_some(next));
+        let good = good.or_else(|| (!(checks.is_break)(last, !forward)).then_some(next));
         let Some(good) = good else {
             return match is_gap {
                 true => Stop::Gap {

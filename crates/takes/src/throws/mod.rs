@@ -18,7 +18,7 @@ use std::ops::Range;
 
 use crate::take::Take;
 use cut::{Change, changes};
-use follow::{Stop, follow};
+use follow::{Checks, Stop, follow};
 pub use motion::{Motion, motion};
 use track::Track;
 pub(crate) use track::fitted;
@@ -162,8 +162,12 @@ fn throw(
     options: &ThrowOptions,
 ) -> Option<(Range<usize>, Throw)> {
     let path = track.path(windows::offset(windows, run));
-    let is_break = |last: usize, early: bool| breaks::is_break(track, &path, last, early);
-    let (start, end) = follow(track, &path, run, options, &is_break);
+    let ground = breaks::ground(&path);
+    let checks = Checks {
+        is_break: &|last, early| breaks::is_break(track, &path, last, ground, early),
+        touches: &|last| breaks::touches(track, &path, last, ground),
+    };
+    let (start, end) = follow(track, &path, run, options, &checks);
     let early = changes(track, &path, &start, true);
     let late = changes(track, &path, &end, false);
     let (first, last) = (early.inside, late.inside);
@@ -194,7 +198,7 @@ fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
     match stop {
         Stop::Data => Cause::Recording,
         Stop::Gap { from, to } => Cause::Gap((track.times[*to] - track.times[*from]).abs()),
-        Stop::Deviation { .. } => {
+        Stop::Deviation { .. } | Stop::Touch { .. } => {
             let speed = norm(change.velocity);
             let along = |v: [f64; 3]| match speed > 0.0 {
                 true => dot(v, change.velocity) / speed,
@@ -227,9 +231,13 @@ fn select(found: &mut Throws, options: &ThrowOptions) {
     let mut last_end: Option<Cut> = None;
     for throw in std::mem::take(&mut found.throws) {
         let seconds = throw.end.time - throw.release.time;
+        // A hand takes its time: what goes on at once after an impact is a bounce, whatever its beginning looks like.
+        let long =
+            |cause: Cause| matches!(cause, Cause::Gap(seconds) if seconds > options.longest_gap);
         let bounced = last_end.is_some_and(|end| {
             let near = throw.release.time - end.time < options.shortest;
-            near && !matches!(throw.release.cause, Cause::Hand(_) | Cause::Gap(_))
+            let seen = !matches!(throw.release.cause, Cause::Hand(_) | Cause::Gap(_));
+            near && (seen || !long(end.cause))
         });
         last_end = Some(throw.end);
         let why = if bounced {
