@@ -143,6 +143,7 @@ fn earlier_results_are_gone_and_other_files_stay() {
             "flight.html",
             "flight.svg",
             "notes.txt",
+            "summary.json",
             "trajectory.csv"
         ]
     );

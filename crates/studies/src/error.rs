@@ -54,6 +54,9 @@ pub enum StudyError {
     /// A fit failed.
     #[error(transparent)]
     Fit(#[from] identify::FitError),
+    /// A diagnosis failed.
+    #[error(transparent)]
+    Diagnosis(#[from] diagnose::DiagnosisError),
     /// A template of a page does not go with the results.
     #[error("the page cannot be written: {0}")]
     Page(#[from] minijinja::Error),

@@ -22,6 +22,8 @@ const LOW: f64 = 0.05;
 /// Least jump upwards of a body that low, m/s, and the standard errors by which it must be exceeded.
 const SLIGHT: f64 = 0.1;
 const LIKELY: f64 = 2.0;
+/// Time between two descents to the ground, s.
+const APART: f64 = 0.5;
 /// Samples that may lie below the lowest level without counting, such as ghosts.
 const BELOW: usize = 3;
 
@@ -99,10 +101,24 @@ pub(super) fn touches(track: &Track, path: &[[f64; 3]], last: usize, ground: f64
 }
 
 /// Lowest level of a path, m.
-pub(super) fn ground(path: &[[f64; 3]]) -> f64 {
+pub(super) fn lowest(path: &[[f64; 3]]) -> f64 {
     let mut heights: Vec<f64> = path.iter().map(|position| position[2]).collect();
     let place = BELOW.min(heights.len() - 1);
     *heights.select_nth_unstable_by(place, f64::total_cmp).1
+}
+
+/// Whether the lowest level is that of the ground: the body comes down to it several times. Where it does once, that may be where
+/// a flight turns upwards.
+pub(super) fn is_ground(times: &[f64], path: &[[f64; 3]], lowest: f64) -> bool {
+    let low = times.iter().zip(path);
+    let low = low.filter(|(_, at)| at[2] < lowest + REACH);
+    let mut before = f64::NEG_INFINITY;
+    let visits = low.filter(|(time, _)| {
+        let is_new = **time > before + APART;
+        before = **time;
+        is_new
+    });
+    visits.count() > 1
 }
 
 /// A derivative of a fitted motion, a time `beyond` the change, with its standard error on one axis.

@@ -162,10 +162,11 @@ fn throw(
     options: &ThrowOptions,
 ) -> Option<(Range<usize>, Throw)> {
     let path = track.path(windows::offset(windows, run));
-    let ground = breaks::ground(&path);
+    let ground = breaks::lowest(&path);
+    let is_ground = breaks::is_ground(&track.times, &path, ground);
     let checks = Checks {
         is_break: &|last, early| breaks::is_break(track, &path, last, ground, early),
-        touches: &|last| breaks::touches(track, &path, last, ground),
+        touches: &|last| is_ground && breaks::touches(track, &path, last, ground),
     };
     let (start, end) = follow(track, &path, run, options, &checks);
     let early = changes(track, &path, &start, true);

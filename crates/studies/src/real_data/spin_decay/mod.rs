@@ -1,5 +1,6 @@
 //! Decay of the spin of a disc in flight: forms of the torque, fitted to the record of a gyroscope.
 
+mod diagnosis;
 mod fit;
 mod form;
 mod page;

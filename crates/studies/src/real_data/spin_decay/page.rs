@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::diagnosis::{Diagnosed, MARGIN, PRIORS};
 use super::fit::DecayFit;
 use super::form::Form;
 use super::results::{SpinDecay, WOBBLE};
@@ -12,7 +13,11 @@ use crate::page::render;
 const REJECTED_AIC: f64 = 10.0;
 
 #[derive(Serialize)]
-struct Section {
+struct Section<'d> {
+    diagnosed: &'d Diagnosed,
+    /// Time that the diagnosis leaves out at either end, s.
+    margin: f64,
+    priors: String,
     samples: usize,
     first_rate: f64,
     last_rate: f64,
@@ -63,7 +68,11 @@ pub(in super::super) fn spin_decay_section(data: &SpinDecay) -> Result<String, S
     let duration = data.record.times.last().copied().unwrap_or(0.0);
     let final_factor = 1.0 - falling.unknowns[2] * duration;
     let c_nr = |fit: &DecayFit| -fit.unknowns[1] * data.axial_inertia;
+    let priors = PRIORS.map(|(name, mean, sigma)| format!("`{name}` {mean} ± {sigma}"));
     let section = Section {
+        diagnosed: &data.diagnosed,
+        margin: MARGIN,
+        priors: priors.join(", "),
         samples: rates.len(),
         first_rate: rates.first().copied().unwrap_or(0.0),
         last_rate: rates.last().copied().unwrap_or(0.0),

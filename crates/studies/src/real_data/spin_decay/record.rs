@@ -6,7 +6,7 @@ use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
 /// Times of the record between which the disc is in flight, s.
-const FLIGHT: (f64, f64) = (0.14, 2.38);
+pub(super) const FLIGHT: (f64, f64) = (0.14, 2.38);
 
 /// Least number of samples of a flight.
 const MIN_SAMPLES: usize = 10;

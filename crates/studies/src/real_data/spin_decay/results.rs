@@ -4,6 +4,7 @@ use std::path::Path;
 
 use model_spec::model::Model;
 
+use super::diagnosis::{Diagnosed, diagnosed};
 use super::fit::{DecayFit, fit};
 use super::form::Form;
 use super::record::Record;
@@ -22,6 +23,8 @@ pub(in super::super) struct SpinDecay {
     pub(super) axial_inertia: f64,
     /// C_Nr of the model, N·m·s.
     pub(super) model_c_nr: f64,
+    /// The ordinary diagnosis of gyroscope and accelerometer.
+    pub(super) diagnosed: Diagnosed,
 }
 
 impl SpinDecay {
@@ -43,6 +46,7 @@ impl SpinDecay {
             fits: fits.collect(),
             axial_inertia: value("I_a")?,
             model_c_nr: value("C_Nr")?,
+            diagnosed: diagnosed(file)?,
             record,
         })
     }

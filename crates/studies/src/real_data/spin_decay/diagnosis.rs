@@ -1,0 +1,162 @@
+//! The record of gyroscope and accelerometer through the ordinary fit and diagnosis: a model of the whole disc.
+
+use std::path::Path;
+
+use diagnose::{CauseEffect, DiagnosisOptions, diagnose};
+use identify::dataset::{Dataset, Flight, Reading, Role, Sensor, SensorKind};
+use identify::{FitOptions, Prior};
+use model_spec::compose::Instrument;
+use serde::Serialize;
+
+use super::record::FLIGHT;
+use crate::error::StudyError;
+use crate::real_data::files::{absent, bad_line, rows, text_of};
+
+/// Standard gravity, m/s²: the record has specific forces in its multiples.
+const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// Time after the release and before the end that is left out, s.
+pub(super) const MARGIN: f64 = 0.06;
+
+/// Model of the disc, with the errors of the sensors that every such disc has.
+const MODEL: (&str, [&str; 2]) = (
+    "disc_quaternion",
+    ["accelerometer_misplaced", "gyroscope_misaligned"],
+);
+
+/// Priors of coefficients that one flight of unknown airspeed does not determine: name, mean, standard deviation, SI.
+pub(super) const PRIORS: [(&str, f64, f64); 4] = [
+    ("C_L0", 0.2, 0.1),
+    ("C_La", 2.4, 0.5),
+    ("C_D0", 0.1, 0.05),
+    ("C_Da", 1.5, 0.5),
+];
+
+/// What the diagnosis says of the flight.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Diagnosed {
+    pub(super) verdict: String,
+    pub(super) causes: Vec<CauseRow>,
+    /// Where the accelerometer sits off the centre across the axis, and standard errors, mm.
+    pub(super) off_mm: [[f64; 2]; 2],
+    /// `C_Nr` without a further effect, and its standard error, N·m·s.
+    pub(super) c_nr: [f64; 2],
+    /// Samples that were used.
+    pub(super) samples: usize,
+}
+
+/// One explanation.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct CauseRow {
+    pub(super) effects: String,
+    pub(super) site: String,
+    pub(super) explained: f64,
+}
+
+/// Diagnoses the flight in a table `t,gx,gy,gz,acc_x,acc_y,acc_z` in s, rad/s and multiples of the standard gravity.
+pub(super) fn diagnosed(file: &Path) -> Result<Diagnosed, StudyError> {
+    let dataset = dataset(file)?;
+    let (name, effects) = MODEL;
+    let model = model_spec::load::load(name, &effects)?;
+    let priors = PRIORS.map(|(name, value, sigma)| Prior {
+        name: name.to_owned(),
+        value,
+        sigma,
+    });
+    let options = DiagnosisOptions {
+        fit: FitOptions {
+            priors: &priors,
+            trust_data: true,
+            ..FitOptions::default()
+        },
+        ..DiagnosisOptions::default()
+    };
+    let base = identify::fit(&model, &dataset, &options.fit)?;
+    let found = diagnose(&model, &dataset, &options)?;
+    let estimate = |name: &str, unit: f64| {
+        let own = base.report.coefficients.get(name);
+        own.map_or([f64::NAN; 2], |own| {
+            [own.value * unit, own.std_error * unit]
+        })
+    };
+    let causes = found.report.causes.iter().map(|cause| {
+        let of = |text: fn(&CauseEffect) -> String| -> String {
+            let each: Vec<String> = cause.effects.iter().map(text).collect();
+            each.join(" with ")
+        };
+        CauseRow {
+            effects: of(|effect| effect.name.clone()),
+            site: of(|effect| effect.site.clone()),
+            explained: cause.explained,
+        }
+    });
+    Ok(Diagnosed {
+        verdict: format!("{:?}", found.report.verdict).to_lowercase(),
+        causes: causes.collect(),
+        off_mm: ["accelerometer_by_1", "accelerometer_by_2"].map(|name| estimate(name, 1e3)),
+        c_nr: estimate("C_Nr", 1.0),
+        samples: dataset.flights[0].times.len(),
+    })
+}
+
+/// The flight as a dataset of a gyroscope and an accelerometer.
+fn dataset(file: &Path) -> Result<Dataset, StudyError> {
+    let text = text_of(file)?;
+    let within = FLIGHT.0 + MARGIN - 1e-9..=FLIGHT.1 - MARGIN + 1e-9;
+    let (mut times, mut readings) = (Vec::new(), Vec::new());
+    for row in rows(&text, 1) {
+        let cells: Vec<Option<f64>> = row
+            .1
+            .split(',')
+            .map(|cell| cell.trim().parse().ok())
+            .collect();
+        let &[
+            Some(time),
+            Some(gx),
+            Some(gy),
+            Some(gz),
+            Some(ax),
+            Some(ay),
+            Some(az),
+        ] = &cells[..]
+        else {
+            return Err(bad_line(file, row, "t,gx,gy,gz,acc_x,acc_y,acc_z"));
+        };
+        if within.contains(&time) {
+            let force = [ax, ay, az].map(|g| STANDARD_GRAVITY * g);
+            let reading = |[x, y, z]: [f64; 3]| -> Option<Reading> { Some([x, y, z, 0.0]) };
+            times.push(time - FLIGHT.0);
+            readings.push(vec![reading([gx, gy, gz]), reading(force)]);
+        }
+    }
+    if times.is_empty() {
+        return Err(absent(file, "flight"));
+    }
+    let sensor = |name: &str, instrument| Sensor {
+        name: name.to_owned(),
+        kind: SensorKind::Instrument(instrument),
+        position: [0.0; 3],
+        sigma: None,
+        sigma_angle: None,
+    };
+    Ok(Dataset {
+        model: MODEL.0.to_owned(),
+        parameters: Default::default(),
+        markers: Vec::new(),
+        sensors: vec![
+            sensor("gyroscope", Instrument::Gyroscope),
+            sensor("accelerometer", Instrument::Accelerometer),
+        ],
+        unknown_vertical: false,
+        origin_error: None,
+        sigma: None,
+        flights: vec![Flight {
+            file: "flight.csv".to_owned(),
+            role: Role::Fit,
+            known: Default::default(),
+            positions: vec![Vec::new(); times.len()],
+            times,
+            readings,
+        }],
+    })
+}
