@@ -86,12 +86,12 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
     fit_after(model, dataset, options, None)
 }
 
-/// Fits a model as [`fit`] does, starting at the estimates of an earlier fit of the same dataset: parameters of the same name
+/// Fits a model as [`fit`](fn@crate::fit) does, starting at the estimates of an earlier fit of the same dataset: parameters of the same name
 /// start at their estimates, all others at the model's values, each flight at its initial state. Much faster where the
 /// models are alike. Where the earlier fit cannot be continued, as the states are others, the fit starts from the samples.
 ///
 /// # Errors
-/// Those of [`fit`].
+/// Those of [`fit`](fn@crate::fit).
 pub fn refit(
     model: &Model,
     dataset: &Dataset,
