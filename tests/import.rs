@@ -6,8 +6,10 @@ mod support;
 
 use std::fmt::Write;
 use std::path::Path;
+use std::process::Command;
 
 use examples::the_examples_run;
+use identify::dataset::{Dataset, Flight};
 use support::{hyzer, told};
 
 const TEMPLATE: &str = "examples/disc/dataset.toml";
@@ -74,6 +76,20 @@ fn vicon(flight: &identify::dataset::Flight) -> String {
     text
 }
 
+/// The command `hyzer import` of a recording of each flight of the example, and the example.
+fn importing(folder: &Path, recording: impl Fn(&Flight) -> String) -> (Command, Dataset) {
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
+    let dataset = identify::dataset::load(&example).expect("the example");
+    let mut command = hyzer();
+    command.arg("import");
+    for (i, flight) in dataset.flights.iter().enumerate() {
+        let file = folder.join(format!("take{i}.csv"));
+        std::fs::write(&file, recording(flight)).expect("written");
+        command.arg(file);
+    }
+    (command, dataset)
+}
+
 #[test]
 fn the_examples_of_the_help_run() {
     the_examples_run("import", 2, "imported");
@@ -82,15 +98,7 @@ fn the_examples_of_the_help_run() {
 #[test]
 fn recordings_become_a_dataset_that_is_fitted() {
     let around = tempfile::tempdir().expect("a folder");
-    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
-    let dataset = identify::dataset::load(&example).expect("the example");
-    let mut command = hyzer();
-    command.arg("import");
-    for (i, flight) in dataset.flights.iter().enumerate() {
-        let file = around.path().join(format!("take{i}.csv"));
-        std::fs::write(&file, vicon(flight)).expect("written");
-        command.arg(file);
-    }
+    let (mut command, dataset) = importing(around.path(), vicon);
     let out = around.path().join("imported");
     command
         .args(["--up", "+y", "--markers", TEMPLATE, "--out"])
@@ -139,7 +147,7 @@ fn recordings_become_a_dataset_that_is_fitted() {
     assert_eq!(status, 0, "{text}{errors}");
     let report = std::fs::read_to_string(fitted.join("report.json")).expect("a report");
     let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
-    let truth = std::fs::read_to_string(example.join("truth.toml")).expect("the truth");
+    let truth = std::fs::read_to_string("examples/disc/truth.toml").expect("the truth");
     let truth: toml::Table = truth.parse().expect("TOML");
     let truths = truth["coefficients"].as_table().expect("coefficients");
     assert_eq!(truths.len(), 8);
@@ -316,15 +324,7 @@ fn with_wand(text: &str) -> String {
 #[test]
 fn without_a_template_the_positions_of_the_markers_are_estimated() {
     let around = tempfile::tempdir().expect("a folder");
-    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
-    let dataset = identify::dataset::load(&example).expect("the example");
-    let mut command = hyzer();
-    command.arg("import");
-    for (i, flight) in dataset.flights.iter().enumerate() {
-        let file = around.path().join(format!("take{i}.csv"));
-        std::fs::write(&file, with_wand(&vicon(flight))).expect("written");
-        command.arg(file);
-    }
+    let (mut command, dataset) = importing(around.path(), |flight| with_wand(&vicon(flight)));
     let out = around.path().join("imported");
     command.args(["--up", "+y", "--model", "disc", "--label", "A=m1", "--out"]);
     let (status, text, errors) = told(command.arg(&out));

@@ -60,7 +60,7 @@ pub use vertical::{ANGLES as VERTICAL_ANGLES, upward};
 // The estimation problem, and predictions with their derivatives.
 pub use channel::{Channel, ChannelKind};
 pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
-pub use noise::{AxesNoise, Moments, NoiseModel};
+pub use noise::{AxesNoise, Moments, NoiseModel, group_count};
 pub use noise_floor::{median_noise_floor, noise_floor};
 pub use observations::Observations;
 pub use predict::{Loss, PointResidual, Residuals, each_residual, linearise, linearise_with};

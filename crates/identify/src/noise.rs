@@ -22,6 +22,11 @@ pub struct AxesNoise {
     pub interval: f64,
 }
 
+/// Number of groups of channels, given the group of each channel.
+pub fn group_count(group_of: &[usize]) -> usize {
+    group_of.iter().max().map_or(1, |last| last + 1)
+}
+
 /// Greatest autocorrelation attributed to noise; a greater correlation of residuals indicates model error.
 const MAX_AR1: f64 = 0.9;
 

@@ -3,7 +3,7 @@
 //! Model error is smooth in time: subtracting a line through the neighbours removes it, so it does not count as an
 //! outlier.
 
-use crate::noise::OUTLIER_LIMIT;
+use crate::noise::{OUTLIER_LIMIT, group_count};
 use crate::statistics::{median, robust_sigma};
 
 /// Number of neighbours on either side through which the line is fitted; two of them may be outliers.
@@ -160,7 +160,7 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
 
 /// Robust standard deviation of the local residuals of each group of channels along each axis, m.
 pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64; 3]> {
-    let groups = group_of.iter().max().map_or(1, |last| last + 1);
+    let groups = group_count(group_of);
     let of_group = |group: usize| {
         let series = local_residuals.iter().zip(group_of);
         let series = series.filter(|(_, own)| **own == group);
@@ -184,12 +184,22 @@ pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     })
 }
 
-/// Median over flights of their scales along each axis.
-pub fn median_scale(scales: &[[f64; 3]]) -> [f64; 3] {
-    [0, 1, 2].map(|axis| {
-        let mut values: Vec<f64> = scales.iter().map(|scale| scale[axis]).collect();
-        median(&mut values)
-    })
+/// Scales at which outliers of each flight are judged, by group and axis: its own, and at least the median of all flights.
+pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
+    let groups = own.first().map_or(0, Vec::len);
+    let median_of = |group: usize| {
+        [0, 1, 2].map(|axis| {
+            let mut values: Vec<f64> = own.iter().map(|scales| scales[group][axis]).collect();
+            median(&mut values)
+        })
+    };
+    let usual: Vec<[f64; 3]> = (0..groups).map(median_of).collect();
+    let of_flight = |scales: &Vec<[f64; 3]>| {
+        let pairs = scales.iter().zip(&usual);
+        let greater = pairs.map(|(own, usual)| [0, 1, 2].map(|axis| usual[axis].max(own[axis])));
+        greater.collect()
+    };
+    own.iter().map(of_flight).collect()
 }
 
 /// Outliers at the scales of the groups of channels: their indices `sample * channels + channel`, as in

@@ -13,7 +13,7 @@ use model_spec::model::Model;
 use crate::channel::{self, Channel, ChannelKind};
 use crate::dataset::{Dataset, KnownValue, SensorKind, points_on_body};
 use crate::error::{FitError, FlightError, NameSource};
-use crate::noise::{Moments, NoiseModel};
+use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
 use crate::pose;
 use crate::tolerance::FINE_TOLERANCE;
@@ -187,12 +187,7 @@ impl FitProblem {
 
     /// Empty sums for each group.
     pub fn no_moments(&self) -> Vec<Moments> {
-        let groups = self
-            .noise_groups()
-            .into_iter()
-            .max()
-            .map_or(1, |last| last + 1);
-        vec![Moments::default(); groups]
+        vec![Moments::default(); group_count(&self.noise_groups())]
     }
 
     /// Whether positions of the body are measured; otherwise its place and heading are free, and have weak priors.
@@ -314,6 +309,9 @@ fn instruments(
     model: &Model,
     kinds: &[Instrument],
 ) -> Result<Vec<(Instrument, Arc<CompiledModel>)>, FitError> {
+    if kinds.is_empty() {
+        return Ok(Vec::new());
+    }
     let measured = with_instruments(model, kinds)?;
     let parameters: Vec<usize> = (0..Layout::new(&measured).parameters.len()).collect();
     let each = kinds.iter().map(|kind| {

@@ -18,22 +18,12 @@ const PLAN: Plan<'static> = Plan {
     ..TWELVE
 };
 
-fn sensor(name: &str, kind: SensorKind, position: [f64; 3]) -> Sensor {
-    Sensor {
-        name: name.to_owned(),
-        kind,
-        position,
-        sigma: None,
-        sigma_angle: None,
-    }
-}
-
 fn inertial() -> Vec<Sensor> {
     let gyroscope = SensorKind::Instrument(Instrument::Gyroscope);
     let accelerometer = SensorKind::Instrument(Instrument::Accelerometer);
     vec![
-        sensor("gyro", gyroscope, [0.0; 3]),
-        sensor("acc", accelerometer, [0.02, -0.01, 0.005]),
+        Sensor::new("gyro", gyroscope, [0.0; 3]),
+        Sensor::new("acc", accelerometer, [0.02, -0.01, 0.005]),
     ]
 }
 
@@ -67,7 +57,7 @@ fn fitted(dataset: &Dataset) -> FitReport {
 #[test]
 fn poses_and_inertial_sensors_give_the_coefficients_that_markers_give() {
     let noise = SensorNoise::default();
-    let pose = || sensor("tag", SensorKind::Pose, [0.03, 0.0, 0.01]);
+    let pose = || Sensor::new("tag", SensorKind::Pose, [0.03, 0.0, 0.01]);
     let sets = [
         ("pose", observed(false, vec![pose()], [0.0; 3])),
         ("inertial", observed(false, inertial(), [0.0; 3])),

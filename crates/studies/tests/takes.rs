@@ -53,7 +53,7 @@ fn flights_are_cut_within_three_samples() {
         "{good} of {} flights, {false_throws} that are none",
         cuts.len()
     );
-    // The criterion, 95 %, is that of docs/takes.md; by chance so few flights may have two standard errors less.
+    // The criterion is 95 %; a sample of this size is within two standard errors of it.
     let share = good as f64 / cuts.len() as f64;
     let error = (0.95 * 0.05 / cuts.len() as f64).sqrt();
     assert!(share > 0.95 - 2.0 * error, "{good} of {}", cuts.len());

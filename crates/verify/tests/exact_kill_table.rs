@@ -45,8 +45,8 @@ der(z) = V*sin(gamma);
 der(alpha) = (atan2(sin(gamma), 2 + cos(alpha)) - alpha)*1 [1/s];
 ";
 
-/// A mass on a spring that goes slack, with a brake that has a limit: functions with branches, of which the field decides
-/// nothing.
+/// A mass on a spring that goes slack, with a brake that has a limit: functions with branches, which the check over
+/// the prime field does not decide.
 const SLACK: &str = "model slack;
 param m = 0.2 kg;
 param h = 2 m;

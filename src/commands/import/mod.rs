@@ -3,14 +3,13 @@
 mod estimated;
 mod page;
 mod template;
-mod written;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, bail};
-use identify::dataset::{Dataset, Flight, Role};
+use identify::dataset::{Dataset, Flight, Role, write_commented};
 use report::import::{ImportPage, ImportedTake};
 use takes::words::listed;
 use takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};
@@ -112,7 +111,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
         .iter()
         .map(|(name, text)| (name.as_str(), text.clone()))
         .collect();
-    progress::writing(|| written::write(&options.out, &dataset, &other_files, &comments))
+    progress::writing(|| write_commented(&options.out, &dataset, &other_files, &comments))
         .with_context(|| format!("--out {}", options.out.display()))?;
     let count = dataset.flights.len();
     output::print(format!(

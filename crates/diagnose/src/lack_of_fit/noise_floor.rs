@@ -4,7 +4,7 @@
 //! likelihood gives the variance and the autocorrelation of what they leave, without the bias of the splines' coefficients.
 
 use flight::batch;
-use identify::{AxesNoise, Channel, NoiseModel};
+use identify::{AxesNoise, Channel, NoiseModel, group_count};
 
 use super::series::Series;
 use super::spline_basis::SplineBasis;
@@ -69,9 +69,8 @@ impl NoiseFloor {
         });
         let used: Vec<&FlightSeries> = used.collect();
         let group_of: Vec<usize> = channels.iter().map(|channel| channel.group).collect();
-        let count = group_of.iter().max().map_or(1, |last| last + 1);
         let (mut groups, mut ar1_std_error) = (Vec::new(), Vec::new());
-        for group in 0..count {
+        for group in 0..group_count(&group_of) {
             let is_single = |channel: &Channel| channel.group == group && channel.components == 1;
             let components = if channels.iter().any(is_single) { 1 } else { 3 };
             let axes = batch::each_on(threads, components, |axis| {

@@ -2,7 +2,7 @@
 
 use flight::batch;
 use identify::NormalBlock;
-use identify::outliers::{group_scales, local_residuals, median_scale, outlier_mask};
+use identify::outliers::{group_scales, judged_scales, local_residuals, outlier_mask};
 use identify::{FitError, NoiseModel, PointResidual, Residuals, eliminate};
 use nalgebra::DVector;
 
@@ -133,16 +133,9 @@ impl ScoreTestModel {
         let scales = local.iter().map(|local| group_scales(local, &group_of));
         let scales: Vec<Vec<[f64; 3]>> = scales.collect();
         let mut sums = self.problem.no_moments();
-        let typical = (0..sums.len()).map(|group| {
-            let of_group = scales.iter().map(|scales| scales[group]);
-            median_scale(&of_group.collect::<Vec<_>>())
-        });
-        let typical: Vec<[f64; 3]> = typical.collect();
+        let scales = judged_scales(&scales);
         for (index, observations) in self.flights.iter_mut().enumerate() {
-            let pairs = typical.iter().zip(&scales[index]);
-            let scales = pairs.map(|(usual, own)| [0, 1, 2].map(|axis| usual[axis].max(own[axis])));
-            let scales: Vec<[f64; 3]> = scales.collect();
-            observations.outlier = outlier_mask(&local[index], &scales, &group_of);
+            observations.outlier = outlier_mask(&local[index], &scales[index], &group_of);
             for (channel, series) in residuals[index].iter().enumerate() {
                 let good = series.iter().enumerate().map(|(sample, residual)| {
                     let place = sample * observations.channels + channel;

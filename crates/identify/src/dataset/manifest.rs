@@ -17,7 +17,7 @@ const LARGEST: u64 = 4 << 20;
 /// Greatest number of markers of a dataset.
 pub(super) const MOST_MARKERS: usize = 1000;
 /// Greatest absolute coordinate of a marker in the body frame, m; greater values suggest millimetres.
-pub(super) const FARTHEST: f64 = 10.0;
+const FARTHEST: f64 = 10.0;
 /// Distance below which two markers count as identical, m.
 const NEAREST: f64 = 1e-6;
 /// Greatest standard deviation of a measured coordinate, m; greater values suggest millimetres.
@@ -176,13 +176,7 @@ impl Checker<'_> {
                 return Err(fields.fault(value.span(), found, "each marker once"));
             }
             let value = self.needed(entry, "position", "the marker's position on the body, m")?;
-            let position = fields.vector(value, "position")?;
-            if let Some(far) = position.iter().find(|axis| axis.abs() > FARTHEST) {
-                let expected = format!(
-                    "at most {FARTHEST} m from the body's origin (millimetres given for metres?)"
-                );
-                return Err(fields.fault(value.span(), format!("a marker at {far} m"), expected));
-            }
+            let position = self.position(value, "marker")?;
             let near = |other: &&Marker| {
                 let apart = position
                     .iter()
@@ -215,6 +209,21 @@ impl Checker<'_> {
         let expected = format!("standard errors from 0 to {NOISIEST} m");
         let found = format!("origin_error = {errors:?}");
         Err(self.0.fault(value.span(), found, expected))
+    }
+
+    /// A place on the body, m, of a `what`.
+    pub(super) fn position(&self, value: &Value<'_>, what: &str) -> Result<[f64; 3], InputError> {
+        let position = self.0.vector(value, "position")?;
+        match position.iter().find(|axis| axis.abs() > FARTHEST) {
+            None => Ok(position),
+            Some(far) => {
+                let expected = format!(
+                    "at most {FARTHEST} m from the body's origin (millimetres given for metres?)"
+                );
+                let found = format!("a {what} at {far} m");
+                Err(self.0.fault(value.span(), found, expected))
+            }
+        }
     }
 
     fn sigma(&self, document: &DeTable<'_>) -> Result<Option<f64>, InputError> {

@@ -2,7 +2,7 @@
 
 use toml::de::DeTable;
 
-use super::manifest::{Checker, FARTHEST, MOST_MARKERS};
+use super::manifest::{Checker, MOST_MARKERS};
 use super::words::{listed, meant, shown};
 use super::{Marker, Sensor, SensorKind, names};
 use crate::input_error::InputError;
@@ -48,17 +48,9 @@ impl Checker<'_> {
             }
             let kind = self.kind(entry)?;
             let position = match entry.1.get("position") {
-                Some(value) => fields.vector(value, "position")?,
+                Some(value) => self.position(value, "sensor")?,
                 None => [0.0; 3],
             };
-            if let Some(far) = position.iter().find(|axis| axis.abs() > FARTHEST) {
-                let expected = format!("at most {FARTHEST} m from the body's origin");
-                return Err(fields.fault(
-                    entry.0.clone(),
-                    format!("a sensor at {far} m"),
-                    expected,
-                ));
-            }
             let own_sigma = self.deviation(entry.1, "sigma")?;
             let sigma_angle = self.deviation(entry.1, "sigma_angle")?;
             if sigma_angle.is_some() && kind != Some(SensorKind::Pose) {

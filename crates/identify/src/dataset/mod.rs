@@ -26,7 +26,7 @@ use std::path::Path;
 
 pub use sensor::{Reading, Sensor, SensorKind};
 pub(crate) use sensor::{attitude, points_on_body, points_seen};
-pub use write::{manifest_text, table_text, write, write_with};
+pub use write::{manifest_text, table_text, write, write_commented, write_with};
 
 use crate::input_error::InputError;
 

@@ -94,12 +94,12 @@ impl Recording {
         }
     }
 
-    /// Time of the tables, in s.
+    /// Converts a time of the tables to s.
     pub fn seconds(&self, time: f64) -> f64 {
         time * self.time.seconds()
     }
 
-    /// Coordinate of the tables, in m.
+    /// Converts a coordinate of the tables to m.
     pub fn metres(&self, coordinate: f64) -> f64 {
         coordinate * self.length.metres()
     }

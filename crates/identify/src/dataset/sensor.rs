@@ -34,6 +34,19 @@ pub struct Sensor {
 /// quaternion of an attitude (body to inertial, scalar part first).
 pub type Reading = [f64; 4];
 
+impl Sensor {
+    /// A sensor whose noise is not stated, at a place on the body, m.
+    pub fn new(name: &str, kind: SensorKind, position: [f64; 3]) -> Self {
+        Self {
+            name: name.to_owned(),
+            kind,
+            position,
+            sigma: None,
+            sigma_angle: None,
+        }
+    }
+}
+
 impl SensorKind {
     /// All kinds, with their names in `dataset.toml`; markers have a name of their own.
     pub const ALL: [(Self, &'static str); 4] = [

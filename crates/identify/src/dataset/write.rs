@@ -25,7 +25,21 @@ pub fn write(folder: &Path, dataset: &Dataset) -> io::Result<()> {
 /// # Errors
 /// Those of [`write`](fn@write).
 pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -> io::Result<()> {
-    let mut files = vec![("dataset.toml".to_owned(), manifest_text(dataset))];
+    write_commented(folder, dataset, beside, &[])
+}
+
+/// Writes a dataset as [`write_with`] does, with a comment line above the position of each marker, in their order.
+///
+/// # Errors
+/// Those of [`write`](fn@write).
+pub fn write_commented(
+    folder: &Path,
+    dataset: &Dataset,
+    beside: &[(&str, String)],
+    comments: &[String],
+) -> io::Result<()> {
+    let manifest = commented(&manifest_text(dataset), comments);
+    let mut files = vec![("dataset.toml".to_owned(), manifest)];
     let each = dataset.flights.iter();
     files.extend(each.map(|flight| {
         let text = table_text(flight, &dataset.markers, &dataset.sensors);
@@ -263,6 +277,22 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
     text
 }
 
+/// A manifest with a comment above the position of each marker.
+fn commented(text: &str, comments: &[String]) -> String {
+    let mut comments = comments.iter();
+    let mut made = String::new();
+    for line in text.lines() {
+        if line.starts_with("position = ")
+            && let Some(comment) = comments.next()
+        {
+            made += &format!("# {comment}\n");
+        }
+        made += line;
+        made.push('\n');
+    }
+    made
+}
+
 fn quoted(text: &str) -> String {
     toml::Value::from(text).to_string()
 }
@@ -273,5 +303,18 @@ fn key(name: &str) -> String {
         name.to_owned()
     } else {
         quoted(name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_marker_has_its_comment() {
+        let text = "model = \"disc\"\n\n[[markers]]\nname = \"a\"\nposition = [0.1, 0.0, 0.0]\n\n[[markers]]\nname = \"b\"\nposition = [0.0, 0.1, 0.0]\n";
+        let made = commented(text, &["one".to_owned(), "two".to_owned()]);
+        assert!(made.contains("# one\nposition = [0.1"), "{made}");
+        assert!(made.contains("# two\nposition = [0.0, 0.1"), "{made}");
     }
 }

@@ -59,7 +59,6 @@ pub struct Fit {
     /// The report: estimates, uncertainties, residual diagnostics.
     pub report: FitReport,
     problem: FitProblem,
-    marker_names: Vec<String>,
     /// Fitted flights by [`FlightId`]; `None` for excluded flights.
     flights: Vec<Option<FittedFlight>>,
     global: DVector<f64>,
@@ -233,7 +232,6 @@ fn fit_after(
         noise,
         noise_floor,
         excluded,
-        marker_names: names,
         flights: flights.fitted,
     })
 }
@@ -294,11 +292,6 @@ impl Fit {
     /// The estimation problem that was solved.
     pub fn problem(&self) -> &FitProblem {
         &self.problem
-    }
-
-    /// Names of the markers, in the order of the dataset.
-    pub fn marker_names(&self) -> &[String] {
-        &self.marker_names
     }
 
     /// Estimated global parameters, in the order of [`FitProblem::globals`], SI.

@@ -170,22 +170,15 @@ pub fn estimate_noise(
 ) -> Result<(NoiseModel, bool), FitError> {
     let judged = outlier_candidates(problem, state, cache, options)?;
     let group_of = problem.noise_groups();
-    let median_scales: Vec<[f64; 3]> = (0..problem.no_moments().len())
-        .map(|group| {
-            let of_group = judged.iter().map(|flight| flight.scales[group]);
-            outliers::median_scale(&of_group.collect::<Vec<_>>())
-        })
-        .collect();
+    let own: Vec<Vec<[f64; 3]>> = judged.iter().map(|flight| flight.scales.clone()).collect();
+    let scales = outliers::judged_scales(&own);
     let marked = batch::each_on(options.threads(), state.flights.len(), |flight| {
         let residuals = &cache.path(&state.flights, flight)?.residuals;
         let observations = &state.flights[flight];
         // A flight that is noisier than the others is judged by its scale.
-        let FlightOutliers { scales, candidates } = &judged[flight];
         let mut outlier = vec![false; observations.measured.len()];
-        for (point, local_residual) in candidates {
-            let group = group_of[point % observations.channels];
-            let (usual, own) = (median_scales[group], scales[group]);
-            let scale = [0, 1, 2].map(|axis| usual[axis].max(own[axis]));
+        for (point, local_residual) in &judged[flight].candidates {
+            let scale = scales[flight][group_of[point % observations.channels]];
             outlier[*point] = outliers::is_outlier(local_residual, scale);
         }
         let mut moments = problem.no_moments();

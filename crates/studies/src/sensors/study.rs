@@ -46,21 +46,10 @@ pub struct SensorSet {
     pub displaced: Option<[usize; 2]>,
 }
 
-/// A sensor without stated noise.
-fn sensor(name: &str, kind: SensorKind, position: [f64; 3]) -> Sensor {
-    Sensor {
-        name: name.to_owned(),
-        kind,
-        position,
-        sigma: None,
-        sigma_angle: None,
-    }
-}
-
 /// The sets: names in words, whether there are markers, the sensors.
 fn sets() -> Vec<(&'static str, bool, Vec<Sensor>)> {
-    let instrument = |name, kind, place| sensor(name, SensorKind::Instrument(kind), place);
-    let pose = sensor("tag", SensorKind::Pose, [0.03, 0.0, 0.01]);
+    let instrument = |name, kind, place| Sensor::new(name, SensorKind::Instrument(kind), place);
+    let pose = Sensor::new("tag", SensorKind::Pose, [0.03, 0.0, 0.01]);
     let gyroscope = instrument("gyro", Instrument::Gyroscope, [0.0; 3]);
     let accelerometer = instrument("acc", Instrument::Accelerometer, [0.02, -0.01, 0.005]);
     let speed = instrument("radar", Instrument::Speed, [0.0; 3]);

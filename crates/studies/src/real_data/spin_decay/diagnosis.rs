@@ -132,13 +132,8 @@ fn dataset(file: &Path) -> Result<Dataset, StudyError> {
     if times.is_empty() {
         return Err(absent(file, "flight"));
     }
-    let sensor = |name: &str, instrument| Sensor {
-        name: name.to_owned(),
-        kind: SensorKind::Instrument(instrument),
-        position: [0.0; 3],
-        sigma: None,
-        sigma_angle: None,
-    };
+    let sensor =
+        |name: &str, instrument| Sensor::new(name, SensorKind::Instrument(instrument), [0.0; 3]);
     Ok(Dataset {
         model: MODEL.0.to_owned(),
         parameters: Default::default(),
