@@ -209,7 +209,7 @@ impl<'a, X: StateVector> Event<'a, X> {
 }
 
 /// Appends to `found` the fractions of a step at which `value` falls to 0.
-fn falling_zeros(step: &DenseOutput<'_>, mut value: impl FnMut(f64) -> f64, found: &mut Vec<f64>) {
+pub(crate) fn falling_zeros(step: &DenseOutput<'_>, mut value: impl FnMut(f64) -> f64, found: &mut Vec<f64>) {
     let mut before = (0.0, value(0.0));
     for k in 1..=SEARCH_INTERVALS {
         let s = f64::from(k) / f64::from(SEARCH_INTERVALS);
@@ -229,7 +229,7 @@ fn falling_zeros(step: &DenseOutput<'_>, mut value: impl FnMut(f64) -> f64, foun
 
 /// Whether `value` falls from positive to 0 or below between neighbouring points of an even subdivision of a step
 /// into `intervals`; more than one interval finds pairs of zeros within the step.
-fn has_falling_zero(intervals: u32, value: impl Fn(f64) -> f64) -> bool {
+pub(crate) fn has_falling_zero(intervals: u32, value: impl Fn(f64) -> f64) -> bool {
     let mut before = value(0.0);
     for k in 1..=intervals {
         let after = value(f64::from(k) / f64::from(intervals));

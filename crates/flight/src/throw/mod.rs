@@ -7,6 +7,7 @@
 
 mod inverse;
 mod motion;
+mod near;
 
 use std::f64::consts::PI;
 
@@ -14,7 +15,10 @@ use model_spec::model::Model;
 use nalgebra::{Rotation3, Vector3};
 
 use crate::release::Release;
+pub use near::NearThrows;
+
 use motion::{Motion, MotionModel, Turning};
+pub use motion::speed_and_spin;
 
 /// rad/s per rpm.
 const RPM: f64 = PI / 30.0;
