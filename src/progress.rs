@@ -45,7 +45,9 @@ pub fn handle_signals() -> anyhow::Result<()> {
         };
         if change(WORKING, STOPPED) {
             end(match RESUMES.load(Ordering::SeqCst) {
-                true => "interrupted; what is done is kept, and the same command goes on from there",
+                true => {
+                    "interrupted; what is done is kept, and the same command goes on from there"
+                }
                 false => "interrupted; nothing was written",
             });
         }

@@ -55,7 +55,14 @@ fn leaf() -> (tempfile::TempDir, PathBuf) {
 /// Runs a sweep, which must succeed.
 fn sweep(plan: &Path, out: &Path, options: &[&str]) -> String {
     let mut command = hyzer();
-    let (status, text, errors) = told(command.arg("sweep").arg(plan).arg("--out").arg(out).args(options));
+    let (status, text, errors) = told(
+        command
+            .arg("sweep")
+            .arg(plan)
+            .arg("--out")
+            .arg(out)
+            .args(options),
+    );
     assert_eq!(status, 0, "{errors}");
     text
 }
@@ -77,8 +84,16 @@ fn summary(out: &Path) -> Value {
 
 /// A number of a row of the CSV, by its column.
 fn cell(lines: &[String], row: usize, column: &str) -> f64 {
-    let place = lines[0].split(',').position(|name| name == column).expect(column);
-    lines[row + 1].split(',').nth(place).expect("a cell").parse().expect("a number")
+    let place = lines[0]
+        .split(',')
+        .position(|name| name == column)
+        .expect(column);
+    lines[row + 1]
+        .split(',')
+        .nth(place)
+        .expect("a cell")
+        .parse()
+        .expect("a number")
 }
 
 fn results(out: &Path) -> [Vec<u8>; 2] {
@@ -122,7 +137,11 @@ fn the_numbers_are_those_of_the_distributions() {
     sweep(&plan, &out, &["--csv"]);
     let csv = fs::read_to_string(out.join("flights.csv")).expect("a table");
     let lines: Vec<String> = csv.lines().map(str::to_owned).collect();
-    let column = |name: &str| (0..10_000).map(|row| cell(&lines, row, name)).collect::<Vec<f64>>();
+    let column = |name: &str| {
+        (0..10_000)
+            .map(|row| cell(&lines, row, name))
+            .collect::<Vec<f64>>()
+    };
     let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
     let (speed, wind) = (column("speed"), column("wind_x"));
     let sd = |of: &[f64]| {
@@ -132,7 +151,11 @@ fn the_numbers_are_those_of_the_distributions() {
     // Four standard errors.
     assert!((mean(&speed) - 6.0).abs() < 0.02 && (sd(&speed) - 0.5).abs() < 0.015);
     assert!((mean(&wind) - 1.0).abs() < 0.02 && (sd(&wind) - 0.5).abs() < 0.015);
-    let products: Vec<f64> = speed.iter().zip(&wind).map(|(a, b)| (a - 6.0) * (b - 1.0)).collect();
+    let products: Vec<f64> = speed
+        .iter()
+        .zip(&wind)
+        .map(|(a, b)| (a - 6.0) * (b - 1.0))
+        .collect();
     let correlation = mean(&products) / (sd(&speed) * sd(&wind));
     assert!((correlation + 0.5).abs() < 0.04, "{correlation}");
     let k = column("k");
@@ -142,7 +165,10 @@ fn the_numbers_are_those_of_the_distributions() {
     let told = &summary["columns"]["range"];
     let close = |value: &Value, expected: f64, tolerance: f64| {
         let value = value.as_f64().expect("a number");
-        assert!((value - expected).abs() <= tolerance * expected.abs(), "{value} {expected}");
+        assert!(
+            (value - expected).abs() <= tolerance * expected.abs(),
+            "{value} {expected}"
+        );
     };
     close(&told["mean"], mean(&range), 1e-12);
     close(&told["sd"], sd(&range), 1e-4);
@@ -151,7 +177,11 @@ fn the_numbers_are_those_of_the_distributions() {
     close(&told["quantiles"]["0.5"], sorted[4999], 2e-4);
     close(&told["min"], sorted[0], 0.0);
     let (x, y) = (column("landing_x"), column("landing_y"));
-    let xy: Vec<f64> = x.iter().zip(&y).map(|(a, b)| (a - mean(&x)) * (b - mean(&y))).collect();
+    let xy: Vec<f64> = x
+        .iter()
+        .zip(&y)
+        .map(|(a, b)| (a - mean(&x)) * (b - mean(&y)))
+        .collect();
     close(&summary["landing_covariance"][0][1], mean(&xy), 1e-3);
 }
 
@@ -160,29 +190,56 @@ fn a_killed_sweep_goes_on_and_gives_the_same_bits() {
     let folder = tempfile::tempdir().expect("a folder");
     let plan = folder.path().join("plan.toml");
     // Four parts of full discs, some seconds.
-    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/commands/sweep/backhands.toml"));
-    let text = text.expect("the plan").replace("flights = 2000", "flights = 9000");
+    let text = fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/src/commands/sweep/backhands.toml"
+    ));
+    let text = text
+        .expect("the plan")
+        .replace("flights = 2000", "flights = 9000");
     fs::write(&plan, text).expect("written");
     let (killed, whole) = (folder.path().join("killed"), folder.path().join("whole"));
     let parts = |out: &Path| {
-        let entries = fs::read_dir(out.join("parts")).into_iter().flatten().flatten();
+        let entries = fs::read_dir(out.join("parts"))
+            .into_iter()
+            .flatten()
+            .flatten();
         let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
-        names.filter(|name| !name.starts_with('.')).collect::<Vec<String>>()
+        names
+            .filter(|name| !name.starts_with('.'))
+            .collect::<Vec<String>>()
     };
     let mut command = hyzer();
-    command.arg("sweep").arg(&plan).arg("--out").arg(&killed).args(["--threads", "1"]);
-    let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("it runs");
+    command
+        .arg("sweep")
+        .arg(&plan)
+        .arg("--out")
+        .arg(&killed)
+        .args(["--threads", "1"]);
+    let mut child = command
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it runs");
     while parts(&killed).is_empty() {
-        assert!(child.try_wait().expect("a process").is_none(), "it ended before a part was there");
+        assert!(
+            child.try_wait().expect("a process").is_none(),
+            "it ended before a part was there"
+        );
         std::thread::sleep(Duration::from_millis(2));
     }
     child.kill().expect("killed");
     child.wait().expect("ended");
-    assert!(!killed.join("flights.parquet").exists(), "it was done before it was killed");
+    assert!(
+        !killed.join("flights.parquet").exists(),
+        "it was done before it was killed"
+    );
     let kept = parts(&killed);
     let modified = |name: &String| {
         let path = killed.join("parts").join(name);
-        fs::metadata(path).and_then(|m| m.modified()).expect("a part")
+        fs::metadata(path)
+            .and_then(|m| m.modified())
+            .expect("a part")
     };
     let before: Vec<_> = kept.iter().map(modified).collect();
     // A part that was damaged is flown again, one that is whole is not.
@@ -191,9 +248,14 @@ fn a_killed_sweep_goes_on_and_gives_the_same_bits() {
     fs::write(killed.join("parts").join(&kept[0]), "damaged").expect("written");
     sweep(&plan, &killed, &[]);
     sweep(&plan, &whole, &[]);
-    assert!(results(&killed) == results(&whole), "a killed sweep differs");
+    assert!(
+        results(&killed) == results(&whole),
+        "a killed sweep differs"
+    );
     // Another plan does not mix with it.
-    let other = fs::read_to_string(&plan).expect("the plan").replace("seed = 1", "seed = 2");
+    let other = fs::read_to_string(&plan)
+        .expect("the plan")
+        .replace("seed = 1", "seed = 2");
     fs::write(&plan, other).expect("written");
     let (status, _, errors) = told(hyzer().arg("sweep").arg(&plan).arg("--out").arg(&whole));
     assert_eq!(status, 2);
@@ -262,7 +324,10 @@ fn a_fit_is_an_input() {
     sweep(&plan, &out, &[]);
     let column = &summary(&out)["columns"]["C_D"];
     let [mean, sd] = ["mean", "sd"].map(|key| column[key].as_f64().expect("a number"));
-    assert!((mean - 0.5).abs() < 0.0013 && (sd - 0.02).abs() < 0.001, "{mean} {sd}");
+    assert!(
+        (mean - 0.5).abs() < 0.0013 && (sd - 0.02).abs() < 0.001,
+        "{mean} {sd}"
+    );
 }
 
 #[test]
@@ -271,36 +336,80 @@ fn faults_of_a_plan_are_named_with_their_place() {
     let plan = folder.path().join("plan.toml");
     let base = "model = \"disc\"\nuntil = \"ground\"\nflights = 10\n[throw]\nspeed = 20.0\n";
     for (text, place, said) in [
-        ("[vary]\nspede = { sd = 1.0 }", "7:1", "did you mean \"speed\"?"),
-        ("[vary]\nspeed = { sd = -1.0 }", "7:16", "expected a number above 0"),
+        (
+            "[vary]\nspede = { sd = 1.0 }",
+            "7:1",
+            "did you mean \"speed\"?",
+        ),
+        (
+            "[vary]\nspeed = { sd = -1.0 }",
+            "7:16",
+            "expected a number above 0",
+        ),
         ("[vary]\nspeed = 3", "7:9", "expected a table"),
-        ("[vary]\nspeed = { sd = 1.0, uniform = [1.0, 2.0] }", "7:9", "sd and uniform"),
-        ("[vary]\nspeed = { uniform = [2.0, 1.0] }", "7:21", "the lower bound first"),
-        ("[vary]\nspeed = { values = [10.0, 1000.0] }", "7:9", "speed would be 1000"),
+        (
+            "[vary]\nspeed = { sd = 1.0, uniform = [1.0, 2.0] }",
+            "7:9",
+            "sd and uniform",
+        ),
+        (
+            "[vary]\nspeed = { uniform = [2.0, 1.0] }",
+            "7:21",
+            "the lower bound first",
+        ),
+        (
+            "[vary]\nspeed = { values = [10.0, 1000.0] }",
+            "7:9",
+            "speed would be 1000",
+        ),
         ("[vary]\nspeed = { values = [] }", "7:20", "a list of 1 to"),
         ("[vary]\nm = { values = [-1.0] }", "7:5", "a number above 0"),
-        ("[vary]\nspeed = { range = [1.0, 2.0], count = 1e300 }", "7:39", "count is"),
+        (
+            "[vary]\nspeed = { range = [1.0, 2.0], count = 1e300 }",
+            "7:39",
+            "count is",
+        ),
         ("[vary]\nspeed = { values = [nan] }", "7:21", "finite"),
         ("[fit]\nreport = \"nowhere.json\"", "7:10", "nowhere.json"),
         ("seed = 1", "6:1", "unknown key \"seed\""),
-        ("[vary]\nspeed = { sd = 1.0 }\nspin = { sd = 1.0 }\n[[correlations]]\nof = [\"speed\", \"spin\"]\nvalue = 1.5", "11:9", "from -1 to 1"),
-        ("[vary]\nspeed = { sd = 1.0 }\n[[correlations]]\nof = [\"speed\", \"nose\"]\nvalue = 0.5", "9:6", "normal quantities"),
+        (
+            "[vary]\nspeed = { sd = 1.0 }\nspin = { sd = 1.0 }\n[[correlations]]\nof = [\"speed\", \"spin\"]\nvalue = 1.5",
+            "11:9",
+            "from -1 to 1",
+        ),
+        (
+            "[vary]\nspeed = { sd = 1.0 }\n[[correlations]]\nof = [\"speed\", \"nose\"]\nvalue = 0.5",
+            "9:6",
+            "normal quantities",
+        ),
     ] {
         fs::write(&plan, format!("{base}{text}")).expect("written");
         let out = folder.path().join("out");
         let (status, _, errors) = told(hyzer().arg("sweep").arg(&plan).arg("--out").arg(&out));
         assert_eq!(status, 2, "{text}: {errors}");
-        assert!(errors.contains(&format!("plan.toml:{place}: ")), "{text}: {errors}");
+        assert!(
+            errors.contains(&format!("plan.toml:{place}: ")),
+            "{text}: {errors}"
+        );
         assert!(errors.contains(said), "{text}: {errors}");
         assert!(!out.exists(), "{text}");
     }
     for (text, said) in [
-        ("model = \"disc\"\nuntil = \"ground\"\n[throw]\nspeed = 20.0\n[vary]\nspeed = { sd = 1.0 }", "found no number of flights"),
+        (
+            "model = \"disc\"\nuntil = \"ground\"\n[throw]\nspeed = 20.0\n[vary]\nspeed = { sd = 1.0 }",
+            "found no number of flights",
+        ),
         ("model = \"nothing\"\nuntil = \"ground\"", "nothing"),
         ("model = [", "no TOML"),
     ] {
         fs::write(&plan, text).expect("written");
-        let (status, _, errors) = told(hyzer().arg("sweep").arg(&plan).arg("--out").arg(folder.path().join("out")));
+        let (status, _, errors) = told(
+            hyzer()
+                .arg("sweep")
+                .arg(&plan)
+                .arg("--out")
+                .arg(folder.path().join("out")),
+        );
         assert_eq!((status, errors.contains(said)), (2, true), "{errors}");
     }
     // A folder with other files is left alone.
@@ -326,7 +435,13 @@ fn a_million_flights_need_no_more_memory_than_a_few() {
         );
         fs::write(&plan, text).expect("written");
         let out = folder.path().join(flights.to_string());
-        let mut child = hyzer().arg("sweep").arg(&plan).arg("--out").arg(&out).spawn().expect("it runs");
+        let mut child = hyzer()
+            .arg("sweep")
+            .arg(&plan)
+            .arg("--out")
+            .arg(&out)
+            .spawn()
+            .expect("it runs");
         let status = format!("/proc/{}/status", child.id());
         let mut peak = 0;
         while child.try_wait().expect("a process").is_none() {

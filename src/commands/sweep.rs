@@ -36,7 +36,10 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
         false => plan::read_file(path)?,
     };
     let bar = Progress::new()?;
-    bar.start(&plan.model.name, share.map_or(plan.flights, |(_, of)| plan.flights / of));
+    bar.start(
+        &plan.model.name,
+        share.map_or(plan.flights, |(_, of)| plan.flights / of),
+    );
     progress::resumes();
     let start = Instant::now();
     let settings = SweepOptions {

@@ -20,7 +20,9 @@ pub(crate) struct InputModel {
 impl InputModel {
     pub(crate) fn new(plan: &Plan, compiled: &CompiledModel) -> Result<InputModel, ThrowError> {
         let is_thrown = plan.throw.is_some();
-        let thrown = is_thrown.then(|| ThrownModel::new(&plan.model)).transpose()?;
+        let thrown = is_thrown
+            .then(|| ThrownModel::new(&plan.model))
+            .transpose()?;
         Ok(InputModel {
             x: plan.release.state(),
             p: compiled.release_parameters(&plan.release),
@@ -49,7 +51,10 @@ pub(crate) struct Inputs<'p> {
 
 impl<'p> Inputs<'p> {
     pub(crate) fn new(plan: &'p Plan, model: &'p InputModel) -> Inputs<'p> {
-        let near = model.thrown.as_ref().map(|thrown| NearThrows::new(thrown, &model.x));
+        let near = model
+            .thrown
+            .as_ref()
+            .map(|thrown| NearThrows::new(thrown, &model.x));
         let is_normal = |axis: &&Axis| matches!(axis.kind, AxisKind::Normal { .. });
         let is_random = |axis: &Axis| !matches!(axis.kind, AxisKind::Values(_));
         Inputs {

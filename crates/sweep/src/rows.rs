@@ -180,7 +180,10 @@ impl Flier<'_> {
             add(&axis.name, true, values);
         }
         add("landing_t", false, time);
-        for (name, state) in ["landing_x", "landing_y", "landing_z"].into_iter().zip(self.position) {
+        for (name, state) in ["landing_x", "landing_y", "landing_z"]
+            .into_iter()
+            .zip(self.position)
+        {
             if let Some(state) = state {
                 add(name, false, states[state].clone());
             }

@@ -157,7 +157,8 @@ fn in_order(
                         return;
                     }
                     let ahead = |first: &mut u64| {
-                        part >= *first + AHEAD * threads as u64 && !is_stopped.load(Ordering::Relaxed)
+                        part >= *first + AHEAD * threads as u64
+                            && !is_stopped.load(Ordering::Relaxed)
                     };
                     let first = merged.0.lock().unwrap_or_else(PoisonError::into_inner);
                     drop(merged.1.wait_while(first, ahead));

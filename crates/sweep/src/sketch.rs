@@ -84,16 +84,27 @@ mod tests {
 
     #[test]
     fn quantiles_are_within_the_accuracy_however_the_numbers_are_divided() {
-        let numbers: Vec<f64> = (0..10_001).map(|k| (f64::from(k) - 3000.0) * 0.01).collect();
+        let numbers: Vec<f64> = (0..10_001)
+            .map(|k| (f64::from(k) - 3000.0) * 0.01)
+            .collect();
         let whole = Sketch::of(numbers.iter().copied());
         let mut parts = Sketch::default();
         for part in numbers.rchunks(77) {
             parts.merge(&Sketch::of(part.iter().copied()));
         }
         assert_eq!(whole, parts);
-        for (q, expected) in [(0.0, -30.0), (0.1, -20.0), (0.3, 0.0), (0.5, 20.0), (1.0, 70.0)] {
+        for (q, expected) in [
+            (0.0, -30.0),
+            (0.1, -20.0),
+            (0.3, 0.0),
+            (0.5, 20.0),
+            (1.0, 70.0),
+        ] {
             let found = whole.quantile(q);
-            assert!((found - expected).abs() <= 1.01e-4 * expected.abs(), "{q}: {found}");
+            assert!(
+                (found - expected).abs() <= 1.01e-4 * expected.abs(),
+                "{q}: {found}"
+            );
         }
         assert!(Sketch::default().quantile(0.5).is_nan());
         assert!(Sketch::of([1e300, -1e300].into_iter()).quantile(1.0) > 1e11);

@@ -63,7 +63,9 @@ impl Summary {
         let columns = columns.map(|own| (own.name.clone(), ColumnSummary::of(&ended(&own.values))));
         let named = |name: &str| {
             let column = rows.columns.iter().find(|column| column.name == name);
-            column.map(|column| ended(&column.values)).unwrap_or_default()
+            column
+                .map(|column| ended(&column.values))
+                .unwrap_or_default()
         };
         Summary {
             flights: rows.status.len() as u64,
@@ -93,10 +95,15 @@ impl Summary {
 
     /// `summary.json`, schema `hyzer.sweep/1`.
     pub(crate) fn json(&self, plan: &Plan) -> Value {
-        let statuses: Map<String, Value> =
-            self.statuses().map(|(name, count)| (name.to_owned(), count.into())).collect();
-        let columns: Map<String, Value> =
-            self.columns.iter().map(|(name, own)| (name.clone(), own.json())).collect();
+        let statuses: Map<String, Value> = self
+            .statuses()
+            .map(|(name, count)| (name.to_owned(), count.into()))
+            .collect();
+        let columns: Map<String, Value> = self
+            .columns
+            .iter()
+            .map(|(name, own)| (name.clone(), own.json()))
+            .collect();
         let of = |name: &str| {
             let column = self.columns.iter().find(|(own, _)| own == name);
             column.map_or(f64::NAN, |(_, own)| own.deviation().powi(2))

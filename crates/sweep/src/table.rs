@@ -34,12 +34,16 @@ pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
         let first = rows.first as i64;
         let numbers: Vec<i64> = (first..first + len).collect();
         if let Some(mut column) = group.next_column()? {
-            column.typed::<Int64Type>().write_batch(&numbers, None, None)?;
+            column
+                .typed::<Int64Type>()
+                .write_batch(&numbers, None, None)?;
             column.close()?;
         }
         for own in &rows.columns {
             if let Some(mut column) = group.next_column()? {
-                column.typed::<DoubleType>().write_batch(&own.values, None, None)?;
+                column
+                    .typed::<DoubleType>()
+                    .write_batch(&own.values, None, None)?;
                 column.close()?;
             }
         }
@@ -47,7 +51,9 @@ pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
             let names = STATUSES.map(ByteArray::from);
             let of = |status: &u8| names[usize::from(*status).min(names.len() - 1)].clone();
             let texts: Vec<ByteArray> = rows.status.iter().map(of).collect();
-            column.typed::<ByteArrayType>().write_batch(&texts, None, None)?;
+            column
+                .typed::<ByteArrayType>()
+                .write_batch(&texts, None, None)?;
             column.close()?;
         }
         group.close()?;
@@ -65,9 +71,13 @@ fn schema<'n>(names: impl Iterator<Item = &'n str>) -> Result<Arc<Type>, Parquet
         fields.push(Arc::new(column(name, PhysicalType::DOUBLE).build()?));
     }
     let status = column(STATUS, PhysicalType::BYTE_ARRAY);
-    let status = status.with_logical_type(Some(LogicalType::String)).build()?;
+    let status = status
+        .with_logical_type(Some(LogicalType::String))
+        .build()?;
     fields.push(Arc::new(status));
-    let schema = Type::group_type_builder("flights").with_fields(fields).build()?;
+    let schema = Type::group_type_builder("flights")
+        .with_fields(fields)
+        .build()?;
     Ok(Arc::new(schema))
 }
 
@@ -125,7 +135,12 @@ fn row_group(
         status: Vec::new(),
     };
     for index in 0..group.num_columns() {
-        let name = group.metadata().column(index).column_descr().name().to_owned();
+        let name = group
+            .metadata()
+            .column(index)
+            .column_descr()
+            .name()
+            .to_owned();
         match group.get_column_reader(index)? {
             ColumnReader::Int64ColumnReader(mut column) => {
                 let mut numbers = Vec::with_capacity(1);
@@ -146,11 +161,18 @@ fn row_group(
                 let mut texts = Vec::with_capacity(len);
                 column.read_records(len, None, None, &mut texts)?;
                 let of = |text: &ByteArray| {
-                    STATUSES.iter().position(|status| status.as_bytes() == text.data()).unwrap_or(0) as u8
+                    STATUSES
+                        .iter()
+                        .position(|status| status.as_bytes() == text.data())
+                        .unwrap_or(0) as u8
                 };
                 rows.status = texts.iter().map(of).collect();
             }
-            _ => return Err(ParquetError::General(format!("the column {name} has another type"))),
+            _ => {
+                return Err(ParquetError::General(format!(
+                    "the column {name} has another type"
+                )));
+            }
         }
     }
     Ok(rows)

@@ -17,8 +17,8 @@ use nalgebra::{Rotation3, Vector3};
 use crate::release::Release;
 pub use near::NearThrows;
 
-use motion::{Motion, MotionModel, Turning};
 pub use motion::speed_and_spin;
+use motion::{Motion, MotionModel, Turning};
 
 /// rad/s per rpm.
 const RPM: f64 = PI / 30.0;

@@ -86,13 +86,15 @@ impl<'m> NearThrows<'m> {
         let motion = &self.thrown.motion;
         let turns = motion.has_attitude();
         let states_turning = ["nose", "hyzer", "spin", "wobble"];
-        if !turns && states_turning.iter().any(|name| throw.field(name).is_some()) {
+        if !turns
+            && states_turning
+                .iter()
+                .any(|name| throw.field(name).is_some())
+        {
             return None;
         }
         let equations = if turns { 9 } else { 6 };
-        if motion.is_revolution
-            || self.linear.len() != equations
-            || self.attitude.len() > UNKNOWNS
+        if motion.is_revolution || self.linear.len() != equations || self.attitude.len() > UNKNOWNS
         {
             return None;
         }
@@ -181,7 +183,11 @@ impl<'m> NearThrows<'m> {
         }
         for quaternion in &motion.quaternions {
             let length = quaternion.iter().map(|i| state[*i].powi(2)).sum::<f64>();
-            let sign = if state[quaternion[0]] < 0.0 { -1.0 } else { 1.0 };
+            let sign = if state[quaternion[0]] < 0.0 {
+                -1.0
+            } else {
+                1.0
+            };
             for i in quaternion {
                 state[*i] *= sign / length.sqrt();
             }

@@ -91,7 +91,11 @@ impl Control {
             let is_last = h >= remaining * (1.0 - FINAL_STEP_SLACK);
             let h = if is_last { remaining } else { h };
             self.is_last[lane] = is_last;
-            self.end[lane] = if is_last { self.t_end } else { self.t[lane] + h };
+            self.end[lane] = if is_last {
+                self.t_end
+            } else {
+                self.t[lane] + h
+            };
             self.h[lane] = match self.flight[lane] {
                 Some(_) => h,
                 None => 0.0,

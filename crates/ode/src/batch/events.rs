@@ -1,7 +1,7 @@
 //! Where in a step the height of one lane falls to 0 and where it is greatest.
 
 use crate::dense_output::DenseOutput;
-use crate::event::{falling_zeros, has_falling_zero};
+use crate::event::{falling_zeros, has_falling_zero, location_width};
 use crate::method::{Method, ROWS};
 use crate::root::first_past_root;
 
@@ -39,6 +39,14 @@ impl HeightEnds {
         self.start.min(self.end) <= distance
     }
 
+    /// Whether the cubic falls throughout, from above 0 to below: it lands once (Fritsch & Carlson, SIAM J. Numer. Anal. 17,
+    /// 1980).
+    fn falls_once(&self) -> bool {
+        let steepest = 3.0 * (self.end - self.start);
+        let falls = |slope: f64| slope <= 0.0 && slope >= steepest;
+        self.start > 0.0 && self.end < 0.0 && falls(self.start_slope) && falls(self.end_slope)
+    }
+
     /// Whether the height rises at the start and does not at the end.
     #[inline(always)]
     pub(crate) fn has_peak(&self) -> bool {
@@ -69,7 +77,17 @@ impl HeightStep {
     }
 
     /// Fraction of the step at which the height first falls to 0; `found` is scratch space.
-    pub(crate) fn landing(&self, found: &mut Vec<f64>) -> Option<f64> {
+    pub(crate) fn landing(&self, ends: &HeightEnds, found: &mut Vec<f64>) -> Option<f64> {
+        if ends.falls_once() {
+            let width = location_width(self.t, self.h);
+            let bracket = (ends.start, ends.end);
+            return Some(first_past_root(
+                |s| self.height(s),
+                (0.0, 1.0),
+                bracket,
+                width,
+            ));
+        }
         let mut rows: [&[f64]; ROWS] = [&[]; ROWS];
         for (row, value) in rows.iter_mut().zip(&self.rows) {
             *row = std::slice::from_ref(value);

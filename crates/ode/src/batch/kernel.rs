@@ -152,7 +152,13 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         for lane in 0..T::WIDTH {
             if self.control.flight[lane].is_some() && self.control.is_exhausted(lane) {
                 let time = self.control.t[lane];
-                self.finish(lane, FlightOutcome::TooManySteps, time, EndState::Start, queue);
+                self.finish(
+                    lane,
+                    FlightOutcome::TooManySteps,
+                    time,
+                    EndState::Start,
+                    queue,
+                );
             }
         }
         self.control.set_steps(T::WIDTH);
@@ -219,7 +225,13 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
                 Verdict::Rejected => {}
                 Verdict::TooSmall => {
                     let time = self.control.t[lane];
-                    self.finish(lane, FlightOutcome::StepTooSmall, time, EndState::Start, queue);
+                    self.finish(
+                        lane,
+                        FlightOutcome::StepTooSmall,
+                        time,
+                        EndState::Start,
+                        queue,
+                    );
                 }
             }
         }
@@ -294,7 +306,16 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
                 let sum = |row| h * self.stages.sum(row, i);
                 let twice = T::splat(2.0) * change;
                 let slopes = last + first;
-                [x, change, first - change, twice - slopes, sum(a), sum(b), sum(c), sum(d)]
+                [
+                    x,
+                    change,
+                    first - change,
+                    twice - slopes,
+                    sum(a),
+                    sum(b),
+                    sum(c),
+                    sum(d),
+                ]
             }
         }
     }
@@ -305,8 +326,9 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         let method = self.tableau.method;
         let mut height_rows = [[0.0; MAX_LANES]; ROWS];
         if let Some(z) = self.span.height {
-            for (row, to) in self.dense_rows(z, h).into_iter().zip(&mut height_rows) {
-                row.store(to);
+            let rows = self.dense_rows(z, h);
+            for k in 0..ROWS {
+                rows[k].store(&mut height_rows[k]);
             }
         }
         let mut stops: [Option<(f64, FlightOutcome)>; MAX_LANES] = [None; MAX_LANES];
@@ -324,7 +346,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
             };
             let mut stop = None;
             if self.span.height.is_some() && self.span.until_ground && ends.may_land() {
-                let landing = height.landing(&mut self.found);
+                let landing = height.landing(&ends, &mut self.found);
                 stop = landing.map(|s| (s, FlightOutcome::Ground));
             }
             for limit in 0..self.margins[0].len() {
@@ -345,22 +367,27 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         if stops.iter().all(Option::is_none) {
             return;
         }
-        let mut weights = [[0.0; MAX_LANES]; ROWS];
+        let mut weights_of_lanes = [[0.0; MAX_LANES]; ROWS];
         for (lane, stop) in stops.iter().enumerate() {
             if let Some((s, _)) = stop {
                 let of_lane = method.weights(*s, self.control.h[lane]);
-                for (to, weight) in weights.iter_mut().zip(of_lane) {
+                for (to, weight) in weights_of_lanes.iter_mut().zip(of_lane) {
                     to[lane] = weight;
                 }
             }
         }
+        let mut weights = [T::splat(0.0); ROWS];
+        for k in 0..ROWS {
+            weights[k] = T::load(&weights_of_lanes[k]);
+        }
         for i in 0..self.within.len() {
             let rows = self.dense_rows(i, h);
-            let mut sum = rows[0];
-            for (row, weight) in rows.into_iter().zip(&weights).skip(1) {
-                sum = T::load(weight).mul_add(row, sum);
+            // Two sums, for they wait for one another.
+            let mut sums = [rows[0], T::splat(0.0)];
+            for k in 1..ROWS {
+                sums[k % 2] = weights[k].mul_add(rows[k], sums[k % 2]);
             }
-            self.within[i] = sum;
+            self.within[i] = sums[0] + sums[1];
         }
         for (lane, stop) in stops.into_iter().enumerate() {
             if let Some((s, outcome)) = stop {

@@ -1,8 +1,8 @@
 //! Error norms of a step and the initial step size, over lanes.
 
 use super::stages::{BLOCK, Stages};
-use crate::method::tableau::Tableau;
 use crate::method::ErrorTolerance;
+use crate::method::tableau::{Row, Tableau};
 use crate::step_control::{InitialNorms, first_step, second_step};
 use lanes::Lanes;
 
@@ -29,19 +29,9 @@ pub(crate) fn error_norm<T: Lanes>(
     let mut start = 0;
     while start < n {
         let end_of_block = (start + BLOCK).min(n);
-        let errors = |row| match end_of_block - start {
-            BLOCK => stages.block(row, start),
-            _ => {
-                let mut sums = [zero; BLOCK];
-                for i in start..end_of_block {
-                    sums[i - start] = stages.sum(row, i);
-                }
-                sums
-            }
-        };
-        let fives = errors(tableau.errors[0]);
+        let fives = errors(stages, tableau.errors[0], start, end_of_block);
         let threes = match tableau.errors.get(1) {
-            Some(row) => errors(row),
+            Some(row) => errors(stages, row, start, end_of_block),
             None => [zero; BLOCK],
         };
         for i in start..end_of_block {
@@ -58,6 +48,20 @@ pub(crate) fn error_norm<T: Lanes>(
     let both = (sum_5 + T::splat(0.01) * sum_3) * T::splat(n as f64);
     // 0 where the sum is 0; NaN remains.
     h * sum_5 * both.if_zero(zero, T::splat(1.0) / both.sqrt())
+}
+
+/// Error estimates of the components `start..end`, at most a block, but for the step size.
+// A function, since a closure need not be inlined.
+#[inline(always)]
+fn errors<T: Lanes>(stages: &Stages<T>, row: Row, start: usize, end: usize) -> [T; BLOCK] {
+    if end - start == BLOCK {
+        return stages.block(row, start);
+    }
+    let mut sums = [T::splat(0.0); BLOCK];
+    for i in start..end {
+        sums[i - start] = stages.sum(row, i);
+    }
+    sums
 }
 
 /// Root mean squares of `x` and `dx` in units of the tolerance at `x`.
@@ -99,7 +103,13 @@ pub(crate) fn euler_steps<T: Lanes>(norms: [T; 2], max_step: f64) -> T {
 
 /// Initial step of one lane, from the norms of its derivative and of the change of it over the Euler step.
 #[inline(always)]
-pub(crate) fn initial_step(euler_step: f64, rate: f64, change: f64, order: i32, max_step: f64) -> f64 {
+pub(crate) fn initial_step(
+    euler_step: f64,
+    rate: f64,
+    change: f64,
+    order: i32,
+    max_step: f64,
+) -> f64 {
     let norms = InitialNorms {
         euler_step,
         rate,

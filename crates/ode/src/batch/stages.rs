@@ -47,10 +47,7 @@ impl<T: Lanes> Stages<T> {
     pub(crate) fn block(&self, row: Row, start: usize) -> [T; BLOCK] {
         let mut sums = [T::splat(0.0); BLOCK];
         for &(s, weight) in row {
-            let (k, weight) = (
-                &self.k[s * self.n + start..][..BLOCK],
-                T::splat(weight),
-            );
+            let (k, weight) = (&self.k[s * self.n + start..][..BLOCK], T::splat(weight));
             for b in 0..BLOCK {
                 sums[b] = weight.mul_add(k[b], sums[b]);
             }

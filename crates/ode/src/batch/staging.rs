@@ -2,9 +2,7 @@
 
 use super::control::MAX_LANES;
 use super::norms::{change_norm, euler_steps, initial_norms, initial_step};
-use super::{
-    FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes,
-};
+use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes};
 use crate::method::ErrorTolerance;
 use crate::options::{IntegrationOptions, SolverStats};
 use lanes::Lanes;
@@ -106,10 +104,18 @@ impl<T: Lanes> Staging<T> {
             }
         }
         let values = &mut self.values;
-        for (x, column) in values.x.iter_mut().zip(self.x_columns.chunks_exact(T::WIDTH)) {
+        for (x, column) in values
+            .x
+            .iter_mut()
+            .zip(self.x_columns.chunks_exact(T::WIDTH))
+        {
             *x = T::load(column);
         }
-        for (p, column) in values.p.iter_mut().zip(self.p_columns.chunks_exact(T::WIDTH)) {
+        for (p, column) in values
+            .p
+            .iter_mut()
+            .zip(self.p_columns.chunks_exact(T::WIDTH))
+        {
             *p = T::load(column);
         }
         let LaneValues {
@@ -173,7 +179,12 @@ impl<T: Lanes> Staging<T> {
 
     /// Takes the next flight with finite numbers into a lane; false if there is none.
     #[inline(always)]
-    fn draw<Q: FlightQueue + ?Sized>(&mut self, lane: usize, queue: &mut Q, span: &FlightSpan) -> bool {
+    fn draw<Q: FlightQueue + ?Sized>(
+        &mut self,
+        lane: usize,
+        queue: &mut Q,
+        span: &FlightSpan,
+    ) -> bool {
         while !self.is_drained {
             let Some(flight) = queue.next(&mut self.x_next, &mut self.p_next) else {
                 self.is_drained = true;

@@ -9,9 +9,7 @@ use crate::rhs::{OdeRhs, StateVector};
 pub(crate) static TABLEAU: Tableau = Tableau {
     method: Method::Dop853,
     c: &C,
-    rows: &[
-        &A1, &A2, &A3, &A4, &A5, &A6, &A7, &A8, &A9, &A10, &A11, &B,
-    ],
+    rows: &[&A1, &A2, &A3, &A4, &A5, &A6, &A7, &A8, &A9, &A10, &A11, &B],
     dense_rows: &[&A13, &A14, &A15],
     errors: &[&E5, &E3],
     error_order: ERROR_ORDER,

@@ -59,14 +59,7 @@ const fn row<const M: usize>(weights: [f64; M]) -> [(usize, f64); M] {
 pub(crate) static TABLEAU: Tableau = Tableau {
     method: Method::Tsit5,
     c: &C,
-    rows: &[
-        &row(A1),
-        &row(A2),
-        &row(A3),
-        &row(A4),
-        &row(A5),
-        &row(B),
-    ],
+    rows: &[&row(A1), &row(A2), &row(A3), &row(A4), &row(A5), &row(B)],
     dense_rows: &[],
     errors: &[&row(E)],
     error_order: ERROR_ORDER,

@@ -116,7 +116,8 @@ impl Names<'_> {
                 let (_, unit, least, greatest) = FIELDS[index];
                 let is_speed = name == "speed" && value <= 0.0;
                 let is_out = !(least..=greatest).contains(&value) || is_speed;
-                is_out.then(|| format!("a number from {least} to {greatest} {unit}, a speed above 0"))
+                is_out
+                    .then(|| format!("a number from {least} to {greatest} {unit}, a speed above 0"))
             }
             Target::State(_) => None,
             Target::Parameter(_) => {
@@ -188,7 +189,10 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
     let keys = ["values", "range", "count", "normal", "sd", "uniform"];
     reader.known_keys(table, &format!(" for {name}"), keys.into_iter());
     let ways = ["values", "range", "normal", "sd", "uniform"];
-    let given: Vec<&str> = ways.into_iter().filter(|way| table.contains_key(*way)).collect();
+    let given: Vec<&str> = ways
+        .into_iter()
+        .filter(|way| table.contains_key(*way))
+        .collect();
     let [way] = given[..] else {
         let found = match given.is_empty() {
             true => "nothing".to_owned(),
@@ -200,7 +204,10 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
     };
     let given = table.get(way)?;
     if let Some(count) = table.get("count").filter(|_| way != "range") {
-        reader.fault(count.span(), format!("found count with {way}; expected it with range alone"));
+        reader.fault(
+            count.span(),
+            format!("found count with {way}; expected it with range alone"),
+        );
         return None;
     }
     match way {
@@ -211,12 +218,16 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
         "range" => {
             let ends = list(reader, name, given, 2..=2)?;
             let Some(count_value) = table.get("count") else {
-                reader.fault(given.span(), format!("found no count with the range of {name}"));
+                reader.fault(
+                    given.span(),
+                    format!("found no count with the range of {name}"),
+                );
                 return None;
             };
             let count = reader.number(count_value, "count")?;
             if !(count >= 2.0 && count <= MAX_VALUES as f64 && count.fract() == 0.0) {
-                let message = format!("count is {count}; expected a whole number from 2 to {MAX_VALUES}");
+                let message =
+                    format!("count is {count}; expected a whole number from 2 to {MAX_VALUES}");
                 reader.fault(count_value.span(), message);
                 return None;
             }
@@ -231,7 +242,9 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
             let ends = list(reader, name, given, 2..=2)?;
             let (low, high) = (ends[0], ends[1]);
             if low >= high {
-                let message = format!("{name} is uniform from {low} to {high}; expected the lower bound first");
+                let message = format!(
+                    "{name} is uniform from {low} to {high}; expected the lower bound first"
+                );
                 reader.fault(given.span(), message);
                 return None;
             }
@@ -246,7 +259,8 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
                 _ => (own, reader.number(given, "sd")?),
             };
             if sd <= 0.0 {
-                let message = format!("the standard deviation of {name} is {sd}; expected a number above 0");
+                let message =
+                    format!("the standard deviation of {name} is {sd}; expected a number above 0");
                 reader.fault(given.span(), message);
                 return None;
             }

@@ -17,7 +17,9 @@ impl Factor {
         for i in 0..n {
             let mut row = vec![0.0; i + 1];
             for j in 0..=i {
-                let before: f64 = (0..j).map(|k| row[k] * if i == j { row[k] } else { rows[j][k] }).sum();
+                let before: f64 = (0..j)
+                    .map(|k| row[k] * if i == j { row[k] } else { rows[j][k] })
+                    .sum();
                 let left = matrix[i][j] - before;
                 if i == j {
                     if left < ROUNDING {
@@ -61,7 +63,8 @@ mod tests {
 
     #[test]
     fn what_no_distribution_has_is_refused_and_dependence_is_not() {
-        let impossible = [[1.0, 0.9, -0.9], [0.9, 1.0, 0.9], [-0.9, 0.9, 1.0]].map(|row| row.to_vec());
+        let impossible =
+            [[1.0, 0.9, -0.9], [0.9, 1.0, 0.9], [-0.9, 0.9, 1.0]].map(|row| row.to_vec());
         assert!(Factor::of(&impossible).is_none());
         let dependent = [[1.0, 1.0], [1.0, 1.0]].map(|row| row.to_vec());
         let factor = Factor::of(&dependent).expect("dependent variables");

@@ -42,19 +42,31 @@ pub(super) fn read<'t>(
             "coefficients" => {
                 let items = value.get_ref().as_array();
                 let texts = items.and_then(|items| {
-                    let text = |item: &flight::release::Value<'_>| Some(item.get_ref().as_str()?.to_owned());
+                    let text = |item: &flight::release::Value<'_>| {
+                        Some(item.get_ref().as_str()?.to_owned())
+                    };
                     items.iter().map(text).collect::<Option<Vec<_>>>()
                 });
                 match texts {
                     Some(texts) => only = Some(texts),
-                    None => reader.wrong_type(value, "coefficients", "a list of names, as in [\"C_L0\"]"),
+                    None => reader.wrong_type(
+                        value,
+                        "coefficients",
+                        "a list of names, as in [\"C_L0\"]",
+                    ),
                 }
             }
-            _ => reader.fault(span, format!("unknown key {key:?} in [fit]; expected report or coefficients")),
+            _ => reader.fault(
+                span,
+                format!("unknown key {key:?} in [fit]; expected report or coefficients"),
+            ),
         }
     }
     let Some((path, span)) = report else {
-        reader.fault(table.span(), "found no report in [fit]; expected one, as in report = \"fitted/report.json\"");
+        reader.fault(
+            table.span(),
+            "found no report in [fit]; expected one, as in report = \"fitted/report.json\"",
+        );
         return (found, fixed);
     };
     let json = match open(&folder.join(path)) {
@@ -65,7 +77,10 @@ pub(super) fn read<'t>(
         }
     };
     let Some(coefficients) = json["coefficients"].as_object() else {
-        reader.fault(span, format!("{path}: found no coefficients; expected the report.json of a fit"));
+        reader.fault(
+            span,
+            format!("{path}: found no coefficients; expected the report.json of a fit"),
+        );
         return (found, fixed);
     };
     for name in only.iter().flatten() {
@@ -79,7 +94,10 @@ pub(super) fn read<'t>(
             continue;
         }
         let Some(parameter) = names.parameter(name) else {
-            reader.fault(span.clone(), format!("{path}: the model of the plan has no {name:?}, which was fitted"));
+            reader.fault(
+                span.clone(),
+                format!("{path}: the model of the plan has no {name:?}, which was fitted"),
+            );
             continue;
         };
         let Some(mean) = coefficient["value"].as_f64() else {

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use flight::{CompiledModel, simulate};
 use flight::release::{Fault, Reader, Release, ReleaseError, Vocabulary, read_with};
 use flight::throw::{FIELDS, Throw};
+use flight::{CompiledModel, simulate};
 use model_spec::load::load;
 use model_spec::model::Model;
 use ode::{IntegrationOptions, Method};
@@ -50,7 +50,9 @@ pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
     let cannot = |e: std::io::Error| refuse(format!("cannot be read: {e}"));
     let size = std::fs::metadata(path).map_err(cannot)?.len();
     if size > MAX_FILE_BYTES {
-        return Err(refuse(format!("has {size} bytes; a plan has at most {MAX_FILE_BYTES}")));
+        return Err(refuse(format!(
+            "has {size} bytes; a plan has at most {MAX_FILE_BYTES}"
+        )));
     }
     let bytes = std::fs::read(path).map_err(cannot)?;
     let text = String::from_utf8(bytes)
@@ -77,14 +79,16 @@ pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError>
         Ok(vocabulary)
     })?;
     let mut reader = Reader::new(text);
-    let plan = parsed.zip(loaded).and_then(|(document, (model, vocabulary))| {
-        let known = Known {
-            model,
-            vocabulary,
-            release,
-        };
-        plan(&mut reader, document.get_ref(), folder, known)
-    });
+    let plan = parsed
+        .zip(loaded)
+        .and_then(|(document, (model, vocabulary))| {
+            let known = Known {
+                model,
+                vocabulary,
+                release,
+            };
+            plan(&mut reader, document.get_ref(), folder, known)
+        });
     reader.finish(file, plan)
 }
 
@@ -101,7 +105,10 @@ fn beside(name: &str, folder: &Path) -> String {
 /// The texts of the list `effects`; other values are faults that are found later.
 fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     let items = document.get("effects").and_then(|e| e.get_ref().as_array());
-    let names = items.into_iter().flatten().filter_map(|item| item.get_ref().as_str());
+    let names = items
+        .into_iter()
+        .flatten()
+        .filter_map(|item| item.get_ref().as_str());
     names.map(|name| beside(name, folder)).collect()
 }
 
@@ -156,7 +163,9 @@ fn plan<'t>(
             grid = grid.saturating_mul(values.len() as u64);
         }
     }
-    let is_random = axes.iter().any(|axis| !matches!(axis.kind, AxisKind::Values(_)));
+    let is_random = axes
+        .iter()
+        .any(|axis| !matches!(axis.kind, AxisKind::Values(_)));
     if is_random && draws.is_none() {
         reader.missing("found no number of flights; expected one, as in flights = 10000");
         return None;
@@ -206,7 +215,8 @@ fn whole<'t>(
     let number = reader.number(value, key)?;
     let is_whole = number.fract() == 0.0 && number >= least as f64 && number <= greatest as f64;
     if !is_whole {
-        let message = format!("{key} is {number}; expected a whole number from {least} to {greatest}");
+        let message =
+            format!("{key} is {number}; expected a whole number from {least} to {greatest}");
         reader.fault(value.span(), message);
         return None;
     }
@@ -225,7 +235,8 @@ fn options<'t>(
         Some(value) => {
             let tolerance = reader.number(value, "tolerance")?;
             if !(1e-13..=0.1).contains(&tolerance) {
-                let message = format!("tolerance is {tolerance}; expected a number from 1e-13 to 0.1");
+                let message =
+                    format!("tolerance is {tolerance}; expected a number from 1e-13 to 0.1");
                 reader.fault(value.span(), message);
                 return None;
             }
@@ -239,7 +250,12 @@ fn options<'t>(
                 method,
                 ..options.clone()
             };
-            Some(simulate(compiled, release, &options).ok()?.stats.evaluations)
+            Some(
+                simulate(compiled, release, &options)
+                    .ok()?
+                    .stats
+                    .evaluations,
+            )
         };
         let both = evaluations(Method::Tsit5).zip(evaluations(Method::Dop853));
         if let Some((tsit5, dop853)) = both {
@@ -274,7 +290,10 @@ fn correlations<'t>(
         .map(|axis| axis.name.as_str())
         .collect();
     if normal.len() > MAX_NORMAL {
-        reader.missing(format!("found {} normal quantities; expected at most {MAX_NORMAL}", normal.len()));
+        reader.missing(format!(
+            "found {} normal quantities; expected at most {MAX_NORMAL}",
+            normal.len()
+        ));
         return None;
     }
     let place = |name: &str| normal.iter().position(|own| *own == name);
@@ -290,7 +309,8 @@ fn correlations<'t>(
     let Some(given) = document.get("correlations") else {
         return factor(reader, 0..0, &matrix);
     };
-    const EXPECTED: &str = "tables, as in [[correlations]] with of = [\"speed\", \"spin\"] and value = 0.5";
+    const EXPECTED: &str =
+        "tables, as in [[correlations]] with of = [\"speed\", \"spin\"] and value = 0.5";
     let Some(items) = given.get_ref().as_array() else {
         reader.wrong_type(given, "correlations", EXPECTED);
         return None;
@@ -310,7 +330,10 @@ fn correlations<'t>(
             continue;
         };
         let (Some(i), Some(j)) = (place(a), place(b)) else {
-            let message = format!("found a correlation of {a} and {b}; expected two of the normal quantities: {}", normal.join(", "));
+            let message = format!(
+                "found a correlation of {a} and {b}; expected two of the normal quantities: {}",
+                normal.join(", ")
+            );
             reader.fault(of.span(), message);
             continue;
         };
@@ -318,7 +341,9 @@ fn correlations<'t>(
             continue;
         };
         if i == j || number.abs() > 1.0 {
-            let message = format!("the correlation of {a} and {b} is {number}; expected that of two quantities, from -1 to 1");
+            let message = format!(
+                "the correlation of {a} and {b} is {number}; expected that of two quantities, from -1 to 1"
+            );
             reader.fault(value.span(), message);
             continue;
         }
@@ -327,7 +352,11 @@ fn correlations<'t>(
     factor(reader, given.span(), &matrix)
 }
 
-fn factor(reader: &mut Reader<'_>, span: std::ops::Range<usize>, matrix: &[Vec<f64>]) -> Option<Factor> {
+fn factor(
+    reader: &mut Reader<'_>,
+    span: std::ops::Range<usize>,
+    matrix: &[Vec<f64>],
+) -> Option<Factor> {
     let factor = Factor::of(matrix);
     if factor.is_none() {
         reader.fault(span, "no distribution has these correlations; expected a matrix without negative eigenvalues");
