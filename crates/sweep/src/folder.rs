@@ -102,9 +102,14 @@ impl Folder {
         })
     }
 
-    /// Removes the parts, which the results replace.
+    /// Removes the parts, which the results replace, and what a kill left unfinished.
     pub(crate) fn discard_parts(&self) {
         // What remains is removed by the next run.
         let _ = fs::remove_dir_all(self.path.join("parts"));
+        for entry in fs::read_dir(&self.path).into_iter().flatten().flatten() {
+            if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {
+                let _ = fs::remove_file(entry.path());
+            }
+        }
     }
 }

@@ -179,7 +179,10 @@ fn in_order(
             match summary {
                 Ok(summary) => waiting.insert(part, summary),
                 Err(error) => {
+                    // Under the lock, so that no thread begins to wait in between.
+                    let lock = merged.0.lock().unwrap_or_else(PoisonError::into_inner);
                     is_stopped.store(true, Ordering::Relaxed);
+                    drop(lock);
                     merged.1.notify_all();
                     return Err(error);
                 }

@@ -48,7 +48,8 @@ impl<'m> NearThrows<'m> {
             near: near.to_vec(),
             linear: (0..near.len()).filter(is_linear).collect(),
             attitude,
-            parameters: Vec::new(),
+            // Like none, so that the first are prepared.
+            parameters: vec![f64::NAN],
             prepared: vec![0.0; functions.prepared_len()],
             quantities: vec![0.0; motion.compiled.layout.quantities.len()],
             margins: vec![0.0; motion.compiled.limits.len()],

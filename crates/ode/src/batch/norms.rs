@@ -45,6 +45,12 @@ pub(crate) fn error_norm<T: Lanes>(
     if tableau.errors.len() == 1 {
         return h * (sum_5 * T::splat(1.0 / n as f64)).sqrt();
     }
+    // The derivative at the end is in no estimate: one that is not finite makes the norm NaN.
+    let mut last = zero;
+    for rate in stages.stage(tableau.rows.len()) {
+        last = zero.mul_add(*rate, last);
+    }
+    let sum_5 = sum_5 + last;
     let both = (sum_5 + T::splat(0.01) * sum_3) * T::splat(n as f64);
     // 0 where the sum is 0; NaN remains.
     h * sum_5 * both.if_zero(zero, T::splat(1.0) / both.sqrt())
