@@ -302,9 +302,9 @@ fn a_drop_without_spin_does_not_drift_and_a_throw_straight_up_comes_down() {
 
 #[test]
 fn a_bad_flight_is_a_row_and_no_error() {
-    // Below the ground, at a bound of a coefficient, without a state of that throw.
+    // Below the ground, without a state of that throw within the limits, out of bounds.
     let (summary, lines) = swept(
-        "model = \"disc\"\nuntil = \"ground\"\n[throw]\nspeed = 20.0\nspin = 600.0\n[vary]\nheight = { values = [1.0, -5.0] }\nhyzer = { values = [0.0, 90.0] }",
+        "model = \"disc\"\nuntil = \"ground\"\n[throw]\nspeed = 20.0\nspin = 600.0\n[vary]\nheight = { values = [1.0, -5.0] }\nnose = { values = [0.0, 90.0] }",
     );
     assert_eq!(summary["flights"], 4);
     assert_eq!(summary["statuses"]["landed"], 1, "{lines:?}");

@@ -18,7 +18,10 @@ fn they_are_those_of_the_general_search() {
         let model = model_spec::load::load(name, &[]).expect("a model");
         let mut parameters = Layout::new(&model).default_parameters();
         let thrown = ThrownModel::new(&model).expect("a body");
-        let base = Throw { launch: 5.0, ..Throw::at_speed(20.0) };
+        let base = Throw {
+            launch: 5.0,
+            ..Throw::at_speed(20.0)
+        };
         let known = thrown.state(&base, [0.0; 2], &parameters).expect("a state");
         let mut near = NearThrows::new(&thrown, &known);
         for k in 0..40 {
@@ -31,17 +34,28 @@ fn they_are_those_of_the_general_search() {
                 throw.wobble = (k % 3 == 0).then_some(4.0);
                 parameters[1] *= 1.0 + 0.01 * part(3.1, 1.0);
             }
-            let expected = thrown.state(&throw, [0.0; 2], &parameters).expect("a state");
+            let expected = thrown
+                .state(&throw, [0.0; 2], &parameters)
+                .expect("a state");
             let mut found = vec![0.0; known.len()];
-            near.state(&throw, [0.0; 2], &parameters, &mut found).expect("a state");
+            near.state(&throw, [0.0; 2], &parameters, &mut found)
+                .expect("a state");
             // Of the disc's angles another branch may have the same motion.
             let again = thrown.throw(&found, &parameters);
-            for field in ["speed", "heading", "launch", "height", "nose", "hyzer", "spin", "wobble"] {
-                let (a, b) = (again.field(field).unwrap_or(0.0), throw.field(field).unwrap_or(0.0));
+            for field in [
+                "speed", "heading", "launch", "height", "nose", "hyzer", "spin", "wobble",
+            ] {
+                let (a, b) = (
+                    again.field(field).unwrap_or(0.0),
+                    throw.field(field).unwrap_or(0.0),
+                );
                 assert!((a - b).abs() < 1e-6, "{name} {k} {field}: {a} {b}");
             }
             for (i, (a, b)) in found.iter().zip(&expected).enumerate() {
-                assert!((a - b).abs() < 1e-6 * b.abs().max(1.0), "{name} {k} state {i}: {a} {b}");
+                assert!(
+                    (a - b).abs() < 1e-6 * b.abs().max(1.0),
+                    "{name} {k} state {i}: {a} {b}"
+                );
             }
         }
     }
@@ -52,11 +66,24 @@ fn what_no_state_has_is_refused() {
     let model = model_spec::load::load("disc", &[]).expect("the disc");
     let parameters = Layout::new(&model).default_parameters();
     let thrown = ThrownModel::new(&model).expect("a body");
-    let known = thrown.state(&Throw::at_speed(20.0), [0.0; 2], &parameters).expect("a state");
+    let known = thrown
+        .state(&Throw::at_speed(20.0), [0.0; 2], &parameters)
+        .expect("a state");
     let mut near = NearThrows::new(&thrown, &known);
     let mut state = vec![0.0; known.len()];
-    let upright = Throw { hyzer: Some(90.0), nose: Some(0.0), launch: 90.0, ..Throw::at_speed(20.0) };
-    assert!(near.state(&upright, [0.0; 2], &parameters, &mut state).is_err());
+    let upright = Throw {
+        hyzer: Some(90.0),
+        nose: Some(0.0),
+        launch: 90.0,
+        ..Throw::at_speed(20.0)
+    };
+    assert!(
+        near.state(&upright, [0.0; 2], &parameters, &mut state)
+            .is_err()
+    );
     let too_fast = Throw::at_speed(1e9);
-    assert!(near.state(&too_fast, [0.0; 2], &parameters, &mut state).is_err());
+    assert!(
+        near.state(&too_fast, [0.0; 2], &parameters, &mut state)
+            .is_err()
+    );
 }

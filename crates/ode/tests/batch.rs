@@ -108,10 +108,19 @@ fn what_cannot_start_does_not_and_an_empty_queue_is_no_work() {
         until_ground: true,
     };
     let options = IntegrationOptions::default();
-    let starts = vec![(f64::NAN, 1.0), (0.5, f64::INFINITY), (-1.0, 9.0), (2.0, 1.0)];
+    let starts = vec![
+        (f64::NAN, 1.0),
+        (0.5, f64::INFINITY),
+        (-1.0, 9.0),
+        (2.0, 1.0),
+    ];
     let mut flights = queue(starts);
     fly(&Square, &mut flights, &span, &options);
-    let outcomes: Vec<_> = flights.ends.iter().map(|end| end.expect("an end").0).collect();
+    let outcomes: Vec<_> = flights
+        .ends
+        .iter()
+        .map(|end| end.expect("an end").0)
+        .collect();
     assert_eq!(
         outcomes,
         [
@@ -124,7 +133,10 @@ fn what_cannot_start_does_not_and_an_empty_queue_is_no_work() {
     assert_eq!(fly(&Square, &mut queue(Vec::new()), &span, &options), 2);
     for isa in lanes::Isa::ALL {
         let mut one = queue(vec![(0.5, 9.0)]);
-        let span = FlightSpan { until_ground: false, ..span };
+        let span = FlightSpan {
+            until_ground: false,
+            ..span
+        };
         if fly_on(isa, &Square, &mut one, &span, &options).is_some() {
             let (outcome, _, x) = one.ends[0].expect("an end");
             assert_eq!(outcome, FlightOutcome::Time);
