@@ -2,6 +2,7 @@
 
 import argparse
 import ctypes
+import os
 import pathlib
 import platform
 import statistics
@@ -101,22 +102,24 @@ def timed(work):
 
 
 def scaling(hyzer):
-    """Flights a second of `hyzer sweep` as a whole on one thread and on all, of the wall's time."""
-    import os
-
+    """Flights a second of `hyzer sweep` as a whole on one thread and on all: of the wall's time, and of the processor's per thread."""
     threads = len(os.sched_getaffinity(0))
-    rates = {}
+    walls, processors = {}, {}
     with tempfile.TemporaryDirectory() as folder:
         plan = pathlib.Path(folder) / "plan.toml"
         text = subprocess.run([hyzer, "sweep", "--example"], check=True, capture_output=True, text=True).stdout
         plan.write_text(text.replace("flights = 2000", "flights = 40000"))
         for k in range(3):
             for count in (1, threads):
-                start = time.perf_counter()
+                wall, before = time.perf_counter(), os.times()
                 out = pathlib.Path(folder) / f"{k}-{count}"
                 subprocess.run([hyzer, "sweep", plan, "--out", out, "--threads", str(count)], check=True, capture_output=True)
-                rates.setdefault(count, []).append(120_000 / (time.perf_counter() - start))
-    return threads, {count: max(values) for count, values in rates.items()}
+                after = os.times()
+                used = after.children_user + after.children_system - before.children_user - before.children_system
+                walls.setdefault(count, []).append(120_000 / (time.perf_counter() - wall))
+                processors.setdefault(count, []).append(120_000 / used)
+    best = lambda rates: {count: max(values) for count, values in rates.items()}
+    return threads, best(walls), best(processors)
 
 
 def verdict(ratio, bar):
@@ -164,7 +167,8 @@ def main():
                 times.setdefault((model, method), []).append(flown / FLIGHTS)
     medians = {name: statistics.median(values) for name, values in times.items()}
     frispy, scipy = medians["frispy"], medians["scipy"]
-    threads, rates = scaling(asked.hyzer)
+    load = os.getloadavg()[0]
+    threads, rates, processor = scaling(asked.hyzer)
     turned = nutation.table(ours.library, DISC, BACKHAND)
     flags = next(line for line in open("/proc/cpuinfo") if line.startswith("flags"))
     cpu = next(line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
@@ -199,8 +203,10 @@ flight has step sizes of its own. FrisPy's equations are those of `model-spec/re
 
 Errors are of each state's magnitude or 1, against the same equations at 1e-11 (FrisPy) and 1e-12 (SciPy).
 
-`hyzer sweep` as a whole (the built-in plan with 120,000 flights: draws, throws, flights, Parquet, summary), best of three, of the wall's time:
+`hyzer sweep` as a whole (the built-in plan with 120,000 flights: draws, throws, flights, Parquet, summary), best of three:
 {rates[1]:.0f} flights a second on one thread, {rates[threads]:.0f} on {threads}: {share:.2f} of each thread (bar 0.9: {'holds' if share >= 0.9 else '**missed**'}).
+The machine was shared with other work, at a load of {load:.1f} before these runs. Of the processor's time alone: {processor[1]:.0f} flights
+a second on one thread, {processor[threads]:.0f} on each of {threads}, {processor[threads] / processor[1]:.2f} of it.
 
 ## Nutation
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use crate::atomic::{UNFINISHED, write_atomic};
+use crate::atomic::{Durability, UNFINISHED, write_atomic};
 use crate::error::SweepError;
 use crate::plan::Plan;
 
@@ -96,7 +96,8 @@ impl Folder {
     }
 
     fn write_json(&self, path: &Path, json: &Value) -> Result<(), SweepError> {
-        write_atomic(path, |file| writeln!(file, "{json:#}")).map_err(|source| SweepError::Io {
+        let write = |file: &mut fs::File| writeln!(file, "{json:#}");
+        write_atomic(path, Durability::Synced, write).map_err(|source| SweepError::Io {
             path: path.to_path_buf(),
             source,
         })

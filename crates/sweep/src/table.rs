@@ -15,7 +15,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, PrimitiveTypeBuilder, Type};
 
-use crate::atomic::write_atomic;
+use crate::atomic::{Durability, write_atomic};
 use crate::rows::{Column, Rows, STATUSES};
 
 /// Name of the first column: the number of the flight, from 0.
@@ -23,11 +23,11 @@ const FLIGHT: &str = "flight";
 /// Name of the last column.
 const STATUS: &str = "status";
 
-/// Writes rows to a file, which appears whole.
+/// Writes the rows of a part to a file, which appears whole. A part that cannot be read is flown again: it is not synced.
 pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
     let properties = properties(&rows.columns);
     let schema = schema(rows.columns.iter().map(|column| column.name.as_str()))?;
-    write_atomic(path, |file| {
+    write_atomic(path, Durability::Renamed, |file| {
         let mut writer = SerializedFileWriter::new(file, schema, Arc::new(properties))?;
         let mut group = writer.next_row_group()?;
         let len = rows.status.len() as i64;
@@ -183,7 +183,7 @@ pub(crate) fn join(
     path: &Path,
     parts: impl Iterator<Item = std::path::PathBuf>,
 ) -> Result<(), ParquetError> {
-    write_atomic(path, |file| {
+    write_atomic(path, Durability::Synced, |file| {
         let mut writer = None;
         let mut file = Some(file);
         for part in parts {
@@ -222,7 +222,7 @@ pub(crate) fn join(
 /// Writes the flights of a Parquet file as CSV, a row group at a time.
 pub(crate) fn to_csv(from: &Path, to: &Path, inputs: usize) -> Result<(), ParquetError> {
     let reader = SerializedFileReader::new(File::open(from)?)?;
-    write_atomic(to, |file| {
+    write_atomic(to, Durability::Synced, |file| {
         let mut out = io::BufWriter::new(file);
         for group in 0..reader.num_row_groups() {
             let rows = row_group(&reader, group, inputs)?;
