@@ -108,16 +108,16 @@ def scaling(hyzer):
     with tempfile.TemporaryDirectory() as folder:
         plan = pathlib.Path(folder) / "plan.toml"
         text = subprocess.run([hyzer, "sweep", "--example"], check=True, capture_output=True, text=True).stdout
-        plan.write_text(text.replace("flights = 2000", "flights = 40000"))
-        for k in range(3):
+        plan.write_text(text.replace("flights = 2000", "flights = 20000"))
+        for k in range(2):
             for count in (1, threads):
                 wall, before = time.perf_counter(), os.times()
                 out = pathlib.Path(folder) / f"{k}-{count}"
                 subprocess.run([hyzer, "sweep", plan, "--out", out, "--threads", str(count)], check=True, capture_output=True)
                 after = os.times()
                 used = after.children_user + after.children_system - before.children_user - before.children_system
-                walls.setdefault(count, []).append(120_000 / (time.perf_counter() - wall))
-                processors.setdefault(count, []).append(120_000 / used)
+                walls.setdefault(count, []).append(60_000 / (time.perf_counter() - wall))
+                processors.setdefault(count, []).append(60_000 / used)
     best = lambda rates: {count: max(values) for count, values in rates.items()}
     return threads, best(walls), best(processors)
 
@@ -203,7 +203,7 @@ flight has step sizes of its own. FrisPy's equations are those of `model-spec/re
 
 Errors are of each state's magnitude or 1, against the same equations at 1e-11 (FrisPy) and 1e-12 (SciPy).
 
-`hyzer sweep` as a whole (the built-in plan with 120,000 flights: draws, throws, flights, Parquet, summary), best of three:
+`hyzer sweep` as a whole (the built-in plan with 60,000 flights: draws, throws, flights, Parquet, summary), best of two:
 {rates[1]:.0f} flights a second on one thread, {rates[threads]:.0f} on {threads}: {share:.2f} of each thread (bar 0.9: {'holds' if share >= 0.9 else '**missed**'}).
 The machine was shared with other work, at a load of {load:.1f} before these runs. Of the processor's time alone: {processor[1]:.0f} flights
 a second on one thread, {processor[threads]:.0f} on each of {threads}, {processor[threads] / processor[1]:.2f} of it.

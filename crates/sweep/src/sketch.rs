@@ -50,7 +50,8 @@ impl Sketch {
             match (a.peek(), b.peek()) {
                 (Some((x, n)), Some((y, m))) if x == y => {
                     merged.push((*x, n + m));
-                    (a.next(), b.next());
+                    a.next();
+                    b.next();
                 }
                 (Some((x, _)), Some((y, _))) if x < y => merged.extend(a.next()),
                 (Some(_), None) => merged.extend(a.next()),

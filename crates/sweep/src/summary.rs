@@ -197,8 +197,8 @@ impl Joint {
         }
         let (a, b) = (self.count as f64, next.count as f64);
         let step = [0, 1].map(|k| next.mean[k] - self.mean[k]);
-        for k in 0..2 {
-            self.mean[k] += step[k] * b / (a + b);
+        for (mean, step) in self.mean.iter_mut().zip(step) {
+            *mean += step * b / (a + b);
         }
         self.products += next.products + step[0] * step[1] * a * b / (a + b);
         self.count += next.count;

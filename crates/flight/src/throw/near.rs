@@ -154,7 +154,7 @@ impl<'m> NearThrows<'m> {
                 break;
             }
             let mut slopes = [Matrix3::zeros(); UNKNOWNS];
-            for column in 0..n {
+            for (column, slope) in slopes.iter_mut().enumerate().take(n) {
                 let place = self.attitude[column];
                 let own = state[place];
                 state[place] = own + DIFFERENCE_STEP;
@@ -162,7 +162,7 @@ impl<'m> NearThrows<'m> {
                 state[place] = own - DIFFERENCE_STEP;
                 let behind = axes_of(&self.vectors(state));
                 state[place] = own;
-                slopes[column] = (ahead - behind) / (2.0 * DIFFERENCE_STEP);
+                *slope = (ahead - behind) / (2.0 * DIFFERENCE_STEP);
             }
             let mut system = [[0.0; UNKNOWNS + 1]; UNKNOWNS];
             for row in 0..n {
