@@ -195,7 +195,8 @@ def main():
 `python3 benches/sweep/run.py` makes this page: FrisPy {'2.0.2'}, SciPy with our own compiled right-hand side (called through
 Numba {numba.__version__}) and our lanes fly to the landing in one process, in turn, {asked.rounds} rounds; medians of processor time a flight, on one
 core of {cpu}, {lanes}, Python {platform.python_version()}. Ours are batches of {FLIGHTS} flights whose speeds and rates scatter by a tenth about the peers' one; each
-flight has step sizes of its own. FrisPy's equations are those of `model-spec/refuted/frispy.hyz`, as `hyzer generate --lanes` prints them.
+flight has step sizes of its own. FrisPy's equations are those of `model-spec/refuted/frispy.hyz`, as `hyzer generate --lanes` prints them, made
+`#[inline(always)]` (`benches/sweep/run.py`).
 
 | | time of a flight | error at the landing | FrisPy's flight over it | SciPy's over it |
 |---|---:|---:|---:|---:|
@@ -211,7 +212,7 @@ a second on one thread, {processor[threads]:.0f} on each of {threads}, {processo
 ## Nutation
 
 The backhand's axis nutates at about 100 rad/s, which sets its steps. Tried against it: integrating factors (Lawson, SIAM J. Numer. Anal. 4,
-1967) by the exact Jacobian at the start of each step, restricted to the rates, to rates and angles, or whole (`benches/sweep/nutation.py`);
+1967) by the Jacobian at the start of each step (central differences), restricted to the rates, to rates and angles, or whole (`benches/sweep/nutation.py`);
 steps over {nutation.DURATION:.0f} s at {nutation.TOLERANCE:g}:
 
 | release | method | factor by | steps | rejected | evaluations | error at the end |

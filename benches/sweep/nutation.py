@@ -1,7 +1,7 @@
 """Whether integrating factors let a step be longer than nutation allows: Lawson's methods on the disc's backhand.
 
 With M a constant matrix over a step, y = exp(-M t) x turns with what M describes, and the Runge-Kutta method sees y alone. M is the
-exact Jacobian at the start of the step, restricted to the rates, to the rates and angles, or whole. Counts are of the method; the
+Jacobian at the start of the step, restricted to the rates, to the rates and angles, or whole. Counts are of the method; the
 exponentials of M, which are most of the work of the last, come on top.
 """
 
