@@ -236,7 +236,7 @@ fn every_lane_is_the_scalar_flight() {
             for (t_end, until_ground, max_steps) in [
                 (600.0, true, 100_000),
                 (0.3, false, 100_000),
-                (600.0, true, 12),
+                (600.0, true, 3),
             ] {
                 let span = FlightSpan {
                     t_end,

@@ -1,7 +1,7 @@
 //! States of many throws of one model, each found from that of a throw near it: Newton's method on the attitude, whose
 //! result the other states follow from by a linear system. What does not fit this is left to the general search.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::motion::{MotionModel, POINT_VECTORS, VECTORS};
 use super::{RPM, Throw, ThrowError, ThrownModel};
@@ -10,7 +10,9 @@ use crate::functions::{EvaluationPoint, Workspace};
 /// Greatest number of unknowns: of a body, six of its motion and as many of its place and attitude, or one more.
 const UNKNOWNS: usize = 13;
 /// Greatest number of steps of Newton's method.
-const MAX_STEPS: usize = 12;
+const MAX_STEPS: usize = 20;
+/// Greatest angle of a turn that Newton's method is to find at once, rad.
+const WIDEST_TURN: f64 = 0.5;
 /// Half the step of the central differences by the attitude.
 const DIFFERENCE_STEP: f64 = 1e-5;
 /// Greatest difference of two motions that are the same.
@@ -102,6 +104,14 @@ impl<'m> NearThrows<'m> {
         state.copy_from_slice(&self.near);
         let axes = throw.attitude().into_inner();
         if turns {
+            // In parts of a wide turn, for Newton's method finds near attitudes alone.
+            let now = axes_of(&self.vectors(state));
+            let turn = Rotation3::from_matrix_unchecked(axes * now.transpose()).scaled_axis();
+            let parts = (turn.norm() / WIDEST_TURN).ceil().max(1.0);
+            for part in 1..parts as usize {
+                let turned = Rotation3::new(turn * (part as f64 / parts));
+                self.turn(&(turned * now), state)?;
+            }
             self.turn(&axes, state)?;
         }
         let mut at = self.vectors(state);
@@ -169,7 +179,7 @@ impl<'m> NearThrows<'m> {
                 for column in 0..n {
                     system[row][column] = slopes[row].dot(&slopes[column]);
                 }
-                system[row][row] += 1e-12;
+                system[row][row] += 1e-6;
                 system[row][UNKNOWNS] = slopes[row].dot(&difference);
             }
             let change = solve(&mut system, n)?;
