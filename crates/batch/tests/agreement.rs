@@ -172,6 +172,7 @@ fn scattered(x: &[f64], p: &[f64], height: usize, count: usize) -> Vec<(Vec<f64>
                 3 => x[height] = -0.5,
                 7 => x[height] = f64::NAN,
                 11 => x[height] = 0.0,
+                14 => x[height] = 40.0,
                 _ => {}
             }
             (x, p)
