@@ -50,6 +50,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out flight\n  hyzer simulate disc --speed 20 --launch 8 --nose 2 --hyzer 10 --spin 700 --height 1.5 --out flight\n  hyzer simulate disc --techdisc examples/throws/techdisc.csv --out flight\n\nReleases by name: run `hyzer simulate --list`. A throw by options needs --speed or a release whose throw the options change;\nsigns of the angles: docs/releases.md. With --techdisc every row is flown and listed, or the one of --row; exit status 1: some\ncould not be flown."
     )]
     Simulate(Simulate),
+    /// Fly many flights of a model: releases, coefficients and wind from grids or distributions; a table and a summary
+    #[command(
+        after_help = "Examples:\n  hyzer sweep backhands --out swept --csv\n  hyzer sweep backhands --part 2/4 --out swept   # one quarter; without --part the rest is flown and all joined\n\nA plan is a release file with what varies: `hyzer sweep --example` prints the built-in one, docs/sweep.md has all of the\nformat. The folder then holds flights.parquet, a row per flight, and summary.json. A flight depends on the plan and its\nnumber alone: results are the same bits for any number of threads and however the work is divided. A run that was ended goes\non with the same command."
+    )]
+    Sweep(Sweep),
     /// Make a synthetic dataset: simulate releases of a model, observe its markers, add noise
     #[command(
         after_help = "Examples:\n  hyzer synthesize disc --release backhand --duration 1 --out made\n  hyzer synthesize ball --release serve --flights 4 --held-out 1 --set C_D=0.5 --seed 7 --out balls\n  hyzer synthesize disc --release backhand --with zero_lift_drag_angle --set alpha_0=-0.07 --duration 1 --out odd\n\nReleases by name: run `hyzer simulate --list`. The true values are written to the dataset's folder as\ntruth.toml, which `hyzer fit` does not read."
@@ -249,6 +254,29 @@ pub struct Simulate {
     /// List the named releases
     #[arg(long)]
     pub list: bool,
+}
+
+/// `hyzer sweep`.
+#[derive(Args)]
+pub struct Sweep {
+    /// Plan: a TOML file, or `backhands`
+    #[arg(value_name = "PLAN", required_unless_present = "example")]
+    pub plan: Option<PathBuf>,
+    /// Print a plan to start from
+    #[arg(long, exclusive = true)]
+    pub example: bool,
+    /// Folder for the results: a new or an empty one, or that of the same plan, to go on
+    #[arg(long, value_name = "DIR", required_unless_present = "example")]
+    pub out: Option<PathBuf>,
+    /// Fly the I-th of N equal shares alone, for several processes or machines with one folder
+    #[arg(long, value_name = "I/N")]
+    pub part: Option<String>,
+    /// Number of threads; by default that of the processors
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Write flights.csv too
+    #[arg(long)]
+    pub csv: bool,
 }
 
 /// `hyzer synthesize`.

@@ -28,6 +28,10 @@ pub enum Error {
     /// A dataset cannot be diagnosed.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),
+    /// A sweep cannot be flown, or its results not be written.
+    #[cfg(feature = "sweep")]
+    #[error(transparent)]
+    Sweep(#[from] ::sweep::SweepError),
     /// There is no built-in release of this name.
     #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
     UnknownRelease {

@@ -24,6 +24,8 @@ mod error;
 mod fit;
 mod flight;
 mod model;
+#[cfg(feature = "sweep")]
+mod sweep;
 
 pub use error::Error;
 
@@ -41,6 +43,10 @@ pub use identify::dataset::{Dataset, Flight as MeasuredFlight, KnownValue, Marke
 pub use fit::{Estimate, Fit, fit};
 pub use identify::{CancellationToken, FitOptions, FitReport, FlightOutcome, Prior, Progress};
 pub use identify::{DataFault, FaultKind};
+
+// Many flights.
+#[cfg(feature = "sweep")]
+pub use sweep::{Sweep, sweep};
 
 // Diagnoses.
 pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};

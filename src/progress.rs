@@ -4,7 +4,7 @@
 //! being written is finished, if that takes less than [`WRITING_LIMIT`]; result files and folders appear whole in any case.
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
@@ -20,6 +20,9 @@ const STOPPED: u8 = 2;
 const STOPPED_WRITING: u8 = 3;
 
 static PHASE: AtomicU8 = AtomicU8::new(WORKING);
+
+/// Whether what was done before a signal is kept, and the same command goes on from there.
+static RESUMES: AtomicBool = AtomicBool::new(false);
 
 /// The progress bar that is shown, so that a signal can remove it.
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
@@ -41,7 +44,12 @@ pub fn handle_signals() -> anyhow::Result<()> {
             changed.is_ok()
         };
         if change(WORKING, STOPPED) {
-            end("interrupted; nothing was written");
+            end(match RESUMES.load(Ordering::SeqCst) {
+                true => {
+                    "interrupted; what is done is kept, and the same command goes on from there"
+                }
+                false => "interrupted; nothing was written",
+            });
         }
         if change(WRITING, STOPPED_WRITING) {
             thread::sleep(WRITING_LIMIT);
@@ -51,6 +59,11 @@ pub fn handle_signals() -> anyhow::Result<()> {
         }
     })?;
     Ok(())
+}
+
+/// Says that what is done before a signal is kept: work whose parts are written whole, one by one.
+pub fn resumes() {
+    RESUMES.store(true, Ordering::SeqCst);
 }
 
 /// Runs a function that writes results; a signal meanwhile ends the program when the function returns.
@@ -119,6 +132,19 @@ impl Progress {
             parts: AtomicUsize::new(0),
             done: AtomicUsize::new(0),
         })
+    }
+}
+
+impl Progress {
+    /// Shows a stage of so many flights.
+    pub fn start(&self, stage: &str, flights: u64) {
+        self.bar.set_length(flights);
+        self.bar.set_message(stage.to_owned());
+    }
+
+    /// Adds flights that are done.
+    pub fn advance(&self, flights: u64) {
+        self.bar.inc(flights);
     }
 }
 

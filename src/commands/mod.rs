@@ -10,6 +10,7 @@ mod fit;
 mod generate;
 mod import;
 mod simulate;
+mod sweep;
 mod synthesize;
 mod verify;
 
@@ -26,6 +27,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Explain(options) => explain::run(&options),
         Command::Import(options) => import::run(&options),
         Command::Simulate(options) => simulate::run(&options),
+        Command::Sweep(options) => sweep::run(&options),
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),

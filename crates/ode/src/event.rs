@@ -209,13 +209,17 @@ impl<'a, X: StateVector> Event<'a, X> {
 }
 
 /// Appends to `found` the fractions of a step at which `value` falls to 0.
-fn falling_zeros(step: &DenseOutput<'_>, mut value: impl FnMut(f64) -> f64, found: &mut Vec<f64>) {
+pub(crate) fn falling_zeros(
+    step: &DenseOutput<'_>,
+    mut value: impl FnMut(f64) -> f64,
+    found: &mut Vec<f64>,
+) {
     let mut before = (0.0, value(0.0));
     for k in 1..=SEARCH_INTERVALS {
         let s = f64::from(k) / f64::from(SEARCH_INTERVALS);
         let after = (s, value(s));
         if before.1 > 0.0 && after.1 <= 0.0 {
-            let width = (1e-13 * step.t.abs().max(1.0) / step.h).min(1e-3);
+            let width = location_width(step.t, step.h);
             found.push(first_past_root(
                 &mut value,
                 (before.0, after.0),
@@ -227,9 +231,14 @@ fn falling_zeros(step: &DenseOutput<'_>, mut value: impl FnMut(f64) -> f64, foun
     }
 }
 
+/// Width to which an event is located, as a fraction of the step from `t` of size `h`.
+pub(crate) fn location_width(t: f64, h: f64) -> f64 {
+    (1e-13 * t.abs().max(1.0) / h).min(1e-3)
+}
+
 /// Whether `value` falls from positive to 0 or below between neighbouring points of an even subdivision of a step
 /// into `intervals`; more than one interval finds pairs of zeros within the step.
-fn has_falling_zero(intervals: u32, value: impl Fn(f64) -> f64) -> bool {
+pub(crate) fn has_falling_zero(intervals: u32, value: impl Fn(f64) -> f64) -> bool {
     let mut before = value(0.0);
     for k in 1..=intervals {
         let after = value(f64::from(k) / f64::from(intervals));

@@ -44,17 +44,27 @@ pub(crate) fn check_input<D: OdeRhs>(
             return invalid(what.into(), value);
         }
     }
+    match invalid_option(options, t_end - t) {
+        Some((what, value)) => invalid(what.into(), value),
+        None => Ok(()),
+    }
+}
+
+/// Name and value of the first of the duration, tolerances and step bounds that is not positive.
+fn invalid_option(options: &IntegrationOptions, duration: f64) -> Option<(&'static str, f64)> {
     let positive = [
-        ("the time from start to end (s)", t_end - t),
+        ("the time from start to end (s)", duration),
         ("rtol", options.rtol),
         ("atol", options.atol),
         ("max_step (s)", options.max_step),
         ("first_step (s)", options.first_step.unwrap_or(1.0)),
     ];
-    match positive.into_iter().find(|(_, v)| v.is_nan() || *v <= 0.0) {
-        Some((what, value)) => invalid(what.into(), value),
-        None => Ok(()),
-    }
+    positive.into_iter().find(|(_, v)| v.is_nan() || *v <= 0.0)
+}
+
+/// Whether duration, tolerances and step bounds are positive.
+pub(crate) fn is_valid(options: &IntegrationOptions, duration: f64) -> bool {
+    invalid_option(options, duration).is_none()
 }
 
 /// Integration error with return code, time, and the error-controlled components of a state.

@@ -10,6 +10,7 @@
 //!   makes it fail.
 //! - **Sensitivities**: [`Sensitivities`] integrates ∂x/∂x₀ and ∂x/∂p together with x, from a
 //!   [`DifferentiableRhs`] with sparse Jacobians ∂f/∂x and ∂f/∂p.
+//! - **Batches**: [`fly`] integrates many flights, one per SIMD lane, each with its own step sizes and events.
 //!
 //! ```
 //! use ode::{IntegrationOptions, integrate, rhs_from_fn};
@@ -29,6 +30,7 @@
 #![forbid(unsafe_code)]
 
 mod aligned;
+mod batch;
 mod dense_output;
 mod error;
 mod event;
@@ -44,6 +46,9 @@ mod step_control;
 mod trajectory;
 
 pub use aligned::AlignedVec;
+pub use batch::{
+    FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes, fly, fly_on,
+};
 pub use error::{IntegrationError, IntegrationFailure};
 pub use event::{Event, Occurrence};
 pub use integrate::{

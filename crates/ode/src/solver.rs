@@ -12,11 +12,11 @@ use crate::rhs::OdeRhs;
 use crate::step_control::{PiController, initial_step};
 
 /// Minimum step size as a fraction of the largest absolute time of the integration.
-const MIN_RELATIVE_STEP: f64 = 1e-14;
+pub(crate) const MIN_RELATIVE_STEP: f64 = 1e-14;
 
 /// Relative slack of the final step: a step that ends this close to the final time is extended to it, which avoids a
 /// tiny last step.
-const FINAL_STEP_SLACK: f64 = 1e-10;
+pub(crate) const FINAL_STEP_SLACK: f64 = 1e-10;
 
 /// Final time and state of an integration.
 #[derive(Clone, Debug, PartialEq)]

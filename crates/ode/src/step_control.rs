@@ -11,6 +11,7 @@ const SAFETY: f64 = 0.9;
 const MIN_REMEMBERED_ERROR: f64 = 1e-4;
 
 /// Proportional-integral step-size controller (Hairer & Wanner, IV.2): next step size from the last two error norms.
+#[derive(Clone, Copy)]
 pub(crate) struct PiController {
     proportional_exponent: f64,
     integral_exponent: f64,
@@ -77,19 +78,46 @@ pub(crate) fn initial_step<D: OdeRhs>(
     };
     let state_norm = norm(&|i| x[i]);
     let rate_norm = norm(&|i| dx[i]);
-    let euler_step = if state_norm < 1e-5 || rate_norm < 1e-5 {
-        1e-6
-    } else {
-        0.01 * state_norm / rate_norm
-    }
-    .min(max_step);
+    let euler_step = first_step(state_norm, rate_norm, max_step);
 
     let (mut euler_state, mut euler_rate) = (start.x.clone(), start.dx.clone());
     combine(&mut euler_state, start.x, euler_step, [1.0], [start.dx]);
     rhs.derivative(start.t + euler_step, &euler_state, &mut euler_rate);
     let euler_rate = euler_rate.as_ref();
     let second_derivative_norm = norm(&|i| euler_rate[i] - dx[i]) / euler_step;
-    let derivative_norm = rate_norm.max(second_derivative_norm);
+    let norms = InitialNorms {
+        euler_step,
+        rate: rate_norm,
+        second_derivative: second_derivative_norm,
+    };
+    second_step(&norms, order, max_step)
+}
+
+/// Size of the Euler step from the norms of the state and of its derivative.
+#[inline(always)]
+pub(crate) fn first_step(state_norm: f64, rate_norm: f64, max_step: f64) -> f64 {
+    if state_norm < 1e-5 || rate_norm < 1e-5 {
+        1e-6
+    } else {
+        0.01 * state_norm / rate_norm
+    }
+    .min(max_step)
+}
+
+/// What the initial step size follows from.
+pub(crate) struct InitialNorms {
+    pub euler_step: f64,
+    /// Norm of the derivative.
+    pub rate: f64,
+    /// Norm of the second derivative.
+    pub second_derivative: f64,
+}
+
+/// Initial step size, at most `max_step`.
+#[inline(always)]
+pub(crate) fn second_step(norms: &InitialNorms, order: i32, max_step: f64) -> f64 {
+    let euler_step = norms.euler_step;
+    let derivative_norm = norms.rate.max(norms.second_derivative);
     let step = if derivative_norm <= 1e-15 {
         (euler_step * 1e-3).max(1e-6)
     } else {

@@ -57,7 +57,7 @@ pub(super) fn location(text: &str, byte: usize) -> (usize, usize) {
 
 /// End of an error message on an unknown name: `; did you mean "…"?` if a valid name is similar, else the list of all
 /// valid names.
-pub(super) fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone) -> String {
+pub fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone) -> String {
     let near = names
         .clone()
         .map(|name| (distance(found, name), name))

@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 use model_spec::model::{Model, Parameter};
 
-pub use fault::{Fault, ReleaseError};
-pub use read::{read, read_file};
+pub use fault::{Fault, ReleaseError, suggestion};
+pub use read::{Reader, Value, read, read_file, read_with};
 
 /// Initial conditions, parameters and end of a flight.
 #[derive(Clone, Debug, PartialEq)]

@@ -58,31 +58,59 @@ pub fn read(
     text: &str,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
 ) -> Result<Release, ReleaseError> {
-    let mut reader = Reader {
-        text,
-        faults: Vec::new(),
-    };
-    let release = reader.release(vocabulary);
-    reader.faults.sort_by_key(|fault| fault.location);
-    match release {
-        Some(release) if reader.faults.is_empty() => Ok(release),
-        _ => Err(ReleaseError {
-            file: file.into(),
-            faults: reader.faults,
-        }),
-    }
+    read_with(file, text, &[], vocabulary)
 }
 
-/// State of the parser: the text and the faults found so far.
-pub(super) struct Reader<'t> {
+/// As [`read`], of a file that has further keys of its own, which are not read here.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(
+    file: &str,
+    text: &str,
+    own_keys: &[&str],
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
+) -> Result<Release, ReleaseError> {
+    let mut reader = Reader::new(text);
+    let release = reader.release(own_keys, vocabulary);
+    reader.finish(file, release)
+}
+
+/// Reader of a TOML text that collects all of its faults, with their locations.
+pub struct Reader<'t> {
     text: &'t str,
     faults: Vec<Fault>,
 }
 
-pub(super) type Value<'t> = Spanned<DeValue<'t>>;
+/// Value in a TOML text, with its place.
+pub type Value<'t> = Spanned<DeValue<'t>>;
 
 impl<'t> Reader<'t> {
-    pub(super) fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
+    /// Reader of a text, without faults so far.
+    pub fn new(text: &'t str) -> Reader<'t> {
+        Reader {
+            text,
+            faults: Vec::new(),
+        }
+    }
+
+    /// The value, if no fault was found in the text; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`ReleaseError`] with the faults in order of location; also where there is no value.
+    pub fn finish<V>(mut self, file: &str, value: Option<V>) -> Result<V, ReleaseError> {
+        self.faults.sort_by_key(|fault| fault.location);
+        match value {
+            Some(value) if self.faults.is_empty() => Ok(value),
+            _ => Err(ReleaseError {
+                file: file.into(),
+                faults: self.faults,
+            }),
+        }
+    }
+
+    /// Records a fault at a place in the text.
+    pub fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
         self.faults.push(Fault {
             location: Some(location(self.text, span.start)),
             message: message.into(),
@@ -94,7 +122,8 @@ impl<'t> Reader<'t> {
         self.faults.len()
     }
 
-    fn missing(&mut self, message: impl Into<String>) {
+    /// Records a fault of the whole text.
+    pub fn missing(&mut self, message: impl Into<String>) {
         self.faults.push(Fault {
             location: None,
             message: message.into(),
@@ -103,6 +132,7 @@ impl<'t> Reader<'t> {
 
     fn release(
         &mut self,
+        own_keys: &[&str],
         vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
     ) -> Option<Release> {
         let document = match DeTable::parse(self.text) {
@@ -128,7 +158,8 @@ impl<'t> Reader<'t> {
             "wind",
             "known",
         ];
-        self.known_keys(document, "", KEYS.into_iter());
+        let keys = KEYS.iter().chain(own_keys).copied();
+        self.known_keys(document, "", keys);
 
         let stop = self.stop(document);
         let Some(name) = document.get("model") else {
@@ -216,7 +247,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Entries of a table of the document; empty if the table is absent.
-    pub(super) fn table<'d>(
+    pub fn table<'d>(
         &mut self,
         document: &'d DeTable<'t>,
         key: &str,
@@ -234,7 +265,9 @@ impl<'t> Reader<'t> {
             .collect()
     }
 
-    fn known_keys<'n>(
+    /// Records a fault for each key of a table that is not among `names`; `context` follows it in the message, as in
+    /// `" in [throw]"`.
+    pub fn known_keys<'n>(
         &mut self,
         table: &DeTable<'t>,
         context: &str,

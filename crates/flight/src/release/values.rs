@@ -11,7 +11,7 @@ const NON_NEGATIVE_PARAMETERS: [&str; 2] = ["rho", "g"];
 
 impl<'t> Reader<'t> {
     /// Parses three finite numbers; records a fault and returns `None` for anything else.
-    pub(super) fn vector(&mut self, value: &Value<'t>, name: &str) -> Option<[f64; 3]> {
+    pub fn vector(&mut self, value: &Value<'t>, name: &str) -> Option<[f64; 3]> {
         let items: Vec<&Value<'t>> = value
             .get_ref()
             .as_array()
@@ -26,7 +26,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses a finite number; records a fault and returns `None` for anything else.
-    pub(super) fn number(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
+    pub fn number(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
         let number = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
             DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
@@ -53,7 +53,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Records the fault of a value of the wrong type; `expected` describes valid ones.
-    pub(super) fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
+    pub fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
         let found = match value.get_ref() {
             DeValue::String(text) if text.len() <= 40 => format!("the text {text:?}"),
             DeValue::Integer(number) => number.to_string(),

@@ -7,6 +7,7 @@
 
 mod inverse;
 mod motion;
+mod near;
 
 use std::f64::consts::PI;
 
@@ -14,6 +15,9 @@ use model_spec::model::Model;
 use nalgebra::{Rotation3, Vector3};
 
 use crate::release::Release;
+pub use near::NearThrows;
+
+pub use motion::speed_and_spin;
 use motion::{Motion, MotionModel, Turning};
 
 /// rad/s per rpm.

@@ -2,7 +2,9 @@
 //! from the claim of one.
 
 use codegen::compile::Selection;
-use model_spec::model::{AuxVariable, ClaimedAttitude, Expr, ExprKind, FrameKind, Model, Shape};
+use model_spec::model::{
+    AuxVariable, ClaimedAttitude, Expr, ExprKind, FrameKind, Model, Observation, Shape,
+};
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
@@ -32,9 +34,9 @@ pub struct Turning {
 
 /// Compiled motion of a model's body.
 pub struct MotionModel {
-    compiled: CompiledModel,
+    pub(super) compiled: CompiledModel,
     has_attitude: bool,
-    is_revolution: bool,
+    pub(super) is_revolution: bool,
     /// States that the motion does not determine.
     pub(super) added: Vec<usize>,
     /// States that are angles of frames.
@@ -45,9 +47,9 @@ pub struct MotionModel {
 
 /// Number of vectors of the motion of a body with attitude: position, velocity, axes, angular velocity, rows of the inertia
 /// tensor, axes of its frame.
-const VECTORS: usize = 12;
+pub(super) const VECTORS: usize = 12;
 /// Number of vectors of the motion of a point mass.
-const POINT_VECTORS: usize = 2;
+pub(super) const POINT_VECTORS: usize = 2;
 
 impl MotionModel {
     /// Compiles the motion; `None` for a model that has neither a body nor a claim.
@@ -101,6 +103,42 @@ impl MotionModel {
             bound: self.compiled.bind(parameters.to_vec()),
         }
     }
+}
+
+/// A model whose observation is the speed of the mass centre over the ground (m/s), the spin as in a
+/// [`Throw`](super::Throw) (rpm) and 0; the spin of a point mass is 0. `None` for a model that has neither a body nor a claim.
+pub fn speed_and_spin(model: &Model) -> Option<Model> {
+    let (vectors, _) = vectors(model)?;
+    let scalar = |kind| Expr {
+        kind,
+        shape: Shape::Scalar,
+        unit: Unit::ONE,
+        span: Default::default(),
+    };
+    let number = |value| scalar(ExprKind::Number { value, exact: None });
+    let boxed = |of: &Expr| Box::new(of.clone());
+    let speed = scalar(ExprKind::Norm(boxed(&vectors[1])));
+    let spin = match vectors.get(5) {
+        Some(rates) => {
+            let about = scalar(ExprKind::Dot(boxed(rates), boxed(&vectors[4])));
+            let rpm = number(-1.0 / super::RPM);
+            scalar(ExprKind::Mul(Box::new(rpm), Box::new(about)))
+        }
+        None => number(0.0),
+    };
+    let value = Expr {
+        shape: Shape::Vector(0),
+        ..scalar(ExprKind::Components(Box::new([speed, spin, number(0.0)])))
+    };
+    let mut own = model.clone();
+    own.forces.clear();
+    own.moments.clear();
+    own.observation = Some(Observation {
+        name: "speed_and_spin".to_owned(),
+        value,
+        span: Default::default(),
+    });
+    Some(own)
 }
 
 /// Motion of a model's body for values of its parameters.

@@ -1,8 +1,31 @@
 //! DOP853 (Hairer, Nørsett & Wanner, II.5): order 8, error estimates of orders 5 and 3, dense output of order 7.
 
 use super::dop853_table::*;
+use super::tableau::{Row, Tableau};
 use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, slices};
 use crate::rhs::{OdeRhs, StateVector};
+
+/// The method as rows of weights.
+pub(crate) static TABLEAU: Tableau = Tableau {
+    method: Method::Dop853,
+    c: &C,
+    rows: &[&A1, &A2, &A3, &A4, &A5, &A6, &A7, &A8, &A9, &A10, &A11, &B],
+    dense_rows: &[&A13, &A14, &A15],
+    errors: &[&E5, &E3],
+    error_order: ERROR_ORDER,
+    pi_beta: PI_BETA,
+    step_factor_bounds: STEP_FACTOR_BOUNDS,
+};
+
+/// Weights of the last four rows of the dense output.
+pub(crate) static DENSE: [Row; 4] = [&D0, &D1, &D2, &D3];
+
+/// Order of the error estimate in the step size.
+const ERROR_ORDER: i32 = 8;
+/// Exponent of the previous error in the PI controller.
+const PI_BETA: f64 = 0.0;
+/// Minimum and maximum ratio of successive step sizes.
+const STEP_FACTOR_BOUNDS: (f64, f64) = (0.333, 6.0);
 
 /// Stage derivatives of a step: twelve, the derivative at the end, and three more for dense output.
 pub(crate) struct Dop853<X> {
@@ -30,9 +53,9 @@ fn combine<X: StateVector, const M: usize>(
 impl<X: StateVector> Stepper<X> for Dop853<X> {
     const METHOD: Method = Method::Dop853;
     const EVALUATIONS: usize = 12;
-    const ERROR_ORDER: i32 = 8;
-    const PI_BETA: f64 = 0.0;
-    const STEP_FACTOR_BOUNDS: (f64, f64) = (0.333, 6.0);
+    const ERROR_ORDER: i32 = ERROR_ORDER;
+    const PI_BETA: f64 = PI_BETA;
+    const STEP_FACTOR_BOUNDS: (f64, f64) = STEP_FACTOR_BOUNDS;
 
     fn new(like: &X) -> Self {
         Dop853 {

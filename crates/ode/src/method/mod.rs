@@ -3,6 +3,7 @@
 pub(crate) mod dop853;
 mod dop853_table;
 pub(crate) mod simd;
+pub(crate) mod tableau;
 pub(crate) mod tsit5;
 
 use crate::rhs::{OdeRhs, StateVector};
@@ -18,6 +19,14 @@ pub enum Method {
 }
 
 impl Method {
+    /// The method as rows of weights.
+    pub(crate) fn tableau(self) -> &'static tableau::Tableau {
+        match self {
+            Method::Tsit5 => &tsit5::TABLEAU,
+            Method::Dop853 => &dop853::TABLEAU,
+        }
+    }
+
     /// Weights of the dense-output rows at the fraction `s` (0 to 1) of a step of size `h`.
     pub(crate) fn weights(self, s: f64, h: f64) -> [f64; ROWS] {
         match self {

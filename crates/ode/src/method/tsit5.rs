@@ -1,6 +1,7 @@
 //! Tsit5 method of Ch. Tsitouras, "Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying
 //! assumption", Computers & Mathematics with Applications 62 (2011).
 
+use super::tableau::Tableau;
 use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, combine, slices};
 use crate::rhs::{OdeRhs, StateVector};
 
@@ -43,6 +44,36 @@ pub(crate) const E: [f64; 7] = [
     0.015151515151515152,
 ];
 
+/// A row of weights with the stages that they belong to.
+const fn row<const M: usize>(weights: [f64; M]) -> [(usize, f64); M] {
+    let mut row = [(0, 0.0); M];
+    let mut s = 0;
+    while s < M {
+        row[s] = (s, weights[s]);
+        s += 1;
+    }
+    row
+}
+
+/// The method as rows of weights.
+pub(crate) static TABLEAU: Tableau = Tableau {
+    method: Method::Tsit5,
+    c: &C,
+    rows: &[&row(A1), &row(A2), &row(A3), &row(A4), &row(A5), &row(B)],
+    dense_rows: &[],
+    errors: &[&row(E)],
+    error_order: ERROR_ORDER,
+    pi_beta: PI_BETA,
+    step_factor_bounds: STEP_FACTOR_BOUNDS,
+};
+
+/// Order of the error estimate in the step size.
+const ERROR_ORDER: i32 = 5;
+/// Exponent of the previous error in the PI controller.
+const PI_BETA: f64 = 0.04;
+/// Minimum and maximum ratio of successive step sizes.
+const STEP_FACTOR_BOUNDS: (f64, f64) = (0.2, 10.0);
+
 /// Stages k2 to k7 of a step; k1 is the derivative at its start.
 pub(crate) struct Tsit5<X> {
     k2: X,
@@ -58,9 +89,9 @@ pub(crate) struct Tsit5<X> {
 impl<X: StateVector> Stepper<X> for Tsit5<X> {
     const METHOD: Method = Method::Tsit5;
     const EVALUATIONS: usize = 6;
-    const ERROR_ORDER: i32 = 5;
-    const PI_BETA: f64 = 0.04;
-    const STEP_FACTOR_BOUNDS: (f64, f64) = (0.2, 10.0);
+    const ERROR_ORDER: i32 = ERROR_ORDER;
+    const PI_BETA: f64 = PI_BETA;
+    const STEP_FACTOR_BOUNDS: (f64, f64) = STEP_FACTOR_BOUNDS;
 
     fn new(like: &X) -> Self {
         let [k2, k3, k4, k5, k6, k7, stage, end] = std::array::from_fn(|_| like.clone());

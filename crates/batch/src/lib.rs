@@ -1,0 +1,10 @@
+//! Flights of a model in SIMD lanes: [`LaneModel`] gives [`ode::fly`] the functions of a model, from generated code or from a
+//! tape; [`LaneObserver`] evaluates its observation at many states.
+
+#![forbid(unsafe_code)]
+
+mod lane_model;
+mod lane_observer;
+
+pub use lane_model::LaneModel;
+pub use lane_observer::LaneObserver;

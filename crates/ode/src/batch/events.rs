@@ -1,0 +1,111 @@
+//! Where in a step the height of one lane falls to 0 and where it is greatest.
+
+use crate::dense_output::DenseOutput;
+use crate::event::{falling_zeros, has_falling_zero, location_width};
+use crate::method::{Method, ROWS};
+use crate::root::first_past_root;
+
+/// Half the step of the central difference of the dense output, in units of the step.
+const DIFFERENCE: f64 = 1e-4;
+/// Width of the bracket of an apex, in units of the step: its height is known to the square of this.
+const APEX_WIDTH: f64 = 1e-8;
+
+/// Height at the ends of a step, with h times its derivatives: the data of the cubic Hermite interpolant.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct HeightEnds {
+    pub start: f64,
+    pub end: f64,
+    pub start_slope: f64,
+    pub end_slope: f64,
+}
+
+impl HeightEnds {
+    /// Whether the cubic falls to 0 within the step.
+    pub(crate) fn may_land(&self) -> bool {
+        let (a, b) = (self.start, self.end);
+        has_falling_zero(4, |s| {
+            let r = 1.0 - s;
+            let (da, db) = (self.start_slope, self.end_slope);
+            a * r + b * s + s * r * ((da - (b - a)) * r - (db - (b - a)) * s)
+        })
+    }
+
+    /// Whether the cubic may reach 0; cheaper than [`may_land`](Self::may_land). It is within a quarter of the sum of its
+    /// slopes and its rise of the chord.
+    #[inline(always)]
+    pub(crate) fn is_near_ground(&self) -> bool {
+        let slopes = self.start_slope.abs() + self.end_slope.abs();
+        let distance = 0.25 * (slopes + (self.end - self.start).abs());
+        self.start.min(self.end) <= distance
+    }
+
+    /// Whether the cubic falls throughout, from above 0 to below: it lands once (Fritsch & Carlson, SIAM J. Numer. Anal. 17,
+    /// 1980).
+    fn falls_once(&self) -> bool {
+        let steepest = 3.0 * (self.end - self.start);
+        let falls = |slope: f64| slope <= 0.0 && slope >= steepest;
+        self.start > 0.0 && self.end < 0.0 && falls(self.start_slope) && falls(self.end_slope)
+    }
+
+    /// Whether the height rises at the start and does not at the end.
+    #[inline(always)]
+    pub(crate) fn has_peak(&self) -> bool {
+        self.start_slope > 0.0 && self.end_slope <= 0.0
+    }
+}
+
+/// Dense output of the height of one lane over a step.
+pub(crate) struct HeightStep {
+    pub method: Method,
+    /// Time at the start of the step.
+    pub t: f64,
+    /// Step size.
+    pub h: f64,
+    /// Coefficients of the dense output.
+    pub rows: [f64; ROWS],
+}
+
+impl HeightStep {
+    /// Height at the fraction `s` of the step.
+    pub(crate) fn height(&self, s: f64) -> f64 {
+        let weights = self.method.weights(s, self.h);
+        let mut sum = self.rows[0];
+        for (row, weight) in self.rows.iter().zip(weights).skip(1) {
+            sum += weight * row;
+        }
+        sum
+    }
+
+    /// Fraction of the step at which the height first falls to 0; `found` is scratch space.
+    pub(crate) fn landing(&self, ends: &HeightEnds, found: &mut Vec<f64>) -> Option<f64> {
+        if ends.falls_once() {
+            let width = location_width(self.t, self.h);
+            let bracket = (ends.start, ends.end);
+            return Some(first_past_root(
+                |s| self.height(s),
+                (0.0, 1.0),
+                bracket,
+                width,
+            ));
+        }
+        let mut rows: [&[f64]; ROWS] = [&[]; ROWS];
+        for (row, value) in rows.iter_mut().zip(&self.rows) {
+            *row = std::slice::from_ref(value);
+        }
+        let (method, t, h) = (self.method, self.t, self.h);
+        let step = DenseOutput { method, t, h, rows };
+        found.clear();
+        falling_zeros(&step, |s| self.height(s), found);
+        found.first().copied()
+    }
+
+    /// Fraction of the step at which the height stops rising, of a step in which it does.
+    pub(crate) fn peak(&self) -> f64 {
+        let slope = |s: f64| self.height(s + DIFFERENCE) - self.height(s - DIFFERENCE);
+        let (first, last) = (slope(0.0), slope(1.0));
+        if !(first > 0.0 && last <= 0.0) {
+            return if first > 0.0 { 1.0 } else { 0.0 };
+        }
+        first_past_root(slope, (0.0, 1.0), (first, last), APEX_WIDTH)
+    }
+}

@@ -1,0 +1,355 @@
+//! The step loop over lanes.
+
+mod stop;
+
+use super::control::{Control, MAX_LANES, Verdict};
+use super::events::HeightEnds;
+use super::norms::error_norm;
+use super::stages::Stages;
+use super::staging::{LaneValues, Staging, merge};
+use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs};
+use crate::method::tableau::Tableau;
+use crate::method::{ErrorTolerance, ROWS};
+use crate::options::IntegrationOptions;
+use lanes::{Kernel, Lanes};
+
+/// All flights of a queue, on lanes of one type.
+pub(crate) struct Batch<'a, R, Q: ?Sized> {
+    pub rhs: &'a R,
+    pub queue: &'a mut Q,
+    pub span: &'a FlightSpan,
+    pub options: &'a IntegrationOptions,
+}
+
+impl<R: LaneRhs, Q: FlightQueue + ?Sized> Kernel for Batch<'_, R, Q> {
+    type Output = u64;
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) -> u64 {
+        let Batch {
+            rhs,
+            queue,
+            span,
+            options,
+        } = self;
+        let mut lanes = Flying::<T, R>::new(rhs, span, options);
+        loop {
+            lanes.refill(queue);
+            if lanes.control.flight[..T::WIDTH].iter().all(Option::is_none) {
+                return lanes.evaluations;
+            }
+            lanes.step(queue);
+        }
+    }
+}
+
+/// Flights in the lanes, between steps.
+struct Flying<'a, T, R> {
+    rhs: &'a R,
+    span: &'a FlightSpan,
+    options: &'a IntegrationOptions,
+    tableau: &'static Tableau,
+    tolerance: ErrorTolerance,
+    control: Control,
+    values: LaneValues<T>,
+    staging: Staging<T>,
+    stages: Stages<T>,
+    /// Argument of a stage; after the last, the state at the end of the step.
+    end: Vec<T>,
+    /// Other states within the step.
+    within: Vec<T>,
+    /// Margins of the limits in the middle of the step, at its end, and elsewhere in it.
+    margins: [Vec<T>; 3],
+    scratch: Vec<T>,
+    heights: [HeightEnds; MAX_LANES],
+    /// State of a lane, and its dense output.
+    state: Vec<f64>,
+    rows: Vec<f64>,
+    found: Vec<f64>,
+    evaluations: u64,
+}
+
+/// Which state of a lane a flight ends with.
+#[derive(Clone, Copy)]
+enum EndState {
+    /// That before the step.
+    Start,
+    /// That at the end of the step.
+    End,
+    /// That in [`Flying::within`].
+    Within,
+}
+
+impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
+    #[inline(always)]
+    fn new(rhs: &'a R, span: &'a FlightSpan, options: &'a IntegrationOptions) -> Self {
+        let (sizes, tableau) = (rhs.sizes(), options.method.tableau());
+        let zeros = |n| vec![T::splat(0.0); n];
+        Flying {
+            rhs,
+            span,
+            options,
+            tableau,
+            tolerance: ErrorTolerance {
+                rtol: options.rtol,
+                atol: options.atol,
+                controlled_len: usize::MAX,
+            },
+            control: Control::new(tableau, span, options),
+            values: LaneValues::new(&sizes),
+            staging: Staging::new(&sizes),
+            stages: Stages::new(tableau, sizes.states),
+            end: zeros(sizes.states),
+            within: zeros(sizes.states),
+            margins: [0; 3].map(|_| zeros(sizes.limits)),
+            scratch: zeros(sizes.scratch),
+            heights: [HeightEnds::default(); MAX_LANES],
+            state: vec![0.0; sizes.states],
+            rows: vec![0.0; sizes.states * ROWS],
+            found: Vec::with_capacity(8),
+            evaluations: 0,
+        }
+    }
+
+    /// Gives each idle lane its next flight.
+    #[inline(always)]
+    fn refill<Q: FlightQueue + ?Sized>(&mut self, queue: &mut Q) {
+        loop {
+            let mut keep = [1.0; MAX_LANES];
+            let (mut any, mut wants) = (false, false);
+            for (lane, keep) in keep.iter_mut().enumerate().take(T::WIDTH) {
+                if self.control.flight[lane].is_some() {
+                    continue;
+                }
+                let Some(flight) = self.staging.flight[lane].take() else {
+                    wants = true;
+                    continue;
+                };
+                let x = &self.staging.values.x;
+                let height = self.span.height.map_or(f64::NAN, |z| x[z].lane(lane));
+                let h = self.staging.h[lane];
+                self.control.start(lane, flight, h, height);
+                (*keep, any) = (0.0, true);
+            }
+            if any {
+                let keep = T::load(&keep);
+                self.values.take(keep, &self.staging.values);
+                merge(keep, &self.staging.values.dx, self.stages.stage_mut(0));
+            }
+            if !wants || self.staging.is_drained {
+                return;
+            }
+            let order = self.tableau.error_order;
+            let (staging, scratch) = (&mut self.staging, &mut self.scratch[..]);
+            staging.fill(self.rhs, queue, (self.span, self.options), order, scratch);
+            self.evaluations += 2;
+        }
+    }
+
+    /// Tries a step in every lane, and ends the flights that it ends.
+    #[inline(always)]
+    fn step<Q: FlightQueue + ?Sized>(&mut self, queue: &mut Q) {
+        for lane in 0..T::WIDTH {
+            if self.control.flight[lane].is_some() && self.control.is_exhausted(lane) {
+                let time = self.control.t[lane];
+                self.finish(
+                    lane,
+                    FlightOutcome::TooManySteps,
+                    time,
+                    EndState::Start,
+                    queue,
+                );
+            }
+        }
+        self.control.set_steps(T::WIDTH);
+        let (t, h) = (T::load(&self.control.t), T::load(&self.control.h));
+        let mut accepted = [false; MAX_LANES];
+        let mut asks = [false; MAX_LANES];
+        // One place where the right-hand side is compiled: first for the step, then for its dense output.
+        for is_dense in [false, true] {
+            if is_dense && !asks.iter().any(|ask| *ask) {
+                break;
+            }
+            self.run_stages(t, h, is_dense);
+            if !is_dense {
+                accepted = self.judge(h, queue);
+                asks = self.attention(t, h, &accepted);
+            }
+        }
+        if asks.iter().any(|ask| *ask) {
+            self.stop(&asks, h, queue);
+        }
+        self.advance(&accepted, queue);
+    }
+
+    /// Evaluates the stages of a step, or those of its dense output.
+    #[inline(always)]
+    fn run_stages(&mut self, t: T, h: T, is_dense: bool) {
+        let (rows, first, argument) = match is_dense {
+            false => (self.tableau.rows, 1, &mut self.end),
+            true => (
+                self.tableau.dense_rows,
+                self.tableau.stages(),
+                &mut self.within,
+            ),
+        };
+        for (k, row) in rows.iter().enumerate() {
+            let s = first + k;
+            self.stages.advance(argument, &self.values.x, h, row);
+            let point = LanePoint {
+                t: T::splat(self.tableau.c[s]).mul_add(h, t),
+                x: argument,
+                p: &self.values.p,
+                prepared: &self.values.prepared,
+            };
+            self.rhs
+                .derivative(point, &mut self.scratch, self.stages.stage_mut(s));
+        }
+        self.evaluations += rows.len() as u64;
+    }
+
+    /// Lanes whose steps pass the error test. Flights whose step would be too small end.
+    #[inline(always)]
+    fn judge<Q: FlightQueue + ?Sized>(&mut self, h: T, queue: &mut Q) -> [bool; MAX_LANES] {
+        let ends = (&self.values.x[..], &self.end[..]);
+        let norm = error_norm(self.tableau, &self.stages, ends, h, &self.tolerance);
+        let (mut errors, mut accepted) = ([0.0; MAX_LANES], [false; MAX_LANES]);
+        norm.store(&mut errors);
+        let evaluations = self.tableau.rows.len();
+        for lane in 0..T::WIDTH {
+            if self.control.flight[lane].is_none() {
+                continue;
+            }
+            match self.control.judge(lane, errors[lane], evaluations) {
+                Verdict::Accepted => accepted[lane] = true,
+                Verdict::Rejected => {}
+                Verdict::TooSmall => {
+                    let time = self.control.t[lane];
+                    self.finish(
+                        lane,
+                        FlightOutcome::StepTooSmall,
+                        time,
+                        EndState::Start,
+                        queue,
+                    );
+                }
+            }
+        }
+        accepted
+    }
+
+    /// Lanes in whose accepted step a landing, an apex or a crossed limit may be.
+    #[inline(always)]
+    fn attention(&mut self, t: T, h: T, accepted: &[bool; MAX_LANES]) -> [bool; MAX_LANES] {
+        let mut asks = [false; MAX_LANES];
+        let last = self.tableau.rows.len();
+        if let Some(z) = self.span.height {
+            let mut ends = [[0.0; MAX_LANES]; 4];
+            self.values.x[z].store(&mut ends[0]);
+            self.end[z].store(&mut ends[1]);
+            (h * self.stages.stage(0)[z]).store(&mut ends[2]);
+            (h * self.stages.stage(last)[z]).store(&mut ends[3]);
+            for lane in 0..T::WIDTH {
+                let height = HeightEnds {
+                    start: ends[0][lane],
+                    end: ends[1][lane],
+                    start_slope: ends[2][lane],
+                    end_slope: ends[3][lane],
+                };
+                self.heights[lane] = height;
+                asks[lane] = accepted[lane]
+                    & (height.has_peak() | (self.span.until_ground & height.is_near_ground()));
+            }
+        }
+        if self.margins[0].is_empty() {
+            return asks;
+        }
+        for (i, middle) in self.within.iter_mut().enumerate() {
+            let ends = self.values.x[i] + self.end[i];
+            let bend = h * (self.stages.stage(0)[i] - self.stages.stage(last)[i]);
+            *middle = T::splat(0.5).mul_add(ends, T::splat(0.125) * bend);
+        }
+        let mut least = T::splat(f64::INFINITY);
+        for (k, margins) in self.margins.iter_mut().take(2).enumerate() {
+            let (x, fraction) = match k {
+                0 => (&self.within, 0.5),
+                _ => (&self.end, 1.0),
+            };
+            let point = LanePoint {
+                t: T::splat(fraction).mul_add(h, t),
+                x,
+                p: &self.values.p,
+                prepared: &self.values.prepared,
+            };
+            self.rhs.limits(point, &mut self.scratch, margins);
+            for margin in margins {
+                least = margin.min(least);
+            }
+        }
+        let mut lowest = [0.0; MAX_LANES];
+        least.store(&mut lowest);
+        for lane in 0..T::WIDTH {
+            asks[lane] |= accepted[lane] & (lowest[lane] <= 0.0);
+        }
+        asks
+    }
+
+    /// Moves the lanes whose steps were accepted to the ends of the steps; flights that reach the final time end.
+    #[inline(always)]
+    fn advance<Q: FlightQueue + ?Sized>(&mut self, accepted: &[bool; MAX_LANES], queue: &mut Q) {
+        let mut keep = [1.0; MAX_LANES];
+        for lane in 0..T::WIDTH {
+            if !accepted[lane] {
+                continue;
+            }
+            keep[lane] = 0.0;
+            let time = self.control.end[lane];
+            self.control.t[lane] = time;
+            if self.control.is_last[lane] && self.control.flight[lane].is_some() {
+                self.finish(lane, FlightOutcome::Time, time, EndState::End, queue);
+            }
+        }
+        let keep = T::load(&keep);
+        merge(keep, &self.end, &mut self.values.x);
+        let n = self.stages.n;
+        let last = self.tableau.rows.len() * n;
+        for i in 0..n {
+            let k = &mut self.stages.k;
+            k[i] = keep.if_zero(k[last + i], k[i]);
+        }
+    }
+
+    /// Reports the end of the flight in a lane and leaves the lane idle.
+    #[inline(always)]
+    fn finish<Q: FlightQueue + ?Sized>(
+        &mut self,
+        lane: usize,
+        outcome: FlightOutcome,
+        time: f64,
+        state: EndState,
+        queue: &mut Q,
+    ) {
+        let from = match state {
+            EndState::Start => &self.values.x,
+            EndState::End => &self.end,
+            EndState::Within => &self.within,
+        };
+        for (to, value) in self.state.iter_mut().zip(from) {
+            *to = value.lane(lane);
+        }
+        if let Some(z) = self.span.height {
+            self.control.rise(lane, time, self.state[z]);
+        }
+        let Some(flight) = self.control.flight[lane].take() else {
+            return;
+        };
+        queue.end(FlightEnd {
+            flight,
+            outcome,
+            time,
+            state: &self.state,
+            apex: self.control.apex[lane],
+            stats: self.control.stats[lane],
+        });
+    }
+}

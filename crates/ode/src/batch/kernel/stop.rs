@@ -1,0 +1,159 @@
+//! Events within a step: landings, apexes and crossed limits, located on the dense output.
+
+use super::{EndState, Flying};
+use crate::batch::control::MAX_LANES;
+use crate::batch::events::HeightStep;
+use crate::batch::{FlightOutcome, FlightQueue, LanePoint, LaneRhs};
+use crate::dense_output::DenseOutput;
+use crate::event::falling_zeros;
+use crate::method::{Method, ROWS, dop853};
+use lanes::Lanes;
+
+impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
+    /// Coefficients of the dense output of component `i`.
+    #[inline(always)]
+    fn dense_rows(&self, i: usize, h: T) -> [T; ROWS] {
+        let (x, k) = (self.values.x[i], |s: usize| self.stages.stage(s)[i]);
+        match self.tableau.method {
+            Method::Tsit5 => [x, k(0), k(1), k(2), k(3), k(4), k(5), k(6)],
+            Method::Dop853 => {
+                let (change, first, last) = (self.end[i] - x, h * k(0), h * k(12));
+                let [a, b, c, d] = &dop853::DENSE;
+                let sum = |row| h * self.stages.sum(row, i);
+                let twice = T::splat(2.0) * change;
+                let slopes = last + first;
+                [
+                    x,
+                    change,
+                    first - change,
+                    twice - slopes,
+                    sum(a),
+                    sum(b),
+                    sum(c),
+                    sum(d),
+                ]
+            }
+        }
+    }
+
+    /// Locates what is in the steps of the lanes that ask, and ends the flights that it ends.
+    #[inline(always)]
+    pub(super) fn stop<Q: FlightQueue + ?Sized>(
+        &mut self,
+        asks: &[bool; MAX_LANES],
+        h: T,
+        queue: &mut Q,
+    ) {
+        let method = self.tableau.method;
+        let mut height_rows = [[0.0; MAX_LANES]; ROWS];
+        if let Some(z) = self.span.height {
+            let rows = self.dense_rows(z, h);
+            for k in 0..ROWS {
+                rows[k].store(&mut height_rows[k]);
+            }
+        }
+        let mut stops: [Option<(f64, FlightOutcome)>; MAX_LANES] = [None; MAX_LANES];
+        for lane in 0..T::WIDTH {
+            if !asks[lane] {
+                continue;
+            }
+            let (t, step) = (self.control.t[lane], self.control.h[lane]);
+            let ends = self.heights[lane];
+            let height = HeightStep {
+                method,
+                t,
+                h: step,
+                rows: height_rows.map(|row| row[lane]),
+            };
+            let mut stop = None;
+            if self.span.height.is_some() && self.span.until_ground && ends.may_land() {
+                let landing = height.landing(&ends, &mut self.found);
+                stop = landing.map(|s| (s, FlightOutcome::Ground));
+            }
+            for limit in 0..self.margins[0].len() {
+                if let Some(s) = self.limit_crossing(lane, limit, h)
+                    && stop.is_none_or(|(earliest, _)| s < earliest)
+                {
+                    stop = Some((s, FlightOutcome::Limit(limit)));
+                }
+            }
+            if self.span.height.is_some() && ends.has_peak() {
+                let s = height.peak();
+                if stop.is_none_or(|(end, _)| s <= end) {
+                    self.control.rise(lane, t + s * step, height.height(s));
+                }
+            }
+            stops[lane] = stop;
+        }
+        if stops.iter().all(Option::is_none) {
+            return;
+        }
+        let mut weights_of_lanes = [[0.0; MAX_LANES]; ROWS];
+        for (lane, stop) in stops.iter().enumerate() {
+            if let Some((s, _)) = stop {
+                let of_lane = method.weights(*s, self.control.h[lane]);
+                for (to, weight) in weights_of_lanes.iter_mut().zip(of_lane) {
+                    to[lane] = weight;
+                }
+            }
+        }
+        let mut weights = [T::splat(0.0); ROWS];
+        for k in 0..ROWS {
+            weights[k] = T::load(&weights_of_lanes[k]);
+        }
+        for i in 0..self.within.len() {
+            let rows = self.dense_rows(i, h);
+            // Two sums, for they wait for one another.
+            let mut sums = [rows[0], T::splat(0.0)];
+            for k in 1..ROWS {
+                sums[k % 2] = weights[k].mul_add(rows[k], sums[k % 2]);
+            }
+            self.within[i] = sums[0] + sums[1];
+        }
+        for (lane, stop) in stops.into_iter().enumerate() {
+            if let Some((s, outcome)) = stop {
+                let time = self.control.t[lane] + s * self.control.h[lane];
+                self.finish(lane, outcome, time, EndState::Within, queue);
+            }
+        }
+    }
+
+    /// Fraction of the step at which a limit is first crossed in a lane.
+    #[inline(always)]
+    fn limit_crossing(&mut self, lane: usize, limit: usize, h: T) -> Option<f64> {
+        let [middle, end, _] = &self.margins;
+        if middle[limit].lane(lane) > 0.0 && end[limit].lane(lane) > 0.0 {
+            return None;
+        }
+        let n = self.within.len();
+        for i in 0..n {
+            for (k, row) in self.dense_rows(i, h).into_iter().enumerate() {
+                self.rows[k * n + i] = row.lane(lane);
+            }
+        }
+        let step = DenseOutput {
+            method: self.tableau.method,
+            t: self.control.t[lane],
+            h: self.control.h[lane],
+            rows: std::array::from_fn(|k| &self.rows[k * n..][..n]),
+        };
+        let (state, margins) = (&mut self.state, &mut self.margins[2]);
+        let value = |s: f64| {
+            step.state(s, state);
+            for (to, value) in self.within.iter_mut().zip(&*state) {
+                *to = T::splat(*value);
+            }
+            let point = LanePoint {
+                t: T::splat(step.t + s * step.h),
+                x: &self.within,
+                p: &self.values.p,
+                prepared: &self.values.prepared,
+            };
+            self.rhs.limits(point, &mut self.scratch, margins);
+            margins[limit].lane(lane)
+        };
+        self.found.clear();
+        falling_zeros(&step, value, &mut self.found);
+        self.found.first().copied()
+    }
+}

@@ -1,0 +1,265 @@
+//! Flights that wait, prepared a vector at a time: each lane's next flight with its invariants, derivative and first step.
+
+use super::control::MAX_LANES;
+use super::norms::{change_norm, euler_steps, initial_norms, initial_step};
+use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes};
+use crate::method::ErrorTolerance;
+use crate::options::{IntegrationOptions, SolverStats};
+use lanes::Lanes;
+
+/// What belongs to the flights in the lanes.
+pub(crate) struct LaneValues<T> {
+    pub x: Vec<T>,
+    pub dx: Vec<T>,
+    pub p: Vec<T>,
+    pub prepared: Vec<T>,
+    pub margins: Vec<T>,
+}
+
+impl<T: Lanes> LaneValues<T> {
+    #[inline(always)]
+    pub(crate) fn new(sizes: &LaneSizes) -> Self {
+        let zeros = |n| vec![T::splat(0.0); n];
+        LaneValues {
+            x: zeros(sizes.states),
+            dx: zeros(sizes.states),
+            p: zeros(sizes.parameters),
+            prepared: zeros(sizes.prepared),
+            margins: zeros(sizes.limits),
+        }
+    }
+
+    /// Takes the values of `from` in the lanes where `keep` is 0.
+    #[inline(always)]
+    pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {
+        merge(keep, &from.x, &mut self.x);
+        merge(keep, &from.dx, &mut self.dx);
+        merge(keep, &from.p, &mut self.p);
+        merge(keep, &from.prepared, &mut self.prepared);
+        merge(keep, &from.margins, &mut self.margins);
+    }
+}
+
+/// Copies `from` to `to` in the lanes where `keep` is 0.
+#[inline(always)]
+pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
+    let n = to.len();
+    let from = &from[..n];
+    for i in 0..n {
+        to[i] = keep.if_zero(from[i], to[i]);
+    }
+}
+
+/// The waiting flights: at most one per lane.
+pub(crate) struct Staging<T> {
+    pub values: LaneValues<T>,
+    /// Numbers of the flights.
+    pub flight: [Option<u64>; MAX_LANES],
+    /// First step sizes.
+    pub h: [f64; MAX_LANES],
+    /// Whether the queue has no more flights.
+    pub is_drained: bool,
+    euler_state: Vec<T>,
+    euler_rate: Vec<T>,
+    /// Component i of lane l is at `i · WIDTH + l`.
+    x_columns: Vec<f64>,
+    p_columns: Vec<f64>,
+    x_next: Vec<f64>,
+    p_next: Vec<f64>,
+}
+
+impl<T: Lanes> Staging<T> {
+    #[inline(always)]
+    pub(crate) fn new(sizes: &LaneSizes) -> Self {
+        let zeros = || vec![T::splat(0.0); sizes.states];
+        Staging {
+            values: LaneValues::new(sizes),
+            flight: [None; MAX_LANES],
+            h: [0.0; MAX_LANES],
+            is_drained: false,
+            euler_state: zeros(),
+            euler_rate: zeros(),
+            x_columns: vec![0.0; sizes.states * T::WIDTH],
+            p_columns: vec![0.0; sizes.parameters * T::WIDTH],
+            x_next: vec![0.0; sizes.states],
+            p_next: vec![0.0; sizes.parameters],
+        }
+    }
+
+    /// Takes flights from the queue into the lanes that have none waiting, and prepares them. Flights that cannot start end
+    /// at once; their lanes stay empty.
+    #[inline(always)]
+    pub(crate) fn fill<R: LaneRhs, Q: FlightQueue + ?Sized>(
+        &mut self,
+        rhs: &R,
+        queue: &mut Q,
+        (span, options): (&FlightSpan, &IntegrationOptions),
+        order: i32,
+        scratch: &mut [T],
+    ) {
+        let mut is_new = [false; MAX_LANES];
+        for (lane, is_new) in is_new.iter_mut().enumerate().take(T::WIDTH) {
+            if self.flight[lane].is_none() {
+                *is_new = self.draw(lane, queue, span);
+            }
+        }
+        let values = &mut self.values;
+        for (x, column) in values
+            .x
+            .iter_mut()
+            .zip(self.x_columns.chunks_exact(T::WIDTH))
+        {
+            *x = T::load(column);
+        }
+        for (p, column) in values
+            .p
+            .iter_mut()
+            .zip(self.p_columns.chunks_exact(T::WIDTH))
+        {
+            *p = T::load(column);
+        }
+        let LaneValues {
+            x,
+            dx,
+            p,
+            prepared,
+            margins,
+        } = values;
+        rhs.prepare(p, scratch, prepared);
+        let tolerance = ErrorTolerance {
+            rtol: options.rtol,
+            atol: options.atol,
+            controlled_len: usize::MAX,
+        };
+        let max_step = options.max_step.min(span.t_end);
+        let mut norms = [T::splat(0.0); 2];
+        let mut euler_step = T::splat(0.0);
+        // One place where the right-hand side is compiled: first at the start, then an Euler step ahead.
+        for pass in 0..2 {
+            let (t, at, to) = match pass {
+                0 => (T::splat(0.0), &*x, &mut *dx),
+                _ => {
+                    norms = initial_norms(x, dx, &tolerance);
+                    euler_step = euler_steps(norms, max_step);
+                    for (i, state) in self.euler_state.iter_mut().enumerate() {
+                        *state = euler_step.mul_add(dx[i], x[i]);
+                    }
+                    (euler_step, &self.euler_state, &mut self.euler_rate)
+                }
+            };
+            let point = LanePoint {
+                t,
+                x: at,
+                p,
+                prepared,
+            };
+            rhs.derivative(point, scratch, to);
+        }
+        let change = change_norm(x, (dx, &self.euler_rate), &tolerance);
+        let start = LanePoint {
+            t: T::splat(0.0),
+            x,
+            p,
+            prepared,
+        };
+        rhs.limits(start, scratch, margins);
+        for (lane, is_new) in is_new.iter().enumerate().take(T::WIDTH) {
+            if !is_new {
+                continue;
+            }
+            self.h[lane] = options.first_step.unwrap_or_else(|| {
+                let (euler, rate) = (euler_step.lane(lane), norms[1].lane(lane));
+                initial_step(euler, rate, change.lane(lane), order, max_step)
+            });
+            if let Some(outcome) = self.fault(lane, span) {
+                self.end_at_start(lane, outcome, queue, span);
+            }
+        }
+    }
+
+    /// Takes the next flight with finite numbers into a lane; false if there is none.
+    #[inline(always)]
+    fn draw<Q: FlightQueue + ?Sized>(
+        &mut self,
+        lane: usize,
+        queue: &mut Q,
+        span: &FlightSpan,
+    ) -> bool {
+        while !self.is_drained {
+            let Some(flight) = queue.next(&mut self.x_next, &mut self.p_next) else {
+                self.is_drained = true;
+                return false;
+            };
+            let mut sum = 0.0;
+            for value in self.x_next.iter().chain(&self.p_next) {
+                sum += 0.0 * value;
+            }
+            if sum != 0.0 {
+                let end = start_end(flight, FlightOutcome::NotFinite, &self.x_next, span);
+                queue.end(end);
+                continue;
+            }
+            for (i, value) in self.x_next.iter().enumerate() {
+                self.x_columns[i * T::WIDTH + lane] = *value;
+            }
+            for (i, value) in self.p_next.iter().enumerate() {
+                self.p_columns[i * T::WIDTH + lane] = *value;
+            }
+            self.flight[lane] = Some(flight);
+            return true;
+        }
+        false
+    }
+
+    /// Why the flight in a lane cannot start.
+    #[inline(always)]
+    fn fault(&self, lane: usize, span: &FlightSpan) -> Option<FlightOutcome> {
+        let LaneValues { x, dx, margins, .. } = &self.values;
+        if let Some(limit) = margins.iter().position(|m| m.lane(lane) <= 0.0) {
+            return Some(FlightOutcome::Limit(limit));
+        }
+        let mut sum = T::splat(0.0);
+        for rate in dx {
+            sum = sum + T::splat(0.0) * *rate;
+        }
+        if sum.lane(lane) != 0.0 {
+            return Some(FlightOutcome::StepTooSmall);
+        }
+        let z = span.height.filter(|_| span.until_ground)?;
+        let (height, rate) = (x[z].lane(lane), dx[z].lane(lane));
+        (height < 0.0 || height == 0.0 && rate < 0.0).then_some(FlightOutcome::StartsBelowGround)
+    }
+
+    #[inline(always)]
+    fn end_at_start<Q: FlightQueue + ?Sized>(
+        &mut self,
+        lane: usize,
+        outcome: FlightOutcome,
+        queue: &mut Q,
+        span: &FlightSpan,
+    ) {
+        for (i, value) in self.x_next.iter_mut().enumerate() {
+            *value = self.x_columns[i * T::WIDTH + lane];
+        }
+        if let Some(flight) = self.flight[lane].take() {
+            queue.end(start_end(flight, outcome, &self.x_next, span));
+        }
+    }
+}
+
+/// End of a flight that did not start.
+fn start_end<'x>(
+    flight: u64,
+    outcome: FlightOutcome,
+    state: &'x [f64],
+    span: &FlightSpan,
+) -> FlightEnd<'x> {
+    FlightEnd {
+        flight,
+        outcome,
+        time: 0.0,
+        state,
+        apex: (0.0, span.height.map_or(f64::NAN, |z| state[z])),
+        stats: SolverStats::default(),
+    }
+}

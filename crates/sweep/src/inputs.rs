@@ -1,0 +1,127 @@
+//! The inputs of each flight, from its number and the seed alone.
+
+use flight::CompiledModel;
+use flight::release::Vocabulary;
+use flight::throw::{FIELDS, NearThrows, Throw, ThrowError, ThrownModel};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use crate::plan::{Axis, AxisKind, Plan, Target, constant};
+
+/// What the inputs of all flights of a plan have in common.
+pub(crate) struct InputModel {
+    x: Vec<f64>,
+    p: Vec<f64>,
+    thrown: Option<ThrownModel>,
+    vocabulary: Vocabulary,
+}
+
+impl InputModel {
+    pub(crate) fn new(plan: &Plan, compiled: &CompiledModel) -> Result<InputModel, ThrowError> {
+        let is_thrown = plan.throw.is_some();
+        let thrown = is_thrown
+            .then(|| ThrownModel::new(&plan.model))
+            .transpose()?;
+        Ok(InputModel {
+            x: plan.release.state(),
+            p: compiled.release_parameters(&plan.release),
+            thrown,
+            vocabulary: Vocabulary::of(&plan.model),
+        })
+    }
+
+    /// Parameters that the plan does not vary.
+    pub(crate) fn parameters(&self) -> &[f64] {
+        &self.p
+    }
+}
+
+/// Draws the inputs of flights, one after the other.
+pub(crate) struct Inputs<'p> {
+    plan: &'p Plan,
+    model: &'p InputModel,
+    near: Option<NearThrows<'p>>,
+    throw: Option<Throw>,
+    /// Independent standard normal numbers of a flight.
+    independent: Vec<f64>,
+    random: ChaCha8Rng,
+    is_random: bool,
+}
+
+impl<'p> Inputs<'p> {
+    pub(crate) fn new(plan: &'p Plan, model: &'p InputModel) -> Inputs<'p> {
+        let near = model
+            .thrown
+            .as_ref()
+            .map(|thrown| NearThrows::new(thrown, &model.x));
+        let is_normal = |axis: &&Axis| matches!(axis.kind, AxisKind::Normal { .. });
+        let is_random = |axis: &Axis| !matches!(axis.kind, AxisKind::Values(_));
+        Inputs {
+            plan,
+            model,
+            // The states of a throw may depend on parameters.
+            near: near.filter(|_| !plan.axes.is_empty()),
+            throw: plan.throw,
+            independent: vec![0.0; plan.axes.iter().filter(is_normal).count()],
+            random: ChaCha8Rng::seed_from_u64(plan.seed),
+            is_random: plan.axes.iter().any(is_random),
+        }
+    }
+
+    /// Values of the axes for a flight.
+    pub(crate) fn draw(&mut self, flight: u64, values: &mut [f64]) {
+        let plan = self.plan;
+        if self.is_random {
+            self.random.set_stream(flight);
+            self.random.set_word_pos(0);
+        }
+        for number in &mut self.independent {
+            *number = StandardNormal.sample(&mut self.random);
+        }
+        let (mut point, mut normal) = (flight % plan.grid, 0);
+        for (axis, value) in plan.axes.iter().zip(values) {
+            *value = match &axis.kind {
+                AxisKind::Values(values) => {
+                    let len = values.len() as u64;
+                    let own = values[(point % len) as usize];
+                    point /= len;
+                    own
+                }
+                AxisKind::Normal { mean, sd } => {
+                    normal += 1;
+                    mean + sd * plan.factor.mix(normal - 1, &self.independent)
+                }
+                AxisKind::Uniform { low, high } => low + (high - low) * self.random.random::<f64>(),
+            };
+        }
+    }
+
+    /// Initial states and parameters for values of the axes; false where a value is out of its bounds or no state has the
+    /// throw.
+    pub(crate) fn start(&mut self, values: &[f64], x: &mut [f64], p: &mut [f64]) -> bool {
+        x.copy_from_slice(&self.model.x);
+        p.copy_from_slice(&self.model.p);
+        for (axis, value) in self.plan.axes.iter().zip(values) {
+            match axis.target {
+                Target::Throw(index) => {
+                    if let Some(throw) = &mut self.throw {
+                        throw.set(FIELDS[index].0, *value);
+                    }
+                }
+                Target::State(index) => x[index] = *value,
+                Target::Parameter(index) => {
+                    let known = constant(&self.model.vocabulary, &axis.name);
+                    if known.is_some_and(|known| known.expected_instead_of(*value).is_some()) {
+                        return false;
+                    }
+                    p[index] = *value;
+                }
+            }
+        }
+        match (&mut self.near, &self.throw) {
+            (Some(near), Some(throw)) => near.state(throw, [0.0; 2], p, x).is_ok(),
+            _ => true,
+        }
+    }
+}

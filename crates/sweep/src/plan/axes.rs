@@ -1,0 +1,289 @@
+//! What varies in a sweep: the table `[vary]` of a plan.
+
+use std::collections::BTreeSet;
+
+use flight::release::{Name, Reader, Release, Value, Vocabulary, suggestion};
+use flight::throw::{FIELDS, Throw};
+use model_spec::layout::Layout;
+use toml::de::DeTable;
+
+/// Greatest number of values of one axis of the grid.
+const MAX_VALUES: usize = 1_000_000;
+
+/// A quantity that varies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Name in the plan, and of the column.
+    pub name: String,
+    /// What it is of the flight.
+    pub target: Target,
+    /// How it varies.
+    pub kind: AxisKind,
+}
+
+/// What a value is given to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// Number of the throw, by its index in [`FIELDS`].
+    Throw(usize),
+    /// Initial state, by its index.
+    State(usize),
+    /// Parameter, coefficient or component of an input, by its index in the layout.
+    Parameter(usize),
+}
+
+/// How a quantity varies.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AxisKind {
+    /// Values of the grid.
+    Values(Vec<f64>),
+    /// Normal distribution.
+    Normal {
+        /// Mean.
+        mean: f64,
+        /// Standard deviation.
+        sd: f64,
+    },
+    /// Uniform distribution.
+    Uniform {
+        /// Lower bound.
+        low: f64,
+        /// Upper bound.
+        high: f64,
+    },
+}
+
+/// Where the names of a plan are looked up.
+pub(super) struct Names<'a> {
+    pub layout: &'a Layout,
+    pub vocabulary: &'a Vocabulary,
+    pub release: &'a Release,
+    pub throw: Option<&'a Throw>,
+    /// Parameters of the release, in the order of the layout.
+    pub parameters: &'a [f64],
+}
+
+impl Names<'_> {
+    /// What a name stands for, with the plan's own value of it.
+    fn find(&self, name: &str) -> Result<(Target, f64), String> {
+        let mut found = Vec::new();
+        if let Some(throw) = self.throw {
+            if let Some(index) = FIELDS.iter().position(|(field, ..)| *field == name) {
+                let own = throw.field(name).unwrap_or(0.0);
+                found.push((Target::Throw(index), own));
+            }
+        } else if let Some(state) = self.layout.state(name) {
+            let own = self.release.initial[state.index()].1;
+            found.push((Target::State(state.index()), own));
+        }
+        if let Some(parameter) = self.layout.parameter(name) {
+            let own = self.parameters[parameter.index()];
+            found.push((Target::Parameter(parameter.index()), own));
+        }
+        match found[..] {
+            [one] => Ok(one),
+            [] => {
+                let names = self.all();
+                let hint = suggestion(name, names.iter().map(String::as_str));
+                Err(format!("found nothing called {name:?} to vary{hint}"))
+            }
+            _ => Err(format!(
+                "{name} is both a number of the throw and a parameter of the model; expected a plan by [initial] to vary the parameter"
+            )),
+        }
+    }
+
+    fn all(&self) -> Vec<String> {
+        let throw = FIELDS.iter().map(|(field, ..)| (*field).to_owned());
+        let states = self.vocabulary.states.iter().cloned();
+        let first: Vec<String> = match self.throw {
+            Some(_) => throw.collect(),
+            None => states.collect(),
+        };
+        let parameters = self.layout.parameters.iter().cloned();
+        first.into_iter().chain(parameters).collect()
+    }
+
+    /// Index of a parameter or coefficient.
+    pub(super) fn parameter(&self, name: &str) -> Option<usize> {
+        self.layout.parameter(name).map(|p| p.index())
+    }
+
+    /// Why a value of the target is invalid; `None` if it is valid.
+    fn expected_instead_of(&self, name: &str, target: Target, value: f64) -> Option<String> {
+        match target {
+            Target::Throw(index) => {
+                let (_, unit, least, greatest) = FIELDS[index];
+                let is_speed = name == "speed" && value <= 0.0;
+                let is_out = !(least..=greatest).contains(&value) || is_speed;
+                is_out
+                    .then(|| format!("a number from {least} to {greatest} {unit}, a speed above 0"))
+            }
+            Target::State(_) => None,
+            Target::Parameter(_) => {
+                constant(self.vocabulary, name).and_then(|known| known.expected_instead_of(value))
+            }
+        }
+    }
+}
+
+/// Parameter or coefficient of this name, with its bounds.
+pub(crate) fn constant<'v>(vocabulary: &'v Vocabulary, name: &str) -> Option<&'v Name> {
+    let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
+    constants.into_iter().find(|known| known.name == name)
+}
+
+/// Reads `[vary]`, in the order of the file.
+pub(super) fn read<'t>(
+    reader: &mut Reader<'t>,
+    document: &DeTable<'t>,
+    names: &Names<'_>,
+) -> Vec<Axis> {
+    let mut entries = reader.table(document, "vary");
+    entries.sort_by_key(|(_, span, _)| span.start);
+    let mut axes: Vec<Axis> = Vec::new();
+    let mut targets = BTreeSet::new();
+    for (name, span, value) in entries {
+        let (target, own) = match names.find(name) {
+            Ok(found) => found,
+            Err(why) => {
+                reader.fault(span, why);
+                continue;
+            }
+        };
+        if !targets.insert(format!("{target:?}")) {
+            continue;
+        }
+        let Some(kind) = kind(reader, name, own, value) else {
+            continue;
+        };
+        let extremes = match &kind {
+            AxisKind::Values(values) => values.clone(),
+            AxisKind::Normal { mean, .. } => vec![*mean],
+            AxisKind::Uniform { low, high } => vec![*low, *high],
+        };
+        let invalid = extremes.into_iter().find_map(|x| {
+            let expected = names.expected_instead_of(name, target, x)?;
+            Some(format!("{name} would be {x}; expected {expected}"))
+        });
+        match invalid {
+            Some(message) => reader.fault(value.span(), message),
+            None => axes.push(Axis {
+                name: name.to_owned(),
+                target,
+                kind,
+            }),
+        }
+    }
+    axes
+}
+
+/// Reads how a quantity varies: a table with `values`, `range` and `count`, `normal`, `sd`, or `uniform`.
+fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) -> Option<AxisKind> {
+    const EXPECTED: &str = "a table, as in { values = [1.0, 2.0] }, { range = [0.0, 1.0], count = 5 }, { normal = [0.0, 1.0] }, \
+         { sd = 1.0 } or { uniform = [0.0, 1.0] }";
+    let Some(table) = value.get_ref().as_table() else {
+        reader.wrong_type(value, name, EXPECTED);
+        return None;
+    };
+    let keys = ["values", "range", "count", "normal", "sd", "uniform"];
+    reader.known_keys(table, &format!(" for {name}"), keys.into_iter());
+    let ways = ["values", "range", "normal", "sd", "uniform"];
+    let given: Vec<&str> = ways
+        .into_iter()
+        .filter(|way| table.contains_key(*way))
+        .collect();
+    let [way] = given[..] else {
+        let found = match given.is_empty() {
+            true => "nothing".to_owned(),
+            false => given.join(" and "),
+        };
+        let message = format!("{name} has {found}; expected one of {}", ways.join(", "));
+        reader.fault(value.span(), message);
+        return None;
+    };
+    let given = table.get(way)?;
+    if let Some(count) = table.get("count").filter(|_| way != "range") {
+        reader.fault(
+            count.span(),
+            format!("found count with {way}; expected it with range alone"),
+        );
+        return None;
+    }
+    match way {
+        "values" => {
+            let items = list(reader, name, given, 1..=MAX_VALUES)?;
+            Some(AxisKind::Values(items))
+        }
+        "range" => {
+            let ends = list(reader, name, given, 2..=2)?;
+            let Some(count_value) = table.get("count") else {
+                reader.fault(
+                    given.span(),
+                    format!("found no count with the range of {name}"),
+                );
+                return None;
+            };
+            let count = reader.number(count_value, "count")?;
+            if !(count >= 2.0 && count <= MAX_VALUES as f64 && count.fract() == 0.0) {
+                let message =
+                    format!("count is {count}; expected a whole number from 2 to {MAX_VALUES}");
+                reader.fault(count_value.span(), message);
+                return None;
+            }
+            let last = count - 1.0;
+            let at = |k: usize| {
+                let k = k as f64;
+                (ends[0] * (last - k) + ends[1] * k) / last
+            };
+            Some(AxisKind::Values((0..count as usize).map(at).collect()))
+        }
+        "uniform" => {
+            let ends = list(reader, name, given, 2..=2)?;
+            let (low, high) = (ends[0], ends[1]);
+            if low >= high {
+                let message = format!(
+                    "{name} is uniform from {low} to {high}; expected the lower bound first"
+                );
+                reader.fault(given.span(), message);
+                return None;
+            }
+            Some(AxisKind::Uniform { low, high })
+        }
+        _ => {
+            let (mean, sd) = match way {
+                "normal" => {
+                    let both = list(reader, name, given, 2..=2)?;
+                    (both[0], both[1])
+                }
+                _ => (own, reader.number(given, "sd")?),
+            };
+            if sd <= 0.0 {
+                let message =
+                    format!("the standard deviation of {name} is {sd}; expected a number above 0");
+                reader.fault(given.span(), message);
+                return None;
+            }
+            Some(AxisKind::Normal { mean, sd })
+        }
+    }
+}
+
+/// Reads a list of finite numbers.
+fn list<'t>(
+    reader: &mut Reader<'t>,
+    name: &str,
+    value: &Value<'t>,
+    lens: std::ops::RangeInclusive<usize>,
+) -> Option<Vec<f64>> {
+    let items = value.get_ref().as_array();
+    let Some(items) = items.filter(|items| lens.contains(&items.len())) else {
+        let expected = match lens.end() {
+            2 => "two numbers, as in [0.0, 1.0]".to_owned(),
+            most => format!("a list of 1 to {most} numbers"),
+        };
+        reader.wrong_type(value, name, &expected);
+        return None;
+    };
+    items.iter().map(|item| reader.number(item, name)).collect()
+}

@@ -1,0 +1,137 @@
+//! Coefficients of a fit as axes: their estimates, standard errors and correlations, from `report.json`.
+
+use std::path::Path;
+
+use flight::release::Reader;
+use serde_json::Value as Json;
+use toml::de::DeTable;
+
+use super::axes::{Axis, AxisKind, Names, Target};
+
+/// Maximum size of a report, bytes.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// Axes of a fit, with their correlations by name and name.
+#[derive(Default)]
+pub(super) struct FitAxes {
+    pub axes: Vec<Axis>,
+    pub correlations: Vec<(String, String, f64)>,
+}
+
+/// Reads `[fit]`: `report`, the path of a fit's `report.json`, relative to the plan, and optionally `coefficients`, the names
+/// of those to vary; all by default. Coefficients at a bound or without a standard error keep their estimates; the second
+/// result is these, by parameter.
+pub(super) fn read<'t>(
+    reader: &mut Reader<'t>,
+    document: &DeTable<'t>,
+    folder: &Path,
+    names: &Names<'_>,
+    varied: &[Axis],
+) -> (FitAxes, Vec<(String, f64)>) {
+    let mut found = FitAxes::default();
+    let mut fixed = Vec::new();
+    let Some(table) = document.get("fit") else {
+        return (found, fixed);
+    };
+    let entries = reader.table(document, "fit");
+    let mut report = None;
+    let mut only: Option<Vec<String>> = None;
+    for (key, span, value) in entries {
+        match key {
+            "report" => report = value.get_ref().as_str().map(|path| (path, value.span())),
+            "coefficients" => {
+                let items = value.get_ref().as_array();
+                let texts = items.and_then(|items| {
+                    let text = |item: &flight::release::Value<'_>| {
+                        Some(item.get_ref().as_str()?.to_owned())
+                    };
+                    items.iter().map(text).collect::<Option<Vec<_>>>()
+                });
+                match texts {
+                    Some(texts) => only = Some(texts),
+                    None => reader.wrong_type(
+                        value,
+                        "coefficients",
+                        "a list of names, as in [\"C_L0\"]",
+                    ),
+                }
+            }
+            _ => reader.fault(
+                span,
+                format!("unknown key {key:?} in [fit]; expected report or coefficients"),
+            ),
+        }
+    }
+    let Some((path, span)) = report else {
+        reader.fault(
+            table.span(),
+            "found no report in [fit]; expected one, as in report = \"fitted/report.json\"",
+        );
+        return (found, fixed);
+    };
+    let json = match open(&folder.join(path)) {
+        Ok(json) => json,
+        Err(why) => {
+            reader.fault(span, format!("{path}: {why}"));
+            return (found, fixed);
+        }
+    };
+    let Some(coefficients) = json["coefficients"].as_object() else {
+        reader.fault(
+            span,
+            format!("{path}: found no coefficients; expected the report.json of a fit"),
+        );
+        return (found, fixed);
+    };
+    for name in only.iter().flatten() {
+        if !coefficients.contains_key(name) {
+            reader.fault(table.span(), format!("{path} has no coefficient {name:?}"));
+        }
+    }
+    for (name, coefficient) in coefficients {
+        let is_asked = only.as_ref().is_none_or(|only| only.contains(name));
+        if !is_asked || varied.iter().any(|axis| axis.name == *name) {
+            continue;
+        }
+        let Some(parameter) = names.parameter(name) else {
+            reader.fault(
+                span.clone(),
+                format!("{path}: the model of the plan has no {name:?}, which was fitted"),
+            );
+            continue;
+        };
+        let Some(mean) = coefficient["value"].as_f64() else {
+            reader.fault(span.clone(), format!("{path}: {name} has no value"));
+            continue;
+        };
+        let sd = coefficient["std_error"].as_f64().filter(|sd| *sd > 0.0);
+        let at_bound = coefficient["at_bound"].as_bool().unwrap_or(false);
+        match sd.filter(|sd| sd.is_finite() && !at_bound) {
+            Some(sd) => found.axes.push(Axis {
+                name: name.clone(),
+                target: Target::Parameter(parameter),
+                kind: AxisKind::Normal { mean, sd },
+            }),
+            None => fixed.push((name.clone(), mean)),
+        }
+    }
+    for (k, a) in found.axes.iter().enumerate() {
+        for b in &found.axes[..k] {
+            let (a, b) = (&a.name, &b.name);
+            let value = json["correlations"][a][b].as_f64();
+            if let Some(value) = value.or(json["correlations"][b][a].as_f64()) {
+                found.correlations.push((a.clone(), b.clone(), value));
+            }
+        }
+    }
+    (found, fixed)
+}
+
+fn open(path: &Path) -> Result<Json, String> {
+    let size = std::fs::metadata(path).map_err(|e| e.to_string())?.len();
+    if size > MAX_BYTES {
+        return Err(format!("has {size} bytes; expected at most {MAX_BYTES}"));
+    }
+    let text = std::fs::read_to_string(path).map_err(|e| e.to_string())?;
+    serde_json::from_str(&text).map_err(|e| format!("is no JSON: {e}"))
+}

@@ -1,0 +1,215 @@
+//! The flights of one part of a sweep, flown: a column per quantity.
+
+use batch::{LaneModel, LaneObserver};
+use ode::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan};
+
+use crate::inputs::{InputModel, Inputs};
+use crate::plan::{Plan, Target};
+
+/// How a flight ended, as its column `status` says.
+pub const STATUSES: [&str; 8] = [
+    "landed",
+    "time",
+    "limit",
+    "too-many-steps",
+    "failed",
+    "starts-below-ground",
+    "not-finite",
+    "refused",
+];
+
+/// Index in [`STATUSES`] of a flight that is not flown: an input out of bounds, or no state with the motion of its throw.
+const REFUSED: u8 = 7;
+
+fn status(outcome: FlightOutcome) -> u8 {
+    match outcome {
+        FlightOutcome::Ground => 0,
+        FlightOutcome::Time => 1,
+        FlightOutcome::Limit(_) => 2,
+        FlightOutcome::TooManySteps => 3,
+        FlightOutcome::StepTooSmall => 4,
+        FlightOutcome::StartsBelowGround => 5,
+        FlightOutcome::NotFinite => 6,
+    }
+}
+
+/// A column of numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Name.
+    pub name: String,
+    /// Whether it is an input.
+    pub is_input: bool,
+    /// Value of each flight; NaN where it has none.
+    pub values: Vec<f64>,
+}
+
+/// Flights of a part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rows {
+    /// Number of the first flight; the others follow.
+    pub first: u64,
+    /// Numbers of each flight.
+    pub columns: Vec<Column>,
+    /// How each flight ended, as an index in [`STATUSES`].
+    pub status: Vec<u8>,
+}
+
+/// What the flights of a plan are flown with.
+pub(crate) struct Flier<'p> {
+    pub plan: &'p Plan,
+    pub inputs: &'p InputModel,
+    pub model: &'p LaneModel,
+    pub observer: Option<&'p LaneObserver>,
+    pub span: FlightSpan,
+    /// States x, y and z, where the model has them.
+    pub position: [Option<usize>; 3],
+    pub has_spin: bool,
+}
+
+/// The flights of a part that are to be flown, and what came of them.
+struct Part<'f, 'p> {
+    inputs: Inputs<'p>,
+    first: u64,
+    next: u64,
+    last: u64,
+    values: Vec<f64>,
+    /// Values of the axes, axis by axis.
+    axes: &'f mut [Vec<f64>],
+    /// End states, state by state.
+    states: Vec<Vec<f64>>,
+    start: [Vec<f64>; 2],
+    time: Vec<f64>,
+    apex_time: Vec<f64>,
+    apex: Vec<f64>,
+    steps: Vec<f64>,
+    status: Vec<u8>,
+    position: [Option<usize>; 3],
+}
+
+impl FlightQueue for Part<'_, '_> {
+    fn next(&mut self, x: &mut [f64], p: &mut [f64]) -> Option<u64> {
+        while self.next < self.last {
+            let flight = self.next;
+            let row = (flight - self.first) as usize;
+            self.next += 1;
+            self.inputs.draw(flight, &mut self.values);
+            for (axis, value) in self.axes.iter_mut().zip(&self.values) {
+                axis[row] = *value;
+            }
+            if self.inputs.start(&self.values, x, p) {
+                for (start, state) in self.start.iter_mut().zip(&self.position) {
+                    start[row] = state.map_or(0.0, |state| x[state]);
+                }
+                return Some(flight);
+            }
+            self.status[row] = REFUSED;
+        }
+        None
+    }
+
+    fn end(&mut self, end: FlightEnd<'_>) {
+        let row = (end.flight - self.first) as usize;
+        for (column, value) in self.states.iter_mut().zip(end.state) {
+            column[row] = *value;
+        }
+        self.time[row] = end.time;
+        (self.apex_time[row], self.apex[row]) = end.apex;
+        self.steps[row] = (end.stats.steps + end.stats.rejected) as f64;
+        self.status[row] = status(end.outcome);
+    }
+}
+
+impl Flier<'_> {
+    /// Flies the part of this number.
+    pub(crate) fn fly(&self, part: u64) -> Rows {
+        let plan = self.plan;
+        let first = part * plan.part_len();
+        let last = (first + plan.part_len()).min(plan.flights);
+        let len = (last - first) as usize;
+        let missing = || vec![f64::NAN; len];
+        let mut axes: Vec<Vec<f64>> = plan.axes.iter().map(|_| missing()).collect();
+        let mut flown = Part {
+            inputs: Inputs::new(plan, self.inputs),
+            first,
+            next: first,
+            last,
+            values: vec![0.0; plan.axes.len()],
+            axes: &mut axes,
+            states: plan.model.states.iter().map(|_| missing()).collect(),
+            start: [missing(), missing()],
+            time: missing(),
+            apex_time: missing(),
+            apex: missing(),
+            steps: missing(),
+            status: vec![REFUSED; len],
+            position: self.position,
+        };
+        self.model.fly(&mut flown, &self.span, &plan.options, None);
+        let Part {
+            states,
+            start,
+            time,
+            apex_time,
+            apex,
+            steps,
+            status,
+            ..
+        } = flown;
+        let mut columns = Vec::new();
+        let mut add = |name: &str, is_input, values| {
+            columns.push(Column {
+                name: name.to_owned(),
+                is_input,
+                values,
+            });
+        };
+        let motion = self.observer.map(|observer| {
+            let varied: Vec<(usize, &[f64])> = plan
+                .axes
+                .iter()
+                .zip(&axes)
+                .filter_map(|(axis, values)| match axis.target {
+                    Target::Parameter(index) => Some((index, values.as_slice())),
+                    _ => None,
+                })
+                .collect();
+            observer.observe(&states, self.inputs.parameters(), &varied)
+        });
+        for (axis, values) in plan.axes.iter().zip(axes) {
+            add(&axis.name, true, values);
+        }
+        add("landing_t", false, time);
+        for (name, state) in ["landing_x", "landing_y", "landing_z"]
+            .into_iter()
+            .zip(self.position)
+        {
+            if let Some(state) = state {
+                add(name, false, states[state].clone());
+            }
+        }
+        if self.span.height.is_some() {
+            add("apex_t", false, apex_time);
+            add("apex_z", false, apex);
+        }
+        if let [Some(x), Some(y), _] = self.position {
+            let range = (0..len).map(|k| {
+                let (dx, dy) = (states[x][k] - start[0][k], states[y][k] - start[1][k]);
+                (dx * dx + dy * dy).sqrt()
+            });
+            add("range", false, range.collect());
+        }
+        if let Some([speed, spin, _]) = motion {
+            add("final_speed", false, speed);
+            if self.has_spin {
+                add("final_spin", false, spin);
+            }
+        }
+        add("steps", false, steps);
+        Rows {
+            first,
+            columns,
+            status,
+        }
+    }
+}

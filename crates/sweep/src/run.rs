@@ -1,0 +1,204 @@
+//! Running a sweep: parts are flown over threads, each written whole; those that are there are not flown again.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Condvar, Mutex, PoisonError, mpsc};
+
+use batch::{LaneModel, LaneObserver};
+use flight::CompiledModel;
+use flight::release::{Release, Stop};
+use flight::throw::{ThrownModel, speed_and_spin};
+use ode::FlightSpan;
+use serde_json::Value;
+
+use crate::error::SweepError;
+use crate::folder::Folder;
+use crate::inputs::InputModel;
+use crate::plan::Plan;
+use crate::rows::Flier;
+use crate::summary::Summary;
+use crate::table;
+
+/// How a sweep is run; nothing of it changes a result.
+#[derive(Clone, Copy)]
+pub struct SweepOptions<'a> {
+    /// Number of threads; at least 1.
+    pub threads: usize,
+    /// Which of how many shares of the parts is flown: (from 1, shares). `None` flies all of them and joins them.
+    pub share: Option<(u64, u64)>,
+    /// Whether the flights are also written as CSV.
+    pub csv: bool,
+    /// Called with the number of flights done since the last call.
+    pub progress: &'a (dyn Fn(u64) + Sync),
+}
+
+/// Parts that may be flown ahead of the first that is missing in the summary, per thread: bounds the memory.
+const AHEAD: u64 = 8;
+
+/// Flies a plan and writes `flights.parquet` and `summary.json` to a folder, which is new, empty or holds earlier parts of
+/// the same plan. Returns the contents of `summary.json`; `None` where only a share was flown.
+///
+/// # Errors
+/// [`SweepError`]. A flight that fails is a row with its status, no error.
+pub fn run(
+    plan: &Plan,
+    out: &Path,
+    options: &SweepOptions<'_>,
+) -> Result<Option<Value>, SweepError> {
+    let count = plan.parts();
+    let parts = match options.share {
+        None => 0..count,
+        Some((share, of)) if (1..=of).contains(&share) => {
+            let bound = |k: u64| (u128::from(count) * u128::from(k) / u128::from(of)) as u64;
+            bound(share - 1)..bound(share)
+        }
+        Some((part, of)) => return Err(SweepError::NoPart { part, of }),
+    };
+    let compiled = CompiledModel::new(&plan.model);
+    let state = |name: &str| compiled.layout().state(name).map(|state| state.index());
+    let position = ["x", "y", "z"].map(state);
+    let until_ground = plan.release.stop == Stop::Ground;
+    if until_ground && position[2].is_none() {
+        return Err(SweepError::NoHeight {
+            model: plan.model.name.clone(),
+        });
+    }
+    let folder = Folder::open(out, plan)?;
+    if let Some(summary) = folder.summary() {
+        (options.progress)(plan.flights);
+        return finish(&folder, plan, options, summary).map(Some);
+    }
+    let inputs = InputModel::new(plan, &compiled)?;
+    let model = LaneModel::new(&plan.model);
+    let observer = speed_and_spin(&plan.model).map(|model| LaneObserver::new(&model));
+    let flier = Flier {
+        plan,
+        inputs: &inputs,
+        model: &model,
+        observer: observer.as_ref(),
+        span: FlightSpan {
+            t_end: match plan.release.stop {
+                Stop::Duration(duration) => duration,
+                Stop::Ground => Release::MAX_DURATION,
+            },
+            height: position[2],
+            until_ground,
+        },
+        position,
+        has_spin: ThrownModel::new(&plan.model).is_ok_and(|thrown| thrown.has_attitude()),
+    };
+    let end = if until_ground { 0 } else { 1 };
+    let work = |part: u64| -> Result<Summary, SweepError> {
+        let path = folder.part(part);
+        let len = (plan.flights - part * plan.part_len()).min(plan.part_len());
+        // A part that cannot be read is flown again.
+        if let Ok(rows) = table::read(&path, plan.axes.len())
+            && rows.status.len() as u64 == len
+        {
+            return Ok(Summary::of(&rows, end));
+        }
+        let rows = flier.fly(part);
+        table::write(&path, &rows).map_err(|source| SweepError::Table { path, source })?;
+        Ok(Summary::of(&rows, end))
+    };
+    let summary = in_order(parts, options, plan, &work)?;
+    let (None, Some(summary)) = (options.share, summary) else {
+        return Ok(None);
+    };
+    let flights = folder.flights();
+    let files = (0..count).map(|part| folder.part(part));
+    table::join(&flights, files).map_err(|source| SweepError::Table {
+        path: flights,
+        source,
+    })?;
+    let json = summary.json(plan);
+    folder.write_summary(&json)?;
+    finish(&folder, plan, options, json).map(Some)
+}
+
+/// Removes the parts and writes the CSV, if it is asked for.
+fn finish(
+    folder: &Folder,
+    plan: &Plan,
+    options: &SweepOptions<'_>,
+    summary: Value,
+) -> Result<Value, SweepError> {
+    folder.discard_parts();
+    let path = folder.csv();
+    if options.csv && !path.is_file() {
+        table::to_csv(&folder.flights(), &path, plan.axes.len())
+            .map_err(|source| SweepError::Table { path, source })?;
+    }
+    Ok(summary)
+}
+
+/// Does the work of parts over threads and merges the summaries in the order of the parts.
+fn in_order(
+    parts: std::ops::Range<u64>,
+    options: &SweepOptions<'_>,
+    plan: &Plan,
+    work: &(dyn Fn(u64) -> Result<Summary, SweepError> + Sync),
+) -> Result<Option<Summary>, SweepError> {
+    let threads = options.threads.max(1);
+    let next = AtomicU64::new(parts.start);
+    let is_stopped = AtomicBool::new(false);
+    // The first part that is not merged yet.
+    let merged = (Mutex::new(parts.start), Condvar::new());
+    let (sender, receiver) = mpsc::channel();
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            let sender = sender.clone();
+            let (next, is_stopped, merged, last) = (&next, &is_stopped, &merged, parts.end);
+            scope.spawn(move || {
+                loop {
+                    let part = next.fetch_add(1, Ordering::Relaxed);
+                    if part >= last {
+                        return;
+                    }
+                    let ahead = |first: &mut u64| {
+                        part >= *first + AHEAD * threads as u64
+                            && !is_stopped.load(Ordering::Relaxed)
+                    };
+                    let first = merged.0.lock().unwrap_or_else(PoisonError::into_inner);
+                    drop(merged.1.wait_while(first, ahead));
+                    if is_stopped.load(Ordering::Relaxed) {
+                        return;
+                    }
+                    if sender.send((part, work(part))).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        let mut waiting = BTreeMap::new();
+        let mut total: Option<Summary> = None;
+        let mut first = parts.start;
+        for (part, summary) in receiver {
+            match summary {
+                Ok(summary) => waiting.insert(part, summary),
+                Err(error) => {
+                    // Under the lock, so that no thread begins to wait in between.
+                    let lock = merged.0.lock().unwrap_or_else(PoisonError::into_inner);
+                    is_stopped.store(true, Ordering::Relaxed);
+                    drop(lock);
+                    merged.1.notify_all();
+                    return Err(error);
+                }
+            };
+            let len = plan.part_len();
+            (options.progress)((plan.flights - part * len).min(len));
+            while let Some(summary) = waiting.remove(&first) {
+                match &mut total {
+                    Some(total) => total.merge(&summary),
+                    None => total = Some(summary),
+                }
+                first += 1;
+            }
+            *merged.0.lock().unwrap_or_else(PoisonError::into_inner) = first;
+            merged.1.notify_all();
+        }
+        Ok(total)
+    })
+}

@@ -1,0 +1,113 @@
+//! Quantiles of a stream of numbers by counts in logarithmic classes (Masson, Rim & Lee, "DDSketch", PVLDB 12, 2019).
+//! Counts add up, so that the result does not depend on the order of the numbers or on how they are divided.
+
+/// Relative accuracy of a quantile.
+pub(crate) const ACCURACY: f64 = 1e-4;
+/// Magnitudes below this are counted as this one.
+const LEAST: f64 = 1e-9;
+/// Greatest class, some 1e12; with [`LEAST`] it bounds the memory.
+const GREATEST: i32 = 242_000;
+
+/// Counts of the classes that numbers fell in, in ascending order of the numbers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Sketch(Vec<(i32, u64)>);
+
+/// Logarithm of the ratio of the bounds of a class.
+fn log_ratio() -> f64 {
+    ((1.0 + ACCURACY) / (1.0 - ACCURACY)).ln()
+}
+
+impl Sketch {
+    /// Sketch of numbers, none of them NaN.
+    pub(crate) fn of(values: impl Iterator<Item = f64>) -> Sketch {
+        let one_over = 1.0 / log_ratio();
+        let class = |value: f64| {
+            let magnitude = value.abs();
+            if magnitude == 0.0 {
+                return 0;
+            }
+            let class = ((magnitude / LEAST).ln() * one_over).clamp(0.0, f64::from(GREATEST));
+            let class = 1 + class as i32;
+            if value > 0.0 { class } else { -class }
+        };
+        let mut classes: Vec<i32> = values.map(class).collect();
+        classes.sort_unstable();
+        let mut counts: Vec<(i32, u64)> = Vec::new();
+        for class in classes {
+            match counts.last_mut() {
+                Some((last, count)) if *last == class => *count += 1,
+                _ => counts.push((class, 1)),
+            }
+        }
+        Sketch(counts)
+    }
+
+    /// Adds the counts of another sketch.
+    pub(crate) fn merge(&mut self, other: &Sketch) {
+        let mut merged = Vec::with_capacity(self.0.len() + other.0.len());
+        let (mut a, mut b) = (self.0.iter().peekable(), other.0.iter().peekable());
+        loop {
+            match (a.peek(), b.peek()) {
+                (Some((x, n)), Some((y, m))) if x == y => {
+                    merged.push((*x, n + m));
+                    a.next();
+                    b.next();
+                }
+                (Some((x, _)), Some((y, _))) if x < y => merged.extend(a.next()),
+                (Some(_), None) => merged.extend(a.next()),
+                (_, Some(_)) => merged.extend(b.next()),
+                (None, None) => break,
+            }
+        }
+        self.0 = merged;
+    }
+
+    /// Number below which the fraction `q` of the numbers lies; NaN without numbers.
+    pub(crate) fn quantile(&self, q: f64) -> f64 {
+        let total: u64 = self.0.iter().map(|(_, count)| count).sum();
+        let rank = q * (total.saturating_sub(1)) as f64;
+        let mut below = 0;
+        for (class, count) in &self.0 {
+            below += count;
+            if below as f64 > rank {
+                let middle = f64::from(class.abs()) - 0.5;
+                let magnitude = LEAST * (middle * log_ratio()).exp();
+                return f64::from(class.signum()) * magnitude;
+            }
+        }
+        f64::NAN
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_are_within_the_accuracy_however_the_numbers_are_divided() {
+        let numbers: Vec<f64> = (0..10_001)
+            .map(|k| (f64::from(k) - 3000.0) * 0.01)
+            .collect();
+        let whole = Sketch::of(numbers.iter().copied());
+        let mut parts = Sketch::default();
+        for part in numbers.rchunks(77) {
+            parts.merge(&Sketch::of(part.iter().copied()));
+        }
+        assert_eq!(whole, parts);
+        for (q, expected) in [
+            (0.0, -30.0),
+            (0.1, -20.0),
+            (0.3, 0.0),
+            (0.5, 20.0),
+            (1.0, 70.0),
+        ] {
+            let found = whole.quantile(q);
+            assert!(
+                (found - expected).abs() <= 1.01e-4 * expected.abs(),
+                "{q}: {found}"
+            );
+        }
+        assert!(Sketch::default().quantile(0.5).is_nan());
+        assert!(Sketch::of([1e300, -1e300].into_iter()).quantile(1.0) > 1e11);
+    }
+}

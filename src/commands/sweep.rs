@@ -1,0 +1,118 @@
+//! Command `hyzer sweep`: flies a plan; writes a table of the flights and a summary.
+
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
+
+use anyhow::{Context, bail};
+use serde_json::Value;
+use sweep::{Plan, SweepOptions, plan, run as fly};
+
+use crate::cli::Sweep;
+use crate::progress::{self, Progress};
+use crate::{Answer, output};
+
+/// Name and text of the built-in plan.
+const BUILT_IN: (&str, &str) = ("backhands", include_str!("sweep/backhands.toml"));
+
+/// Flies the plan and prints the summary, or what is left to do.
+pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
+    if options.example {
+        output::print(BUILT_IN.1)?;
+        return Ok(Answer::Yes);
+    }
+    let (Some(path), Some(out)) = (&options.plan, &options.out) else {
+        bail!("expected PLAN and --out");
+    };
+    let share = options.part.as_deref().map(share).transpose()?;
+    let threads = match options.threads {
+        Some(0) => bail!("--threads: found 0, expected a number above 0"),
+        Some(threads) => threads,
+        None => flight::batch::threads(),
+    };
+    // A file wins over the name.
+    let plan = match path.as_os_str() == BUILT_IN.0 && !path.is_file() {
+        true => plan::read(BUILT_IN.0, BUILT_IN.1, Path::new("."))?,
+        false => plan::read_file(path)?,
+    };
+    let bar = Progress::new()?;
+    bar.start(
+        &plan.model.name,
+        share.map_or(plan.flights, |(_, of)| plan.flights / of),
+    );
+    progress::resumes();
+    let start = Instant::now();
+    let settings = SweepOptions {
+        threads,
+        share,
+        csv: options.csv,
+        progress: &|flights| bar.advance(flights),
+    };
+    let summary = fly(&plan, out, &settings).context("--out")?;
+    drop(bar);
+    let seconds = start.elapsed().as_secs_f64();
+    match summary {
+        Some(summary) => {
+            output::print(table(&plan, &summary))?;
+            tell(&plan, out, options.csv, seconds);
+        }
+        None => eprintln!(
+            "the parts of this share are in {}; `hyzer sweep` without --part joins them when all are there",
+            out.display()
+        ),
+    }
+    Ok(Answer::Yes)
+}
+
+/// Says on standard error where the results are and how long they took, which is no part of them.
+fn tell(plan: &Plan, out: &Path, csv: bool, seconds: f64) {
+    let csv = if csv { ", flights.csv" } else { "" };
+    eprintln!(
+        "flights.parquet{csv} and summary.json are in {}; {:.0} flights a second",
+        out.display(),
+        plan.flights as f64 / seconds
+    );
+}
+
+/// Parses `I/N`.
+fn share(text: &str) -> anyhow::Result<(u64, u64)> {
+    let numbers = text.split_once('/');
+    let numbers = numbers.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
+    match numbers {
+        Some((part, of)) if part >= 1 && part <= of => Ok((part, of)),
+        _ => bail!("--part: found {text:?}, expected I/N with I from 1 to N, as in 2/8"),
+    }
+}
+
+/// The summary as text.
+fn table(plan: &Plan, summary: &Value) -> String {
+    let mut text = format!("{}: {} flights", plan.model.name, plan.flights);
+    for (status, count) in summary["statuses"].as_object().into_iter().flatten() {
+        let _ = write!(text, ", {count} {status}");
+    }
+    let heads = ["mean", "sd", "5 %", "median", "95 %"];
+    let _ = write!(text, "\n  {:16}", "");
+    for head in heads {
+        let _ = write!(text, " {head:>12}");
+    }
+    text.push('\n');
+    for (name, column) in summary["columns"].as_object().into_iter().flatten() {
+        let quantiles = &column["quantiles"];
+        let values = [
+            &column["mean"],
+            &column["sd"],
+            &quantiles["0.05"],
+            &quantiles["0.5"],
+            &quantiles["0.95"],
+        ];
+        let _ = write!(text, "  {name:16}");
+        for value in values {
+            let _ = match value.as_f64() {
+                Some(value) => write!(text, " {value:>12.5}"),
+                None => write!(text, " {:>12}", "–"),
+            };
+        }
+        text.push('\n');
+    }
+    text
+}
