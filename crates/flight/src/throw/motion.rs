@@ -11,7 +11,7 @@ use crate::compiled_model::CompiledModel;
 use crate::release::Release;
 
 /// Motion of a body at an instant, in the inertial frame.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Position of the mass centre, m.
     pub position: Vector3<f64>,
@@ -22,7 +22,7 @@ pub struct Motion {
 }
 
 /// Attitude and angular velocity of a body.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
     /// Axes of the body as columns; of a claimed body of revolution only the third is its own.
     pub axes: Matrix3<f64>,
@@ -34,7 +34,7 @@ pub struct Turning {
 pub struct MotionModel {
     compiled: CompiledModel,
     has_attitude: bool,
-    is_revolution: bool,
+    pub(super) is_revolution: bool,
     /// States that the motion does not determine.
     pub(super) added: Vec<usize>,
     /// States that are angles of frames.
