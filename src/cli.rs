@@ -4,8 +4,10 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+mod design;
 mod throw;
 
+pub use design::Design;
 pub use throw::ThrowOptions;
 
 /// Declare how a body flies, once; get checked, fast, verified code, and fit it to measured flights.
@@ -50,6 +52,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out flight\n  hyzer simulate disc --speed 20 --launch 8 --nose 2 --hyzer 10 --spin 700 --height 1.5 --out flight\n  hyzer simulate disc --techdisc examples/throws/techdisc.csv --out flight\n\nReleases by name: run `hyzer simulate --list`. A throw by options needs --speed or a release whose throw the options change;\nsigns of the angles: docs/releases.md. With --techdisc every row is flown and listed, or the one of --row; exit status 1: some\ncould not be flown."
     )]
     Simulate(Simulate),
+    /// Find a throw for a purpose: hit a point, fly farthest or longest, round an obstacle, flare, land with the least spread
+    #[command(
+        after_help = "Examples:\n  hyzer design --goal hit --target 30,5,0 --out designed\n  hyzer design --goal range --model discus --wind=-5,0,0 --out designed\n  hyzer design --goal curve --target 30,0,0 --bounds examples/design/round-a-tree.toml --out designed\n  hyzer design --goal flare --target 25,0,1.5\n  hyzer simulate --release designed/release.toml       # flies it\n\nGoals, bounds and what is written: docs/design.md. Exit status: 0 the throw serves its purpose, 1 none within the bounds was\nfound to, and the nearest is written, 2 bad input."
+    )]
+    Design(Design),
     /// Make a synthetic dataset: simulate releases of a model, observe its markers, add noise
     #[command(
         after_help = "Examples:\n  hyzer synthesize disc --release backhand --duration 1 --out made\n  hyzer synthesize ball --release serve --flights 4 --held-out 1 --set C_D=0.5 --seed 7 --out balls\n  hyzer synthesize disc --release backhand --with zero_lift_drag_angle --set alpha_0=-0.07 --duration 1 --out odd\n\nReleases by name: run `hyzer simulate --list`. The true values are written to the dataset's folder as\ntruth.toml, which `hyzer fit` does not read."

@@ -2,6 +2,7 @@
 
 mod certificate;
 mod check;
+mod design;
 mod diagnose;
 mod diff;
 mod effects;
@@ -26,6 +27,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Explain(options) => explain::run(&options),
         Command::Import(options) => import::run(&options),
         Command::Simulate(options) => simulate::run(&options),
+        Command::Design(options) => design::run(&options),
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),
