@@ -11,6 +11,7 @@ mod fit;
 mod generate;
 mod import;
 mod simulate;
+mod stability;
 mod synthesize;
 mod verify;
 
@@ -28,6 +29,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Import(options) => import::run(&options),
         Command::Simulate(options) => simulate::run(&options),
         Command::Design(options) => design::run(&options),
+        Command::Stability(options) => stability::run(&options),
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),

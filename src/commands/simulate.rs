@@ -3,7 +3,7 @@
 mod flown;
 mod launches;
 mod techdisc;
-mod throws;
+pub(super) mod throws;
 
 use std::fmt::Write;
 use std::path::Path;

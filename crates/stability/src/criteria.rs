@@ -53,10 +53,10 @@ pub struct Criteria {
 }
 
 impl AxisDerivatives {
-    /// Derivatives at a linearised motion, from the air's velocity over the ground at rest.
-    pub fn of(linearised: &Linearised) -> AxisDerivatives {
+    /// Derivatives at a linearised motion in air of a velocity, m/s.
+    pub fn of(linearised: &Linearised, wind: Vector3<f64>) -> AxisDerivatives {
         let n = linearised.axis;
-        let velocity = linearised.motion.velocity;
+        let velocity = linearised.motion.velocity - wind;
         let flat = velocity - n * n.dot(&velocity);
         let d1 = flat.try_normalize(1e-9).unwrap_or_else(Vector3::x);
         let d2 = n.cross(&d1);
@@ -70,13 +70,14 @@ impl AxisDerivatives {
         let rate_2 = entry(9, d2, 9, d2);
         let cross = 0.5 * (entry(9, d2, 9, d1) - entry(9, d1, 9, d2));
         let by_tilt = entry(9, d2, 6, d2) + spin * entry(9, d2, 9, d1);
-        let (speed, climb) = (velocity.norm().max(1e-9), 1.0);
+        let speed = velocity.norm().max(1e-9);
         AxisDerivatives {
-            lift: -entry(3, n, 6, d2) / speed * climb,
+            lift: -entry(3, n, 6, d2) / speed,
             damping: -0.5 * (rate_1 + rate_2),
             pitching: by_tilt,
             gyroscopic: cross + spin,
-            moment: linearised.angular_acceleration.dot(&d2),
+            // The moment is what turns the axis beyond what the spin's stiffness does at its rate.
+            moment: linearised.angular_acceleration.dot(&d2) - cross * linearised.rates.dot(&d1),
         }
     }
 

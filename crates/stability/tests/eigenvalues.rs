@@ -5,7 +5,7 @@ use nalgebra::{Complex, Vector3};
 use ode::{IntegrationOptions, integrate};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use stability::*;
+use stability::{Body, BoundBody, ModeKind, Modes, at, modes};
 
 fn body(name: &str) -> Body {
     Body::new(model_spec::load::load(name, &[]).expect(name)).expect(name)
@@ -178,75 +178,95 @@ fn the_nutation_is_the_one_of_simulated_flights() {
     assert!(worst.0 < 0.01 && worst.1 < 0.01, "{worst:?}");
 }
 
-#[test]
-fn grid() {
-    let body = body("disc");
+/// Discs of all sorts, some of which fall over: each with a speed, a spin and coefficients of its own.
+fn disc_of_grid<'b>(body: &'b Body, random: &mut ChaCha8Rng) -> (BoundBody<'b>, Throw) {
     let layout = body.compiled.layout();
-    let mut random = ChaCha8Rng::seed_from_u64(3);
     let mut between = |low: f64, high: f64| low + (high - low) * random.random::<f64>();
-    let (mut agree, mut nut_bad, mut slow_bad, mut stable) = (0, 0, 0, 0);
+    let mut parameters = layout.default_parameters();
+    // Without roll by spin, whose moment the criteria do not know.
+    for (name, low, high) in [
+        ("C_Ma", -1.0, 1.0),
+        ("C_Mq", -0.03, 0.0),
+        ("C_La", 0.3, 4.0),
+        ("C_D0", 0.05, 0.3),
+        ("C_L0", 0.0, 0.3),
+        ("I_d", 0.0008, 0.003),
+        ("C_Rr", 0.0, 0.0),
+    ] {
+        parameters[layout.parameter(name).expect(name).index()] = between(low, high);
+    }
+    let throw = Throw {
+        spin: Some(between(0.0, 1200.0)),
+        nose: Some(0.0),
+        ..Throw::at_speed(between(6.0, 30.0))
+    };
+    (body.with_parameters(parameters), throw)
+}
+
+#[test]
+fn the_criteria_agree_with_the_modes_of_a_thousand_discs() {
+    let body = body("disc");
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    let (mut stable, mut disagreements) = (0, Vec::new());
     for case in 0..1000 {
-        let mut parameters = layout.default_parameters();
-        let set = |p: &mut Vec<f64>, name: &str, value: f64| {
-            p[layout.parameter(name).unwrap().index()] = value
-        };
-        for (name, low, high) in [
-            ("C_Ma", -1.0, 1.0),
-            ("C_Mq", -0.03, 0.0),
-            ("C_La", 0.3, 4.0),
-            ("C_D0", 0.05, 0.3),
-            ("C_L0", 0.0, 0.3),
-            ("I_d", 0.0008, 0.003),
-        ] {
-            let v = between(low, high);
-            set(&mut parameters, name, v);
-        }
-        set(&mut parameters, "C_Rr", 0.0);
-        let bound = body.with_parameters(parameters.clone());
-        let throw = Throw {
-            spin: Some(between(0.0, 1200.0)),
-            nose: Some(0.0),
-            ..Throw::at_speed(between(6.0, 30.0))
-        };
-        let state = body.thrown.state(&throw, [0.0; 2], &parameters).unwrap();
-        let lin = bound.linearise(0.0, &state).unwrap();
-        let full = modes(&lin, 0.0);
-        let d = AxisDerivatives::of(&lin);
-        let c = d.criteria();
-        let roots = d.eigenvalues();
-        // sanity: criteria vs cubic roots
-        let root_stable = roots.iter().all(|r| r.re < 0.0);
-        assert_eq!(root_stable, c.is_stable(), "{case} {d:?} {roots:?}");
-        let nearest = |r: &Complex<f64>| {
-            full.modes
-                .iter()
-                .map(|m| if r.im < 0.0 { m.value.conj() } else { m.value })
-                .min_by(|a, b| (a - r).norm().total_cmp(&(b - r).norm()))
-                .unwrap()
-        };
-        let mut ok = true;
-        for r in &roots {
-            let n = nearest(r);
-            if (n.re < 0.0) != (r.re < 0.0) {
-                ok = false;
-                if r.im.abs() > 1e-6 {
-                    nut_bad += 1
-                } else {
-                    slow_bad += 1;
-                }
-                println!(
-                    "{case} root {r:.3} nearest {n:.3} V {:.1} rpm {:.0} {d:.2?} {:?}",
-                    throw.speed,
-                    throw.spin.unwrap(),
-                    full.modes
-                        .iter()
-                        .map(|m| format!("{} {:.2}", m.kind.name(), m.value))
-                        .collect::<Vec<_>>()
-                );
+        let (bound, throw) = disc_of_grid(&body, &mut random);
+        let state = body.thrown.state(&throw, [0.0; 2], &bound.parameters).expect("a state");
+        let instant = at(&bound, 0.0, &state).expect("modes");
+        let roots = instant.derivatives.eigenvalues();
+        // Routh and Hurwitz against the zeros of the polynomial itself.
+        let decays = roots.iter().all(|root| root.re < 0.0);
+        assert_eq!(decays, instant.criteria.is_stable(), "{case}: {roots:?}");
+        stable += usize::from(decays);
+        // Each zero against the mode of the whole body next to it.
+        for root in roots.iter().filter(|root| root.im >= 0.0) {
+            let values = instant.modes.modes.iter().map(|mode| mode.value);
+            let nearest = values.min_by(|a, b| (a - root).norm().total_cmp(&(b - root).norm()));
+            let nearest = nearest.expect("modes");
+            if (nearest.re < 0.0) != (root.re < 0.0) {
+                disagreements.push((case, *root, nearest, instant.criteria.gyroscopic_factor));
             }
         }
-        agree += ok as usize;
-        stable += c.is_stable() as usize;
     }
-    println!("agree {agree} stable {stable} nut_bad {nut_bad} slow_bad {slow_bad}");
+    println!("{stable} stable; {disagreements:?}");
+    // Both answers occur often, so that agreement says something.
+    assert!((100..900).contains(&stable), "{stable}");
+    assert!(disagreements.len() <= 2, "{disagreements:?}");
+    for (case, root, nearest, factor) in disagreements {
+        // Either neutral but for what the criteria leave out (gravity and drag, of the order of g/V), or at the limit of the spin's
+        // stiffness, where path and axis move alike.
+        let is_neutral = root.re.abs() < 0.05 && nearest.re.abs() < 0.05;
+        let is_marginal = (0.0..2.0).contains(&factor);
+        assert!(is_neutral || is_marginal, "{case}: {root} {nearest} {factor}");
+    }
+}
+
+#[test]
+fn the_roll_of_straight_flight_is_that_of_crowther_and_potts() {
+    let body = body("disc");
+    let layout = body.compiled.layout();
+    for (speed, spin, nose) in [(14.0, 900.0, 6.0), (18.0, 1100.0, 3.0), (14.0, -900.0, 6.0)] {
+        let mut parameters = layout.default_parameters();
+        parameters[layout.parameter("C_Rr").expect("C_Rr").index()] = 0.0;
+        let bound = body.with_parameters(parameters);
+        let throw = Throw { spin: Some(spin), nose: Some(nose), ..Throw::at_speed(speed) };
+        let state = body.thrown.state(&throw, [0.0; 2], &bound.parameters).expect("a state");
+        let options = IntegrationOptions::with_tolerance(1e-11);
+        let start: Box<[f64]> = state.into();
+        let end = 0.5;
+        let flight = integrate(&mut bound.bound().rhs(), (0.0, &start), end, &options, &mut []).expect("a flight");
+        // Roll of the axis to the left edge down, over the flight once the wobble has decayed, and the closed form's along it.
+        let (from, steps) = (0.3, 200);
+        let side = |t: f64| {
+            let motion = body.thrown.motion(&flight.sample(t).expect("within"), &bound.parameters);
+            let left = Vector3::z().cross(&motion.velocity).normalize();
+            motion.turning.expect("an attitude").axes.column(2).dot(&left).asin()
+        };
+        let rolled = -(side(end) - side(from));
+        let times = (0..=steps).map(|k| from + (end - from) * f64::from(k) / f64::from(steps));
+        let rates = times.map(|t| at(&bound, t, &flight.sample(t).expect("within")).expect("modes"));
+        let mean = rates.map(|i| i.criteria.roll_rate).sum::<f64>() / f64::from(steps + 1);
+        let expected = mean * (end - from);
+        println!("{speed} {spin}: rolled {rolled:.5}, closed form {expected:.5}");
+        assert!((rolled / expected - 1.0).abs() < 0.06, "{speed} {spin}: {rolled} {expected}");
+    }
 }
