@@ -70,7 +70,8 @@ impl Mode {
     /// Damping ratio −Re/|λ|; 1 for a decaying mode without oscillation, 0 for a neutral one.
     pub fn damping_ratio(&self) -> f64 {
         match self.value.norm() {
-            0.0 => 0.0,
+            // Neutral: its sign is that of rounding.
+            size if size < 1e-8 => 0.0,
             size => -self.value.re / size,
         }
     }
@@ -114,8 +115,11 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     let mut kept: Vec<usize> = (0..12).collect();
     let mut ignorable = Vec::new();
     for place in [0, 1, 2, 8] {
-        let others = kept.iter().filter(|row| **row != place);
-        let column = others.map(|row| still[(*row, place)].abs());
+        // That a turn about the axis goes along with the axis, as the rows of the rotation say, is no dependence on it.
+        let rows = kept
+            .iter()
+            .filter(|row| **row != place && (place < 3 || !(6..9).contains(*row)));
+        let column = rows.map(|row| still[(*row, place)].abs());
         if column.fold(0.0, f64::max) < IGNORABLE * size {
             kept.retain(|k| *k != place);
             ignorable.push(names[place]);

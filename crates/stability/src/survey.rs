@@ -43,22 +43,44 @@ pub fn at(body: &BoundBody<'_>, time: f64, state: &[f64]) -> Result<Instant, Sta
 ///
 /// # Errors
 /// [`StabilityError`]
-pub fn along(body: &BoundBody<'_>, flight: &Trajectory, count: usize) -> Result<Vec<Instant>, StabilityError> {
+pub fn along(
+    body: &BoundBody<'_>,
+    flight: &Trajectory,
+    count: usize,
+) -> Result<Vec<Instant>, StabilityError> {
     let last = count.max(2) - 1;
-    let times = (0..=last).map(|k| flight.start + (flight.end - flight.start) * k as f64 / last as f64);
-    times.filter_map(|t| Some((t, flight.sample(t)?))).map(|(t, state)| at(body, t, &state)).collect()
+    let times =
+        (0..=last).map(|k| flight.start + (flight.end - flight.start) * k as f64 / last as f64);
+    times
+        .filter_map(|t| Some((t, flight.sample(t)?)))
+        .map(|(t, state)| at(body, t, &state))
+        .collect()
 }
 
 /// Modes and criteria of a throw with other speeds (m/s) and spins (rpm), speed by speed; those whose motion the model cannot have
 /// are left out.
 pub fn map(body: &BoundBody<'_>, throw: &Throw, speeds: &[f64], spins: &[f64]) -> Vec<Instant> {
-    let pairs = speeds.iter().flat_map(|speed| spins.iter().map(move |spin| (*speed, *spin)));
+    let pairs = speeds
+        .iter()
+        .flat_map(|speed| spins.iter().map(move |spin| (*speed, *spin)));
     let instants = pairs.filter_map(|(speed, spin)| {
-        let own = Throw { speed, spin: Some(spin), wobble: None, ..*throw };
-        let state = body.body.thrown.state(&own, [0.0; 2], &body.parameters).ok()?;
+        let own = Throw {
+            speed,
+            spin: Some(spin),
+            wobble: None,
+            ..*throw
+        };
+        let state = body
+            .body
+            .thrown
+            .state(&own, [0.0; 2], &body.parameters)
+            .ok()?;
         let instant = at(body, 0.0, &state).ok()?;
         // As asked for, without the rounding of the state.
-        Some(Instant { throw: own, ..instant })
+        Some(Instant {
+            throw: own,
+            ..instant
+        })
     });
     instants.collect()
 }
@@ -67,7 +89,10 @@ impl BoundBody<'_> {
     /// Velocity of the air, m/s, of a model that has the input `wind`; still air otherwise.
     pub fn wind(&self) -> Vector3<f64> {
         let components = self.body.compiled.layout().components("wind");
-        let values = components.into_iter().flatten().map(|c| self.parameters[c.index()]);
+        let values = components
+            .into_iter()
+            .flatten()
+            .map(|c| self.parameters[c.index()]);
         let values: Vec<f64> = values.collect();
         match values[..] {
             [x, y, z] => Vector3::new(x, y, z),

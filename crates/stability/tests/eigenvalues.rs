@@ -210,7 +210,10 @@ fn the_criteria_agree_with_the_modes_of_a_thousand_discs() {
     let (mut stable, mut disagreements) = (0, Vec::new());
     for case in 0..1000 {
         let (bound, throw) = disc_of_grid(&body, &mut random);
-        let state = body.thrown.state(&throw, [0.0; 2], &bound.parameters).expect("a state");
+        let state = body
+            .thrown
+            .state(&throw, [0.0; 2], &bound.parameters)
+            .expect("a state");
         let instant = at(&bound, 0.0, &state).expect("modes");
         let roots = instant.derivatives.eigenvalues();
         // Routh and Hurwitz against the zeros of the polynomial itself.
@@ -236,7 +239,10 @@ fn the_criteria_agree_with_the_modes_of_a_thousand_discs() {
         // stiffness, where path and axis move alike.
         let is_neutral = root.re.abs() < 0.05 && nearest.re.abs() < 0.05;
         let is_marginal = (0.0..2.0).contains(&factor);
-        assert!(is_neutral || is_marginal, "{case}: {root} {nearest} {factor}");
+        assert!(
+            is_neutral || is_marginal,
+            "{case}: {root} {nearest} {factor}"
+        );
     }
 }
 
@@ -248,25 +254,51 @@ fn the_roll_of_straight_flight_is_that_of_crowther_and_potts() {
         let mut parameters = layout.default_parameters();
         parameters[layout.parameter("C_Rr").expect("C_Rr").index()] = 0.0;
         let bound = body.with_parameters(parameters);
-        let throw = Throw { spin: Some(spin), nose: Some(nose), ..Throw::at_speed(speed) };
-        let state = body.thrown.state(&throw, [0.0; 2], &bound.parameters).expect("a state");
+        let throw = Throw {
+            spin: Some(spin),
+            nose: Some(nose),
+            ..Throw::at_speed(speed)
+        };
+        let state = body
+            .thrown
+            .state(&throw, [0.0; 2], &bound.parameters)
+            .expect("a state");
         let options = IntegrationOptions::with_tolerance(1e-11);
         let start: Box<[f64]> = state.into();
         let end = 0.5;
-        let flight = integrate(&mut bound.bound().rhs(), (0.0, &start), end, &options, &mut []).expect("a flight");
+        let flight = integrate(
+            &mut bound.bound().rhs(),
+            (0.0, &start),
+            end,
+            &options,
+            &mut [],
+        )
+        .expect("a flight");
         // Roll of the axis to the left edge down, over the flight once the wobble has decayed, and the closed form's along it.
         let (from, steps) = (0.3, 200);
         let side = |t: f64| {
-            let motion = body.thrown.motion(&flight.sample(t).expect("within"), &bound.parameters);
+            let motion = body
+                .thrown
+                .motion(&flight.sample(t).expect("within"), &bound.parameters);
             let left = Vector3::z().cross(&motion.velocity).normalize();
-            motion.turning.expect("an attitude").axes.column(2).dot(&left).asin()
+            motion
+                .turning
+                .expect("an attitude")
+                .axes
+                .column(2)
+                .dot(&left)
+                .asin()
         };
         let rolled = -(side(end) - side(from));
         let times = (0..=steps).map(|k| from + (end - from) * f64::from(k) / f64::from(steps));
-        let rates = times.map(|t| at(&bound, t, &flight.sample(t).expect("within")).expect("modes"));
+        let rates =
+            times.map(|t| at(&bound, t, &flight.sample(t).expect("within")).expect("modes"));
         let mean = rates.map(|i| i.criteria.roll_rate).sum::<f64>() / f64::from(steps + 1);
         let expected = mean * (end - from);
         println!("{speed} {spin}: rolled {rolled:.5}, closed form {expected:.5}");
-        assert!((rolled / expected - 1.0).abs() < 0.06, "{speed} {spin}: {rolled} {expected}");
+        assert!(
+            (rolled / expected - 1.0).abs() < 0.06,
+            "{speed} {spin}: {rolled} {expected}"
+        );
     }
 }

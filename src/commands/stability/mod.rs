@@ -17,7 +17,9 @@ use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
 /// Speeds of the map, m/s, and number of spins from 0 to the greatest, rpm.
-const SPEEDS: [f64; 12] = [6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0];
+const SPEEDS: [f64; 12] = [
+    6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
+];
 const SPINS: (u32, f64) = (24, 1200.0);
 /// Speed (m/s) and spin (rpm) of a throw that states none.
 const THROW: (f64, f64) = (16.0, 700.0);
@@ -38,7 +40,9 @@ pub struct Found {
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     if options.throw.techdisc.is_some() {
-        bail!("--techdisc: expected a throw by --speed and others; `hyzer simulate` flies a launch monitor's table");
+        bail!(
+            "--techdisc: expected a throw by --speed and others; `hyzer simulate` flies a launch monitor's table"
+        );
     }
     let (model, mut release, throw) = match &options.release {
         Some(name) => {
@@ -57,7 +61,10 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
                 wind: [0.0; 3],
                 known: Vec::new(),
             };
-            let throw = Throw { spin: Some(THROW.1), ..Throw::at_speed(THROW.0) };
+            let throw = Throw {
+                spin: Some(THROW.1),
+                ..Throw::at_speed(THROW.0)
+            };
             (model, release, Some(throw))
         }
     };
@@ -71,7 +78,11 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     throws::apply(&options.throw, throw, &body.model, &mut release)?;
     let bound = body.with_parameters(body.compiled.release_parameters(&release));
     let first = at(&bound, 0.0, &release.state())?;
-    let flown = simulate(&body.compiled, &release, &IntegrationOptions::with_tolerance(1e-9));
+    let flown = simulate(
+        &body.compiled,
+        &release,
+        &IntegrationOptions::with_tolerance(1e-9),
+    );
     let flight = match flown {
         Ok(flight) => along(&bound, &flight, options.times as usize)?,
         Err(error) => {
@@ -80,7 +91,9 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         }
     };
     let spin = -first.throw.spin.unwrap_or(0.0) * std::f64::consts::PI / 30.0;
-    let spins: Vec<f64> = (0..=SPINS.0).map(|k| SPINS.1 * f64::from(k) / f64::from(SPINS.0)).collect();
+    let spins: Vec<f64> = (0..=SPINS.0)
+        .map(|k| SPINS.1 * f64::from(k) / f64::from(SPINS.0))
+        .collect();
     let found = Found {
         map: map(&bound, &first.throw, &SPEEDS, &spins),
         trim: trim(&bound, spin).map(|trim| {
@@ -91,7 +104,11 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         flight,
     };
     let json = format!("{:#}\n", words::json(&body.model.name, &found));
-    output::print(if options.json { json.clone() } else { words::table(&body.model.name, &found) })?;
+    output::print(if options.json {
+        json.clone()
+    } else {
+        words::table(&body.model.name, &found)
+    })?;
     if let (Some(folder), Some(place)) = (&out, &options.out) {
         let sheet = page::sheet(&body.model.name, &found);
         let mut files = vec![
@@ -100,10 +117,17 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
             ResultFile::new("modes.csv", words::csv(&found.flight)),
             ResultFile::new("map.csv", words::csv(&found.map)),
         ];
-        files.extend(sheet.figures().map(|figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg())));
+        files.extend(
+            sheet
+                .figures()
+                .map(|figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg())),
+        );
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
-        eprintln!("stability.json, report.html, modes.csv and map.csv are in {}", place.display());
+        eprintln!(
+            "stability.json, report.html, modes.csv and map.csv are in {}",
+            place.display()
+        );
     }
     Ok(Answer::Yes)
 }

@@ -75,12 +75,23 @@ fn lead(found: &Found) -> Vec<String> {
             "At release the axis circles at {:.2} rad/s ({:.2} Hz) and its wobble {} at {:.3} 1/s.",
             mode.frequency(),
             mode.frequency() / std::f64::consts::TAU,
-            if mode.decay() >= 0.0 { "decays" } else { "grows" },
+            if mode.decay() >= 0.0 {
+                "decays"
+            } else {
+                "grows"
+            },
             mode.decay().abs()
         ));
     }
-    let growing = found.release.modes.modes.iter().filter(|mode| mode.decay() < -1e-6);
-    let names: Vec<String> = growing.map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay())).collect();
+    let growing = found
+        .release
+        .modes
+        .modes
+        .iter()
+        .filter(|mode| mode.decay() < -1e-6);
+    let names: Vec<String> = growing
+        .map(|m| format!("{} ({:.3} 1/s)", m.kind.name(), -m.decay()))
+        .collect();
     lead.push(match names.is_empty() {
         true => "None of its modes grows.".into(),
         false => format!("Growing: {}.", names.join(", ")),
@@ -89,7 +100,16 @@ fn lead(found: &Found) -> Vec<String> {
 }
 
 fn table(modes: &Modes) -> Table {
-    let head = ["mode", "frequency, rad/s", "decay, 1/s", "damping ratio", "axis", "path", "speed", "spin"];
+    let head = [
+        "mode",
+        "frequency, rad/s",
+        "decay, 1/s",
+        "damping ratio",
+        "axis",
+        "path",
+        "speed",
+        "spin",
+    ];
     let rows = modes.modes.iter().map(|mode| {
         let mut row = vec![
             mode.kind.name().into(),
@@ -100,13 +120,26 @@ fn table(modes: &Modes) -> Table {
         row.extend(mode.shares.map(|share| format!("{:.0} %", 100.0 * share)));
         row
     });
-    Table { head: head.map(String::from).to_vec(), rows: rows.collect() }
+    Table {
+        head: head.map(String::from).to_vec(),
+        rows: rows.collect(),
+    }
 }
 
 fn along(flight: &[Instant]) -> SheetFigure {
-    let of = |value: &dyn Fn(&Instant) -> f64| flight.iter().map(|i| (i.time, value(i))).collect::<Vec<_>>();
-    let line = |name: &str, points| Line { name: name.into(), points };
-    let fast = |i: &Instant, of: &dyn Fn(&::stability::Mode) -> f64| nutation(&i.modes).map_or(f64::NAN, of);
+    let of = |value: &dyn Fn(&Instant) -> f64| {
+        flight
+            .iter()
+            .map(|i| (i.time, value(i)))
+            .collect::<Vec<_>>()
+    };
+    let line = |name: &str, points| Line {
+        name: name.into(),
+        points,
+    };
+    let fast = |i: &Instant, of: &dyn Fn(&::stability::Mode) -> f64| {
+        nutation(&i.modes).map_or(f64::NAN, of)
+    };
     let panel = |title: &str, lines| Panel {
         title: title.into(),
         across: "time, s".into(),
@@ -115,19 +148,28 @@ fn along(flight: &[Instant]) -> SheetFigure {
     };
     let slow = |of: &dyn Fn(&::stability::Mode) -> f64| {
         let points = flight.iter().flat_map(|i| {
-            let modes = i.modes.modes.iter().filter(|mode| !matches!(mode.kind, ModeKind::Nutation | ModeKind::Incidence));
+            let modes = i
+                .modes
+                .modes
+                .iter()
+                .filter(|mode| !matches!(mode.kind, ModeKind::Nutation | ModeKind::Incidence));
             modes.map(|mode| (i.time, of(mode))).collect::<Vec<_>>()
         });
         points.collect::<Vec<_>>()
     };
     let dots = |title: &str, points| Panel {
-        dots: vec![Dots { look: Look::Colour(0), points }],
+        dots: vec![Dots {
+            look: Look::Colour(0),
+            points,
+        }],
         ..panel(title, Vec::new())
     };
     SheetFigure {
         name: "modes".into(),
         title: "Modes along the flight".into(),
-        caption: "Blue: eigenvalues of the whole body. Red, dashed: the closed forms of the criteria.".into(),
+        caption:
+            "Blue: eigenvalues of the whole body. Red, dashed: the closed forms of the criteria."
+                .into(),
         panels: vec![
             panel(
                 "Frequency of the nutation, rad/s",
@@ -143,8 +185,14 @@ fn along(flight: &[Instant]) -> SheetFigure {
                     line("closed", of(&|i| i.criteria.nutation_decay)),
                 ],
             ),
-            dots("Decay of the slow modes, 1/s", slow(&::stability::Mode::decay)),
-            dots("Their frequencies, rad/s", slow(&::stability::Mode::frequency)),
+            dots(
+                "Decay of the slow modes, 1/s",
+                slow(&::stability::Mode::decay),
+            ),
+            dots(
+                "Their frequencies, rad/s",
+                slow(&::stability::Mode::frequency),
+            ),
         ],
     }
 }
@@ -153,7 +201,12 @@ fn over(map: &[Instant]) -> SheetFigure {
     let mut speeds: Vec<f64> = map.iter().map(|i| i.throw.speed).collect();
     speeds.dedup();
     let step = speeds.len().div_ceil(LINES).max(1);
-    let chosen: Vec<f64> = speeds.iter().copied().skip(step / 2).step_by(step).collect();
+    let chosen: Vec<f64> = speeds
+        .iter()
+        .copied()
+        .skip(step / 2)
+        .step_by(step)
+        .collect();
     let panel = |title: &str, of: &dyn Fn(&Instant) -> f64, levels: Vec<f64>| Panel {
         title: title.into(),
         across: "spin, rpm".into(),
@@ -172,7 +225,8 @@ fn over(map: &[Instant]) -> SheetFigure {
     };
     let points = |holds: bool| {
         let own = map.iter().filter(move |i| i.criteria.is_stable() == holds);
-        own.map(|i| (i.throw.spin.unwrap_or(0.0), i.throw.speed)).collect::<Vec<_>>()
+        own.map(|i| (i.throw.spin.unwrap_or(0.0), i.throw.speed))
+            .collect::<Vec<_>>()
     };
     SheetFigure {
         name: "map".into(),
@@ -184,13 +238,23 @@ fn over(map: &[Instant]) -> SheetFigure {
                 &|i| nutation(&i.modes).map_or(f64::NAN, ::stability::Mode::frequency),
                 Vec::new(),
             ),
-            panel("Least decay of the other modes, 1/s", &|i| slowest(&i.modes), vec![0.0]),
+            panel(
+                "Least decay of the other modes, 1/s",
+                &|i| slowest(&i.modes),
+                vec![0.0],
+            ),
             Panel {
                 title: "Criteria: speed, m/s".into(),
                 across: "spin, rpm".into(),
                 dots: vec![
-                    Dots { look: Look::Colour(0), points: points(true) },
-                    Dots { look: Look::Cross, points: points(false) },
+                    Dots {
+                        look: Look::Colour(0),
+                        points: points(true),
+                    },
+                    Dots {
+                        look: Look::Cross,
+                        points: points(false),
+                    },
                 ],
                 ..Panel::default()
             },

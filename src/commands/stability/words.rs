@@ -32,23 +32,49 @@ pub fn table(model: &str, found: &Found) -> String {
         None => text.push_str("no steady flight was found at this spin\n"),
     }
     if let (Some(first), Some(last)) = (found.flight.first(), found.flight.last()) {
-        let _ = writeln!(text, "along the flight, {:.2} s, the modes of each instant:", last.time);
-        let _ = writeln!(text, "  {:>7} {:>8} {:>22} {:>12}", "time, s", "m/s", "nutation, rad/s", "decay, 1/s");
+        let _ = writeln!(
+            text,
+            "along the flight, {:.2} s, the modes of each instant:",
+            last.time
+        );
+        let _ = writeln!(
+            text,
+            "  {:>7} {:>8} {:>22} {:>12}",
+            "time, s", "m/s", "nutation, rad/s", "decay, 1/s"
+        );
         let step = (found.flight.len() / 8).max(1);
-        for instant in found.flight.iter().step_by(step).chain([last]).take_while(|i| i.time >= first.time) {
+        for instant in found
+            .flight
+            .iter()
+            .step_by(step)
+            .chain([last])
+            .take_while(|i| i.time >= first.time)
+        {
             let nutation = nutation(&instant.modes);
-            let (frequency, decay) = nutation.map_or((f64::NAN, f64::NAN), |m| (m.frequency(), m.decay()));
-            let _ = writeln!(text, "  {:>7.3} {:>8.2} {frequency:>22.3} {decay:>12.3}", instant.time, instant.throw.speed);
+            let (frequency, decay) =
+                nutation.map_or((f64::NAN, f64::NAN), |m| (m.frequency(), m.decay()));
+            let _ = writeln!(
+                text,
+                "  {:>7.3} {:>8.2} {frequency:>22.3} {decay:>12.3}",
+                instant.time, instant.throw.speed
+            );
         }
     }
     let stable = found.map.iter().filter(|i| i.criteria.is_stable()).count();
-    let _ = writeln!(text, "over speed and spin: all three criteria hold at {stable} of {} points", found.map.len());
+    let _ = writeln!(
+        text,
+        "over speed and spin: all three criteria hold at {stable} of {} points",
+        found.map.len()
+    );
     text
 }
 
 /// Lines of a list of modes.
 fn modes(of: &Modes) -> String {
-    let mut text = format!("  {:14} {:>12} {:>12} {:>9} {:>10}\n", "mode", "rad/s", "decay, 1/s", "damping", "period, s");
+    let mut text = format!(
+        "  {:14} {:>12} {:>12} {:>9} {:>10}\n",
+        "mode", "rad/s", "decay, 1/s", "damping", "period, s"
+    );
     for mode in &of.modes {
         let period = match mode.frequency() {
             f if f > 1e-9 => format!("{:.4}", std::f64::consts::TAU / f),
@@ -80,9 +106,16 @@ pub fn of_criteria(instant: &Instant) -> Vec<String> {
             "a = {:.4} 1/s (lift), δ = {:.4} 1/s (damping), κ = {:.3} 1/s² (pitching moment), ν = I_a r/I_d = {:.3} rad/s",
             d.lift, d.damping, d.pitching, d.gyroscopic
         ),
-        format!("stiffness of the spin, ν² + δ² + 2aδ > κ: {}{}", holds(c.gyroscopic), factor(c)),
+        format!(
+            "stiffness of the spin, ν² + δ² + 2aδ > κ: {}{}",
+            holds(c.gyroscopic),
+            factor(c)
+        ),
         format!("incidence, a(ν² + δ²) > κδ: {}", holds(c.slow)),
-        format!("wobble, (2δ + a)(ν² + δ² + 2aδ − κ) > a(ν² + δ²) − κδ: {}", holds(c.wobble)),
+        format!(
+            "wobble, (2δ + a)(ν² + δ² + 2aδ − κ) > a(ν² + δ²) − κδ: {}",
+            holds(c.wobble)
+        ),
     ];
     if d.gyroscopic != 0.0 {
         lines.push(format!(
@@ -111,7 +144,12 @@ pub fn nutation(modes: &Modes) -> Option<&Mode> {
 
 /// Least rate of decay of the other modes but for the neutral ones, 1/s.
 pub fn slowest(modes: &Modes) -> f64 {
-    let others = modes.modes.iter().filter(|mode| !matches!(mode.kind, ModeKind::Heading | ModeKind::Spin | ModeKind::Nutation));
+    let others = modes.modes.iter().filter(|mode| {
+        !matches!(
+            mode.kind,
+            ModeKind::Heading | ModeKind::Spin | ModeKind::Nutation
+        )
+    });
     others.map(Mode::decay).fold(f64::INFINITY, f64::min)
 }
 
@@ -168,7 +206,9 @@ pub fn json(model: &str, found: &Found) -> Value {
 
 /// A row for each mode of each instant.
 pub fn csv(instants: &[Instant]) -> String {
-    let mut text = String::from("t_s,speed_m_s,spin_rpm,mode,real_1_s,imaginary_rad_s,gyroscopic,incidence,wobble\n");
+    let mut text = String::from(
+        "t_s,speed_m_s,spin_rpm,mode,real_1_s,imaginary_rad_s,gyroscopic,incidence,wobble\n",
+    );
     for instant in instants {
         let c = &instant.criteria;
         for mode in &instant.modes.modes {
