@@ -110,8 +110,7 @@ fn of(
         Ok((range.1, time.1))
     };
     let ten = |hyzer: f64| Throw {
-        launch: 10.0,
-        nose: Some(0.0),
+        nose: Some(10.0),
         hyzer: Some(hyzer),
         ..level
     };
@@ -137,8 +136,7 @@ fn of(
     for advance in [0.3, 0.4, 0.5, 0.7, 1.0, 1.4] {
         let throw = Throw {
             spin: spin(advance),
-            launch: 10.0,
-            nose: Some(0.0),
+            nose: Some(10.0),
             ..level
         };
         if let Some(path) = flown(&flights, &throw) {

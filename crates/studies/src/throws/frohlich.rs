@@ -19,6 +19,8 @@ pub struct Winds {
     pub nose: f64,
     /// Tilt, deg.
     pub hyzer: f64,
+    /// Longest range without a tilt at release, m.
+    pub upright: f64,
 }
 
 /// Longest throws at 25 m/s and 420 rpm in winds along the throw.
@@ -39,7 +41,10 @@ pub fn winds() -> Result<Vec<Winds>, StudyError> {
         }
         let flights = body.with_parameters(parameters);
         let found = design(&flights, Goal::Range, &bounds, &SearchOptions::default())?;
+        let held = bounds.clone().with("hyzer", 0.0, 0.0);
+        let upright = design(&flights, Goal::Range, &held, &SearchOptions::default())?;
         Ok(Winds {
+            upright: upright.figure,
             wind,
             range: found.figure,
             launch: found.throw.launch,

@@ -12,6 +12,7 @@ struct Results<'r> {
     launches: &'r [Launches],
     winds: &'r [Winds],
     best: Winds,
+    best_upright: Winds,
     /// Wind and by how much a throw against it goes farther than with it, m.
     pairs: Vec<(f64, f64)>,
 }
@@ -28,10 +29,14 @@ pub fn throws_page(launches: &[Launches], winds: &[Winds]) -> Result<Page, Study
         .iter()
         .max_by(|a, b| a.range.total_cmp(&b.range))
         .expect("winds");
-    let range = |wind: f64| winds.iter().find(|w| w.wind == wind).map(|w| w.range);
+    let best_upright = winds
+        .iter()
+        .max_by(|a, b| a.upright.total_cmp(&b.upright))
+        .expect("winds");
+    let range = |wind: f64| winds.iter().find(|w| w.wind == wind).map(|w| w.upright);
     let pairs = winds.iter().filter(|w| w.wind > 0.0);
     let pairs = pairs
-        .filter_map(|w| Some((w.wind, range(-w.wind)? - w.range)))
+        .filter_map(|w| Some((w.wind, range(-w.wind)? - w.upright)))
         .collect();
     let lines = launches.iter().enumerate().map(|(k, launch)| Line {
         name: ["own", "tunnel", "mixed"]
@@ -54,6 +59,7 @@ pub fn throws_page(launches: &[Launches], winds: &[Winds]) -> Result<Page, Study
                 launches,
                 winds,
                 best: *best,
+                best_upright: *best_upright,
                 pairs,
             },
         )?,
