@@ -355,6 +355,16 @@ fn without_a_template_the_positions_of_the_markers_are_estimated() {
             "{found:?}, put in {truth_marker:?}"
         );
     }
+    for command in ["fit", "diagnose"] {
+        let results = around.path().join(command);
+        let (status, text, errors) =
+            told(hyzer().arg(command).arg(&out).arg("--out").arg(&results));
+        assert_eq!(status, 0, "{text}{errors}");
+        let report = std::fs::read_to_string(results.join("report.json")).expect("a report");
+        assert!(report.contains("\"offset_3\""), "{report}");
+    }
+    let fitted = std::fs::read_to_string(around.path().join("fit/fitted.hyz")).expect("a model");
+    assert!(!fitted.contains("offset_3"), "{fitted}");
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-use model_spec::compose::ModelTree;
+use model_spec::compose::{Instrument, ModelTree};
 use model_spec::model::Model;
 
-use crate::dataset::Dataset;
+use crate::dataset::{Dataset, Sensor, SensorKind};
 use crate::error::FitError;
 use crate::fit::{self, Fit};
 use crate::options::{FitOptions, Prior};
@@ -15,6 +15,19 @@ use crate::vertical;
 
 /// Name of the effect by which all markers sit off together, and of its coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
+
+/// Name of the effect by which the accelerometer sits off, and of its coefficients, m.
+const LEVER: (&str, [&str; 3]) = (
+    "accelerometer_misplaced",
+    [
+        "accelerometer_by_1",
+        "accelerometer_by_2",
+        "accelerometer_by_3",
+    ],
+);
+
+/// Standard deviation of a position on a thrown body that is not known, m.
+const UNKNOWN: f64 = 0.1;
 
 /// A fit that leaves nothing open.
 pub struct Resolved<'d> {
@@ -29,6 +42,33 @@ pub struct Resolved<'d> {
 }
 
 impl Resolved<'_> {
+    /// Adds an effect by which something sits off along the axes of the body, with standard deviations as priors, m; 0 fixes it.
+    fn free(
+        &mut self,
+        (effect, coefficients): &(&str, [&str; 3]),
+        errors: [f64; 3],
+    ) -> Result<(), FitError> {
+        if self.model.effects.iter().all(|own| own.name != *effect) {
+            let extended = ModelTree::of(&self.model).with_named([*effect]);
+            let extended = extended.and_then(|tree| tree.check());
+            self.model = extended.map_err(|error| FitError::Sensor {
+                model: self.model.name.clone(),
+                reason: format!("{effect}, for a position on the body that is not known: {error}"),
+            })?;
+        }
+        for (name, error) in coefficients.iter().zip(errors) {
+            match error > 0.0 {
+                true => self.priors.push(Prior {
+                    name: (*name).to_owned(),
+                    value: 0.0,
+                    sigma: error,
+                }),
+                false => self.fixed.push(((*name).to_owned(), None)),
+            }
+        }
+        Ok(())
+    }
+
     /// The options with these priors and fixed coefficients.
     pub fn options<'o>(&'o self, options: &FitOptions<'o>) -> FitOptions<'o> {
         FitOptions {
@@ -56,19 +96,10 @@ pub fn resolve<'d>(
         fixed: options.fixed.to_vec(),
     };
     if let Some(errors) = dataset.origin_error {
-        resolved.model = with_offset(&resolved.model)?;
-        for (name, error) in OFFSET.1.into_iter().zip(errors) {
-            match error > 0.0 {
-                true => resolved.priors.push(Prior {
-                    name: name.to_owned(),
-                    value: 0.0,
-                    sigma: error,
-                }),
-                false => resolved.fixed.push((name.to_owned(), None)),
-            }
-        }
+        resolved.free(&OFFSET, errors)?;
         resolved.dataset.to_mut().origin_error = None;
     }
+    place_sensors(&mut resolved)?;
     if dataset.unknown_vertical {
         resolved.dataset.to_mut().unknown_vertical = false;
         if !vertical::is_in(&resolved.model) {
@@ -81,17 +112,48 @@ pub fn resolve<'d>(
     Ok(resolved)
 }
 
-/// The model with an offset of all markers.
-fn with_offset(model: &Model) -> Result<Model, FitError> {
-    if model.effects.iter().any(|own| own.name == OFFSET.0) {
-        return Ok(model.clone());
+/// Frees the positions of sensors that are not known.
+fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
+    let sensors = resolved.dataset.sensors.iter();
+    let unplaced: Vec<Sensor> = sensors
+        .filter(|own| own.position_is_unknown)
+        .cloned()
+        .collect();
+    for sensor in &unplaced {
+        let refused = |expected: &str| FitError::Sensor {
+            model: resolved.model.name.clone(),
+            reason: format!(
+                "found the position of {} unknown, expected {expected}",
+                sensor.name
+            ),
+        };
+        let of_kind = resolved.dataset.sensors.iter();
+        let alone = of_kind.filter(|own| own.kind == sensor.kind).count() == 1;
+        match sensor.kind {
+            SensorKind::Pose if alone && resolved.dataset.markers.is_empty() => {
+                let errors = [UNKNOWN; 3];
+                resolved.free(&OFFSET, errors)?;
+            }
+            SensorKind::Pose => {
+                return Err(refused("one pose alone, or three markers with positions"));
+            }
+            SensorKind::Instrument(Instrument::Accelerometer) if alone => {
+                resolved.free(&LEVER, [UNKNOWN; 3])?;
+            }
+            SensorKind::Instrument(Instrument::Accelerometer) => {
+                return Err(refused("one accelerometer"));
+            }
+            // These read the same everywhere on the body.
+            SensorKind::Instrument(Instrument::Gyroscope | Instrument::Speed) => {}
+        }
     }
-    let extended = ModelTree::of(model).with_named([OFFSET.0]);
-    let extended = extended.and_then(|tree| tree.check());
-    extended.map_err(|error| FitError::Sensor {
-        model: model.name.clone(),
-        reason: format!("origin_error of its template: {error}"),
-    })
+    for sensor in unplaced {
+        let mut all = resolved.dataset.to_mut().sensors.iter_mut();
+        if let Some(own) = all.find(|own| own.name == sensor.name) {
+            own.position_is_unknown = false;
+        }
+    }
+    Ok(())
 }
 
 /// Fits a model to the flights of a dataset.
@@ -104,7 +166,11 @@ fn with_offset(model: &Model) -> Result<Model, FitError> {
 ///
 /// A flight that cannot be flown or fitted is excluded; its report says why.
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
-    if !dataset.unknown_vertical && dataset.origin_error.is_none() {
+    let is_placed = dataset
+        .sensors
+        .iter()
+        .all(|sensor| !sensor.position_is_unknown);
+    if is_placed && !dataset.unknown_vertical && dataset.origin_error.is_none() {
         return fit::fit(model, dataset, options);
     }
     options.validate()?;

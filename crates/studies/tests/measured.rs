@@ -9,7 +9,7 @@ use studies::real_data::{Form, RealData, is_agreeing, real_data_page};
 /// The folder of the measured data; none where it is not there, which is said.
 fn measured() -> Option<PathBuf> {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
-    let all = ["discgolf", "spindoe", "spindown", "windtunnel"];
+    let all = ["disc-pose", "discgolf", "spindoe", "spindown", "windtunnel"];
     let there = all.iter().all(|name| folder.join(name).is_dir());
     if !there {
         eprintln!("skipped: no measured data at {}", folder.display());
@@ -36,6 +36,7 @@ fn measured_balls_and_a_wind_tunnel() {
     spins_of_half_of_the_balls(&data);
     spin_that_dies_away_faster_than_itself(&data);
     launches_within_what_is_known_of_them(&data);
+    a_golf_disc_is_between_a_ring_and_a_plate(&data);
     // The parabola through the tunnel's drag, and the model's own slope of the lift beside the tunnel's.
     assert!(
         page.text.contains("| drag, -5° to 10° | 0.0868 | 5.40 |"),
@@ -46,6 +47,13 @@ fn measured_balls_and_a_wind_tunnel() {
     let mut tunnel = figures.filter(|(name, _)| name == "real-data-tunnel.svg");
     assert!(tunnel.any(|(_, svg)| svg.contains("pitching moment")));
     assert!(page.text.contains("real-data-spin.svg"), "{}", page.text);
+}
+
+fn a_golf_disc_is_between_a_ring_and_a_plate(data: &RealData) {
+    let ratio = data.inertia_ratio();
+    assert!((1.6..2.0).contains(&ratio.value), "{ratio:?}");
+    let by_throws = ratio.clustered.expect("many throws");
+    assert!(by_throws > ratio.std_error && by_throws < 0.15, "{ratio:?}");
 }
 
 fn spins_of_half_of_the_balls(data: &RealData) {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use diagnose::{DiagnosisOptions, diagnose};
-use identify::dataset::{Dataset, Role, Sensor, SensorKind};
+use identify::dataset::{self, Dataset, Role, Sensor, SensorKind};
 use identify::{FitOptions, FitReport, VERTICAL_ANGLES, fit, upward};
 use model_spec::compose::Instrument;
 use nalgebra::{Rotation3, Vector3};
@@ -137,4 +137,83 @@ fn an_uncertain_origin_of_the_markers_is_estimated() {
     assert!(z.abs() < MAX_Z && offset.std_error < 0.004, "{offset:?}");
     assert!(report.coefficients["offset_1"].held);
     assert_true(&report, "uncertain origin");
+}
+
+/// The dataset as read from a folder in which these positions are unknown.
+fn with_unknown(dataset: &Dataset, names: &[&str]) -> Result<Dataset, String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path().join("dataset");
+    dataset::write(&folder, dataset).expect("written");
+    let file = folder.join("dataset.toml");
+    let text = std::fs::read_to_string(&file).expect("a manifest");
+    let mut is_named = false;
+    let lines = text.lines().map(|line| {
+        if let Some(name) = line.strip_prefix("name = ") {
+            is_named = names.contains(&name.trim_matches('"'));
+        }
+        match line.starts_with("position = ") && is_named {
+            true => "position = \"unknown\"",
+            false => line,
+        }
+    });
+    let lines: Vec<&str> = lines.collect();
+    std::fs::write(&file, lines.join("\n")).expect("written");
+    dataset::load(&folder).map_err(|error| error.to_string())
+}
+
+#[test]
+fn unknown_positions_of_markers_are_those_that_the_flights_show() {
+    let set = observed(true, Vec::new(), [0.0; 3]);
+    let dataset = sensor_flights(&disc(), &PLAN, &set, 17);
+    let names: Vec<&str> = dataset.markers.iter().map(|marker| &*marker.name).collect();
+    let all = with_unknown(&dataset, &names).expect("a dataset");
+    assert!(all.origin_error.is_some());
+    for (found, truth) in all.markers.iter().zip(&dataset.markers) {
+        let radius = |marker: &dataset::Marker| marker.position[0].hypot(marker.position[1]);
+        let error = radius(found) - radius(truth);
+        assert!(error.abs() < 1e-3, "{found:?} {truth:?}");
+    }
+    assert_true(&fitted(&all), "no position of a marker known");
+
+    let error = with_unknown(&dataset, &names[1..]).expect_err("too few");
+    let few = format!("found 1 of {} markers with a position", names.len());
+    assert!(error.contains(&few), "{error}");
+    let turned = turned(dataset, Rotation3::from_euler_angles(0.3, 0.0, 0.0));
+    let error = with_unknown(&turned, &names_of(&turned)).expect_err("no direction");
+    assert!(error.contains("up = \"unknown\""), "{error}");
+}
+
+fn names_of(dataset: &Dataset) -> Vec<&str> {
+    let markers = dataset.markers.iter();
+    markers.map(|marker| marker.name.as_str()).collect()
+}
+
+#[test]
+fn unknown_positions_of_sensors_are_estimated() {
+    let place = [0.02, -0.01, 0.005];
+    let set = observed(true, inertial(), [0.0; 3]);
+    let dataset = sensor_flights(&disc(), &PLAN, &set, 19);
+    let unknown = with_unknown(&dataset, &["acc", "gyro"]).expect("a dataset");
+    let report = fitted(&unknown);
+    for (axis, truth) in place.into_iter().enumerate() {
+        let own = &report.coefficients[&format!("accelerometer_by_{}", axis + 1)];
+        let z = (own.value - truth) / own.std_error;
+        assert!(z.abs() < MAX_Z && own.std_error < 0.02, "{axis} {own:?}");
+    }
+    assert_true(&report, "unknown place of an accelerometer");
+
+    let tag = vec![Sensor::new("tag", SensorKind::Pose, [0.03, 0.0, 0.01])];
+    let dataset = sensor_flights(&disc(), &PLAN, &observed(false, tag.clone(), [0.0; 3]), 23);
+    let unknown = with_unknown(&dataset, &["tag"]).expect("a dataset");
+    let report = fitted(&unknown);
+    let own = &report.coefficients["offset_1"];
+    let z = (own.value - 0.03) / own.std_error;
+    assert!(z.abs() < MAX_Z && own.std_error < 1e-3, "{own:?}");
+    assert_true(&report, "unknown place of a pose");
+
+    let dataset = sensor_flights(&disc(), &PLAN, &observed(true, tag, [0.0; 3]), 23);
+    let placed = with_unknown(&dataset, &["tag"]).expect("a dataset");
+    let found = placed.sensors[0].position;
+    assert!((found[0] - 0.03).abs() < 1e-3 && (found[2] - 0.01).abs() < 1e-3);
+    assert!(!placed.sensors[0].position_is_unknown);
 }

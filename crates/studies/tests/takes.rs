@@ -1,6 +1,6 @@
 //! Round trips of takes, a small fixed part of the study.
 
-use studies::takes::{session_cuts, sessions, takes_page};
+use studies::takes::{CoefficientError, session_cuts, sessions, takes_page};
 
 fn quiet(_: usize, _: usize) {}
 
@@ -33,7 +33,8 @@ fn takes_of_each_text_format_give_a_template_and_coefficients() {
             .count();
         // With the true cuts and the true template a fit is as good as its intervals say.
         let exact = result.fits.last().expect("a fit").as_ref().expect("fitted");
-        assert!(exact.iter().all(|error| error.z.abs() < 4.5), "{exact:?}");
+        let is_near = |error: &CoefficientError| error.z.abs() < 4.5;
+        assert!(exact.coefficients.iter().all(is_near), "{exact:?}");
     }
     assert!(cut * 100 >= all * 85, "{cut} of {all} flights");
     let page = takes_page(&found).expect("a page").text;
@@ -58,6 +59,18 @@ fn flights_are_cut_within_three_samples() {
     let error = (0.95 * 0.05 / cuts.len() as f64).sqrt();
     assert!(share > 0.95 - 2.0 * error, "{good} of {}", cuts.len());
     assert_eq!(false_throws, 0);
+}
+
+#[test]
+fn slight_touches_that_the_cuts_miss_are_found_by_the_fit() {
+    for session in &sessions(&[29, 44], None, 2, &quiet) {
+        let result = session.result.as_ref().expect("a result");
+        let late = result.cuts.iter().flatten().filter(|cut| cut[1] > 50);
+        assert!(late.count() > 0, "{session:?}");
+        let fitted = result.fits[0].as_ref().expect("fitted");
+        let is_near = |error: &CoefficientError| error.z.abs() < 4.5;
+        assert!(fitted.coefficients.iter().all(is_near), "{fitted:?}");
+    }
 }
 
 #[test]

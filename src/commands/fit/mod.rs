@@ -156,7 +156,7 @@ fn results(
     Ok(files)
 }
 
-/// Text of a model whose default values are those of the dataset and those that a fit found.
+/// Text of a model whose default values are those of the dataset and those that a fit found of its parameters.
 pub(super) fn fitted_text(
     tree: &ModelTree,
     note: &str,
@@ -167,7 +167,10 @@ pub(super) fn fitted_text(
         .parameters
         .iter()
         .map(|(name, value)| (name.as_str(), *value));
+    // What the dataset leaves open, such as its vertical, is no property of the body.
+    let layout = codegen::Layout::new(&tree.check()?);
     let found = fitted.report.coefficients.iter();
+    let found = found.filter(|(name, _)| layout.parameter(name).is_some());
     let found = found.map(|(name, coefficient)| (name.as_str(), coefficient.value));
     Ok(tree.with_values(given.chain(found))?.to_text(note))
 }

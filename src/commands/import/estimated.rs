@@ -6,10 +6,7 @@ use std::fmt::Write;
 use anyhow::{Context, bail};
 use identify::dataset::Marker;
 use takes::words::{listed, shown};
-use takes::{
-    CentreHeight, EstimatedTemplate, FreeFlight, ReadOptions, Take, ThrowOptions, Throws,
-    estimate_template,
-};
+use takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
 
 use super::template::Template;
 use super::{no_throw, up_of};
@@ -107,7 +104,7 @@ pub fn estimated(
         format!("estimated from the takes; standard errors of the position, m: {x}, {y}, {z}")
     });
     Ok(Estimated {
-        origin_error: origin_error(&found),
+        origin_error: found.origin_error(),
         comments: comments.collect(),
         template: Template {
             model: None,
@@ -124,24 +121,6 @@ pub fn estimated(
         },
         decisions,
     })
-}
-
-/// Least standard error of the centre of mass along the axis where it is assumed, m.
-const ASSUMED: f64 = 0.02;
-
-/// Standard errors of the centre of mass along the axes of the body, m; 0 along an axis where it is stated.
-fn origin_error(found: &EstimatedTemplate) -> [f64; 3] {
-    let across = |axis: usize| {
-        let each = found.markers.iter().map(|marker| marker.std_error[axis]);
-        each.fold(0.0, f64::max)
-    };
-    let along = match found.height {
-        CentreHeight::Estimated { std_error, .. } => std_error,
-        CentreHeight::Stated { .. } => 0.0,
-        CentreHeight::Assumed { std_error } => std_error.unwrap_or(ASSUMED).max(ASSUMED),
-    };
-    // Finer digits than a micrometre would pretend what no estimate knows.
-    [across(0), across(1), along].map(|error| (error * 1e6).ceil() / 1e6)
 }
 
 /// A name of a marker for a label: without blanks and marks.

@@ -11,7 +11,7 @@ use super::trajectory::{Trajectory, over_noise};
 use crate::noise::NoiseModel;
 
 /// Greatest number of samples after a contact that show it.
-const AFTER: usize = 16;
+const AFTER: usize = 40;
 /// Standard deviation of a displacement of the markers by the contact itself, in units of the noise.
 const SLACK: f64 = 0.3;
 

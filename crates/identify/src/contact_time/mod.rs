@@ -114,7 +114,9 @@ fn departure(
         let (contact, found) = jumps.best(last)?;
         let further = (last + 1..tried.end).filter(&is_seen).take(CONFIRMING.0);
         let until = further.last()?;
-        let is_confirmed = jumps.best(until)?.1.gain > CONFIRMING.1 * found.gain;
+        let later = jumps.best(until)?.1.gain;
+        let is_steady = later > found.gain && found.gain <= previous + OUTLIER;
+        let is_confirmed = is_steady || later > CONFIRMING.1 * found.gain;
         let before = contact.checked_sub(tried.start + 1);
         let usual = before.map_or(0.0, |index| greatest[index]);
         if is_confirmed && found.gain > MIN_GAIN.max(MIN_GROWTH * usual) {

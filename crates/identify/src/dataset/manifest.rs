@@ -8,6 +8,7 @@ use toml::de::DeTable;
 
 use super::fields::{Fields, Value};
 use super::recording::Recording;
+use super::unplaced::Unplaced;
 use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::{InputError, line_and_column};
@@ -31,6 +32,8 @@ pub(super) struct Manifest {
     pub origin_error: Option<[f64; 3]>,
     pub parameters: BTreeMap<String, f64>,
     pub markers: Vec<Marker>,
+    /// Markers whose positions are unknown.
+    pub unplaced: Vec<Unplaced>,
     pub sensors: Vec<Sensor>,
     pub sigma: Option<f64>,
     pub flights: Vec<Entry>,
@@ -92,8 +95,10 @@ impl Checker<'_> {
                 parameters.insert(name, number);
             }
         }
-        let (mut markers, mut sigma) = (self.markers(document)?, self.sigma(document)?);
-        let sensors = self.sensors(document, &mut markers, &mut sigma)?;
+        let mut unplaced = Vec::new();
+        let mut markers = self.markers(document, &mut unplaced)?;
+        let mut sigma = self.sigma(document)?;
+        let sensors = self.sensors(document, (&mut markers, &mut unplaced), &mut sigma)?;
         let recording = Recording::read(fields, document, &sensors)?;
         let flights = self.flights(document)?;
         Ok(Manifest {
@@ -102,6 +107,7 @@ impl Checker<'_> {
             origin_error: self.origin_error(document)?,
             parameters,
             markers,
+            unplaced,
             sensors,
             sigma,
             flights,
@@ -149,7 +155,11 @@ impl Checker<'_> {
             .ok_or_else(|| self.0.fault(span.clone(), format!("no {key}"), expected))
     }
 
-    fn markers(&self, document: &DeTable<'_>) -> Result<Vec<Marker>, InputError> {
+    fn markers(
+        &self,
+        document: &DeTable<'_>,
+        unplaced: &mut Vec<Unplaced>,
+    ) -> Result<Vec<Marker>, InputError> {
         let fields = &self.0;
         let tables = fields.tables(document, "markers")?;
         if tables.is_empty() && !document.contains_key("sensors") {
@@ -176,15 +186,23 @@ impl Checker<'_> {
                 return Err(fields.fault(value.span(), found, "each marker once"));
             }
             let value = self.needed(entry, "position", "the marker's position on the body, m")?;
-            let position = self.position(value, "marker")?;
-            let near = |other: &&Marker| {
+            let Some(position) = self.position(value, "marker")? else {
+                unplaced.push(self.unplaced(markers.len(), value));
+                let position = [0.0; 3];
+                markers.push(Marker { name, position });
+                continue;
+            };
+            let near = |other: &Marker| {
                 let apart = position
                     .iter()
                     .zip(other.position)
                     .map(|(a, b)| (a - b).powi(2));
                 apart.sum::<f64>().sqrt() < NEAREST
             };
-            if let Some(other) = markers.iter().find(near) {
+            let mut others = markers.iter().enumerate();
+            let is_placed = |index: usize| unplaced.iter().all(|own| own.marker != index);
+            if let Some((_, other)) = others.find(|(index, other)| is_placed(*index) && near(other))
+            {
                 let found = format!("{name} at the place of {}", other.name);
                 return Err(fields.fault(value.span(), found, "each marker at a place of its own"));
             }
@@ -211,11 +229,32 @@ impl Checker<'_> {
         Err(self.0.fault(value.span(), found, expected))
     }
 
-    /// A place on the body, m, of a `what`.
-    pub(super) fn position(&self, value: &Value<'_>, what: &str) -> Result<[f64; 3], InputError> {
+    /// A marker without a position.
+    pub(super) fn unplaced(&self, marker: usize, value: &Value<'_>) -> Unplaced {
+        Unplaced {
+            marker,
+            place: self.0.fault(value.span(), "", ""),
+        }
+    }
+
+    /// A place on the body, m, of a `what`; `None` where it is unknown.
+    pub(super) fn position(
+        &self,
+        value: &Value<'_>,
+        what: &str,
+    ) -> Result<Option<[f64; 3]>, InputError> {
+        if value.get_ref().as_str().is_some() {
+            let expected = "three numbers, as in [0.0, 0.0, 0.0], or \"unknown\"";
+            let word = self.0.text(value, "position", expected)?;
+            if word == "unknown" {
+                return Ok(None);
+            }
+            let found = format!("position = {}", shown(&word));
+            return Err(self.0.fault(value.span(), found, expected));
+        }
         let position = self.0.vector(value, "position")?;
         match position.iter().find(|axis| axis.abs() > FARTHEST) {
-            None => Ok(position),
+            None => Ok(Some(position)),
             Some(far) => {
                 let expected = format!(
                     "at most {FARTHEST} m from the body's origin (millimetres given for metres?)"

@@ -3,6 +3,7 @@
 use toml::de::DeTable;
 
 use super::manifest::{Checker, MOST_MARKERS};
+use super::unplaced::Unplaced;
 use super::words::{listed, meant, shown};
 use super::{Marker, Sensor, SensorKind, names};
 use crate::input_error::InputError;
@@ -17,7 +18,7 @@ impl Checker<'_> {
     pub(super) fn sensors(
         &self,
         document: &DeTable<'_>,
-        markers: &mut Vec<Marker>,
+        (markers, unplaced): (&mut Vec<Marker>, &mut Vec<Unplaced>),
         sigma: &mut Option<f64>,
     ) -> Result<Vec<Sensor>, InputError> {
         let fields = &self.0;
@@ -48,9 +49,17 @@ impl Checker<'_> {
             }
             let kind = self.kind(entry)?;
             let position = match entry.1.get("position") {
-                Some(value) => self.position(value, "sensor")?,
-                None => [0.0; 3],
+                Some(value) => {
+                    let position = self.position(value, "sensor")?;
+                    if position.is_none() && kind.is_none() {
+                        unplaced.push(self.unplaced(markers.len(), value));
+                    }
+                    position
+                }
+                None => Some([0.0; 3]),
             };
+            let (position_is_unknown, position) =
+                (position.is_none(), position.unwrap_or_default());
             let own_sigma = self.deviation(entry.1, "sigma")?;
             let sigma_angle = self.deviation(entry.1, "sigma_angle")?;
             if sigma_angle.is_some() && kind != Some(SensorKind::Pose) {
@@ -62,6 +71,7 @@ impl Checker<'_> {
                     name,
                     kind,
                     position,
+                    position_is_unknown,
                     sigma: own_sigma,
                     sigma_angle,
                 }),

@@ -17,6 +17,7 @@ mod recording;
 mod samples;
 mod sensor;
 mod table;
+mod unplaced;
 mod upright;
 mod words;
 mod write;
@@ -163,27 +164,33 @@ fn assemble(
         &[Sensor],
     ) -> Result<(std::path::PathBuf, table::Table), InputError>,
 ) -> Result<Dataset, InputError> {
-    let mut flights = Vec::with_capacity(manifest.flights.len());
+    let (mut flights, mut paths) = (Vec::with_capacity(manifest.flights.len()), Vec::new());
     for entry in manifest.flights {
         let (path, table) = samples(&entry, &manifest.markers, &manifest.sensors)?;
-        let flight = Flight {
+        paths.push(path);
+        flights.push(Flight {
             file: entry.file,
             role: entry.role,
             known: entry.known,
             times: table.times,
             positions: table.positions,
             readings: table.readings,
-        };
-        samples::whole(&path, &flight, &manifest.markers)?;
-        flights.push(flight);
+        });
+    }
+    let (mut markers, mut sensors) = (manifest.markers, manifest.sensors);
+    let unknown_vertical = manifest.recording.up == recording::Up::Unknown;
+    let unplaced = (&manifest.unplaced[..], !unknown_vertical);
+    let origin_error = unplaced::place(&mut markers, unplaced, &mut sensors, &flights)?;
+    for (path, flight) in paths.iter().zip(&flights) {
+        samples::whole(path, flight, &markers)?;
     }
     Ok(Dataset {
         model: manifest.model,
         parameters: manifest.parameters,
-        markers: manifest.markers,
-        sensors: manifest.sensors,
-        unknown_vertical: manifest.recording.up == recording::Up::Unknown,
-        origin_error: manifest.origin_error,
+        markers,
+        sensors,
+        unknown_vertical,
+        origin_error: manifest.origin_error.or(origin_error),
         sigma: manifest.sigma,
         flights,
     })

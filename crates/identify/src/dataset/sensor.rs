@@ -24,6 +24,8 @@ pub struct Sensor {
     pub kind: SensorKind,
     /// Where it sits, in the frame that markers are fixed in, m.
     pub position: [f64; 3],
+    /// Whether that is not known, and estimated with the rest.
+    pub position_is_unknown: bool,
     /// Standard deviation of one component in its unit (m, rad/s, m/s², m/s); `None` if unknown.
     pub sigma: Option<f64>,
     /// Of a pose: standard deviation of the attitude about one axis, rad; `None` if unknown.
@@ -41,6 +43,7 @@ impl Sensor {
             name: name.to_owned(),
             kind,
             position,
+            position_is_unknown: false,
             sigma: None,
             sigma_angle: None,
         }

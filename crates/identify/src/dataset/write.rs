@@ -205,10 +205,13 @@ pub fn manifest_text(dataset: &Dataset) -> String {
     }
     for sensor in &dataset.sensors {
         let (name, kind) = (quoted(&sensor.name), sensor.kind.name());
-        let position = &sensor.position;
+        let position = match sensor.position_is_unknown {
+            true => quoted("unknown"),
+            false => format!("{:?}", sensor.position),
+        };
         let _ = writeln!(
             text,
-            "\n[[sensors]]\nname = {name}\nkind = \"{kind}\"\nposition = {position:?}"
+            "\n[[sensors]]\nname = {name}\nkind = \"{kind}\"\nposition = {position}"
         );
         if let Some(sigma) = sensor.sigma {
             let _ = writeln!(text, "sigma = {sigma:?}");

@@ -9,6 +9,7 @@ use nalgebra::DVector;
 
 use super::FitError;
 use super::exclusion::exclude_failed;
+use super::horizon_continuation::anneal_scale;
 use super::initial_guess::{first_segment, refined_guesses};
 use super::one_flight::fit_initial_state;
 use super::output_error::all_samples;
@@ -19,6 +20,7 @@ use super::taking_back::LIKE_RATIO;
 use crate::contact_time::{Onset, contact_time};
 use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
+use crate::ids::FlightId;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
@@ -26,10 +28,16 @@ use crate::problem::FitProblem;
 
 /// Numbers of samples before and after the end of a flight, as found without the model, at which the contact is sought.
 const NEAR: (usize, usize) = (12, 14);
+/// Number of samples that are searched twice, as the last of one search and the first of the next.
+const OVERLAP: usize = 8;
 /// Least ratio of the vertical component to the magnitude of the jump at a contact with the ground.
 const MIN_UPWARD_PART: f64 = 0.3;
 /// Ratio of a flight's residual scale to the median above which a contact is sought all along the flight.
 const STANDS_OUT: f64 = 1.2;
+/// Standard errors of the scale by which such a flight must also exceed the median.
+const SURELY: f64 = 4.0;
+/// Ratio and standard errors in a fit of the other flights alone, above which a contact is sought.
+const SUSPICIOUS: (f64, f64) = (1.05, 3.0);
 /// Ratio of the median residual scale to the noise up to which the model predicts flights well enough to show a touch that
 /// poses did not.
 const FLYING_RATIO: f64 = 1.3;
@@ -55,13 +63,22 @@ pub fn refine_contacts(
     if !problem.sees_markers_alone() {
         return Ok(cache);
     }
-    let usual = cache.median_scale().max(problem.sigma0);
-    let scales = cache.scales();
-    let ratio = |index: usize| scales[index].map_or(f64::INFINITY, |scale| scale / usual);
+    let usual = |cache: &ResidualCache| cache.median_scale().max(problem.sigma0);
+    // Flights that touched something bend all others to them, and seem to be noise.
+    let others = fitted_without(problem, state, &cache, usual(&cache), options)?;
+    let (others, of_others) = match &others {
+        Some((others, cache)) => (others, cache),
+        None => (&*state, &cache),
+    };
+    let usual = usual(of_others);
     // What a wrong model leaves looks like a touch in places.
-    let flies = cache.median_scale() <= FLYING_RATIO * problem.sigma0;
+    let flies = of_others.median_scale() <= FLYING_RATIO * problem.sigma0;
+    let stands_out = |id: FlightId| {
+        let place = others.ids.iter().position(|other| *other == id);
+        place.is_none_or(|place| of_others.stands_out(place, usual, SUSPICIOUS.0, SUSPICIOUS.1))
+    };
     let is_suspect = |index: &usize| {
-        state.flights[*index].truncation.is_some() || flies && ratio(*index) > STANDS_OUT
+        state.flights[*index].truncation.is_some() || flies && stands_out(state.ids[*index])
     };
     let suspects: Vec<usize> = (0..state.flights.len()).filter(is_suspect).collect();
     let is_unlike = |excluded: &&ExcludedFlight| {
@@ -75,10 +92,10 @@ pub fn refine_contacts(
         return Ok(cache);
     }
     options.stage_started("contacts", suspects.len() + unlike.len());
-    let (noise, _) = estimate_noise(problem, &mut state.clone(), &cache, options)?;
+    let (noise, _) = estimate_noise(problem, &mut others.clone(), of_others, options)?;
     let search = Search {
         problem,
-        global: &state.global,
+        global: &others.global,
         noise: &noise,
         usual,
         options,
@@ -102,6 +119,13 @@ pub fn refine_contacts(
     if of_fitted.iter().chain(&of_unlike).all(Option::is_none) {
         return Ok(cache);
     }
+    let (ids, global) = (others.ids.clone(), others.global.clone());
+    for (id, local) in ids.into_iter().zip(others.local.clone()) {
+        if let Some(index) = state.ids.iter().position(|own| *own == id) {
+            state.local[index] = local;
+        }
+    }
+    state.global = global;
     for (index, moved) in suspects.into_iter().zip(of_fitted) {
         if let Some(moved) = moved {
             state.flights[index] = moved.observations;
@@ -118,6 +142,30 @@ pub fn refine_contacts(
     }
     let residuals = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
     exclude_failed(state, residuals, options)
+}
+
+/// The flights that do not stand out from the `usual` residual scale, m, fitted by themselves, with their residuals; `None` where
+/// these are all, or fewer than half of all.
+fn fitted_without(
+    problem: &FitProblem,
+    state: &State,
+    cache: &ResidualCache,
+    usual: f64,
+    options: &FitOptions<'_>,
+) -> Result<Option<(State, ResidualCache)>, FitError> {
+    let mut others = State::new(state.global.clone(), state.interval);
+    let flights = state.ids.iter().zip(&state.flights).zip(&state.local);
+    for (place, ((id, flight), local)) in flights.enumerate() {
+        if !cache.stands_out(place, usual, STANDS_OUT, SURELY) {
+            others.push(*id, flight.clone(), local.clone());
+        }
+    }
+    if others.ids.len() == state.ids.len() || 2 * others.ids.len() < state.ids.len() {
+        return Ok(None);
+    }
+    let residuals = anneal_scale(problem, &mut others, options)?;
+    let residuals = exclude_failed(&mut others, residuals, options)?;
+    Ok(Some((others, residuals)))
 }
 
 /// What the search for contacts needs of the present fit.
@@ -210,7 +258,11 @@ impl Search<'_> {
             if let Some(onset) = found {
                 return Some((onset, local));
             }
-            samples = until;
+            // A contact just before the end of the search shows too late for it, and was fitted in the next one.
+            samples = match until < to {
+                true => until.saturating_sub(OVERLAP).max(samples + 1),
+                false => to,
+            };
         }
         None
     }

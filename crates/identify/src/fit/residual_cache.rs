@@ -16,6 +16,9 @@ use crate::statistics::{median, robust_sigma};
 /// Trajectories and residuals of all flights at one iterate.
 pub struct ResidualCache(Vec<CachedFlight>);
 
+/// Standard error of a robust scale of one normal value, over the scale: that of n is 1/√n of it.
+const SCALE_ERROR: f64 = 1.17;
+
 struct CachedFlight {
     path: Result<Path, FlightError>,
     /// Robust standard deviation of the flight's residuals, m; `None` without residuals.
@@ -62,6 +65,18 @@ impl ResidualCache {
     /// Robust standard deviation of each flight's residuals, m; none if it cannot be integrated or has no residuals.
     pub fn scales(&self) -> Vec<Option<f64>> {
         self.0.iter().map(|flight| flight.scale).collect()
+    }
+
+    /// Whether a flight's scale is above `usual`, m, by this ratio, and by more than chance: this many standard errors. True where
+    /// there is no scale.
+    pub fn stands_out(&self, flight: usize, usual: f64, ratio: f64, errors: f64) -> bool {
+        let CachedFlight { path, scale } = &self.0[flight];
+        let (Some(scale), Ok(path)) = (scale, path) else {
+            return true;
+        };
+        let values = 3 * path.residuals.iter().flatten().flatten().count();
+        let by_chance = 1.0 + errors * SCALE_ERROR / (values.max(1) as f64).sqrt();
+        *scale > usual * ratio.max(by_chance)
     }
 
     /// Median of the flights' scales, m; 0 without any.

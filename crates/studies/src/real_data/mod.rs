@@ -1,8 +1,10 @@
-//! Study of measured data: table-tennis balls, a gyroscope in a disc, a wind tunnel, disc-golf throws. Writes
+//! Study of measured data: table-tennis balls, a gyroscope in a disc, poses of a disc, a wind
+//! tunnel, disc-golf throws. Writes
 //! docs/real-data.md.
 
 mod balls;
 mod disc_golf;
+mod disc_pose;
 mod files;
 mod page;
 mod results;
@@ -11,6 +13,7 @@ mod wind_tunnel;
 
 pub use balls::{Agreement, is_agreeing};
 pub use disc_golf::LaunchFit;
+pub use disc_pose::Ratio;
 pub use page::real_data_page;
 pub use results::RealData;
 pub use spin_decay::{DecayFit, Form};

@@ -7,6 +7,7 @@ use model_spec::model::Model;
 
 use super::balls::{Agreement, Balls};
 use super::disc_golf::{DiscGolf, LaunchFit};
+use super::disc_pose::{DiscPose, Ratio};
 use super::spin_decay::{DecayFit, Form, SpinDecay};
 use super::wind_tunnel::{Measured, read};
 use crate::error::StudyError;
@@ -16,6 +17,7 @@ use crate::oracle_flights::disc;
 pub struct RealData {
     pub(super) balls: Balls,
     pub(super) spin_decay: SpinDecay,
+    pub(super) disc_pose: DiscPose,
     pub(super) disc_golf: DiscGolf,
     /// The wind tunnel's table.
     pub(super) table: Vec<Measured>,
@@ -24,7 +26,7 @@ pub struct RealData {
 }
 
 impl RealData {
-    /// Fits the data in the folders `spindoe`, `spindown`, `windtunnel` and `discgolf` of a folder.
+    /// Fits the data in the folders `spindoe`, `spindown`, `disc-pose`, `windtunnel` and `discgolf` of a folder.
     ///
     /// # Errors
     /// [`StudyError`] if a file is missing or malformed, or if a fit fails.
@@ -34,6 +36,7 @@ impl RealData {
         Ok(Self {
             balls: Balls::of(&flights)?,
             spin_decay: SpinDecay::of(&folder.join("spindown/flight.csv"), &disc)?,
+            disc_pose: DiscPose::of(&folder.join("disc-pose"))?,
             disc_golf: DiscGolf::of(&folder.join("discgolf"), &disc)?,
             table: read(&folder.join("windtunnel/potts_crowther.csv"))?,
             disc,
@@ -58,6 +61,11 @@ impl RealData {
     /// Fits of the disc-golf launches, without and with factors on the aerodynamic table.
     pub fn launches(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
         self.disc_golf.fits()
+    }
+
+    /// Ratio I_a/I_d of a golf disc from the poses of all throws.
+    pub fn inertia_ratio(&self) -> Ratio {
+        self.disc_pose.ratio()
     }
 
     /// Fit of a form of the spin's decay.

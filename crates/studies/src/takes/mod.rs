@@ -9,4 +9,7 @@ mod session;
 mod text;
 
 pub use page::takes_page;
-pub use run::{Session, SessionCuts, SessionResult, TemplateErrors, session_cuts, sessions};
+pub use run::{
+    CoefficientError, FitErrors, Session, SessionCuts, SessionResult, TemplateErrors, session_cuts,
+    sessions,
+};

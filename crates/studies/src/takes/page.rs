@@ -33,8 +33,8 @@ struct Results {
     across: f64,
     along: f64,
     greatest_across: f64,
-    /// Heights of the centre of mass of flights with the cuts found, and with the true ones.
-    heights: [HeightRow; 2],
+    /// Heights of the centre of mass: of flights with the cuts found, with the true ones, and after the fit.
+    heights: [HeightRow; 3],
     formats: Vec<FormatRow>,
     fits: Vec<FitRow>,
     coefficients: Vec<CoefficientRow>,
@@ -120,8 +120,17 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
         along: of_sessions(&|result| result.template.along <= MILLIMETRE),
         greatest_across: 1e3 * templates().map(|t| t.across).fold(0.0, f64::max),
         heights: [
-            heights(templates()),
-            heights(results.iter().map(|result| result.template_of_true_cuts)),
+            heights(templates().filter_map(of_template)),
+            heights(
+                results
+                    .iter()
+                    .filter_map(|result| of_template(result.template_of_true_cuts)),
+            ),
+            heights(
+                results
+                    .iter()
+                    .filter_map(|result| result.fits[0].as_ref().ok()?.height),
+            ),
         ],
         formats: formats(sessions),
         fits: (0..GIVEN.len())
@@ -147,8 +156,12 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
     })
 }
 
-fn heights(templates: impl Iterator<Item = TemplateErrors>) -> HeightRow {
-    let estimated = templates.filter_map(|t| Some((t.height, t.height_std_error?)));
+/// Error of the estimated height of the centre of mass, and its standard error, m.
+fn of_template(errors: TemplateErrors) -> Option<(f64, f64)> {
+    Some((errors.height, errors.height_std_error?))
+}
+
+fn heights(estimated: impl Iterator<Item = (f64, f64)>) -> HeightRow {
     let estimated: Vec<(f64, f64)> = estimated.collect();
     let each = || estimated.iter();
     let is_covered = |(error, std_error): &(f64, f64)| error.abs() <= NORMAL_95 * std_error;
@@ -166,7 +179,8 @@ fn errors<'r>(
     results: &'r [&'r SessionResult],
 ) -> impl Iterator<Item = &'r CoefficientError> {
     let fits = results.iter().map(move |result| &result.fits[kind]);
-    fits.filter_map(|fit| fit.as_ref().ok()).flatten()
+    fits.filter_map(|fit| fit.as_ref().ok())
+        .flat_map(|fit| &fit.coefficients)
 }
 
 fn fit_row(kind: usize, results: &[&SessionResult]) -> FitRow {

@@ -138,6 +138,26 @@ pub enum TemplateError {
     },
 }
 
+/// Least standard error of the centre of mass along the axis where it is assumed, m.
+const ASSUMED: f64 = 0.02;
+
+impl EstimatedTemplate {
+    /// Standard errors of the centre of mass along the axes of the body, m; 0 along an axis where it is stated.
+    pub fn origin_error(&self) -> [f64; 3] {
+        let across = |axis: usize| {
+            let each = self.markers.iter().map(|marker| marker.std_error[axis]);
+            each.fold(0.0, f64::max)
+        };
+        let along = match self.height {
+            CentreHeight::Estimated { std_error, .. } => std_error,
+            CentreHeight::Stated { .. } => 0.0,
+            CentreHeight::Assumed { std_error } => std_error.unwrap_or(ASSUMED).max(ASSUMED),
+        };
+        // Finer digits than a micrometre would pretend what no estimate knows.
+        [across(0), across(1), along].map(|error| (error * 1e6).ceil() / 1e6)
+    }
+}
+
 /// A number with its noun.
 fn count(number: usize, noun: &str) -> String {
     match number {

@@ -1,0 +1,157 @@
+//! Positions on the body that a dataset does not state: the flights tell them.
+
+use nalgebra::Vector3;
+use takes::{FreeFlight, estimate_template};
+
+use super::sensor::attitude;
+use super::{Flight, Marker, Sensor, SensorKind};
+use crate::input_error::InputError;
+use crate::pose::{fix_attitude, pose};
+use crate::statistics::median;
+
+/// A marker whose position is not stated.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Unplaced {
+    /// Index of the marker.
+    pub marker: usize,
+    /// Its place in the file, as an error without words.
+    pub place: InputError,
+}
+
+impl Unplaced {
+    fn error(&self, found: impl Into<String>, expected: &str) -> InputError {
+        InputError {
+            found: found.into(),
+            expected: expected.to_owned(),
+            ..self.place.clone()
+        }
+    }
+}
+
+/// What a marker without a position needs.
+const NEEDED: &str = "at least three markers with positions that are not on a line, or none";
+
+/// Places markers and poses on the body. Returns standard errors of the mass centre, m, where all markers are placed by the
+/// free flights alone.
+///
+/// # Errors
+/// [`InputError`] if the flights do not tell where they are, at the first of them.
+pub(super) fn place(
+    markers: &mut [Marker],
+    (unplaced, vertical_is_known): (&[Unplaced], bool),
+    sensors: &mut [Sensor],
+    flights: &[Flight],
+) -> Result<Option<[f64; 3]>, InputError> {
+    let mut origin_error = None;
+    if let Some(first) = unplaced.first() {
+        if unplaced.len() == markers.len() {
+            if !vertical_is_known {
+                let expected = "positions of the markers, or the direction up";
+                return Err(first.error("no position of a marker and up = \"unknown\"", expected));
+            }
+            origin_error = Some(place_all(markers, first, flights)?);
+        } else {
+            place_some(markers, unplaced, flights)?;
+        }
+    }
+    place_poses(markers, sensors, flights);
+    Ok(origin_error)
+}
+
+/// Places all markers by the free flights.
+fn place_all(
+    markers: &mut [Marker],
+    first: &Unplaced,
+    flights: &[Flight],
+) -> Result<[f64; 3], InputError> {
+    let labels: Vec<String> = markers.iter().map(|marker| marker.name.clone()).collect();
+    let free = flights.iter().map(|flight| FreeFlight {
+        times: &flight.times,
+        positions: &flight.positions,
+    });
+    let free: Vec<FreeFlight<'_>> = free.collect();
+    let template = estimate_template(&labels, &free, None).map_err(|error| {
+        let expected = "flights that tell the positions of the markers, or these positions";
+        first.error(
+            format!("flights that do not place the markers: {error}"),
+            expected,
+        )
+    })?;
+    for (marker, found) in markers.iter_mut().zip(&template.markers) {
+        marker.position = found.position;
+    }
+    Ok(template.origin_error())
+}
+
+/// Places some markers among the others.
+fn place_some(
+    markers: &mut [Marker],
+    unplaced: &[Unplaced],
+    flights: &[Flight],
+) -> Result<(), InputError> {
+    let is_placed = |marker: &usize| unplaced.iter().all(|own| own.marker != *marker);
+    let placed: Vec<usize> = (0..markers.len()).filter(is_placed).collect();
+    let known: Vec<[f64; 3]> = placed
+        .iter()
+        .map(|&marker| markers[marker].position)
+        .collect();
+    if !fix_attitude(&known) {
+        let found = format!(
+            "{} of {} markers with a position",
+            known.len(),
+            markers.len()
+        );
+        return Err(unplaced[0].error(found, NEEDED));
+    }
+    for own in unplaced {
+        let seen = flights.iter().flat_map(|flight| &flight.positions);
+        let on_body = seen.filter_map(|row| {
+            let own = row[own.marker]?;
+            let others: Vec<_> = placed.iter().map(|&marker| row[marker]).collect();
+            let body = pose(&known, &others)?;
+            Some(body.attitude.inverse() * (Vector3::from(own) - body.position))
+        });
+        let marker = &mut markers[own.marker];
+        marker.position = middle(on_body.collect()).ok_or_else(|| {
+            let found = format!("{} never seen together with the others", marker.name);
+            own.error(
+                found,
+                "samples that show it with three others, or its position",
+            )
+        })?;
+    }
+    Ok(())
+}
+
+/// Places poses among markers that fix an attitude; where there are none, the fit estimates where they are.
+fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
+    let known: Vec<[f64; 3]> = markers.iter().map(|marker| marker.position).collect();
+    let mut channel = 0;
+    for sensor in sensors {
+        let at = channel;
+        channel += sensor.kind.channels().len();
+        if sensor.kind != SensorKind::Pose || !sensor.position_is_unknown || !fix_attitude(&known) {
+            continue;
+        }
+        let rows = flights
+            .iter()
+            .flat_map(|flight| flight.positions.iter().zip(&flight.readings));
+        let on_body = rows.filter_map(|(positions, readings)| {
+            let (place, turn) = (readings[at]?, readings[at + 1]?);
+            let body = pose(&known, positions)?;
+            let place = Vector3::new(place[0], place[1], place[2]);
+            Some(attitude(turn).inverse() * (place - body.position))
+        });
+        if let Some(position) = middle(on_body.collect()) {
+            sensor.position = position;
+            sensor.position_is_unknown = false;
+        }
+    }
+}
+
+/// Median of each coordinate; `None` without any.
+fn middle(places: Vec<Vector3<f64>>) -> Option<[f64; 3]> {
+    (!places.is_empty()).then(|| {
+        [0, 1, 2].map(|axis| median(&mut places.iter().map(|at| at[axis]).collect::<Vec<f64>>()))
+    })
+}

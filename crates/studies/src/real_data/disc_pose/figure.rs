@@ -1,0 +1,40 @@
+//! Figure of the ratio of the moments of inertia, by throw.
+
+use report::figures::{Dots, Line, Look, Panel, figure};
+
+use super::fit::DiscPose;
+
+/// Half width of a 95 % interval of a normal variable, standard deviations.
+const NORMAL_95: f64 = 1.96;
+
+/// Each throw alone with its interval, and the interval of all by the jackknife, SVG.
+pub(in super::super) fn ratio_figure(data: &DiscPose) -> String {
+    let alone = || {
+        let each = data.throws.iter().enumerate();
+        each.filter_map(|(index, throw)| Some((index as f64 + 1.0, throw.alone?)))
+    };
+    let bars = alone().map(|(at, own)| Line {
+        name: String::new(),
+        points: [-NORMAL_95, NORMAL_95]
+            .map(|z| (at, own.value + z * own.std_error))
+            .to_vec(),
+    });
+    let value = data.ratio().value;
+    let panel = Panel {
+        title:
+            "I_a/I_d from each throw alone, with 95 % intervals by its noise; lines: all together"
+                .into(),
+        across: "throw, in the order of the table".into(),
+        lines: bars.collect(),
+        thin: true,
+        dots: vec![Dots {
+            look: Look::Cross,
+            points: alone().map(|(at, own)| (at, own.value)).collect(),
+        }],
+        levels: [-NORMAL_95, 0.0, NORMAL_95]
+            .map(|z| value + z * data.jackknife)
+            .to_vec(),
+        ..Panel::default()
+    };
+    figure("Ratio of the moments of inertia of a golf disc", &[panel])
+}

@@ -1,0 +1,124 @@
+//! Poses of a tag on a disc, turned to upright axes by a tag at rest on the ground.
+
+use std::path::Path;
+
+use identify::dataset::{Flight, Reading, Role};
+use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
+
+use crate::error::StudyError;
+use crate::real_data::files::{absent, bad_line, rows, text_of};
+
+/// Times since the first row of a file within which the tag is followed, s: later rows are of lost tracking.
+pub(super) const FOLLOWED: (f64, f64) = (0.03, 0.25);
+
+/// File of the tag at rest on the ground.
+const GROUND: &str = "groundplanesample_part.csv";
+
+/// Files that are no throws of their own: another processing of `drive16`, angles in place of a quaternion, and a tag whose
+/// label changed.
+const LEFT_OUT: [&str; 3] = ["drive17.csv", "throw0.csv", "drive14fliplabel.csv"];
+
+/// Header of a table.
+const HEADER: &str = "t_s,x_m,y_m,z_m,qw,qx,qy,qz";
+
+/// One row: time, s, position, m, and attitude of the tag.
+type Row = (f64, Vector3<f64>, UnitQuaternion<f64>);
+
+/// The throws, and what the ground says.
+pub(super) struct Poses {
+    /// The throws, upright, with one pose for each sample.
+    pub flights: Vec<Flight>,
+    /// Direction upwards in the axes of the camera.
+    pub up: [f64; 3],
+    /// Angles between the tag's normals at rest and their mean, rad: root mean square.
+    pub scatter: f64,
+}
+
+impl Poses {
+    /// Reads the tables in a folder.
+    pub fn read(folder: &Path) -> Result<Self, StudyError> {
+        let ground = table(&folder.join(GROUND))?;
+        // The third axis of the tag points into what it is stuck to.
+        let normals = || ground.iter().map(|(.., turn)| -(turn * Vector3::z()));
+        let up = normals().sum::<Vector3<f64>>().normalize();
+        let squares: f64 = normals().map(|normal| normal.angle(&up).powi(2)).sum();
+        let upright = Rotation3::rotation_between(&up, &Vector3::z())
+            .ok_or_else(|| absent(&folder.join(GROUND), "a tag that lies flat"))?;
+        let upright = UnitQuaternion::from_rotation_matrix(&upright);
+        let is_throw = |name: &String| {
+            name.ends_with(".csv") && name != GROUND && !LEFT_OUT.contains(&name.as_str())
+        };
+        let flights = names(folder)?.into_iter().filter(is_throw).map(|name| {
+            let rows = table(&folder.join(&name))?;
+            let start = rows.first().map_or(0.0, |row| row.0);
+            let within = |row: &&Row| (FOLLOWED.0..=FOLLOWED.1).contains(&(row.0 - start));
+            let rows: Vec<Row> = rows.iter().filter(within).copied().collect();
+            // The body's third axis is that of the tag, upwards.
+            let over = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
+            let reading = |(_, place, turn): &Row| -> Vec<Option<Reading>> {
+                let place = upright * place;
+                let turn = upright * turn * over;
+                vec![
+                    Some([place.x, place.y, place.z, 0.0]),
+                    Some([turn.w, turn.i, turn.j, turn.k]),
+                ]
+            };
+            Ok(Flight {
+                file: name,
+                role: Role::Fit,
+                known: Default::default(),
+                times: rows.iter().map(|row| row.0 - start).collect(),
+                positions: vec![Vec::new(); rows.len()],
+                readings: rows.iter().map(reading).collect(),
+            })
+        });
+        Ok(Self {
+            flights: flights.collect::<Result<_, StudyError>>()?,
+            up: up.into(),
+            scatter: (squares / ground.len().max(1) as f64).sqrt(),
+        })
+    }
+}
+
+/// Names of the files of a folder, sorted.
+fn names(folder: &Path) -> Result<Vec<String>, StudyError> {
+    let failed = |source| StudyError::Unreadable {
+        file: folder.to_owned(),
+        source,
+    };
+    let entries = std::fs::read_dir(folder).map_err(failed)?;
+    let name = |entry: std::io::Result<std::fs::DirEntry>| {
+        Ok(entry?.file_name().to_string_lossy().into_owned())
+    };
+    let names: std::io::Result<Vec<String>> = entries.map(name).collect();
+    let mut names = names.map_err(failed)?;
+    names.sort();
+    Ok(names)
+}
+
+/// The rows of a table that have a pose.
+fn table(file: &Path) -> Result<Vec<Row>, StudyError> {
+    let text = text_of(file)?;
+    if text.lines().next().map(str::trim) != Some(HEADER) {
+        return Err(absent(file, HEADER));
+    }
+    let mut found: Vec<Row> = Vec::new();
+    for row in rows(&text, 1) {
+        let cells = row.1.split(',').map(|cell| cell.trim().parse::<f64>());
+        let Ok(cells) = cells.collect::<Result<Vec<f64>, _>>() else {
+            return Err(bad_line(file, row, HEADER));
+        };
+        let &[time, x, y, z, qw, qx, qy, qz] = &cells[..] else {
+            return Err(bad_line(file, row, HEADER));
+        };
+        let turn = UnitQuaternion::from_quaternion(Quaternion::new(qw, qx, qy, qz));
+        let is_later = found.last().is_none_or(|before| time > before.0);
+        if cells.iter().all(|cell| cell.is_finite()) && is_later {
+            found.push((time, Vector3::new(x, y, z), turn));
+        }
+    }
+    match found.is_empty() {
+        true => Err(absent(file, "poses")),
+        false => Ok(found),
+    }
+}
