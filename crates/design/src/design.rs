@@ -200,9 +200,12 @@ struct Task<'t> {
     bounds: &'t Bounds,
 }
 
-/// Throws that were tried: a point of the unit box, with violation and objective for each side of an obstacle.
+/// Throw that was tried: a point of the unit box, with violation and objective for each side of an obstacle.
+type Tried = (DVector<f64>, Vec<(f64, f64)>);
+
+/// Throws that were tried.
 struct Explored {
-    points: Vec<(DVector<f64>, Vec<(f64, f64)>)>,
+    points: Vec<Tried>,
     flown: usize,
 }
 
@@ -259,12 +262,7 @@ impl Task<'_> {
     }
 
     /// Starts of descents: best first, none near a better one.
-    fn chosen(
-        &self,
-        points: &[(DVector<f64>, Vec<(f64, f64)>)],
-        side: usize,
-        count: usize,
-    ) -> Vec<DVector<f64>> {
+    fn chosen(&self, points: &[Tried], side: usize, count: usize) -> Vec<DVector<f64>> {
         let mut order: Vec<usize> = (0..points.len()).collect();
         // The sort is stable, so that equal ones stay in the order of the starts.
         order.sort_by(|a, b| {

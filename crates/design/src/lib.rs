@@ -23,10 +23,12 @@
 mod bounds;
 mod box_quadratic;
 mod design;
+mod fly;
 mod goal;
 mod json;
 mod optimise;
 mod path;
+mod point;
 mod read_bounds;
 mod sensitivity;
 mod spread;
@@ -35,7 +37,8 @@ mod throw_flight;
 pub use bounds::{Bounds, Scatter};
 pub use design::{Design, DesignError, SearchOptions, design, numbers};
 pub use goal::{GOALS, Goal, Obstacle, Side};
-pub use path::{Landing, Path, Point};
+pub use path::{Landing, Path};
+pub use point::Point;
 pub use read_bounds::BoundsError;
 pub use sensitivity::{OneUnit, Sensitivity, sensitivities};
 pub use spread::{

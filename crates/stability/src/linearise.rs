@@ -203,8 +203,8 @@ impl BoundBody<'_> {
             acceleration += (up.velocity - down.velocity) * (weight / STEP);
             angular += (up.turning?.rates - down.turning?.rates) * (weight / STEP);
         }
-        let all = acceleration.iter().chain(&angular);
-        all.fold(true, |finite, v| finite && v.is_finite())
+        let mut all = acceleration.iter().chain(&angular);
+        all.all(|v| v.is_finite())
             .then_some((acceleration, angular))
     }
 
