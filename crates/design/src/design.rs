@@ -166,7 +166,7 @@ pub fn design(
     });
     // Towards constraints all go, along them the best.
     if jobs.iter().any(|(side, _)| task.is_constrained(*side)) {
-        met.truncate(options.descents.div_ceil(3));
+        met.truncate(options.descents.div_ceil(4));
     }
     let best = each_on(options.threads, met.len(), |k| {
         let (side, from) = &met[k];

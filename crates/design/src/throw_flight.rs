@@ -6,7 +6,7 @@ use flight::{BoundModel, CompiledModel, DifferentiableModelRhs};
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use ode::{
-    AlignedVec, DifferentiableRhs, Event, IntegrationError, IntegrationOptions, Sensitivities,
+    DifferentiableRhs, Event, IntegrationError, IntegrationOptions, Sensitivities,
     SensitivityLayout, Trajectory, integrate_to_event,
 };
 
