@@ -268,7 +268,7 @@ fn what_is_not_known_is_asked_for_and_nothing_is_written() {
 }
 
 #[test]
-fn a_pose_becomes_the_markers_of_the_template() {
+fn a_pose_is_written_as_a_sensor() {
     let around = tempfile::tempdir().expect("a folder");
     let mut table = "t_s,disc_x_m,disc_y_m,disc_z_m,disc_qw,disc_qx,disc_qy,disc_qz\n".to_owned();
     for i in 0..60 {
@@ -292,17 +292,17 @@ fn a_pose_becomes_the_markers_of_the_template() {
         .arg(&out);
     let (status, text, errors) = told(&mut command);
     assert_eq!(status, 0, "{errors}");
-    assert!(text.contains("the pose is written as"), "{text}");
-    let flight = &identify::dataset::load(&out).expect("a dataset").flights[0];
+    assert!(text.contains("the poses are written as"), "{text}");
+    let imported = identify::dataset::load(&out).expect("a dataset");
+    assert!(imported.markers.is_empty(), "{imported:?}");
+    let sensor = &imported.sensors[0];
+    assert_eq!((sensor.name.as_str(), sensor.kind.name()), ("disc", "pose"));
+    let flight = &imported.flights[0];
     assert_eq!(flight.times.len(), 60);
-    // Half of a turn after 0.157 s: the first marker, at x = 0.1, is behind.
     let t = flight.times[19];
-    let seen = flight.positions[19][0].expect("seen");
-    assert!(
-        (seen[0] - 10.0 * t - 0.1 * (20.0 * t).cos()).abs() < 1e-9,
-        "{seen:?}"
-    );
-    assert!((seen[1] - 0.1 * (20.0 * t).sin()).abs() < 1e-9, "{seen:?}");
+    let [place, turn] = [0, 1].map(|channel| flight.readings[19][channel].expect("seen"));
+    assert!((place[0] - 10.0 * t).abs() < 1e-9, "{place:?}");
+    assert!((turn[3] - (10.0 * t).sin()).abs() < 1e-9, "{turn:?}");
 }
 
 /// A recording with a point that stays where it is.

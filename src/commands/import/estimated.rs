@@ -124,7 +124,7 @@ pub fn estimated(
 }
 
 /// A name of a marker for a label: without blanks and marks.
-fn name(label: &str) -> String {
+pub(super) fn name(label: &str) -> String {
     let is_kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
     let each = label.chars().map(|c| if is_kept(c) { c } else { '_' });
     each.collect()

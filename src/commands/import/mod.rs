@@ -6,16 +6,17 @@ mod template;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::ops::Range;
 use std::path::Path;
 
 use anyhow::{Context, bail};
-use identify::dataset::{Dataset, Flight, Role, write_commented};
+use identify::dataset::{Dataset, Flight, Role, Sensor, SensorKind, write_commented};
 use report::import::{ImportPage, ImportedTake};
 use takes::words::listed;
 use takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};
 
 use self::page::Shown;
-use self::template::Template;
+use self::template::{Followed, Template};
 use crate::cli::Import;
 use crate::{Answer, output, progress};
 
@@ -30,6 +31,8 @@ struct Found {
     flights: Vec<Flight>,
     /// What was decided, as text.
     decisions: String,
+    /// Name of the body whose poses are the flights; `None` where they are those of markers.
+    pose: Option<String>,
     /// The same with its curves, for the page.
     takes: Vec<ImportedTake>,
 }
@@ -93,9 +96,14 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     let Found {
         flights,
         decisions,
+        pose,
         takes,
     } = found;
     dataset.flights = flights;
+    if let Some(name) = pose {
+        dataset.markers.clear();
+        dataset.sensors = vec![Sensor::new(&name, SensorKind::Pose, [0.0; 3])];
+    }
     if dataset.flights.is_empty() {
         bail!("{}\n{decisions}", no_throw());
     }
@@ -191,8 +199,9 @@ fn add(
     let found = takes::find_throws(&turned, &followed_labels, &ThrowOptions::default());
     let mut notes = take.notes.clone();
     if followed.is_pose() {
-        let note = "the pose is written as the positions of the template's markers, whose errors go together";
-        notes.push(note.into());
+        notes.push(
+            "the poses are written as those of the body frame, in which the template is".into(),
+        );
     }
     notes.extend(found.notes.iter().cloned());
     if found.throws.is_empty()
@@ -202,6 +211,20 @@ fn add(
             "{}: found no throw with {up} up, and free flights with {other} up; expected --up {other}",
             file.display()
         );
+    }
+    let is_pose = followed.is_pose();
+    let name = followed_labels
+        .first()
+        .map(|label| dataset_name(label, labels));
+    match (&all.pose, is_pose, all.takes.is_empty()) {
+        (_, true, true) => all.pose = name,
+        (Some(pose), true, false) if name.as_ref() == Some(pose) => {}
+        (None, false, _) => {}
+        _ => bail!(
+            "{}: found {}, expected the same points or the same body as in the recordings before",
+            file.display(),
+            listed(followed_labels.iter().copied())
+        ),
     }
     let motion = takes::motion(&turned, &followed_labels);
     let shown = Shown {
@@ -232,7 +255,10 @@ fn add(
         };
         describe(throw, &flight.file, &mut lines);
         flights.push(shown.flight(throw, &flight));
-        all.flights.push(flight);
+        all.flights.push(match followed.is_pose() {
+            true => of_poses(flight, &throw.samples(), &followed, &turned),
+            false => flight,
+        });
     }
     let labels = listed(followed_labels.iter().copied());
     let samples = take.times.len();
@@ -261,6 +287,32 @@ fn add(
         flights,
     });
     Ok(())
+}
+
+/// A flight whose samples are the poses of a body.
+fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &Take) -> Flight {
+    let readings = samples
+        .clone()
+        .map(|sample| match followed.pose(take, sample) {
+            Some(pose) => {
+                let [x, y, z] = pose.position;
+                vec![Some([x, y, z, 0.0]), Some(pose.quaternion)]
+            }
+            None => vec![None; 2],
+        });
+    Flight {
+        positions: vec![Vec::new(); flight.times.len()],
+        readings: readings.collect(),
+        ..flight
+    }
+}
+
+/// Name in the dataset of a label of the file.
+fn dataset_name(label: &str, labels: &BTreeMap<String, String>) -> String {
+    labels
+        .get(label)
+        .cloned()
+        .unwrap_or_else(|| estimated::name(label))
 }
 
 /// What is said where no take has a throw.

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use identify::dataset::Marker;
 use takes::words::listed;
-use takes::{Take, rotated};
+use takes::{Pose, Take, rotated};
 
 /// Greatest size of a template, bytes.
 const LARGEST: u64 = 4 << 20;
@@ -142,6 +142,14 @@ impl Followed {
                 .map(|&i| take.points[i].label.as_str())
                 .collect(),
             Self::Pose(body, _) => vec![take.bodies[*body].label.as_str()],
+        }
+    }
+
+    /// The followed pose in a sample; `None` where points are followed, or the body was not seen.
+    pub fn pose(&self, take: &Take, sample: usize) -> Option<Pose> {
+        match self {
+            Self::Points(_) => None,
+            Self::Pose(body, _) => take.bodies[*body].poses[sample],
         }
     }
 
