@@ -13,27 +13,29 @@ pub(in super::super) fn ratio_figure(data: &DiscPose) -> String {
         let each = data.throws.iter().enumerate();
         each.filter_map(|(index, throw)| Some((index as f64 + 1.0, throw.alone?)))
     };
-    let bars = alone().map(|(at, own)| Line {
-        name: String::new(),
-        points: [-NORMAL_95, NORMAL_95]
-            .map(|z| (at, own.value + z * own.std_error))
-            .to_vec(),
+    // A gap after each interval, so that they are one line.
+    let bars = alone().flat_map(|(at, own)| {
+        let ends = [-NORMAL_95, NORMAL_95].map(|z| (at, own.value + z * own.std_error));
+        ends.into_iter().chain([(f64::NAN, f64::NAN)])
     });
     let value = data.ratio().value;
     let panel = Panel {
-        title:
-            "I_a/I_d from each throw alone, with 95 % intervals by its noise; lines: all together"
-                .into(),
+        title: "I_a/I_d by throw, each alone; band: all together".into(),
         across: "throw, in the order of the table".into(),
-        lines: bars.collect(),
+        lines: vec![Line {
+            name: "95 %".into(),
+            points: bars.collect(),
+        }],
         thin: true,
         dots: vec![Dots {
             look: Look::Cross,
             points: alone().map(|(at, own)| (at, own.value)).collect(),
         }],
-        levels: [-NORMAL_95, 0.0, NORMAL_95]
-            .map(|z| value + z * data.jackknife)
-            .to_vec(),
+        levels: vec![value],
+        band: Some((
+            value - NORMAL_95 * data.jackknife,
+            value + NORMAL_95 * data.jackknife,
+        )),
         ..Panel::default()
     };
     figure("Ratio of the moments of inertia of a golf disc", &[panel])
