@@ -4,8 +4,12 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+mod design;
+mod stability;
 mod throw;
 
+pub use design::Design;
+pub use stability::Stability;
 pub use throw::ThrowOptions;
 
 /// Declare how a body flies, once; get checked, fast, verified code, and fit it to measured flights.
@@ -55,6 +59,16 @@ pub enum Command {
         after_help = "Examples:\n  hyzer sweep backhands --out swept --csv\n  hyzer sweep backhands --part 2/4 --out swept   # one quarter; without --part the rest is flown and all joined\n\nA plan is a release file with what varies: `hyzer sweep --example` prints the built-in one, docs/sweep.md has all of the\nformat. The folder then holds flights.parquet, a row per flight, and summary.json. A flight depends on the plan and its\nnumber alone: results are the same bits for any number of threads and however the work is divided. A run that was ended goes\non with the same command."
     )]
     Sweep(Sweep),
+    /// Find a throw for a purpose: hit a point, fly farthest or longest, round an obstacle, flare, land with the least spread
+    #[command(
+        after_help = "Examples:\n  hyzer design --goal hit --target 30,5,0 --out designed\n  hyzer design --goal range --model discus --wind=-5,0,0 --out designed\n  hyzer design --goal curve --target 30,0,0 --bounds examples/design/round-a-tree.toml --out designed\n  hyzer design --goal flare --target 25,0,1.5\n  hyzer simulate --release designed/release.toml       # flies it\n\nGoals, bounds and what is written: docs/design.md. Exit status: 0 the throw serves its purpose, 1 none within the bounds was\nfound to, and the nearest is written, 2 bad input."
+    )]
+    Design(Design),
+    /// Modes of the linearised motion with frequency and damping, criteria of stability, maps over speed and spin
+    #[command(
+        after_help = "Examples:\n  hyzer stability disc --out modes\n  hyzer stability disc --speed 14 --spin 300 --nose 4\n  hyzer stability discus --release discus --json\n\nDerivations, and what the names of the modes mean: docs/stability.md."
+    )]
+    Stability(Stability),
     /// Make a synthetic dataset: simulate releases of a model, observe its markers, add noise
     #[command(
         after_help = "Examples:\n  hyzer synthesize disc --release backhand --duration 1 --out made\n  hyzer synthesize ball --release serve --flights 4 --held-out 1 --set C_D=0.5 --seed 7 --out balls\n  hyzer synthesize disc --release backhand --with zero_lift_drag_angle --set alpha_0=-0.07 --duration 1 --out odd\n\nReleases by name: run `hyzer simulate --list`. The true values are written to the dataset's folder as\ntruth.toml, which `hyzer fit` does not read."

@@ -35,6 +35,10 @@ pub use flight::Flight;
 pub use model::Model;
 pub use ode::{IntegrationOptions, Trajectory};
 
+// Throws for a purpose, and stability.
+pub use design::{Bounds, Design, Goal, SearchOptions, ThrownBody, design};
+pub use stability::{Body as LinearisedBody, Mode, ModeKind, modes};
+
 // Datasets.
 pub use dataset::{DatasetBuilder, read_dataset};
 pub use identify::dataset::{Dataset, Flight as MeasuredFlight, KnownValue, Marker, Role};
@@ -54,5 +58,5 @@ pub use diagnosis::{Diagnosis, DiagnosisOptions, diagnose};
 /// Crates of the workspace, for functions that this library does not re-export.
 pub mod crates {
     pub use ::flight;
-    pub use {codegen, diagnose, identify, model_spec, ode};
+    pub use {codegen, design, diagnose, identify, model_spec, ode, stability};
 }

@@ -2,6 +2,7 @@
 
 mod certificate;
 mod check;
+mod design;
 mod diagnose;
 mod diff;
 mod effects;
@@ -10,6 +11,7 @@ mod fit;
 mod generate;
 mod import;
 mod simulate;
+mod stability;
 mod sweep;
 mod synthesize;
 mod verify;
@@ -28,6 +30,8 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Import(options) => import::run(&options),
         Command::Simulate(options) => simulate::run(&options),
         Command::Sweep(options) => sweep::run(&options),
+        Command::Design(options) => design::run(&options),
+        Command::Stability(options) => stability::run(&options),
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),

@@ -3,7 +3,7 @@
 mod flown;
 mod launches;
 mod techdisc;
-mod throws;
+pub(super) mod throws;
 
 use std::fmt::Write;
 use std::path::Path;
@@ -142,15 +142,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         apply(set, &model, &mut release)?;
     }
     if let Some(wind) = &options.wind {
-        let parts: Vec<&str> = wind.split(',').collect();
-        let [x, y, z] = parts[..] else {
-            bail!("--wind: found {wind:?}, expected three numbers X,Y,Z in m/s");
-        };
-        release.wind = [
-            number("--wind", x)?,
-            number("--wind", y)?,
-            number("--wind", z)?,
-        ];
+        release.wind = vector("--wind", wind, "m/s")?;
     }
     match options.until.as_deref() {
         None => {}
@@ -169,6 +161,15 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         check_rows(options, seconds)?;
     }
     Ok((model, release))
+}
+
+/// Three numbers of an option.
+pub(super) fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
+    let parts: Vec<&str> = text.split(',').collect();
+    let [x, y, z] = parts[..] else {
+        bail!("{option}: found {text:?}, expected three numbers X,Y,Z in {unit}");
+    };
+    Ok([number(option, x)?, number(option, y)?, number(option, z)?])
 }
 
 /// Loads a release by name or file, with the model given on the command line or else the release's own model.

@@ -2,7 +2,7 @@
 
 use crate::compiled_model::{CompiledModel, ModelState};
 use crate::functions::{EvaluationPoint, ModelFunctions, Workspace};
-use ode::Event;
+use ode::{Event, StateVector};
 
 /// Compiled model with a value for each parameter; made by [`CompiledModel::bind`].
 pub struct BoundModel<'a> {
@@ -27,13 +27,19 @@ impl CompiledModel {
 impl BoundModel<'_> {
     /// Limits of validity as events: an integration that crosses a limit fails with that limit's reason.
     pub fn limits(&self) -> Vec<Event<'_, ModelState>> {
+        self.limits_on()
+    }
+
+    /// Limits of validity as events of a state vector that begins with the model's states, such as that of
+    /// [`ode::Sensitivities`].
+    pub fn limits_on<X: StateVector>(&self) -> Vec<Event<'_, X>> {
         let limits = self.model.limits.iter().enumerate();
         limits
             .map(|(index, (bound, reason))| {
                 let mut workspace = Workspace::default();
                 let mut values = vec![0.0; self.model.limits.len()];
-                Event::limit(reason.as_str(), move |t, x: &ModelState| {
-                    let at = self.at(t, x);
+                Event::limit(reason.as_str(), move |t, x: &X| {
+                    let at = self.at(t, x.as_ref());
                     self.functions().limits(at, &mut workspace, &mut values);
                     values[index] - bound
                 })

@@ -17,6 +17,7 @@ pub mod fit;
 pub mod import;
 pub mod literature;
 mod result_folder;
+mod sheet;
 pub mod viewer;
 
 pub use atomic_file::write_atomic;
@@ -24,3 +25,4 @@ pub use bands::{PredictionBand, prediction_band};
 pub use certificate::{CertificateNote, WithCertificate};
 pub use figure_file::{FigureError, FigureKind};
 pub use result_folder::{MANIFEST, ResultFile, ResultFolder, ResultFolderError};
+pub use sheet::{Section, Sheet, SheetFigure, Table};

@@ -55,6 +55,9 @@ pub enum Study {
     /// Truncation at the ground: flights that touch nothing, and flights that bounce
     #[command(after_help = "Example:\n  hyzer-studies cuts --seeds 10")]
     Cuts(Runs),
+    /// Throws found by `design` against what Crowther and Potts report of a disc, and Frohlich of the discus
+    #[command(after_help = "Example:\n  hyzer-studies throws --out docs/throws.md")]
+    Throws(Paper),
     /// From takes of throws, as laboratories write them, to a template and coefficients
     #[command(after_help = "Example:\n  hyzer-studies takes --seeds 20 --python python3")]
     Takes(Takes),

@@ -57,6 +57,12 @@ pub enum StudyError {
     /// A diagnosis failed.
     #[error(transparent)]
     Diagnosis(#[from] diagnose::DiagnosisError),
+    /// A throw cannot be flown.
+    #[error(transparent)]
+    Throw(#[from] design::ThrowFlightError),
+    /// A throw cannot be searched for.
+    #[error(transparent)]
+    Design(#[from] design::DesignError),
     /// A template of a page does not go with the results.
     #[error("the page cannot be written: {0}")]
     Page(#[from] minijinja::Error),

@@ -22,6 +22,7 @@ pub mod sensors;
 pub mod spoiled;
 mod statistics;
 pub mod takes;
+pub mod throws;
 
 pub use error::StudyError;
 pub use page::Page;

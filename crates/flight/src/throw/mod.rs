@@ -5,6 +5,7 @@
 //! in the vertical plane; `hyzer` turns it about the velocity, positive to the left, and `nose` then about the body's left
 //! axis, positive nose-up. Without wind, `nose` is the angle of attack.
 
+mod gradient;
 mod inverse;
 mod motion;
 mod near;
@@ -12,13 +13,12 @@ mod near;
 use std::f64::consts::PI;
 
 use model_spec::model::Model;
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{DMatrix, Rotation3, Vector3};
 
 use crate::release::Release;
+use motion::MotionModel;
+pub use motion::{Motion, Turning, speed_and_spin};
 pub use near::NearThrows;
-
-pub use motion::speed_and_spin;
-use motion::{Motion, MotionModel, Turning};
 
 /// rad/s per rpm.
 const RPM: f64 = PI / 30.0;
@@ -252,6 +252,32 @@ impl ThrownModel {
         ground: [f64; 2],
         parameters: &[f64],
     ) -> Result<Vec<f64>, ThrowError> {
+        self.search(throw, ground, parameters, None)
+    }
+
+    /// As [`state`](Self::state), searched from the state of a similar throw first: of several states with this motion the one
+    /// near it, and found sooner.
+    ///
+    /// # Errors
+    /// [`ThrowError`]
+    pub fn state_near(
+        &self,
+        throw: &Throw,
+        ground: [f64; 2],
+        parameters: &[f64],
+        near: &[f64],
+    ) -> Result<Vec<f64>, ThrowError> {
+        self.search(throw, ground, parameters, Some(near))
+            .or_else(|_| self.search(throw, ground, parameters, None))
+    }
+
+    fn search(
+        &self,
+        throw: &Throw,
+        ground: [f64; 2],
+        parameters: &[f64],
+        near: Option<&[f64]>,
+    ) -> Result<Vec<f64>, ThrowError> {
         throw.check()?;
         let model = || self.name.clone();
         if !self.has_attitude() {
@@ -280,7 +306,7 @@ impl ThrownModel {
             inverse::state(&bound, wanted, near)
                 .ok_or_else(|| ThrowError::NoState { model: model() })
         };
-        let state = find(&wanted, None)?;
+        let state = find(&wanted, near)?;
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();
         let Some(turning) = wanted.turning.as_mut().filter(|_| wobble != 0.0) else {
             return Ok(state);
@@ -291,6 +317,56 @@ impl ThrownModel {
         let along = inertia.try_inverse().ok_or_else(no_state)? * cone;
         turning.rates = along * (spin / along.dot(&axes.column(2)));
         find(&wanted, Some(&state))
+    }
+
+    /// Derivatives of the state of a throw by its numbers: states × [`FIELDS`], in the unit of each state per unit of each
+    /// number. Columns of numbers that a body without attitude does not have are 0.
+    pub fn state_by_throw(&self, throw: &Throw, state: &[f64], parameters: &[f64]) -> DMatrix<f64> {
+        self.motion.bind(parameters).state_by_throw(throw, state)
+    }
+
+    /// Motion of the body at a state.
+    pub fn motion(&self, state: &[f64], parameters: &[f64]) -> Motion {
+        self.motion.bind(parameters).motion(state)
+    }
+
+    /// Jacobian of the motion by the states. Rows: position, velocity, and for a body with attitude its three axes and its
+    /// angular velocity, three components each in the inertial frame.
+    pub fn motion_jacobian(&self, state: &[f64], parameters: &[f64]) -> DMatrix<f64> {
+        self.motion.bind(parameters).jacobian(state)
+    }
+
+    /// Least changes of the state that change the motion as the columns say, whose rows are those of
+    /// [`motion_jacobian`](Self::motion_jacobian).
+    pub fn states_moved(
+        &self,
+        state: &[f64],
+        parameters: &[f64],
+        wanted: &DMatrix<f64>,
+    ) -> DMatrix<f64> {
+        self.motion.bind(parameters).states_moved(state, wanted)
+    }
+
+    /// Inertia tensor about the mass centre in inertial axes at a state, kg m²; `None` for a point mass.
+    pub fn inertia(&self, state: &[f64], parameters: &[f64]) -> Option<nalgebra::Matrix3<f64>> {
+        self.motion.bind(parameters).inertia(state)
+    }
+
+    /// State that has a motion, searched near a state where one is given.
+    ///
+    /// # Errors
+    /// [`ThrowError::NoState`]
+    pub fn state_of(
+        &self,
+        motion: &Motion,
+        parameters: &[f64],
+        near: Option<&[f64]>,
+    ) -> Result<Vec<f64>, ThrowError> {
+        inverse::state(&self.motion.bind(parameters), motion, near).ok_or_else(|| {
+            ThrowError::NoState {
+                model: self.name.clone(),
+            }
+        })
     }
 
     /// Point on the ground below the mass centre at a state, (x, y), m.

@@ -13,7 +13,7 @@ use crate::compiled_model::CompiledModel;
 use crate::release::Release;
 
 /// Motion of a body at an instant, in the inertial frame.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Position of the mass centre, m.
     pub position: Vector3<f64>,
@@ -24,7 +24,7 @@ pub struct Motion {
 }
 
 /// Attitude and angular velocity of a body.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
     /// Axes of the body as columns; of a claimed body of revolution only the third is its own.
     pub axes: Matrix3<f64>,

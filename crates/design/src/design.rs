@@ -1,0 +1,482 @@
+//! The search for a throw: starts from a low-discrepancy set with cheap flights, then descents with exact derivatives.
+
+use std::cell::RefCell;
+use std::cmp::Ordering;
+
+use flight::batch::each_on;
+use flight::throw::{FIELDS, Throw};
+use nalgebra::{DVector, Vector3};
+use ode::IntegrationOptions;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use crate::bounds::Bounds;
+use crate::goal::{Goal, Side};
+use crate::optimise::{Arrival, Values, descend, meet};
+use crate::sensitivity::{Sensitivity, sensitivities};
+use crate::spread::landing_covariance;
+use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
+
+/// How a throw is searched for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SearchOptions {
+    /// Number of throws that are tried before the descents; default 384.
+    pub starts: usize,
+    /// Number of descents; default 12.
+    pub descents: usize,
+    /// Seed of the starts; default 1.
+    pub seed: u64,
+    /// Number of threads, on which the result does not depend; default all processors.
+    pub threads: usize,
+}
+
+impl Default for SearchOptions {
+    fn default() -> Self {
+        SearchOptions {
+            starts: 384,
+            descents: 12,
+            seed: 1,
+            threads: flight::batch::threads(),
+        }
+    }
+}
+
+/// A throw that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// Its purpose.
+    pub goal: Goal,
+    /// Whether it serves it: the point is met and the obstacle cleared, to a millimetre.
+    pub feasible: bool,
+    /// The throw; where it does not serve its purpose the one that comes nearest.
+    pub throw: Throw,
+    /// Least distance of the path from the goal's point, m; 0 for a goal without a point.
+    pub miss: f64,
+    /// Speed at which the path rises at the goal's point, m/s: what is left of a flare.
+    pub vertical_speed: Option<f64>,
+    /// Least distance between path and obstacle, m, negative inside of it; `None` without an obstacle.
+    pub clearance: Option<f64>,
+    /// Side on which the obstacle is passed.
+    pub side: Option<Side>,
+    /// Place of the landing, m.
+    pub landing: Vector3<f64>,
+    /// Duration of the flight, s.
+    pub time: f64,
+    /// The goal's own figure, whose name and unit [`Goal::figure`] gives.
+    pub figure: f64,
+    /// What each number of the throw does.
+    pub sensitivity: Vec<Sensitivity>,
+    /// Number of throws that could be flown, of those tried before the descents.
+    pub flown: usize,
+}
+
+/// Reason why there is no design.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DesignError {
+    /// None of the throws has a flight.
+    #[error(
+        "none of {tried} throws within the bounds could be flown to the ground; the last one: {last}"
+    )]
+    NoFlight {
+        /// Number of throws that were tried.
+        tried: usize,
+        /// Why the last one could not be flown.
+        last: ThrowFlightError,
+    },
+    /// Throws can be flown, but not with derivatives.
+    #[error(
+        "throws within the bounds could be flown, but none with derivatives; expected a model that is smooth there"
+    )]
+    NoDescent,
+    /// The goal needs an obstacle.
+    #[error(
+        "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
+    )]
+    NoObstacle,
+    /// The goal's point is below the ground.
+    #[error("the target is {0} m below the ground; expected a height of 0 or more")]
+    Buried(f64),
+    /// A flare happens in the air.
+    #[error("the goal flare needs a target above the ground; found a height of 0")]
+    FlareOnGround,
+    /// The throw that was found cannot be flown at the last tolerance.
+    #[error(transparent)]
+    Flight(#[from] ThrowFlightError),
+}
+
+/// Violation of the constraints (m, or m/s of a flare) up to which a throw serves its purpose.
+const SERVES: f64 = 1e-3;
+/// Tolerances of the integration: of the starts, the descents, and the last one.
+const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
+/// Bases of the Halton sequence.
+const BASES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
+/// Least distance of two starts of descents in the unit box.
+const APART: f64 = 0.1;
+/// Step in the unit box of the differences of exact derivatives, for the goal [`Goal::Spread`].
+const SPREAD_STEP: f64 = 1e-4;
+
+/// Searches for the throw that serves a purpose best, within bounds.
+///
+/// # Errors
+/// [`DesignError`]. That a purpose cannot be served is no error: see [`Design::feasible`].
+pub fn design(
+    flights: &ThrowFlights<'_>,
+    goal: Goal,
+    bounds: &Bounds,
+    options: &SearchOptions,
+) -> Result<Design, DesignError> {
+    match (goal, goal.target()) {
+        (Goal::Curve(_), _) if bounds.obstacle.is_none() => return Err(DesignError::NoObstacle),
+        (_, Some(target)) if target.z < 0.0 => return Err(DesignError::Buried(-target.z)),
+        (Goal::Flare(target), _) if target.z == 0.0 => return Err(DesignError::FlareOnGround),
+        _ => {}
+    }
+    let task = Task {
+        flights,
+        goal,
+        bounds,
+    };
+    let sides = match bounds.obstacle {
+        None => vec![None],
+        Some(obstacle) => match obstacle.side {
+            Some(side) => vec![Some(side)],
+            None => vec![Some(Side::Left), Some(Side::Right)],
+        },
+    };
+    let explored = task.explore(&sides, options)?;
+    let mut jobs: Vec<(Option<Side>, DVector<f64>)> = Vec::new();
+    for (k, side) in sides.iter().enumerate() {
+        let count = options.descents.div_ceil(sides.len());
+        jobs.extend(
+            task.chosen(&explored.points, k, count)
+                .into_iter()
+                .map(|at| (*side, at)),
+        );
+    }
+    let met = each_on(options.threads, jobs.len(), |k| {
+        let (side, at) = &jobs[k];
+        Some((*side, task.met(*side, at, 1)?))
+    });
+    let mut met: Vec<(Option<Side>, Arrival)> = met.into_iter().flatten().collect();
+    // The sort is stable: equal ones stay in the order of the starts.
+    met.sort_by(|a, b| {
+        task.rank(&a.1.values)
+            .partial_cmp(&task.rank(&b.1.values))
+            .unwrap_or(Ordering::Equal)
+    });
+    // Towards constraints all go, along them the best.
+    if jobs.iter().any(|(side, _)| task.is_constrained(*side)) {
+        met.truncate(options.descents.div_ceil(4));
+    }
+    let best = each_on(options.threads, met.len(), |k| {
+        let (side, from) = &met[k];
+        let serves = from.values.violation() < SERVES;
+        let better = match serves {
+            true => task.least(*side, &from.at),
+            false => task.nearest(*side, &from.at),
+        };
+        (*side, better.unwrap_or_else(|| from.clone()))
+    });
+    let best = best.into_iter().reduce(|best, other| {
+        match task.rank(&other.1.values) < task.rank(&best.1.values) {
+            true => other,
+            false => best,
+        }
+    });
+    let Some((side, best)) = best else {
+        return Err(DesignError::NoDescent);
+    };
+    let last = match best.values.violation() < SERVES {
+        true => task.met(side, &best.at, 2).unwrap_or(best),
+        false => best,
+    };
+    task.finished(side, &last, explored.flown)
+}
+
+/// What is searched.
+struct Task<'t> {
+    flights: &'t ThrowFlights<'t>,
+    goal: Goal,
+    bounds: &'t Bounds,
+}
+
+/// Throw that was tried: a point of the unit box, with violation and objective for each side of an obstacle.
+type Tried = (DVector<f64>, Vec<(f64, f64)>);
+
+/// Throws that were tried.
+struct Explored {
+    points: Vec<Tried>,
+    flown: usize,
+}
+
+impl Task<'_> {
+    fn explore(
+        &self,
+        sides: &[Option<Side>],
+        options: &SearchOptions,
+    ) -> Result<Explored, DesignError> {
+        let n = self.bounds.free().count();
+        let mut random = ChaCha8Rng::seed_from_u64(options.seed);
+        let shift: Vec<f64> = (0..n).map(|_| random.random::<f64>()).collect();
+        let point = |i: usize| match i {
+            0 => DVector::from_element(n, 0.5),
+            _ => DVector::from_fn(n, |k, _| {
+                (radical_inverse(i as u64, BASES[k]) + shift[k]).fract()
+            }),
+        };
+        let settings = IntegrationOptions::with_tolerance(TOLERANCES[0]);
+        let tried = each_on(options.threads, options.starts.max(1), |i| {
+            let at = point(i);
+            let path = self.flights.fly(&self.bounds.throw(&at), None, &settings)?;
+            let of_sides = sides.iter().map(|side| {
+                let values = self.path_values(&path, *side);
+                (values.violation(), values.objective)
+            });
+            let of_sides = of_sides.collect::<Vec<_>>();
+            Ok((at, of_sides))
+        });
+        let mut last = None;
+        let mut points = Vec::new();
+        for result in tried {
+            match result {
+                Ok(point) => points.push(point),
+                Err(error) => last = Some(error),
+            }
+        }
+        match last {
+            Some(last) if points.is_empty() => Err(DesignError::NoFlight {
+                tried: options.starts,
+                last,
+            }),
+            _ => Ok(Explored {
+                flown: points.len(),
+                points,
+            }),
+        }
+    }
+
+    fn path_values(&self, path: &crate::path::Path<'_>, side: Option<Side>) -> Values {
+        let obstacle = self.bounds.obstacle.as_ref();
+        self.goal
+            .values(path, obstacle.and_then(|obstacle| Some((obstacle, side?))))
+    }
+
+    /// Starts of descents: best first, none near a better one.
+    fn chosen(&self, points: &[Tried], side: usize, count: usize) -> Vec<DVector<f64>> {
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        // The sort is stable, so that equal ones stay in the order of the starts.
+        order.sort_by(|a, b| {
+            let [a, b] = [a, b].map(|k| points[*k].1[side]);
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        let mut chosen: Vec<DVector<f64>> = Vec::new();
+        for k in order {
+            if chosen.len() == count {
+                break;
+            }
+            let at = &points[k].0;
+            if chosen.iter().all(|other| (other - at).norm() > APART) {
+                chosen.push(at.clone());
+            }
+        }
+        chosen
+    }
+
+    /// Order of results: those that serve the purpose by their objective, others by their violation.
+    fn rank(&self, values: &Values) -> (f64, f64) {
+        let violation = values.violation();
+        match violation < SERVES {
+            true => (0.0, values.objective),
+            false => (violation, 0.0),
+        }
+    }
+
+    fn is_constrained(&self, side: Option<Side>) -> bool {
+        self.goal.target().is_some() || side.is_some()
+    }
+
+    /// Meets the constraints as nearly as the bounds allow, with little change of the throw.
+    fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
+        let near = RefCell::new(None);
+        if !self.is_constrained(side) {
+            let values = self.values(side, from, accuracy, &near, true)?;
+            return Some(Arrival {
+                at: from.clone(),
+                values,
+            });
+        }
+        let problem =
+            |at: &DVector<f64>, objective: bool| self.values(side, at, accuracy, &near, objective);
+        let mut arrival = meet(&problem, from)?;
+        arrival.values.objective = self.objective(&arrival.at, arrival.values.objective)?;
+        Some(arrival)
+    }
+
+    /// Makes the objective least.
+    fn least(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
+        let near = RefCell::new(None);
+        let problem =
+            |at: &DVector<f64>, objective: bool| self.values(side, at, 1, &near, objective);
+        descend(&problem, from)
+    }
+
+    /// Makes the violation least where the constraints cannot be met: with curvature, which counts where much is left.
+    fn nearest(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
+        let near = RefCell::new(None);
+        let problem = |at: &DVector<f64>, _: bool| {
+            Some(self.values(side, at, 1, &near, false)?.violation_alone())
+        };
+        let found = descend(&problem, from)?;
+        let values = self.values(side, &found.at, 1, &near, false)?;
+        Some(Arrival {
+            at: found.at,
+            values,
+        })
+    }
+
+    /// Objective of a throw, whose path's own figure is known.
+    fn objective(&self, at: &DVector<f64>, of_path: f64) -> Option<f64> {
+        match self.goal {
+            Goal::Hit(_) | Goal::Curve(_) => Some(0.5 * at.map(|v| v - 0.5).norm_squared()),
+            Goal::Spread(_) => {
+                let settings = IntegrationOptions::with_tolerance(TOLERANCES[1]);
+                self.rms_spread(&self.bounds.throw(at), None, &settings)
+            }
+            _ => Some(of_path),
+        }
+    }
+
+    /// Values with derivatives by the free numbers, in the unit box.
+    fn values(
+        &self,
+        side: Option<Side>,
+        at: &DVector<f64>,
+        accuracy: usize,
+        near: &RefCell<Option<Vec<f64>>>,
+        objective: bool,
+    ) -> Option<Values> {
+        let throw = self.bounds.throw(at);
+        let free: Vec<(usize, f64, f64)> = self.bounds.free().copied().collect();
+        let by: Vec<By> = free.iter().map(|(field, ..)| By::Throw(*field)).collect();
+        let settings = IntegrationOptions::with_tolerance(TOLERANCES[accuracy]);
+        let known = near.borrow().clone();
+        let path = self
+            .flights
+            .fly_with_derivatives(&throw, known.as_deref(), &by, &settings)
+            .ok()?;
+        let states = self.flights.body.compiled.layout().states.len();
+        let first = path.trajectory.sample(0.0).map(|x| x[..states].to_vec());
+        *near.borrow_mut() = first.clone();
+        let mut values = self.path_values(&path, side);
+        for (k, (_, least, greatest)) in free.iter().enumerate() {
+            let width = greatest - least;
+            values.gradient[k] *= width;
+            values.equalities_by.column_mut(k).scale_mut(width);
+            values.margins_by.column_mut(k).scale_mut(width);
+        }
+        match self.goal {
+            Goal::Hit(_) | Goal::Curve(_) => {
+                let off = at.map(|v| v - 0.5);
+                values.objective = 0.5 * off.norm_squared();
+                values.gradient = off;
+            }
+            Goal::Spread(_) if objective => {
+                let spread = |at: &DVector<f64>| {
+                    self.rms_spread(&self.bounds.throw(at), first.as_deref(), &settings)
+                };
+                values.objective = spread(at)?;
+                let slopes: Option<Vec<f64>> = (0..at.len())
+                    .map(|k| {
+                        let mut moved = at.clone();
+                        // Inwards, so that the throw stays within the bounds.
+                        let step = if at[k] > 0.5 {
+                            -SPREAD_STEP
+                        } else {
+                            SPREAD_STEP
+                        };
+                        moved[k] += step;
+                        Some((spread(&moved)? - values.objective) / step)
+                    })
+                    .collect();
+                values.gradient = DVector::from_vec(slopes?);
+            }
+            _ => {}
+        }
+        Some(values)
+    }
+
+    /// Root mean square distance of landings from their mean, m, to first order in the scatter.
+    fn rms_spread(
+        &self,
+        throw: &Throw,
+        near: Option<&[f64]>,
+        settings: &IntegrationOptions,
+    ) -> Option<f64> {
+        let covariance =
+            landing_covariance(self.flights, throw, near, &self.bounds.scatter, settings).ok()?;
+        Some(covariance.trace().sqrt())
+    }
+
+    fn finished(
+        &self,
+        side: Option<Side>,
+        found: &Arrival,
+        flown: usize,
+    ) -> Result<Design, DesignError> {
+        let throw = self.bounds.throw(&found.at);
+        let settings = IntegrationOptions::with_tolerance(TOLERANCES[2]);
+        // A flight of its own, with the model's limits as events and without derivatives.
+        let path = self.flights.fly(&throw, None, &settings)?;
+        let values = self.path_values(&path, side);
+        let landing = path.landing();
+        let point = path.point(self.goal.time(&path));
+        let distance = |target: Vector3<f64>| {
+            let away = point.position - target;
+            if target.z > 0.0 {
+                away.norm()
+            } else {
+                away.xy().norm()
+            }
+        };
+        let miss = self.goal.target().map_or(0.0, distance);
+        let is_flare = matches!(self.goal, Goal::Flare(_));
+        let figure = match self.goal {
+            Goal::Hit(_) | Goal::Curve(_) => miss,
+            Goal::Range | Goal::HangTime => -values.objective,
+            Goal::Flare(_) => values.objective,
+            Goal::Spread(_) => self.rms_spread(&throw, None, &settings).unwrap_or(f64::NAN),
+        };
+        Ok(Design {
+            goal: self.goal,
+            feasible: values.violation() < SERVES,
+            miss,
+            vertical_speed: is_flare.then_some(point.velocity.z),
+            clearance: values.margins.iter().copied().next(),
+            side,
+            landing: landing.position,
+            time: landing.time,
+            figure,
+            sensitivity: sensitivities(self.flights, &throw, self.goal, &settings)?,
+            throw,
+            flown,
+        })
+    }
+}
+
+/// The digits of an integer in a base, mirrored at the point.
+fn radical_inverse(mut index: u64, base: u64) -> f64 {
+    let (mut value, mut unit) = (0.0, 1.0 / base as f64);
+    while index > 0 {
+        value += (index % base) as f64 * unit;
+        index /= base;
+        unit /= base as f64;
+    }
+    value
+}
+
+/// Numbers of a throw that a design states, with their names, in the order of [`FIELDS`].
+pub fn numbers(throw: &Throw) -> impl Iterator<Item = (&'static str, f64)> {
+    FIELDS
+        .iter()
+        .filter_map(|(name, ..)| Some((*name, throw.field(name)?)))
+}

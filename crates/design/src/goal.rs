@@ -1,0 +1,204 @@
+//! Purposes of a throw: what is to be least, what must hold, and their derivatives, from the path of a flight.
+
+use nalgebra::{DMatrix, DVector, Vector2, Vector3};
+
+use crate::optimise::Values;
+use crate::path::Path;
+
+/// Purpose of a throw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// The path passes through a point, or lands there if its height is 0: of all such throws the one nearest the middle of the
+    /// bounds.
+    Hit(Vector3<f64>),
+    /// Greatest distance over the ground from release to landing.
+    Range,
+    /// Longest flight.
+    HangTime,
+    /// As [`Hit`](Goal::Hit), round the obstacle of the bounds.
+    Curve(Vector3<f64>),
+    /// The path is level at a point, neither falling nor climbing there, and passes it as slowly as possible, as an aircraft
+    /// flares.
+    Flare(Vector3<f64>),
+    /// Of all throws that land at a point the one whose scatter of release spreads the landings least.
+    Spread(Vector3<f64>),
+}
+
+/// Name of each goal, in the order of [`Goal`].
+pub const GOALS: [&str; 6] = ["hit", "range", "hangtime", "curve", "flare", "spread"];
+
+/// Side on which an obstacle is passed, seen along the flight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The path is to the left of the obstacle.
+    Left,
+    /// The path is to the right of the obstacle.
+    Right,
+}
+
+impl Side {
+    /// 1 for left, −1 for right.
+    fn sign(self) -> f64 {
+        match self {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+        }
+    }
+
+    /// Name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Side::Left => "left",
+            Side::Right => "right",
+        }
+    }
+}
+
+/// Upright cylinder without an upper end that the path must not enter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Obstacle {
+    /// Axis, m.
+    pub place: Vector2<f64>,
+    /// Radius, m; what the body needs is part of it.
+    pub radius: f64,
+    /// Side on which it is passed; `None` leaves that open.
+    pub side: Option<Side>,
+}
+
+impl Goal {
+    /// Name in files and options.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Goal::Hit(_) => "hit",
+            Goal::Range => "range",
+            Goal::HangTime => "hangtime",
+            Goal::Curve(_) => "curve",
+            Goal::Flare(_) => "flare",
+            Goal::Spread(_) => "spread",
+        }
+    }
+
+    /// The point, of a goal that has one.
+    pub fn target(&self) -> Option<Vector3<f64>> {
+        match *self {
+            Goal::Hit(point) | Goal::Curve(point) | Goal::Flare(point) | Goal::Spread(point) => {
+                Some(point)
+            }
+            Goal::Range | Goal::HangTime => None,
+        }
+    }
+
+    /// Name and unit of the goal's own figure.
+    pub fn figure(&self) -> (&'static str, &'static str) {
+        match self {
+            Goal::Hit(_) | Goal::Curve(_) => ("distance from the target", "m"),
+            Goal::Range => ("range", "m"),
+            Goal::HangTime => ("time of flight", "s"),
+            Goal::Flare(_) => ("speed at the target", "m/s"),
+            Goal::Spread(_) => ("root mean square distance of landings from their mean", "m"),
+        }
+    }
+
+    /// Time at which the path is nearest to the goal's point; the end of the flight for a point on the ground and for a goal without
+    /// a point.
+    pub fn time(&self, path: &Path<'_>) -> f64 {
+        match self.target() {
+            Some(target) if target.z > 0.0 => {
+                let times = path.nearest_times(target, false);
+                let away = |t: &f64| (path.position(*t) - target).norm();
+                let nearest = times.into_iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+                nearest.unwrap_or_else(|| path.duration())
+            }
+            _ => path.duration(),
+        }
+    }
+
+    /// Constraints and figure of a flight; the derivatives are by what the path is differentiated by. The figure of
+    /// [`Spread`](Goal::Spread) is not the path's own and stays 0, that of [`Hit`](Goal::Hit) and [`Curve`](Goal::Curve) is left to
+    /// the constraints.
+    pub fn values(&self, path: &Path<'_>, obstacle: Option<(&Obstacle, Side)>) -> Values {
+        let landing = path.landing();
+        let columns = landing.time_by.len();
+        let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
+        let mut objective = (0.0, vec![0.0; columns]);
+        if let Some(target) = self.target() {
+            let t = self.time(path);
+            let is_end = t >= path.duration();
+            let point = path.point(t);
+            let time_by = if is_end {
+                landing.time_by.clone()
+            } else {
+                point.nearest_time_by(target)
+            };
+            let is_inside = t > 0.0;
+            let shift = |k: usize| if is_inside { time_by[k] } else { 0.0 };
+            let axes = if target.z > 0.0 { 3 } else { 2 };
+            for axis in 0..axes {
+                let by = (0..columns)
+                    .map(|k| point.position_by[k][axis] + point.velocity[axis] * shift(k));
+                rows.push((point.position[axis] - target[axis], by.collect()));
+            }
+            if let Goal::Flare(_) = self {
+                let by = |k: usize| point.velocity_by[k] + point.acceleration * shift(k);
+                rows.push((point.velocity.z, (0..columns).map(|k| by(k).z).collect()));
+                let speed = point.velocity.norm();
+                let along = point.velocity / speed;
+                objective = (speed, (0..columns).map(|k| by(k).dot(&along)).collect());
+            }
+        }
+        match self {
+            Goal::Range => {
+                let flat = Vector3::new(landing.position.x, landing.position.y, 0.0);
+                let along = flat.try_normalize(1e-9).unwrap_or_else(Vector3::x);
+                let by = landing.position_by.iter().map(|by| -by.dot(&along));
+                objective = (-flat.norm(), by.collect());
+            }
+            Goal::HangTime => {
+                objective = (
+                    -landing.time,
+                    landing.time_by.iter().map(|by| -by).collect(),
+                );
+            }
+            _ => {}
+        }
+        let mut margins = Vec::new();
+        if let Some((obstacle, side)) = obstacle {
+            margins.push(clearance(path, obstacle, side));
+        }
+        let stacked = |rows: &[(f64, Vec<f64>)]| {
+            let values = DVector::from_iterator(rows.len(), rows.iter().map(|row| row.0));
+            (
+                values,
+                DMatrix::from_fn(rows.len(), columns, |i, j| rows[i].1[j]),
+            )
+        };
+        let (equalities, equalities_by) = stacked(&rows);
+        let (margins, margins_by) = stacked(&margins);
+        Values {
+            objective: objective.0,
+            gradient: DVector::from_vec(objective.1),
+            equalities,
+            equalities_by,
+            margins,
+            margins_by,
+        }
+    }
+}
+
+/// Least distance to the chosen side by which the path clears an obstacle, m, negative where it does not; with derivatives. At a
+/// nearest approach the distance does not change with the time, so that the path at this time alone decides.
+fn clearance(path: &Path<'_>, obstacle: &Obstacle, side: Side) -> (f64, Vec<f64>) {
+    let place = Vector3::new(obstacle.place.x, obstacle.place.y, 0.0);
+    let passes = path.nearest_times(place, true).into_iter().map(|t| {
+        let point = path.point(t);
+        let left = Vector3::new(point.left().x, point.left().y, 0.0) * side.sign();
+        let aside = (point.position - place).dot(&left) - obstacle.radius;
+        (
+            aside,
+            point.position_by.iter().map(|by| by.dot(&left)).collect(),
+        )
+    });
+    // Every flight has a nearest approach, at its ends at least.
+    let least = passes.min_by(|a: &(f64, Vec<f64>), b| a.0.total_cmp(&b.0));
+    least.unwrap_or_default()
+}

@@ -1,0 +1,48 @@
+//! Throws for a purpose: the numbers of a release that hit a point, fly farthest or longest, round an obstacle, flare over a point or
+//! land with the least spread, within bounds.
+//!
+//! - [`ThrownBody`] is any model with a body, [`ThrowFlights`] its flights with given parameters. A [`Path`] has the derivatives of its
+//!   points, its landing and its nearest approaches by the numbers of the throw and by parameters.
+//! - [`design`](fn@design) searches for the throw that serves a [`Goal`] best within [`Bounds`]; a [`Design`] says whether it does, by how
+//!   much it misses, and what each number of the throw does.
+//! - [`spread`](fn@spread) is the distribution of landings from the scatter of release, wind and coefficients, linear and sampled.
+//!
+//! ```
+//! use design::{Bounds, Goal, SearchOptions, ThrownBody, design};
+//!
+//! let body = ThrownBody::new(model_spec::load::load("ball", &[])?)?;
+//! let flights = body.with_parameters(body.compiled.layout().default_parameters());
+//! let goal = Goal::Hit(nalgebra::Vector3::new(4.0, 1.0, 0.0));
+//! let found = design(&flights, goal, &Bounds::standard(&body), &SearchOptions::default())?;
+//! assert!(found.feasible && (found.landing.x - 4.0).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+#![forbid(unsafe_code)]
+
+mod bounds;
+mod box_quadratic;
+mod design;
+mod fly;
+mod goal;
+mod json;
+mod optimise;
+mod path;
+mod point;
+mod read_bounds;
+mod sensitivity;
+mod spread;
+mod throw_flight;
+
+pub use bounds::{Bounds, Scatter};
+pub use design::{Design, DesignError, SearchOptions, design, numbers};
+pub use goal::{GOALS, Goal, Obstacle, Side};
+pub use path::{Landing, Path};
+pub use point::Point;
+pub use read_bounds::BoundsError;
+pub use sensitivity::{OneUnit, Sensitivity, sensitivities};
+pub use spread::{
+    Agreement, Band, CoefficientErrors, Landings, QUANTILES, SampleOptions, Sampled, Scattered,
+    Spread, TOLERATED, landing_covariance, spread,
+};
+pub use throw_flight::{By, ThrowFlightError, ThrowFlights, ThrownBody};

@@ -1,0 +1,357 @@
+//! Parser of bounds files (TOML); it reports all faults of a file at once.
+
+use std::fmt;
+use std::ops::Range;
+use std::path::Path;
+
+use flight::throw::{FIELDS, Throw, ThrowError};
+use nalgebra::Vector2;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::bounds::Bounds;
+use crate::goal::{Obstacle, Side};
+use crate::throw_flight::ThrownBody;
+
+/// Maximum size of a bounds file, bytes.
+const MAX_FILE_BYTES: u64 = 1 << 20;
+
+/// Error for an invalid bounds file, with all of its faults.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BoundsError {
+    /// Name of the file.
+    pub file: String,
+    /// Line and column from 1, `None` for the whole file, with what was found and what was expected; at least one, in order.
+    pub faults: Vec<(Option<(usize, usize)>, String)>,
+}
+
+impl fmt::Display for BoundsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, (location, message)) in self.faults.iter().enumerate() {
+            let newline = if k > 0 { "\n" } else { "" };
+            match location {
+                Some((line, column)) => {
+                    write!(f, "{newline}{}:{line}:{column}: {message}", self.file)?
+                }
+                None => write!(f, "{newline}{}: {message}", self.file)?,
+            }
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for BoundsError {}
+
+impl Bounds {
+    /// Reads a bounds file; see [`Bounds::read`].
+    ///
+    /// # Errors
+    /// [`BoundsError`], also for a file that cannot be read, is no UTF-8 text or is larger than 1 MiB.
+    pub fn read_file(path: &Path, body: &ThrownBody) -> Result<Bounds, BoundsError> {
+        let file = path.display().to_string();
+        let refuse = |message: String| BoundsError {
+            file: file.clone(),
+            faults: vec![(None, message)],
+        };
+        let size = std::fs::metadata(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
+        if size.len() > MAX_FILE_BYTES {
+            let message = format!(
+                "has {} bytes; expected at most {MAX_FILE_BYTES}",
+                size.len()
+            );
+            return Err(refuse(message));
+        }
+        let text =
+            std::fs::read_to_string(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
+        Bounds::read(&file, &text, body)
+    }
+
+    /// Parses the text of a bounds file: what it states takes the place of [`Bounds::standard`]. `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`BoundsError`] with all faults of the file.
+    pub fn read(file: &str, text: &str, body: &ThrownBody) -> Result<Bounds, BoundsError> {
+        let mut reader = Reader {
+            text,
+            faults: Vec::new(),
+        };
+        let bounds = reader.bounds(body);
+        reader.faults.sort();
+        match bounds {
+            Some(bounds) if reader.faults.is_empty() => Ok(bounds),
+            _ => Err(BoundsError {
+                file: file.into(),
+                faults: reader.faults,
+            }),
+        }
+    }
+}
+
+type Value<'t> = Spanned<DeValue<'t>>;
+
+struct Reader<'t> {
+    text: &'t str,
+    faults: Vec<(Option<(usize, usize)>, String)>,
+}
+
+impl<'t> Reader<'t> {
+    fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
+        let before = &self.text[..self.text.floor_char_boundary(span.start)];
+        let line = before.matches('\n').count() + 1;
+        let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
+        self.faults.push((Some((line, column)), message.into()));
+    }
+
+    fn bounds(&mut self, body: &ThrownBody) -> Option<Bounds> {
+        let document = match DeTable::parse(self.text) {
+            Ok(document) => document,
+            Err(e) => {
+                let message = format!("this is no TOML: {}", e.message().replace('\n', "; "));
+                self.fault(e.span().unwrap_or(0..0), message);
+                return None;
+            }
+        };
+        let mut bounds = Bounds::standard(body);
+        for (key, value) in document.get_ref().iter() {
+            let (name, span) = (&**key.get_ref(), key.span());
+            match name {
+                "obstacle" => bounds.obstacle = self.obstacle(value),
+                "circle" => bounds.circle = self.circle(value).unwrap_or(bounds.circle),
+                "scatter" => self.scatter(value, body, &mut bounds),
+                _ => match self.field(name, span, body) {
+                    Some(field) => {
+                        if let Some((least, greatest)) = self.range(value, field) {
+                            bounds.set(name, least, greatest);
+                        }
+                    }
+                    None => continue,
+                },
+            }
+        }
+        Some(bounds)
+    }
+
+    /// Index of a number of the throw; a fault where there is none, or the body cannot have it.
+    fn field(&mut self, name: &str, span: Range<usize>, body: &ThrownBody) -> Option<usize> {
+        let Some(field) = FIELDS.iter().position(|(known, ..)| *known == name) else {
+            let names = FIELDS.map(|(name, ..)| name).join(", ");
+            let message =
+                format!("unknown key {name:?}; expected {names}, obstacle, circle or scatter");
+            self.fault(span, message);
+            return None;
+        };
+        if !body.fields().contains(&field) {
+            let model = &body.model.name;
+            let message = format!(
+                "found {name}, but the model {model} is a point mass, which has no attitude; expected speed, heading, launch \
+                 and height alone"
+            );
+            self.fault(span, message);
+            return None;
+        }
+        Some(field)
+    }
+
+    /// A range, or a number that is held.
+    fn range(&mut self, value: &Value<'t>, field: usize) -> Option<(f64, f64)> {
+        let (name, unit, ..) = FIELDS[field];
+        let (least, greatest) = match value.get_ref().as_array() {
+            None => {
+                let number = self.number(
+                    value,
+                    name,
+                    &format!("a number or a range in {unit}, as in [1, 2]"),
+                )?;
+                (number, number)
+            }
+            Some(items) => {
+                let items: Vec<&Value<'t>> = items.iter().collect();
+                let [least, greatest] = items[..] else {
+                    let message = format!(
+                        "{name} is a list of {}; expected the least and the greatest value, as in [1, 2]",
+                        items.len()
+                    );
+                    self.fault(value.span(), message);
+                    return None;
+                };
+                (
+                    self.number(least, name, "a number")?,
+                    self.number(greatest, name, "a number")?,
+                )
+            }
+        };
+        if least > greatest {
+            let message =
+                format!("{name} is from {least} to {greatest}; expected the least value first");
+            self.fault(value.span(), message);
+            return None;
+        }
+        for end in [least, greatest] {
+            let mut alone = Throw::at_speed(1.0);
+            alone.set(name, end);
+            if let Err(fault @ ThrowError::Range { .. }) = alone.check() {
+                self.fault(value.span(), fault.to_string());
+                return None;
+            }
+        }
+        Some((least, greatest))
+    }
+
+    fn obstacle(&mut self, value: &Value<'t>) -> Option<Obstacle> {
+        let names = ["x", "y", "radius", "side"];
+        let table = self.table(value, "obstacle", &names)?;
+        let mut numbers = [None; 3];
+        for (slot, name) in numbers.iter_mut().zip(names) {
+            match table.get(name) {
+                Some(value) => *slot = self.number(value, name, "a number of metres"),
+                None => {
+                    let message =
+                        format!("found no {name} in [obstacle]; expected x, y and radius, m");
+                    self.fault(value.span(), message);
+                }
+            }
+        }
+        let side = match table.get("side") {
+            None => None,
+            Some(value) => match value.get_ref().as_str() {
+                Some("left") => Some(Side::Left),
+                Some("right") => Some(Side::Right),
+                _ => {
+                    self.fault(value.span(), "side is something else; expected \"left\" or \"right\", or none for either");
+                    None
+                }
+            },
+        };
+        let [x, y, radius] = numbers;
+        let (x, y, radius) = (x?, y?, radius?);
+        if radius <= 0.0 {
+            let message =
+                format!("the radius of the obstacle is {radius}; expected a number above 0");
+            self.fault(value.span(), message);
+            return None;
+        }
+        Some(Obstacle {
+            place: Vector2::new(x, y),
+            radius,
+            side,
+        })
+    }
+
+    fn circle(&mut self, value: &Value<'t>) -> Option<f64> {
+        let table = self.table(value, "circle", &["radius"])?;
+        let Some(radius) = table.get("radius") else {
+            self.fault(
+                value.span(),
+                "found no radius in [circle]; expected radius = … (m)",
+            );
+            return None;
+        };
+        let number = self.number(radius, "radius", "a number of metres")?;
+        if number <= 0.0 {
+            self.fault(
+                radius.span(),
+                format!("the radius is {number}; expected a number above 0"),
+            );
+            return None;
+        }
+        Some(number)
+    }
+
+    fn scatter(&mut self, value: &Value<'t>, body: &ThrownBody, bounds: &mut Bounds) {
+        let mut names: Vec<&str> = FIELDS.map(|(name, ..)| name).to_vec();
+        names.push("wind");
+        let Some(table) = self.table(value, "scatter", &names) else {
+            return;
+        };
+        bounds.scatter.release.clear();
+        for (key, value) in table.iter() {
+            let name = &**key.get_ref();
+            if name == "wind" {
+                let items: Vec<&Value<'t>> = value
+                    .get_ref()
+                    .as_array()
+                    .map(|a| a.iter().collect())
+                    .unwrap_or_default();
+                if items.len() != 3 {
+                    self.fault(
+                        value.span(),
+                        "wind has other than three standard deviations; expected [x, y, z], m/s",
+                    );
+                    continue;
+                }
+                for (k, item) in items.into_iter().enumerate() {
+                    bounds.scatter.wind[k] = self.deviation(item, "wind").unwrap_or(0.0);
+                }
+            } else if names.contains(&name)
+                && let Some(field) = self.field(name, key.span(), body)
+                && let Some(sd) = self.deviation(value, name)
+            {
+                bounds.scatter.release.push((field, sd));
+            }
+        }
+        bounds.scatter.release.sort_by_key(|(field, _)| *field);
+    }
+
+    fn deviation(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
+        let sd = self.number(value, name, "a standard deviation")?;
+        if sd < 0.0 {
+            self.fault(
+                value.span(),
+                format!("the standard deviation of {name} is {sd}; expected 0 or a number above"),
+            );
+            return None;
+        }
+        Some(sd)
+    }
+
+    fn table<'d>(
+        &mut self,
+        value: &'d Value<'t>,
+        key: &str,
+        names: &[&str],
+    ) -> Option<&'d DeTable<'t>> {
+        let Some(table) = value.get_ref().as_table() else {
+            self.fault(
+                value.span(),
+                format!("{key} is no table; expected one, as in [{key}]"),
+            );
+            return None;
+        };
+        for own in table.keys() {
+            if !names.contains(&&**own.get_ref()) {
+                let message = format!(
+                    "unknown key {:?} in [{key}]; expected {}",
+                    own.get_ref(),
+                    names.join(", ")
+                );
+                self.fault(own.span(), message);
+            }
+        }
+        Some(table)
+    }
+
+    fn number(&mut self, value: &Value<'t>, name: &str, expected: &str) -> Option<f64> {
+        let number = match value.get_ref() {
+            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+                .ok()
+                .map(|i| i as f64),
+            _ => None,
+        };
+        match number.filter(|number| number.is_finite()) {
+            Some(number) => Some(number),
+            None => {
+                let found = match value.get_ref() {
+                    DeValue::Float(float) => float.as_str().to_owned(),
+                    DeValue::Integer(integer) => integer.as_str().to_owned(),
+                    other => format!("a {}", other.type_str()),
+                };
+                self.fault(
+                    value.span(),
+                    format!("{name} is {found}; expected {expected}"),
+                );
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Spread to first order: J Σ Jᵀ with the exact derivatives J of the landing place.
+
+use flight::throw::Throw;
+use nalgebra::{DMatrix, Matrix2, Vector2};
+use ode::IntegrationOptions;
+
+use super::scattered::Scattered;
+use crate::bounds::Scatter;
+use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
+
+/// Distribution of landing places over the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landings {
+    /// Mean, m.
+    pub mean: Vector2<f64>,
+    /// Covariance, m².
+    pub covariance: Matrix2<f64>,
+}
+
+impl Landings {
+    /// Half axes (m, the longer first) of the ellipse that a fraction of a normal distribution is inside of, and the direction of the
+    /// longer one from +x to the left, rad.
+    pub fn ellipse(&self, fraction: f64) -> (f64, f64, f64) {
+        let eigen = self.covariance.symmetric_eigen();
+        let (long, short) = match eigen.eigenvalues[0] >= eigen.eigenvalues[1] {
+            true => (0, 1),
+            false => (1, 0),
+        };
+        let scale = -2.0 * (1.0 - fraction).ln();
+        let half = |k: usize| (scale * eigen.eigenvalues[k].max(0.0)).sqrt();
+        let axis = eigen.eigenvectors.column(long);
+        (half(long), half(short), axis.y.atan2(axis.x))
+    }
+}
+
+/// Covariance of the landing place (x, y), m², to first order in the scatter of release and wind.
+///
+/// # Errors
+/// [`ThrowFlightError`]
+pub fn landing_covariance(
+    flights: &ThrowFlights<'_>,
+    throw: &Throw,
+    near: Option<&[f64]>,
+    scatter: &Scatter,
+    options: &IntegrationOptions,
+) -> Result<Matrix2<f64>, ThrowFlightError> {
+    let scattered = Scattered::of(flights, scatter);
+    Ok(linear(flights, throw, near, &scattered, options)?.covariance)
+}
+
+/// Landing places to first order in what is scattered.
+pub(super) fn linear(
+    flights: &ThrowFlights<'_>,
+    throw: &Throw,
+    near: Option<&[f64]>,
+    scattered: &Scattered,
+    options: &IntegrationOptions,
+) -> Result<Landings, ThrowFlightError> {
+    let by: &[By] = &scattered.by;
+    let landing = flights
+        .fly_with_derivatives(throw, near, by, options)?
+        .landing();
+    let moved = DMatrix::from_fn(2, by.len(), |i, j| landing.position_by[j][i]);
+    let covariance = &moved * &scattered.covariance * moved.transpose();
+    Ok(Landings {
+        mean: landing.position.xy(),
+        covariance: covariance.fixed_view::<2, 2>(0, 0).into_owned(),
+    })
+}

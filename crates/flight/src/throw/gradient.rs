@@ -1,0 +1,172 @@
+//! Derivatives of the motion at release by the numbers of a throw, and of the states that have this motion.
+//!
+//! The state s has the motion of the throw θ: M(s) = W(θ), hence ∂M/∂s · ds/dθ = ∂W/∂θ. The right side is written out below;
+//! ∂M/∂s is a central difference of sixth order of the compiled motion, whose error is that of rounding.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use super::motion::{BoundMotion, Motion};
+use super::{FIELDS, RPM, Throw};
+
+/// Step of the difference formula, rad or the unit of a state: the motion is linear in speeds and rates and a polynomial of sines and
+/// cosines in angles.
+const STEP: f64 = 0.01;
+/// Weights of the differences over 1, 2 and 3 steps.
+const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
+/// Ratio of singular values below which a direction of the state does not move the body, as the length of a quaternion.
+const RANK_TOLERANCE: f64 = 1e-9;
+
+impl BoundMotion<'_> {
+    /// Jacobian of the motion by the states. Rows: position, velocity, and for a body with attitude its three axes and its
+    /// angular velocity, three components each in the inertial frame.
+    pub fn jacobian(&self, state: &[f64]) -> DMatrix<f64> {
+        let rows = stacked(&self.motion(state)).len();
+        let mut jacobian = DMatrix::zeros(rows, state.len());
+        let mut moved = state.to_vec();
+        for (column, &own) in state.iter().enumerate() {
+            let mut at = |offset: f64| {
+                moved[column] = own + offset;
+                let motion = stacked(&self.motion(&moved));
+                moved[column] = own;
+                motion
+            };
+            let mut slope = DVector::zeros(rows);
+            for (k, weight) in WEIGHTS.into_iter().enumerate() {
+                let offset = (k + 1) as f64 * STEP;
+                slope += (at(offset) - at(-offset)) * (weight / STEP);
+            }
+            jacobian.set_column(column, &slope);
+        }
+        jacobian
+    }
+
+    /// Derivatives of the state by the numbers of the throw that it has: states × [`FIELDS`], in the unit of each state per
+    /// unit of each number. Columns of numbers that a body without attitude does not have are 0.
+    pub fn state_by_throw(&self, throw: &Throw, state: &[f64]) -> DMatrix<f64> {
+        let motion = self.motion(state);
+        // Rates in body axes for one rad/s of spin, and their derivative by the wobble, 1/rad.
+        let turning = motion.turning.as_ref();
+        let unit = turning.map(|_| self.rates_of_spin(throw, state));
+        let course = throw.course();
+        let up = Vector3::z();
+        let axes = throw.attitude();
+        let turns = [
+            ("heading", up),
+            ("launch", -(course * Vector3::y())),
+            ("hyzer", -(course * Vector3::x())),
+            ("nose", -(axes * Vector3::y())),
+        ];
+        let per_degree = 1f64.to_radians();
+        let mut wanted = DMatrix::zeros(stacked(&motion).len(), FIELDS.len());
+        for (column, (name, ..)) in FIELDS.into_iter().enumerate() {
+            let mut change = Change::default();
+            match name {
+                "speed" => change.velocity = motion.velocity / throw.speed,
+                "height" => change.position = up,
+                "spin" => {
+                    if let Some((rates, _)) = unit {
+                        change.rates = axes * rates * -RPM;
+                    }
+                }
+                "wobble" => {
+                    if let Some((_, slope)) = unit {
+                        let spin = -throw.spin.unwrap_or(0.0) * RPM;
+                        change.rates = axes * slope * (spin * per_degree);
+                    }
+                }
+                _ => {
+                    let turn = turns.iter().find(|(turn, _)| *turn == name);
+                    let about = turn.map_or(Vector3::zeros(), |(_, axis)| axis * per_degree);
+                    if name == "heading" || name == "launch" {
+                        change.velocity = about.cross(&motion.velocity);
+                    }
+                    if let Some(turning) = &motion.turning {
+                        change.axes =
+                            [0, 1, 2].map(|k| about.cross(&turning.axes.column(k).into_owned()));
+                        change.rates = about.cross(&turning.rates);
+                    }
+                }
+            }
+            let rows = change.stacked(motion.turning.is_some());
+            wanted.set_column(column, &rows);
+        }
+        self.states_moved(state, &wanted)
+    }
+
+    /// Least changes of the state that change the motion as the columns say (rows as of [`jacobian`](Self::jacobian)).
+    pub fn states_moved(&self, state: &[f64], wanted: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut jacobian = self.jacobian(state);
+        let mut wanted = wanted.clone();
+        for added in &self.model.added {
+            jacobian.column_mut(*added).fill(0.0);
+        }
+        if self.model.is_revolution {
+            // The first two axes are not the body's own.
+            for row in 6..12 {
+                jacobian.row_mut(row).fill(0.0);
+                wanted.row_mut(row).fill(0.0);
+            }
+        }
+        let svd = jacobian.svd(true, true);
+        let largest = svd.singular_values.max();
+        svd.solve(&wanted, RANK_TOLERANCE * largest)
+            .unwrap_or_else(|_| DMatrix::zeros(state.len(), wanted.ncols()))
+    }
+
+    /// Angular velocity in body axes for a spin of 1 rad/s about the third, with the wobble of the throw, and its derivative by
+    /// the wobble, 1/rad.
+    fn rates_of_spin(&self, throw: &Throw, state: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
+        let axes = throw.attitude();
+        let wobble = throw.wobble.unwrap_or(0.0).to_radians();
+        let inertia = self
+            .inertia(state)
+            .unwrap_or_else(nalgebra::Matrix3::identity);
+        let own = axes.inverse().matrix() * inertia * axes.matrix();
+        let inverse = own
+            .try_inverse()
+            .unwrap_or_else(nalgebra::Matrix3::identity);
+        let along = inverse * Vector3::new(wobble.sin(), 0.0, wobble.cos());
+        let slope = inverse * Vector3::new(wobble.cos(), 0.0, -wobble.sin());
+        let rates = along / along.z;
+        (rates, (slope - rates * slope.z) / along.z)
+    }
+}
+
+/// Change of a motion.
+#[derive(Default)]
+struct Change {
+    position: Vector3<f64>,
+    velocity: Vector3<f64>,
+    axes: [Vector3<f64>; 3],
+    rates: Vector3<f64>,
+}
+
+impl Change {
+    fn stacked(&self, has_attitude: bool) -> DVector<f64> {
+        let mut all = vec![self.position, self.velocity];
+        if has_attitude {
+            all.extend(self.axes);
+            all.push(self.rates);
+        }
+        DVector::from_iterator(3 * all.len(), all.iter().flat_map(|v| v.iter().copied()))
+    }
+}
+
+/// Components of a motion, in the order of the rows of [`BoundMotion::jacobian`].
+fn stacked(motion: &Motion) -> DVector<f64> {
+    let change = Change {
+        position: motion.position,
+        velocity: motion.velocity,
+        axes: motion
+            .turning
+            .as_ref()
+            .map_or_else(Default::default, |turning| {
+                [0, 1, 2].map(|k| turning.axes.column(k).into_owned())
+            }),
+        rates: motion
+            .turning
+            .as_ref()
+            .map_or(Vector3::zeros(), |turning| turning.rates),
+    };
+    change.stacked(motion.turning.is_some())
+}

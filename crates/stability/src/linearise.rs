@@ -1,0 +1,215 @@
+//! Linearised motion of a body about a state, in coordinates that do not depend on the model's: displacement and change of velocity
+//! (inertial axes), small rotation φ and change of angular velocity.
+//!
+//! The model's states s have the motion y = Y(s). With ẏ = Y′(s) f(s), a change δs moves ẏ by (Y′ J + Y″ f) δs, J = ∂f/∂s exact;
+//! the rows of acceleration and angular acceleration are taken from there, the kinematic ones are written: δṗ = δv and
+//! φ̇ = ω × φ + δω. Whatever chart a model uses, the same body has the same matrix.
+
+use flight::throw::{Motion, ThrowError, ThrownModel};
+use flight::{BoundModel, CompiledModel};
+use model_spec::model::Model;
+use nalgebra::{DMatrix, Matrix3, Vector3};
+use ode::{DifferentiableRhs, OdeRhs};
+
+/// Step along the flight of the differences for Y″ f, s, and their weights (sixth order).
+const STEP: f64 = 1e-4;
+const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
+
+/// Reason why a body has no linearised motion.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StabilityError {
+    /// No state of the model has a motion that was asked for.
+    #[error(transparent)]
+    Throw(#[from] ThrowError),
+    /// A point mass does not turn.
+    #[error("the model {model} is a point mass, which has no attitude; expected a rigid body")]
+    PointMass {
+        /// Name of the model.
+        model: String,
+    },
+    /// The derivative is not finite.
+    #[error(
+        "the linearised motion is not finite there; expected a state within the model's limits"
+    )]
+    NotFinite,
+}
+
+/// A rigid body, compiled for its linearisation.
+pub struct Body {
+    /// The model.
+    pub model: Model,
+    /// Its functions.
+    pub compiled: CompiledModel,
+    /// The motion of its body.
+    pub thrown: ThrownModel,
+}
+
+impl Body {
+    /// Compiles a model.
+    ///
+    /// # Errors
+    /// [`StabilityError::Throw`] for a model without a body, [`StabilityError::PointMass`].
+    pub fn new(model: Model) -> Result<Body, StabilityError> {
+        let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
+        if !thrown.has_attitude() {
+            return Err(StabilityError::PointMass {
+                model: model.name.clone(),
+            });
+        }
+        Ok(Body {
+            model,
+            compiled,
+            thrown,
+        })
+    }
+
+    /// The body with values of its parameters, in the order of the model's layout.
+    pub fn with_parameters(&self, parameters: Vec<f64>) -> BoundBody<'_> {
+        BoundBody {
+            body: self,
+            bound: self.compiled.bind(parameters.clone()),
+            parameters,
+        }
+    }
+}
+
+/// A body with values of its parameters.
+pub struct BoundBody<'b> {
+    /// The body.
+    pub body: &'b Body,
+    bound: BoundModel<'b>,
+    /// Parameters in the order of the model's layout.
+    pub parameters: Vec<f64>,
+}
+
+/// Motion of a body at a state with its rates and their derivatives, in inertial axes.
+#[derive(Clone, Debug)]
+pub struct Linearised {
+    /// Motion at the state.
+    pub motion: Motion,
+    /// The body's third axis.
+    pub axis: Vector3<f64>,
+    /// Angular velocity, rad/s.
+    pub rates: Vector3<f64>,
+    /// Acceleration, m/s².
+    pub acceleration: Vector3<f64>,
+    /// Angular acceleration, rad/s².
+    pub angular_acceleration: Vector3<f64>,
+    /// Moment of inertia about the third axis, and the mean of those across, kg m².
+    pub inertia: (f64, f64),
+    /// d/dt of (displacement, change of velocity, small rotation, change of angular velocity) by the same: 12 × 12.
+    pub matrix: DMatrix<f64>,
+}
+
+impl BoundBody<'_> {
+    /// Linearises the motion about a state at a time, s.
+    ///
+    /// # Errors
+    /// [`StabilityError::NotFinite`]
+    pub fn linearise(&self, t: f64, state: &[f64]) -> Result<Linearised, StabilityError> {
+        let thrown = &self.body.thrown;
+        let n = state.len();
+        let mut rhs = self.bound.differentiable_rhs();
+        let mut f = vec![0.0; n];
+        let mut entries = vec![0.0; rhs.jacobian_pattern().len()];
+        let mut by_parameter = vec![0.0; rhs.parameter_jacobian_pattern().len()];
+        rhs.derivative_with_jacobians(t, state, &mut f, &mut entries, &mut by_parameter);
+        let mut jacobian = DMatrix::zeros(n, n);
+        for ((row, column), value) in rhs.jacobian_pattern().iter().zip(&entries) {
+            jacobian[(*row, *column)] += value;
+        }
+        let by_state = thrown.motion_jacobian(state, &self.parameters);
+        // Y″ f: how Y′ changes along the flight.
+        let along = |h: f64| {
+            let moved: Vec<f64> = state.iter().zip(&f).map(|(x, f)| x + h * f).collect();
+            thrown.motion_jacobian(&moved, &self.parameters)
+        };
+        let mut bend = DMatrix::zeros(by_state.nrows(), n);
+        for (k, weight) in WEIGHTS.into_iter().enumerate() {
+            let h = (k + 1) as f64 * STEP;
+            bend += (along(h) - along(-h)) * (weight / STEP);
+        }
+        let rates_by_state = &by_state * &jacobian + bend;
+        let motion = thrown.motion(state, &self.parameters);
+        let turning = motion.turning.as_ref().ok_or(StabilityError::NotFinite)?;
+        let (axes, rates) = (turning.axes, turning.rates);
+        // Changes of the motion along the twelve coordinates, and the states that make them.
+        let mut changes = DMatrix::zeros(by_state.nrows(), 12);
+        for k in 0..3 {
+            changes[(k, k)] = 1.0;
+            changes[(3 + k, 3 + k)] = 1.0;
+            let about = Vector3::ith(k, 1.0);
+            for axis in 0..3 {
+                let turned = about.cross(&axes.column(axis).into_owned());
+                changes
+                    .fixed_view_mut::<3, 1>(6 + 3 * axis, 6 + k)
+                    .copy_from(&turned);
+            }
+            changes[(15 + k, 9 + k)] = 1.0;
+        }
+        let states = thrown.states_moved(state, &self.parameters, &changes);
+        let moved = rates_by_state * states;
+        let mut matrix = DMatrix::zeros(12, 12);
+        matrix
+            .view_mut((0, 3), (3, 3))
+            .copy_from(&Matrix3::identity());
+        matrix
+            .view_mut((3, 0), (3, 12))
+            .copy_from(&moved.view((3, 0), (3, 12)));
+        matrix
+            .view_mut((6, 6), (3, 3))
+            .copy_from(&rates.cross_matrix());
+        matrix
+            .view_mut((6, 9), (3, 3))
+            .copy_from(&Matrix3::identity());
+        matrix
+            .view_mut((9, 0), (3, 12))
+            .copy_from(&moved.view((15, 0), (3, 12)));
+        if matrix.iter().any(|v| !v.is_finite()) {
+            return Err(StabilityError::NotFinite);
+        }
+        let change = &by_state * nalgebra::DVector::from_column_slice(&f);
+        let part = |row: usize| Vector3::new(change[row], change[row + 1], change[row + 2]);
+        let axis = axes.column(2).into_owned();
+        let inertia = thrown
+            .inertia(state, &self.parameters)
+            .unwrap_or_else(Matrix3::identity);
+        let about = axis.dot(&(inertia * axis));
+        Ok(Linearised {
+            axis,
+            rates,
+            acceleration: part(3),
+            angular_acceleration: part(15),
+            inertia: (about, 0.5 * (inertia.trace() - about)),
+            matrix,
+            motion,
+        })
+    }
+
+    /// Acceleration (m/s²) and angular acceleration (rad/s²) in inertial axes at a state; `None` where they are not finite.
+    pub fn accelerations(&self, state: &[f64]) -> Option<(Vector3<f64>, Vector3<f64>)> {
+        let mut f: Box<[f64]> = vec![0.0; state.len()].into();
+        self.bound.rhs().derivative(0.0, &state.into(), &mut f);
+        let thrown = &self.body.thrown;
+        // Along the flight the motion changes as its differences do; velocities and rates depend smoothly on the state.
+        let at = |h: f64| {
+            let moved: Vec<f64> = state.iter().zip(&f).map(|(x, f)| x + h * f).collect();
+            thrown.motion(&moved, &self.parameters)
+        };
+        let (mut acceleration, mut angular) = (Vector3::zeros(), Vector3::zeros());
+        for (k, weight) in WEIGHTS.into_iter().enumerate() {
+            let h = (k + 1) as f64 * STEP;
+            let (up, down) = (at(h), at(-h));
+            acceleration += (up.velocity - down.velocity) * (weight / STEP);
+            angular += (up.turning?.rates - down.turning?.rates) * (weight / STEP);
+        }
+        let mut all = acceleration.iter().chain(&angular);
+        all.all(|v| v.is_finite())
+            .then_some((acceleration, angular))
+    }
+
+    /// Right-hand side of the model, for flights.
+    pub fn bound(&self) -> &BoundModel<'_> {
+        &self.bound
+    }
+}

@@ -1,0 +1,224 @@
+//! Modes of the linearised motion: eigenvalues of what is left when coordinates that nothing depends on are taken out, named by what
+//! moves in them.
+
+use nalgebra::{Complex, DMatrix, DVector, Vector3};
+
+use crate::linearise::Linearised;
+
+/// Part of the matrix' size below which a column counts as 0: nothing depends on the coordinate.
+const IGNORABLE: f64 = 1e-9;
+
+/// What moves most in a mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModeKind {
+    /// The axis circles at about (I_a/I_d) times the spin: a wobble.
+    Nutation,
+    /// The axis swings without the spin's stiffness: a pitching or coning of a body that spins little or not at all.
+    ShortPeriod,
+    /// The angle of attack decays, or grows, without oscillation, as lift turns the path.
+    Incidence,
+    /// Axis and path wander together, slower than the nutation: the precession of a body in its stream.
+    Precession,
+    /// Speed and climb exchange, slowly.
+    Phugoid,
+    /// Speed alone, without oscillation.
+    Speed,
+    /// The spin alone.
+    Spin,
+    /// The heading turns: nothing resists.
+    Heading,
+}
+
+impl ModeKind {
+    /// Name in tables and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            ModeKind::Nutation => "nutation",
+            ModeKind::ShortPeriod => "short period",
+            ModeKind::Incidence => "incidence",
+            ModeKind::Precession => "precession",
+            ModeKind::Phugoid => "phugoid",
+            ModeKind::Speed => "speed",
+            ModeKind::Spin => "spin",
+            ModeKind::Heading => "heading",
+        }
+    }
+}
+
+/// A mode: an eigenvalue, or a conjugate pair of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// Eigenvalue, 1/s; of a pair the one with a positive imaginary part.
+    pub value: Complex<f64>,
+    /// What moves most in it.
+    pub kind: ModeKind,
+    /// Parts of its motion, adding up to 1: of the axis, the path's direction, the speed, the spin.
+    pub shares: [f64; 4],
+}
+
+impl Mode {
+    /// Frequency of the oscillation, rad/s.
+    pub fn frequency(&self) -> f64 {
+        self.value.im.abs()
+    }
+
+    /// Rate of decay, 1/s; negative of a mode that grows.
+    pub fn decay(&self) -> f64 {
+        -self.value.re
+    }
+
+    /// Damping ratio −Re/|λ|; 1 for a decaying mode without oscillation, 0 for a neutral one.
+    pub fn damping_ratio(&self) -> f64 {
+        match self.value.norm() {
+            // Neutral: its sign is that of rounding.
+            size if size < 1e-8 => 0.0,
+            size => -self.value.re / size,
+        }
+    }
+}
+
+/// Modes of a body about a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// Modes, fastest first.
+    pub modes: Vec<Mode>,
+    /// Names of coordinates that nothing depends on, which are taken out.
+    pub ignorable: Vec<&'static str>,
+    /// Whether the turn about the body's axis is one of them. Where it is not, a spinning body's linearised motion changes with
+    /// every turn, and its eigenvalues at an instant say little.
+    pub is_symmetric: bool,
+}
+
+/// Modes of a linearised motion in axes that turn about the vertical at `turn`, rad/s: 0 for a flight's own instant, the rate of
+/// its heading for a steady turn.
+pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
+    let n = linearised.axis;
+    // Coordinates: displacement 3, velocity 3, tilt of the axis 2, turn about it 1, angular velocity 3.
+    let first = match n.cross(&Vector3::z()).norm() > 0.5 {
+        true => Vector3::z(),
+        false => linearised
+            .motion
+            .velocity
+            .cross(&n)
+            .try_normalize(1e-9)
+            .unwrap_or_else(Vector3::x),
+    };
+    let across = (first - n * n.dot(&first)).normalize();
+    let other = n.cross(&across);
+    let mut basis = DMatrix::identity(12, 12);
+    for (k, axis) in [across, other, n].into_iter().enumerate() {
+        basis.view_mut((6, 6 + k), (3, 1)).copy_from(&axis);
+    }
+    let names = ["x", "y", "z", "", "", "", "", "", "turn about the axis"];
+    let still = basis.transpose() * &linearised.matrix * &basis;
+    let size = still.norm();
+    let mut kept: Vec<usize> = (0..12).collect();
+    let mut ignorable = Vec::new();
+    for place in [0, 1, 2, 8] {
+        // That a turn about the axis goes along with the axis, as the rows of the rotation say, is no dependence on it.
+        let rows = kept
+            .iter()
+            .filter(|row| **row != place && (place < 3 || !(6..9).contains(*row)));
+        let column = rows.map(|row| still[(*row, place)].abs());
+        if column.fold(0.0, f64::max) < IGNORABLE * size {
+            kept.retain(|k| *k != place);
+            ignorable.push(names[place]);
+        }
+    }
+    let mut matrix = linearised.matrix.clone();
+    let about = Vector3::new(0.0, 0.0, turn).cross_matrix();
+    for block in 0..4 {
+        let mut part = matrix.view_mut((3 * block, 3 * block), (3, 3));
+        part -= about;
+    }
+    let matrix = basis.transpose() * matrix * &basis;
+    let m = kept.len();
+    let reduced = DMatrix::from_fn(m, m, |i, j| matrix[(kept[i], kept[j])]);
+    let values = reduced.complex_eigenvalues();
+    let speed = linearised.motion.velocity.norm().max(1e-6);
+    let spin = linearised.rates.dot(&n);
+    let along = linearised.motion.velocity / speed;
+    let complex = reduced.map(|v| Complex::new(v, 0.0));
+    let mut modes: Vec<Mode> = Vec::new();
+    for value in values.iter().filter(|value| value.im >= 0.0) {
+        let vector = eigenvector(&complex, *value);
+        let full = |place: usize| {
+            kept.iter()
+                .position(|k| *k == place)
+                .map_or(Complex::default(), |k| vector[k])
+        };
+        let velocity = [full(3), full(4), full(5)];
+        let lengthwise: Complex<f64> = (0..3).map(|k| velocity[k] * along[k]).sum();
+        let all: f64 = velocity.iter().map(|v| v.norm_sqr()).sum();
+        let rates: Complex<f64> = (0..3).map(|k| full(9 + k) * n[k]).sum();
+        let parts = [
+            full(6).norm_sqr() + full(7).norm_sqr(),
+            (all - lengthwise.norm_sqr()).max(0.0) / (speed * speed),
+            lengthwise.norm_sqr() / (speed * speed),
+            rates.norm_sqr() / spin.powi(2).max(1.0),
+        ];
+        let whole: f64 = parts.iter().sum::<f64>().max(1e-300);
+        modes.push(Mode {
+            value: *value,
+            kind: ModeKind::Precession,
+            shares: parts.map(|part| part / whole),
+        });
+    }
+    modes.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
+    let gyroscopic = (linearised.inertia.0 / linearised.inertia.1 * spin).abs();
+    name(&mut modes, gyroscopic, size);
+    Modes {
+        is_symmetric: ignorable.contains(&"turn about the axis"),
+        ignorable,
+        modes,
+    }
+}
+
+/// Names modes by what moves in them; `gyroscopic` is the nutation's frequency without a stream, rad/s.
+fn name(modes: &mut [Mode], gyroscopic: f64, size: f64) {
+    let (mut has_nutation, mut has_incidence) = (false, false);
+    for mode in modes {
+        let [axis, path, speed, spin] = mode.shares;
+        let oscillates = mode.frequency() > 1e-9 * size;
+        let is_fast = mode.frequency() > 0.5 * gyroscopic && axis > 0.5;
+        mode.kind = if spin > 0.9 {
+            ModeKind::Spin
+        } else if mode.value.norm() < 1e-8 * size {
+            ModeKind::Heading
+        } else if is_fast && oscillates && !has_nutation {
+            has_nutation = true;
+            if gyroscopic > 0.2 * mode.frequency() {
+                ModeKind::Nutation
+            } else {
+                ModeKind::ShortPeriod
+            }
+        } else if !oscillates && !has_incidence && axis + path > 0.8 {
+            has_incidence = true;
+            ModeKind::Incidence
+        } else if oscillates && speed > 0.1 && speed + path > axis {
+            ModeKind::Phugoid
+        } else if speed > 0.5 {
+            ModeKind::Speed
+        } else {
+            ModeKind::Precession
+        };
+    }
+}
+
+/// Right eigenvector of a matrix by inverse iteration near an eigenvalue.
+fn eigenvector(matrix: &DMatrix<Complex<f64>>, value: Complex<f64>) -> DVector<Complex<f64>> {
+    let n = matrix.nrows();
+    let offset = Complex::new(1e-9 * (1.0 + value.norm()), 0.7e-9 * (1.0 + value.norm()));
+    let shifted = matrix - DMatrix::identity(n, n) * (value + offset);
+    let factor = shifted.lu();
+    let mut vector = DVector::from_fn(n, |i, _| Complex::new(1.0 + 0.1 * i as f64, 0.3));
+    for _ in 0..4 {
+        if let Some(next) = factor.solve(&vector) {
+            let size = next.norm();
+            if size.is_finite() && size > 0.0 {
+                vector = next / Complex::new(size, 0.0);
+            }
+        }
+    }
+    vector
+}

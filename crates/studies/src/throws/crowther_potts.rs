@@ -1,0 +1,200 @@
+//! W. J. Crowther and J. R. Potts, "Simulation of a spin-stabilised sports disc", Sports Engineering 10 (2007) 3: their statements on
+//! launches, with the coefficients of the model `disc` and with those of their wind tunnel.
+
+use design::{Path, ThrowFlights, ThrownBody};
+use flight::throw::Throw;
+use ode::IntegrationOptions;
+use serde::Serialize;
+
+use crate::error::StudyError;
+
+/// Speed (m/s) and advance ratio r d/2V of the launches.
+const SPEED: f64 = 20.0;
+const ADVANCE: f64 = 0.5;
+
+/// What one set of coefficients gives.
+#[derive(Clone, Debug, Serialize)]
+pub struct Launches {
+    /// Name of the coefficients.
+    pub name: &'static str,
+    /// Pitch at launch of the longest range and of the longest time, deg, with path and plane pitched together.
+    pub along: (f64, f64),
+    /// As `along`, of a level path: the pitch is the angle of attack.
+    pub level: (f64, f64),
+    /// Tilt at launch (hyzer, deg) of the flight that departs least from its line, and by how much, m.
+    pub straightest: (f64, f64),
+    /// Landings over the tilt: hyzer deg, x and y m.
+    pub landings: Vec<(f64, f64, f64)>,
+    /// Number of turns of the locus of landings, from one side to the other: 1 for an S.
+    pub inflections: usize,
+    /// Advance ratio and mean curvature of the path over the ground, 1/m.
+    pub curvature: Vec<(f64, f64)>,
+}
+
+/// Runs the launches with both sets of coefficients.
+pub fn launches() -> Result<Vec<Launches>, StudyError> {
+    let tunnel = [
+        // Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag about -4 degrees, pitching moment nose-up positive there.
+        ("C_L0", 0.20),
+        ("C_La", 2.96),
+        ("C_D0", 0.08),
+        ("C_Da", 2.72),
+        ("alpha_0", -0.0698),
+        ("C_M0", 0.02),
+        ("C_Ma", -0.13),
+        ("C_Mq", -1e-4),
+        ("C_Rr", 0.0),
+    ];
+    let effects = ["constant_pitching_moment", "zero_lift_drag_angle"];
+    Ok(vec![
+        of("the model's own", &effects, &[])?,
+        of("of the wind tunnel", &effects, &tunnel)?,
+        of(
+            "of the wind tunnel, with the model's own pitching moment",
+            &effects,
+            &own_pitch(&tunnel),
+        )?,
+    ])
+}
+
+/// The coefficients without those of the pitching moment.
+fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
+    all.iter()
+        .filter(|(name, _)| !["C_M0", "C_Ma"].contains(name))
+        .copied()
+        .collect()
+}
+
+fn of(
+    name: &'static str,
+    effects: &[&str],
+    values: &[(&str, f64)],
+) -> Result<Launches, StudyError> {
+    let body = ThrownBody::new(model_spec::load::load("disc", effects)?)?;
+    let layout = body.compiled.layout();
+    let mut parameters = layout.default_parameters();
+    for (coefficient, value) in values {
+        if let Some(place) = layout.parameter(coefficient) {
+            parameters[place.index()] = *value;
+        }
+    }
+    let diameter = layout
+        .parameter("d")
+        .map_or(0.269, |place| parameters[place.index()]);
+    let spin = |advance: f64| Some(advance * 2.0 * SPEED / diameter * 30.0 / std::f64::consts::PI);
+    let flights = body.with_parameters(parameters);
+    let level = Throw {
+        spin: spin(ADVANCE),
+        height: 1.0,
+        ..Throw::at_speed(SPEED)
+    };
+    let pitches: Vec<f64> = (-10..=50).map(f64::from).collect();
+    let best = |throw: &dyn Fn(f64) -> Throw| -> Result<(f64, f64), StudyError> {
+        let (mut range, mut time) = ((f64::MIN, 0.0), (f64::MIN, 0.0));
+        for pitch in &pitches {
+            let Some(path) = flown(&flights, &throw(*pitch)) else {
+                continue;
+            };
+            let landing = path.landing();
+            range = if landing.position.xy().norm() > range.0 {
+                (landing.position.xy().norm(), *pitch)
+            } else {
+                range
+            };
+            time = if landing.time > time.0 {
+                (landing.time, *pitch)
+            } else {
+                time
+            };
+        }
+        Ok((range.1, time.1))
+    };
+    let ten = |hyzer: f64| Throw {
+        nose: Some(10.0),
+        hyzer: Some(hyzer),
+        ..level
+    };
+    let mut landings = Vec::new();
+    let mut straightest = (0.0, f64::INFINITY);
+    for hyzer in (-60..=60).step_by(2).map(f64::from) {
+        let Some(path) = flown(&flights, &ten(hyzer)) else {
+            continue;
+        };
+        let place = path.landing().position;
+        landings.push((hyzer, place.x, place.y));
+        let aside = (0..=100).map(|k| {
+            path.position(path.duration() * f64::from(k) / 100.0)
+                .y
+                .abs()
+        });
+        let aside = aside.fold(0.0, f64::max);
+        if aside < straightest.1 {
+            straightest = (hyzer, aside);
+        }
+    }
+    let mut curvature = Vec::new();
+    for advance in [0.3, 0.4, 0.5, 0.7, 1.0, 1.4] {
+        let throw = Throw {
+            spin: spin(advance),
+            nose: Some(10.0),
+            ..level
+        };
+        if let Some(path) = flown(&flights, &throw) {
+            curvature.push((advance, turned(&path)));
+        }
+    }
+    Ok(Launches {
+        name,
+        along: best(&|pitch| Throw {
+            launch: pitch,
+            nose: Some(0.0),
+            ..level
+        })?,
+        level: best(&|pitch| Throw {
+            launch: 0.0,
+            nose: Some(pitch),
+            ..level
+        })?,
+        straightest,
+        inflections: inflections(&landings),
+        landings,
+        curvature,
+    })
+}
+
+fn flown<'f>(flights: &'f ThrowFlights<'f>, throw: &Throw) -> Option<Path<'f>> {
+    flights
+        .fly(throw, None, &IntegrationOptions::with_tolerance(1e-8))
+        .ok()
+}
+
+/// Angle by which the course turns over the first two seconds for each metre flown over the ground, rad/m.
+fn turned(path: &Path<'_>) -> f64 {
+    let end = path.duration().min(2.0);
+    let (steps, mut angle, mut length) = (200, 0.0, 0.0);
+    let at = |k: i32| path.position(end * f64::from(k) / f64::from(steps)).xy();
+    for k in 1..steps {
+        let (before, after) = (at(k) - at(k - 1), at(k + 1) - at(k));
+        angle += before.perp(&after).atan2(before.dot(&after));
+        length += before.norm();
+    }
+    (angle / length).abs()
+}
+
+/// Number of changes of the sense in which a locus of points turns, where it turns by more than a degree.
+fn inflections(points: &[(f64, f64, f64)]) -> usize {
+    let mut last = 0.0;
+    let mut count = 0;
+    for three in points.windows(3) {
+        let [(_, ax, ay), (_, bx, by), (_, cx, cy)] = three else {
+            continue;
+        };
+        let (ux, uy, vx, vy) = (bx - ax, by - ay, cx - bx, cy - by);
+        let turn = (ux * vy - uy * vx).atan2(ux * vx + uy * vy);
+        if turn.abs() > 1f64.to_radians() {
+            count += usize::from(last * turn < 0.0);
+            last = turn.signum();
+        }
+    }
+    count
+}

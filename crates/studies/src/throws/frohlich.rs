@@ -1,0 +1,56 @@
+//! C. Frohlich, "Aerodynamic effects on discus flight", Am. J. Phys. 49 (1981) 1125: a discus goes farther against a moderate wind than
+//! with it.
+
+use design::{Bounds, Goal, SearchOptions, ThrownBody, design};
+use serde::Serialize;
+
+use crate::error::StudyError;
+
+/// The longest throw in a wind.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Winds {
+    /// Wind along the throw, m/s; negative against it.
+    pub wind: f64,
+    /// Longest range, m.
+    pub range: f64,
+    /// Launch angle, deg.
+    pub launch: f64,
+    /// Angle of attack over the ground, deg.
+    pub nose: f64,
+    /// Tilt, deg.
+    pub hyzer: f64,
+    /// Longest range without a tilt at release, m.
+    pub upright: f64,
+}
+
+/// Longest throws at 25 m/s and 420 rpm in winds along the throw.
+pub fn winds() -> Result<Vec<Winds>, StudyError> {
+    let body = ThrownBody::new(model_spec::load::load("discus", &[])?)?;
+    let layout = body.compiled.layout();
+    let bounds = Bounds::standard(&body)
+        .with("speed", 25.0, 25.0)
+        .with("heading", 0.0, 0.0)
+        .with("spin", 420.0, 420.0)
+        .with("nose", -40.0, 30.0)
+        .with("height", 1.8, 1.8);
+    let all = (-10..=10).step_by(2).map(|k| {
+        let wind = f64::from(2 * k);
+        let mut parameters = layout.default_parameters();
+        if let Some([x, ..]) = layout.components("wind") {
+            parameters[x.index()] = wind;
+        }
+        let flights = body.with_parameters(parameters);
+        let found = design(&flights, Goal::Range, &bounds, &SearchOptions::default())?;
+        let held = bounds.clone().with("hyzer", 0.0, 0.0);
+        let upright = design(&flights, Goal::Range, &held, &SearchOptions::default())?;
+        Ok(Winds {
+            upright: upright.figure,
+            wind,
+            range: found.figure,
+            launch: found.throw.launch,
+            nose: found.throw.nose.unwrap_or(0.0),
+            hyzer: found.throw.hyzer.unwrap_or(0.0),
+        })
+    });
+    all.collect()
+}

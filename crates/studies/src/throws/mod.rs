@@ -1,0 +1,10 @@
+//! Throws by `design`, held against what others report: Crowther and Potts's study of launches of a disc, Frohlich's of the discus in
+//! the wind.
+
+mod crowther_potts;
+mod frohlich;
+mod page;
+
+pub use crowther_potts::{Launches, launches};
+pub use frohlich::{Winds, winds};
+pub use page::throws_page;

@@ -1,0 +1,71 @@
+//! docs/throws.md.
+
+use report::figures::{Line, Panel, figure};
+use serde::Serialize;
+
+use super::{Launches, Winds};
+use crate::error::StudyError;
+use crate::page::{Page, render};
+
+#[derive(Serialize)]
+struct Results<'r> {
+    launches: &'r [Launches],
+    winds: &'r [Winds],
+    best: Winds,
+    best_upright: Winds,
+    /// Wind and by how much a throw against it goes farther than with it, m.
+    pairs: Vec<(f64, f64)>,
+}
+
+/// The page of the study.
+///
+/// # Errors
+/// [`StudyError`] for a template that does not fit the results.
+///
+/// # Panics
+/// Without winds.
+pub fn throws_page(launches: &[Launches], winds: &[Winds]) -> Result<Page, StudyError> {
+    let best = winds
+        .iter()
+        .max_by(|a, b| a.range.total_cmp(&b.range))
+        .expect("winds");
+    let best_upright = winds
+        .iter()
+        .max_by(|a, b| a.upright.total_cmp(&b.upright))
+        .expect("winds");
+    let range = |wind: f64| winds.iter().find(|w| w.wind == wind).map(|w| w.upright);
+    let pairs = winds.iter().filter(|w| w.wind > 0.0);
+    let pairs = pairs
+        .filter_map(|w| Some((w.wind, range(-w.wind)? - w.upright)))
+        .collect();
+    let lines = launches.iter().enumerate().map(|(k, launch)| Line {
+        name: ["own", "tunnel", "mixed"]
+            .get(k)
+            .copied()
+            .unwrap_or("")
+            .to_owned(),
+        points: launch.landings.iter().map(|(_, x, y)| (*x, *y)).collect(),
+    });
+    let panel = Panel {
+        title: "Landings over the hyzer at launch, -60° to 60°: y, m".into(),
+        across: "x, m".into(),
+        lines: lines.collect(),
+        ..Panel::default()
+    };
+    Ok(Page {
+        text: render(
+            include_str!("page.md"),
+            Results {
+                launches,
+                winds,
+                best: *best,
+                best_upright: *best_upright,
+                pairs,
+            },
+        )?,
+        figures: vec![(
+            "throws-landings.svg".into(),
+            figure("Landings over the tilt", &[panel]),
+        )],
+    })
+}

@@ -1,0 +1,59 @@
+//! Errors of coefficients from the report of a fit.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use ::design::CoefficientErrors;
+use anyhow::{Context, bail};
+use serde_json::Value;
+
+/// Maximum size of a report, bytes.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// Standard errors and correlations of the coefficients of `report.json` of `hyzer fit`.
+pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
+    let place = || format!("--fit: {}", file.display());
+    let size = std::fs::metadata(file).with_context(place)?.len();
+    if size > MAX_BYTES {
+        bail!(
+            "{}: has {size} bytes, expected at most {MAX_BYTES}",
+            place()
+        );
+    }
+    let text = std::fs::read_to_string(file).with_context(place)?;
+    let report: Value = serde_json::from_str(&text).with_context(place)?;
+    let Some(coefficients) = report["coefficients"].as_object() else {
+        bail!(
+            "{}: found no \"coefficients\", expected the report.json of hyzer fit",
+            place()
+        );
+    };
+    let mut errors = BTreeMap::new();
+    for (name, own) in coefficients {
+        // A held coefficient has no standard error.
+        match &own["std_error"] {
+            Value::Null => {}
+            value => match value.as_f64() {
+                Some(error) if error >= 0.0 => {
+                    errors.insert(name.clone(), error);
+                }
+                _ => bail!(
+                    "{}: the std_error of {name} is {value}, expected a number of at least 0",
+                    place()
+                ),
+            },
+        }
+    }
+    let mut correlations = Vec::new();
+    for (a, row) in report["correlations"].as_object().into_iter().flatten() {
+        for (b, value) in row.as_object().into_iter().flatten() {
+            if let Some(value) = value.as_f64().filter(|value| value.abs() <= 1.0 && a < b) {
+                correlations.push((a.clone(), b.clone(), value));
+            }
+        }
+    }
+    Ok(CoefficientErrors {
+        errors: errors.into_iter().collect(),
+        correlations,
+    })
+}

@@ -1,0 +1,222 @@
+//! Command `hyzer design`: searches for a throw that serves a purpose; writes its release and what it does.
+
+mod errors;
+mod page;
+
+use std::fmt::Write;
+
+use ::design::{
+    Bounds, Design, Goal, SampleOptions, Scattered, SearchOptions, Spread, ThrownBody, design,
+    numbers, spread,
+};
+use anyhow::{Context, bail};
+use flight::release::{Release, Stop};
+use flight::throw::FIELDS;
+use nalgebra::Vector3;
+use report::ResultFile;
+use report::viewer::View;
+
+use super::simulate::{apply, vector};
+use crate::cli::Design as Options;
+use crate::{Answer, output};
+
+/// Searches for the throw, prints it, and writes the files if an output folder is given.
+pub fn run(options: &Options) -> anyhow::Result<Answer> {
+    let out = output::folder(options.out.as_deref())?;
+    let model = model_spec::load::load(&options.model, &super::names(&options.with))?;
+    let mut release = Release {
+        model: options.model.clone(),
+        stop: Stop::Ground,
+        parameters: Vec::new(),
+        coefficients: Vec::new(),
+        initial: Vec::new(),
+        wind: [0.0; 3],
+        known: Vec::new(),
+    };
+    for set in &options.set {
+        apply(set, &model, &mut release)?;
+    }
+    if let Some(wind) = &options.wind {
+        release.wind = vector("--wind", wind, "m/s")?;
+    }
+    let body = ThrownBody::new(model)?;
+    let flights = body.with(&release);
+    let goal = goal(options)?;
+    let mut bounds = match &options.bounds {
+        Some(file) => Bounds::read_file(file, &body)?,
+        None => Bounds::standard(&body),
+    };
+    // In still air neither range nor time depends on the heading.
+    let is_calm = release.wind[0] == 0.0 && release.wind[1] == 0.0 && options.with.is_empty();
+    if options.bounds.is_none() && is_calm && matches!(goal, Goal::Range | Goal::HangTime) {
+        bounds.set("heading", 0.0, 0.0);
+    }
+    let threads = options
+        .threads
+        .map_or_else(flight::batch::threads, |n| n as usize);
+    let search = SearchOptions {
+        starts: options.starts as usize,
+        seed: options.seed,
+        threads,
+        ..SearchOptions::default()
+    };
+    let found = design(&flights, goal, &bounds, &search)?;
+    let mut scattered = Scattered::of(&flights, &bounds.scatter);
+    if let Some(file) = &options.fit {
+        let (with, unknown) = scattered.with_coefficients(&flights, &errors::read(file)?);
+        scattered = with;
+        if !unknown.is_empty() {
+            eprintln!("--fit: the model has no {}; left out", unknown.join(", "));
+        }
+    }
+    let aim = found.goal.target().filter(|target| target.z == 0.0);
+    let aim = aim.unwrap_or(found.landing).xy();
+    let samples = SampleOptions {
+        count: options.samples as usize,
+        seed: options.seed,
+        threads,
+    };
+    let spread = spread(
+        &flights,
+        &found.throw,
+        (aim, bounds.circle),
+        &scattered,
+        &samples,
+    )?;
+    output::print(table(&found, &bounds, &spread))?;
+    if let (Some(folder), Some(place)) = (&out, &options.out) {
+        let settings = ode::IntegrationOptions::with_tolerance(1e-9);
+        let path = flights.fly(&found.throw, None, &settings)?;
+        let title = format!("{} · {}", body.model.name, goal.name());
+        let sheet = page::sheet(&title, &found, &bounds, &spread, &path);
+        let mut files = vec![
+            ResultFile::new("release.toml", found.release_toml(&options.model, &release)),
+            ResultFile::new(
+                "design.json",
+                format!("{:#}\n", found.json(&body.model.name, Some(&spread))),
+            ),
+            ResultFile::new("report.html", sheet.html()),
+        ];
+        files.extend(
+            sheet
+                .figures()
+                .map(|figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg())),
+        );
+        let view = View::of_trajectory(
+            &title,
+            &body.model,
+            &body.compiled,
+            &release,
+            &path.trajectory,
+        );
+        files.extend(
+            view.html(&title)
+                .map(|html| ResultFile::new("flight.html", html)),
+        );
+        output::add_figures(&mut files, &options.figures)?;
+        output::replace(folder, &files)?;
+        eprintln!(
+            "release.toml, design.json, report.html and flight.html are in {}",
+            place.display()
+        );
+    }
+    Ok(if found.feasible {
+        Answer::Yes
+    } else {
+        Answer::No
+    })
+}
+
+/// The goal of the options, with its point.
+fn goal(options: &Options) -> anyhow::Result<Goal> {
+    let name = options.goal.as_str();
+    let target = options
+        .target
+        .as_deref()
+        .map(|text| vector("--target", text, "m"));
+    let target = target.transpose()?.map(Vector3::from);
+    let goal: anyhow::Result<Goal> = match (name, target) {
+        ("range", None) => Ok(Goal::Range),
+        ("hangtime", None) => Ok(Goal::HangTime),
+        ("range" | "hangtime", Some(_)) => {
+            bail!("--target: the goal {name} has no target; expected none")
+        }
+        ("hit", Some(target)) => Ok(Goal::Hit(target)),
+        ("curve", Some(target)) => Ok(Goal::Curve(target)),
+        ("flare", Some(target)) => Ok(Goal::Flare(target)),
+        ("spread", Some(target)) => match target.z == 0.0 {
+            true => Ok(Goal::Spread(target)),
+            false => bail!(
+                "--target: found a height of {} m, expected a point on the ground, X,Y,0",
+                target.z
+            ),
+        },
+        _ => bail!("no --target: the goal {name} needs one, as in --target 30,0,0"),
+    };
+    goal.context("--goal")
+}
+
+/// What was found, as text.
+fn table(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
+    let mut text = String::new();
+    let (figure, unit) = found.goal.figure();
+    let _ = match found.feasible {
+        true => writeln!(
+            text,
+            "{}: {figure} {:.4} {unit}",
+            found.goal.name(),
+            found.figure
+        ),
+        false => writeln!(
+            text,
+            "{}: not possible within these bounds, as far as {} throws and the descents from the best of them can tell; what comes \
+             nearest misses by {:.3} m",
+            found.goal.name(),
+            found.flown,
+            found.miss
+        ),
+    };
+    if let Some(clearance) = found.clearance {
+        let side = found.side.map_or("", |side| side.name());
+        let _ = writeln!(
+            text,
+            "  passes {side} of the obstacle, {clearance:.3} m clear of it"
+        );
+    }
+    if let Some(speed) = found.vertical_speed {
+        let _ = writeln!(text, "  rises at {speed:.3} m/s at the target");
+    }
+    let landing = found.landing;
+    let _ = writeln!(
+        text,
+        "  lands at x {:.2}, y {:.2} m after {:.2} s",
+        landing.x, landing.y, found.time
+    );
+    let _ = writeln!(
+        text,
+        "  {:16} {:>10} {:>16}  landing moves by, m per unit",
+        "", "throw", "bounds"
+    );
+    for (name, value) in numbers(&found.throw) {
+        let Some(field) = FIELDS.iter().position(|(field, ..)| *field == name) else {
+            continue;
+        };
+        let range = bounds.ranges.iter().find(|range| range.0 == field);
+        let range = range.map_or_else(String::new, |(_, least, greatest)| match least < greatest {
+            true => format!("{least} .. {greatest}"),
+            false => "held".into(),
+        });
+        let moved = found.sensitivity.iter().find(|s| s.field == field);
+        let moved = moved.map_or_else(String::new, |s| {
+            format!("x {:+.3}, y {:+.3}", s.landing.x, s.landing.y)
+        });
+        let label = format!("{name}, {}", FIELDS[field].1);
+        let _ = writeln!(text, "  {label:16} {value:>10.3} {range:>16}  {moved}");
+    }
+    text.push_str(
+        &page::spread_words(spread, bounds)
+            .iter()
+            .fold(String::new(), |all, line| all + "  " + line + "\n"),
+    );
+    text
+}

@@ -1,0 +1,314 @@
+//! The page of a design: path from above and from the side, landings, and what each number of the throw does.
+
+use ::design::{Band, Bounds, Design, Landings, Path, QUANTILES, Spread, numbers};
+use flight::throw::FIELDS;
+use nalgebra::{Vector2, Vector3};
+use report::figures::{Dots, Line, Look, Mark, Panel};
+use report::{Section, Sheet, SheetFigure, Table};
+
+/// Number of points of a path and of an ellipse.
+const POINTS: usize = 200;
+/// Greatest number of landings that are drawn.
+const MOST_DOTS: usize = 1500;
+
+/// The page.
+pub fn sheet(
+    title: &str,
+    found: &Design,
+    bounds: &Bounds,
+    spread: &Spread,
+    path: &Path<'_>,
+) -> Sheet {
+    Sheet {
+        kind: "hyzer design".into(),
+        title: title.into(),
+        lead: lead(found),
+        warnings: match found.feasible {
+            true => Vec::new(),
+            false => vec![format!(
+                "This throw does not serve its purpose: of {} throws that were flown and the descents from the best of them it is \
+                 the one that comes nearest, by {:.3} m.",
+                found.flown, found.miss
+            )],
+        },
+        sections: vec![
+            Section {
+                title: "Throw".into(),
+                words: vec![
+                    "The derivatives are exact, by sensitivities of the flight; what one unit less and more do was flown.".into(),
+                ],
+                table: throw(found),
+                ..Section::default()
+            },
+            Section {
+                title: "Path".into(),
+                figures: vec![figure_of_path(found, bounds, path, spread)],
+                ..Section::default()
+            },
+            Section {
+                title: "Spread of the landings".into(),
+                words: spread_words(spread, bounds),
+                figures: vec![figure_of_landings(found, bounds, spread)],
+                ..Section::default()
+            },
+        ],
+    }
+}
+
+fn lead(found: &Design) -> Vec<String> {
+    let (figure, unit) = found.goal.figure();
+    let mut words = vec![format!(
+        "{}: {figure} {:.4} {unit}. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
+        found.goal.name(),
+        found.figure,
+        found.landing.x,
+        found.landing.y,
+        found.time
+    )];
+    if let (Some(side), Some(clearance)) = (found.side, found.clearance) {
+        words.push(format!(
+            "It passes {} of the obstacle, {clearance:.3} m clear of it.",
+            side.name()
+        ));
+    }
+    words
+}
+
+fn throw(found: &Design) -> Table {
+    let head = [
+        "number",
+        "value",
+        "landing x, m per unit",
+        "landing y, m per unit",
+        "time, s per unit",
+        "goal's figure per unit",
+        "one unit less moves it, m",
+        "one unit more, m",
+    ];
+    let rows = found.sensitivity.iter().map(|s| {
+        let (name, unit, ..) = FIELDS[s.field];
+        let value = numbers(&found.throw)
+            .find(|(own, _)| *own == name)
+            .map_or(f64::NAN, |(_, value)| value);
+        let [less, more] = s.one_unit.map(|one| match one {
+            Some(one) => format!("{:+.2}, {:+.2}", one.landing.x, one.landing.y),
+            None => "no flight".into(),
+        });
+        vec![
+            format!("{name}, {unit}"),
+            format!("{value:.3}"),
+            format!("{:+.4}", s.landing.x),
+            format!("{:+.4}", s.landing.y),
+            format!("{:+.4}", s.time),
+            s.figure
+                .map_or_else(|| "–".into(), |figure| format!("{figure:+.4}")),
+            less,
+            more,
+        ]
+    });
+    Table {
+        head: head.map(String::from).to_vec(),
+        rows: rows.collect(),
+    }
+}
+
+fn figure_of_path(
+    found: &Design,
+    bounds: &Bounds,
+    path: &Path<'_>,
+    spread: &Spread,
+) -> SheetFigure {
+    let places: Vec<Vector3<f64>> = (0..=POINTS)
+        .map(|k| path.position(path.duration() * k as f64 / POINTS as f64))
+        .collect();
+    let length = spread.linear.mean.norm().max(1e-6);
+    let along = spread.linear.mean / length;
+    let left = Vector2::new(-along.y, along.x);
+    let bands = spread
+        .sampled
+        .as_ref()
+        .map_or(&[][..], |sampled| &sampled.bands);
+    // The bands lie along the line to the landing; the map is turned by it.
+    let turned = |of: Vector2<f64>| (of.dot(&along), of.dot(&left));
+    let mut marks = vec![
+        Mark {
+            name: "release".into(),
+            at: (0.0, 0.0),
+        },
+        Mark {
+            name: "landing".into(),
+            at: turned(found.landing.xy()),
+        },
+    ];
+    let mut side_marks = vec![Mark {
+        name: "release".into(),
+        at: (0.0, places[0].z),
+    }];
+    if let Some(target) = found.goal.target() {
+        marks.push(Mark {
+            name: "target".into(),
+            at: turned(target.xy()),
+        });
+        side_marks.push(Mark {
+            name: "target".into(),
+            at: (turned(target.xy()).0, target.z),
+        });
+    }
+    let line = |name: &str, points: Vec<(f64, f64)>| Line {
+        name: name.into(),
+        points,
+    };
+    let mut above = vec![line("", places.iter().map(|p| turned(p.xy())).collect())];
+    if let Some(obstacle) = bounds.obstacle {
+        let round = circle(obstacle.place, obstacle.radius)
+            .into_iter()
+            .map(turned);
+        above.push(line("obstacle", round.collect()));
+    }
+    let ribbon = |of: &dyn Fn(&Band) -> [f64; 3]| {
+        bands
+            .iter()
+            .map(|band| (band.distance, of(band)[0], of(band)[2]))
+            .collect::<Vec<_>>()
+    };
+    let across = "along the line from release to landing, m";
+    SheetFigure {
+        name: "path".into(),
+        title: "Path".into(),
+        caption: format!(
+            "Blue: the throw. Shaded: between the {:.0} % and the {:.0} % quantile of the scattered throws that reach the distance.",
+            100.0 * QUANTILES[0],
+            100.0 * QUANTILES[2]
+        ),
+        panels: vec![
+            Panel {
+                title: "From above: to the left of the line, m".into(),
+                across: across.into(),
+                lines: above,
+                marks,
+                ribbon: ribbon(&|band| band.left),
+                map: true,
+                ..Panel::default()
+            },
+            Panel {
+                title: "From the side: height, m".into(),
+                across: across.into(),
+                lines: vec![line(
+                    "",
+                    places.iter().map(|p| (turned(p.xy()).0, p.z)).collect(),
+                )],
+                marks: side_marks,
+                ribbon: ribbon(&|band| band.height),
+                map: true,
+                ..Panel::default()
+            },
+        ],
+    }
+}
+
+fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> SheetFigure {
+    let line = |name: &str, points: Vec<Vector2<f64>>| Line {
+        name: name.into(),
+        points: points.into_iter().map(|p| (p.x, p.y)).collect(),
+    };
+    let mut lines = vec![line("linear", ellipse(&spread.linear))];
+    let mut dots = Vec::new();
+    if let Some(sampled) = &spread.sampled {
+        lines.push(line("sampled", ellipse(&sampled.landings)));
+        let step = sampled.points.len().div_ceil(MOST_DOTS).max(1);
+        let points = sampled.points.iter().step_by(step).map(|p| (p.x, p.y));
+        dots.push(Dots {
+            look: Look::Pale,
+            points: points.collect(),
+        });
+    }
+    let aim = found
+        .goal
+        .target()
+        .filter(|target| target.z == 0.0)
+        .unwrap_or(found.landing);
+    lines.push(line("circle", circle(aim.xy(), bounds.circle)));
+    SheetFigure {
+        name: "landings".into(),
+        title: "Landings".into(),
+        caption: "Ellipses that half of the landings are inside of, were they normal: blue by the exact derivatives, red dashed of \
+                  the sampled flights; grey: sampled landings; green: the landing circle."
+            .into(),
+        panels: vec![Panel {
+            title: "y, m".into(),
+            across: "x, m".into(),
+            lines,
+            dots,
+            marks: vec![Mark { name: "landing".into(), at: (found.landing.x, found.landing.y) }],
+            map: true,
+            ..Panel::default()
+        }],
+    }
+}
+
+/// What is to be said of a spread.
+pub fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
+    let of = |landings: &Landings| {
+        let (long, short, _) = landings.ellipse(0.5);
+        format!("half axes {long:.2} m and {short:.2} m")
+    };
+    let mut words = vec![format!(
+        "Half of the landings are in an ellipse of {} to first order.",
+        of(&spread.linear)
+    )];
+    let (Some(sampled), Some(inside)) = (&spread.sampled, spread.inside) else {
+        return words;
+    };
+    words.push(format!(
+        "Of {} flights ({} more had none): {}; {:.1} % land within {} m of the aim.",
+        sampled.points.len(),
+        sampled.failed,
+        of(&sampled.landings),
+        100.0 * inside,
+        bounds.circle
+    ));
+    words.extend(spread.agreement.map(|agreement| {
+        let (least, greatest) = agreement.ratios;
+        let shift = agreement.shift;
+        match agreement.agrees {
+            true => format!(
+                "Linear and sampled spread agree: the means differ by {shift:.2} standard deviations, the standard deviations by \
+                 factors of {least:.2} to {greatest:.2}."
+            ),
+            false => format!(
+                "Linear and sampled spread do not agree: the means differ by {shift:.2} standard deviations, the sampled standard \
+                 deviations are {least:.2} to {greatest:.2} times the linear ones. The landing is bent within this scatter: use the \
+                 sampled spread."
+            ),
+        }
+    }));
+    words
+}
+
+fn ellipse(landings: &Landings) -> Vec<Vector2<f64>> {
+    let (long, short, direction) = landings.ellipse(0.5);
+    let (sin, cos) = direction.sin_cos();
+    round()
+        .map(|(c, s)| {
+            landings.mean
+                + Vector2::new(
+                    cos * long * c - sin * short * s,
+                    sin * long * c + cos * short * s,
+                )
+        })
+        .collect()
+}
+
+fn circle(place: Vector2<f64>, radius: f64) -> Vec<Vector2<f64>> {
+    round()
+        .map(|(c, s)| place + Vector2::new(c, s) * radius)
+        .collect()
+}
+
+/// Cosine and sine of angles round a turn.
+fn round() -> impl Iterator<Item = (f64, f64)> {
+    (0..=POINTS / 2).map(|k| {
+        let (s, c) = (std::f64::consts::TAU * k as f64 / (POINTS / 2) as f64).sin_cos();
+        (c, s)
+    })
+}

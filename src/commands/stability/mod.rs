@@ -1,0 +1,133 @@
+//! Command `hyzer stability`: modes of the linearised motion at release, along the flight and in steady flight; criteria; maps over
+//! speed and spin.
+
+mod page;
+mod words;
+
+use ::stability::{Body, Instant, along, at, map, trim};
+use anyhow::bail;
+use flight::release::{Release, Stop};
+use flight::simulate;
+use flight::throw::Throw;
+use ode::IntegrationOptions;
+use report::ResultFile;
+
+use super::simulate::{apply, released, throws, vector};
+use crate::cli::Stability as Options;
+use crate::{Answer, output};
+
+/// Speeds of the map, m/s, and number of spins from 0 to the greatest, rpm.
+const SPEEDS: [f64; 12] = [
+    6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
+];
+const SPINS: (u32, f64) = (24, 1200.0);
+/// Speed (m/s) and spin (rpm) of a throw that states none.
+const THROW: (f64, f64) = (16.0, 700.0);
+
+/// What was found.
+pub struct Found {
+    /// At release.
+    pub release: Instant,
+    /// Along the flight to the ground; empty where it has none.
+    pub flight: Vec<Instant>,
+    /// Steady flight at the spin of release, with its modes.
+    pub trim: Option<(::stability::Trim, ::stability::Modes)>,
+    /// Over speed and spin.
+    pub map: Vec<Instant>,
+}
+
+/// Computes modes and criteria, prints them, and writes the files if an output folder is given.
+pub fn run(options: &Options) -> anyhow::Result<Answer> {
+    let out = output::folder(options.out.as_deref())?;
+    if options.throw.techdisc.is_some() {
+        bail!(
+            "--techdisc: expected a throw by --speed and others; `hyzer simulate` flies a launch monitor's table"
+        );
+    }
+    let (model, mut release, throw) = match &options.release {
+        Some(name) => {
+            let (model, release) = released(name, Some(&options.model), &options.with)?;
+            (model, release, None)
+        }
+        None => {
+            let model = model_spec::load::load(&options.model, &super::names(&options.with))?;
+            let states = model.states.iter();
+            let release = Release {
+                model: options.model.clone(),
+                stop: Stop::Ground,
+                parameters: Vec::new(),
+                coefficients: Vec::new(),
+                initial: states.map(|s| (s.name.clone(), s.value)).collect(),
+                wind: [0.0; 3],
+                known: Vec::new(),
+            };
+            let throw = Throw {
+                spin: Some(THROW.1),
+                ..Throw::at_speed(THROW.0)
+            };
+            (model, release, Some(throw))
+        }
+    };
+    for set in &options.set {
+        apply(set, &model, &mut release)?;
+    }
+    if let Some(wind) = &options.wind {
+        release.wind = vector("--wind", wind, "m/s")?;
+    }
+    let body = Body::new(model)?;
+    throws::apply(&options.throw, throw, &body.model, &mut release)?;
+    let bound = body.with_parameters(body.compiled.release_parameters(&release));
+    let first = at(&bound, 0.0, &release.state())?;
+    let flown = simulate(
+        &body.compiled,
+        &release,
+        &IntegrationOptions::with_tolerance(1e-9),
+    );
+    let flight = match flown {
+        Ok(flight) => along(&bound, &flight, options.times as usize)?,
+        Err(error) => {
+            eprintln!("no modes along the flight: {error}");
+            Vec::new()
+        }
+    };
+    let spin = -first.throw.spin.unwrap_or(0.0) * std::f64::consts::PI / 30.0;
+    let spins: Vec<f64> = (0..=SPINS.0)
+        .map(|k| SPINS.1 * f64::from(k) / f64::from(SPINS.0))
+        .collect();
+    let found = Found {
+        map: map(&bound, &first.throw, &SPEEDS, &spins),
+        trim: trim(&bound, spin).map(|trim| {
+            let modes = ::stability::modes(&trim.linearised, trim.turn);
+            (trim, modes)
+        }),
+        release: first,
+        flight,
+    };
+    let json = format!("{:#}\n", words::json(&body.model.name, &found));
+    output::print(if options.json {
+        json.clone()
+    } else {
+        words::table(&body.model.name, &found)
+    })?;
+    if let (Some(folder), Some(place)) = (&out, &options.out) {
+        let sheet = page::sheet(&body.model.name, &found);
+        let mut files = vec![
+            ResultFile::new("stability.json", json),
+            ResultFile::new("report.html", sheet.html()),
+            ResultFile::new("modes.csv", words::csv(&found.flight)),
+            ResultFile::new("map.csv", words::csv(&found.map)),
+        ];
+        files.extend(
+            sheet
+                .figures()
+                .map(|figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg())),
+        );
+        output::add_figures(&mut files, &options.figures)?;
+        output::replace(folder, &files)?;
+        eprintln!(
+            "stability.json, report.html, modes.csv and map.csv are in {}",
+            place.display()
+        );
+    }
+    Ok(Answer::Yes)
+}

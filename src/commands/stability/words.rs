@@ -1,0 +1,231 @@
+//! What was found, as text, JSON and CSV.
+
+use std::fmt::Write;
+
+use ::stability::{Criteria, Instant, Mode, ModeKind, Modes};
+use serde_json::{Value, json};
+
+use super::Found;
+
+/// The modes and criteria as text.
+pub fn table(model: &str, found: &Found) -> String {
+    let mut text = format!("{model}: modes at release\n");
+    text += &modes(&found.release.modes);
+    for line in of_criteria(&found.release) {
+        let _ = writeln!(text, "  {line}");
+    }
+    match &found.trim {
+        Some((trim, of_trim)) => {
+            let throw = &trim.throw;
+            let _ = writeln!(
+                text,
+                "steady flight at this spin: {:.2} m/s, {:.2} deg below the horizontal, nose {:.2} deg, hyzer {:.2} deg, turning \
+                 {:+.2} deg/s",
+                throw.speed,
+                -throw.launch,
+                throw.nose.unwrap_or(0.0),
+                throw.hyzer.unwrap_or(0.0),
+                trim.turn.to_degrees()
+            );
+            text += &modes(of_trim);
+        }
+        None => text.push_str("no steady flight was found at this spin\n"),
+    }
+    if let (Some(first), Some(last)) = (found.flight.first(), found.flight.last()) {
+        let _ = writeln!(
+            text,
+            "along the flight, {:.2} s, the modes of each instant:",
+            last.time
+        );
+        let _ = writeln!(
+            text,
+            "  {:>7} {:>8} {:>22} {:>12}",
+            "time, s", "m/s", "nutation, rad/s", "decay, 1/s"
+        );
+        let step = (found.flight.len() / 8).max(1);
+        for instant in found
+            .flight
+            .iter()
+            .step_by(step)
+            .chain([last])
+            .take_while(|i| i.time >= first.time)
+        {
+            let nutation = nutation(&instant.modes);
+            let (frequency, decay) =
+                nutation.map_or((f64::NAN, f64::NAN), |m| (m.frequency(), m.decay()));
+            let _ = writeln!(
+                text,
+                "  {:>7.3} {:>8.2} {frequency:>22.3} {decay:>12.3}",
+                instant.time, instant.throw.speed
+            );
+        }
+    }
+    let stable = found.map.iter().filter(|i| i.criteria.is_stable()).count();
+    let _ = writeln!(
+        text,
+        "over speed and spin: all three criteria hold at {stable} of {} points",
+        found.map.len()
+    );
+    text
+}
+
+/// Lines of a list of modes.
+fn modes(of: &Modes) -> String {
+    let mut text = format!(
+        "  {:14} {:>12} {:>12} {:>9} {:>10}\n",
+        "mode", "rad/s", "decay, 1/s", "damping", "period, s"
+    );
+    for mode in &of.modes {
+        let period = match mode.frequency() {
+            f if f > 1e-9 => format!("{:.4}", std::f64::consts::TAU / f),
+            _ => String::new(),
+        };
+        let _ = writeln!(
+            text,
+            "  {:14} {:>12.4} {:>12.5} {:>9.4} {period:>10}",
+            mode.kind.name(),
+            mode.frequency(),
+            mode.decay(),
+            mode.damping_ratio()
+        );
+    }
+    if !of.is_symmetric {
+        text.push_str(
+            "  The motion depends on the turn about the body's axis: for a spinning body these modes are those of an instant alone.\n",
+        );
+    }
+    text
+}
+
+/// What the criteria say, in words.
+pub fn of_criteria(instant: &Instant) -> Vec<String> {
+    let (d, c) = (&instant.derivatives, &instant.criteria);
+    let holds = |holds: bool| if holds { "holds" } else { "fails" };
+    let mut lines = vec![
+        format!(
+            "a = {:.4} 1/s (lift), δ = {:.4} 1/s (damping), κ = {:.3} 1/s² (pitching moment), ν = I_a r/I_d = {:.3} rad/s",
+            d.lift, d.damping, d.pitching, d.gyroscopic
+        ),
+        format!(
+            "stiffness of the spin, ν² + δ² + 2aδ > κ: {}{}",
+            holds(c.gyroscopic),
+            factor(c)
+        ),
+        format!("incidence, a(ν² + δ²) > κδ: {}", holds(c.slow)),
+        format!(
+            "wobble, (2δ + a)(ν² + δ² + 2aδ − κ) > a(ν² + δ²) − κδ: {}",
+            holds(c.wobble)
+        ),
+    ];
+    if d.gyroscopic != 0.0 {
+        lines.push(format!(
+            "in closed form: nutation {:.3} rad/s, decay {:.4} 1/s; the plane rolls at {:+.4} rad/s (Crowther and Potts)",
+            c.nutation, c.nutation_decay, c.roll_rate
+        ));
+    }
+    if !instant.modes.is_symmetric {
+        lines.push("the criteria are those of a body of revolution, which this is not".into());
+    }
+    lines
+}
+
+fn factor(criteria: &Criteria) -> String {
+    match criteria.gyroscopic_factor {
+        s if s.is_finite() && s > 0.0 => format!(", factor {s:.2}"),
+        _ => ", whatever the spin".into(),
+    }
+}
+
+/// The mode in which the axis circles fastest.
+pub fn nutation(modes: &Modes) -> Option<&Mode> {
+    let kinds = [ModeKind::Nutation, ModeKind::ShortPeriod];
+    modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
+}
+
+/// Least rate of decay of the other modes but for the neutral ones, 1/s.
+pub fn slowest(modes: &Modes) -> f64 {
+    let others = modes.modes.iter().filter(|mode| {
+        !matches!(
+            mode.kind,
+            ModeKind::Heading | ModeKind::Spin | ModeKind::Nutation
+        )
+    });
+    others.map(Mode::decay).fold(f64::INFINITY, f64::min)
+}
+
+fn of_modes(modes: &Modes) -> Value {
+    let all = modes.modes.iter().map(|mode| {
+        json!({
+            "kind": mode.kind.name(),
+            "real_1_s": mode.value.re,
+            "imaginary_rad_s": mode.value.im,
+            "damping_ratio": mode.damping_ratio(),
+            "shares": { "axis": mode.shares[0], "path": mode.shares[1], "speed": mode.shares[2], "spin": mode.shares[3] },
+        })
+    });
+    json!({ "modes": all.collect::<Vec<_>>(), "ignorable": modes.ignorable, "symmetric": modes.is_symmetric })
+}
+
+fn of_instant(instant: &Instant) -> Value {
+    let (d, c) = (&instant.derivatives, &instant.criteria);
+    let mut value = of_modes(&instant.modes);
+    value["seconds"] = json!(instant.time);
+    value["speed_m_s"] = json!(instant.throw.speed);
+    value["spin_rpm"] = json!(instant.throw.spin);
+    value["derivatives"] = json!({
+        "lift_1_s": d.lift, "damping_1_s": d.damping, "pitching_1_s2": d.pitching, "gyroscopic_rad_s": d.gyroscopic,
+    });
+    value["criteria"] = json!({
+        "gyroscopic": c.gyroscopic, "incidence": c.slow, "wobble": c.wobble, "stable": c.is_stable(),
+        "gyroscopic_factor": Some(c.gyroscopic_factor).filter(|v| v.is_finite()),
+        "nutation_rad_s": Some(c.nutation).filter(|v| v.is_finite()),
+        "nutation_decay_1_s": Some(c.nutation_decay).filter(|v| v.is_finite()),
+        "roll_rad_s": Some(c.roll_rate).filter(|v| v.is_finite()),
+    });
+    value
+}
+
+/// The result with the schema `hyzer.stability/1`.
+pub fn json(model: &str, found: &Found) -> Value {
+    json!({
+        "schema": "hyzer.stability/1",
+        "model": model,
+        "release": of_instant(&found.release),
+        "trim": found.trim.as_ref().map(|(trim, modes)| {
+            let mut value = of_modes(modes);
+            value["speed_m_s"] = json!(trim.throw.speed);
+            value["launch_deg"] = json!(trim.throw.launch);
+            value["nose_deg"] = json!(trim.throw.nose);
+            value["hyzer_deg"] = json!(trim.throw.hyzer);
+            value["turn_deg_s"] = json!(trim.turn.to_degrees());
+            value
+        }),
+        "flight": found.flight.iter().map(of_instant).collect::<Vec<_>>(),
+    })
+}
+
+/// A row for each mode of each instant.
+pub fn csv(instants: &[Instant]) -> String {
+    let mut text = String::from(
+        "t_s,speed_m_s,spin_rpm,mode,real_1_s,imaginary_rad_s,gyroscopic,incidence,wobble\n",
+    );
+    for instant in instants {
+        let c = &instant.criteria;
+        for mode in &instant.modes.modes {
+            let _ = writeln!(
+                text,
+                "{},{},{},{},{},{},{},{},{}",
+                instant.time,
+                instant.throw.speed,
+                instant.throw.spin.unwrap_or(0.0),
+                mode.kind.name(),
+                mode.value.re,
+                mode.value.im,
+                u8::from(c.gyroscopic),
+                u8::from(c.slow),
+                u8::from(c.wobble)
+            );
+        }
+    }
+    text
+}
