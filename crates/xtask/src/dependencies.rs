@@ -9,12 +9,13 @@ use spdx::{Expression, LicenseReq, Licensee};
 use crate::source;
 
 /// Licences that the dependencies may have, as `deny.toml` lists them.
-const ALLOWED: [&str; 10] = [
+const ALLOWED: [&str; 11] = [
     "MIT",
     "Apache-2.0",
     "Apache-2.0 WITH LLVM-exception",
     "BSD-2-Clause",
     "BSD-3-Clause",
+    "CC0-1.0",
     "ISC",
     "MPL-2.0",
     "Unicode-3.0",

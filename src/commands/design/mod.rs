@@ -190,7 +190,9 @@ fn table(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
     let _ = writeln!(
         text,
         "  lands at x {:.2}, y {:.2} m after {:.2} s",
-        landing.x, landing.y, found.time
+        page::hundredths(landing.x),
+        page::hundredths(landing.y),
+        found.time
     );
     let _ = writeln!(
         text,

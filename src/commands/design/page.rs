@@ -35,7 +35,7 @@ pub fn sheet(
             Section {
                 title: "Throw".into(),
                 words: vec![
-                    "The derivatives are exact, by sensitivities of the flight; what one unit less and more do was flown.".into(),
+                    "What a unit of each number does to the place and the time of the landing and to the goal's figure: exact derivatives, by the sensitivities of the flight. Where one unit less and one unit more land was flown.".into(),
                 ],
                 table: throw(found),
                 ..Section::default()
@@ -61,8 +61,8 @@ fn lead(found: &Design) -> Vec<String> {
         "{}: {figure} {:.4} {unit}. The throw lands at x {:.2} m, y {:.2} m after {:.2} s.",
         found.goal.name(),
         found.figure,
-        found.landing.x,
-        found.landing.y,
+        hundredths(found.landing.x),
+        hundredths(found.landing.y),
         found.time
     )];
     if let (Some(side), Some(clearance)) = (found.side, found.clearance) {
@@ -74,16 +74,21 @@ fn lead(found: &Design) -> Vec<String> {
     words
 }
 
+/// Rounded to hundredths, without a sign where that is 0.
+pub(super) fn hundredths(value: f64) -> f64 {
+    (100.0 * value).round() / 100.0 + 0.0
+}
+
 fn throw(found: &Design) -> Table {
     let head = [
         "number",
         "value",
-        "landing x, m per unit",
-        "landing y, m per unit",
-        "time, s per unit",
-        "goal's figure per unit",
-        "one unit less moves it, m",
-        "one unit more, m",
+        "x, m/unit",
+        "y, m/unit",
+        "time, s/unit",
+        "goal/unit",
+        "one less, m",
+        "one more, m",
     ];
     let rows = found.sensitivity.iter().map(|s| {
         let (name, unit, ..) = FIELDS[s.field];

@@ -34,7 +34,8 @@ pub struct Launches {
 /// Runs the launches with both sets of coefficients.
 pub fn launches() -> Result<Vec<Launches>, StudyError> {
     let tunnel = [
-        // Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag about -4 degrees, pitching moment nose-up positive there.
+        // Round values near the table of Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag about -4 degrees, pitching
+        // moment nose-up positive there.
         ("C_L0", 0.20),
         ("C_La", 2.96),
         ("C_D0", 0.08),
