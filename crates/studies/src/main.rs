@@ -23,7 +23,7 @@ use studies::real_data::{RealData, real_data_page};
 use studies::sensors::{sensors, sensors_page};
 use studies::spoiled::{self, spoiled_page};
 use studies::takes::takes_page;
-use studies::throws::{launches, throws_page, winds};
+use studies::throws::{launches, rolls, throws_page, winds};
 
 fn main() -> ExitCode {
     match run(cli::Cli::parse().study) {
@@ -56,7 +56,10 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
             let sets = sensors(seeds, seeds.div_ceil(5), options.threads(), &done);
             (sensors_page(&sets, seeds)?, options.out)
         }
-        cli::Study::Throws(options) => (throws_page(&launches()?, &winds()?)?, options.out),
+        cli::Study::Throws(options) => (
+            throws_page(&launches()?, &rolls()?, &winds()?)?,
+            options.out,
+        ),
         cli::Study::Takes(options) => (takes(&options)?, options.runs.out),
         cli::Study::Cuts(options) => {
             let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());

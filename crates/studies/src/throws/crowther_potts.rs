@@ -21,39 +21,71 @@ pub struct Launches {
     pub along: (f64, f64),
     /// As `along`, of a level path: the pitch is the angle of attack.
     pub level: (f64, f64),
-    /// Tilt at launch (hyzer, deg) of the flight that departs least from its line, and by how much, m.
-    pub straightest: (f64, f64),
-    /// Landings over the tilt: hyzer deg, x and y m.
-    pub landings: Vec<(f64, f64, f64)>,
-    /// Number of turns of the locus of landings, from one side to the other: 1 for an S.
-    pub inflections: usize,
+    /// Launches over the tilt.
+    pub tilts: Tilts,
     /// Advance ratio and mean curvature of the path over the ground, 1/m.
     pub curvature: Vec<(f64, f64)>,
 }
 
+/// Level launches at a pitch of 10° over the tilt (hyzer).
+#[derive(Clone, Debug, Serialize)]
+pub struct Tilts {
+    /// Tilt of the flight that departs least from its line, deg, and by how much, m.
+    pub straightest: (f64, f64),
+    /// Tilt of the flight that lands on its line, deg; `None` where none does.
+    pub on_line: Option<f64>,
+    /// Landings: hyzer deg, x and y m.
+    pub landings: Vec<(f64, f64, f64)>,
+    /// Number of turns of the locus of landings, from one side to the other: 1 for an S.
+    pub inflections: usize,
+}
+
+/// Effects that the wind tunnel's coefficients need.
+const EFFECTS: [&str; 2] = ["constant_pitching_moment", "zero_lift_drag_angle"];
+
+/// Coefficients of roll by spin that are tried with the wind tunnel's others, s.
+const ROLLS: [f64; 7] = [-4e-4, -2e-4, 0.0, 2e-4, 4e-4, 6e-4, 8e-4];
+
+/// Round values near the table of Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag about -4 degrees, pitching moment
+/// nose-up positive there.
+const TUNNEL: [(&str, f64); 9] = [
+    ("C_L0", 0.20),
+    ("C_La", 2.96),
+    ("C_D0", 0.08),
+    ("C_Da", 2.72),
+    ("alpha_0", -0.0698),
+    ("C_M0", 0.02),
+    ("C_Ma", -0.13),
+    ("C_Mq", -1e-4),
+    ("C_Rr", 0.0),
+];
+
+/// Launches over the tilt with the wind tunnel's coefficients and some of roll by spin, s.
+///
+/// # Errors
+/// [`StudyError`] if the model cannot be loaded.
+pub fn rolls() -> Result<Vec<(f64, Tilts)>, StudyError> {
+    let each = ROLLS.map(|roll| {
+        let mut values = TUNNEL.to_vec();
+        values.push(("C_Rr", roll));
+        let body = ThrownBody::new(model_spec::load::load("disc", &EFFECTS)?)?;
+        let (flights, level) = flights(&body, &values);
+        Ok((roll, tilts(&flights, &level(ADVANCE))))
+    });
+    each.into_iter().collect()
+}
+
 /// Runs the launches with both sets of coefficients.
+///
+/// # Errors
+/// [`StudyError`] if the model cannot be loaded.
 pub fn launches() -> Result<Vec<Launches>, StudyError> {
-    let tunnel = [
-        // Round values near the table of Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag about -4 degrees, pitching
-        // moment nose-up positive there.
-        ("C_L0", 0.20),
-        ("C_La", 2.96),
-        ("C_D0", 0.08),
-        ("C_Da", 2.72),
-        ("alpha_0", -0.0698),
-        ("C_M0", 0.02),
-        ("C_Ma", -0.13),
-        ("C_Mq", -1e-4),
-        ("C_Rr", 0.0),
-    ];
-    let effects = ["constant_pitching_moment", "zero_lift_drag_angle"];
     Ok(vec![
-        of("the model's own", &effects, &[])?,
-        of("of the wind tunnel", &effects, &tunnel)?,
+        of("the model's own", &[])?,
+        of("of the wind tunnel", &TUNNEL)?,
         of(
             "of the wind tunnel, with the model's own pitching moment",
-            &effects,
-            &own_pitch(&tunnel),
+            &own_pitch(&TUNNEL),
         )?,
     ])
 }
@@ -66,12 +98,11 @@ fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
         .collect()
 }
 
-fn of(
-    name: &'static str,
-    effects: &[&str],
+/// Flights of a disc with some coefficients, and its level launches at an advance ratio.
+fn flights<'b>(
+    body: &'b ThrownBody,
     values: &[(&str, f64)],
-) -> Result<Launches, StudyError> {
-    let body = ThrownBody::new(model_spec::load::load("disc", effects)?)?;
+) -> (ThrowFlights<'b>, impl Fn(f64) -> Throw + use<>) {
     let layout = body.compiled.layout();
     let mut parameters = layout.default_parameters();
     for (coefficient, value) in values {
@@ -82,13 +113,18 @@ fn of(
     let diameter = layout
         .parameter("d")
         .map_or(0.269, |place| parameters[place.index()]);
-    let spin = |advance: f64| Some(advance * 2.0 * SPEED / diameter * 30.0 / std::f64::consts::PI);
-    let flights = body.with_parameters(parameters);
-    let level = Throw {
-        spin: spin(ADVANCE),
+    let level = move |advance: f64| Throw {
+        spin: Some(advance * 2.0 * SPEED / diameter * 30.0 / std::f64::consts::PI),
         height: 1.0,
         ..Throw::at_speed(SPEED)
     };
+    (body.with_parameters(parameters), level)
+}
+
+fn of(name: &'static str, values: &[(&str, f64)]) -> Result<Launches, StudyError> {
+    let body = ThrownBody::new(model_spec::load::load("disc", &EFFECTS)?)?;
+    let (flights, at_advance) = flights(&body, values);
+    let level = at_advance(ADVANCE);
     let pitches: Vec<f64> = (-10..=50).map(f64::from).collect();
     let best = |throw: &dyn Fn(f64) -> Throw| -> Result<(f64, f64), StudyError> {
         let (mut range, mut time) = ((f64::MIN, 0.0), (f64::MIN, 0.0));
@@ -110,35 +146,11 @@ fn of(
         }
         Ok((range.1, time.1))
     };
-    let ten = |hyzer: f64| Throw {
-        nose: Some(10.0),
-        hyzer: Some(hyzer),
-        ..level
-    };
-    let mut landings = Vec::new();
-    let mut straightest = (0.0, f64::INFINITY);
-    for hyzer in (-60..=60).step_by(2).map(f64::from) {
-        let Some(path) = flown(&flights, &ten(hyzer)) else {
-            continue;
-        };
-        let place = path.landing().position;
-        landings.push((hyzer, place.x, place.y));
-        let aside = (0..=100).map(|k| {
-            path.position(path.duration() * f64::from(k) / 100.0)
-                .y
-                .abs()
-        });
-        let aside = aside.fold(0.0, f64::max);
-        if aside < straightest.1 {
-            straightest = (hyzer, aside);
-        }
-    }
     let mut curvature = Vec::new();
     for advance in [0.3, 0.4, 0.5, 0.7, 1.0, 1.4] {
         let throw = Throw {
-            spin: spin(advance),
             nose: Some(10.0),
-            ..level
+            ..at_advance(advance)
         };
         if let Some(path) = flown(&flights, &throw) {
             curvature.push((advance, turned(&path)));
@@ -156,11 +168,46 @@ fn of(
             nose: Some(pitch),
             ..level
         })?,
-        straightest,
-        inflections: inflections(&landings),
-        landings,
+        tilts: tilts(&flights, &level),
         curvature,
     })
+}
+
+/// Level launches at a pitch of 10° over the tilt.
+fn tilts(flights: &ThrowFlights<'_>, level: &Throw) -> Tilts {
+    let mut landings: Vec<(f64, f64, f64)> = Vec::new();
+    let (mut straightest, mut on_line) = ((0.0, f64::INFINITY), None);
+    for hyzer in (-60..=60).step_by(2).map(f64::from) {
+        let throw = Throw {
+            nose: Some(10.0),
+            hyzer: Some(hyzer),
+            ..*level
+        };
+        let Some(path) = flown(flights, &throw) else {
+            continue;
+        };
+        let place = path.landing().position;
+        if let Some((before, _, y)) = landings.last()
+            && y * place.y < 0.0
+        {
+            on_line = Some(before - y * (hyzer - before) / (place.y - y));
+        }
+        landings.push((hyzer, place.x, place.y));
+        let aside = (0..=100).map(|k| {
+            let at = path.position(path.duration() * f64::from(k) / 100.0);
+            at.y.abs()
+        });
+        let aside = aside.fold(0.0, f64::max);
+        if aside < straightest.1 {
+            straightest = (hyzer, aside);
+        }
+    }
+    Tilts {
+        straightest,
+        on_line,
+        inflections: inflections(&landings),
+        landings,
+    }
 }
 
 fn flown<'f>(flights: &'f ThrowFlights<'f>, throw: &Throw) -> Option<Path<'f>> {

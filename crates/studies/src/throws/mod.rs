@@ -5,6 +5,6 @@ mod crowther_potts;
 mod frohlich;
 mod page;
 
-pub use crowther_potts::{Launches, launches};
+pub use crowther_potts::{Launches, Tilts, launches, rolls};
 pub use frohlich::{Winds, winds};
 pub use page::throws_page;

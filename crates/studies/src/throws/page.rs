@@ -3,13 +3,14 @@
 use report::figures::{Line, Panel, figure};
 use serde::Serialize;
 
-use super::{Launches, Winds};
+use super::{Launches, Tilts, Winds};
 use crate::error::StudyError;
 use crate::page::{Page, render};
 
 #[derive(Serialize)]
 struct Results<'r> {
     launches: &'r [Launches],
+    rolls: &'r [(f64, Tilts)],
     winds: &'r [Winds],
     best: Winds,
     best_upright: Winds,
@@ -24,7 +25,11 @@ struct Results<'r> {
 ///
 /// # Panics
 /// Without winds.
-pub fn throws_page(launches: &[Launches], winds: &[Winds]) -> Result<Page, StudyError> {
+pub fn throws_page(
+    launches: &[Launches],
+    rolls: &[(f64, Tilts)],
+    winds: &[Winds],
+) -> Result<Page, StudyError> {
     let best = winds
         .iter()
         .max_by(|a, b| a.range.total_cmp(&b.range))
@@ -44,7 +49,12 @@ pub fn throws_page(launches: &[Launches], winds: &[Winds]) -> Result<Page, Study
             .copied()
             .unwrap_or("")
             .to_owned(),
-        points: launch.landings.iter().map(|(_, x, y)| (*x, *y)).collect(),
+        points: launch
+            .tilts
+            .landings
+            .iter()
+            .map(|(_, x, y)| (*x, *y))
+            .collect(),
     });
     let panel = Panel {
         title: "Landings over the hyzer at launch, -60° to 60°: y, m".into(),
@@ -57,6 +67,7 @@ pub fn throws_page(launches: &[Launches], winds: &[Winds]) -> Result<Page, Study
             include_str!("page.md"),
             Results {
                 launches,
+                rolls,
                 winds,
                 best: *best,
                 best_upright: *best_upright,

@@ -11,6 +11,7 @@ use crate::fit::page::sentence;
 use crate::fit::words::names;
 
 /// Standard errors from zero that are far beyond chance in any number of diagnoses.
+const USUAL: f64 = 0.05;
 const BEYOND_CHANCE: f64 = 8.0;
 
 /// Least share of the samples that lie at a point of the curve or beyond for the point to be named.
@@ -188,9 +189,14 @@ pub(super) fn sure(report: &Report) -> String {
         _ if report.candidates.is_empty() => String::new(),
         Some(r) => format!(
             "Of the {tested} tested only this one explains the flights: with it in the model, the strongest of the others \
-             is {} (p = {}).",
+             is {} (p = {}{}).",
             words::readable(&r.name),
-            words::probability(r.p)
+            words::probability(r.p),
+            // The least of many: Bonferroni.
+            match r.p * report.candidates.len() as f64 > USUAL {
+                true => ", as chance gives among so many",
+                false => "",
+            }
         ),
         None => format!("Of the {tested} tested only this one explains the flights."),
     };
