@@ -11,8 +11,9 @@ use crate::fit::page::sentence;
 use crate::fit::words::names;
 
 /// Standard errors from zero that are far beyond chance in any number of diagnoses.
-const USUAL: f64 = 0.05;
 const BEYOND_CHANCE: f64 = 8.0;
+/// Probability above which the least of many p-values, corrected for their number, is nothing unusual.
+const USUAL: f64 = 0.05;
 
 /// Least share of the samples that lie at a point of the curve or beyond for the point to be named.
 const LEAST_SHARE: f64 = 0.025;
