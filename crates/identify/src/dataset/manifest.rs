@@ -249,7 +249,7 @@ impl Checker<'_> {
             if word == "unknown" {
                 return Ok(None);
             }
-            let found = format!("position = {}", shown(&word));
+            let found = format!("position = the text {}", shown(&word));
             return Err(self.0.fault(value.span(), found, expected));
         }
         let position = self.0.vector(value, "position")?;
